@@ -1,0 +1,15 @@
+// Published tables, carried in the program: results/published/<paper>/<table>.csv.
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "results/csv.hpp"
+
+namespace ikbench::published {
+
+// The table as printed, e.g. table("slim2023", "table-3"); std::invalid_argument where there is none.
+CsvTable table(std::string_view paper, std::string_view name);
+std::vector<std::string_view> papers();
+
+}  // namespace ikbench::published

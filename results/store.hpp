@@ -1,0 +1,67 @@
+// The store: one SQLite file that remembers studies, sessions and solves. Several studies may share a store.
+// Schema: docs/data-dictionary.md. User's mistakes (no such file, not a store, a newer schema) are std::invalid_argument.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "results/record.hpp"
+
+namespace ikbench {
+
+// One solver as it takes part in a study.
+struct Series {
+  std::string key;        // hash of everything that decides its numbers
+  std::string label;      // its name in tables and figures, unique within the study
+  std::string algorithm;  // registered name of the solver
+  std::string options;    // JSON object with every option value
+};
+
+// A study as it was defined when it was last run.
+struct StudyEntry {
+  std::string name;
+  std::string definition;      // JSON object: robot, path, search, bounds, population, stop rule, runs, points, seed, ...
+  std::vector<Series> series;  // in the order of the study
+};
+
+struct Session {
+  std::int64_t id = 0;
+  std::map<std::string, std::string> environment;  // cpu, compiler, flags, commit, date, jobs, ...
+};
+
+class Store {
+ public:
+  enum class Mode { read, write };  // write creates the file and its folders where missing
+
+  Store(const std::filesystem::path& file, Mode mode);
+  ~Store();
+  Store(Store&&) noexcept;
+  Store& operator=(Store&&) noexcept;
+
+  // Writes the study; one of the same name is replaced (its solves stay; only those of the new series are current).
+  void save_study(const StudyEntry& study);
+  std::vector<StudyEntry> studies() const;              // in the order they were first saved
+  StudyEntry study(const std::string& name) const;      // std::invalid_argument where there is none
+
+  std::int64_t begin_session(const std::map<std::string, std::string>& environment);
+  std::vector<Session> sessions() const;
+
+  // All of them in one transaction. A solve that is already there (series, run, point) is an error of ours.
+  void append(const std::vector<SolveRecord>& records);
+
+  // Solves of one series, ordered by run and point.
+  std::vector<SolveRecord> series(const std::string& key) const;
+  // Current solves of a study, in the order of its series, then run, then point; runs beyond `runs` of the
+  // definition are left out.
+  std::vector<SolveRecord> solves(const std::string& study) const;
+
+ private:
+  struct Database;
+  std::unique_ptr<Database> database_;
+};
+
+}  // namespace ikbench
