@@ -1,0 +1,57 @@
+#include "robots/spherical_wrist.hpp"
+
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+namespace ikbench {
+
+namespace {
+
+Chain arm_of(const Chain& whole) {
+  if (whole.joints() < 4) throw std::invalid_argument("a spherical wrist needs an arm of at least 4 joints");
+  const std::vector<DhLink>& links = whole.links();
+  return Chain({links.begin(), links.end() - 3}, {0, 0, links[links.size() - 3].d});
+}
+
+double wrapped(double angle) { return std::remainder(angle, 2 * std::numbers::pi); }
+
+}  // namespace
+
+SphericalWrist::SphericalWrist(const Chain& whole) : arm_(arm_of(whole)) {
+  const DhLink* last = &whole.links().back();
+  const DhLink &first_link = last[-2], &middle = last[-1], &third = last[0];
+  const double quarter = std::numbers::pi / 2;
+  const auto near = [](double a, double b) { return std::abs(a - b) < 1e-12; };
+  const bool meets = first_link.a == 0 && middle.a == 0 && middle.d == 0 && third.a == 0 && third.alpha == 0 &&
+                     near(std::abs(first_link.alpha), quarter) && near(first_link.alpha, -middle.alpha);
+  if (!meets) throw std::invalid_argument("the last three axes of this arm do not form a spherical wrist");
+  offsets_ = {first_link.offset, middle.offset, third.offset};
+  sense_ = first_link.alpha < 0 ? 1 : -1;
+  tool_in_tool_ = whole.tip() + Eigen::Vector3d(0, 0, third.d);
+}
+
+Eigen::Vector3d SphericalWrist::centre(const Pose& T_base_tool) const {
+  return T_base_tool.translation() - T_base_tool.linear() * tool_in_tool_;  // Eq. 15
+}
+
+std::array<Eigen::Vector3d, 2> SphericalWrist::angles(const ConfigurationRef& q_arm, const Eigen::Matrix3d& R_base_tool,
+                                                      const Eigen::Vector3d& near) const {
+  const Eigen::Matrix3d R_base_arm = arm_.forward(q_arm).linear();  // Eq. 16
+  const Eigen::Matrix3d R = R_base_arm.transpose() * R_base_tool;   // Eq. 17: Rz(t5) Ry(t6) Rz(t7)
+  const auto branch = [&](double t5) -> Eigen::Vector3d {
+    const double c5 = std::cos(t5), s5 = std::sin(t5);
+    // Rz(-t5) R = Ry(t6) Rz(t7): well conditioned for every t5, also next to the singular case.
+    const double t6 = std::atan2(c5 * R(0, 2) + s5 * R(1, 2), R(2, 2));
+    const double t7 = std::atan2(c5 * R(1, 0) - s5 * R(0, 0), c5 * R(1, 1) - s5 * R(0, 1));
+    return Eigen::Vector3d(t5, sense_ * t6, t7) - offsets_;
+  };
+  const bool singular = std::hypot(R(0, 2), R(1, 2)) < 1e-12;  // t6 = 0 or pi: only t5 +- t7 is fixed
+  const double t5 = singular ? near[0] + offsets_[0] : std::atan2(R(1, 2), R(0, 2));
+  std::array<Eigen::Vector3d, 2> both{branch(t5), branch(t5 + std::numbers::pi)};
+  if (both[0][1] < both[1][1]) std::swap(both[0], both[1]);
+  for (Eigen::Vector3d& angles : both) angles = angles.unaryExpr(&wrapped);
+  return both;
+}
+
+}  // namespace ikbench

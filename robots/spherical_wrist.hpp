@@ -1,0 +1,36 @@
+// The spherical wrist (Eqs. 15-17): where the last three axes meet in a point, the first joints place that point and
+// the last three angles follow from the orientation in closed form.
+#pragma once
+
+#include <array>
+
+#include "robots/chain.hpp"
+
+namespace ikbench {
+
+class SphericalWrist {
+ public:
+  // Last three twists must be -90, 90, 0 degrees (or 90, -90, 0) with no lengths between the axes;
+  // std::invalid_argument otherwise.
+  explicit SphericalWrist(const Chain& whole);
+
+  // The first joints up to the wrist's centre, which is the tool point of this chain.
+  const Chain& arm() const { return arm_; }
+
+  // Where the wrist's centre has to be, Eq. 15.
+  Eigen::Vector3d centre(const Pose& T_base_tool) const;
+
+  // The last three angles for an orientation, both branches: first with the middle joint's angle >= 0, then < 0;
+  // each in (-pi, pi]. Where the outer axes coincide (middle angle 0) the first of the three is taken from `near`,
+  // the angles the wrist has now.
+  std::array<Eigen::Vector3d, 2> angles(const ConfigurationRef& q_arm, const Eigen::Matrix3d& R_base_tool,
+                                        const Eigen::Vector3d& near) const;
+
+ private:
+  Chain arm_;
+  Eigen::Vector3d offsets_;       // of the three joints
+  double sense_;                  // +1 where the middle joint turns about +y, -1 about -y
+  Eigen::Vector3d tool_in_tool_;  // tool point from the wrist's centre, in the tool's frame
+};
+
+}  // namespace ikbench

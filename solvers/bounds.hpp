@@ -1,0 +1,33 @@
+// The joint limits as solvers treat them: first candidates inside, and what becomes of one that leaves them.
+#pragma once
+
+#include "solvers/options.hpp"
+#include "solvers/solver.hpp"
+
+namespace ikbench {
+
+enum class Bounds {
+  initial,  // only the first candidates are inside; later ones go where they like
+  clamp,    // a joint outside is set to its limit
+};
+
+inline void list_bounds(OptionList& list, Bounds& bounds) {
+  list.choice("bounds", bounds, {{"initial", Bounds::initial}, {"clamp", Bounds::clamp}},
+              "joint limits hold for the initial candidates only, or for all (clamped)");
+}
+
+// Uniform between the limits.
+inline void draw_within_limits(const Problem& problem, Random& random, Candidates& out) {
+  random.uniforms(out);
+  for (Eigen::Index j = 0; j < out.rows(); ++j) {
+    out.row(j) = problem.lower[j] + (problem.upper[j] - problem.lower[j]) * out.row(j).array();
+  }
+}
+
+// One candidate (a vector or a column) back inside, where the reading says so.
+template <class Candidate>
+void apply(Bounds bounds, const Problem& problem, Candidate&& q) {
+  if (bounds == Bounds::clamp) q = q.cwiseMax(problem.lower).cwiseMin(problem.upper);
+}
+
+}  // namespace ikbench

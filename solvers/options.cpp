@@ -1,0 +1,90 @@
+#include "solvers/options.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <charconv>
+#include <stdexcept>
+
+#include "robots/names.hpp"
+
+namespace ikbench {
+
+namespace {
+
+// The whole text as a number; independent of the locale.
+template <class Number>
+bool parse(std::string_view text, Number& value) {
+  const char* end = text.data() + text.size();
+  const auto [rest, error] = std::from_chars(text.data(), end, value);
+  return error == std::errc() && rest == end;
+}
+
+template <class Number>
+Option ranged(std::string name, Number& field, std::pair<Number, Number> range, std::string expected,
+              std::string meaning) {
+  return {.name = std::move(name),
+          .expected = std::move(expected),
+          .meaning = std::move(meaning),
+          .choices = {},
+          .bounds = {fmt::format("{}", range.first), fmt::format("{}", range.second)},
+          .get = [&field] { return fmt::format("{}", field); },
+          .set =
+              [&field, range](std::string_view text) {
+                Number value{};
+                if (!parse(text, value) || !(value >= range.first && value <= range.second)) return false;
+                field = value;
+                return true;
+              }};
+}
+
+}  // namespace
+
+void OptionList::number(std::string name, double& field, std::pair<double, double> range, std::string meaning) {
+  options_.push_back(ranged(std::move(name), field, range,
+                            fmt::format("a number from {} to {}", range.first, range.second), std::move(meaning)));
+}
+
+void OptionList::count(std::string name, int& field, std::pair<int, int> range, std::string meaning) {
+  options_.push_back(ranged(std::move(name), field, range,
+                            fmt::format("a whole number from {} to {}", range.first, range.second),
+                            std::move(meaning)));
+}
+
+void OptionList::add_choice(std::string name, std::vector<std::string> names, std::string meaning,
+                            std::function<std::string()> get, std::function<bool(std::string_view)> set) {
+  std::string expected = fmt::format("one of {}", fmt::join(names, ", "));
+  options_.push_back({.name = std::move(name),
+                      .expected = std::move(expected),
+                      .meaning = std::move(meaning),
+                      .choices = std::move(names),
+                      .bounds = {},
+                      .get = std::move(get),
+                      .set = std::move(set)});
+}
+
+void OptionList::set(std::string_view name, std::string_view value) {
+  std::vector<std::string> names;
+  for (const Option& option : options_) {
+    if (option.name != name) {
+      names.push_back(option.name);
+      continue;
+    }
+    if (option.set(value)) return;
+    throw std::invalid_argument(
+        fmt::format("option {} is \"{}\"; expected {}", name, value.substr(0, 100), option.expected));
+  }
+  throw std::invalid_argument(unknown_name("option", name, names));
+}
+
+void OptionList::set(const Settings& settings) {
+  for (const auto& [name, value] : settings) set(name, value);
+}
+
+Settings OptionList::values() const {
+  Settings values;
+  for (const Option& option : options_) values[option.name] = option.get();
+  return values;
+}
+
+}  // namespace ikbench

@@ -1,0 +1,69 @@
+// A solver's options, said once: name, field, range and meaning. The default is the field's initialiser. Settings in
+// studies, --set, `ikbench list solvers` and the provenance in the store all come from this list.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace ikbench {
+
+// Option name -> value as text.
+using Settings = std::map<std::string, std::string, std::less<>>;
+
+struct Option {
+  std::string name;
+  std::string expected;  // "a number from 0 to 1", "one of greedy, loudness"
+  std::string meaning;
+  std::vector<std::string> choices;  // of an enumerated option; else empty
+  std::vector<std::string> bounds;   // smallest and largest value of a number; else empty
+  std::function<std::string()> get;
+  std::function<bool(std::string_view)> set;  // false where the text is not what is expected
+};
+
+class OptionList {
+ public:
+  void number(std::string name, double& field, std::pair<double, double> range, std::string meaning);
+  void count(std::string name, int& field, std::pair<int, int> range, std::string meaning);
+
+  template <class Enum>
+  void choice(std::string name, Enum& field, std::vector<std::pair<std::string, Enum>> values, std::string meaning) {
+    std::vector<std::string> names;
+    for (const auto& [text, value] : values) names.push_back(text);
+    add_choice(
+        std::move(name), std::move(names), std::move(meaning),
+        [&field, values]() -> std::string {
+          for (const auto& [text, value] : values) {
+            if (value == field) return text;
+          }
+          return {};
+        },
+        [&field, values](std::string_view wanted) {
+          for (const auto& [text, value] : values) {
+            if (text == wanted) {
+              field = value;
+              return true;
+            }
+          }
+          return false;
+        });
+  }
+
+  const std::vector<Option>& options() const { return options_; }
+
+  // std::invalid_argument names an unknown option (and the nearest known one) or a value that is not as expected.
+  void set(std::string_view name, std::string_view value);
+  void set(const Settings& settings);
+  Settings values() const;
+
+ private:
+  void add_choice(std::string name, std::vector<std::string> names, std::string meaning,
+                  std::function<std::string()> get, std::function<bool(std::string_view)> set);
+
+  std::vector<Option> options_;
+};
+
+}  // namespace ikbench

@@ -1,0 +1,30 @@
+#include "solvers/registry.hpp"
+
+#include <stdexcept>
+
+#include "robots/names.hpp"
+
+namespace ikbench {
+
+#define SOLVER(name) SolverInfo name();
+#include "solvers/registry.inc"
+#undef SOLVER
+
+std::vector<SolverInfo> solvers() {
+  return {
+#define SOLVER(name) name(),
+#include "solvers/registry.inc"
+#undef SOLVER
+  };
+}
+
+SolverInfo solver(std::string_view name) {
+  std::vector<std::string> names;
+  for (SolverInfo& info : solvers()) {
+    if (info.name == name) return std::move(info);
+    names.push_back(info.name);
+  }
+  throw std::invalid_argument(unknown_name("solver", name, names));
+}
+
+}  // namespace ikbench

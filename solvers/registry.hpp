@@ -1,0 +1,61 @@
+// The solvers by name. One line a solver in registry.inc; its file defines the function of that name.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "solvers/options.hpp"
+#include "solvers/solver.hpp"
+
+namespace ikbench {
+
+struct SolverInfo {
+  std::string name;
+  std::string summary;
+  std::string source;  // the publication it comes from
+  // The defaults, or with `settings` applied (std::invalid_argument as OptionList::set says).
+  std::function<Settings(const Settings& settings)> options;
+  std::function<std::unique_ptr<Solver>(const Settings& settings)> make;
+  std::function<void(const std::function<void(const OptionList&)>& visit)> describe;
+};
+
+std::vector<SolverInfo> solvers();
+// std::invalid_argument names those there are.
+SolverInfo solver(std::string_view name);
+
+// For a solver's file: its class has a nested Options with `void list(OptionList&)` and a constructor from it.
+template <class S>
+SolverInfo solver_info(std::string name, std::string summary, std::string source) {
+  using Options = typename S::Options;
+  const auto configured = [](const Settings& settings) {
+    Options options;
+    OptionList list;
+    options.list(list);
+    list.set(settings);
+    return options;
+  };
+  return {.name = std::move(name),
+          .summary = std::move(summary),
+          .source = std::move(source),
+          .options =
+              [configured](const Settings& settings) {
+                Options options = configured(settings);
+                OptionList list;
+                options.list(list);
+                return list.values();
+              },
+          .make = [configured](const Settings& settings) -> std::unique_ptr<Solver> {
+            return std::make_unique<S>(configured(settings));
+          },
+          .describe =
+              [](const std::function<void(const OptionList&)>& visit) {
+                Options options;
+                OptionList list;
+                options.list(list);
+                visit(list);
+              }};
+}
+
+}  // namespace ikbench

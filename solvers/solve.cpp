@@ -1,0 +1,43 @@
+#include "solvers/solve.hpp"
+
+#include <chrono>
+#include <cmath>
+
+namespace ikbench {
+
+Solution solve(Solver& solver, const Problem& problem, Objective& objective, Random& random, const StopRule& stop,
+               Trace trace) {
+  using Clock = std::chrono::steady_clock;
+  const Clock::time_point started = Clock::now();
+  const auto seconds = [&] { return std::chrono::duration<double>(Clock::now() - started).count(); };
+
+  Solution solution;
+  if (trace == Trace::best_error) solution.trace.reserve(static_cast<std::size_t>(stop.iterations));
+  solver.start(problem, objective, random);
+  for (;;) {
+    const double error = solver.best().error;
+    if (!std::isfinite(error)) {
+      solution.stopped = Stopped::not_finite;
+    } else if (stop.tolerance > 0 && error <= stop.tolerance) {
+      solution.stopped = Stopped::tolerance;
+    } else if (solution.iterations >= stop.iterations) {
+      solution.stopped = Stopped::iterations;
+    } else if (stop.evaluations > 0 && objective.evaluations() >= stop.evaluations) {
+      solution.stopped = Stopped::evaluations;
+    } else if (stop.seconds > 0 && seconds() >= stop.seconds) {
+      solution.stopped = Stopped::time;
+    } else {
+      solver.step(objective, random);
+      ++solution.iterations;
+      if (trace == Trace::best_error) solution.trace.push_back(solver.best().error);
+      continue;
+    }
+    break;
+  }
+  solution.best = solver.best();
+  if (!solution.best.q.allFinite()) solution.stopped = Stopped::not_finite;
+  solution.evaluations = objective.evaluations();
+  return solution;
+}
+
+}  // namespace ikbench

@@ -1,0 +1,35 @@
+// The one loop that drives every solver: stopped, counted, traced and timed alike.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "solvers/solver.hpp"
+
+namespace ikbench {
+
+// A solve ends at the first that is reached. 0 means: no such rule, except for iterations.
+struct StopRule {
+  int iterations = 200;
+  double tolerance = 0;          // [m] position error, reached when the best error is <= tolerance
+  std::int64_t evaluations = 0;  // checked after each iteration
+  double seconds = 0;            // wall time, checked after each iteration
+};
+
+enum class Stopped { iterations, tolerance, evaluations, time, not_finite };
+
+enum class Trace { none, best_error };
+
+struct Solution {
+  Best best;
+  std::int64_t iterations = 0;
+  std::int64_t evaluations = 0;
+  Stopped stopped = Stopped::iterations;
+  std::vector<double> trace;  // best error [m] after each iteration, where asked for
+};
+
+// `not_finite` where the best error or the answer is not a finite number.
+Solution solve(Solver& solver, const Problem& problem, Objective& objective, Random& random, const StopRule& stop,
+               Trace trace = Trace::none);
+
+}  // namespace ikbench

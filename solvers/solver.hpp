@@ -1,0 +1,48 @@
+// What a solver is: start, step, best. No loop, clock, stop rule, log or counter inside; `solve` (solve.hpp) owns
+// those.
+#pragma once
+
+#include <limits>
+
+#include "solvers/objective.hpp"
+#include "solvers/random.hpp"
+
+namespace ikbench {
+
+// What a solver is told of the task besides the objective.
+struct Problem {
+  Eigen::VectorXd start;  // Theta_s: the configuration the arm is in [rad]; its size is the number of joints searched
+  Eigen::VectorXd lower;  // joint limits [rad], Eq. 4
+  Eigen::VectorXd upper;
+  int population = 50;   // candidates an iteration
+  int iterations = 200;  // planned; for schedules that end with the solve
+
+  int joints() const { return static_cast<int>(start.size()); }
+};
+
+struct Best {
+  Eigen::VectorXd q;                                       // [rad]
+  double error = std::numeric_limits<double>::infinity();  // [m], as the objective gave it
+
+  // Keeps the candidate if it is better; says whether it did.
+  bool improve(const ConfigurationRef& candidate, double candidate_error) {
+    if (!(candidate_error < error)) return false;
+    q = candidate;
+    error = candidate_error;
+    return true;
+  }
+};
+
+class Solver {
+ public:
+  virtual ~Solver() = default;
+
+  // Draws and evaluates the first candidates. All memory is taken here.
+  virtual void start(const Problem& problem, Objective& objective, Random& random) = 0;
+  // One iteration.
+  virtual void step(Objective& objective, Random& random) = 0;
+  // The best so far; its error never grows and is exactly what the objective says of its q.
+  virtual const Best& best() const = 0;
+};
+
+}  // namespace ikbench
