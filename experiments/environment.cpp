@@ -1,0 +1,66 @@
+#include "experiments/environment.hpp"
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+#include <sys/utsname.h>
+
+#include <Eigen/Core>
+#include <chrono>
+#include <fstream>
+#include <thread>
+
+#include "build_info.hpp"
+
+namespace ikbench {
+
+namespace {
+
+std::string cpu_model() {
+  std::ifstream info("/proc/cpuinfo");
+  for (std::string line; std::getline(info, line);) {
+    const std::size_t colon = line.find(": ");
+    if (line.starts_with("model name") && colon != std::string::npos) return line.substr(colon + 2);
+  }
+  return "unknown";
+}
+
+std::string compiler() {
+#if defined(__clang__)
+  return "clang " __clang_version__;
+#else
+  return "g++ " __VERSION__;
+#endif
+}
+
+std::string operating_system() {
+  utsname name{};
+  return uname(&name) == 0 ? fmt::format("{} {} {}", name.sysname, name.release, name.machine) : "unknown";
+}
+
+}  // namespace
+
+std::map<std::string, std::string> environment() {
+  return {{"build_type", build_info::build_type},
+          {"commit", build_info::commit},
+          {"compiler", compiler()},
+          {"cpu", cpu_model()},
+          {"cpus", std::to_string(std::thread::hardware_concurrency())},
+          {"date", fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::chrono::system_clock::now()))},
+          {"eigen", fmt::format("{}.{}.{}", EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION)},
+          {"flags", build_info::flags},
+          {"os", operating_system()},
+          {"sanitizers", build_info::sanitize},
+          {"version", build_info::version}};
+}
+
+bool is_debug_build() {
+#ifdef NDEBUG
+  return false;
+#else
+  return true;
+#endif
+}
+
+std::string version() { return fmt::format("{} ({})", build_info::version, build_info::commit); }
+
+}  // namespace ikbench

@@ -1,0 +1,14 @@
+// What the numbers were made with: the program, the compiler, the machine.
+#pragma once
+
+#include <map>
+#include <string>
+
+namespace ikbench {
+
+std::map<std::string, std::string> environment();
+// Times of a debug or sanitized build say nothing about a solver.
+bool is_debug_build();
+std::string version();
+
+}  // namespace ikbench

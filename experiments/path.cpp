@@ -1,0 +1,51 @@
+#include "experiments/path.hpp"
+
+#include <cmath>
+#include <numbers>
+
+namespace ikbench {
+
+namespace {
+
+std::vector<Pose> along(const Helix& helix) {
+  const int intervals = helix.spacing == Spacing::k_over_n ? helix.points : std::max(helix.points - 1, 1);
+  std::vector<Pose> poses;
+  for (int k = 0; k < helix.points; ++k) {
+    const double fraction = static_cast<double>(k) / intervals;
+    const double t = helix.start + 2 * std::numbers::pi * helix.turns * fraction;
+    const double first = helix.phase == Phase::sin_cos ? std::sin(t) : std::cos(t);
+    const double second = helix.phase == Phase::sin_cos ? std::cos(t) : std::sin(t);
+    Pose pose = Pose::Identity();
+    pose.linear() = rotation(helix.tool);
+    pose.translation() =
+        helix.centre + Eigen::Vector3d(helix.radius * first, helix.radius * second, helix.length * fraction);
+    poses.push_back(pose);
+  }
+  return poses;
+}
+
+}  // namespace
+
+std::vector<Pose> targets(const Path& path) {
+  if (const auto* helix = std::get_if<Helix>(&path)) return along(*helix);
+  return std::get<std::vector<Pose>>(path);
+}
+
+Eigen::Matrix3d rotation(Tool tool) {
+  Eigen::Matrix3d R;
+  if (tool == Tool::down) {
+    R << -1, 0, 0, 0, 1, 0, 0, 0, -1;
+  } else {
+    R << 1, 0, 0, 0, 0, 1, 0, -1, 0;
+  }
+  return R;
+}
+
+Eigen::Matrix3d rotation_from_rpy(const Eigen::Vector3d& rpy) {
+  using Eigen::AngleAxisd;
+  return (AngleAxisd(rpy[2], Eigen::Vector3d::UnitZ()) * AngleAxisd(rpy[1], Eigen::Vector3d::UnitY()) *
+          AngleAxisd(rpy[0], Eigen::Vector3d::UnitX()))
+      .toRotationMatrix();
+}
+
+}  // namespace ikbench

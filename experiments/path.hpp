@@ -1,0 +1,39 @@
+// Paths: where the tool has to go, as a list of target poses. Metres and radians.
+#pragma once
+
+#include <variant>
+#include <vector>
+
+#include "robots/chain.hpp"
+
+namespace ikbench {
+
+// How the tool is held along a path: down is R = diag(-1, 1, -1); eq27 has (0, 1, 0) as its third column, a horizontal
+// tool, as Eq. 27 prints (its other columns are our choice).
+enum class Tool { down, eq27 };
+// sin_cos: (x, y) = centre + radius (sin t, cos t); cos_sin: centre + radius (cos t, sin t).
+enum class Phase { sin_cos, cos_sin };
+// Point k of n, k = 0 ... n - 1, lies at the fraction k/n or k/(n - 1) of the path.
+enum class Spacing { k_over_n, k_over_n_minus_1 };
+
+// Slim et al. 2023, Sec. 5.2. A circle is a helix of length 0 with one turn.
+struct Helix {
+  Eigen::Vector3d centre{0.60, 0.0, 0.10};  // of the bottom
+  double radius = 0.20;
+  double length = 0.50;
+  double turns = 2;
+  double start = 0;  // added to t
+  int points = 20;
+  Phase phase = Phase::sin_cos;
+  Spacing spacing = Spacing::k_over_n;
+  Tool tool = Tool::down;
+};
+
+using Path = std::variant<Helix, std::vector<Pose>>;
+
+std::vector<Pose> targets(const Path& path);
+Eigen::Matrix3d rotation(Tool tool);
+// Rz(yaw) Ry(pitch) Rx(roll).
+Eigen::Matrix3d rotation_from_rpy(const Eigen::Vector3d& rpy);
+
+}  // namespace ikbench

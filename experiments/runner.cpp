@@ -1,0 +1,269 @@
+#include "experiments/runner.hpp"
+
+#include <fmt/format.h>
+#include <oneapi/tbb/parallel_for_each.h>
+#include <oneapi/tbb/task_arena.h>
+#include <time.h>
+
+#include <chrono>
+#include <mutex>
+#include <nlohmann/json.hpp>
+#include <numbers>
+#include <optional>
+#include <stdexcept>
+
+#include "experiments/environment.hpp"
+#include "experiments/study_file.hpp"
+#include "experiments/verifier.hpp"
+#include "robots/spherical_wrist.hpp"
+#include "solvers/registry.hpp"
+
+namespace ikbench {
+
+namespace {
+
+constexpr double radian_in_degrees = 180 / std::numbers::pi;
+constexpr double metre_in_cm = 100;
+// What rounding explains: of a claim against the verifier [m], of an orientation, and of a limit [rad].
+constexpr double rounding = 1e-9;
+
+double thread_seconds() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+StopReason recorded(Stopped stopped) {
+  switch (stopped) {
+    case Stopped::iterations:
+      return StopReason::iterations;
+    case Stopped::tolerance:
+      return StopReason::tolerance;
+    case Stopped::evaluations:
+      return StopReason::evaluations;
+    case Stopped::time:
+      return StopReason::time;
+    case Stopped::not_finite:
+      break;
+  }
+  return StopReason::not_finite;
+}
+
+std::vector<double> to_vector(const Eigen::VectorXd& values) { return {values.begin(), values.end()}; }
+
+Eigen::VectorXd to_eigen(const std::vector<double>& values) {
+  return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
+}
+
+// What is searched for one target: all joints, or those before the wrist.
+class Task {
+ public:
+  Task(const Study& study, const Robot& arm) : study_(study), arm_(arm) {
+    if (study.search == Search::wrist) wrist_.emplace(arm.chain);
+  }
+
+  const Chain& chain() const { return wrist_ ? wrist_->arm() : arm_.chain; }
+
+  Eigen::Vector3d goal(const Pose& target) const { return wrist_ ? wrist_->centre(target) : target.translation(); }
+
+  Problem problem(const Eigen::VectorXd& start) const {
+    const int joints = chain().joints();
+    return {.start = start.head(joints),
+            .lower = arm_.limits.lower.head(joints),
+            .upper = arm_.limits.upper.head(joints),
+            .population = study_.population,
+            .iterations = study_.stop.iterations};
+  }
+
+  // All joints of the answer: those searched, and the wrist's by the closed form.
+  Eigen::VectorXd completed(const Eigen::VectorXd& found, const Pose& target, const Eigen::VectorXd& start) const {
+    if (!wrist_) return found;
+    const Eigen::Vector3d near = start.tail<3>();
+    const auto [positive, negative] = wrist_->angles(found, target.linear(), near);
+    const bool take_positive =
+        study_.wrist_branch == WristBranch::positive ||
+        (study_.wrist_branch == WristBranch::nearest && (positive - near).norm() <= (negative - near).norm());
+    Eigen::VectorXd answer(found.size() + 3);
+    answer << found, take_positive ? positive : negative;
+    return answer;
+  }
+
+ private:
+  const Study& study_;
+  const Robot& arm_;
+  std::optional<SphericalWrist> wrist_;
+};
+
+Status judged(const SolveRecord& record, const Verdict& verdict, const Study& study) {
+  const bool finite = std::isfinite(verdict.position_error) && std::isfinite(verdict.orientation_error) &&
+                      record.stop_reason != StopReason::not_finite;
+  if (!finite) return Status::not_finite;
+  const bool turned_wrong = study.search == Search::wrist && verdict.orientation_error > rounding;
+  if (std::abs(verdict.position_error - record.claimed_error_cm / metre_in_cm) > rounding || turned_wrong) {
+    return Status::claimed_but_wrong;
+  }
+  if (verdict.limit_violation > rounding) return Status::limit_violated;
+  if (study.stop.tolerance > 0 && verdict.position_error > study.stop.tolerance) return Status::tolerance_missed;
+  return Status::ok;
+}
+
+// One entrant of a study, ready to solve any of its points.
+class Contest {
+ public:
+  Contest(const Study& study, const Entrant& entrant, const Robot& arm)
+      : study_(study),
+        entrant_(entrant),
+        arm_(arm),
+        task_(study, arm),
+        info_(solver(entrant.solver)),
+        options_(effective_options(study, entrant)),
+        series_(series_key(study, entrant)) {}
+
+  const std::string& series() const { return series_; }
+
+  SolveRecord solve(const Pose& target, const Eigen::VectorXd& start, int run, int point) const {
+    const std::unique_ptr<Solver> solver = info_.make(options_);
+    Objective objective(task_.chain(), task_.goal(target));
+    Random random(Key(study_.seed)
+                      .with(entrant_.label)
+                      .with(static_cast<std::uint64_t>(run))
+                      .with(static_cast<std::uint64_t>(point)));
+    const Problem problem = task_.problem(start);
+
+    const double thread_started = thread_seconds();
+    const auto started = std::chrono::steady_clock::now();
+    const Solution solution = ikbench::solve(*solver, problem, objective, random, study_.stop, study_.trace);
+    const Eigen::VectorXd answer = task_.completed(solution.best.q, target, start);
+    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - started;
+    const double cpu_seconds = thread_seconds() - thread_started;
+
+    const Verdict verdict = verify(arm_, target, start, answer);
+    const Eigen::Matrix3d transposed = target.linear().transpose();  // row by row
+    SolveRecord record{.study = study_.name,
+                       .robot = arm_.name,
+                       .solver = entrant_.label,
+                       .series = series_,
+                       .run = run,
+                       .point = point,
+                       .target_position_m = to_vector(target.translation()),
+                       .target_rotation = to_vector(transposed.reshaped()),
+                       .start_rad = to_vector(start),
+                       .answer_rad = to_vector(answer),
+                       .position_error_cm = verdict.position_error * metre_in_cm,
+                       .claimed_error_cm = solution.best.error * metre_in_cm,
+                       .orientation_error = verdict.orientation_error,
+                       .variation_deg = verdict.variation * radian_in_degrees,
+                       .largest_move_deg = verdict.largest_move * radian_in_degrees,
+                       .limit_violation_deg = verdict.limit_violation * radian_in_degrees,
+                       .evaluations = solution.evaluations,
+                       .iterations = solution.iterations,
+                       .stop_reason = recorded(solution.stopped),
+                       .seconds = seconds.count(),
+                       .cpu_seconds = cpu_seconds,
+                       .timing = is_debug_build() ? Timing::debug_build : Timing::clean};
+    record.status = judged(record, verdict, study_);
+    for (const double error : solution.trace) record.trace_cm.push_back(error * metre_in_cm);
+    return record;
+  }
+
+ private:
+  const Study& study_;
+  const Entrant& entrant_;
+  const Robot& arm_;
+  Task task_;
+  SolverInfo info_;
+  Settings options_;
+  std::string series_;
+};
+
+// The arm is where the answer put it, unless that was no configuration at all.
+void move(Eigen::VectorXd& configuration, const SolveRecord& record) {
+  if (record.status != Status::not_finite) configuration = to_eigen(record.answer_rad);
+}
+
+struct Chained {  // one run of one entrant, and what the store already has of it
+  const Contest* contest;
+  int run;
+  int first_missing = 1;
+  Eigen::VectorXd start;
+};
+
+StudyEntry entry_of(const Study& study) {
+  StudyEntry entry{.name = study.name, .definition = to_json(study), .series = {}};
+  for (const Entrant& entrant : study.solvers) {
+    entry.series.push_back({.key = series_key(study, entrant),
+                            .label = entrant.label,
+                            .algorithm = entrant.solver,
+                            .options = nlohmann::json(effective_options(study, entrant)).dump()});
+  }
+  return entry;
+}
+
+}  // namespace
+
+Progress run(const Study& study, Store& store, const RunRequest& request) {
+  const Robot arm = robot(study.robot);
+  const std::vector<Pose> poses = targets(study.path);
+  std::vector<Contest> contests;
+  for (const Entrant& entrant : study.solvers) contests.emplace_back(study, entrant, arm);
+  store.save_study(entry_of(study));
+
+  // Runs outside, solvers inside: whatever drifts on the machine meanwhile touches all solvers alike.
+  Progress progress{.total = static_cast<std::int64_t>(contests.size()) * study.runs *
+                             static_cast<std::int64_t>(poses.size())};
+  std::vector<Chained> work(contests.size() * static_cast<std::size_t>(study.runs));
+  for (std::size_t c = 0; c < contests.size(); ++c) {
+    for (int run = 1; run <= study.runs; ++run) {
+      work[static_cast<std::size_t>(run - 1) * contests.size() + c] = {&contests[c], run, 1, study.initial};
+    }
+    for (const SolveRecord& record : store.series(contests[c].series())) {
+      if (record.run > study.runs) continue;
+      Chained& chained = work[static_cast<std::size_t>(record.run - 1) * contests.size() + c];
+      if (record.point != chained.first_missing) {
+        throw std::invalid_argument(
+            fmt::format("the store has point {} of run {} of {} but not point {}; it was edited: "
+                        "take another --out",
+                        record.point, record.run, record.solver, chained.first_missing));
+      }
+      ++chained.first_missing;
+      move(chained.start, record);
+      ++progress.reused;
+    }
+  }
+  progress.done = progress.reused;
+  if (request.progress) request.progress(progress);
+  if (progress.done == progress.total) return progress;
+
+  std::map<std::string, std::string> session = environment();
+  session["jobs"] = std::to_string(request.jobs);
+  const std::int64_t session_id = store.begin_session(session);
+  std::mutex recording;
+  const auto is_cancelled = [&] { return request.cancelled != nullptr && *request.cancelled; };
+
+  const auto solve_chain = [&](Chained& chained) {
+    for (int point = chained.first_missing; point <= static_cast<int>(poses.size()) && !is_cancelled(); ++point) {
+      SolveRecord record =
+          chained.contest->solve(poses[static_cast<std::size_t>(point - 1)], chained.start, chained.run, point);
+      if (request.jobs > 1 && record.timing == Timing::clean) record.timing = Timing::parallel;
+      record.session = session_id;
+      move(chained.start, record);
+      const std::scoped_lock lock(recording);
+      store.append({record});
+      ++progress.done;
+      if (request.progress) request.progress(progress);
+    }
+  };
+  if (request.jobs == 1) {
+    for (Chained& chained : work) solve_chain(chained);
+  } else {
+    tbb::task_arena(request.jobs).execute([&] { tbb::parallel_for_each(work, solve_chain); });
+  }
+  return progress;
+}
+
+SolveRecord solve_once(const Study& study, const Entrant& entrant, const Pose& target) {
+  const Robot arm = robot(study.robot);
+  return Contest(study, entrant, arm).solve(target, study.initial, 1, 1);
+}
+
+}  // namespace ikbench

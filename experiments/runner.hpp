@@ -1,0 +1,31 @@
+// Runs a study into a store: solve by solve, only what is missing, and every answer verified after the clock stopped.
+#pragma once
+
+#include <atomic>
+#include <functional>
+
+#include "experiments/study.hpp"
+#include "results/store.hpp"
+
+namespace ikbench {
+
+struct Progress {
+  std::int64_t done = 0;  // solves, with those that the store already had
+  std::int64_t total = 0;
+  std::int64_t reused = 0;  // of those done, how many the store already had
+};
+
+struct RunRequest {
+  int jobs = 1;                                   // solves at once; times are comparable with 1 only
+  std::function<void(const Progress&)> progress;  // called after every solve, by one thread at a time
+  const std::atomic<bool>* cancelled = nullptr;   // looked at before every solve; what is done stays
+};
+
+// The points of a run are chained (the arm starts where the previous answer left it), runs are independent. Numbers do
+// not depend on `jobs`, on the order of solvers, or on what the store already had.
+Progress run(const Study& study, Store& store, const RunRequest& request);
+
+// One target, by one entrant, with every number that a study would record.
+SolveRecord solve_once(const Study& study, const Entrant& entrant, const Pose& target);
+
+}  // namespace ikbench

@@ -1,0 +1,95 @@
+#include "experiments/study.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "robots/spherical_wrist.hpp"
+#include "solvers/registry.hpp"
+
+namespace ikbench {
+
+namespace {
+
+// To be raised whenever the same study gives other numbers than before, so that a store never mixes the two.
+constexpr int numerics_version = 1;
+
+// Slim et al. 2023, Sec. 5.2, in the readings of docs/paper-notes.md section 2.
+Study slim2023() {
+  Study study{.name = "slim2023",
+              .title = "Slim et al. 2023: six solvers on a helix with the KUKA LBR iiwa 14",
+              .published = "slim2023"};
+  study.initial = Eigen::VectorXd::Zero(7);
+  study.solvers = {{"IK-BA", "ik_bat", {}},
+                   {"BA", "bat", {}},
+                   {"DE", "differential_evolution", {}},
+                   {"PSO", "particle_swarm", {}},
+                   {"K-ABC", "k_artificial_bee_colony", {}},
+                   {"MO-PSO", "multi_objective_swarm", {}}};
+  return study;
+}
+
+// What the six are measured against: no skill at all, and what a roboticist would use.
+Study slim2023_context() {
+  Study study = slim2023();
+  study.name = "slim2023-context";
+  study.title = "The helix of Slim et al. 2023 with random search and damped least squares";
+  study.published = "";
+  study.solvers = {{"Random", "random_search", {}}, {"DLS", "damped_least_squares", {}}};
+  return study;
+}
+
+template <class Values>
+std::string exact(const Values& values) {
+  std::string text;
+  for (const double value : values) text += fmt::format("{} ", value);
+  return text;
+}
+
+}  // namespace
+
+std::vector<Study> studies() { return {slim2023(), slim2023_context()}; }
+
+Settings effective_options(const Study& study, const Entrant& entrant) {
+  const SolverInfo info = solver(entrant.solver);
+  Settings settings;
+  if (study.bounds != StudyBounds::per_solver && info.options({}).contains("bounds")) {
+    settings["bounds"] = study.bounds == StudyBounds::initial ? "initial" : "clamp";
+  }
+  for (const auto& [name, value] : entrant.options) settings[name] = value;
+  return info.options(settings);
+}
+
+std::string series_key(const Study& study, const Entrant& entrant) {
+  const Robot arm = robot(study.robot);
+  std::string text = fmt::format("numerics {}\nrobot", numerics_version);
+  for (const DhLink& link : arm.chain.links()) text += exact(std::array{link.a, link.alpha, link.d, link.offset});
+  text += exact(arm.chain.tip()) + exact(arm.limits.lower) + exact(arm.limits.upper) + "\ntargets ";
+  for (const Pose& target : targets(study.path)) text += exact(target.matrix().reshaped());
+  text += fmt::format("\ninitial {}\nsearch {} branch {} population {} seed {} trace {}", exact(study.initial),
+                      static_cast<int>(study.search), static_cast<int>(study.wrist_branch), study.population,
+                      study.seed, static_cast<int>(study.trace));
+  text += fmt::format("\nstop {} {} {} {}", study.stop.iterations, study.stop.tolerance, study.stop.evaluations,
+                      study.stop.seconds);
+  text += fmt::format("\nsolver {} label {}", entrant.solver, entrant.label);
+  for (const auto& [name, value] : effective_options(study, entrant)) text += fmt::format("\n{} = {}", name, value);
+  return fmt::format("{:016x}", Key(0).with(text).value());
+}
+
+std::vector<Unreachable> unreachable(const Study& study) {
+  const Robot arm = robot(study.robot);
+  const bool wrist_only = study.search == Search::wrist;
+  const Chain chain = wrist_only ? SphericalWrist(arm.chain).arm() : arm.chain;
+  const Chain::Ball ball = chain.reach();
+  std::vector<Unreachable> found;
+  int point = 0;
+  for (const Pose& target : targets(study.path)) {
+    ++point;
+    const Eigen::Vector3d goal = wrist_only ? SphericalWrist(arm.chain).centre(target) : target.translation();
+    const double distance = (goal - ball.centre).norm();
+    if (distance > ball.radius) found.push_back({point, distance, ball.radius});
+  }
+  return found;
+}
+
+}  // namespace ikbench

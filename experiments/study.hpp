@@ -1,0 +1,70 @@
+// A study is data: what is solved, by whom, how often, from which seed.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "experiments/path.hpp"
+#include "robots/robot.hpp"
+#include "solvers/options.hpp"
+#include "solvers/solve.hpp"
+
+namespace ikbench {
+
+// wrist: the solver searches the joints before a spherical wrist, whose angles follow in closed form (Eqs. 15-17).
+// all_joints: it searches all joints for the position alone.
+enum class Search { wrist, all_joints };
+
+// Which of the wrist's two branches completes an answer: the one with the smaller move, or that whose middle joint is
+// positive or negative.
+enum class WristBranch { nearest, positive, negative };
+
+// Whether the joint limits hold for candidates: as each solver's own option says, or the same for all that have it.
+enum class StudyBounds { per_solver, initial, clamp };
+
+struct Entrant {
+  std::string label;   // unique within the study; its name in tables and figures
+  std::string solver;  // registered name
+  Settings options;    // those that differ from the solver's defaults
+};
+
+struct Study {
+  std::string name = "study";
+  std::string title;
+  std::string published;  // the paper whose printed tables are set beside the results, or empty
+  std::string robot = "kuka_iiwa14";
+  Path path = Helix{};
+  Search search = Search::wrist;
+  StudyBounds bounds = StudyBounds::per_solver;
+  WristBranch wrist_branch = WristBranch::nearest;
+  Eigen::VectorXd initial;  // [rad], all joints; where the arm is before the first point of a run
+  int population = 50;
+  StopRule stop;
+  int runs = 20;
+  std::uint64_t seed = 1;
+  Trace trace = Trace::none;
+  std::vector<Entrant> solvers;
+};
+
+// The built-in studies by name.
+std::vector<Study> studies();
+
+// What each entrant's solver is really made with: the study's bounds applied, its own options over them, defaults
+// filled in.
+Settings effective_options(const Study& study, const Entrant& entrant);
+
+// Hash of everything that decides the numbers of one entrant: equal hashes, equal numbers.
+std::string series_key(const Study& study, const Entrant& entrant);
+
+// A target that no configuration reaches, by the distance from the shoulder (to the wrist's centre, where that is what
+// is searched).
+struct Unreachable {
+  int point;        // from 1
+  double distance;  // [m]
+  double reach;     // [m]
+};
+std::vector<Unreachable> unreachable(const Study& study);
+
+}  // namespace ikbench

@@ -1,0 +1,27 @@
+// Studies as TOML: written with a meaning on every line, read with file, line and column in every message.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "experiments/study.hpp"
+
+namespace ikbench {
+
+// "key=value" over what the study says: `runs=5`, `path.tool=eq27`, or an option of the entrants with that label or
+// solver: `IK-BA.bounds=clamp`.
+using Overrides = std::vector<std::string>;
+
+// Both: std::invalid_argument says where, what is wrong, and what is expected; an unknown key names the nearest known.
+Study parse_study(std::string_view toml, std::string_view source, const Overrides& overrides = {});
+// A built-in study by name, or else a file.
+Study load_study(const std::string& name_or_file, const Overrides& overrides = {});
+
+// The whole study, to be edited and run; parse_study gives the same study back.
+std::string to_toml(const Study& study);
+// The whole study without its solvers and with its number of points, as the store keeps it.
+std::string to_json(const Study& study);
+
+}  // namespace ikbench

@@ -1,0 +1,89 @@
+#include "experiments/verifier.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace ikbench {
+
+namespace {
+
+using Matrix = std::array<std::array<double, 4>, 4>;
+
+constexpr Matrix identity{{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}}};
+
+Matrix product(const Matrix& left, const Matrix& right) {
+  Matrix result{};
+  for (std::size_t row = 0; row < 4; ++row) {
+    for (std::size_t column = 0; column < 4; ++column) {
+      for (std::size_t k = 0; k < 4; ++k) result[row][column] += left[row][k] * right[k][column];
+    }
+  }
+  return result;
+}
+
+Matrix turned_about_z(double angle) {
+  Matrix matrix = identity;
+  matrix[0][0] = matrix[1][1] = std::cos(angle);
+  matrix[1][0] = std::sin(angle);
+  matrix[0][1] = -matrix[1][0];
+  return matrix;
+}
+
+Matrix turned_about_x(double angle) {
+  Matrix matrix = identity;
+  matrix[1][1] = matrix[2][2] = std::cos(angle);
+  matrix[2][1] = std::sin(angle);
+  matrix[1][2] = -matrix[2][1];
+  return matrix;
+}
+
+Matrix moved(double x, double y, double z) {
+  Matrix matrix = identity;
+  matrix[0][3] = x;
+  matrix[1][3] = y;
+  matrix[2][3] = z;
+  return matrix;
+}
+
+// The largest element, and 0 at least; NaN where the vector is not finite, which maxCoeff may pass over.
+double largest(const Eigen::VectorXd& values) {
+  return values.allFinite() ? std::max(0.0, values.maxCoeff()) : std::numeric_limits<double>::quiet_NaN();
+}
+
+}  // namespace
+
+Eigen::Matrix4d verified_pose(const Chain& chain, const Eigen::VectorXd& q) {
+  Matrix pose = identity;
+  Eigen::Index joint = 0;
+  for (const DhLink& link : chain.links()) {
+    pose = product(pose, turned_about_z(q[joint++] + link.offset));
+    pose = product(pose, moved(link.a, 0, link.d));
+    pose = product(pose, turned_about_x(link.alpha));
+  }
+  pose = product(pose, moved(chain.tip().x(), chain.tip().y(), chain.tip().z()));
+  Eigen::Matrix4d result;
+  for (int row = 0; row < 4; ++row) {
+    for (int column = 0; column < 4; ++column) {
+      result(row, column) = pose[static_cast<std::size_t>(row)][static_cast<std::size_t>(column)];
+    }
+  }
+  return result;
+}
+
+Verdict verify(const Robot& robot, const Pose& target, const Eigen::VectorXd& start, const Eigen::VectorXd& answer) {
+  const Eigen::Matrix4d reached = verified_pose(robot.chain, answer);
+  const Eigen::Matrix4d wanted = target.matrix();
+  const Eigen::Matrix3d R = reached.topLeftCorner<3, 3>(), R_wanted = wanted.topLeftCorner<3, 3>();
+  const Eigen::VectorXd move = answer - start;
+  Eigen::VectorXd outside(2 * answer.size());
+  outside << robot.limits.lower - answer, answer - robot.limits.upper;
+  return {.position_error = (reached - wanted).topRightCorner<3, 1>().norm(),
+          .orientation_error = (R - R_wanted).norm() / R_wanted.norm(),
+          .variation = move.norm(),
+          .largest_move = largest(move.cwiseAbs()),
+          .limit_violation = largest(outside)};
+}
+
+}  // namespace ikbench

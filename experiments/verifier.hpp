@@ -1,0 +1,23 @@
+// The independent verifier: looks at an answer after the clock has stopped, by a forward kinematics of its own
+// (plain 4x4 products of elementary transforms, no code shared with robots/chain.cpp).
+#pragma once
+
+#include "robots/robot.hpp"
+
+namespace ikbench {
+
+struct Verdict {
+  double position_error = 0;     // [m], Eq. 1
+  double orientation_error = 0;  // ||R - Rd|| / ||Rd||, Eq. 3
+  double variation = 0;          // [rad], Eq. 12, over all joints
+  double largest_move = 0;       // [rad], of a single joint
+  double limit_violation = 0;    // [rad], of the worst joint; 0 inside
+};
+
+// Tool pose of a configuration by the verifier's own route.
+Eigen::Matrix4d verified_pose(const Chain& chain, const Eigen::VectorXd& q);
+
+// `answer` and `start` have all joints of the robot. A non-finite answer gives non-finite errors.
+Verdict verify(const Robot& robot, const Pose& target, const Eigen::VectorXd& start, const Eigen::VectorXd& answer);
+
+}  // namespace ikbench
