@@ -24,8 +24,6 @@ namespace {
 
 constexpr double radian_in_degrees = 180 / std::numbers::pi;
 constexpr double metre_in_cm = 100;
-// What rounding explains: of a claim against the verifier [m], of an orientation, and of a limit [rad].
-constexpr double rounding = 1e-9;
 
 double thread_seconds() {
   timespec now{};
@@ -94,19 +92,6 @@ class Task {
   std::optional<SphericalWrist> wrist_;
 };
 
-Status judged(const SolveRecord& record, const Verdict& verdict, const Study& study) {
-  const bool finite = std::isfinite(verdict.position_error) && std::isfinite(verdict.orientation_error) &&
-                      record.stop_reason != StopReason::not_finite;
-  if (!finite) return Status::not_finite;
-  const bool turned_wrong = study.search == Search::wrist && verdict.orientation_error > rounding;
-  if (std::abs(verdict.position_error - record.claimed_error_cm / metre_in_cm) > rounding || turned_wrong) {
-    return Status::claimed_but_wrong;
-  }
-  if (verdict.limit_violation > rounding) return Status::limit_violated;
-  if (study.stop.tolerance > 0 && verdict.position_error > study.stop.tolerance) return Status::tolerance_missed;
-  return Status::ok;
-}
-
 // One entrant of a study, ready to solve any of its points.
 class Contest {
  public:
@@ -161,7 +146,11 @@ class Contest {
                        .seconds = seconds.count(),
                        .cpu_seconds = cpu_seconds,
                        .timing = is_debug_build() ? Timing::debug_build : Timing::clean};
-    record.status = judged(record, verdict, study_);
+    record.status = record.stop_reason == StopReason::not_finite
+                        ? Status::not_finite
+                        : judge(verdict, {.claimed_error = solution.best.error,
+                                          .tolerance = study_.stop.tolerance,
+                                          .orientation_is_exact = study_.search == Search::wrist});
     for (const double error : solution.trace) record.trace_cm.push_back(error * metre_in_cm);
     return record;
   }

@@ -86,4 +86,15 @@ Verdict verify(const Robot& robot, const Pose& target, const Eigen::VectorXd& st
           .limit_violation = largest(outside)};
 }
 
+Status judge(const Verdict& verdict, const Requirement& requirement) {
+  constexpr double rounding = 1e-9;
+  if (!std::isfinite(verdict.position_error) || !std::isfinite(verdict.orientation_error)) return Status::not_finite;
+  const bool claim_holds = std::abs(verdict.position_error - requirement.claimed_error) <= rounding;  // not for NaN
+  const bool turned_wrong = requirement.orientation_is_exact && verdict.orientation_error > rounding;
+  if (!claim_holds || turned_wrong) return Status::claimed_but_wrong;
+  if (verdict.limit_violation > rounding) return Status::limit_violated;
+  if (requirement.tolerance > 0 && verdict.position_error > requirement.tolerance) return Status::tolerance_missed;
+  return Status::ok;
+}
+
 }  // namespace ikbench

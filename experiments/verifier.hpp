@@ -2,6 +2,7 @@
 // (plain 4x4 products of elementary transforms, no code shared with robots/chain.cpp).
 #pragma once
 
+#include "results/record.hpp"
 #include "robots/robot.hpp"
 
 namespace ikbench {
@@ -19,5 +20,16 @@ Eigen::Matrix4d verified_pose(const Chain& chain, const Eigen::VectorXd& q);
 
 // `answer` and `start` have all joints of the robot. A non-finite answer gives non-finite errors.
 Verdict verify(const Robot& robot, const Pose& target, const Eigen::VectorXd& start, const Eigen::VectorXd& answer);
+
+// What is asked of an answer besides being a finite configuration.
+struct Requirement {
+  double claimed_error = 0;           // [m], the solver's own word
+  double tolerance = 0;               // [m]; 0: none
+  bool orientation_is_exact = false;  // the wrist's closed form took care of it
+};
+
+// The most severe thing that is wrong with an answer, in the order of Status' description (results/record.hpp).
+// A difference of 1e-9 (m, rad) is rounding.
+Status judge(const Verdict& verdict, const Requirement& requirement);
 
 }  // namespace ikbench

@@ -1,0 +1,16 @@
+// The commands: each adds itself to the program and says its exit code (0 done, 1 the user's mistake, 2 ours,
+// 130 stopped by Ctrl-C).
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace ikbench::cli {
+
+void add_reproduce(CLI::App& app, int& exit_code);
+void add_run(CLI::App& app, int& exit_code);
+void add_report(CLI::App& app);
+void add_list(CLI::App& app);
+void add_solve(CLI::App& app);
+void add_export(CLI::App& app);
+
+}  // namespace ikbench::cli

@@ -1,0 +1,94 @@
+#include "cli/console.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cctype>
+#include <csignal>
+
+namespace ikbench::cli {
+
+namespace {
+
+std::atomic<bool> cancel_requested{false};
+static_assert(std::atomic<bool>::is_always_lock_free);
+
+// Columns that UTF-8 text takes, one a character.
+std::size_t width(std::string_view text) {
+  return static_cast<std::size_t>(
+      std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xc0) != 0x80; }));
+}
+
+}  // namespace
+
+std::string printable(std::string_view text) {
+  std::string result;
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if ((byte < 0x20 && c != '\n') || byte == 0x7f) {
+      result += fmt::format("\\x{:02x}", byte);
+    } else {
+      result += c;
+    }
+  }
+  return result;
+}
+
+std::string aligned(const std::vector<std::vector<std::string>>& rows) {
+  std::vector<std::size_t> widths;
+  for (const auto& row : rows) {
+    widths.resize(std::max(widths.size(), row.size()));
+    for (std::size_t c = 0; c < row.size(); ++c) widths[c] = std::max(widths[c], width(row[c]));
+  }
+  std::string text;
+  for (const auto& row : rows) {
+    for (std::size_t c = 0; c < row.size(); ++c) {
+      text += row[c];
+      if (c + 1 < row.size()) text += std::string(widths[c] - width(row[c]) + 2, ' ');
+    }
+    text += '\n';
+  }
+  return printable(text);
+}
+
+const std::atomic<bool>& cancelled() {
+  struct sigaction action {};
+  action.sa_handler = [](int) { cancel_requested = true; };
+  action.sa_flags = static_cast<int>(SA_RESETHAND);  // a second Ctrl-C ends the program at once
+  sigaction(SIGINT, &action, nullptr);
+  sigaction(SIGTERM, &action, nullptr);
+  return cancel_requested;
+}
+
+ProgressBar::ProgressBar(std::string title) : title_(std::move(title)), on_terminal_(isatty(STDERR_FILENO) != 0) {}
+
+ProgressBar::~ProgressBar() {
+  if (on_terminal_) fmt::print(stderr, "\r\x1b[K");
+}
+
+void ProgressBar::show(const Progress& progress) {
+  const Clock::time_point now = Clock::now();
+  if (!on_terminal_ || now - shown_ < std::chrono::milliseconds(100)) return;
+  shown_ = now;
+  constexpr std::int64_t cells = 30;
+  const std::int64_t full = progress.total == 0 ? cells : cells * progress.done / progress.total;
+  const double elapsed = std::chrono::duration<double>(now - started_).count();
+  const double rate = elapsed > 0 ? static_cast<double>(progress.done - progress.reused) / elapsed : 0;
+  const auto left =
+      rate > 0 ? static_cast<std::int64_t>(static_cast<double>(progress.total - progress.done) / rate) : 0;
+  fmt::print(stderr, "\r\x1b[K{} [{:#<{}}{:.<{}}] {}/{} solves, {:.0f}/s, {}:{:02} left", printable(title_), "", full,
+             "", cells - full, progress.done, progress.total, rate, left / 60, left % 60);
+  std::fflush(stderr);
+}
+
+std::filesystem::path default_folder(std::string_view study) {
+  std::string name(study.substr(0, 100));
+  for (char& c : name) {
+    if (std::isalnum(static_cast<unsigned char>(c)) == 0 && c != '-' && c != '_' && c != '.') c = '_';
+  }
+  if (name.empty() || name.front() == '.') name.insert(0, "_");
+  return std::filesystem::path("out") / name;
+}
+
+}  // namespace ikbench::cli

@@ -1,0 +1,42 @@
+// The terminal: progress with time left, Ctrl-C, and text from anywhere made harmless.
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "experiments/runner.hpp"
+
+namespace ikbench::cli {
+
+// Control characters shown as escapes, so that no name moves a cursor or colours a terminal; newlines stay.
+std::string printable(std::string_view text);
+
+// Columns padded to their widest cell; the first row is the head.
+std::string aligned(const std::vector<std::vector<std::string>>& rows);
+
+// Set by Ctrl-C and SIGTERM from the first call on.
+const std::atomic<bool>& cancelled();
+
+// A bar with rate and time left on a terminal; nothing elsewhere.
+class ProgressBar {
+ public:
+  explicit ProgressBar(std::string title);
+  ~ProgressBar();
+  void show(const Progress& progress);
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  std::string title_;
+  bool on_terminal_;
+  Clock::time_point started_ = Clock::now();
+  Clock::time_point shown_{};
+};
+
+// out/<name>, the name with everything but letters, digits, '-', '_' and '.' replaced.
+std::filesystem::path default_folder(std::string_view study);
+
+}  // namespace ikbench::cli

@@ -1,0 +1,50 @@
+// ikbench export: a store's solves as tidy CSV or JSON.
+#include "results/export.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <fstream>
+#include <memory>
+#include <stdexcept>
+
+#include "cli/commands.hpp"
+#include "cli/reporting.hpp"
+#include "results/store.hpp"
+
+namespace ikbench::cli {
+
+void add_export(CLI::App& app) {
+  struct Arguments {
+    std::string store, study, format = "csv", file = "-";
+  };
+  auto arguments = std::make_shared<Arguments>();
+  CLI::App* command = app.add_subcommand("export", "The solves of a store as tidy CSV or JSON, for other programs");
+  command->add_option("STORE", arguments->store, "a store.sqlite")->required();
+  command->add_option("--study", arguments->study, "which study; the first of the store if not given");
+  command->add_option("--format", arguments->format, "csv or json")
+      ->check(CLI::IsMember({"csv", "json"}))
+      ->capture_default_str();
+  command->add_option("-o,--output", arguments->file, "file to write; - is standard output")->capture_default_str();
+  command->footer(
+      "Examples:\n"
+      "  ikbench export out/slim2023/store.sqlite > solves.csv\n"
+      "  ikbench export out/slim2023/store.sqlite --format json -o solves.json\n"
+      "Columns: ikbench list columns");
+  command->callback([arguments] {
+    const Store store(arguments->store, Store::Mode::read);
+    const StudyEntry study = chosen_study(store, arguments->study);
+    const std::vector<SolveRecord> solves = store.solves(study.name);
+    const std::string text = arguments->format == "csv" ? to_csv(solves) : to_json(study, store.sessions(), solves);
+    if (arguments->file == "-") {
+      std::fwrite(text.data(), 1, text.size(), stdout);
+      return;
+    }
+    std::ofstream out(arguments->file, std::ios::binary);
+    out << text;
+    out.close();
+    if (!out) throw std::invalid_argument(fmt::format("{}: cannot be written", arguments->file));
+  });
+}
+
+}  // namespace ikbench::cli

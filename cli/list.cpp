@@ -1,0 +1,110 @@
+// ikbench list: what there is, and one of them in full.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <memory>
+#include <numbers>
+#include <stdexcept>
+
+#include "cli/commands.hpp"
+#include "cli/console.hpp"
+#include "experiments/study_file.hpp"
+#include "results/export.hpp"
+#include "robots/names.hpp"
+#include "solvers/registry.hpp"
+
+namespace ikbench::cli {
+
+namespace {
+
+constexpr double degree = std::numbers::pi / 180;
+using Rows = std::vector<std::vector<std::string>>;
+
+std::string solver_list() {
+  Rows rows{{"NAME", "WHAT", "FROM"}};
+  for (const SolverInfo& info : solvers()) rows.push_back({info.name, info.summary, info.source});
+  return aligned(rows);
+}
+
+std::string solver_details(std::string_view name) {
+  const SolverInfo info = solver(name);
+  Rows rows{{"OPTION", "DEFAULT", "EXPECTED", "MEANING"}};
+  info.describe([&](const OptionList& list) {
+    for (const Option& option : list.options()) {
+      rows.push_back({option.name, option.get(), option.expected, option.meaning});
+    }
+  });
+  return fmt::format("{}: {}\nfrom {}\n\n{}", info.name, info.summary, info.source, aligned(rows));
+}
+
+std::string robot_list() {
+  Rows rows{{"NAME", "JOINTS", "WHAT"}};
+  for (const Robot& arm : robots()) rows.push_back({arm.name, std::to_string(arm.chain.joints()), arm.summary});
+  return aligned(rows);
+}
+
+std::string robot_details(std::string_view name) {
+  const Robot arm = robot(name);
+  Rows rows{{"JOINT", "a [m]", "alpha [deg]", "d [m]", "offset [deg]", "from [deg]", "to [deg]"}};
+  for (int j = 0; j < arm.chain.joints(); ++j) {
+    const DhLink& link = arm.chain.links()[static_cast<std::size_t>(j)];
+    std::vector<std::string> row{std::to_string(j + 1)};
+    for (const double value : {link.a, link.alpha / degree, link.d, link.offset / degree, arm.limits.lower[j] / degree,
+                               arm.limits.upper[j] / degree}) {
+      row.push_back(fmt::format("{:g}", value));
+    }
+    rows.push_back(row);
+  }
+  return fmt::format("{}: {}\nDenavit-Hartenberg, standard form\n\n{}", arm.name, arm.summary, aligned(rows));
+}
+
+std::string study_list() {
+  Rows rows{{"NAME", "SOLVERS", "RUNS", "POINTS", "WHAT"}};
+  for (const Study& study : studies()) {
+    rows.push_back({study.name, std::to_string(study.solvers.size()), std::to_string(study.runs),
+                    std::to_string(targets(study.path).size()), study.title});
+  }
+  return aligned(rows);
+}
+
+std::string column_list(std::string_view name) {
+  Rows rows{{"COLUMN", "TYPE", "MEANING"}};
+  std::vector<std::string> names;
+  for (const ColumnInfo& column : columns()) {
+    names.emplace_back(column.name);
+    if (name.empty() || column.name == name) {
+      rows.push_back({std::string(column.name), std::string(column.type), std::string(column.meaning)});
+    }
+  }
+  if (rows.size() == 1) throw std::invalid_argument(unknown_name("column", name, names));
+  return aligned(rows);
+}
+
+std::string listed(const std::string& kind, const std::string& name) {
+  if (kind == "solvers") return name.empty() ? solver_list() : solver_details(name);
+  if (kind == "robots") return name.empty() ? robot_list() : robot_details(name);
+  if (kind == "columns") return column_list(name);
+  return name.empty() ? study_list() : to_toml(load_study(name));
+}
+
+}  // namespace
+
+void add_list(CLI::App& app) {
+  struct Arguments {
+    std::string kind, name;
+  };
+  auto arguments = std::make_shared<Arguments>();
+  CLI::App* command = app.add_subcommand("list", "What there is: solvers, robots, studies, columns of the results");
+  command->add_option("KIND", arguments->kind, "solvers, robots, studies or columns")
+      ->required()
+      ->check(CLI::IsMember({"solvers", "robots", "studies", "columns"}));
+  command->add_option("NAME", arguments->name, "one of them in full; a study as TOML, to be edited and run");
+  command->footer(
+      "Examples:\n"
+      "  ikbench list solvers\n"
+      "  ikbench list solvers ik_bat              its options, their defaults and ranges\n"
+      "  ikbench list studies slim2023 > my.toml");
+  command->callback([arguments] { fmt::print("{}", listed(arguments->kind, arguments->name)); });
+}
+
+}  // namespace ikbench::cli

@@ -1,0 +1,43 @@
+// ikbench: which inverse-kinematics solver is better, and does a published claim hold?
+#include <fmt/format.h>
+
+#include <exception>
+#include <stdexcept>
+
+#include "cli/commands.hpp"
+#include "cli/console.hpp"
+#include "experiments/environment.hpp"
+
+int main(int argc, char** argv) {
+  using namespace ikbench;
+  CLI::App app("Runs inverse-kinematics solvers on studies, remembers every solve, and says what the numbers mean.",
+               "ikbench");
+  app.footer(
+      "Examples:\n"
+      "  ikbench reproduce                        the study of Slim et al. 2023, with tables and figures\n"
+      "  ikbench list studies slim2023 > my.toml  a study to edit: add a solver, change an option\n"
+      "  ikbench run my.toml                      run it, and report\n"
+      "  ikbench COMMAND --help                   more examples\n\n"
+      "Exit codes: 0 done, 1 a mistake in what was asked, 2 a fault of the program, 130 stopped by Ctrl-C.");
+  app.set_version_flag("--version", "ikbench " + version());
+  app.require_subcommand(1);
+  int exit_code = 0;
+  cli::add_reproduce(app, exit_code);
+  cli::add_run(app, exit_code);
+  cli::add_report(app);
+  cli::add_list(app);
+  cli::add_solve(app);
+  cli::add_export(app);
+  try {
+    app.parse(argc, argv);
+    return exit_code;
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : 1;
+  } catch (const std::invalid_argument& error) {
+    fmt::print(stderr, "ikbench: {}\n", cli::printable(error.what()));
+    return 1;
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "ikbench: internal error: {}\n", cli::printable(error.what()));
+    return 2;
+  }
+}

@@ -1,0 +1,33 @@
+// ikbench report: tables and figures from a store, whoever made it; nothing is solved.
+#include <memory>
+
+#include "cli/commands.hpp"
+#include "cli/reporting.hpp"
+
+namespace ikbench::cli {
+
+void add_report(CLI::App& app) {
+  struct Arguments {
+    std::string store, study, out;
+    ReportArguments report;
+  };
+  auto arguments = std::make_shared<Arguments>();
+  CLI::App* command = app.add_subcommand("report", "Tables, figures and report from a store; nothing is solved");
+  command->add_option("STORE", arguments->store, "a store.sqlite")->required();
+  command->add_option("--study", arguments->study, "which study; the first of the store if not given");
+  command->add_option("--out", arguments->out, "folder to write to; the store's own if not given");
+  add_report_options(*command, arguments->report);
+  command->footer(
+      "Examples:\n"
+      "  ikbench report out/slim2023/store.sqlite\n"
+      "  ikbench report theirs.sqlite --out out/theirs --unit point --quartiles 7");
+  command->callback([arguments] {
+    const Store store(arguments->store, Store::Mode::read);
+    const std::filesystem::path folder = arguments->out.empty() ? std::filesystem::path(arguments->store).parent_path()
+                                                                : std::filesystem::path(arguments->out);
+    write_and_announce(store, chosen_study(store, arguments->study).name, folder.empty() ? "." : folder,
+                       arguments->report);
+  });
+}
+
+}  // namespace ikbench::cli

@@ -1,0 +1,81 @@
+#include "cli/reporting.hpp"
+
+#include <fmt/format.h>
+
+#include <thread>
+
+#include "analysis/report.hpp"
+#include "cli/console.hpp"
+#include "experiments/environment.hpp"
+#include "experiments/runner.hpp"
+
+namespace ikbench::cli {
+
+void add_report_options(CLI::App& command, ReportArguments& arguments) {
+  command.add_option("--unit", arguments.unit, "what one observation is: a run's mean over its points, or a point")
+      ->check(CLI::IsMember({"run", "point"}))
+      ->capture_default_str();
+  command.add_option("--quartiles", arguments.quartiles, "Hyndman-Fan type of the boxes' quartiles; 5 is MATLAB's")
+      ->check(CLI::Range(1, 9))
+      ->capture_default_str();
+  command.add_flag("--no-figures", arguments.without_figures, "tables only");
+}
+
+void add_run_options(CLI::App& command, RunArguments& arguments) {
+  command.add_option("--out", arguments.out, "folder of the results; out/<study> if not given");
+  command
+      .add_option("--jobs", arguments.jobs, "solves at once; the same numbers, but times are comparable with 1 only")
+      ->check(CLI::Range(1, 1024))
+      ->capture_default_str();
+}
+
+void write_and_announce(const Store& store, const std::string& study, const std::filesystem::path& folder,
+                        const ReportArguments& arguments) {
+  const ReportOutcome outcome = write_report(store, {.study = study,
+                                                     .folder = folder,
+                                                     .unit = arguments.unit == "run" ? Unit::run : Unit::point,
+                                                     .quartiles = arguments.quartiles,
+                                                     .figures = !arguments.without_figures});
+  fmt::print("{}\n", printable(outcome.summary));
+  for (const std::string& warning : outcome.warnings) fmt::print(stderr, "warning: {}\n", printable(warning));
+  fmt::print("Report: {}\n", printable(outcome.report.string()));
+}
+
+StudyEntry chosen_study(const Store& store, const std::string& name) {
+  if (!name.empty()) return store.study(name);
+  std::vector<StudyEntry> studies = store.studies();
+  if (studies.empty()) throw std::invalid_argument("the store holds no study");
+  return std::move(studies.front());
+}
+
+Ended run_and_tell(const Study& study, const std::filesystem::path& folder, int jobs) {
+  for (const Unreachable& target : unreachable(study)) {
+    fmt::print(stderr, "warning: point {} is out of reach: {:.2f} cm from the shoulder, reach {:.2f} cm\n",
+               target.point, target.distance * 100, target.reach * 100);
+  }
+  if (is_debug_build()) {
+    fmt::print(stderr, "warning: this is a debug build; times are marked as such\n");
+  } else if (jobs > static_cast<int>(std::thread::hardware_concurrency())) {
+    fmt::print(stderr, "warning: {} jobs on {} processors\n", jobs, std::thread::hardware_concurrency());
+  }
+  Store store(store_in(folder), Store::Mode::write);
+  Progress progress;
+  {
+    ProgressBar bar(study.name);
+    progress = run(study, store,
+                   {.jobs = jobs, .progress = [&](const Progress& now) { bar.show(now); }, .cancelled = &cancelled()});
+  }
+  const std::string place = printable(store_in(folder).string());
+  if (progress.done < progress.total) {
+    fmt::print(stderr, "Stopped: {} of {} solves are kept in {}; the same command goes on from there.\n", progress.done,
+               progress.total, place);
+    return Ended::stopped;
+  }
+  fmt::print("{}: {} solves in {}{}\n", printable(study.name), progress.total, place,
+             progress.reused == 0 ? "" : fmt::format(" ({} were there already)", progress.reused));
+  return Ended::complete;
+}
+
+std::filesystem::path store_in(const std::filesystem::path& folder) { return folder / "store.sqlite"; }
+
+}  // namespace ikbench::cli

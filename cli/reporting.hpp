@@ -1,0 +1,43 @@
+// What `reproduce`, `run` and `report` share: how a report is asked for, written and announced.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <string>
+
+#include "experiments/study.hpp"
+#include "results/store.hpp"
+
+namespace ikbench::cli {
+
+struct ReportArguments {
+  std::string unit = "run";
+  int quartiles = 5;
+  bool without_figures = false;
+};
+
+void add_report_options(CLI::App& command, ReportArguments& arguments);
+
+// Writes tables, figures and report.md into the folder; prints the summary and, as the last line, the report's path.
+void write_and_announce(const Store& store, const std::string& study, const std::filesystem::path& folder,
+                        const ReportArguments& arguments);
+
+// The study of that name, or the first of the store where the name is empty.
+StudyEntry chosen_study(const Store& store, const std::string& name);
+
+struct RunArguments {
+  std::string out;
+  int jobs = 1;
+};
+
+void add_run_options(CLI::App& command, RunArguments& arguments);
+
+enum class Ended { complete, stopped };
+
+// Runs a study into the folder's store.sqlite with progress; warns of targets out of reach; says what was done, and
+// after Ctrl-C how to go on.
+Ended run_and_tell(const Study& study, const std::filesystem::path& folder, int jobs);
+
+std::filesystem::path store_in(const std::filesystem::path& folder);
+
+}  // namespace ikbench::cli

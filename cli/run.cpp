@@ -1,0 +1,47 @@
+// ikbench run: a study, built-in or from a file.
+#include <memory>
+
+#include "cli/commands.hpp"
+#include "cli/console.hpp"
+#include "cli/reporting.hpp"
+#include "experiments/study_file.hpp"
+
+namespace ikbench::cli {
+
+void add_run(CLI::App& app, int& exit_code) {
+  struct Arguments {
+    std::string study;
+    Overrides overrides;
+    RunArguments run;
+    ReportArguments report;
+    bool without_report = false;
+  };
+  auto arguments = std::make_shared<Arguments>();
+  CLI::App* command = app.add_subcommand("run", "Run a study (what is missing of it) and report");
+  command->add_option("STUDY", arguments->study, "a built-in study (ikbench list studies) or a TOML file")->required();
+  command
+      ->add_option("--set", arguments->overrides,
+                   "key=value over the study: runs=5, path.tool=eq27, ik_bat.bounds=clamp")
+      ->allow_extra_args(false);
+  add_run_options(*command, arguments->run);
+  add_report_options(*command, arguments->report);
+  command->add_flag("--no-report", arguments->without_report, "solves only");
+  command->footer(
+      "Examples:\n"
+      "  ikbench run my.toml\n"
+      "  ikbench run slim2023 --set seed=2 --out out/seed-2\n"
+      "  ikbench run slim2023 --set IK-BA.bounds=clamp --set runs=5 --out out/clamped\n\n"
+      "Running it again does only what is missing.");
+  command->callback([arguments, &exit_code] {
+    const Study study = load_study(arguments->study, arguments->overrides);
+    const std::filesystem::path folder =
+        arguments->run.out.empty() ? default_folder(study.name) : std::filesystem::path(arguments->run.out);
+    if (run_and_tell(study, folder, arguments->run.jobs) == Ended::stopped) {
+      exit_code = 130;
+    } else if (!arguments->without_report) {
+      write_and_announce(Store(store_in(folder), Store::Mode::read), study.name, folder, arguments->report);
+    }
+  });
+}
+
+}  // namespace ikbench::cli

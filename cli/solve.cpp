@@ -1,0 +1,105 @@
+// ikbench solve: one target from the command line.
+#include <fmt/format.h>
+
+#include <memory>
+#include <numbers>
+#include <stdexcept>
+
+#include "cli/commands.hpp"
+#include "cli/console.hpp"
+#include "experiments/runner.hpp"
+#include "experiments/study_file.hpp"
+
+namespace ikbench::cli {
+
+namespace {
+
+constexpr double degree = std::numbers::pi / 180;
+
+struct Arguments {
+  std::string robot = "kuka_iiwa14", solver = "damped_least_squares", tool = "down", search = "wrist";
+  std::vector<double> position_cm, rpy_deg, start_deg;
+  Overrides overrides;
+  std::int64_t seed = 1;
+};
+
+// The study that asks for just this; read as a file would be, so that the same ranges hold.
+Study study_of(const Arguments& arguments) {
+  Study study{.name = "solve", .robot = arguments.robot};
+  study.solvers = {{arguments.solver, arguments.solver, {}}};
+  study.initial.resize(static_cast<Eigen::Index>(arguments.start_deg.size()));
+  for (std::size_t j = 0; j < arguments.start_deg.size(); ++j) {
+    study.initial[static_cast<Eigen::Index>(j)] = arguments.start_deg[j] * degree;
+  }
+  Overrides overrides{"search=" + arguments.search, fmt::format("seed={}", arguments.seed), "runs=1"};
+  for (const std::string& text : arguments.overrides) {
+    const bool of_solver = text.find('.') == std::string::npos || text.find('.') > text.find('=');
+    overrides.push_back(of_solver ? arguments.solver + "." + text : text);
+  }
+  return parse_study(to_toml(study), "the command line", overrides);
+}
+
+Pose target_of(const Arguments& arguments) {
+  Pose target = Pose::Identity();
+  target.translation() = Eigen::Map<const Eigen::Vector3d>(arguments.position_cm.data()) / 100;
+  if (arguments.rpy_deg.empty()) {
+    target.linear() = rotation(arguments.tool == "down" ? Tool::down : Tool::eq27);
+  } else {
+    target.linear() = rotation_from_rpy(Eigen::Map<const Eigen::Vector3d>(arguments.rpy_deg.data()) * degree);
+  }
+  if (!target.matrix().allFinite()) throw std::invalid_argument("the target is not finite");
+  return target;
+}
+
+std::string shown(const SolveRecord& record) {
+  std::vector<std::vector<std::string>> rows{{"solver", record.solver},
+                                             {"status", std::string(name_of(record.status))}};
+  for (std::size_t j = 0; j < record.answer_rad.size(); ++j) {
+    rows.push_back({fmt::format("joint {} [deg]", j + 1), fmt::format("{:.6f}", record.answer_rad[j] / degree)});
+  }
+  rows.push_back({"position error [cm]", fmt::format("{:.6g}", record.position_error_cm)});
+  rows.push_back({"orientation error", fmt::format("{:.6g}", record.orientation_error)});
+  rows.push_back({"variation [deg]", fmt::format("{:.4f}", record.variation_deg)});
+  rows.push_back({"limit violation [deg]", fmt::format("{:.4f}", record.limit_violation_deg)});
+  rows.push_back({"evaluations", std::to_string(record.evaluations)});
+  rows.push_back({"iterations", std::to_string(record.iterations)});
+  rows.push_back({"time [ms]", fmt::format("{:.4f}", record.seconds * 1e3)});
+  return aligned(rows);
+}
+
+}  // namespace
+
+void add_solve(CLI::App& app) {
+  auto arguments = std::make_shared<Arguments>();
+  CLI::App* command = app.add_subcommand("solve", "Solve one target, and say how well it was solved");
+  command->add_option("--position-cm", arguments->position_cm, "target x y z")->required()->expected(3)->delimiter(',');
+  command->add_option("--rpy-deg", arguments->rpy_deg, "tool's roll, pitch, yaw (else --tool)")
+      ->expected(3)
+      ->delimiter(',');
+  command->add_option("--tool", arguments->tool, "how the tool is held: down or eq27")
+      ->check(CLI::IsMember({"down", "eq27"}))
+      ->capture_default_str();
+  command->add_option("--robot", arguments->robot, "see: ikbench list robots")->capture_default_str();
+  command->add_option("--solver", arguments->solver, "see: ikbench list solvers")->capture_default_str();
+  command->add_option("--search", arguments->search, "wrist or all_joints")
+      ->check(CLI::IsMember({"wrist", "all_joints"}))
+      ->capture_default_str();
+  command->add_option("--start-deg", arguments->start_deg, "where the arm is, all joints; zeros if not given")
+      ->delimiter(',');
+  command
+      ->add_option("--set", arguments->overrides,
+                   "option of the solver, or of the stop rule: alpha=0.9, stop.iterations=50")
+      ->allow_extra_args(false);
+  command->add_option("--seed", arguments->seed, "")->check(CLI::NonNegativeNumber)->capture_default_str();
+  command->footer(
+      "Examples:\n"
+      "  ikbench solve --position-cm 60 20 10\n"
+      "  ikbench solve --position-cm 60,20,10 --solver ik_bat --set bounds=clamp --set stop.iterations=1000\n"
+      "  ikbench solve --robot planar_2 --search all_joints --position-cm 50 50 0");
+  command->callback([arguments] {
+    const Study study = study_of(*arguments);
+    fmt::print("{}", shown(solve_once(study, study.solvers.front(), target_of(*arguments))));
+  });
+}
+
+}  // namespace ikbench::cli
