@@ -3,6 +3,7 @@
 
 #include <stdlib.h>
 
+#include <algorithm>
 #include <bit>
 #include <cstdint>
 #include <filesystem>
