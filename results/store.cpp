@@ -232,9 +232,9 @@ struct Store::Database {
   Mode mode;
   SQLite::Database sqlite;
 
-  Database(const std::filesystem::path& path, Mode mode_)
+  Database(const std::filesystem::path& path, Mode open_mode)
       : file(path.string()),
-        mode(mode_),
+        mode(open_mode),
         sqlite(checked_path(path, mode),
                mode == Mode::write ? SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE : SQLite::OPEN_READONLY,
                busy_timeout_ms) {

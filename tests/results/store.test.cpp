@@ -133,11 +133,11 @@ TEST_CASE("a study that is not there is told which are", "[store]") {
   const auto file = folder.path / "a.ikb";
   Store store(file, Store::Mode::write);
   CHECK(complaint<std::invalid_argument>([&] { store.study("x"); }) ==
-        "no study 'x' in '" + file.string() + "', expected one of: (the store is empty)");
+        "no study 'x' in " + quoted(file) + ", expected one of: (the store is empty)");
   store.save_study(sample_study("helix"));
   store.save_study(sample_study("circle"));
   CHECK(complaint<std::invalid_argument>([&] { store.solves("x"); }) ==
-        "no study 'x' in '" + file.string() + "', expected one of: helix, circle");
+        "no study 'x' in " + quoted(file) + ", expected one of: helix, circle");
 }
 
 TEST_CASE("solves of a study are those of its current series and runs, in its order", "[store]") {
@@ -182,7 +182,7 @@ TEST_CASE("a solve that is already there is refused, and nothing of its batch is
   CHECK_THAT(complaint<std::logic_error>([&] {
                store.append({sample_record("a", 1, 2), sample_record("a", 1, 1)});
              }),
-             Catch::Matchers::Contains("solves.series, solves.run, solves.point"));
+             ContainsSubstring("solves.series, solves.run, solves.point"));
   CHECK(store.series("a").size() == 1);
   store.append({sample_record("a", 1, 2)});  // the store is usable as before
   store.append({});
