@@ -30,8 +30,7 @@ class Objective {
   // evaluation.
   Eigen::Vector3d linearize(const ConfigurationRef& q, Eigen::Ref<Eigen::Matrix3Xd> jacobian) {
     ++evaluations_;
-    chain_.position_jacobian(q, jacobian);
-    return target_ - chain_.position(q);
+    return evaluate_linear(q, jacobian);
   }
 
   std::int64_t evaluations() const { return evaluations_; }
@@ -39,6 +38,10 @@ class Objective {
  protected:
   virtual void evaluate(const CandidatesRef& q, Eigen::Ref<Eigen::VectorXd> errors) {
     chain_.position_errors(q, target_, errors);
+  }
+  virtual Eigen::Vector3d evaluate_linear(const ConfigurationRef& q, Eigen::Ref<Eigen::Matrix3Xd> jacobian) {
+    chain_.position_jacobian(q, jacobian);
+    return target_ - chain_.position(q);
   }
 
  private:

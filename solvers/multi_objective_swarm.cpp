@@ -1,0 +1,305 @@
+// MO-PSO, multi-objective particle swarm optimisation: Coello, Pulido and Lechuga 2004, in the form of
+// Martinez-Cagigal's public code, whose labels Table 1 of Slim et al. 2023 uses. The two objectives are the position
+// error and the variation, the norm of the joints' way from the start. The reading is argued in
+// docs/paper-notes.md 2.8.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <tuple>
+#include <vector>
+
+#include "solvers/bounds.hpp"
+#include "solvers/registry.hpp"
+
+namespace ikbench {
+
+namespace {
+
+struct Cost {
+  double error = 0;      // [m]
+  double variation = 0;  // [rad]
+
+  bool dominates(const Cost& other) const {
+    return error <= other.error && variation <= other.variation && (error < other.error || variation < other.variation);
+  }
+};
+
+// The candidates that no other one dominates, by growing error and so by falling variation. In that order the
+// neighbours of a member along the front are next to it, and those that share a grid cell stand together.
+class Front {
+ public:
+  // Takes the memory for `capacity` members and as many newcomers as the swarm has.
+  void start(Eigen::Index joints, Eigen::Index capacity, Eigen::Index swarm) {
+    capacity_ = static_cast<std::size_t>(capacity);
+    members_.clear();
+    kept_.clear();
+    q_.resize(joints, capacity);
+    next_q_.resize(joints, capacity);
+    for (auto* list : {&members_, &kept_}) list->reserve(static_cast<std::size_t>(capacity + swarm));
+    shares_.reserve(capacity_);
+  }
+
+  bool empty() const { return members_.empty(); }
+  std::size_t size() const { return members_.size(); }
+  const Cost& cost(std::size_t m) const { return members_[m].cost; }
+  auto q(std::size_t m) const { return q_.col(static_cast<Eigen::Index>(m)); }
+
+  void add(const Candidates& swarm, const std::vector<Cost>& costs) {
+    for (Eigen::Index i = 0; i < swarm.cols(); ++i) {
+      const Cost& cost = costs[static_cast<std::size_t>(i)];
+      if (std::isfinite(cost.error)) members_.push_back({cost, q_.cols() + i});
+    }
+    keep_non_dominated();
+    if (members_.size() > capacity_) drop_most_crowded();
+    for (std::size_t m = 0; m < members_.size(); ++m) {
+      const Eigen::Index from = members_[m].source, to = static_cast<Eigen::Index>(m);
+      if (from < q_.cols()) {
+        next_q_.col(to) = q_.col(from);
+      } else {
+        next_q_.col(to) = swarm.col(from - q_.cols());
+      }
+      members_[m].source = to;
+    }
+    q_.swap(next_q_);
+  }
+
+  // The roulette's wheel: an occupied cell of the grid over the front weighs 10 / (its members), shared among them.
+  void divide(int cells) {
+    shares_.clear();
+    double sum = 0;
+    for (std::size_t first = 0, last = 0; first < size(); first = last) {
+      while (last < size() && same_cell(cost(first), cost(last), cells)) ++last;
+      const auto count = static_cast<double>(last - first);
+      for (std::size_t m = first; m < last; ++m) shares_.push_back(sum += 10 / count / count);
+    }
+  }
+
+  // The member that a number in [0, 1) picks from the wheel.
+  std::size_t pick(double chance) const {
+    const auto found = std::upper_bound(shares_.begin(), shares_.end(), chance * shares_.back());
+    return std::min(static_cast<std::size_t>(found - shares_.begin()), size() - 1);
+  }
+
+  // The member nearest to the best value of both objectives at once, each counted in its range over the front.
+  std::size_t knee() const {
+    const auto distance = [&](std::size_t m) {
+      return std::hypot(position(cost(m).error, cost(0).error, cost(size() - 1).error),
+                        position(cost(m).variation, cost(size() - 1).variation, cost(0).variation));
+    };
+    std::size_t nearest = 0;
+    for (std::size_t m = 1; m < size(); ++m) {
+      if (distance(m) < distance(nearest)) nearest = m;
+    }
+    return nearest;
+  }
+
+ private:
+  struct Member {
+    Cost cost;
+    Eigen::Index source;  // column of the archive, or beyond it of the swarm
+    double crowding = 0;
+  };
+
+  // 0 at `low`, 1 at `high`; 0 where they are the same.
+  static double position(double value, double low, double high) {
+    return high > low ? (value - low) / (high - low) : 0;
+  }
+
+  bool same_cell(const Cost& a, const Cost& b, int cells) const {
+    const auto cell = [cells](double at) { return std::min(static_cast<int>(at * cells), cells - 1); };
+    const Cost &left = members_.front().cost, &right = members_.back().cost;
+    return cell(position(a.error, left.error, right.error)) == cell(position(b.error, left.error, right.error)) &&
+           cell(position(a.variation, right.variation, left.variation)) ==
+               cell(position(b.variation, right.variation, left.variation));
+  }
+
+  // One pass in order of error: whoever does not vary less than all before is dominated (or equal, and kept once).
+  void keep_non_dominated() {
+    std::sort(members_.begin(), members_.end(), [](const Member& a, const Member& b) {
+      return std::tie(a.cost.error, a.cost.variation, a.source) < std::tie(b.cost.error, b.cost.variation, b.source);
+    });
+    kept_.clear();
+    for (const Member& member : members_) {
+      if (kept_.empty() || member.cost.variation < kept_.back().cost.variation) kept_.push_back(member);
+    }
+    members_.swap(kept_);
+  }
+
+  // Crowding distance (Deb et al. 2002) of all members at once; then the smallest go, the ends never.
+  void drop_most_crowded() {
+    const std::size_t last = size() - 1;
+    const double errors = cost(last).error - cost(0).error;
+    const double variations = cost(0).variation - cost(last).variation;
+    for (std::size_t m = 0; m <= last; ++m) {
+      members_[m].crowding = m == 0 || m == last ? std::numeric_limits<double>::infinity()
+                                                 : (cost(m + 1).error - cost(m - 1).error) / errors +
+                                                       (cost(m - 1).variation - cost(m + 1).variation) / variations;
+    }
+    const auto in_front_order = [](const Member& a, const Member& b) { return a.cost.error < b.cost.error; };
+    std::sort(members_.begin(), members_.end(), [&](const Member& a, const Member& b) {
+      return a.crowding > b.crowding || (a.crowding == b.crowding && in_front_order(a, b));
+    });
+    members_.resize(capacity_);
+    std::sort(members_.begin(), members_.end(), in_front_order);
+  }
+
+  std::size_t capacity_ = 0;
+  std::vector<Member> members_, kept_;
+  std::vector<double> shares_;  // cumulative
+  Candidates q_, next_q_;       // column m is member m
+};
+
+class MultiObjectiveSwarm final : public Solver {
+ public:
+  enum class Leader { per_generation, per_particle };
+  enum class FinalPoint { smallest_error, knee };
+
+  struct Options {
+    double inertia = 0.5;
+    double cognitive = 2;
+    double social = 2;
+    int grid = 20;
+    int archive = 50;
+    double velocity_limit_percent = 5;
+    double mutation = 0.5;
+    Leader leader = Leader::per_generation;
+    FinalPoint final_point = FinalPoint::smallest_error;
+
+    void list(OptionList& list) {
+      list.number("inertia", inertia, {0, 10}, "inertia w, factor of the velocity");
+      list.number("cognitive", cognitive, {0, 10}, "c1, towards a particle's own best");
+      list.number("social", social, {0, 10}, "c2, towards the leader");
+      list.count("grid", grid, {1, 1000}, "cells of the archive's grid along each objective");
+      list.count("archive", archive, {1, 10000}, "members of the archive; not printed");
+      list.number("velocity_limit_percent", velocity_limit_percent, {0, 100},
+                  "largest velocity kept for the next generation, in percent of a joint's range");
+      list.number("mutation", mutation, {0, 1}, "share of the swarm's second third that is drawn anew");
+      list.choice("leader", leader,
+                  {{"per_generation", Leader::per_generation}, {"per_particle", Leader::per_particle}},
+                  "one leader from the archive for all particles of a generation, or one for each");
+      list.choice("final_point", final_point,
+                  {{"smallest_error", FinalPoint::smallest_error}, {"knee", FinalPoint::knee}},
+                  "the answer is the candidate with the smallest error, or the archive's knee with the smallest error "
+                  "(a later knee with a larger one is passed over)");
+    }
+  };
+
+  explicit MultiObjectiveSwarm(Options options) : options_(options) {}
+
+  void start(const Problem& problem, Objective& objective, Random& random) override {
+    problem_ = problem;
+    const int particles = problem.population;
+    x_.resize(problem.joints(), particles);
+    v_.setZero(problem.joints(), particles);
+    u1_.resize(problem.joints(), particles);
+    u2_.resize(problem.joints(), particles);
+    for (Eigen::VectorXd* each : {&errors_, &leader_, &coin_}) each->resize(particles);
+    costs_.resize(static_cast<std::size_t>(particles));
+    order_.resize(static_cast<std::size_t>(particles));
+    velocity_limit_ = options_.velocity_limit_percent / 100 * (problem.upper - problem.lower);
+    archive_.start(problem.joints(), options_.archive, particles);
+    generation_ = 0;
+    best_ = {problem.start};
+
+    draw_within_limits(problem, random, x_);
+    evaluate(objective);
+    personal_ = x_;
+    personal_costs_ = costs_;
+  }
+
+  void step(Objective& objective, Random& random) override {
+    random.uniforms(u1_);
+    random.uniforms(u2_);
+    random.uniforms(leader_);
+    random.uniforms(coin_);
+    ++generation_;
+    archive_.divide(options_.grid);
+    for (Eigen::Index i = 0; i < x_.cols(); ++i) {
+      const double chance = leader_[options_.leader == Leader::per_generation ? 0 : i];
+      auto x = x_.col(i);
+      v_.col(i) = options_.inertia * v_.col(i) + options_.cognitive * u1_.col(i).cwiseProduct(personal_.col(i) - x);
+      if (!archive_.empty()) {
+        v_.col(i) += options_.social * u2_.col(i).cwiseProduct(archive_.q(archive_.pick(chance)) - x);
+      }
+      x += v_.col(i);
+    }
+    mutate(random);
+    for (Eigen::Index i = 0; i < x_.cols(); ++i) turn_back(i);
+    evaluate(objective);
+    for (Eigen::Index i = 0; i < x_.cols(); ++i) {
+      const auto at = static_cast<std::size_t>(i);
+      if (!std::isfinite(costs_[at].error)) continue;
+      const bool replaced =
+          costs_[at].dominates(personal_costs_[at]) || (!personal_costs_[at].dominates(costs_[at]) && coin_[i] < 0.5);
+      if (!replaced) continue;
+      personal_.col(i) = x_.col(i);
+      personal_costs_[at] = costs_[at];
+    }
+  }
+
+  const Best& best() const override { return best_; }
+
+ private:
+  void evaluate(Objective& objective) {
+    objective.errors(x_, errors_);
+    for (Eigen::Index i = 0; i < x_.cols(); ++i) {
+      costs_[static_cast<std::size_t>(i)] = {errors_[i], (x_.col(i) - problem_.start).norm()};
+    }
+    archive_.add(x_, costs_);
+    if (archive_.empty()) return;
+    // The front's first member has the smallest error there ever was: nothing dominates it and crowding spares it.
+    const std::size_t answer = options_.final_point == FinalPoint::knee ? archive_.knee() : 0;
+    best_.improve(archive_.q(answer), archive_.cost(answer).error);
+  }
+
+  // The swarm in thirds (50: 17, 17, 16): the first stays, some of the second are drawn anew, and of the third fewer
+  // and fewer.
+  void mutate(Random& random) {
+    const auto swarm = static_cast<int>(x_.cols());
+    const int first = (swarm + 2) / 3, second = (swarm + 1) / 3, third = swarm / 3;
+    const double left = std::max(0.0, 1 - generation_ / static_cast<double>(std::max(1, problem_.iterations)));
+    redraw(first, second, options_.mutation, random);
+    redraw(first + second, third, std::pow(left, 5 * problem_.joints()), random);
+  }
+
+  // Draws a share of the particles from, from + 1, ..., from + count - 1 anew, each at most once.
+  void redraw(int from, int count, double share, Random& random) {
+    for (int k = 0; k < count; ++k) order_[static_cast<std::size_t>(k)] = from + k;
+    const auto redrawn = static_cast<int>(std::lround(share * count));
+    for (int k = 0; k < redrawn; ++k) {
+      std::swap(order_[static_cast<std::size_t>(k)], order_[static_cast<std::size_t>(k + random.index(count - k))]);
+      const int i = order_[static_cast<std::size_t>(k)];
+      for (Eigen::Index j = 0; j < x_.rows(); ++j) x_(j, i) = random.uniform(problem_.lower[j], problem_.upper[j]);
+    }
+  }
+
+  // The velocity is limited after it has been used; at a joint limit it changes sign.
+  void turn_back(Eigen::Index i) {
+    for (Eigen::Index j = 0; j < x_.rows(); ++j) {
+      v_(j, i) = std::clamp(v_(j, i), -velocity_limit_[j], velocity_limit_[j]);
+      const double inside = std::clamp(x_(j, i), problem_.lower[j], problem_.upper[j]);
+      if (inside != x_(j, i)) v_(j, i) = -v_(j, i);
+      x_(j, i) = inside;
+    }
+  }
+
+  Options options_;
+  Problem problem_;
+  Candidates x_, v_, personal_, u1_, u2_;
+  Eigen::VectorXd errors_, leader_, coin_, velocity_limit_;
+  std::vector<Cost> costs_, personal_costs_;
+  std::vector<int> order_;
+  Front archive_;
+  int generation_ = 0;
+  Best best_;
+};
+
+}  // namespace
+
+SolverInfo multi_objective_swarm() {
+  return solver_info<MultiObjectiveSwarm>("multi_objective_swarm",
+                                          "multi-objective particle swarm (MO-PSO): position error and variation",
+                                          "Coello, Pulido and Lechuga 2004; Martinez-Cagigal's MOPSO");
+}
+
+}  // namespace ikbench

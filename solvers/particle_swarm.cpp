@@ -1,0 +1,93 @@
+// PSO, particle swarm optimisation: Kennedy and Eberhart 1995 with the inertia of Shi and Eberhart 1998; the numbers
+// are those of Slim et al. 2023, Table 1. The reading is argued in docs/paper-notes.md 2.5.
+#include "solvers/bounds.hpp"
+#include "solvers/registry.hpp"
+
+namespace ikbench {
+
+namespace {
+
+class ParticleSwarm final : public Solver {
+ public:
+  enum class Coefficients { permuted, as_printed };
+
+  struct Options {
+    double inertia = 0.53514;
+    double cognitive = 1.1312;
+    double social = 2.0149;
+    Coefficients coefficients = Coefficients::permuted;
+    Bounds bounds = Bounds::clamp;
+
+    void list(OptionList& list) {
+      list.number("inertia", inertia, {0, 10}, "inertia w, factor of the velocity");
+      list.number("cognitive", cognitive, {0, 10}, "c1, towards a particle's own best");
+      list.number("social", social, {0, 10}, "c2, towards the swarm's best");
+      list.choice("coefficients", coefficients,
+                  {{"permuted", Coefficients::permuted}, {"as_printed", Coefficients::as_printed}},
+                  "the three numbers by their names, or with the labels of Table 1: w = cognitive, c1 = social, "
+                  "c2 = inertia (diverges)");
+      list_bounds(list, bounds);
+    }
+  };
+
+  explicit ParticleSwarm(Options options) : options_(options) {
+    if (options.coefficients == Coefficients::as_printed) {
+      options_.inertia = options.cognitive;
+      options_.cognitive = options.social;
+      options_.social = options.inertia;
+    }
+  }
+
+  void start(const Problem& problem, Objective& objective, Random& random) override {
+    problem_ = problem;
+    const int particles = problem.population;
+    x_.resize(problem.joints(), particles);
+    v_.setZero(problem.joints(), particles);
+    u1_.resize(problem.joints(), particles);
+    u2_.resize(problem.joints(), particles);
+    errors_.resize(particles);
+    best_ = {problem.start};
+
+    draw_within_limits(problem, random, x_);
+    personal_ = x_;
+    objective.errors(x_, errors_);
+    for (int i = 0; i < particles; ++i) best_.improve(x_.col(i), errors_[i]);
+  }
+
+  void step(Objective& objective, Random& random) override {
+    random.uniforms(u1_);
+    random.uniforms(u2_);
+    for (Eigen::Index i = 0; i < x_.cols(); ++i) {
+      auto x = x_.col(i);
+      v_.col(i) = options_.inertia * v_.col(i) +                                        // Shi and Eberhart 1998
+                  options_.cognitive * u1_.col(i).cwiseProduct(personal_.col(i) - x) +  //
+                  options_.social * u2_.col(i).cwiseProduct(best_.q - x);
+      x += v_.col(i);
+      apply(options_.bounds, problem_, x);
+      const double error = objective.error(x);
+      if (error < errors_[i]) {
+        personal_.col(i) = x;
+        errors_[i] = error;
+      }
+      best_.improve(x, error);  // seen by the next particle already
+    }
+  }
+
+  const Best& best() const override { return best_; }
+
+ private:
+  Options options_;
+  Problem problem_;
+  Candidates x_, v_, personal_, u1_, u2_;
+  Eigen::VectorXd errors_;  // of the personal bests
+  Best best_;
+};
+
+}  // namespace
+
+SolverInfo particle_swarm() {
+  return solver_info<ParticleSwarm>("particle_swarm", "particle swarm optimisation (PSO)",
+                                    "Kennedy and Eberhart 1995; Shi and Eberhart 1998");
+}
+
+}  // namespace ikbench
