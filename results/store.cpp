@@ -29,8 +29,8 @@ constexpr std::int64_t schema_version = 1;           // docs/data-dictionary.md:
 constexpr int busy_timeout_ms = 10'000;
 constexpr std::int64_t all_runs = std::numeric_limits<std::int64_t>::max();
 
-// A value in the file that no store of ours has.
-struct DamagedValue : std::runtime_error {
+// Something in the file that no store of ours has.
+struct Damage : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
@@ -68,7 +68,7 @@ auto guarded(const std::string& file, Action&& action) {
     return action();
   } catch (const SQLite::Exception& error) {
     refuse(file, error);
-  } catch (const DamagedValue& error) {
+  } catch (const Damage& error) {
     throw std::invalid_argument(fmt::format(
         "'{}' is damaged ({}); restore it from a copy or run its studies into a new store", file, error.what()));
   }
@@ -97,12 +97,12 @@ double json_number(std::string_view text) {
   if (text == json_infinity) return std::numeric_limits<double>::infinity();
   if (text == json_minus_infinity) return -std::numeric_limits<double>::infinity();
   if (const auto number = number_from(text)) return *number;
-  throw DamagedValue(fmt::format("'{}' in a list of numbers", text));
+  throw Damage(fmt::format("'{}' in a list of numbers", text));
 }
 
 std::vector<double> numbers_from(std::string_view array) {
   if (array.size() < 2 || array.front() != '[' || array.back() != ']')
-    throw DamagedValue(fmt::format("'{}' is not a list of numbers", array.substr(0, 40)));
+    throw Damage(fmt::format("'{}' is not a list of numbers", array.substr(0, 40)));
   std::vector<double> numbers;
   std::string_view rest = array.substr(1, array.size() - 2);
   if (rest.empty()) return numbers;
@@ -138,7 +138,7 @@ void read(const SQLite::Column& column, Value& value) {
   if constexpr (std::is_enum_v<Value>) {
     const auto& names = names_of(value);
     const auto found = std::find(names.begin(), names.end(), column.getString());
-    if (found == names.end()) throw DamagedValue(fmt::format("{} '{}'", column.getName(), column.getString()));
+    if (found == names.end()) throw Damage(fmt::format("{} '{}'", column.getName(), column.getString()));
     value = static_cast<Value>(found - names.begin());
   } else if constexpr (std::is_same_v<Value, std::vector<double>>) {
     value = numbers_from(column.getString());
@@ -146,7 +146,7 @@ void read(const SQLite::Column& column, Value& value) {
     value = column.isNull() ? std::numeric_limits<double>::quiet_NaN() : column.getDouble();
   } else if constexpr (std::is_integral_v<Value>) {
     if (!std::in_range<Value>(column.getInt64()))
-      throw DamagedValue(fmt::format("{} {}", column.getName(), column.getInt64()));
+      throw Damage(fmt::format("{} {}", column.getName(), column.getInt64()));
     value = static_cast<Value>(column.getInt64());
   } else {
     value = column.getString();
@@ -213,12 +213,15 @@ std::string checked_path(const std::filesystem::path& file, Store::Mode mode) {
     throw std::invalid_argument(fmt::format("'{}' is a folder, expected the file of a store", file.string()));
   if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
     throw std::invalid_argument(fmt::format("'{}' is not a regular file, expected the file of a store", file.string()));
-  if (mode == Store::Mode::read && !std::filesystem::exists(status))
+  if (mode == Store::Mode::read && status.type() == std::filesystem::file_type::not_found)
     throw std::invalid_argument(
         fmt::format("'{}' does not exist, expected a store; `ikbench run` writes one", file.string()));
-  if (mode == Store::Mode::write && !std::filesystem::create_directories(path.parent_path(), error) && error)
-    throw std::invalid_argument(
-        fmt::format("folder '{}' cannot be made: {}", path.parent_path().string(), error.message()));
+  if (mode == Store::Mode::write) {
+    std::filesystem::create_directories(path.parent_path(), error);
+    if (error)
+      throw std::invalid_argument(fmt::format(
+          "'{}' cannot be written: its folder cannot be made ({}); give another path", file.string(), error.message()));
+  }
   return path.string();
 }
 
@@ -229,20 +232,20 @@ struct Store::Database {
   Mode mode;
   SQLite::Database sqlite;
 
-  Database(const std::filesystem::path& path, Mode mode_)
+  Database(const std::filesystem::path& path, Mode open_mode)
       : file(path.string()),
-        mode(mode_),
+        mode(open_mode),
         sqlite(checked_path(path, mode),
                mode == Mode::write ? SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE : SQLite::OPEN_READONLY,
                busy_timeout_ms) {
     if (mode == Mode::read) {
-      check_schema();
+      check_header();
       return;
     }
     SQLite::Transaction transaction(sqlite, SQLite::TransactionBehavior::IMMEDIATE);
     if (number("SELECT count(*) FROM sqlite_master") == 0 && number("PRAGMA application_id") == 0)
       sqlite.exec(create_tables());
-    check_schema();
+    check_header();
     transaction.commit();
     sqlite.exec("PRAGMA journal_mode = WAL; PRAGMA synchronous = NORMAL");
   }
@@ -262,7 +265,7 @@ struct Store::Database {
 
   std::int64_t number(const char* query) { return sqlite.execAndGet(query).getInt64(); }
 
-  void check_schema() {
+  void check_header() {
     if (number("PRAGMA application_id") != application_id)
       throw std::invalid_argument(
           fmt::format("'{}' is not an ikbench store: another program wrote it; expected one that ikbench wrote", file));
@@ -270,6 +273,9 @@ struct Store::Database {
       throw std::invalid_argument(
           fmt::format("'{}' has schema {}, newer than the {} that this ikbench knows; use the ikbench that wrote it",
                       file, version, schema_version));
+    // SQLite takes what is missing of the last page for zeros.
+    if (std::filesystem::file_size(file) % static_cast<std::uintmax_t>(number("PRAGMA page_size")) != 0)
+      throw Damage("it was cut short");
   }
 
   std::vector<Series> series_of(const std::string& study) {
@@ -420,7 +426,7 @@ std::vector<SolveRecord> Store::solves(const std::string& study_name) const {
   return guarded(database_->file, [&] {
     const StudyEntry entry = study(study_name);
     const auto runs = runs_of(entry);
-    if (!runs) throw DamagedValue(fmt::format("the definition of study '{}'", study_name));
+    if (!runs) throw Damage(fmt::format("the definition of study '{}'", study_name));
     std::vector<SolveRecord> list;
     for (const Series& series : entry.series) database_->read_solves(series.key, *runs, list);
     return list;

@@ -56,8 +56,9 @@ TEST_CASE("malformed CSV is refused with the line and what was expected", "[csv]
 
 TEST_CASE("any text round-trips through CSV", "[csv][property]") {
   // Pieces that CSV must not trip over, drawn at random; std::mt19937's sequence is fixed by the C++ standard.
-  const std::vector<std::string> pieces = {",",  "\"",           "\n",       "\r", "\r\n", " ", "\t", std::string(1, '\0'),
-                                           "\"\"", "\xEF\xBB\xBF", "θ₁ [°]", "a",  "-1e-5", ";", "'"};
+  const std::vector<std::string> pieces = {
+      ",",    "\"",           "\n",     "\r", "\r\n",  " ", "\t", std::string(1, '\0'),
+      "\"\"", "\xEF\xBB\xBF", "θ₁ [°]", "a",  "-1e-5", ";", "'"};
   std::mt19937 random(4180);
   const auto draw = [&](std::size_t below) { return random() % below; };
   for (int trial = 0; trial < 2000; ++trial) {
@@ -108,14 +109,16 @@ TEST_CASE("a column is found by its name, and a wrong name is told the right one
 }
 
 TEST_CASE("a cell is a number or is refused with its row, column and text", "[csv]") {
-  const CsvTable table = parse_csv("x\n1.7824e-4\n -2.5 \n+3\nNaN\n-Inf\ninf\n\"1,5\"\n\"\"\n5 cm\n1e999\n+-1\n0x10\n", "d");
+  const CsvTable table =
+      parse_csv("x\n1.7824e-4\n -2.5 \n+3\nNaN\n-Inf\ninf\n\"1,5\"\n\"\"\n5 cm\n1e999\n+-1\n0x10\n", "d");
   CHECK(table.number(0, "x") == 1.7824e-4);
   CHECK(table.number(1, "x") == -2.5);
   CHECK(table.number(2, "x") == 3.0);
   CHECK(std::isnan(table.number(3, "x")));
   CHECK(table.number(4, "x") == -std::numeric_limits<double>::infinity());
   CHECK(table.number(5, "x") == std::numeric_limits<double>::infinity());
-  for (std::size_t row = 6; row < table.rows.size(); ++row) CHECK_THROWS_AS(table.number(row, "x"), std::invalid_argument);
+  for (std::size_t row = 6; row < table.rows.size(); ++row)
+    CHECK_THROWS_AS(table.number(row, "x"), std::invalid_argument);
   CHECK(complaint<std::invalid_argument>([&] { table.number(6, "x"); }) ==
         "row 7 below the header, column 'x': '1,5', expected a number");
 }

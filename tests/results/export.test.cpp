@@ -43,8 +43,8 @@ TEST_CASE("JSON holds the study, its sessions and every column of its solves", "
   SolveRecord record = sample_record();
   record.position_error_cm = -std::numeric_limits<double>::infinity();
   record.trace_cm = {1.5, std::numeric_limits<double>::quiet_NaN()};
-  const std::string text =
-      to_json(sample_study(), {{.id = 1, .environment = {{"cpu", "<script>\"x\"</script>"}}}}, {record, sample_record()});
+  const std::string text = to_json(sample_study(), {{.id = 1, .environment = {{"cpu", "<script>\"x\"</script>"}}}},
+                                   {record, sample_record()});
   const auto json = nlohmann::ordered_json::parse(text);
   CHECK(json["note"] == "null stands for a number that is not finite");
   CHECK(json["columns"].size() == columns().size());

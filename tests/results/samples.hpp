@@ -1,8 +1,10 @@
 // Folders that vanish with the test, and records to put into stores.
 #pragma once
 
+#include <fmt/format.h>
 #include <stdlib.h>
 
+#include <algorithm>
 #include <bit>
 #include <cstdint>
 #include <filesystem>
@@ -15,6 +17,7 @@
 
 #include "results/record.hpp"
 #include "results/store.hpp"
+#include "tests/catch.hpp"
 
 namespace ikbench {
 
@@ -42,6 +45,14 @@ inline std::string text_in(const std::filesystem::path& file) {
 inline void write_text(const std::filesystem::path& file, const std::string& text) {
   std::ofstream(file, std::ios::binary) << text;
 }
+
+#if CATCH_VERSION_MAJOR >= 3
+using Catch::Matchers::ContainsSubstring;
+#else
+inline auto ContainsSubstring(const std::string& part) { return Catch::Matchers::Contains(part); }
+#endif
+
+inline std::string quoted(const std::filesystem::path& file) { return fmt::format("'{}'", file.string()); }
 
 // What the exception of `action` says; empty where there is none of that type.
 template <class Exception, class Action>
