@@ -1,5 +1,8 @@
 // The store: one SQLite file that remembers studies, sessions and solves. Several studies may share a store.
-// Schema: docs/data-dictionary.md. User's mistakes (no such file, not a store, a newer schema) are std::invalid_argument.
+// Schema: docs/data-dictionary.md. A user's mistake (no such file, not a store, damaged, a newer schema, no permission)
+// is std::invalid_argument; a store kept locked by another process or a full disk std::runtime_error; a mistake of ours
+// (a solve that is already there, a definition that is not JSON) std::logic_error. A Store belongs to one thread at a
+// time.
 #pragma once
 
 #include <cstdint>
@@ -24,7 +27,7 @@ struct Series {
 // A study as it was defined when it was last run.
 struct StudyEntry {
   std::string name;
-  std::string definition;      // JSON object: robot, path, search, bounds, population, stop rule, runs, points, seed, ...
+  std::string definition;  // JSON object: robot, path, search, bounds, population, stop rule, runs, points, seed, ...
   std::vector<Series> series;  // in the order of the study
 };
 
@@ -44,13 +47,14 @@ class Store {
 
   // Writes the study; one of the same name is replaced (its solves stay; only those of the new series are current).
   void save_study(const StudyEntry& study);
-  std::vector<StudyEntry> studies() const;              // in the order they were first saved
-  StudyEntry study(const std::string& name) const;      // std::invalid_argument where there is none
+  std::vector<StudyEntry> studies() const;          // in the order they were first saved
+  StudyEntry study(const std::string& name) const;  // std::invalid_argument where there is none
 
   std::int64_t begin_session(const std::map<std::string, std::string>& environment);
   std::vector<Session> sessions() const;
 
-  // All of them in one transaction. A solve that is already there (series, run, point) is an error of ours.
+  // All of them in one transaction, which outlives the process, however that ends. A solve that is already there
+  // (series, run, point) is an error of ours; then none of them is kept.
   void append(const std::vector<SolveRecord>& records);
 
   // Solves of one series, ordered by run and point.

@@ -1,0 +1,140 @@
+// CSV and JSON from records; both follow for_each_column.
+#include "results/export.hpp"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <type_traits>
+
+#include "results/csv.hpp"
+#include "results/number.hpp"
+
+namespace ikbench {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+template <class Value>
+constexpr bool is_list = std::is_same_v<Value, std::vector<double>>;
+
+template <class Value>
+constexpr std::string_view type_name() {
+  if constexpr (std::is_enum_v<Value>) return "name";
+  if constexpr (std::is_integral_v<Value>) return "integer";
+  if constexpr (std::is_floating_point_v<Value>) return "number";
+  if constexpr (is_list<Value>) return "list of numbers";
+  return "text";
+}
+
+template <class Value>
+std::string cell_of(const Value& value) {
+  if constexpr (std::is_enum_v<Value>)
+    return std::string(name_of(value));
+  else if constexpr (std::is_integral_v<Value>)
+    return std::to_string(value);
+  else if constexpr (std::is_floating_point_v<Value>)
+    return text_of(value);
+  else
+    return value;
+}
+
+std::size_t longest(const std::vector<SolveRecord>& records, std::vector<double> SolveRecord::*list) {
+  std::size_t length = 0;
+  for (const SolveRecord& record : records) length = std::max(length, (record.*list).size());
+  return length;
+}
+
+// Visits every column that CSV has.
+template <class Visit>
+void for_each_csv_column(Visit&& visit) {
+  for_each_column([&](std::string_view name, auto member, std::string_view) {
+    if (name != "trace_cm") visit(name, member);
+  });
+}
+
+// Text that is not UTF-8 cannot stand in JSON: what is wrong in it becomes U+FFFD.
+std::string dump(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
+
+Json json_of(const SolveRecord& record) {
+  Json object = Json::object();
+  for_each_column([&]<class Value>(std::string_view name, Value SolveRecord::*member, std::string_view) {
+    if constexpr (std::is_enum_v<Value>)
+      object[std::string(name)] = name_of(record.*member);
+    else
+      object[std::string(name)] = record.*member;
+  });
+  return object;
+}
+
+}  // namespace
+
+std::vector<ColumnInfo> columns() {
+  std::vector<ColumnInfo> list;
+  for_each_column([&]<class Value>(std::string_view name, Value SolveRecord::*, std::string_view meaning) {
+    list.push_back({name, type_name<Value>(), meaning});
+  });
+  return list;
+}
+
+std::string to_csv(const std::vector<SolveRecord>& records) {
+  std::vector<std::string> cells;
+  std::vector<std::size_t> widths;  // cells per column
+  for_each_csv_column([&]<class Value>(std::string_view name, Value SolveRecord::*member) {
+    if constexpr (is_list<Value>) {
+      widths.push_back(longest(records, member));
+      for (std::size_t i = 1; i <= widths.back(); ++i) cells.push_back(std::string(name) + "_" + std::to_string(i));
+    } else {
+      widths.push_back(1);
+      cells.emplace_back(name);
+    }
+  });
+  std::string text;
+  append_csv_row(text, cells);
+  for (const SolveRecord& record : records) {
+    cells.clear();
+    auto width = widths.begin();
+    for_each_csv_column([&]<class Value>(std::string_view, Value SolveRecord::*member) {
+      if constexpr (is_list<Value>) {
+        for (const double element : record.*member) cells.push_back(text_of(element));
+        cells.resize(cells.size() + *width - (record.*member).size());
+      } else {
+        cells.push_back(cell_of(record.*member));
+      }
+      ++width;
+    });
+    append_csv_row(text, cells);
+  }
+  return text;
+}
+
+std::string to_json(const StudyEntry& study, const std::vector<Session>& sessions,
+                    const std::vector<SolveRecord>& records) {
+  Json head;
+  head["note"] = "null stands for a number that is not finite";
+  head["columns"] = Json::array();
+  for (const ColumnInfo& column : columns())
+    head["columns"].push_back({{"name", column.name}, {"type", column.type}, {"meaning", column.meaning}});
+  head["study"] = study.name;
+  head["definition"] = Json::parse(study.definition);
+  head["series"] = Json::array();
+  for (const Series& series : study.series)
+    head["series"].push_back({{"key", series.key},
+                              {"label", series.label},
+                              {"algorithm", series.algorithm},
+                              {"options", Json::parse(series.options)}});
+  head["sessions"] = Json::array();
+  for (const Session& session : sessions)
+    head["sessions"].push_back({{"id", session.id}, {"environment", session.environment}});
+
+  // Solves follow one a line, so that only one of them is held as an object.
+  std::string text = dump(head);
+  text.pop_back();
+  text += ",\"solves\":[";
+  for (const SolveRecord& record : records) {
+    text += &record == &records.front() ? "\n" : ",\n";
+    text += dump(json_of(record));
+  }
+  text += "]}\n";
+  return text;
+}
+
+}  // namespace ikbench

@@ -1,0 +1,50 @@
+// Published tables: the CSV files of results/published, which the build embeds here (embed.cmake).
+#include "results/published.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace ikbench::published {
+namespace {
+
+struct Embedded {
+  std::string_view paper;
+  std::string_view name;
+  std::string_view csv;
+};
+
+constexpr Embedded embedded_tables[] = {
+#include "published_tables.inc"
+};
+
+}  // namespace
+
+CsvTable table(std::string_view paper, std::string_view name) {
+  for (const Embedded& embedded : embedded_tables)
+    if (embedded.paper == paper && embedded.name == name)
+      return parse_csv(embedded.csv, fmt::format("{}/{}.csv", paper, name));
+  const auto names = tables(paper);
+  if (names.empty())
+    throw std::invalid_argument(
+        fmt::format("no published paper '{}', expected one of: {}", paper, fmt::join(papers(), ", ")));
+  throw std::invalid_argument(
+      fmt::format("no table '{}' of {}, expected one of: {}", name, paper, fmt::join(names, ", ")));
+}
+
+std::vector<std::string_view> papers() {
+  std::vector<std::string_view> names;
+  for (const Embedded& embedded : embedded_tables)
+    if (std::find(names.begin(), names.end(), embedded.paper) == names.end()) names.push_back(embedded.paper);
+  return names;
+}
+
+std::vector<std::string_view> tables(std::string_view paper) {
+  std::vector<std::string_view> names;
+  for (const Embedded& embedded : embedded_tables)
+    if (embedded.paper == paper) names.push_back(embedded.name);
+  return names;
+}
+
+}  // namespace ikbench::published

@@ -1,0 +1,107 @@
+// The tables of Slim et al., Robotics 2023, 12, 38, as printed: each number below stands in the paper.
+#include "results/published.hpp"
+
+#include <algorithm>
+#include <set>
+
+#include "tests/catch.hpp"
+#include "tests/results/samples.hpp"
+
+using namespace ikbench;
+
+namespace {
+
+const std::string& cell(const CsvTable& table, std::size_t row, std::string_view column) {
+  return table.rows.at(row)[table.column(column)];
+}
+
+// Row of Table 3.
+std::size_t row_of(const CsvTable& table, std::string_view algorithm, std::string_view metric) {
+  for (std::size_t row = 0; row < table.rows.size(); ++row)
+    if (cell(table, row, "algorithm") == algorithm && cell(table, row, "metric") == metric) return row;
+  throw std::invalid_argument("no such row");
+}
+
+}  // namespace
+
+TEST_CASE("Tables 3 to 8 of the paper are in the program", "[published]") {
+  CHECK(published::papers() == std::vector<std::string_view>{"slim2023"});
+  CHECK(published::tables("slim2023") ==
+        std::vector<std::string_view>{"table-3", "table-4", "table-5", "table-6", "table-7", "table-8"});
+  CHECK(published::tables("nobody1999").empty());
+  const std::vector<std::size_t> rows = {18, 3, 3, 3, 4, 20};  // 6 algorithms x 3 metrics, ANOVA, swarms, points
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    CHECK(published::table("slim2023", published::tables("slim2023")[i]).rows.size() == rows[i]);
+}
+
+TEST_CASE("a table that is not there is told which are", "[published]") {
+  CHECK(complaint<std::invalid_argument>([] { published::table("slim2023", "table-9"); }) ==
+        "no table 'table-9' of slim2023, expected one of: table-3, table-4, table-5, table-6, table-7, table-8");
+  CHECK(complaint<std::invalid_argument>([] { published::table("nobody1999", "table-3"); }) ==
+        "no published paper 'nobody1999', expected one of: slim2023");
+}
+
+TEST_CASE("every table has its files' text, as printed", "[published]") {
+  for (const auto name : published::tables("slim2023")) {
+    CAPTURE(name);
+    const std::string file = text_in("results/published/slim2023/" + std::string(name) + ".csv");
+    CHECK(to_csv(published::table("slim2023", name)) == file);
+  }
+}
+
+TEST_CASE("Table 3 has six algorithms, three metrics and the printed text", "[published][paper]") {
+  const CsvTable table = published::table("slim2023", "table-3");
+  std::set<std::string> algorithms;
+  for (std::size_t row = 0; row < table.rows.size(); ++row) {
+    algorithms.insert(cell(table, row, "algorithm"));
+    CHECK(table.number(row, "n") == 20);
+    CHECK(table.number(row, "min") <= table.number(row, "median"));
+    CHECK(table.number(row, "median") <= table.number(row, "max"));
+    CHECK(table.number(row, "min") <= table.number(row, "mean"));
+    CHECK(table.number(row, "mean") <= table.number(row, "max"));
+  }
+  CHECK(algorithms == std::set<std::string>{"IK-BA", "BA", "DE", "PSO", "K-ABC", "MO-PSO"});
+  CHECK(cell(table, row_of(table, "IK-BA", "position_error_cm"), "std") == "1.7824e-4");
+  CHECK(cell(table, row_of(table, "PSO", "position_error_cm"), "min") == "0.0000");
+  CHECK(cell(table, row_of(table, "MO-PSO", "variation_deg"), "max") == "164.1794");
+  CHECK(table.number(row_of(table, "K-ABC", "seconds"), "median") == 0.42);
+}
+
+TEST_CASE("in Tables 4 to 6 the sums of squares and the degrees of freedom add up", "[published][paper]") {
+  for (const auto name : {"table-4", "table-5", "table-6"}) {
+    CAPTURE(name);
+    const CsvTable table = published::table("slim2023", name);
+    CHECK(cell(table, 0, "source") == "between");
+    CHECK(cell(table, 1, "source") == "within");
+    CHECK(cell(table, 2, "source") == "total");
+    CHECK(table.number(0, "ss") + table.number(1, "ss") == Approx(table.number(2, "ss")).epsilon(1e-4));  // as printed
+    CHECK(table.number(0, "df") == 5);    // 6 algorithms
+    CHECK(table.number(1, "df") == 114);  // 6 x 20 runs - 6
+    CHECK(table.number(2, "df") == 119);
+    CHECK(cell(table, 1, "f").empty());
+    CHECK(cell(table, 2, "ms").empty());
+  }
+  CHECK(cell(published::table("slim2023", "table-4"), 0, "p") == "7.2225e-24");
+  CHECK(cell(published::table("slim2023", "table-5"), 0, "f") == "388.9396");
+  CHECK(cell(published::table("slim2023", "table-6"), 1, "ms") == "0.0112");
+}
+
+TEST_CASE("Table 7 keeps the misprint: with 20 bats the mean exceeds the maximum", "[published][paper]") {
+  const CsvTable table = published::table("slim2023", "table-7");
+  CHECK(table.number(2, "bats") == 20);
+  CHECK(cell(table, 2, "mean_ms") == "83.75");
+  CHECK(cell(table, 2, "max_ms") == "80.06");
+}
+
+TEST_CASE("the printed errors of Table 8 average 2.55e-14 cm", "[published][paper]") {
+  const CsvTable table = published::table("slim2023", "table-8");
+  double sum = 0;
+  for (std::size_t row = 0; row < table.rows.size(); ++row) {
+    CHECK(table.number(row, "point") == static_cast<double>(row + 1));
+    sum += table.number(row, "error_cm");
+  }
+  CHECK(sum / 20 == Approx(2.55e-14).epsilon(2e-3));  // hand calculation; the text of the paper says 2.1196e-14
+  CHECK(cell(table, 11, "error_cm") == "9.61e-14");
+  CHECK(cell(table, 0, "theta1_deg") == "34.8");
+  CHECK(cell(table, 19, "theta3_deg") == "54.8");
+}

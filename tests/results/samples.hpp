@@ -1,0 +1,124 @@
+// Folders that vanish with the test, and records to put into stores.
+#pragma once
+
+#include <fmt/format.h>
+#include <stdlib.h>
+
+#include <algorithm>
+#include <bit>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+#include "results/record.hpp"
+#include "results/store.hpp"
+#include "tests/catch.hpp"
+
+namespace ikbench {
+
+struct ScratchFolder {
+  std::filesystem::path path;
+
+  ScratchFolder() {
+    std::string name = (std::filesystem::temp_directory_path() / "ikbench-XXXXXX").string();
+    if (!mkdtemp(name.data())) throw std::runtime_error("no scratch folder");
+    path = name;
+  }
+  ~ScratchFolder() {
+    std::error_code error;
+    std::filesystem::remove_all(path, error);
+  }
+  ScratchFolder(const ScratchFolder&) = delete;
+  ScratchFolder& operator=(const ScratchFolder&) = delete;
+};
+
+inline std::string text_in(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+inline void write_text(const std::filesystem::path& file, const std::string& text) {
+  std::ofstream(file, std::ios::binary) << text;
+}
+
+#if CATCH_VERSION_MAJOR >= 3
+using Catch::Matchers::ContainsSubstring;
+#else
+inline auto ContainsSubstring(const std::string& part) { return Catch::Matchers::Contains(part); }
+#endif
+
+inline std::string quoted(const std::filesystem::path& file) { return fmt::format("'{}'", file.string()); }
+
+// What the exception of `action` says; empty where there is none of that type.
+template <class Exception, class Action>
+std::string complaint(Action&& action) {
+  try {
+    action();
+  } catch (const Exception& error) {
+    return error.what();
+  }
+  return "";
+}
+
+// A record with a value of its own in every column.
+inline SolveRecord sample_record(const std::string& series = "key-a", int run = 1, int point = 1) {
+  return {.study = "table-3",
+          .robot = "iiwa14",
+          .solver = "IK-BA",
+          .series = series,
+          .run = run,
+          .point = point,
+          .target_position_m = {0.6, 0.2, 0.1},
+          .target_rotation = {-1, 0, 0, 0, 1, 0, 0, 0, -1},
+          .start_rad = {0, 0, 0, 0, 0, 0, 0},
+          .answer_rad = {0.1, -0.2, 1.0 / 3.0, 0.4, 0.5, 0.6, 0.7},
+          .position_error_cm = 0.0019,
+          .claimed_error_cm = 0.0018,
+          .orientation_error = 1e-16,
+          .variation_deg = 87.1916,
+          .largest_move_deg = 60.25,
+          .limit_violation_deg = 0.5,
+          .evaluations = 10000,
+          .iterations = 200,
+          .stop_reason = StopReason::tolerance,
+          .status = Status::limit_violated,
+          .seconds = 0.2439,
+          .cpu_seconds = 0.2438,
+          .timing = Timing::parallel,
+          .session = 1,
+          .trace_cm = {12.5, 0.25, 0.0019}};
+}
+
+inline StudyEntry sample_study(const std::string& name = "table-3") {
+  return {.name = name,
+          .definition = R"({"robot":"iiwa14","runs":20,"points":20})",
+          .series = {{.key = "key-a", .label = "IK-BA", .algorithm = "ik_ba", .options = R"({"gamma":0.1})"},
+                     {.key = "key-b", .label = "BA", .algorithm = "ba", .options = "{}"}}};
+}
+
+// Doubles as their bits, so that NaN equals NaN and -0.0 differs from 0.0; everything else by ==.
+inline bool same(double a, double b) {
+  return (a != a && b != b) || std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
+}
+
+inline bool same(const std::vector<double>& a, const std::vector<double>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](double x, double y) { return same(x, y); });
+}
+
+template <class Value>
+bool same(const Value& a, const Value& b) {
+  return a == b;
+}
+
+inline bool same(const SolveRecord& a, const SolveRecord& b) {
+  bool equal = true;
+  for_each_column([&](std::string_view, auto member, std::string_view) { equal &= same(a.*member, b.*member); });
+  return equal;
+}
+
+}  // namespace ikbench

@@ -1,0 +1,263 @@
+// What goes into a store comes out of it: every value, in the promised order.
+#include "results/store.hpp"
+
+#include <SQLiteCpp/SQLiteCpp.h>
+
+#include <chrono>
+#include <limits>
+#include <random>
+
+#include "tests/catch.hpp"
+#include "tests/results/samples.hpp"
+
+using namespace ikbench;
+
+namespace {
+
+// Writes with one Store, reads with another.
+SolveRecord through_a_store(const SolveRecord& record) {
+  const ScratchFolder folder;
+  Store(folder.path / "a.ikb", Store::Mode::write).append({record});
+  const auto records = Store(folder.path / "a.ikb", Store::Mode::read).series(record.series);
+  REQUIRE(records.size() == 1);
+  return records.front();
+}
+
+std::vector<std::string> places(const std::vector<SolveRecord>& records) {
+  std::vector<std::string> list;
+  for (const auto& record : records)
+    list.push_back(record.series + " " + std::to_string(record.run) + " " + std::to_string(record.point));
+  return list;
+}
+
+}  // namespace
+
+TEST_CASE("a solve comes back as it was, in every column", "[store]") {
+  CHECK(same(through_a_store(sample_record()), sample_record()));
+  CHECK(same(through_a_store(SolveRecord{}), SolveRecord{}));
+}
+
+TEST_CASE("every double comes back bit for bit, finite or not", "[store]") {
+  using limits = std::numeric_limits<double>;
+  std::vector<double> numbers = {0.0,
+                                 0.1,
+                                 1.0 / 3.0,
+                                 -1e300,
+                                 1e22,
+                                 9007199254740993.0,
+                                 limits::denorm_min(),
+                                 -limits::min() / 3,
+                                 limits::max(),
+                                 limits::lowest(),
+                                 limits::infinity(),
+                                 -limits::infinity(),
+                                 limits::quiet_NaN()};
+  std::mt19937_64 random(754);  // any bits are a double (IEEE 754)
+  for (int i = 0; i < 200; ++i) numbers.push_back(std::bit_cast<double>(random()));
+
+  const ScratchFolder folder;
+  Store store(folder.path / "a.ikb", Store::Mode::write);
+  std::vector<SolveRecord> records;
+  for (const double number : numbers) {
+    records.push_back(sample_record("doubles", static_cast<int>(records.size()) + 1));
+    records.back().position_error_cm = number;
+    records.back().trace_cm = {number, 1.5, number, -0.0};
+  }
+  store.append(records);
+  const auto again = store.series("doubles");
+  REQUIRE(again.size() == records.size());
+  for (std::size_t i = 0; i < records.size(); ++i) {
+    CAPTURE(numbers[i]);
+    CHECK(same(again[i], records[i]));
+  }
+}
+
+TEST_CASE("a negative zero keeps its sign in lists; SQLite drops it in a REAL column", "[store]") {
+  SolveRecord record = sample_record();
+  record.answer_rad = {-0.0};
+  record.position_error_cm = -0.0;
+  const SolveRecord again = through_a_store(record);
+  CHECK(same(again.answer_rad, std::vector<double>{-0.0}));
+  CHECK(same(again.position_error_cm, 0.0));
+}
+
+TEST_CASE("any text comes back as it was", "[store]") {
+  for (const std::string& text :
+       {std::string("'); DROP TABLE solves; --"), std::string("\"quoted\" 'single' `back` [x]"),
+        std::string("a\nb\r\nc\t"), std::string("<script>alert(1)</script>"), std::string("θ₁ 蝙蝠 🦇"),
+        std::string("nul\0inside", 10), std::string(), std::string("caf\xE9 is not UTF-8"),
+        std::string("?1 :name %s {}"), std::string(1'000'000, 'x')}) {
+    CAPTURE(text.substr(0, 40));
+    SolveRecord record = sample_record();
+    record.study = record.robot = record.solver = record.series = text;
+    CHECK(same(through_a_store(record), record));
+
+    const ScratchFolder folder;
+    Store store(folder.path / "a.ikb", Store::Mode::write);
+    StudyEntry study = sample_study(text);
+    study.series[0].key = study.series[0].label = study.series[0].algorithm = text;
+    store.save_study(study);
+    CHECK(store.study(text).series[0].label == text);
+    store.append({record});
+    CHECK(store.solves(text).size() == 1);
+    const auto id = store.begin_session({{text, text}});
+    CHECK(store.sessions().front().id == id);
+    CHECK(store.sessions().front().environment == std::map<std::string, std::string>{{text, text}});
+  }
+}
+
+TEST_CASE("studies come back with their series, in the order in which they were first saved", "[store]") {
+  const ScratchFolder folder;
+  Store store(folder.path / "a.ikb", Store::Mode::write);
+  store.save_study(sample_study("zebra"));
+  store.save_study(sample_study("aardvark"));
+  StudyEntry changed = sample_study("zebra");
+  changed.definition = R"({"runs":3,"points":1})";
+  std::swap(changed.series[0], changed.series[1]);
+  store.save_study(changed);
+
+  const auto studies = store.studies();
+  REQUIRE(studies.size() == 2);
+  CHECK(studies[0].name == "zebra");
+  CHECK(studies[0].definition == changed.definition);
+  REQUIRE(studies[0].series.size() == 2);
+  CHECK(studies[0].series[0].key == "key-b");
+  CHECK(studies[0].series[0].label == "BA");
+  CHECK(studies[0].series[0].algorithm == "ba");
+  CHECK(studies[0].series[1].options == R"({"gamma":0.1})");
+  CHECK(studies[1].name == "aardvark");
+}
+
+TEST_CASE("a study that is not there is told which are", "[store]") {
+  const ScratchFolder folder;
+  const auto file = folder.path / "a.ikb";
+  Store store(file, Store::Mode::write);
+  CHECK(complaint<std::invalid_argument>([&] { store.study("x"); }) ==
+        "no study 'x' in " + quoted(file) + ", expected one of: (the store is empty)");
+  store.save_study(sample_study("helix"));
+  store.save_study(sample_study("circle"));
+  CHECK(complaint<std::invalid_argument>([&] { store.solves("x"); }) ==
+        "no study 'x' in " + quoted(file) + ", expected one of: helix, circle");
+}
+
+TEST_CASE("solves of a study are those of its current series and runs, in its order", "[store]") {
+  const ScratchFolder folder;
+  Store store(folder.path / "a.ikb", Store::Mode::write);
+  StudyEntry study = sample_study();
+  study.definition = R"({"runs":2,"points":2})";
+  study.series = {{.key = "z", .label = "first", .algorithm = "ba", .options = "{}"},
+                  {.key = "a", .label = "second", .algorithm = "ba", .options = "{}"}};
+  store.save_study(study);
+  store.append({sample_record("a", 1, 2), sample_record("a", 1, 1), sample_record("old", 1, 1)});
+  store.append(
+      {sample_record("z", 10, 1), sample_record("z", 2, 1), sample_record("z", 1, 1), sample_record("z", 2, 2)});
+  CHECK(places(store.solves("table-3")) == std::vector<std::string>{"z 1 1", "z 2 1", "z 2 2", "a 1 1", "a 1 2"});
+  CHECK(places(store.series("z")) == std::vector<std::string>{"z 1 1", "z 2 1", "z 2 2", "z 10 1"});
+
+  // Other options are another series; the solves of the former stay in the file.
+  study.series = {{.key = "old", .label = "first", .algorithm = "ba", .options = R"({"gamma":0.5})"}};
+  store.save_study(study);
+  CHECK(places(store.solves("table-3")) == std::vector<std::string>{"old 1 1"});
+  CHECK(store.series("z").size() == 4);
+}
+
+TEST_CASE("sessions are numbered and keep what is said of them", "[store]") {
+  const ScratchFolder folder;
+  Store store(folder.path / "a.ikb", Store::Mode::write);
+  const auto first = store.begin_session({{"cpu", "x"}, {"commit", "727e066"}});
+  const auto second = store.begin_session({});
+  CHECK(first != second);
+  const auto sessions = Store(folder.path / "a.ikb", Store::Mode::read).sessions();
+  REQUIRE(sessions.size() == 2);
+  CHECK(sessions[0].id == first);
+  CHECK(sessions[0].environment == std::map<std::string, std::string>{{"commit", "727e066"}, {"cpu", "x"}});
+  CHECK(sessions[1].id == second);
+  CHECK(sessions[1].environment.empty());
+}
+
+TEST_CASE("a solve that is already there is refused, and nothing of its batch is kept", "[store]") {
+  const ScratchFolder folder;
+  Store store(folder.path / "a.ikb", Store::Mode::write);
+  store.append({sample_record("a", 1, 1)});
+  CHECK_THAT(complaint<std::logic_error>([&] {
+               store.append({sample_record("a", 1, 2), sample_record("a", 1, 1)});
+             }),
+             ContainsSubstring("solves.series, solves.run, solves.point"));
+  CHECK(store.series("a").size() == 1);
+  store.append({sample_record("a", 1, 2)});  // the store is usable as before
+  store.append({});
+  CHECK(store.series("a").size() == 2);
+}
+
+TEST_CASE("a study whose definition has no integer runs is an error of ours", "[store]") {
+  const ScratchFolder folder;
+  Store store(folder.path / "a.ikb", Store::Mode::write);
+  StudyEntry study = sample_study();
+  for (const char* definition : {"", "[]", "{", "{}", R"({"runs":"20"})", R"({"runs":2.5})"}) {
+    study.definition = definition;
+    CHECK_THROWS_AS(store.save_study(study), std::logic_error);
+  }
+  study = sample_study();
+  study.series[0].options = "gamma=1";
+  CHECK_THROWS_AS(store.save_study(study), std::logic_error);
+  study = sample_study();
+  study.series[1].label = study.series[0].label;
+  CHECK_THROWS_AS(store.save_study(study), std::logic_error);
+  CHECK(store.studies().empty());
+}
+
+TEST_CASE("a store makes its folders, and is one plain file when closed", "[store]") {
+  const ScratchFolder folder;
+  const auto file = folder.path / "new" / "folder with ? and %20" / "a.ikb";
+  {
+    Store store(file, Store::Mode::write);
+    store.append({sample_record()});
+  }
+  const auto entries = std::filesystem::directory_iterator(file.parent_path());
+  CHECK(std::distance(begin(entries), end(entries)) == 1);
+  CHECK(text_in(file).substr(18, 2) == "\x01\x01");  // rollback journal, www.sqlite.org/fileformat.html section 1.3
+  std::filesystem::copy_file(file, folder.path / "copy.ikb");
+  CHECK(Store(folder.path / "copy.ikb", Store::Mode::read).series("key-a").size() == 1);
+}
+
+TEST_CASE("a store can be read while it is written", "[store]") {
+  const ScratchFolder folder;
+  Store writer(folder.path / "a.ikb", Store::Mode::write);
+  const Store reader(folder.path / "a.ikb", Store::Mode::read);
+  writer.append({sample_record("a", 1, 1)});
+  CHECK(reader.series("a").size() == 1);
+  writer.append({sample_record("a", 1, 2)});
+  CHECK(reader.series("a").size() == 2);
+}
+
+TEST_CASE("the file names its program and the schema of these columns", "[store]") {
+  const ScratchFolder folder;
+  { const Store store(folder.path / "a.ikb", Store::Mode::write); }
+  SQLite::Database sqlite((folder.path / "a.ikb").string());
+  CHECK(sqlite.execAndGet("PRAGMA application_id").getInt64() == 0x494B424E);  // "IKBN"
+  CHECK(sqlite.execAndGet("SELECT value FROM meta WHERE key = 'schema'").getString() == "1");
+  CHECK(sqlite.execAndGet("PRAGMA user_version").getInt64() == 1);
+  // Schema 1. Another list here needs another version, and a way to read this one: docs/data-dictionary.md.
+  CHECK(sqlite.execAndGet("SELECT group_concat(name || ' ' || type) FROM pragma_table_info('solves')").getString() ==
+        "study TEXT,robot TEXT,solver TEXT,series TEXT,run INTEGER,point INTEGER,target_position_m TEXT,"
+        "target_rotation TEXT,start_rad TEXT,answer_rad TEXT,position_error_cm REAL,claimed_error_cm REAL,"
+        "orientation_error REAL,variation_deg REAL,largest_move_deg REAL,limit_violation_deg REAL,evaluations INTEGER,"
+        "iterations INTEGER,stop_reason TEXT,status TEXT,seconds REAL,cpu_seconds REAL,timing TEXT,session INTEGER,"
+        "trace_cm TEXT");
+}
+
+TEST_CASE("2400 solves are appended one by one and read back in a moment", "[store][.speed]") {
+  const ScratchFolder folder;
+  Store store(folder.path / "a.ikb", Store::Mode::write);
+  SolveRecord record = sample_record();
+  record.trace_cm.assign(200, 0.1234567890123);
+  const auto start = std::chrono::steady_clock::now();
+  for (record.run = 1; record.run <= 20; ++record.run)
+    for (record.point = 1; record.point <= 120; ++record.point) store.append({record});
+  const auto written = std::chrono::steady_clock::now();
+  CHECK(store.series(record.series).size() == 2400);
+  const auto read = std::chrono::steady_clock::now();
+  const auto seconds = [](auto duration) { return std::chrono::duration<double>(duration).count(); };
+  WARN("append " << seconds(written - start) << " s, read " << seconds(read - written) << " s");
+  CHECK(seconds(written - start) < 2);
+}
