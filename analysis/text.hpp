@@ -1,0 +1,26 @@
+// Any text (labels and titles come from a study file) as harmless text in Markdown, LaTeX and gnuplot, and numbers as
+// text.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace ikbench {
+
+// One line of valid UTF-8: control characters become spaces, invalid bytes U+FFFD.
+std::string one_line(std::string_view text);
+// At most `length` characters of one line; what is cut is shown by an ellipsis.
+std::string shortened(std::string_view text, std::size_t length);
+std::size_t character_count(std::string_view utf8);
+
+std::string markdown_text(std::string_view text);
+std::string latex_text(std::string_view text);
+// A string literal of gnuplot, quotes included. Single quotes: gnuplot substitutes nothing in them.
+std::string gnuplot_string(std::string_view text);
+
+// Shortest text that reads back as the same number.
+std::string exact_number(double value);
+std::string rounded_number(double value, int significant_digits);
+
+}  // namespace ikbench
