@@ -7,6 +7,12 @@ if(GIT)
     set(commit "unknown")
   endif()
 endif()
+foreach(text BUILD_TYPE SANITIZE)
+  if("${${text}}" STREQUAL "")
+    set(${text} none)
+  endif()
+endforeach()
+string(STRIP "${FLAGS}" FLAGS)
 set(content "#pragma once
 namespace ikbench::build_info {
 constexpr const char* version = \"${VERSION}\";
