@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 #include <toml++/toml.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -104,6 +105,19 @@ std::vector<double> in_unit(const Eigen::VectorXd& values, double unit) {
   return result;
 }
 
+bool is_exact(const Eigen::VectorXd& values, double unit) {
+  return std::all_of(values.begin(), values.end(), [&](double value) { return in_unit(value, unit) * unit == value; });
+}
+
+// "-0" would be read as the integer 0.
+std::string numeral(double value) { return value == 0 && std::signbit(value) ? "-0.0" : fmt::format("{}", value); }
+
+std::string numerals(const std::vector<double>& values) {
+  std::vector<std::string> texts;
+  for (const double value : values) texts.push_back(numeral(value));
+  return fmt::format("[{}]", fmt::join(texts, ", "));
+}
+
 template <class Enum>
 const std::string& name_in(const Choices<Enum>& choices, Enum value) {
   return std::find_if(choices.begin(), choices.end(), [&](const auto& choice) { return choice.second == value; })
@@ -132,10 +146,10 @@ class TomlWriter {
     line(key, fmt::format("{}", field), meaning);
   }
   void number(std::string_view key, double field, double unit, std::pair<double, double>, std::string_view meaning) {
-    line(key, fmt::format("{}", in_unit(field, unit)), meaning);
+    line(key, numeral(in_unit(field, unit)), meaning);
   }
   void numbers(std::string_view key, const Eigen::VectorXd& field, double unit, int, std::string_view meaning) {
-    line(key, fmt::format("[{}]", fmt::join(in_unit(field, unit), ", ")), meaning);
+    line(key, numerals(in_unit(field, unit)), meaning);
   }
   void line(std::string_view key, std::string_view value, std::string_view meaning) {
     out += meaning.empty() ? fmt::format("{} = {}\n", key, value) : fmt::format("{} = {}  # {}\n", key, value, meaning);
@@ -175,10 +189,14 @@ std::vector<double> by_rows(const Eigen::Matrix3d& R) {
 
 std::string shown(const toml::node& node) {
   std::ostringstream out;
-  node.visit([&](const auto& value) { out << value; });
-  const std::string text = out.str();
+  out << toml::toml_formatter(node, toml::format_flags::none);
+  std::string text = out.str();
+  std::replace(text.begin(), text.end(), '\n', ' ');
   return text.size() <= 80 ? text : text.substr(0, 77) + "...";
 }
+
+constexpr std::string_view override_source = "--set";  // the `path` of nodes that come from there; others have none
+constexpr std::string_view plain = "a text of at most 200 bytes without control characters";
 
 // Reads one table; says where and what is wrong; knows which keys there are once it has read them.
 class Reader {
@@ -191,7 +209,7 @@ class Reader {
     if (node == nullptr) return;
     const toml::value<std::string>* value = node->as_string();
     if (value == nullptr) fail(key, *node, "a text in quotes");
-    if (!is_plain(value->get())) fail(key, *node, "a text of at most 200 bytes without control characters");
+    if (!is_plain(value->get())) fail(key, *node, plain);
     field = value->get();
   }
 
@@ -251,7 +269,7 @@ class Reader {
 
   // The value of a key, remembered as known; null where it is not given.
   const toml::node* find(std::string_view key) {
-    known_.emplace_back(key);
+    if (std::find(known_.begin(), known_.end(), key) == known_.end()) known_.emplace_back(key);
     return table_.get(key);
   }
 
@@ -271,8 +289,13 @@ class Reader {
 
   // "study.toml:3:8: ", or for what no file says "--set path.tool: ".
   std::string where(const toml::source_region& region, std::string_view key) const {
-    if (region.begin.line == 0) return fmt::format("--set {}{}: ", prefix_, key);
+    if (region.begin.line == 0 || region.path) return fmt::format("--set {}{}: ", prefix_, key);
     return fmt::format("{}:{}:{}: ", source_, region.begin.line, region.begin.column);
+  }
+
+  static bool is_plain(const std::string& text) {
+    const auto is_control = [](unsigned char c) { return c < 0x20 || c == 0x7f; };
+    return text.size() <= 200 && std::none_of(text.begin(), text.end(), is_control);
   }
 
   Reader nested(const toml::table& table, std::string prefix) const { return {table, source_, std::move(prefix)}; }
@@ -282,11 +305,6 @@ class Reader {
   static std::optional<double> as_number(const toml::node& node) {
     const std::optional<double> value = node.is_number() ? node.value<double>() : std::nullopt;
     return value && std::isfinite(*value) ? value : std::nullopt;
-  }
-
-  static bool is_plain(const std::string& text) {
-    const auto is_control = [](unsigned char c) { return c < 0x20 || c == 0x7f; };
-    return text.size() <= 200 && std::none_of(text.begin(), text.end(), is_control);
   }
 
   const toml::table& table_;
@@ -316,8 +334,11 @@ std::vector<Pose> read_poses(Reader& reader) {
     if (!element.is_table()) reader.fail("poses", element, expected);
     Reader pose_reader = reader.nested(*element.as_table(), "path.poses.");
     Eigen::Vector3d position, rpy = Eigen::Vector3d::Zero();
-    if (!element.as_table()->contains("position_cm")) reader.fail("poses", element, "a pose with a position_cm");
+    if (element.as_table()->contains("position_cm") == element.as_table()->contains("position_m")) {
+      reader.fail("poses", element, "a pose with either a position_cm or a position_m");
+    }
     pose_reader.numbers("position_cm", position, centimetre, 3, "");
+    pose_reader.numbers("position_m", position, 1, 3, "");
     pose_reader.numbers("rpy_deg", rpy, degree, 3, "");
     Eigen::VectorXd rotation(9);
     rotation << rotation_from_rpy(rpy).transpose().reshaped();
@@ -364,32 +385,31 @@ Entrant read_entrant(Reader reader) {
     throw std::invalid_argument(reader.where(reader.table().source(), "solver") +
                                 "an entry of [[solvers]] has no `solver`; see: ikbench list solvers");
   }
-  const auto at = [&](const toml::node& node, std::string_view key, const std::invalid_argument& error) {
-    return std::invalid_argument(reader.where(node.source(), key) + error.what());
-  };
   SolverInfo info;
   try {
     info = solver(entrant.solver);
   } catch (const std::invalid_argument& error) {
-    throw at(*name, "solver", error);
+    throw std::invalid_argument(reader.where(name->source(), "solver") + error.what());
   }
   if (entrant.label.empty()) reader.fail("label", *reader.find("label"), "a label that is not empty");
   if (const toml::table* options = as_table(reader, "options")) {
+    const Reader option_reader = reader.nested(*options, entrant.label + ".");
     for (const auto& [key, node] : *options) {
       const std::string option(key.str());
       if (const auto text = node.value<std::string>()) {
+        if (!Reader::is_plain(*text)) option_reader.fail(option, node, plain);
         entrant.options[option] = *text;
       } else if (node.is_integer()) {
         entrant.options[option] = fmt::format("{}", *node.value<std::int64_t>());
       } else if (node.is_floating_point()) {
         entrant.options[option] = fmt::format("{}", *node.value<double>());
       } else {
-        reader.fail("options." + option, node, "a number or a text in quotes");
+        option_reader.fail(option, node, "a number or a text in quotes");
       }
       try {
         info.options({{option, entrant.options[option]}});
       } catch (const std::invalid_argument& error) {
-        throw at(node, entrant.label + "." + option, error);
+        throw std::invalid_argument(option_reader.where(node.source(), option) + error.what());
       }
     }
   }
@@ -412,7 +432,9 @@ std::vector<Entrant> read_entrants(Reader& reader) {
   for (const toml::node& element : *array) {
     entrants.push_back(read_entrant(reader.nested(*element.as_table(), "solvers.")));
     if (!labels.insert(entrants.back().label).second) {
-      reader.fail("label", element, "a label that no other entry of [[solvers]] has");
+      throw std::invalid_argument(
+          fmt::format("{}label \"{}\" stands twice; expected one that no other entry of [[solvers]] has",
+                      reader.where(element.source(), "solvers"), entrants.back().label));
     }
   }
   return entrants;
@@ -435,7 +457,7 @@ Study read_study(const toml::table& table, std::string_view source) {
   // What fields ask of each other.
   const auto at = [&](std::string_view key, std::string_view message) {
     const toml::node* node = table.get(key);
-    return std::invalid_argument((node == nullptr ? std::string(source) + ": " : reader.where(node->source(), key)) +
+    return std::invalid_argument(reader.where(node == nullptr ? table.source() : node->source(), key) +
                                  std::string(message));
   };
   std::vector<std::string> robot_names;
@@ -459,12 +481,35 @@ Study read_study(const toml::table& table, std::string_view source) {
   return study;
 }
 
+// ---- text to table ------------------------------------------------------------------------------------------------
+
+// A key such as a.a.a.a is a table in a table in a table; toml++ bounds the depth of brackets, not of these, and a
+// hundred thousand of them exhaust the stack.
+void refuse_deep_keys(std::string_view text, std::string_view source) {
+  constexpr int most_dots = 500;
+  int line = 1, column = 0, dots = 0;
+  for (const char c : text) {
+    ++column;
+    if (c == '\n' || c == ',') dots = 0;
+    if (c == '.' && ++dots > most_dots) {
+      throw std::invalid_argument(
+          fmt::format("{}:{}:{}: not TOML that can be read: {} dots in a row; expected keys nested less deeply", source,
+                      line, column, dots));
+    }
+    if (c == '\n') {
+      ++line;
+      column = 0;
+    }
+  }
+}
+
 // ---- overrides ----------------------------------------------------------------------------------------------------
 
 // The text as a TOML value, or else as a string: both `runs=5` and `path.tool=eq27` are what people type.
 void insert(toml::table& table, std::string_view key, const std::string& text) {
+  refuse_deep_keys(text, "--set");
   try {
-    toml::table parsed = toml::parse(std::string_view("value = " + text));
+    toml::table parsed = toml::parse(std::string_view("value = " + text), override_source);
     if (parsed.size() == 1) {
       parsed.get("value")->visit([&](auto& value) { table.insert_or_assign(key, std::move(value)); });
       return;
@@ -477,13 +522,14 @@ void insert(toml::table& table, std::string_view key, const std::string& text) {
 toml::table& subtable(toml::table& table, std::string_view key) {
   if (!table.contains(key)) table.insert(key, toml::table{});
   toml::table* found = table.get(key)->as_table();
-  if (found == nullptr) throw std::invalid_argument(fmt::format("--set: {} of the study is not a table", key));
+  if (found == nullptr) throw std::invalid_argument(fmt::format("--set {}: {} of the study is not a table", key, key));
   return *found;
 }
 
 void override_one(toml::table& study, const std::string& text) {
   const std::size_t equals = text.find('=');
-  if (equals == std::string::npos || equals == 0) {
+  constexpr std::size_t longest_key = 300;
+  if (equals == std::string::npos || equals == 0 || equals > longest_key) {
     throw std::invalid_argument(
         fmt::format("--set {}: expected key=value, such as runs=5 or ik_bat.bounds=clamp", text.substr(0, 100)));
   }
@@ -494,6 +540,9 @@ void override_one(toml::table& study, const std::string& text) {
     return;
   }
   const std::string owner = key.substr(0, dot), field = key.substr(dot + 1);
+  if (owner.empty() || field.empty()) {
+    throw std::invalid_argument(fmt::format("--set {}: expected a name on both sides of the dot", text.substr(0, 100)));
+  }
   if (owner == "path" || owner == "stop") {
     insert(subtable(study, owner), field, value);
     return;
@@ -510,7 +559,9 @@ void override_one(toml::table& study, const std::string& text) {
         insert(subtable(*entrant, "options"), field, value);
         found = true;
       }
-      owners.insert(owners.end(), {label, name});
+      for (const std::string& known : {label, name}) {
+        if (!known.empty() && std::find(owners.begin(), owners.end(), known) == owners.end()) owners.push_back(known);
+      }
     }
   }
   if (!found) throw std::invalid_argument(fmt::format("--set {}: {}", key, unknown_name("solver", owner, owners)));
@@ -519,6 +570,7 @@ void override_one(toml::table& study, const std::string& text) {
 }  // namespace
 
 Study parse_study(std::string_view toml_text, std::string_view source, const Overrides& overrides) {
+  refuse_deep_keys(toml_text, source);
   toml::table table;
   try {
     table = toml::parse(toml_text);
@@ -568,9 +620,10 @@ std::string to_toml(const Study& study) {
   } else {
     writer.out += "kind = \"poses\"\nposes = [\n";
     for (const Pose& pose : std::get<std::vector<Pose>>(fields.path)) {
-      writer.out += fmt::format("  {{ position_cm = [{}], rotation = [{}] }},\n",
-                                fmt::join(in_unit(pose.translation(), centimetre), ", "),
-                                fmt::join(by_rows(pose.linear()), ", "));
+      const Eigen::VectorXd position = pose.translation();
+      const bool in_cm = is_exact(position, centimetre);
+      writer.out += fmt::format("  {{ {} = {}, rotation = {} }},\n", in_cm ? "position_cm" : "position_m",
+                                numerals(in_unit(position, in_cm ? centimetre : 1)), numerals(by_rows(pose.linear())));
     }
     writer.out += "]\n";
   }
