@@ -1,6 +1,7 @@
 #include "experiments/runner.hpp"
 
 #include <fmt/format.h>
+#include <oneapi/tbb/global_control.h>
 #include <oneapi/tbb/parallel_for_each.h>
 #include <oneapi/tbb/task_arena.h>
 #include <time.h>
@@ -245,6 +246,9 @@ Progress run(const Study& study, Store& store, const RunRequest& request) {
   if (request.jobs == 1) {
     for (Chained& chained : work) solve_chain(chained);
   } else {
+    // Else oneTBB has no more threads than processors, whatever is asked for.
+    const tbb::global_control threads(tbb::global_control::max_allowed_parallelism,
+                                      static_cast<std::size_t>(request.jobs));
     tbb::task_arena(request.jobs).execute([&] { tbb::parallel_for_each(work, solve_chain); });
   }
   return progress;
