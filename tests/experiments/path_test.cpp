@@ -1,0 +1,114 @@
+// Paths by hand. Helix of Slim et al. 2023, Sec. 5.2: centre (60, 0, 10) cm, radius 20 cm, length 50 cm, 2 turns,
+// 20 points; point k lies at t = 2 pi h k/20 (docs/paper-notes.md 2.2).
+#include "experiments/path.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include "tests/catch.hpp"
+
+using namespace ikbench;
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+Eigen::Vector3d point(const Helix& helix, std::size_t k) { return targets(helix).at(k).translation(); }
+
+bool near(const Eigen::Vector3d& a, const Eigen::Vector3d& b) { return (a - b).norm() < 1e-15; }
+
+}  // namespace
+
+TEST_CASE("the paper's helix is the default: 20 points, a fifth of a turn and 2.5 cm of rise apart", "[path][paper]") {
+  const std::vector<Pose> helix = targets(Helix{});
+  REQUIRE(helix.size() == 20);
+  // t = 0, pi, 2 pi, 3 pi: (sin t, cos t) is (0, 1), (0, -1), ...; z = 10 + 50 k/20 cm
+  CHECK(near(helix[0].translation(), {0.60, 0.20, 0.10}));
+  CHECK(near(helix[5].translation(), {0.60, -0.20, 0.225}));
+  CHECK(near(helix[10].translation(), {0.60, 0.20, 0.35}));
+  CHECK(near(helix[15].translation(), {0.60, -0.20, 0.475}));
+  // t = 4 pi/20 = 36 deg
+  CHECK(near(helix[1].translation(), {0.60 + 0.20 * std::sin(pi / 5), 0.20 * std::cos(pi / 5), 0.125}));
+  // With k/n the end of the helix, z = 60 cm, is left out.
+  CHECK(helix[19].translation().z() == Approx(0.10 + 0.50 * 19 / 20));
+}
+
+TEST_CASE("with the spacing k/(n - 1) the last point is the end of the helix", "[path]") {
+  const Helix helix{.spacing = Spacing::k_over_n_minus_1};
+  CHECK(near(point(helix, 0), {0.60, 0.20, 0.10}));
+  CHECK(near(point(helix, 19), {0.60, 0.20, 0.60}));  // t = 4 pi
+  CHECK(targets(helix).size() == 20);
+}
+
+TEST_CASE("the phase cos_sin starts on the x axis and turns towards y", "[path]") {
+  const Helix helix{.phase = Phase::cos_sin};
+  CHECK(near(point(helix, 0), {0.80, 0.0, 0.10}));
+  CHECK(near(point(helix, 5), {0.40, 0.0, 0.225}));
+  CHECK(point(helix, 1).y() > 0);
+}
+
+TEST_CASE("a start of a quarter turn moves the first point by a quarter of the circle", "[path]") {
+  CHECK(near(point({.start = pi / 2}, 0), {0.80, 0.0, 0.10}));                            // (sin, cos) of 90 deg
+  CHECK(near(point({.start = pi / 2, .phase = Phase::cos_sin}, 0), {0.60, 0.20, 0.10}));  // (cos, sin) of 90 deg
+}
+
+TEST_CASE("a circle is a helix of length 0 and one turn: all points at the radius, in one plane", "[path]") {
+  // The Dobot's circle, paper-notes 2.10: centre (16, 16, 0) cm, radius 7 cm, 20 points 18 deg apart.
+  const Helix circle{.centre = {0.16, 0.16, 0.0}, .radius = 0.07, .length = 0, .turns = 1, .phase = Phase::cos_sin};
+  for (std::size_t k = 0; k < 20; ++k) {
+    const double t = 18 * pi / 180 * static_cast<double>(k);
+    CHECK(near(point(circle, k), {0.16 + 0.07 * std::cos(t), 0.16 + 0.07 * std::sin(t), 0.0}));
+  }
+}
+
+TEST_CASE("a path of one point is its start, with either spacing", "[path]") {
+  for (const Spacing spacing : {Spacing::k_over_n, Spacing::k_over_n_minus_1}) {
+    const Helix helix{.points = 1, .spacing = spacing};
+    REQUIRE(targets(helix).size() == 1);
+    CHECK(near(point(helix, 0), {0.60, 0.20, 0.10}));
+  }
+}
+
+TEST_CASE("a list of poses is its own path", "[path]") {
+  Pose pose = Pose::Identity();
+  pose.translation() << 0.1, 0.2, 0.3;
+  const std::vector<Pose> poses = targets(Path(std::vector<Pose>{pose, Pose::Identity()}));
+  REQUIRE(poses.size() == 2);
+  CHECK(poses[0].isApprox(pose, 0));
+  CHECK(poses[1].isApprox(Pose::Identity(), 0));
+}
+
+TEST_CASE("tool down is diag(-1, 1, -1): the tool's z axis points to the floor", "[path][paper]") {
+  CHECK(rotation(Tool::down) == Eigen::Matrix3d(Eigen::Vector3d(-1, 1, -1).asDiagonal()));
+}
+
+TEST_CASE("the third column of Eq. 27 is (0, 1, 0): a horizontal tool", "[path][paper]") {
+  CHECK(rotation(Tool::eq27).col(2) == Eigen::Vector3d(0, 1, 0));
+}
+
+TEST_CASE("both tools are rotations, and every point of a path has its tool's", "[path]") {
+  for (const Tool tool : {Tool::down, Tool::eq27}) {
+    const Eigen::Matrix3d R = rotation(tool);
+    CHECK(R * R.transpose() == Eigen::Matrix3d::Identity());
+    CHECK(R.determinant() == 1);
+    for (const Pose& pose : targets(Helix{.tool = tool})) CHECK(pose.linear() == R);
+  }
+}
+
+TEST_CASE("roll, pitch and yaw turn about x, y and z, in that order about the fixed axes", "[path]") {
+  Eigen::Matrix3d expected;
+  expected << 1, 0, 0, 0, 0, -1, 0, 1, 0;  // Rx(90 deg): y becomes z
+  CHECK(rotation_from_rpy({pi / 2, 0, 0}).isApprox(expected, 1e-15));
+  expected << 0, 0, 1, 0, 1, 0, -1, 0, 0;  // Ry(90 deg): z becomes x
+  CHECK(rotation_from_rpy({0, pi / 2, 0}).isApprox(expected, 1e-15));
+  expected << 0, -1, 0, 1, 0, 0, 0, 0, 1;  // Rz(90 deg): x becomes y
+  CHECK(rotation_from_rpy({0, 0, pi / 2}).isApprox(expected, 1e-15));
+  // First roll, then yaw: y becomes z and stays there; x becomes y.
+  const Eigen::Matrix3d both = rotation_from_rpy({pi / 2, 0, pi / 2});
+  CHECK((both * Eigen::Vector3d::UnitY() - Eigen::Vector3d::UnitZ()).norm() < 1e-15);
+  CHECK((both * Eigen::Vector3d::UnitX() - Eigen::Vector3d::UnitY()).norm() < 1e-15);
+}
+
+TEST_CASE("tool down is a roll of 180 and a yaw of 180 degrees", "[path]") {
+  CHECK(rotation_from_rpy({pi, 0, pi}).isApprox(rotation(Tool::down), 1e-15));
+}

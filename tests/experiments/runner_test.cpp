@@ -1,0 +1,533 @@
+// The runner: the same numbers whatever happens around them, and every answer judged.
+#include "experiments/runner.hpp"
+
+#include <SQLiteCpp/SQLiteCpp.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "experiments/environment.hpp"
+#include "experiments/verifier.hpp"
+#include "solvers/registry.hpp"
+#include "tests/catch.hpp"
+#include "tests/experiments/samples.hpp"
+
+using namespace ikbench;
+
+namespace {
+
+constexpr double degree = std::numbers::pi / 180;
+
+// A store in a folder that vanishes with the test.
+struct ScratchStore {
+  ScratchFolder folder;
+  std::filesystem::path file = folder.path / "store.sqlite";
+  Store store{file, Store::Mode::write};
+};
+
+// Runs until `solves` more are done, as Ctrl-C would stop it.
+Progress run_for(const Study& study, Store& store, std::int64_t solves) {
+  std::atomic<bool> cancelled{false};
+  const auto look = [&](const Progress& now) { cancelled = now.done - now.reused >= solves; };
+  return run(study, store, {.jobs = 1, .progress = look, .cancelled = &cancelled});
+}
+
+Study study_of_every_solver() {
+  Study study = small_study();
+  study.solvers.clear();
+  for (const SolverInfo& info : solvers()) study.solvers.push_back({info.name, info.name, {}});
+  return study;
+}
+
+Pose at(double x, double y, double z) {
+  Pose pose = Pose::Identity();
+  pose.linear() = rotation(Tool::down);
+  pose.translation() << x, y, z;
+  return pose;
+}
+
+}  // namespace
+
+// ---- the same numbers ---------------------------------------------------------------------------------------------
+
+TEST_CASE("one, two and four jobs give the same numbers", "[runner]") {
+  const Study study = study_of_every_solver();
+  const std::vector<SolveRecord> alone = solves_of(study, 1);
+  REQUIRE(alone.size() == solvers().size() * 2 * 4);
+  CHECK(same_numbers(alone, solves_of(study, 2)));
+  CHECK(same_numbers(alone, solves_of(study, 4)));
+}
+
+TEST_CASE("adding, removing and reordering solvers changes no other solver's numbers", "[runner]") {
+  const std::vector<SolveRecord> three = solves_of(small_study());
+  Study study = small_study();
+  study.solvers = {{"DE", "differential_evolution", {}}, {"new", "ik_bat", {}}, {"IK-BA", "ik_bat", {}}};
+  const std::vector<SolveRecord> others = solves_of(study);
+  CHECK(same_numbers(only("DE", others), only("DE", three)));
+  CHECK(same_numbers(only("IK-BA", others), only("IK-BA", three)));
+  // Another label is another stream.
+  CHECK(only("new", others).back().answer_rad != only("IK-BA", others).back().answer_rad);
+}
+
+TEST_CASE("more or fewer runs change no number of those there are", "[runner]") {
+  Study study = small_study();
+  const std::vector<SolveRecord> two = solves_of(study);
+  study.runs = 3;
+  std::vector<SolveRecord> three = solves_of(study);
+  CHECK(three.size() == 36);
+  std::erase_if(three, [](const SolveRecord& record) { return record.run == 3; });
+  CHECK(same_numbers(two, three));
+}
+
+TEST_CASE("another seed gives other numbers", "[runner]") {
+  Study study = small_study();
+  const std::vector<SolveRecord> one = solves_of(study);
+  study.seed = 2;
+  CHECK(solves_of(study).back().answer_rad != one.back().answer_rad);
+}
+
+TEST_CASE("a study from the store's point of view: name, series in order, options, numbers of runs and points",
+          "[runner]") {
+  ScratchStore scratch;
+  Study study = small_study();
+  study.solvers[1].options["alpha"] = "0.25";
+  run(study, scratch.store, {});
+  const StudyEntry entry = scratch.store.study("small");
+  REQUIRE(entry.series.size() == 3);
+  CHECK(entry.series[0].label == "IK-BA");
+  CHECK(entry.series[1].algorithm == "bat");
+  CHECK(nlohmann::json::parse(entry.series[1].options)["alpha"] == "0.25");
+  CHECK(entry.series[2].key == series_key(study, study.solvers[2]));
+  const nlohmann::json definition = nlohmann::json::parse(entry.definition);
+  CHECK(definition["runs"] == 2);
+  CHECK(definition["points"] == 4);
+}
+
+// ---- only what is missing -----------------------------------------------------------------------------------------
+
+TEST_CASE("running again does nothing", "[runner]") {
+  ScratchStore scratch;
+  const Progress first = run(small_study(), scratch.store, {});
+  CHECK(first.done == 24);
+  CHECK(first.reused == 0);
+  const std::vector<SolveRecord> before = scratch.store.solves("small");
+  const Progress second = run(small_study(), scratch.store, {});
+  CHECK(second.done == 24);
+  CHECK(second.total == 24);
+  CHECK(second.reused == 24);
+  const std::vector<SolveRecord> after = scratch.store.solves("small");
+  CHECK(std::equal(before.begin(), before.end(), after.begin(), after.end(),
+                   [](const auto& a, const auto& b) { return same(a, b); }));  // times too
+  CHECK(scratch.store.sessions().size() == 1);
+}
+
+TEST_CASE("a run that is stopped anywhere and continued gives what an uninterrupted one gives", "[runner]") {
+  const std::vector<SolveRecord> uninterrupted = solves_of(small_study());
+  for (const std::int64_t solves : {1, 3, 5, 12, 23}) {
+    INFO(solves);
+    ScratchStore scratch;
+    const Progress stopped = run_for(small_study(), scratch.store, solves);
+    CHECK(stopped.done == solves);
+    CHECK(stopped.total == 24);
+    CHECK(scratch.store.solves("small").size() == static_cast<std::size_t>(solves));
+    const Progress rest = run(small_study(), scratch.store, {.jobs = 2});
+    CHECK(rest.done == 24);
+    CHECK(rest.reused == solves);
+    CHECK(same_numbers(scratch.store.solves("small"), uninterrupted));
+    CHECK(scratch.store.sessions().size() == 2);
+  }
+}
+
+TEST_CASE("a run that is stopped with every solve gets there all the same", "[runner]") {
+  ScratchStore scratch;
+  for (int i = 1; i <= 24; ++i) CHECK(run_for(small_study(), scratch.store, 1).done == i);
+  CHECK(same_numbers(scratch.store.solves("small"), solves_of(small_study())));
+}
+
+TEST_CASE("what is cancelled before it begins solves nothing", "[runner]") {
+  ScratchStore scratch;
+  const std::atomic<bool> cancelled{true};
+  CHECK(run(small_study(), scratch.store, {.cancelled = &cancelled}).done == 0);
+  CHECK(run(small_study(), scratch.store, {.jobs = 2, .cancelled = &cancelled}).done == 0);
+  CHECK(scratch.store.solves("small").empty());
+}
+
+TEST_CASE("parallel jobs stop soon after they are asked to, and what they did stays", "[runner]") {
+  ScratchStore scratch;
+  std::atomic<bool> cancelled{false};
+  const auto look = [&](const Progress& now) { cancelled = now.done >= 5; };
+  const Progress stopped = run(small_study(), scratch.store, {.jobs = 4, .progress = look, .cancelled = &cancelled});
+  CHECK(stopped.done >= 5);
+  CHECK(stopped.done <= 5 + 3);  // those that were under way
+  CHECK(scratch.store.solves("small").size() == static_cast<std::size_t>(stopped.done));
+  run(small_study(), scratch.store, {});
+  CHECK(same_numbers(scratch.store.solves("small"), solves_of(small_study())));
+}
+
+TEST_CASE("more runs add only those", "[runner]") {
+  ScratchStore scratch;
+  Study study = small_study();
+  run(study, scratch.store, {});
+  study.runs = 3;
+  const Progress more = run(study, scratch.store, {});
+  CHECK(more.total == 36);
+  CHECK(more.reused == 24);
+  CHECK(same_numbers(scratch.store.solves("small"), solves_of(study)));
+}
+
+TEST_CASE("fewer runs leave the others in the store, unseen until they are asked for again", "[runner]") {
+  ScratchStore scratch;
+  Study study = small_study();
+  run(study, scratch.store, {});
+  study.runs = 1;
+  CHECK(run(study, scratch.store, {}).reused == 12);
+  CHECK(scratch.store.solves("small").size() == 12);
+  study.runs = 2;
+  CHECK(run(study, scratch.store, {}).reused == 24);
+}
+
+TEST_CASE("a new solver in a study is all that is solved", "[runner]") {
+  ScratchStore scratch;
+  Study study = small_study();
+  run(study, scratch.store, {});
+  study.solvers.push_back({"PSO", "particle_swarm", {}});
+  const Progress more = run(study, scratch.store, {});
+  CHECK(more.total == 32);
+  CHECK(more.reused == 24);
+}
+
+TEST_CASE("a changed option is another series; the old solves are no longer those of the study", "[runner]") {
+  ScratchStore scratch;
+  Study study = small_study();
+  run(study, scratch.store, {});
+  study.solvers[0].options["bounds"] = "clamp";
+  CHECK(run(study, scratch.store, {}).reused == 16);
+  CHECK(same_numbers(scratch.store.solves("small"), solves_of(study)));
+}
+
+TEST_CASE("two studies share a store without touching each other", "[runner]") {
+  ScratchStore scratch;
+  Study other = small_study();
+  other.name = "other";
+  other.seed = 7;
+  run(small_study(), scratch.store, {});
+  run(other, scratch.store, {});
+  CHECK(scratch.store.studies().size() == 2);
+  CHECK(same_numbers(scratch.store.solves("small"), solves_of(small_study())));
+  CHECK(same_numbers(scratch.store.solves("other"), solves_of(other)));
+}
+
+TEST_CASE("a study that asks for the same under another name finds it in the store", "[runner]") {
+  ScratchStore scratch;
+  run(small_study(), scratch.store, {});
+  Study renamed = small_study();
+  renamed.name = "renamed";
+  CHECK(run(renamed, scratch.store, {}).reused == 24);
+  CHECK(scratch.store.solves("renamed").size() == 24);
+}
+
+TEST_CASE("a store with a hole in a run is refused", "[runner]") {
+  ScratchStore scratch;
+  run(small_study(), scratch.store, {});
+  SQLite::Database(scratch.file.string(), SQLite::OPEN_READWRITE)
+      .exec("DELETE FROM solves WHERE solver = 'BA' AND run = 2 AND point = 3");
+  const std::string message = complaint<std::invalid_argument>([&] { run(small_study(), scratch.store, {}); });
+  INFO(message);
+  CHECK(message.find("point 4 of run 2 of BA but not point 3") != std::string::npos);
+}
+
+TEST_CASE("progress is told before the first solve and after every one, and never goes back", "[runner]") {
+  for (const int jobs : {1, 3}) {
+    ScratchStore scratch;
+    std::vector<std::int64_t> told;
+    run(small_study(), scratch.store, {.jobs = jobs, .progress = [&](const Progress& now) {
+                                         CHECK(now.total == 24);
+                                         told.push_back(now.done);
+                                       }});
+    REQUIRE(told.size() == 25);
+    for (std::size_t i = 0; i < told.size(); ++i) CHECK(told[i] == static_cast<std::int64_t>(i));
+  }
+}
+
+// ---- chains of points, independent runs ---------------------------------------------------------------------------
+
+TEST_CASE("the points of a run are chained: a solve starts where the one before it left the arm", "[runner]") {
+  Study study = study_of_every_solver();
+  study.initial << 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7;
+  const std::vector<SolveRecord> records = solves_of(study);
+  for (std::size_t i = 0; i < records.size(); ++i) {
+    INFO(records[i].solver << " run " << records[i].run << " point " << records[i].point);
+    if (records[i].point == 1) {
+      CHECK(same(records[i].start_rad, {0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7}));
+    } else {
+      CHECK(same(records[i].start_rad, records[i - 1].answer_rad));
+    }
+  }
+}
+
+TEST_CASE("runs are independent: each starts anew, and they differ", "[runner]") {
+  const std::vector<SolveRecord> records = only("IK-BA", solves_of(small_study()));
+  REQUIRE(records.size() == 8);
+  CHECK(same(records[4].start_rad, records[0].start_rad));
+  CHECK(records[4].answer_rad != records[0].answer_rad);
+}
+
+TEST_CASE("the targets of all solvers and runs are those of the path", "[runner]") {
+  const std::vector<Pose> poses = targets(small_study().path);
+  for (const SolveRecord& record : solves_of(small_study())) {
+    const Pose& pose = poses[static_cast<std::size_t>(record.point - 1)];
+    CHECK(Eigen::Vector3d(record.target_position_m.data()) == pose.translation());
+    CHECK(Eigen::Matrix<double, 3, 3, Eigen::RowMajor>(record.target_rotation.data()) == pose.linear());
+  }
+}
+
+TEST_CASE("the rotation of a target is recorded row by row", "[runner]") {
+  Study study = small_study();
+  Pose turned = at(0.5, 0.1, 0.4);
+  turned.linear() = rotation_from_rpy({0, 0, 90 * degree});  // rows (0, -1, 0), (1, 0, 0), (0, 0, 1)
+  const SolveRecord record = solve_once(study, study.solvers[0], turned);
+  CHECK(record.target_rotation[1] == Approx(-1));
+  CHECK(record.target_rotation[3] == Approx(1));
+}
+
+TEST_CASE("solve_once is the first point of the first run", "[runner]") {
+  const Study study = small_study();
+  const SolveRecord first = solves_of(study).front();
+  CHECK(same(without_times(solve_once(study, study.solvers[0], targets(study.path)[0])), without_times(first)));
+}
+
+// ---- answers, judged ----------------------------------------------------------------------------------------------
+
+TEST_CASE("the verified error of every solver is the one it claims", "[runner][solvers]") {
+  for (const Search search : {Search::wrist, Search::all_joints}) {
+    Study study = study_of_every_solver();
+    study.search = search;
+    for (const SolveRecord& record : solves_of(study)) {
+      INFO(record.solver);
+      CHECK(record.position_error_cm == Approx(record.claimed_error_cm).margin(1e-10).epsilon(0));
+      CHECK(record.status != Status::claimed_but_wrong);
+      CHECK(record.status != Status::not_finite);
+    }
+  }
+}
+
+TEST_CASE("the verified error of every solver is the one it claims on the planar arms too", "[runner][solvers]") {
+  for (const std::string name : {"planar_2", "planar_3"}) {
+    Study study = study_of_every_solver();
+    study.robot = name;
+    study.search = Search::all_joints;
+    study.initial = Eigen::VectorXd::Zero(robot(name).chain.joints());
+    study.path = Helix{.centre = {0.3, 0.3, 0}, .length = 0, .turns = 1, .points = 4};
+    for (const SolveRecord& record : solves_of(study)) {
+      INFO(record.solver);
+      CHECK(record.position_error_cm == Approx(record.claimed_error_cm).margin(1e-10).epsilon(0));
+      CHECK((record.status == Status::ok || record.status == Status::limit_violated));
+    }
+  }
+}
+
+TEST_CASE("the columns of a record are what the verifier says of its answer", "[runner]") {
+  const Study study = small_study();
+  const Robot arm = robot(study.robot);
+  const std::vector<Pose> poses = targets(study.path);
+  for (const SolveRecord& record : solves_of(study)) {
+    const Eigen::VectorXd start = Eigen::Map<const Eigen::VectorXd>(record.start_rad.data(), 7);
+    const Eigen::VectorXd answer = Eigen::Map<const Eigen::VectorXd>(record.answer_rad.data(), 7);
+    const Verdict verdict = verify(arm, poses[static_cast<std::size_t>(record.point - 1)], start, answer);
+    CHECK(record.position_error_cm == Approx(verdict.position_error * 100));
+    CHECK(record.orientation_error == verdict.orientation_error);
+    CHECK(record.variation_deg == Approx(verdict.variation / degree));
+    CHECK(record.largest_move_deg == Approx(verdict.largest_move / degree));
+    CHECK(record.limit_violation_deg == Approx(verdict.limit_violation / degree));
+    CHECK((record.limit_violation_deg > 1e-6) == (record.status == Status::limit_violated));
+  }
+}
+
+TEST_CASE("with the wrist in closed form the orientation is exact on either branch", "[runner]") {
+  for (const WristBranch branch : {WristBranch::nearest, WristBranch::positive, WristBranch::negative}) {
+    Study study = small_study();
+    study.wrist_branch = branch;
+    for (const SolveRecord& record : solves_of(study)) {
+      CHECK(record.orientation_error < 1e-9);
+      if (branch == WristBranch::positive) CHECK(record.answer_rad[5] >= 0);
+      if (branch == WristBranch::negative) CHECK(record.answer_rad[5] <= 0);
+    }
+  }
+}
+
+TEST_CASE("the nearest branch moves the wrist no further than either of the two", "[runner]") {
+  Study study = small_study();
+  study.initial << 0.1, 0.5, 0.2, -0.9, 0.3, -0.8, 0.4;
+  const Pose target = targets(study.path)[0];
+  const auto wrist_move = [&](WristBranch branch) {
+    study.wrist_branch = branch;
+    const SolveRecord record = solve_once(study, study.solvers[0], target);
+    return (Eigen::VectorXd::Map(record.answer_rad.data(), 7) - study.initial).tail<3>().norm();
+  };
+  // The joints before the wrist are the same: the branch is not part of the stream's key.
+  CHECK(wrist_move(WristBranch::nearest) ==
+        Approx(std::min(wrist_move(WristBranch::positive), wrist_move(WristBranch::negative))));
+}
+
+TEST_CASE("a target that is no number, or no place in the world, gives not_finite and moves no arm",
+          "[runner][solvers]") {
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
+  for (const double bad : {nan, infinity, -infinity, 1e300}) {
+    for (const Search search : {Search::wrist, Search::all_joints}) {
+      Study study = study_of_every_solver();
+      study.search = search;
+      study.runs = 1;
+      study.path = std::vector<Pose>{at(0.5, 0.1, 0.4), at(bad, 0.1, 0.4), at(0.5, 0.1, 0.4)};
+      const std::vector<SolveRecord> records = solves_of(study);
+      REQUIRE(records.size() == solvers().size() * 3);
+      for (std::size_t i = 0; i < records.size(); i += 3) {
+        INFO(records[i].solver << " towards " << bad);
+        CHECK(records[i].status != Status::not_finite);
+        CHECK(records[i + 1].status == Status::not_finite);
+        CHECK(records[i + 1].stop_reason == StopReason::not_finite);
+        CHECK(same(records[i + 2].start_rad, records[i].answer_rad));
+        CHECK(records[i + 2].status != Status::not_finite);
+      }
+    }
+  }
+}
+
+TEST_CASE("a run is continued after a solve that was not finite as if it had not been stopped", "[runner]") {
+  Study study = small_study();
+  study.path = std::vector<Pose>{at(0.5, 0.1, 0.4), at(std::nan(""), 0, 0), at(0.5, 0.1, 0.5)};
+  ScratchStore scratch;
+  for (int i = 0; i < 18; ++i) run_for(study, scratch.store, 1);
+  CHECK(same_numbers(scratch.store.solves("small"), solves_of(study)));
+}
+
+TEST_CASE("an error above the tolerance is tolerance_missed, one below ends the solve", "[runner]") {
+  Study study = small_study();
+  study.solvers = {{"DLS", "damped_least_squares", {}}, {"Random", "random_search", {}}};
+  study.stop = {.iterations = 200, .tolerance = 1e-5};
+  const std::vector<SolveRecord> records = solves_of(study);
+  for (const SolveRecord& record : only("DLS", records)) {
+    CHECK(record.stop_reason == StopReason::tolerance);
+    CHECK(record.position_error_cm <= 1e-3);
+    CHECK(record.iterations < 200);
+  }
+  for (const SolveRecord& record : only("Random", records)) {
+    CHECK(record.stop_reason == StopReason::iterations);
+    CHECK(record.iterations == 200);
+    CHECK((record.status == Status::tolerance_missed || record.status == Status::limit_violated));
+  }
+}
+
+TEST_CASE("the analytic wrist does not know its own limits, and the record says so", "[runner][paper]") {
+  // paper-notes 2.4: many answers leave the limits; none of them may be ok.
+  Study study = studies().front();
+  study.solvers = {{"BA", "bat", {}}};
+  study.stop.iterations = 5;
+  study.runs = 3;
+  int outside = 0;
+  for (const SolveRecord& record : solves_of(study)) {
+    outside += record.limit_violation_deg > 0 ? 1 : 0;
+    CHECK((record.status == Status::limit_violated) == (record.limit_violation_deg > 1e-9 / degree));
+  }
+  CHECK(outside > 0);
+}
+
+// ---- stop rules, traces, times ------------------------------------------------------------------------------------
+
+TEST_CASE("a solve ends with the iteration in which its evaluations are used up", "[runner]") {
+  Study study = small_study();
+  study.stop = {.iterations = 1'000'000, .evaluations = 20};
+  for (const SolveRecord& record : solves_of(study)) {
+    INFO(record.solver);
+    CHECK(record.stop_reason == StopReason::evaluations);
+    CHECK(record.evaluations >= 20);
+    CHECK(record.evaluations < 20 + 2 * study.population);  // no iteration takes more here
+  }
+}
+
+TEST_CASE("a solve ends when its time is over", "[runner]") {
+  Study study = small_study();
+  study.runs = 1;
+  study.path = Helix{.points = 2};
+  study.stop = {.iterations = 1'000'000'000, .seconds = 0.02};
+  for (const SolveRecord& record : solves_of(study)) {
+    CHECK(record.stop_reason == StopReason::time);
+    CHECK(record.seconds >= 0.02);
+    CHECK(record.iterations > 0);
+  }
+}
+
+TEST_CASE("no iterations: the best of the first candidates", "[runner]") {
+  Study study = study_of_every_solver();
+  study.stop.iterations = 0;
+  for (const SolveRecord& record : solves_of(study)) {
+    INFO(record.solver);
+    CHECK(record.iterations == 0);
+    CHECK(record.evaluations >= 1);
+    CHECK(record.stop_reason == StopReason::iterations);
+  }
+}
+
+TEST_CASE("the trace has the best error after every iteration, and ends with the claim", "[runner]") {
+  Study study = study_of_every_solver();
+  for (const SolveRecord& record : solves_of(study)) CHECK(record.trace_cm.empty());
+  study.trace = Trace::best_error;
+  for (const SolveRecord& record : solves_of(study)) {
+    INFO(record.solver);
+    REQUIRE(record.trace_cm.size() == 5);
+    CHECK(std::is_sorted(record.trace_cm.rbegin(), record.trace_cm.rend()));  // never worse
+    CHECK(record.trace_cm.back() == record.claimed_error_cm);
+  }
+}
+
+TEST_CASE("a trace changes no number", "[runner]") {
+  Study study = small_study();
+  const std::vector<SolveRecord> without = solves_of(study);
+  study.trace = Trace::best_error;
+  const std::vector<SolveRecord> with = solves_of(study);
+  REQUIRE(with.size() == without.size());
+  for (std::size_t i = 0; i < with.size(); ++i) CHECK(same(with[i].answer_rad, without[i].answer_rad));
+}
+
+TEST_CASE("times say under what circumstances they were taken", "[runner]") {
+  const Timing alone = is_debug_build() ? Timing::debug_build : Timing::clean;
+  const Timing together = is_debug_build() ? Timing::debug_build : Timing::parallel;
+  for (const SolveRecord& record : solves_of(small_study(), 1)) {
+    CHECK(record.timing == alone);
+    CHECK(record.seconds > 0);
+    CHECK(record.cpu_seconds > 0);
+  }
+  for (const SolveRecord& record : solves_of(small_study(), 2)) CHECK(record.timing == together);
+}
+
+TEST_CASE("every solve knows its session, and the session its machine and its jobs", "[runner]") {
+  ScratchStore scratch;
+  run_for(small_study(), scratch.store, 6);
+  run(small_study(), scratch.store, {.jobs = 2});
+  const std::vector<Session> sessions = scratch.store.sessions();
+  REQUIRE(sessions.size() == 2);
+  CHECK(sessions[0].environment.at("jobs") == "1");
+  CHECK(sessions[1].environment.at("jobs") == "2");
+  CHECK(sessions[1].environment.at("compiler") == environment().at("compiler"));
+  std::int64_t in_first = 0;
+  for (const SolveRecord& record : scratch.store.solves("small")) in_first += record.session == sessions[0].id ? 1 : 0;
+  CHECK(in_first == 6);
+}
+
+TEST_CASE("an unknown robot, solver or option is refused before anything is written", "[runner]") {
+  ScratchStore scratch;
+  Study study = small_study();
+  study.solvers[2].options["alpha"] = "much";
+  CHECK_THROWS_AS(run(study, scratch.store, {}), std::invalid_argument);
+  study = small_study();
+  study.solvers[2].solver = "none";
+  CHECK_THROWS_AS(run(study, scratch.store, {}), std::invalid_argument);
+  study = small_study();
+  study.robot = "none";
+  CHECK_THROWS_AS(run(study, scratch.store, {}), std::invalid_argument);
+  CHECK(scratch.store.studies().empty());
+  CHECK(scratch.store.sessions().empty());
+}

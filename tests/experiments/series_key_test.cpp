@@ -1,0 +1,131 @@
+// The hash under which solves are remembered: it changes with everything that decides numbers, and with nothing else.
+#include <set>
+
+#include "solvers/registry.hpp"
+#include "tests/catch.hpp"
+#include "tests/experiments/samples.hpp"
+
+using namespace ikbench;
+
+namespace {
+
+std::string key_of(const Study& study) { return series_key(study, study.solvers.front()); }
+
+// The small study with one thing changed.
+template <class Change>
+Study changed(Change&& change) {
+  Study study = small_study();
+  change(study);
+  return study;
+}
+
+}  // namespace
+
+TEST_CASE("everything that decides numbers decides the series", "[series]") {
+  const std::vector<std::pair<std::string, Study>> different{
+      {"as it is", small_study()},
+      {"search", changed([](Study& study) { study.search = Search::all_joints; })},
+      {"branch", changed([](Study& study) { study.wrist_branch = WristBranch::positive; })},
+      {"other branch", changed([](Study& study) { study.wrist_branch = WristBranch::negative; })},
+      {"initial", changed([](Study& study) { study.initial[6] = 1e-12; })},
+      {"population", changed([](Study& study) { study.population = 7; })},
+      {"seed", changed([](Study& study) { study.seed = 2; })},
+      {"trace", changed([](Study& study) { study.trace = Trace::best_error; })},
+      {"iterations", changed([](Study& study) { study.stop.iterations = 6; })},
+      {"tolerance", changed([](Study& study) { study.stop.tolerance = 1e-3; })},
+      {"evaluations", changed([](Study& study) { study.stop.evaluations = 30; })},
+      {"seconds", changed([](Study& study) { study.stop.seconds = 30; })},
+      {"points", changed([](Study& study) { std::get<Helix>(study.path).points = 5; })},
+      {"radius", changed([](Study& study) { std::get<Helix>(study.path).radius = 0.21; })},
+      {"centre", changed([](Study& study) { std::get<Helix>(study.path).centre.y() = 1e-9; })},
+      {"tool", changed([](Study& study) { std::get<Helix>(study.path).tool = Tool::eq27; })},
+      {"phase", changed([](Study& study) { std::get<Helix>(study.path).phase = Phase::cos_sin; })},
+      {"spacing", changed([](Study& study) { std::get<Helix>(study.path).spacing = Spacing::k_over_n_minus_1; })},
+      {"label", changed([](Study& study) { study.solvers[0].label = "IK-BA 2"; })},
+      {"solver", changed([](Study& study) { study.solvers[0].solver = "bat"; })},
+      {"bounds", changed([](Study& study) { study.bounds = StudyBounds::clamp; })},
+      {"robot", changed([](Study& study) {
+         study.robot = "planar_2";
+         study.search = Search::all_joints;
+         study.initial = Eigen::VectorXd::Zero(2);
+       })},
+      {"other robot", changed([](Study& study) {
+         study.robot = "planar_3";
+         study.search = Search::all_joints;
+         study.initial = Eigen::VectorXd::Zero(3);
+       })}};
+  std::set<std::string> keys;
+  for (const auto& [what, study] : different) {
+    INFO(what);
+    CHECK(keys.insert(key_of(study)).second);
+  }
+}
+
+TEST_CASE("every option of every solver decides the series", "[series]") {
+  for (const SolverInfo& info : solvers()) {
+    const Study plain = changed([&](Study& study) { study.solvers = {{"A", info.name, {}}}; });
+    info.describe([&](const OptionList& list) {
+      for (const Option& option : list.options()) {
+        INFO(info.name << "." << option.name);
+        std::set<std::string> keys;
+        for (const std::string& value : option.choices.empty() ? option.bounds : option.choices) {
+          Study study = plain;
+          study.solvers[0].options[option.name] = value;
+          keys.insert(key_of(study));
+          CHECK((key_of(study) == key_of(plain)) == (value == option.get()));
+        }
+        CHECK(keys.size() >= 2);
+      }
+    });
+  }
+}
+
+TEST_CASE("a default that is written down is the same series", "[series]") {
+  const Study written = changed([](Study& study) { study.solvers[0].options["alpha"] = "0.97"; });  // Table 1
+  CHECK(key_of(written) == key_of(small_study()));
+  // So is the reading of bounds that a solver has anyway.
+  CHECK(key_of(changed([](Study& study) { study.bounds = StudyBounds::initial; })) == key_of(small_study()));
+}
+
+TEST_CASE("name, title, printed tables, runs and the other entrants decide no series", "[series]") {
+  const std::string key = key_of(small_study());
+  CHECK(key == key_of(changed([](Study& study) { study.name = "another"; })));
+  CHECK(key == key_of(changed([](Study& study) { study.title = "Another"; })));
+  CHECK(key == key_of(changed([](Study& study) { study.published = "slim2023"; })));
+  CHECK(key == key_of(changed([](Study& study) { study.runs = 1000; })));
+  CHECK(key == key_of(changed([](Study& study) { study.solvers.resize(1); })));
+  Study reordered = small_study();
+  std::swap(reordered.solvers[0], reordered.solvers[2]);
+  CHECK(key == series_key(reordered, reordered.solvers[2]));
+}
+
+TEST_CASE("a series is 16 hexadecimal digits", "[series]") {
+  CHECK(key_of(small_study()).size() == 16);
+  CHECK(key_of(small_study()).find_first_not_of("0123456789abcdef") == std::string::npos);
+}
+
+TEST_CASE("effective options are the solver's defaults, then the study's bounds, then the entrant's own", "[series]") {
+  Study study = small_study();
+  Entrant& entrant = study.solvers[0];
+  CHECK(effective_options(study, entrant) == solver("ik_bat").options({}));
+  CHECK(effective_options(study, entrant).at("bounds") == "initial");  // paper-notes 2.4
+  study.bounds = StudyBounds::clamp;
+  CHECK(effective_options(study, entrant).at("bounds") == "clamp");
+  entrant.options = {{"bounds", "initial"}, {"alpha", "0.5"}};
+  CHECK(effective_options(study, entrant).at("bounds") == "initial");
+  CHECK(effective_options(study, entrant).at("alpha") == "0.5");
+  CHECK(effective_options(study, entrant).size() == solver("ik_bat").options({}).size());
+}
+
+TEST_CASE("the study's bounds reach every solver that has bounds, and trouble none that has not", "[series]") {
+  Study study = small_study();
+  for (const auto& [bounds, name] : {std::pair{StudyBounds::clamp, "clamp"}, {StudyBounds::initial, "initial"}}) {
+    study.bounds = bounds;
+    for (const SolverInfo& info : solvers()) {
+      INFO(info.name);
+      const Settings options = effective_options(study, {"A", info.name, {}});
+      if (options.contains("bounds")) CHECK(options.at("bounds") == name);
+      CHECK(options.size() == info.options({}).size());
+    }
+  }
+}

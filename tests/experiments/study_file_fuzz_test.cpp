@@ -1,0 +1,133 @@
+// Whatever a study file holds: it is a study, or a std::invalid_argument says why not.
+#include <random>
+
+#include "experiments/study_file.hpp"
+#include "solvers/registry.hpp"
+#include "tests/catch.hpp"
+#include "tests/experiments/samples.hpp"
+
+using namespace ikbench;
+
+namespace {
+
+class Mutator {
+ public:
+  explicit Mutator(unsigned seed) : random_(seed) {}
+
+  std::string mutated(std::string text) {
+    for (std::size_t changes = 1 + below(4); changes > 0; --changes) change(text);
+    return text;
+  }
+
+ private:
+  std::size_t below(std::size_t count) { return std::uniform_int_distribution<std::size_t>(0, count - 1)(random_); }
+
+  void change(std::string& text) {
+    static constexpr const char* pieces[] = {"[",
+                                             "]",
+                                             "{",
+                                             "}",
+                                             "[[",
+                                             "]]",
+                                             "\"",
+                                             "'",
+                                             "\"\"\"",
+                                             "=",
+                                             ",",
+                                             ".",
+                                             "#",
+                                             "\n",
+                                             "-",
+                                             "+",
+                                             "nan",
+                                             "inf",
+                                             "1e9",
+                                             "true",
+                                             "solvers",
+                                             "path",
+                                             "0x",
+                                             "_",
+                                             "\\",
+                                             "\r",
+                                             "1979-05-27",
+                                             "\xff",
+                                             "99999999999999999999",
+                                             "{a={b=1}}",
+                                             "[[[[1]]]]",
+                                             "é"};
+    const std::size_t place = below(text.size() + 1), length = std::min(text.size() - place, below(12));
+    switch (below(5)) {
+      case 0:
+        text.erase(place, length);
+        break;
+      case 1:
+        text.insert(place, pieces[below(std::size(pieces))]);
+        break;
+      case 2:  // a piece of the file somewhere else
+        text.insert(below(text.size() + 1), text.substr(place, below(80)));
+        break;
+      case 3:
+        if (place < text.size()) text[place] = static_cast<char>(below(256));
+        break;
+      default:
+        text.replace(place, length, pieces[below(std::size(pieces))]);
+    }
+  }
+
+  std::mt19937 random_;
+};
+
+// Whether it was read; any other exception than std::invalid_argument leaves through here.
+bool is_read(const std::string& text, const Overrides& overrides = {}) {
+  try {
+    const Study study = parse_study(text, "mutated.toml", overrides);
+    for (const Entrant& entrant : study.solvers) solver(entrant.solver);
+    return !study.solvers.empty() && study.runs >= 1;
+  } catch (const std::invalid_argument& error) {
+    const std::string message = error.what();
+    CHECK((message.starts_with("mutated.toml:") || message.starts_with("--set")));
+    return false;
+  }
+}
+
+std::string sample_file() {
+  Study study = small_study();
+  study.solvers[1].options = {{"alpha", "0.25"}, {"bounds", "clamp"}};
+  return to_toml(study) + "\n[[solvers]]\nsolver = \"particle_swarm\"\n";
+}
+
+}  // namespace
+
+TEST_CASE("a study file with up to four random changes is read, or refused with its place", "[study][fuzz]") {
+  const std::string file = sample_file();
+  REQUIRE(is_read(file));
+  Mutator mutator(2023);
+  int read = 0;
+  for (int i = 0; i < 2000; ++i) read += is_read(mutator.mutated(file)) ? 1 : 0;
+  CHECK(read > 100);  // else the changes are so wild that they test the TOML parser alone
+  CHECK(read < 1900);
+}
+
+TEST_CASE("a file of poses with random changes is read, or refused with its place", "[study][fuzz]") {
+  Study study = small_study();
+  study.path = targets(study.path);
+  const std::string file = to_toml(study);
+  REQUIRE(is_read(file));
+  Mutator mutator(38);
+  for (int i = 0; i < 500; ++i) is_read(mutator.mutated(file));
+}
+
+TEST_CASE("random overrides are taken, or refused", "[study][fuzz]") {
+  const std::string file = sample_file();
+  Mutator mutator(12);
+  for (int i = 0; i < 500; ++i) is_read(file, {mutator.mutated("IK-BA.alpha=0.9"), mutator.mutated("path.points=3")});
+}
+
+TEST_CASE("random bytes are no study", "[study][fuzz]") {
+  std::mt19937 random(5);
+  for (int i = 0; i < 200; ++i) {
+    std::string bytes(random() % 400, '\0');
+    for (char& byte : bytes) byte = static_cast<char>(random());
+    CHECK_FALSE(is_read(bytes));
+  }
+}

@@ -1,0 +1,520 @@
+// Study files: what is written is read again, and what is wrong is said with its place.
+#include "experiments/study_file.hpp"
+
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <numbers>
+#include <random>
+
+#include "robots/names.hpp"
+#include "solvers/registry.hpp"
+#include "tests/catch.hpp"
+#include "tests/experiments/samples.hpp"
+
+using namespace ikbench;
+
+namespace {
+
+// What is said of a file, or "" where it is a study.
+std::string said_of(const std::string& toml, const Overrides& overrides = {}) {
+  return complaint<std::invalid_argument>([&] { parse_study(toml, "my.toml", overrides); });
+}
+
+bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+const std::string entrant = "[[solvers]]\nsolver = \"ik_bat\"\n";
+const std::string planar = "robot = \"planar_2\"\nsearch = \"all_joints\"\n";
+
+Study read(const std::string& toml, const Overrides& overrides = {}) { return parse_study(toml, "my.toml", overrides); }
+
+std::vector<std::string> keys_of(const Study& study) {
+  std::vector<std::string> keys;
+  for (const Entrant& one : study.solvers) keys.push_back(series_key(study, one));
+  return keys;
+}
+
+// A file, and what has to be said of it.
+struct Mistake {
+  std::string toml;
+  std::string starts;
+  std::vector<std::string> has;
+};
+
+void check(const std::vector<Mistake>& mistakes) {
+  for (const Mistake& mistake : mistakes) {
+    const std::string message = said_of(mistake.toml);
+    INFO(mistake.toml.substr(0, 200));
+    INFO(message);
+    CHECK(message.starts_with(mistake.starts));
+    for (const std::string& part : mistake.has) {
+      INFO(part);
+      CHECK(contains(message, part));
+    }
+    CHECK_FALSE(contains(message, "\n"));
+  }
+}
+
+}  // namespace
+
+// ---- round trips --------------------------------------------------------------------------------------------------
+
+TEST_CASE("every built-in study comes back from its file with the same series", "[study]") {
+  for (const Study& study : studies()) {
+    INFO(study.name);
+    const Study again = read(to_toml(study));
+    CHECK(keys_of(again) == keys_of(study));
+    CHECK(again.name == study.name);
+    CHECK(again.title == study.title);
+    CHECK(again.published == study.published);
+    CHECK(again.runs == study.runs);
+    CHECK(to_toml(again) == to_toml(study));
+    CHECK(to_json(again) == to_json(study));
+  }
+}
+
+TEST_CASE("the study of the paper has its numbers: 50 bats, 200 iterations, 20 runs of 20 points", "[study][paper]") {
+  const Study study = load_study("slim2023");  // Sec. 5.2
+  CHECK(study.population == 50);
+  CHECK(study.stop.iterations == 200);
+  CHECK(study.runs == 20);
+  CHECK(targets(study.path).size() == 20);
+  CHECK(study.robot == "kuka_iiwa14");
+  std::vector<std::string> labels;
+  for (const Entrant& one : study.solvers) labels.push_back(one.label);
+  CHECK(labels == std::vector<std::string>{"IK-BA", "BA", "DE", "PSO", "K-ABC", "MO-PSO"});  // Table 3
+}
+
+TEST_CASE("a study in which nothing is as by default comes back the same", "[study]") {
+  Study study;
+  study.name = "every field";
+  study.title = "\"quoted\" 'quoted' \\ # no comment, = no key, Ünïcödé 关节 $x_1$";
+  study.published = "slim2023";
+  study.robot = "planar_3";
+  study.search = Search::all_joints;
+  study.bounds = StudyBounds::clamp;
+  study.wrist_branch = WristBranch::negative;
+  study.initial = Eigen::Vector3d(10, -20.5, 1.0 / 3) * (std::numbers::pi / 180);
+  study.population = 7;
+  study.stop = {.iterations = 13, .tolerance = 0.001, .evaluations = 9'000'000'000'000, .seconds = 0.25};
+  study.runs = 3;
+  study.seed = 9'223'372'036'854'775'807;  // the largest integer of TOML
+  study.trace = Trace::best_error;
+  study.path = Helix{.centre = {0.5, -0.25, 0.01},
+                     .radius = 0.3,
+                     .length = -0.1,
+                     .turns = 1.5,
+                     .start = std::numbers::pi / 2,
+                     .points = 9,
+                     .phase = Phase::cos_sin,
+                     .spacing = Spacing::k_over_n_minus_1,
+                     .tool = Tool::eq27};
+  study.solvers = {
+      {"a \"label\" with 'quotes' = [x] . # \\", "ik_bat", {{"acceptance", "yang2020"}, {"alpha", "0.25"}}},
+      {"плечо", "bat", {}}};
+  const Study again = read(to_toml(study));
+  CHECK(to_toml(again) == to_toml(study));
+  CHECK(keys_of(again) == keys_of(study));
+  CHECK(again.title == study.title);
+  CHECK(again.seed == study.seed);
+  CHECK(again.stop.evaluations == study.stop.evaluations);
+  CHECK(again.solvers[0].label == study.solvers[0].label);
+  CHECK(again.solvers[0].options == study.solvers[0].options);
+}
+
+TEST_CASE("poses come back bit for bit, also minus zero and what no number of centimetres gives", "[study]") {
+  std::mt19937_64 random(27);
+  std::uniform_real_distribution<double> angle(-3.2, 3.2), metre(-2, 2);
+  std::vector<Pose> poses;
+  for (int i = 0; i < 500; ++i) {
+    Pose pose = Pose::Identity();
+    pose.linear() = rotation_from_rpy({angle(random), angle(random), angle(random)});
+    pose.translation() << metre(random), metre(random), metre(random) * 1e-9;
+    poses.push_back(pose);
+  }
+  Pose minus_zero = Pose::Identity();
+  minus_zero.linear()(0, 1) = -0.0;
+  minus_zero.translation() << -0.0, 0.1, 5e-324;
+  poses.push_back(minus_zero);
+  Study study = small_study();
+  study.path = poses;
+  const std::vector<Pose> again = targets(read(to_toml(study)).path);
+  REQUIRE(again.size() == poses.size());
+  int different = 0;
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    for (Eigen::Index k = 0; k < 16; ++k) {
+      different += same(again[i].matrix().reshaped()[k], poses[i].matrix().reshaped()[k]) ? 0 : 1;
+    }
+  }
+  CHECK(different == 0);
+  CHECK(keys_of(read(to_toml(study))) == keys_of(study));
+}
+
+TEST_CASE("a pose may say its turn as roll, pitch and yaw, as a matrix, or not at all", "[study]") {
+  const std::vector<Pose> poses =
+      targets(read("[path]\nkind = \"poses\"\nposes = [\n"
+                   "  { position_cm = [60, 0, 35], rpy_deg = [180, 0, 180] },\n"
+                   "  { position_cm = [1, 2, 3], rotation = [0, -1, 0, 1, 0, 0, 0, 0, 1] },\n"
+                   "  { position_m = [0.01, 0.02, 0.03] }]\n" +
+                   entrant)
+                  .path);
+  REQUIRE(poses.size() == 3);
+  CHECK(poses[0].linear().isApprox(rotation(Tool::down), 1e-15));
+  CHECK(poses[0].translation().isApprox(Eigen::Vector3d(0.60, 0, 0.35), 1e-15));
+  CHECK(poses[1].linear().col(0) == Eigen::Vector3d(0, 1, 0));  // row by row: x becomes y
+  CHECK(poses[2].linear() == Eigen::Matrix3d::Identity());
+  CHECK(poses[2].translation() == Eigen::Vector3d(0.01, 0.02, 0.03));
+}
+
+TEST_CASE("a file that names only a solver is the paper's path and numbers with that solver", "[study]") {
+  const Study study = read(entrant);
+  CHECK(study.population == 50);
+  CHECK(study.initial == Eigen::VectorXd::Zero(7));
+  REQUIRE(study.solvers.size() == 1);
+  CHECK(study.solvers[0].label == "ik_bat");
+  Study paper = studies().front();
+  paper.solvers = study.solvers;
+  CHECK(keys_of(study) == keys_of(paper));
+}
+
+TEST_CASE("a circle is one turn without rise", "[study]") {
+  const Study study = read("[path]\nkind = \"circle\"\nradius_cm = 7\n" + entrant);
+  CHECK(std::get<Helix>(study.path).length == 0);
+  CHECK(std::get<Helix>(study.path).turns == 1);
+  CHECK(std::get<Helix>(study.path).radius == Approx(0.07));
+}
+
+TEST_CASE("options may be written as numbers or as texts", "[study]") {
+  const Study study = read(entrant + "options = { alpha = 0.5, loudness = 2, f_max = \"1.5\", bounds = \"clamp\" }\n");
+  const Settings options = effective_options(study, study.solvers[0]);
+  CHECK(options.at("alpha") == "0.5");
+  CHECK(options.at("loudness") == "2");
+  CHECK(options.at("f_max") == "1.5");
+  CHECK(options.at("bounds") == "clamp");
+}
+
+TEST_CASE("as JSON a study says its fields and its number of points", "[study]") {
+  const nlohmann::json json = nlohmann::json::parse(to_json(studies().front()));
+  CHECK(json["points"] == 20);
+  CHECK(json["runs"] == 20);
+  CHECK(json["robot"] == "kuka_iiwa14");
+  CHECK(json["path"]["radius_cm"] == 20);  // Sec. 5.2
+  CHECK(json["path"]["tool"] == "down");
+  CHECK(json["stop"]["iterations"] == 200);
+}
+
+// ---- mistakes -----------------------------------------------------------------------------------------------------
+
+TEST_CASE("an unknown key is named with its place and the nearest known, at every level", "[study][mistakes]") {
+  check(
+      {{"nmae = \"x\"\n" + entrant, "my.toml:1:1: ", {"unknown key \"nmae\"", "did you mean \"name\"?"}},
+       {"[stop]\niteratons = 3\n" + entrant, "my.toml:2:1: ", {"\"iteratons\"", "did you mean \"iterations\"?"}},
+       {"[path]\n  radius = 3\n" + entrant, "my.toml:2:3: ", {"\"radius\"", "did you mean \"radius_cm\"?"}},
+       {"[path]\nkind = \"circle\"\nturns = 3\n" + entrant, "my.toml:3:1: ", {"\"turns\"", "radius_cm"}},
+       {entrant + "labell = \"x\"\n",
+        "my.toml:3:1: ",
+        {"did you mean \"label\"?", "(there are: solver, label, options)"}},
+       {entrant + "options = { alhpa = 0.5 }\n", "my.toml:3:", {"unknown option \"alhpa\"", "did you mean \"alpha\"?"}},
+       {"[path]\nkind = \"poses\"\nposes = [{ position_cm = [1, 2, 3], rpy_dg = [0, 0, 0] }]\n" + entrant,
+        "my.toml:3:37: ",
+        {"did you mean \"rpy_deg\"?"}},
+       {"[pth]\npoints = 3\n" + entrant, "my.toml:1:", {"did you mean \"path\"?"}}});
+}
+
+TEST_CASE("a value of another type is shown with its place and what was expected", "[study][mistakes]") {
+  check({{"name = 3\n" + entrant, "my.toml:1:8: ", {"name is 3", "expected a text in quotes"}},
+         {"runs = \"x\"\n" + entrant, "my.toml:1:8: ", {"runs is \"x\"", "a whole number from 1 to 1000000"}},
+         {"runs = 2.5\n" + entrant, "my.toml:1:8: ", {"runs is 2.5", "a whole number"}},
+         {"runs = true\n" + entrant, "my.toml:1:8: ", {"runs is true", "a whole number"}},
+         {"runs = [3]\n" + entrant, "my.toml:1:8: ", {"runs is [ 3 ]", "a whole number"}},
+         {"runs = 1979-05-27\n" + entrant, "my.toml:1:8: ", {"runs is 1979-05-27", "a whole number"}},
+         {"search = 3\n" + entrant, "my.toml:1:10: ", {"search is 3", "one of \"wrist\", \"all_joints\""}},
+         {"search = \"wirst\"\n" + entrant,
+          "my.toml:1:10: ",
+          {"search is \"wirst\"", "one of \"wrist\", \"all_joints\""}},
+         {"initial_deg = 3\n" + entrant, "my.toml:1:15: ", {"initial_deg is 3", "a list of numbers"}},
+         {"initial_deg = [1, 2, \"x\"]\n" + entrant, "my.toml:1:22: ", {"initial_deg is \"x\"", "a list of numbers"}},
+         {"stop = 3\n" + entrant, "my.toml:1:8: ", {"stop is 3", "expected a table: [stop]"}},
+         {"path = \"helix\"\n" + entrant, "my.toml:1:8: ", {"path is \"helix\"", "expected a table: [path]"}},
+         {"[stop]\nseconds = \"3\"\n" + entrant, "my.toml:2:11: ", {"stop.seconds is \"3\"", "a number from 0 to"}},
+         {"[path]\ncentre_cm = [1, 2]\n" + entrant,
+          "my.toml:2:13: ",
+          {"path.centre_cm is [ 1, 2 ]", "a list of 3 numbers"}},
+         {"[path]\nkind = \"spiral\"\n" + entrant,
+          "my.toml:2:8: ",
+          {"path.kind is \"spiral\"", "\"helix\", \"circle\", \"poses\""}},
+         {entrant + "options = 3\n", "my.toml:3:11: ", {"options is 3", "expected a table"}},
+         {entrant + "options = { alpha = true }\n",
+          "my.toml:3:21: ",
+          {"ik_bat.alpha is true", "a number or a text in quotes"}},
+         {entrant + "label = 3\n", "my.toml:3:9: ", {"label is 3", "a text in quotes"}},
+         {"[[solvers]]\nsolver = 3\n", "my.toml:2:10: ", {"solver is 3", "a text in quotes"}}});
+}
+
+TEST_CASE("a number out of its range is shown with the range", "[study][mistakes]") {
+  check({{"runs = 0\n" + entrant, "my.toml:1:8: ", {"runs is 0", "from 1 to 1000000"}},
+         {"seed = -1\n" + entrant, "my.toml:1:8: ", {"seed is -1", "from 0 to 9223372036854775807"}},
+         {"seed = 9223372036854775808\n" + entrant, "my.toml:1:", {"9223372036854775808"}},
+         {"population = 100001\n" + entrant, "my.toml:1:14: ", {"population is 100001", "from 1 to 100000"}},
+         {"[stop]\niterations = -1\n" + entrant, "my.toml:2:14: ", {"stop.iterations is -1", "from 0 to"}},
+         {"[path]\npoints = 0\n" + entrant, "my.toml:2:10: ", {"path.points is 0", "from 1 to 100000"}},
+         {"[path]\nradius_cm = -1\n" + entrant, "my.toml:2:13: ", {"path.radius_cm is -1", "from 0 to"}},
+         {"[path]\ncentre_cm = [0, 0, 1e7]\n" + entrant, "my.toml:2:20: ", {"path.centre_cm is", "within +-1e6"}},
+         {entrant + "options = { alpha = 1.5 }\n",
+          "my.toml:3:21: ",
+          {"option alpha is \"1.5\"", "a number from 0 to 1"}}});
+}
+
+TEST_CASE("what is not a finite number is refused wherever a number stands", "[study][mistakes]") {
+  for (const std::string bad : {"nan", "-nan", "inf", "-inf"}) {
+    check({{"[stop]\ntolerance_cm = " + bad + "\n" + entrant,
+            "my.toml:2:16: ",
+            {"stop.tolerance_cm is", "a number from 0"}},
+           {"[stop]\niterations = " + bad + "\n" + entrant, "my.toml:2:14: ", {"a whole number"}},
+           {"[path]\nturns = " + bad + "\n" + entrant, "my.toml:2:9: ", {"a number from"}},
+           {"[path]\ncentre_cm = [0, 0, " + bad + "]\n" + entrant, "my.toml:2:20: ", {"a list of 3 numbers"}},
+           {"initial_deg = [0, 0, 0, 0, 0, 0, " + bad + "]\n" + entrant, "my.toml:1:34: ", {"a list of numbers"}},
+           {entrant + "options = { alpha = " + bad + " }\n", "my.toml:3:21: ", {"a number from 0 to 1"}},
+           {"[path]\nkind = \"poses\"\nposes = [{ position_cm = [0, 0, " + bad + "] }]\n" + entrant,
+            "my.toml:3:33: ",
+            {"a list of 3 numbers"}}});
+  }
+}
+
+TEST_CASE("a study without solvers is no study", "[study][mistakes]") {
+  check({{"", "my.toml:1:1: ", {"names no solver", "[[solvers]]"}},
+         {"name = \"x\"\n", "my.toml:1:1: ", {"names no solver"}},
+         {"solvers = []\n", "my.toml:1:11: ", {"solvers is []", "at least one [[solvers]]"}},
+         {"solvers = 3\n", "my.toml:1:11: ", {"solvers is 3"}},
+         {"solvers = [3]\n", "my.toml:1:11: ", {"solvers is [ 3 ]"}},
+         {"[[solvers]]\nlabel = \"x\"\n", "my.toml:1:1: ", {"has no `solver`", "ikbench list solvers"}}});
+}
+
+TEST_CASE("a misspelt solver or robot is answered with the nearest and all there are", "[study][mistakes]") {
+  check({{"[[solvers]]\nsolver = \"ik_bta\"\n",
+          "my.toml:2:10: ",
+          {"unknown solver \"ik_bta\"", "did you mean \"ik_bat\"?", "damped_least_squares"}},
+         {"robot = \"planr_2\"\n" + entrant,
+          "my.toml:1:9: ",
+          {"unknown robot \"planr_2\"", "did you mean \"planar_2\"?", "kuka_iiwa14"}},
+         {entrant + "options = { bounds = \"clmap\" }\n",
+          "my.toml:3:22: ",
+          {"option bounds is \"clmap\"", "one of initial, clamp"}}});
+}
+
+TEST_CASE("a label stands once in a study", "[study][mistakes]") {
+  check({{entrant + entrant, "my.toml:3:1: ", {"label \"ik_bat\" stands twice"}},
+         {entrant + "label = \"A\"\n[[solvers]]\nsolver = \"bat\"\nlabel = \"A\"\n",
+          "my.toml:4:1: ",
+          {"label \"A\" stands twice"}}});
+  CHECK(read(entrant + entrant + "label = \"IK-BA again\"\n").solvers.size() == 2);
+}
+
+TEST_CASE("what fields ask of each other is checked where one of them stands", "[study][mistakes]") {
+  check({{"robot = \"planar_2\"\nsearch = \"wrist\"\n" + entrant,
+          "my.toml:2:10: ",
+          {"search is \"wrist\"", "at least 4 joints", "expected \"all_joints\""}},
+         {"robot = \"planar_2\"\n" + entrant, "my.toml:1:1: ", {"search is \"wrist\"", "expected \"all_joints\""}},
+         {"initial_deg = [0, 0]\n" + entrant,
+          "my.toml:1:15: ",
+          {"has 2 angles", "expected 7, the joints of kuka_iiwa14"}},
+         {planar + "initial_deg = [0, 0, 0]\n" + entrant,
+          "my.toml:3:15: ",
+          {"has 3 angles", "expected 2, the joints of planar_2"}}});
+}
+
+TEST_CASE("a pose is a place and a rotation", "[study][mistakes]") {
+  const auto with_poses = [](const std::string& poses) {
+    return "[path]\nkind = \"poses\"\nposes = " + poses + "\n" + entrant;
+  };
+  check({{"[path]\nkind = \"poses\"\n" + entrant, "my.toml:1:1: ", {"path.poses is missing", "position_cm"}},
+         {with_poses("[]"), "my.toml:3:9: ", {"path.poses is []", "a list of 1 to 100000 poses"}},
+         {with_poses("[3]"), "my.toml:3:10: ", {"path.poses is 3"}},
+         {with_poses("[{ rpy_deg = [0, 0, 0] }]"),
+          "my.toml:3:10: ",
+          {"a pose with either a position_cm or a position_m"}},
+         {with_poses("[{ position_cm = [1, 2, 3], position_m = [1, 2, 3] }]"), "my.toml:3:10: ", {"either"}},
+         {with_poses("[{ position_cm = [1, 2] }]"), "my.toml:3:26: ", {"a list of 3 numbers"}},
+         {with_poses("[{ position_cm = [1, 2, 3], rotation = [1, 0, 0, 0, 1, 0, 0, 0] }]"),
+          "my.toml:3:48: ",
+          {"a list of 9 numbers"}},
+         {with_poses("[{ position_cm = [1, 2, 3], rotation = [1, 0, 0, 0, 1, 0, 0, 0, 2] }]"),
+          "my.toml:3:10: ",
+          {"a rotation matrix, row by row"}},
+         {with_poses("[{ position_cm = [1, 2, 3], rotation = [1, 0, 0, 0, 1, 0, 0, 0, -1] }]"),
+          "my.toml:3:10: ",
+          {"a rotation matrix"}},  // a mirror
+         {with_poses("[{ position_cm = [1, 2, 3], rotation = [0, 0, 0, 0, 0, 0, 0, 0, 0] }]"),
+          "my.toml:3:10: ",
+          {"a rotation matrix"}}});
+}
+
+TEST_CASE("names and labels are short and without control characters", "[study][mistakes]") {
+  const std::string expected = "a text of at most 200 bytes without control characters";
+  check({{"name = \"a\\u001b[31m\"\n" + entrant, "my.toml:1:8: ", {"name is \"a\\u001B[31m\"", expected}},
+         {"name = \"a\\nb\"\n" + entrant, "my.toml:1:8: ", {"name is \"a\\nb\"", expected}},
+         {"name = \"\"\"\na\nb\"\"\"\n" + entrant, "my.toml:1:8: ", {expected}},
+         {"title = \"a\\u0000b\"\n" + entrant, "my.toml:1:9: ", {expected}},
+         {"title = \"\\u007f\"\n" + entrant, "my.toml:1:9: ", {expected}},
+         {entrant + "label = \"a\\tb\"\n", "my.toml:3:9: ", {expected}},
+         {entrant + "options = { bounds = \"cl\\namp\" }\n", "my.toml:3:22: ", {expected}},
+         {"name = \"" + std::string(201, 'x') + "\"\n" + entrant, "my.toml:1:8: ", {"...", expected}},
+         {"name = \"\"\n" + entrant, "my.toml:1:8: ", {"a name that is not empty"}},
+         {entrant + "label = \"\"\n", "my.toml:3:9: ", {"a label that is not empty"}}});
+  CHECK(read("name = \"" + std::string(200, 'x') + "\"\n" + entrant).name.size() == 200);
+  CHECK(said_of("name = \"" + std::string(100'000, 'x') + "\"\n" + entrant).size() < 300);
+}
+
+TEST_CASE("what is not TOML is refused with the place where it ceases to be", "[study][mistakes]") {
+  check({{"a = = 3\n", "my.toml:1:5: not TOML: ", {}},
+         {"runs = 3\nruns = 4\n", "my.toml:2:", {"not TOML", "runs"}},
+         {"name = \"open\n" + entrant, "my.toml:1:", {"not TOML"}},
+         {"[path\n" + entrant, "my.toml:1:", {"not TOML"}},
+         {"\xff\xfe\x00", "my.toml:1:", {}},
+         {std::string("runs = 3\n\0\0\0", 12) + entrant, "my.toml:2:", {"not TOML"}},
+         {"\x7f"
+          "ELF\x02\x01\x01",
+          "my.toml:1:",
+          {"not TOML"}},
+         {"SQLite format 3", "my.toml:1:", {"not TOML"}}});
+}
+
+TEST_CASE("nesting deeper than anyone means is refused, not followed to the end of the stack", "[study][mistakes]") {
+  const auto repeated = [](const std::string& piece, int times) {
+    std::string text;
+    for (int i = 0; i < times; ++i) text += piece;
+    return text;
+  };
+  check({{"a = " + repeated("[", 100'000), "my.toml:1:", {"not TOML"}},
+         {"a = " + repeated("{a = ", 100'000), "my.toml:1:", {"not TOML"}},
+         {"a" + repeated(".a", 100'000) + " = 1\n", "my.toml:1:", {"expected keys nested less deeply"}},
+         {"\n[a" + repeated(". a", 100'000) + "]\n", "my.toml:2:", {"expected keys nested less deeply"}},
+         {repeated("a.", 400) + "a = 1\n" + entrant, "my.toml:1:1: ", {"unknown key \"a\""}}});
+}
+
+TEST_CASE("a file of more than 10 MB is not read", "[study][mistakes]") {
+  const ScratchFolder folder;
+  const std::filesystem::path file = folder.path / "large.toml";
+  write_text(file, entrant + "# " + std::string(10'000'000, 'x'));
+  CHECK(contains(complaint<std::invalid_argument>([&] { load_study(file.string()); }), "at most 10 MB"));
+  write_text(file, entrant + "# " + std::string(1'000'000, 'x'));
+  CHECK(load_study(file.string()).solvers.size() == 1);
+}
+
+TEST_CASE("a study is a built-in name or a file; anything else is told the names", "[study][mistakes]") {
+  const ScratchFolder folder;
+  for (const std::string& none : {std::string("slim2032"), std::string(), folder.path.string(),
+                                  (folder.path / "none.toml").string(), std::string("/dev/zero")}) {
+    const std::string message = complaint<std::invalid_argument>([&] { load_study(none); });
+    INFO(none);
+    CHECK(contains(message, "no such study file"));
+    CHECK(contains(message, "slim2023-context"));
+  }
+  CHECK(contains(complaint<std::invalid_argument>([] { load_study("slim2032"); }), "did you mean \"slim2023\"?"));
+}
+
+TEST_CASE("a mistake in a file is reported under the file's name", "[study][mistakes]") {
+  const ScratchFolder folder;
+  const std::string file = (folder.path / "with space.toml").string();
+  write_text(file, "# a comment\n\nruns = 0\n" + entrant);
+  CHECK(complaint<std::invalid_argument>([&] { load_study(file); }).starts_with(file + ":3:8: "));
+}
+
+// ---- overrides ----------------------------------------------------------------------------------------------------
+
+TEST_CASE("an override sets a field of the study, of its path or of its stop rule", "[study][set]") {
+  const Study study = load_study("slim2023", {"runs=5", "path.tool=eq27", "path.points=7", "stop.tolerance_cm=0.1",
+                                              "search=\"all_joints\"", "initial_deg=[1, 2, 3, 4, 5, 6, 7]"});
+  CHECK(study.runs == 5);
+  CHECK(std::get<Helix>(study.path).tool == Tool::eq27);
+  CHECK(targets(study.path).size() == 7);
+  CHECK(study.stop.tolerance == Approx(0.001));
+  CHECK(study.search == Search::all_joints);
+  CHECK(study.initial[6] == Approx(7 * std::numbers::pi / 180));
+}
+
+TEST_CASE("an override reaches tables that the file does not have", "[study][set]") {
+  CHECK(read(entrant, {"stop.iterations=3"}).stop.iterations == 3);
+  CHECK(targets(read(entrant, {"path.points=3"}).path).size() == 3);
+}
+
+TEST_CASE("an override sets an option of the entrants with that label or that solver", "[study][set]") {
+  const std::string two = entrant + "label = \"A\"\n" + entrant + "label = \"B v1.0\"\noptions = { gamma = 0.5 }\n";
+  Study study = read(two, {"A.alpha=0.25"});
+  CHECK(study.solvers[0].options == Settings{{"alpha", "0.25"}});
+  CHECK(study.solvers[1].options == Settings{{"gamma", "0.5"}});
+  study = read(two, {"ik_bat.alpha=0.25"});
+  CHECK(study.solvers[0].options == Settings{{"alpha", "0.25"}});
+  CHECK(study.solvers[1].options == Settings{{"alpha", "0.25"}, {"gamma", "0.5"}});
+  study = read(two, {"B v1.0.gamma=0.75"});  // a label with a dot and a space
+  CHECK(study.solvers[1].options == Settings{{"gamma", "0.75"}});
+}
+
+TEST_CASE("of two overrides of one field the later holds", "[study][set]") {
+  CHECK(read(entrant, {"runs=5", "runs=6"}).runs == 6);
+}
+
+TEST_CASE("the text of an override is taken as it is typed, quotes or not", "[study][set]") {
+  CHECK(read(entrant, {"title=two words"}).title == "two words");
+  CHECK(read(entrant, {"title=  spaces around "}).title == "  spaces around ");
+  CHECK(read(entrant, {"title=\"in quotes\""}).title == "in quotes");
+  CHECK(read(entrant, {"title='it\"s'"}).title == "it\"s");
+  CHECK(read(entrant, {"title=it's"}).title == "it's");
+  CHECK(read(entrant, {"title=a=b"}).title == "a=b");
+  CHECK(read(entrant, {"title=$(touch pwned)`touch pwned`"}).title == "$(touch pwned)`touch pwned`");
+  CHECK(read(entrant, {"title=#1"}).title == "#1");
+  CHECK(read(entrant, {"title="}).title.empty());
+}
+
+TEST_CASE("an override adds one value and nothing else", "[study][set]") {
+  CHECK(contains(said_of(entrant, {"runs=5\nseed=3"}), "runs is \"5\\nseed=3\""));
+  CHECK(contains(said_of(entrant, {"title=a\nb"}), "without control characters"));
+  CHECK(contains(said_of(entrant, {"runs=5\n[path]\npoints=3"}), "--set runs: "));
+}
+
+TEST_CASE("a mistake in an override is reported as that of --set, not of the file", "[study][set][mistakes]") {
+  const std::vector<std::pair<std::string, std::string>> mistakes{
+      {"runs=0", "--set runs: runs is 0; expected a whole number from 1"},
+      {"runs=x", "--set runs: runs is \"x\"; expected a whole number from 1"},
+      {"runs=", "--set runs: "},
+      {"name=2023", "--set name: name is 2023; expected a text in quotes"},
+      {"runz=3", "--set runz: unknown key \"runz\"; did you mean \"runs\"?"},
+      {"path.tool=sideways", "--set path.tool: path.tool is \"sideways\"; expected one of \"down\", \"eq27\""},
+      {"path.tol=eq27", "--set path.tol: unknown key \"tol\"; did you mean \"tool\"?"},
+      {"path.points=0", "--set path.points: "},
+      {"path.centre_cm=[0, 0, nan]", "--set path.centre_cm: "},
+      {"path={ tol = 1 }", "--set path.tol: unknown key"},
+      {"stop.iterations=-3", "--set stop.iterations: stop.iterations is -3"},
+      {"stop.iteration=3", "--set stop.iteration: unknown key"},
+      {"path=3", "--set path: path is 3; expected a table"},
+      {"ik_bat.alpha=7", "--set ik_bat.alpha: option alpha is \"7\"; expected a number from 0 to 1"},
+      {"ik_bat.alhpa=0.7", "--set ik_bat.alhpa: unknown option \"alhpa\"; did you mean \"alpha\"?"},
+      {"ik_bat.bounds=[1]", "--set ik_bat.bounds: "},
+      {"ik_bta.alpha=0.7", "--set ik_bta.alpha: unknown solver \"ik_bta\"; did you mean \"ik_bat\"?"},
+      {"initial_deg=[1, 2]", "--set initial_deg: initial_deg has 2 angles; expected 7"},
+      {"robot=none", "--set robot: unknown robot \"none\""},
+      {"search=all", "--set search: "},
+      {"solvers=[]", "--set solvers: solvers is []"},
+      {"solvers=[{ solver = \"bta\" }]", "--set solvers.solver: unknown solver \"bta\""}};
+  for (const auto& [override, expected] : mistakes) {
+    INFO(override);
+    const std::string message = said_of("\n\n\n" + entrant, {override});
+    INFO(message);
+    CHECK(message.starts_with(expected));
+    CHECK_FALSE(contains(message, "my.toml"));
+  }
+}
+
+TEST_CASE("an override is key=value", "[study][set][mistakes]") {
+  for (const std::string malformed : {"", "=", "=3", "runs", "runs 5", ".alpha=0.5", "ik_bat.=0.5", "."}) {
+    INFO(malformed);
+    const std::string message = said_of(entrant, {malformed});
+    INFO(message);
+    CHECK(message.starts_with("--set"));
+    CHECK(contains(message, "expected"));
+  }
+  CHECK(said_of(entrant, {std::string(100'000, 'a') + "=1"}).size() < 400);
+  CHECK(said_of(entrant, {"a" + std::string(100'000, '.') + "b=1"}).size() < 400);
+  CHECK(said_of(entrant, {"title=" + std::string(100'000, '[')}).size() < 400);
+  CHECK(contains(said_of(entrant, {"path=3", "path.points=3"}), "--set path"));
+}

@@ -1,0 +1,176 @@
+// The verifier's own kinematics and judgement, by hand and against the chain's.
+#include "experiments/verifier.hpp"
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <random>
+
+#include "experiments/path.hpp"
+#include "tests/catch.hpp"
+
+using namespace ikbench;
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+Eigen::VectorXd angles(std::initializer_list<double> values) {
+  return Eigen::Map<const Eigen::VectorXd>(values.begin(), static_cast<Eigen::Index>(values.size()));
+}
+
+Pose at(double x, double y, double z) { return Pose(Eigen::Translation3d(x, y, z)); }
+
+constexpr Requirement any{.claimed_error = 0};
+
+}  // namespace
+
+TEST_CASE("the verifier's forward kinematics agrees with the chain's to 1e-12", "[verifier]") {
+  std::mt19937_64 random(12);
+  std::uniform_real_distribution<double> angle(-2 * pi, 2 * pi);
+  for (const Robot& arm : robots()) {
+    INFO(arm.name);
+    double largest = 0;
+    for (int i = 0; i < 10'000; ++i) {
+      Eigen::VectorXd q(arm.chain.joints());
+      for (double& joint : q) joint = angle(random);
+      largest = std::max(largest, (verified_pose(arm.chain, q) - arm.chain.forward(q).matrix()).cwiseAbs().maxCoeff());
+    }
+    CHECK(largest <= 1e-12);
+  }
+}
+
+TEST_CASE("offsets, twists, lengths and a tip off the axis are all in both forward kinematics", "[verifier]") {
+  const Chain chain({{.a = 0.1, .alpha = 0.7, .d = 0.2, .offset = 0.3},
+                     {.a = -0.4, .alpha = -1.1, .d = 0.05, .offset = -0.6},
+                     {.a = 0.3, .alpha = 2.0, .d = -0.1, .offset = 1.0}},
+                    {0.01, -0.02, 0.03});
+  std::mt19937_64 random(13);
+  std::uniform_real_distribution<double> angle(-pi, pi);
+  for (int i = 0; i < 1000; ++i) {
+    const Eigen::VectorXd q = angles({angle(random), angle(random), angle(random)});
+    CHECK((verified_pose(chain, q) - chain.forward(q).matrix()).cwiseAbs().maxCoeff() <= 1e-12);
+  }
+}
+
+TEST_CASE("the iiwa at zeros stands upright: 36 + 42 + 40 + 12.6 cm above the base", "[verifier]") {
+  const Eigen::Matrix4d pose = verified_pose(robot("kuka_iiwa14").chain, Eigen::VectorXd::Zero(7));
+  Eigen::Matrix4d expected = Eigen::Matrix4d::Identity();
+  expected(2, 3) = 1.306;
+  CHECK(pose.isApprox(expected, 1e-15));
+}
+
+TEST_CASE("the iiwa with 90 degrees at the second joint points along x", "[verifier]") {
+  const Eigen::Matrix4d pose = verified_pose(robot("kuka_iiwa14").chain, angles({0, pi / 2, 0, 0, 0, 0, 0}));
+  CHECK((pose.col(3).head<3>() - Eigen::Vector3d(0.946, 0, 0.360)).norm() < 1e-15);
+  CHECK((pose.col(2).head<3>() - Eigen::Vector3d::UnitX()).norm() < 1e-15);  // the tool's axis too
+}
+
+TEST_CASE("two links of half a metre at 0 and 90 degrees reach (0.5, 0.5)", "[verifier]") {
+  const Verdict verdict = verify(robot("planar_2"), at(0.5, 0.5, 0), angles({0, 0}), angles({0, pi / 2}));
+  CHECK(verdict.position_error < 1e-15);
+  CHECK(verdict.variation == Approx(pi / 2));
+  CHECK(verdict.largest_move == Approx(pi / 2));
+  CHECK(verdict.limit_violation == 0);
+}
+
+TEST_CASE("the position error is the Euclidean distance", "[verifier][paper]") {
+  // The tool is at (1, 0, 0); the target 0.3 m, 0.4 m, 1.2 m off: 1.3 m away (Eq. 1).
+  const Verdict verdict = verify(robot("planar_2"), at(1.3, 0.4, -1.2), angles({0, 0}), angles({0, 0}));
+  CHECK(verdict.position_error == Approx(1.3));
+}
+
+TEST_CASE("the orientation error is ||R - Rd|| / ||Rd||", "[verifier][paper]") {
+  // R = 1, Rd = Rz(theta): ||R - Rd||^2 = 4 (1 - cos theta), ||Rd||^2 = 3 (Eq. 3 with Frobenius' norm).
+  const auto error_at = [](double theta) {
+    Pose target = at(1, 0, 0);
+    target.linear() = Eigen::AngleAxisd(theta, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+    return verify(robot("planar_2"), target, angles({0, 0}), angles({0, 0})).orientation_error;
+  };
+  CHECK(error_at(0) == Approx(0).margin(1e-15));
+  CHECK(error_at(pi / 2) == Approx(2 / std::sqrt(3.0)));  // sqrt(4/3)
+  CHECK(error_at(pi) == Approx(std::sqrt(8.0 / 3)));      // the largest there is
+  CHECK(error_at(pi / 3) == Approx(std::sqrt(2.0 / 3)));  // 4 (1 - 1/2) = 2
+}
+
+TEST_CASE("the variation is the norm of the joint moves over all joints, the largest move that of one",
+          "[verifier][paper]") {
+  const Eigen::VectorXd start = angles({0.1, 0.2, 0.3});
+  const Verdict verdict = verify(robot("planar_3"), at(0, 0, 0), start, start + angles({0.3, -0.4, 1.2}));
+  CHECK(verdict.variation == Approx(1.3));  // Eq. 12: sqrt(0.09 + 0.16 + 1.44)
+  CHECK(verdict.largest_move == Approx(1.2));
+  CHECK(verify(robot("planar_3"), at(0, 0, 0), start, start + angles({0.3, -0.4, 0.2})).largest_move ==
+        Approx(0.4));  // a move down is a move
+}
+
+TEST_CASE("the limit violation is that of the worst joint, on either side", "[verifier]") {
+  const double degree = pi / 180;  // limits of the iiwa: 170, 120, 170, 120, 170, 120, 175 deg, Table 2
+  const auto violation_deg = [&](std::initializer_list<double> degrees) {
+    const Eigen::VectorXd q = angles(degrees) * degree;
+    return verify(robot("kuka_iiwa14"), at(0, 0, 0), Eigen::VectorXd::Zero(7), q).limit_violation / degree;
+  };
+  CHECK(violation_deg({170, -120, 170, -120, 170, -120, 175}) == Approx(0).margin(1e-12));
+  CHECK(violation_deg({0, 121, 0, 0, 0, 0, 0}) == Approx(1));
+  CHECK(violation_deg({0, 121, 0, 0, 0, -123.5, 0}) == Approx(3.5));
+  CHECK(violation_deg({-190, 0, 0, 0, 0, 0, 176}) == Approx(20));
+}
+
+TEST_CASE("an answer that is not finite gives errors that are not finite", "[verifier]") {
+  for (const double bad : {not_a_number, infinity, -infinity}) {
+    for (int joint = 0; joint < 7; ++joint) {
+      Eigen::VectorXd answer = Eigen::VectorXd::Zero(7);
+      answer[joint] = bad;
+      const Verdict verdict = verify(robot("kuka_iiwa14"), at(0.5, 0, 0.5), Eigen::VectorXd::Zero(7), answer);
+      CHECK_FALSE((std::isfinite(verdict.position_error) && std::isfinite(verdict.orientation_error)));
+      CHECK_FALSE(std::isfinite(verdict.variation));
+      CHECK_FALSE(std::isfinite(verdict.largest_move));
+      CHECK_FALSE(std::isfinite(verdict.limit_violation));
+      CHECK(judge(verdict, any) == Status::not_finite);
+    }
+  }
+}
+
+TEST_CASE("an answer that is exact, inside the limits and as claimed is ok", "[verifier]") {
+  CHECK(judge({}, any) == Status::ok);
+  CHECK(judge({.position_error = 0.01, .limit_violation = 0}, {.claimed_error = 0.01}) == Status::ok);
+}
+
+TEST_CASE("an error above the tolerance is a missed tolerance, if one was asked for", "[verifier]") {
+  const Verdict off{.position_error = 0.01};
+  CHECK(judge(off, {.claimed_error = 0.01, .tolerance = 0.009}) == Status::tolerance_missed);
+  CHECK(judge(off, {.claimed_error = 0.01, .tolerance = 0.01}) == Status::ok);
+  CHECK(judge(off, {.claimed_error = 0.01, .tolerance = 0}) == Status::ok);
+}
+
+TEST_CASE("a joint outside its limits by more than rounding is a violation", "[verifier]") {
+  CHECK(judge({.limit_violation = 2e-9}, any) == Status::limit_violated);
+  CHECK(judge({.limit_violation = 0.5e-9}, any) == Status::ok);
+}
+
+TEST_CASE("a claim that differs from the verified error in either direction is wrong", "[verifier]") {
+  CHECK(judge({.position_error = 0.01}, {.claimed_error = 0.02}) == Status::claimed_but_wrong);
+  CHECK(judge({.position_error = 0.02}, {.claimed_error = 0.01}) == Status::claimed_but_wrong);
+  CHECK(judge({.position_error = 0.01}, {.claimed_error = 0.01 + 0.5e-9}) == Status::ok);  // rounding
+  CHECK(judge({.position_error = 0.01}, {.claimed_error = not_a_number}) == Status::claimed_but_wrong);
+  CHECK(judge({.position_error = 0.01}, {.claimed_error = infinity}) == Status::claimed_but_wrong);
+}
+
+TEST_CASE("an orientation that the closed form should have met and did not is a wrong claim", "[verifier]") {
+  CHECK(judge({.orientation_error = 0.1}, {.orientation_is_exact = true}) == Status::claimed_but_wrong);
+  CHECK(judge({.orientation_error = 0.1}, {.orientation_is_exact = false}) == Status::ok);
+  CHECK(judge({.orientation_error = 0.5e-9}, {.orientation_is_exact = true}) == Status::ok);
+}
+
+TEST_CASE("of several wrongs the most severe is told", "[verifier]") {
+  Verdict verdict{.position_error = 1, .limit_violation = 1};
+  Requirement requirement{.claimed_error = 1, .tolerance = 0.1};
+  CHECK(judge(verdict, requirement) == Status::limit_violated);  // over tolerance_missed
+  requirement.claimed_error = 0;
+  CHECK(judge(verdict, requirement) == Status::claimed_but_wrong);  // over limit_violated
+  verdict.position_error = infinity;
+  CHECK(judge(verdict, requirement) == Status::not_finite);  // over everything
+  verdict = {.position_error = 0, .orientation_error = not_a_number};
+  CHECK(judge(verdict, requirement) == Status::not_finite);
+}
