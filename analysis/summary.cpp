@@ -9,6 +9,7 @@
 #include "analysis/paper_tables.hpp"
 #include "analysis/published_numbers.hpp"
 #include "analysis/text.hpp"
+#include "analysis/welch.hpp"
 
 namespace ikbench {
 namespace {
@@ -79,27 +80,38 @@ std::string ranking_sentence(const Study& study, const std::vector<Comparison>& 
                             pairs_in_order(printed, ours));
 }
 
-// The paper's second finding: its solver moves the joints less than every other.
-std::string variation_sentence(const Study& study, const std::vector<Comparison>& rows) {
-  const auto ours = ranking(rows, Metric::variation_deg);
-  const auto reference = std::ranges::find(ours, time_reference, &Standing::solver);
-  if (reference == ours.end() || ours.size() < 2) return "";
-  const auto printed = printed_ranking(study, Metric::variation_deg, ours);
+// The paper's second finding: its solver moves the joints less than every other. Welch's test says where the difference
+// cannot be told from chance; points of one run depend on each other, so it is asked of run means only.
+std::string variation_sentence(const Study& study, const std::vector<Comparison>& rows, Unit unit) {
+  const auto printed = printed_ranking(study, Metric::variation_deg, ranking(rows, Metric::variation_deg));
+  const auto description = [&](std::string_view solver) {
+    return std::ranges::find_if(
+               rows, [&](const Comparison& row) { return row.solver == solver && row.metric == Metric::variation_deg; })
+        ->ours;
+  };
   const auto printed_reference = std::ranges::find(printed, time_reference, &Standing::solver);
   if (printed_reference == printed.end()) return "";
-  std::string holds;
-  std::string fails;
-  for (const Standing& other : printed) {
-    if (other.mean <= printed_reference->mean) continue;
-    const auto here = std::ranges::find(ours, other.solver, &Standing::solver);
-    std::string& list = here->mean > reference->mean ? holds : fails;
-    list += fmt::format("{}{} ({:.0f} %)", list.empty() ? "" : ", ", other.solver, 100 * here->mean / reference->mean);
+  const Description reference = description(time_reference);
+  std::string less, alike, more;
+  for (const Standing& standing : printed) {
+    if (standing.mean <= printed_reference->mean) continue;
+    const Description other = description(standing.solver);
+    const WelchTest test = welch({.mean = reference.mean, .std = reference.std, .n = reference.n},
+                                 {.mean = other.mean, .std = other.std, .n = other.n});
+    const bool undecided = unit == Unit::run && test.p >= significance;
+    std::string& list = undecided ? alike : reference.mean < other.mean ? less : more;
+    list +=
+        fmt::format("{}{} ({:.0f} %)", list.empty() ? "" : ", ", standing.solver, 100 * reference.mean / other.mean);
   }
-  if (holds.empty() && fails.empty()) return "";
-  std::string text = fmt::format("The paper finds that {} moves the joints less than the others do. ", time_reference);
-  if (!holds.empty()) text += "Here it holds against (their variation relative to its own): " + holds + ".";
-  if (!fails.empty()) text += fmt::format("{}It does not hold against: {}.", holds.empty() ? "" : " ", fails);
-  return text;
+  std::string text;
+  if (!less.empty()) text += " Here it is less than that of " + less + ".";
+  if (!alike.empty()) text += " Here it cannot be told apart from that of " + alike + " (Welch's test, p >= 0.05).";
+  if (!more.empty()) text += " Here it is not less than that of " + more + ".";
+  if (text.empty()) return "";
+  return fmt::format(
+      "The paper prints a smaller angles variation for {} than for the others.{} (In brackets: {}'s by "
+      "the other's.)",
+      time_reference, text, time_reference);
 }
 
 std::string anova_sentence(const Study& study, Metric metric, Unit unit) {
@@ -169,7 +181,7 @@ std::vector<std::string> summary(const Study& study, Unit unit) {
   std::vector<std::string> sentences;
   for (const Metric metric : metrics) {
     sentences.push_back(ranking_sentence(study, rows, metric));
-    if (metric == Metric::variation_deg) sentences.push_back(variation_sentence(study, rows));
+    if (metric == Metric::variation_deg) sentences.push_back(variation_sentence(study, rows, unit));
   }
   for (const Metric metric : metrics) sentences.push_back(anova_sentence(study, metric, unit));
   for (std::string& sentence : number_sentences(rows)) sentences.push_back(std::move(sentence));
