@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "analysis/text.hpp"
+#include "results/number.hpp"
 
 namespace ikbench {
 namespace {
@@ -52,9 +53,8 @@ Axis value_axis(std::span<const double> values, std::string_view quantity, Scale
       label.replace(label.size() - 3, 3, micro ? "[µs]" : "[ms]");
     }
     const double top = largest > 0 ? 1.05 * factor * largest : 1.0;
-    axis.settings =
-        fmt::format("set yrange [{}:{}]\nshown(y) = y * {}\n", exact_number(std::min(0.0, 1.05 * factor * smallest)),
-                    exact_number(top), exact_number(factor));
+    axis.settings = fmt::format("set yrange [{}:{}]\nshown(y) = y * {}\n",
+                                text_of(std::min(0.0, 1.05 * factor * smallest)), text_of(top), text_of(factor));
   }
   axis.settings += fmt::format("set ylabel {}\n", gnuplot_string(label));
   if (!axis.has_values) axis.settings += "unset ytics\nset label 'no finite values' at graph 0.5, graph 0.5 center\n";

@@ -14,6 +14,7 @@
 #include "analysis/files.hpp"
 #include "analysis/process.hpp"
 #include "analysis/text.hpp"
+#include "results/number.hpp"
 
 namespace ikbench {
 namespace {
@@ -109,9 +110,9 @@ png = sprintf("pngcairo enhanced size %d,%d font 'Liberation Sans,8' fontscale 3
 }
 
 std::string script_of(const Figure& figure) {
-  std::string script = fmt::format("# {}\n# Draw again: gnuplot {}.gp\n", one_line(figure.caption), figure.name);
-  script += fmt::format("width_cm = {}\nheight_cm = {}\nload 'style.gp'\n\n", exact_number(figure.width_cm),
-                        exact_number(figure.height_cm));
+  std::string script = fmt::format("# {} (To draw it again: gnuplot {}.gp)\n", one_line(figure.caption), figure.name);
+  script += fmt::format("width_cm = {}\nheight_cm = {}\nload 'style.gp'\n\n", text_of(figure.width_cm),
+                        text_of(figure.height_cm));
   script += figure.settings + '\n';
   for (const std::string_view type : picture_types) {
     script += fmt::format("set terminal @{}\nset output '{}.{}'\n", type, figure.name, type);

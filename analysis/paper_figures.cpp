@@ -12,6 +12,7 @@
 #include "analysis/axis.hpp"
 #include "analysis/descriptive.hpp"
 #include "analysis/text.hpp"
+#include "results/number.hpp"
 
 namespace ikbench {
 namespace {
@@ -31,7 +32,7 @@ std::string capitalised(std::string_view text) {
   return result;
 }
 
-std::string number(double value) { return std::isfinite(value) ? exact_number(value) : "NaN"; }
+std::string number(double value) { return std::isfinite(value) ? text_of(value) : "NaN"; }
 
 // Says what a reader of the picture must know.
 std::string with_notes(std::string caption, const Study& study, Metric metric, const Axis& axis) {
@@ -109,8 +110,8 @@ std::string space_axes(const std::array<std::vector<double>, 3>& coordinates) {
     const auto& values = coordinates[axis];
     const double low = values.empty() ? 0 : std::ranges::min(values);
     const double high = values.empty() ? 0 : std::ranges::max(values);
-    settings += fmt::format("set {0}range [{1}:{2}]\nset {0}tics {3}\n", "xyz"[axis], exact_number(low - pad),
-                            exact_number(high + pad), exact_number(step));
+    settings += fmt::format("set {0}range [{1}:{2}]\nset {0}tics {3}\n", "xyz"[axis], text_of(low - pad),
+                            text_of(high + pad), text_of(step));
   }
   return settings;
 }
@@ -142,12 +143,14 @@ Figure path_figure(const Study& study) {
   figure.caption += std::isfinite(largest_error)
                         ? fmt::format(" {} came within {} cm of each.", solver, rounded_number(largest_error, 2))
                         : fmt::format(" {} did not reach all of them.", solver);
-  figure.settings = space_axes(coordinates) +
-                    "set xlabel 'x [cm]'\nset ylabel 'y [cm]'\nset zlabel 'z [cm]' rotate parallel\n"
-                    "set view 62, 32, 1.1\nset view equal xyz\nset xyplane relative 0\nset border 127 lw 0.5 lc rgb '#AAAAAA'\n"
-                    "set tics textcolor rgb '#000000'\nset grid xtics ytics ztics\nunset key\n";
+  figure.settings =
+      space_axes(coordinates) +
+      "set xlabel 'x [cm]'\nset ylabel 'y [cm]'\nset zlabel 'z [cm]' rotate parallel\n"
+      "set view 62, 32, 1.1\nset view equal xyz\nset xyplane relative 0\nset border 127 lw 0.5 lc rgb '#AAAAAA'\n"
+      "set tics textcolor rgb '#000000'\nset grid xtics ytics ztics\nunset key\n";
   figure.plot =
-      "splot 'figure-5.dat' using 1:2:3 with lines lw 0.7 lc rgb '#888888', '' using 1:2:3 with points ls 1 ps 0.6, \\\n"
+      "splot 'figure-5.dat' using 1:2:3 with lines lw 0.7 lc rgb '#888888', '' using 1:2:3 with points ls 1 ps 0.6, "
+      "\\\n"
       "  '' using 1:2:3 every ::0::0 with points pt 6 ps 1.1 lw 0.8 lc rgb '#000000', \\\n"
       "  '' using 1:2:3:('start') every ::0::0 with labels right offset -0.9,0.4";
   return figure;
@@ -216,9 +219,9 @@ std::vector<Figure> joint_figures(const Study& study) {
       figure.data += '\n';
     }
     const double range = largest <= 180 ? 180 : 1.05 * largest;
-    figure.settings = fmt::format("set title {} noenhanced offset 0, -0.6\nset ylabel 'joint angle [deg]'\nset yrange [{}:{}]\n{}",
-                                  gnuplot_string(shortened(solver, 2 * longest_label)), -range, range,
-                                  largest <= 180 ? "set ytics 60\n" : "");
+    figure.settings = fmt::format(
+        "set title {} noenhanced offset 0, -0.6\nset ylabel 'joint angle [deg]'\nset yrange [{}:{}]\n{}",
+        gnuplot_string(shortened(solver, 2 * longest_label)), -range, range, largest <= 180 ? "set ytics 60\n" : "");
     figure.settings += point_axis(study.points);
     std::vector<std::string> clauses;
     std::vector<std::string> labels;

@@ -33,7 +33,7 @@ void add_notes(Table& table, const Study& study, Unit unit) {
 }
 
 Cell text(std::string_view words) { return std::string(words); }
-Cell count(int number) { return static_cast<std::int64_t>(number); }
+Cell count(std::int64_t number) { return number; }
 
 Agreement by_ratio(double ratio) {
   if (!std::isfinite(ratio)) return Agreement::none;
@@ -232,8 +232,8 @@ Table status_table(const Study& study) {
   for (const SolverCounts& solver : counts(study)) {
     std::vector<Cell> row{solver.solver};
     for (const int number : solver.by_status) row.push_back(count(number));
-    for (const int number :
-         {solver.solves, solver.expected, solver.complete_runs, solver.incomplete_runs, solver.outside_limits}) {
+    for (const std::int64_t number : std::initializer_list<std::int64_t>{
+             solver.solves, solver.expected, solver.complete_runs, solver.incomplete_runs, solver.outside_limits}) {
       row.push_back(count(number));
     }
     row.emplace_back(solver.worst_outside_deg);

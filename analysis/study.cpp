@@ -15,11 +15,14 @@
 namespace ikbench {
 namespace {
 
-// A positive whole number of the definition, at the top or inside one of its parts; 0 where it does not say.
+constexpr int most = 1'000'000;  // runs, points
+
+// A whole number of the definition, at the top or inside one of its parts; 0 where it does not say.
 int defined_number(const nlohmann::json& definition, const char* key) {
   const auto read = [key](const nlohmann::json& object) {
     const auto found = object.find(key);
-    return found != object.end() && found->is_number_integer() ? std::max(0, found->get<int>()) : 0;
+    if (found == object.end() || !found->is_number_integer()) return 0;
+    return static_cast<int>(std::clamp<std::int64_t>(found->get<std::int64_t>(), 0, most));
   };
   if (!definition.is_object()) return 0;
   if (const int top = read(definition)) return top;
@@ -33,9 +36,9 @@ int defined_number(const nlohmann::json& definition, const char* key) {
 void check_and_count(Study& study) {
   std::set<std::tuple<std::string, int, int>> seen;
   for (const SolveRecord& solve : study.solves) {
-    if (solve.run < 1 || solve.point < 1) {
-      throw std::invalid_argument(fmt::format("study '{}', solver '{}': run {}, point {}; both count from 1",
-                                              study.name, solve.solver, solve.run, solve.point));
+    if (solve.run < 1 || solve.run > most || solve.point < 1 || solve.point > most) {
+      throw std::invalid_argument(fmt::format("study '{}', solver '{}': run {}, point {}; expected 1 to {} for both",
+                                              study.name, solve.solver, solve.run, solve.point, most));
     }
     if (!seen.emplace(solve.solver, solve.run, solve.point).second) {
       throw std::invalid_argument(fmt::format("study '{}', solver '{}': run {}, point {} is there twice; expected once",
@@ -124,7 +127,7 @@ std::vector<Sample> samples(const Study& study, Metric metric, Unit unit) {
 std::vector<SolverCounts> counts(const Study& study) {
   std::vector<SolverCounts> result;
   for (const std::string& solver : study.solvers) {
-    SolverCounts count{.solver = solver, .expected = study.runs * study.points};
+    SolverCounts count{.solver = solver, .expected = std::int64_t{study.runs} * study.points};
     for (const auto& [number, run] : runs_of(study, solver)) {
       ++(complete(run, study) ? count.complete_runs : count.incomplete_runs);
       for (const SolveRecord* solve : run) {
@@ -143,7 +146,7 @@ std::vector<SolverCounts> counts(const Study& study) {
 std::vector<std::string> status_notes(const Study& study) {
   std::vector<int> by_status(status_names.size());
   int solves = 0;
-  int expected = 0;
+  std::int64_t expected = 0;
   int incomplete_runs = 0;
   for (const SolverCounts& count : counts(study)) {
     for (std::size_t i = 0; i < by_status.size(); ++i) by_status[i] += count.by_status[i];

@@ -2,6 +2,8 @@
 // each other; the unit of analysis is therefore the run, one observation being the mean over its points.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -21,7 +23,7 @@ struct Study {
 };
 
 // Numbers of runs and points come from the definition, or where it does not say, from the solves. A solve twice in the
-// records, or numbered below 1, is std::invalid_argument.
+// records, or not numbered from 1 to 1000000, is std::invalid_argument.
 Study make_study(const StudyEntry& entry, std::vector<SolveRecord> solves);
 // Without a definition (a CSV of solves): solvers in the order of their first solve.
 Study make_study(std::string name, std::vector<SolveRecord> solves);
@@ -45,7 +47,7 @@ std::vector<Sample> samples(const Study& study, Metric metric, Unit unit);
 struct SolverCounts {
   std::string solver;
   int solves = 0;
-  int expected = 0;
+  std::int64_t expected = 0;
   int complete_runs = 0;
   int incomplete_runs = 0;  // begun, and with points missing
   std::vector<int> by_status = std::vector<int>(status_names.size());

@@ -8,6 +8,7 @@
 
 #include "analysis/text.hpp"
 #include "results/csv.hpp"
+#include "results/number.hpp"
 
 namespace ikbench {
 namespace {
@@ -40,8 +41,8 @@ std::string computable(const Cell& cell) {
   return std::visit(
       Overloaded{[](std::monostate) { return std::string(); }, [](const std::string& text) { return text; },
                  [](std::int64_t count) { return fmt::to_string(count); },
-                 [](double value) { return std::isfinite(value) ? exact_number(value) : std::string(); },
-                 [](PValue p) { return std::isfinite(p.value) ? exact_number(p.value) : std::string(); }},
+                 [](double value) { return std::isfinite(value) ? text_of(value) : std::string(); },
+                 [](PValue p) { return std::isfinite(p.value) ? text_of(p.value) : std::string(); }},
       cell);
 }
 
@@ -49,6 +50,7 @@ std::string computable(const Cell& cell) {
 std::string latex_cell(const Cell& cell) {
   const std::string text = readable(cell);
   if (std::holds_alternative<std::string>(cell) || text.empty() || text == "not defined") return latex_text(text);
+  if (text.starts_with('<')) return "$<10^{-300}$";
   const std::size_t e = text.find('e');
   if (e == std::string::npos) return text.starts_with('-') ? "$" + text + "$" : text;
   return fmt::format("${} \\times 10^{{{}}}$", text.substr(0, e), std::stoi(text.substr(e + 1)));

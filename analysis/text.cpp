@@ -176,13 +176,15 @@ std::string latex_text(std::string_view text) {
 std::string gnuplot_string(std::string_view text) {
   std::string result = "'";
   for (const char c : one_line(text)) {
-    if (c == '\'') result += '\'';
-    result += c;
+    // Not '', which gnuplot 5.4 misreads at the front of a string.
+    if (c == '\'') {
+      result += R"('."'".')";
+    } else {
+      result += c;
+    }
   }
   return result + "'";
 }
-
-std::string exact_number(double value) { return fmt::format("{}", value); }
 
 std::string rounded_number(double value, int significant_digits) {
   return fmt::format("{:.{}g}", value, significant_digits);

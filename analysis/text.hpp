@@ -16,11 +16,10 @@ std::size_t character_count(std::string_view utf8);
 
 std::string markdown_text(std::string_view text);
 std::string latex_text(std::string_view text);
-// A string literal of gnuplot, quotes included. Single quotes: gnuplot substitutes nothing in them.
+// A string of gnuplot, quotes included. Single quotes, because gnuplot substitutes nothing in them; a single quote of
+// the text is a string of its own, joined by dots.
 std::string gnuplot_string(std::string_view text);
 
-// Shortest text that reads back as the same number.
-std::string exact_number(double value);
 std::string rounded_number(double value, int significant_digits);
 
 }  // namespace ikbench
