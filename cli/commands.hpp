@@ -3,8 +3,13 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <cstdint>
+#include <limits>
 
 namespace ikbench::cli {
+
+// CLI::NonNegativeNumber prints its upper bound with 309 digits.
+inline CLI::Range non_negative() { return {std::int64_t{0}, std::numeric_limits<std::int64_t>::max()}; }
 
 void add_reproduce(CLI::App& app, int& exit_code);
 void add_run(CLI::App& app, int& exit_code);

@@ -7,6 +7,7 @@
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
 #include "experiments/environment.hpp"
+#include "robots/names.hpp"
 
 int main(int argc, char** argv) {
   using namespace ikbench;
@@ -21,6 +22,9 @@ int main(int argc, char** argv) {
       "Exit codes: 0 done, 1 a mistake in what was asked, 2 a fault of the program, 130 stopped by Ctrl-C.");
   app.set_version_flag("--version", "ikbench " + version());
   app.require_subcommand(1);
+  app.failure_message([](const CLI::App*, const CLI::Error& error) {
+    return fmt::format("ikbench: {}; see --help\n", cli::printable(error.what()));
+  });
   int exit_code = 0;
   cli::add_reproduce(app, exit_code);
   cli::add_run(app, exit_code);
@@ -31,6 +35,12 @@ int main(int argc, char** argv) {
   try {
     app.parse(argc, argv);
     return exit_code;
+  } catch (const CLI::RequiredError& error) {
+    if (argc < 2 || !app.get_subcommands().empty()) return app.exit(error) == 0 ? 0 : 1;
+    std::vector<std::string> commands;  // what CLI11 does not say: which word it did not know, and those it knows
+    for (const CLI::App* command : app.get_subcommands({})) commands.push_back(command->get_name());
+    fmt::print(stderr, "ikbench: {}\n", cli::printable(unknown_name("command", argv[1], commands)));
+    return 1;
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 1;
   } catch (const std::invalid_argument& error) {

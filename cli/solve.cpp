@@ -1,6 +1,7 @@
 // ikbench solve: one target from the command line.
 #include <fmt/format.h>
 
+#include <cmath>
 #include <memory>
 #include <numbers>
 #include <stdexcept>
@@ -9,6 +10,7 @@
 #include "cli/console.hpp"
 #include "experiments/runner.hpp"
 #include "experiments/study_file.hpp"
+#include "solvers/registry.hpp"
 
 namespace ikbench::cli {
 
@@ -25,6 +27,17 @@ struct Arguments {
 
 // The study that asks for just this; read as a file would be, so that the same ranges hold.
 Study study_of(const Arguments& arguments) {
+  solver(arguments.solver);
+  const int joints = robot(arguments.robot).chain.joints();
+  if (!arguments.start_deg.empty() && arguments.start_deg.size() != static_cast<std::size_t>(joints)) {
+    throw std::invalid_argument(fmt::format("--start-deg has {} angles; expected {}, the joints of {}",
+                                            arguments.start_deg.size(), joints, arguments.robot));
+  }
+  for (const double angle : arguments.start_deg) {
+    if (!(std::abs(angle) <= 1e6)) {
+      throw std::invalid_argument(fmt::format("--start-deg has {}; expected angles within +-1e6", angle));
+    }
+  }
   Study study{.name = "solve", .robot = arguments.robot};
   study.solvers = {{arguments.solver, arguments.solver, {}}};
   study.initial.resize(static_cast<Eigen::Index>(arguments.start_deg.size()));
@@ -90,7 +103,7 @@ void add_solve(CLI::App& app) {
       ->add_option("--set", arguments->overrides,
                    "option of the solver, or of the stop rule: alpha=0.9, stop.iterations=50")
       ->allow_extra_args(false);
-  command->add_option("--seed", arguments->seed, "")->check(CLI::NonNegativeNumber)->capture_default_str();
+  command->add_option("--seed", arguments->seed, "")->check(non_negative())->capture_default_str();
   command->footer(
       "Examples:\n"
       "  ikbench solve --position-cm 60 20 10\n"
