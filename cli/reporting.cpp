@@ -5,6 +5,7 @@
 #include <thread>
 
 #include "analysis/report.hpp"
+#include "analysis/summary.hpp"
 #include "cli/console.hpp"
 #include "experiments/environment.hpp"
 #include "experiments/runner.hpp"
@@ -31,14 +32,17 @@ void add_run_options(CLI::App& command, RunArguments& arguments) {
 
 void write_and_announce(const Store& store, const std::string& study, const std::filesystem::path& folder,
                         const ReportArguments& arguments) {
-  const ReportOutcome outcome = write_report(store, {.study = study,
-                                                     .folder = folder,
-                                                     .unit = arguments.unit == "run" ? Unit::run : Unit::point,
-                                                     .quartiles = arguments.quartiles,
-                                                     .figures = !arguments.without_figures});
-  fmt::print("{}\n", printable(outcome.summary));
-  for (const std::string& warning : outcome.warnings) fmt::print(stderr, "warning: {}\n", printable(warning));
-  fmt::print("Report: {}\n", printable(outcome.report.string()));
+  const Unit unit = arguments.unit == "run" ? Unit::run : Unit::point;
+  const Report report = write_report(store, {.study = study,
+                                             .folder = folder,
+                                             .unit = unit,
+                                             .quartiles = quantile_type(arguments.quartiles),
+                                             .figures = {.render = !arguments.without_figures}});
+  for (const std::string& sentence : summary(make_study(store.study(study), store.solves(study)), unit)) {
+    fmt::print("{}\n", printable(sentence));
+  }
+  for (const std::string& warning : report.warnings) fmt::print(stderr, "warning: {}\n", printable(warning));
+  fmt::print("Report: {}\n", printable(report.file.string()));
 }
 
 StudyEntry chosen_study(const Store& store, const std::string& name) {
