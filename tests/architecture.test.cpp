@@ -1,0 +1,163 @@
+// The house, as the includes build it: which folder may know which, and that a solver is one file and one line.
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "tests/catch.hpp"
+
+namespace {
+
+namespace fs = std::filesystem;
+using Names = std::set<std::string>;
+
+// docs/architecture.md: robots -> solvers -> experiments -> results -> analysis; the program knows all of them.
+const std::map<std::string, Names>& may_know() {
+  static const std::map<std::string, Names> table{
+      {"robots", {}},
+      {"solvers", {"robots"}},
+      {"results", {}},
+      {"experiments", {"robots", "solvers", "results"}},
+      {"analysis", {"results"}},
+      {"cli", {"robots", "solvers", "results", "experiments", "analysis"}},
+  };
+  return table;
+}
+
+// Written by CMake, in the build folder of those that include them.
+const Names generated{"build_info.hpp", "published_tables.inc"};
+
+std::string text_of(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  REQUIRE(in);
+  std::ostringstream text;
+  text << in.rdbuf();
+  return text.str();
+}
+
+std::vector<fs::path> sources_of(const std::string& folder) {
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+    const std::string type = entry.path().extension().string();
+    if (type == ".hpp" || type == ".cpp" || type == ".inc") files.push_back(entry.path());
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+// What stands between every `opening` and the next of the `closing` characters.
+std::vector<std::string> between(const std::string& text, const std::string& opening, const std::string& closing) {
+  std::vector<std::string> found;
+  for (std::size_t at = text.find(opening); at != std::string::npos; at = text.find(opening, at)) {
+    at += opening.size();
+    found.push_back(text.substr(at, text.find_first_of(closing, at) - at));
+  }
+  return found;
+}
+
+std::vector<std::string> includes_of(const fs::path& file) { return between(text_of(file), "#include \"", "\""); }
+
+Names registered_solvers() {
+  const std::vector<std::string> names = between(text_of("solvers/registry.inc"), "SOLVER(", ")");
+  CHECK(Names(names.begin(), names.end()).size() == names.size());  // none twice
+  return {names.begin(), names.end()};
+}
+
+}  // namespace
+
+TEST_CASE("no folder includes another that is not below it", "[architecture]") {
+  for (const auto& [folder, below] : may_know()) {
+    const std::vector<fs::path> files = sources_of(folder);
+    CHECK(files.size() >= 4);  // or the search itself is broken
+    for (const fs::path& file : files) {
+      for (const std::string& included : includes_of(file)) {
+        INFO(file.string() << " includes \"" << included << '"');
+        if (generated.contains(included)) continue;
+        const std::string other = included.substr(0, included.find('/'));
+        CHECK((other == folder || below.contains(other)));
+        CHECK(fs::exists(included));  // an include path is the path in the repository
+      }
+    }
+  }
+}
+
+TEST_CASE("no folder of ours is included as a system header, past the table", "[architecture]") {
+  for (const auto& [folder, below] : may_know()) {
+    for (const fs::path& file : sources_of(folder)) {
+      for (const std::string& included : between(text_of(file), "#include <", "/>")) {
+        INFO(file.string() << " includes <" << included << "/...>");
+        CHECK_FALSE(may_know().contains(included));
+      }
+    }
+  }
+}
+
+TEST_CASE("no target links a folder that its sources may not know", "[architecture]") {
+  for (const auto& [folder, below] : may_know()) {
+    for (const std::string& linked : between(text_of(folder + "/CMakeLists.txt"), "ikbench::", " )\n")) {
+      INFO(folder << "/CMakeLists.txt links ikbench::" << linked);
+      CHECK(below.contains(linked));
+    }
+  }
+}
+
+TEST_CASE("every folder with sources is in the table", "[architecture]") {
+  const Names others{"tests", "setup", "docs", "bench", "benchmarks"};
+  for (const auto& entry : fs::directory_iterator(".")) {
+    const std::string folder = entry.path().filename().string();
+    if (!entry.is_directory() || folder.starts_with('.') || others.contains(folder)) continue;
+    if (!fs::exists(entry.path() / "CMakeLists.txt") || folder == "build") continue;
+    INFO(folder);
+    CHECK(may_know().contains(folder));
+  }
+}
+
+TEST_CASE("a solver is one line in the registry and one file of that name, which defines it", "[architecture]") {
+  const Names solvers = registered_solvers();
+  CHECK(solvers.size() >= 8);  // six of the paper, and two to hold them against
+  for (const std::string& name : solvers) {
+    INFO(name);
+    REQUIRE(fs::exists("solvers/" + name + ".cpp"));
+    CHECK(text_of("solvers/" + name + ".cpp").find("SolverInfo " + name + "()") != std::string::npos);
+    CHECK_FALSE(fs::exists("solvers/" + name + ".hpp"));
+  }
+}
+
+TEST_CASE("every file in solvers/ is a registered solver or part of the frame around them", "[architecture]") {
+  const Names solvers = registered_solvers(), frame{"options", "random", "registry", "solve"};
+  for (const fs::path& file : sources_of("solvers")) {
+    if (file.extension() != ".cpp") continue;
+    INFO(file.string());
+    CHECK((solvers.contains(file.stem().string()) || frame.contains(file.stem().string())));
+  }
+}
+
+TEST_CASE("no solver is named by CMake, and none knows another", "[architecture]") {
+  const Names solvers = registered_solvers();
+  const std::string cmake = text_of("solvers/CMakeLists.txt");
+  for (const std::string& name : solvers) {
+    INFO(name);
+    CHECK(cmake.find(name) == std::string::npos);
+    for (const std::string& included : includes_of("solvers/" + name + ".cpp")) {
+      CHECK_FALSE(solvers.contains(fs::path(included).stem().string()));
+    }
+  }
+}
+
+TEST_CASE("libraries never print; only cli/ does", "[architecture]") {
+  for (const auto& [folder, below] : may_know()) {
+    if (folder == "cli") continue;
+    for (const fs::path& file : sources_of(folder)) {
+      const std::string text = text_of(file);
+      for (const char* printer : {"std::cout", "std::cerr", "std::clog", "std::printf", "fprintf(", "fmt::print(",
+                                  "std::puts", "stdout", "stderr"}) {
+        INFO(file.string() << " has " << printer);
+        CHECK(text.find(printer) == std::string::npos);
+      }
+    }
+  }
+}
