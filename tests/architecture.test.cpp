@@ -148,7 +148,7 @@ TEST_CASE("no solver is named by CMake, and none knows another", "[architecture]
   }
 }
 
-TEST_CASE("libraries never print; only cli/ does", "[architecture]") {
+TEST_CASE("libraries never print, only cli/ does", "[architecture]") {
   for (const auto& [folder, below] : may_know()) {
     if (folder == "cli") continue;
     for (const fs::path& file : sources_of(folder)) {

@@ -200,7 +200,7 @@ TEST_CASE("a new solver in a study is all that is solved", "[runner]") {
   CHECK(more.reused == 24);
 }
 
-TEST_CASE("a changed option is another series; the old solves are no longer those of the study", "[runner]") {
+TEST_CASE("a changed option is another series, and the old solves are no longer those of the study", "[runner]") {
   ScratchStore scratch;
   Study study = small_study();
   run(study, scratch.store, {});

@@ -401,7 +401,7 @@ TEST_CASE("a file of more than 10 MB is not read", "[study][mistakes]") {
   CHECK(load_study(file.string()).solvers.size() == 1);
 }
 
-TEST_CASE("a study is a built-in name or a file; anything else is told the names", "[study][mistakes]") {
+TEST_CASE("a study is a built-in name or a file, and anything else is told the names", "[study][mistakes]") {
   const ScratchFolder folder;
   for (const std::string& none : {std::string("slim2032"), std::string(), folder.path.string(),
                                   (folder.path / "none.toml").string(), std::string("/dev/zero")}) {

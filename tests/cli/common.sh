@@ -1,0 +1,68 @@
+# What the tests of the program share: a folder that vanishes with the test, and checks that say what they saw.
+# Every script takes the path of the program as its argument; 77 is: skipped.
+set -uo pipefail
+program=$(realpath "$1")
+scripts=$(realpath "$(dirname "${BASH_SOURCE[0]}")")
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+cd "$work" || exit 1
+
+fail() {
+  echo "FAILED: $*" >&2
+  exit 1
+}
+
+# run_it ARGUMENTS...: its exit code in $code, its output in $out and $err.
+run_it() {
+  "$program" "$@" >"$work/.out" 2>"$work/.err" </dev/null
+  code=$?
+  out=$(<"$work/.out") err=$(<"$work/.err")
+}
+
+# succeeds ARGUMENTS...: exit code 0.
+succeeds() {
+  run_it "$@"
+  [ "$code" = 0 ] || fail "ikbench $*: exit code $code, expected 0; it said: $out $err"
+}
+
+# refused WORDS ARGUMENTS...: exit code 1, nothing on the standard output, and one line that has the words.
+refused() {
+  local words=$1 line
+  shift
+  run_it "$@"
+  [ "$code" = 1 ] || fail "ikbench $*: exit code $code, expected 1; it said: $out $err"
+  [ -z "$out" ] || fail "ikbench $*: wrote to the standard output: $out"
+  line=$(grep -v '^warning: ' "$work/.err")
+  [ "$(wc -l <<<"$line")" = 1 ] || fail "ikbench $*: not one line: $line"
+  [[ $line == "ikbench: "* ]] || fail "ikbench $*: does not say who speaks: $line"
+  [[ $line == *"$words"* ]] || fail "ikbench $*: expected '$words' in: $line"
+}
+
+has() {
+  [[ $1 == *"$2"* ]] || fail "expected '$2' in: $1"
+}
+
+has_no() {
+  [[ $1 != *"$2"* ]] || fail "expected no '$2' in: $1"
+}
+
+# A study that takes little, of the paper's six solvers.
+small=(--set runs=2 --set path.points=3 --set stop.iterations=5 --set population=6)
+
+# numbers STORE: the store's solves as CSV without what differs from one run of the program to the next.
+numbers() {
+  "$program" export "$1" >"$work/.csv" || fail "cannot export $1"
+  awk -F, '
+    NR == 1 { for (i = 1; i <= NF; ++i) if ($i ~ /^(seconds|cpu_seconds|timing|session)$/) timed[i] = 1 }
+    { for (i = 1; i <= NF; ++i) if (!(i in timed)) printf "%s,", $i; print "" }' "$work/.csv"
+}
+
+# solves STORE: how many there are.
+solves() {
+  "$program" export "$1" | tail -n +2 | wc -l
+}
+
+# quiet: what went to no terminal has no control characters (colours, cursor moves, carriage returns).
+quiet() {
+  ! LC_ALL=C grep -q $'[\001-\010\013-\037\177]' "$work/.out" "$work/.err" || fail "control characters in: $out $err"
+}

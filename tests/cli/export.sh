@@ -1,0 +1,49 @@
+#!/usr/bin/env bash
+# Exports are what other programs read.
+source "$(dirname "$0")/common.sh"
+
+succeeds run slim2023 "${small[@]}" --set trace=best_error --no-report --out made
+succeeds run slim2023-context "${small[@]}" --no-report --out made
+
+succeeds export made/store.sqlite
+[ -z "$err" ] || fail "export wrote to the standard error: $err"
+[ "$(wc -l <.out)" = 37 ] || fail "a head and 36 solves expected, not $(wc -l <.out) lines"
+[ "$(awk -F, '{ print NF }' .out | sort -u | wc -l)" = 1 ] || fail "rows of different lengths"
+quiet
+cp .out first.csv
+succeeds export made/store.sqlite -o file.csv
+[ -z "$out" ] || fail "export -o wrote to the standard output too"
+cmp file.csv first.csv || fail "-o writes something else"
+succeeds export made/store.sqlite --study slim2023-context
+[ "$(wc -l <.out)" = 13 ] || fail "a head and 12 solves expected of the second study"
+has "$out" "DLS"
+
+# A closed pipe is no crash.
+"$program" export made/store.sqlite | head -n 1 >.out
+code=${PIPESTATUS[0]}
+[ "$code" = 0 ] || [ "$code" = 141 ] || fail "export | head: exit code $code"
+
+command -v python3 >/dev/null || exit 0
+succeeds export made/store.sqlite --format json -o solves.json
+python3 - <<'PYTHON' || fail "the JSON is not as it should be"
+import csv, json
+
+def strict(constant):
+    raise ValueError(constant)  # NaN and Infinity are not JSON
+
+data = json.load(open("solves.json"), parse_constant=strict)
+rows = list(csv.DictReader(open("file.csv", newline="")))
+solves = data["solves"]
+assert data["study"] == "slim2023"
+assert data["definition"]["points"] == 3 and data["definition"]["runs"] == 2
+assert [series["label"] for series in data["series"]] == ["IK-BA", "BA", "DE", "PSO", "K-ABC", "MO-PSO"]
+assert len(data["sessions"]) == 2
+assert len(solves) == len(rows) == 36
+for solve, row in zip(solves, rows):
+    for name in ("position_error_cm", "claimed_error_cm", "variation_deg", "seconds"):
+        assert solve[name] == float(row[name]), name  # all digits in both
+    assert solve["answer_rad"] == [float(row[f"answer_rad_{joint}"]) for joint in range(1, 8)]
+    assert solve["solver"] == row["solver"] and solve["point"] == int(row["point"])
+    assert len(solve["trace_cm"]) == solve["iterations"] == 5
+    assert abs(solve["position_error_cm"] - solve["claimed_error_cm"]) < 1e-7
+PYTHON

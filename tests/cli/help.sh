@@ -1,0 +1,24 @@
+#!/usr/bin/env bash
+# Every command explains itself, with an example.
+source "$(dirname "$0")/common.sh"
+
+succeeds --help
+has "$out" "Examples:"
+has "$out" "Exit codes:"
+all=$out
+for command in reproduce run report list solve export; do
+  has "$all" "  $command "
+  succeeds "$command" --help
+  has "$out" "Examples:"
+  has "$out" "ikbench $command"
+  [ -z "$err" ] || fail "$command --help wrote to the standard error: $err"
+  quiet
+done
+
+succeeds --version
+[[ $out =~ ^ikbench\ [0-9]+\.[0-9]+\.[0-9]+\ \(.+\)$ ]] || fail "--version says: $out"
+has_no "$out" $'\n'
+
+run_it
+[ "$code" = 1 ] || fail "without a command: exit code $code"
+has "$err" "--help"

@@ -1,0 +1,94 @@
+#!/usr/bin/env bash
+# A mistake in what was asked for: exit code 1, one line, and nothing written.
+source "$(dirname "$0")/common.sh"
+
+# Names.
+refused 'did you mean "run"?' rnu
+refused 'unknown command "frobnicate"' frobnicate
+refused 'unknown built-in study "slim2032"; did you mean "slim2023"?' run slim2032
+refused 'unknown solver "ik_bta"; did you mean "ik_bat"?' list solvers ik_bta
+refused 'unknown solver "ik_bta"' solve --position-cm 60 20 10 --solver ik_bta
+refused 'unknown robot "kuka"' solve --position-cm 60 20 10 --robot kuka
+refused 'unknown robot "planar_4"; did you mean' list robots planar_4
+refused 'unknown column "tmie"' list columns tmie
+refused 'unknown built-in study "x"' list studies x
+refused 'things' list things
+
+# Options of the commands.
+refused '--bogus' run slim2023 --bogus
+refused 'extra' run slim2023 extra
+refused 'STUDY' run
+refused '--jobs' run slim2023 --jobs 0
+refused '--jobs' run slim2023 --jobs many
+refused '--runs: Value 0 not in range 1 to 1000000' reproduce --runs 0
+refused '--seed: Value -1 not in range 0 to' reproduce --seed -1
+refused '--unit' report store.sqlite --unit day
+refused '--quartiles' report store.sqlite --quartiles 10
+refused '--format' export store.sqlite --format xml
+refused '--position-cm' solve
+refused '--position-cm' solve --position-cm 60 20
+refused '--position-cm' solve --position-cm a b c
+refused 'the target is not finite' solve --position-cm nan 0 0
+refused 'the target is not finite' solve --position-cm 60 20 10 --rpy-deg inf 0 0
+refused '--start-deg has 2 angles; expected 7' solve --position-cm 60 20 10 --start-deg 1,2
+refused '--start-deg has nan' solve --position-cm 60 20 10 --start-deg nan,0,0,0,0,0,0
+refused 'expected "all_joints"' solve --position-cm 60 20 10 --robot planar_2
+refused '--set' solve --position-cm 60 20 10 --set dampnig=1
+
+# --set.
+refused '--set runs: runs is 0; expected a whole number from 1' run slim2023 --set runs=0
+refused '--set runz: unknown key "runz"; did you mean "runs"?' run slim2023 --set runz=3
+refused 'expected key=value' run slim2023 --set runs
+refused '--set IK-BA.alpha: option alpha is "7"; expected a number from 0 to 1' run slim2023 --set IK-BA.alpha=7
+refused 'did you mean "IK-BA"?' run slim2023 --set IKBA.alpha=0.5
+refused '--set path.tool:' run slim2023 --set path.tool=sideways
+refused '--set name:' run slim2023 --set $'name=a\nb'
+
+# Study files.
+refused 'no such study file' run none.toml
+refused 'no such study file' run .
+printf 'name = "x"\nruns = = 3\n' >broken.toml
+refused 'broken.toml:2:8: not TOML' run broken.toml
+printf 'name = "x"\nruns = 0\n[[solvers]]\nsolver = "bat"\n' >wrong.toml
+refused 'wrong.toml:2:8: runs is 0; expected a whole number from 1' run wrong.toml
+printf 'name = "x"\n\n[[solvers]]\n  solver = "abt"\n' >misspelt.toml
+refused 'misspelt.toml:4:12: unknown solver "abt"; did you mean "bat"?' run misspelt.toml
+head -c 3000 /dev/urandom >garbage.toml
+refused 'garbage.toml:1:' run garbage.toml
+: >empty.toml
+refused 'empty.toml:1:1: the study names no solver' run empty.toml
+
+# Stores.
+succeeds run slim2023 "${small[@]}" --no-report --out made
+head -c 5000 made/store.sqlite >truncated.sqlite
+printf 'solver,error\nA,1\n' >table.csv
+: >empty.sqlite
+for command in report export; do
+  refused "'none.sqlite' does not exist" $command none.sqlite
+  refused 'is a folder' $command made
+  refused 'is not an ikbench store' $command table.csv
+  refused 'empty.sqlite' $command empty.sqlite
+  refused 'truncated.sqlite' $command truncated.sqlite
+  refused "no study 'other'" $command made/store.sqlite --study other
+done
+
+# Places that cannot be written to: a file is no folder, not even for root.
+echo "a file" >file
+refused 'file' run slim2023 "${small[@]}" --out file
+refused 'file' run slim2023 "${small[@]}" --out file/below
+refused 'file' reproduce --runs 1 --out file
+refused 'file' report made/store.sqlite --out file
+refused 'none/solves.csv' export made/store.sqlite -o none/solves.csv
+refused 'made' export made/store.sqlite -o made
+[ "$(<file)" = "a file" ] || fail "the file was changed"
+mkdir taken && echo "not a store" >taken/store.sqlite
+refused 'taken/store.sqlite' run slim2023 "${small[@]}" --out taken
+[ "$(<taken/store.sqlite)" = "not a store" ] || fail "somebody else's store.sqlite was changed"
+
+# A name from the command line moves no cursor.
+refused '\x1b[31m' list solvers $'\e[31mred'
+refused '\x1b[31m' $'\e[31mred'
+refused '\x1b[31m' report $'\e[31mred'
+refused '\x1b[31m' run slim2023 --set $'\e[31m=1'
+quiet
+[ ! -e out ] || fail "something was written to out/"

@@ -1,0 +1,65 @@
+#!/usr/bin/env bash
+# A report is made from the store alone: in another folder, by somebody who may only read it, with nothing solved.
+source "$(dirname "$0")/common.sh"
+
+succeeds run slim2023 "${small[@]}" --out made
+has "$out" "36 solves in made/store.sqlite"
+[ "$(tail -n 1 .out)" = "Report: made/report.md" ] || fail "the last line is: $(tail -n 1 .out)"
+quiet
+for file in made/report.md made/tables/table-3.csv made/tables/table-3.md made/tables/table-3.tex; do
+  [ -s "$file" ] || fail "no $file"
+done
+if command -v gnuplot >/dev/null; then
+  for figure in 5 6 7 8 9-a 9-f 10 11 12; do
+    [ -s "made/figures/figure-$figure.svg" ] || fail "no figure $figure"
+  done
+fi
+
+# A copy elsewhere: the same tables, and the store is not touched.
+mkdir copy
+cp made/store.sqlite copy/theirs.sqlite
+before=$(sha256sum <copy/theirs.sqlite)
+succeeds report copy/theirs.sqlite --no-figures
+[ "$(sha256sum <copy/theirs.sqlite)" = "$before" ] || fail "report changed the store"
+cmp copy/tables/table-3.csv made/tables/table-3.csv || fail "the copy gives another Table 3"
+succeeds report copy/theirs.sqlite --no-figures --out elsewhere/deep
+[ -s elsewhere/deep/report.md ] || fail "no report in --out"
+[ "$(ls copy | sort | tr '\n' ' ')" = "figures report.md tables theirs.sqlite " ] || fail "copy/ has: $(ls copy)"
+
+# By its bare name in the folder it is in.
+(cd copy && "$program" report theirs.sqlite --no-figures >/dev/null 2>&1) || fail "cannot report on a store in ."
+
+# Only tables, other readings.
+[ -z "$(find copy -name '*.svg' -o -name '*.png' -o -name '*.pdf')" ] || fail "--no-figures drew figures"
+succeeds report copy/theirs.sqlite --no-figures --unit point --quartiles 7 --out points
+cmp -s points/tables/table-4.csv made/tables/table-4.csv && fail "--unit point gives the same ANOVA"
+
+# Two studies in a store: the first, unless another is asked for.
+succeeds run slim2023-context "${small[@]}" --no-report --out made
+has "$out" "12 solves"
+succeeds report made/store.sqlite --no-figures --out first
+has "$(<first/report.md)" "Report: slim2023"
+succeeds report made/store.sqlite --no-figures --study slim2023-context --out second
+has "$(<second/report.md)" "slim2023-context"
+has "$(<second/tables/table-3.csv)" "DLS"
+
+# A store that may only be read, in a folder that may only be read, by somebody who is not root.
+mkdir closed
+cp copy/theirs.sqlite closed/store.sqlite
+chmod 444 closed/store.sqlite
+chmod 555 closed
+mkdir -m 777 open
+reader=()
+if [ "$(id -u)" = 0 ] && command -v setpriv >/dev/null; then
+  chmod 755 "$work"
+  reader=(setpriv --reuid=65534 --regid=65534 --clear-groups)
+  "${reader[@]}" "$program" --version >/dev/null 2>&1 || reader=() # the build folder may be closed to others
+fi
+"${reader[@]}" "$program" report closed/store.sqlite --no-figures --out open/report >.out 2>.err ||
+  fail "cannot report on a store that may only be read: $(<.err)"
+cmp open/report/tables/table-3.csv made/tables/table-3.csv || fail "the read-only store gives another Table 3"
+"${reader[@]}" "$program" export closed/store.sqlite >.out 2>.err || fail "cannot export it: $(<.err)"
+chmod 755 closed
+[ "$(ls closed)" = store.sqlite ] || fail "closed/ has: $(ls closed)"
+
+exit 0

@@ -1,0 +1,53 @@
+#!/usr/bin/env bash
+# One target from the command line.
+source "$(dirname "$0")/common.sh"
+
+value() { # value NAME: what `solve` says of it
+  grep "^$1  " .out | sed -E 's/^.* {2,}//'
+}
+
+# Two links of half a metre: (50, 50) cm is an elbow of 90 degrees.
+succeeds solve --robot planar_2 --search all_joints --position-cm 50 50 0
+[ "$(value status)" = ok ] || fail "planar: $out"
+[[ $(value 'joint 2 \[deg\]') =~ ^-?(90\.000|89\.999) ]] || fail "the elbow is at $(value 'joint 2 \[deg\]')"
+[ "$(grep -c '^joint' .out)" = 2 ] || fail "planar_2 has two joints: $out"
+quiet
+
+# The iiwa, wrist in closed form: the orientation is met exactly.
+for tool in down eq27; do
+  succeeds solve --position-cm 50 10 40 --tool $tool
+  [ "$(grep -c '^joint' .out)" = 7 ] || fail "the iiwa has seven joints: $out"
+  awk -v e="$(value 'orientation error')" 'BEGIN { exit !(e < 1e-9) }' || fail "orientation: $out"
+  awk -v e="$(value 'position error \[cm\]')" 'BEGIN { exit !(e < 1e-6) }' || fail "position: $out"
+done
+succeeds solve --position-cm 50 10 40 --rpy-deg 180 0 180
+down=$(grep '^joint' .out)
+succeeds solve --position-cm 50,10,40 --tool down
+[ "$(wc -l <<<"$down")" = 7 ] || fail "seven joints expected: $down"
+
+# Every solver; the same seed, the same answer, and another with another.
+for solver in $("$program" list solvers | tail -n +2 | cut -d' ' -f1); do
+  succeeds solve --position-cm 60 20 30 --solver "$solver" --set stop.iterations=5
+  [ "$(value solver)" = "$solver" ] || fail "$solver: $out"
+  first=$(grep -v '^time' .out)
+  succeeds solve --position-cm 60 20 30 --solver "$solver" --set stop.iterations=5
+  [ "$(grep -v '^time' .out)" = "$first" ] || fail "$solver: another answer with the same seed"
+done
+succeeds solve --position-cm 60 20 30 --solver ik_bat --seed 1
+first=$(grep '^joint' .out)
+succeeds solve --position-cm 60 20 30 --solver ik_bat --seed 2
+[ "$(grep '^joint' .out)" != "$first" ] || fail "the same answer with another seed"
+
+# Options of the solver and of the stop rule.
+succeeds solve --position-cm 60 20 30 --solver ik_bat --set bounds=clamp --set stop.iterations=7
+[ "$(value iterations)" = 7 ] || fail "stop.iterations: $out"
+
+# Negative coordinates are numbers, not options.
+succeeds solve --position-cm -50 -10 40
+succeeds solve --position-cm=-50,-10,40 --start-deg=-10,20,-30,40,-50,60,-70
+
+# Out of reach, the answer is what it is, and says so.
+succeeds solve --robot planar_2 --search all_joints --position-cm 200 0 0
+awk -v e="$(value 'position error \[cm\]')" 'BEGIN { exit !(e > 99.9) }' || fail "200 cm with 100 cm of arm: $out"
+succeeds solve --position-cm 1e300 0 0
+[ "$(value status)" = not_finite ] || fail "a target beyond the numbers: $out"

@@ -1,0 +1,28 @@
+#!/usr/bin/env bash
+# Progress is shown on a terminal, and only there.
+source "$(dirname "$0")/common.sh"
+
+succeeds run slim2023 "${small[@]}" --no-report --out quiet
+quiet
+has_no "$err" "solves,"
+
+command -v script >/dev/null || exit 77
+script -qec "'$program' run slim2023 --set runs=4 --set path.points=5 --no-report --out shown" /dev/null >.shown </dev/null ||
+  fail "on a terminal: exit code $?; it said: $(<.shown)"
+shown=$(<.shown)
+has "$shown" $'\r'
+has "$shown" "slim2023 ["
+has "$shown" "/120 solves, " # 6 solvers x 4 runs x 5 points
+has "$shown" " left"
+has "$shown" "slim2023: 120 solves in shown/store.sqlite"
+[[ $shown =~ \[[#]+[.]*\] ]] || fail "no bar in: $shown"
+
+# The last thing done with the bar is to wipe it: the result stands alone on its line.
+line=$(tr '\r' '\n' <.shown | grep '120 solves in')
+[ "${line#$'\e[K'}" = "slim2023: 120 solves in shown/store.sqlite" ] || fail "the result's line is: $line"
+
+# A name moves no cursor: escapes are not even taken into a study.
+printf 'name = "x\\u001b[2J"\n[[solvers]]\nsolver = "bat"\n' >escape.toml
+script -qec "'$program' run escape.toml" /dev/null >.shown </dev/null && fail "an escape in a name was taken"
+has_no "$(<.shown)" $'\e[2J'
+exit 0
