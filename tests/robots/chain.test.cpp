@@ -1,8 +1,10 @@
 #include "robots/chain.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 #include "robots/robot.hpp"
 #include "tests/catch.hpp"

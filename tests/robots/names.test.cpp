@@ -1,5 +1,8 @@
 #include "robots/names.hpp"
 
+#include <string>
+#include <vector>
+
 #include "tests/catch.hpp"
 
 using namespace ikbench;

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 #include "robots/robot.hpp"
 #include "tests/catch.hpp"

@@ -1,5 +1,7 @@
 // IK-BA and BA: two bats, two joints, equation by equation.
 #include <cmath>
+#include <string>
+#include <vector>
 
 #include "tests/catch.hpp"
 #include "tests/solvers/objectives.hpp"

@@ -1,6 +1,9 @@
 // K-ABC: employed bees, onlookers and scouts, source by source.
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <string>
+#include <vector>
 
 #include "tests/catch.hpp"
 #include "tests/solvers/objectives.hpp"

@@ -1,6 +1,8 @@
 // What holds for every solver of the registry, and for each value of its options.
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <string>
 
 #include "tests/catch.hpp"
 #include "tests/solvers/allocations.hpp"

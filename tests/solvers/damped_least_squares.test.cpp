@@ -1,6 +1,8 @@
 // Damped least squares: its steps by hand, its convergence and its restarts.
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "tests/catch.hpp"
 #include "tests/solvers/objectives.hpp"

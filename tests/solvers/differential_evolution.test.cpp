@@ -1,6 +1,11 @@
 // DE, rand/1/bin: four candidates, two joints.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
 #include <set>
 #include <stdexcept>
+#include <vector>
 
 #include "tests/catch.hpp"
 #include "tests/solvers/objectives.hpp"

@@ -1,7 +1,6 @@
 // Objectives that watch, feed or spoil what a solver evaluates, and tasks to evaluate it on.
 #pragma once
 
-#include <functional>
 #include <limits>
 #include <utility>
 #include <vector>

@@ -3,6 +3,7 @@
 
 #include <clocale>
 #include <stdexcept>
+#include <string>
 
 #include "solvers/registry.hpp"
 #include "tests/catch.hpp"

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <vector>
 
 #include "tests/catch.hpp"
 #include "tests/solvers/objectives.hpp"

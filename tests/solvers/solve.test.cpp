@@ -1,6 +1,8 @@
 // The one loop: when it stops, what it counts and what it traces.
 #include "solvers/solve.hpp"
 
+#include <algorithm>
+
 #include "tests/catch.hpp"
 #include "tests/solvers/objectives.hpp"
 

@@ -1,6 +1,9 @@
 // PSO and MO-PSO: velocities, positions, limits, mutation and the archive.
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <string>
+#include <vector>
 
 #include "tests/catch.hpp"
 #include "tests/solvers/objectives.hpp"
