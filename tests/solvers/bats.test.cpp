@@ -131,53 +131,55 @@ TEST_CASE("BA moves, searches locally, accepts and grows quiet by Eqs. 5 to 10",
   const double alpha = 0.5, gamma = 0.5, r0 = 0.8;
   // Errors by turn, so that some candidates improve, some tie and some fail.
   const std::vector<double> script{3, 2, 2.5, 2, 1.5, 2.5, 1.5, 1.2, 1.1, 1.3, 1, 0.9, 0.8, 0.9, 0.7, 0.6};
-  RecordingObjective objective(task.chain, script);
-  Random random{Key(9)}, replay{Key(9)};
-  const auto bats = solver("bat").make({{"pulse_rate", "0.8"}});
-  bats->start(task.problem, objective, random);
+  int moves = 0, searches = 0, ties = 0;
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    RecordingObjective objective(task.chain, script);
+    Random random{Key(seed)}, replay{Key(seed)};
+    const auto bats = solver("bat").make({{"pulse_rate", "0.8"}});
+    bats->start(task.problem, objective, random);
 
-  Candidates x = drawn_uniforms(replay, 2, 2), v = Candidates::Zero(2, 2);
-  x = (2 * x.array() - 1).matrix();
-  Eigen::Vector2d A = drawn_vector(replay, 2), r(r0, r0), errors(3, 2);  // Table 1: A_i random in [0, 1]
-  Eigen::Vector2d best = x.col(1);
-  double best_error = 2;
-  int moves = 0, searches = 0, acceptances = 0;
-  for (int t = 1; t <= 7; ++t) {
-    bats->step(objective, random);
-    const Eigen::VectorXd beta = drawn_vector(replay, 2), local = drawn_vector(replay, 2);
-    const Candidates epsilon = drawn_normals(replay, 2, 2);
-    const Eigen::VectorXd chance = drawn_vector(replay, 2);
-    for (int i = 0; i < 2; ++i) {
-      const std::size_t turn = static_cast<std::size_t>(2 * t + i);
-      const double f = 2 * beta[i];                     // Eq. 5 with f in [0, 2]
-      v.col(i) += (x.col(i) - best) * f;                // Eq. 6
-      Eigen::Vector2d candidate = x.col(i) + v.col(i);  // Eq. 7
-      if (local[i] > r[i]) {
-        candidate = best + 0.1 * A.mean() * epsilon.col(i);  // Eq. 8
-        ++searches;
-      } else {
-        ++moves;
-      }
-      candidate = candidate.cwiseMax(-1).cwiseMin(1);
-      REQUIRE(same(objective.candidates[turn], candidate));
-      if (script[turn] <= errors[i] && chance[i] < A[i]) {
-        x.col(i) = candidate;
-        errors[i] = script[turn];
-        A[i] *= alpha;                           // Eq. 9
-        r[i] = r0 * (1 - std::exp(-gamma * t));  // Eq. 10
-        if (script[turn] < best_error) {
-          best = candidate;
-          best_error = script[turn];
+    Candidates x = drawn_uniforms(replay, 2, 2), v = Candidates::Zero(2, 2);
+    x = (2 * x.array() - 1).matrix();
+    Eigen::Vector2d A = drawn_vector(replay, 2), r(r0, r0), errors(3, 2);  // Table 1: A_i random in [0, 1]
+    Eigen::Vector2d best = x.col(1);
+    double best_error = 2;
+    for (int t = 1; t <= 7; ++t) {
+      bats->step(objective, random);
+      const Eigen::VectorXd beta = drawn_vector(replay, 2), local = drawn_vector(replay, 2);
+      const Candidates epsilon = drawn_normals(replay, 2, 2);
+      const Eigen::VectorXd chance = drawn_vector(replay, 2);
+      for (int i = 0; i < 2; ++i) {
+        const std::size_t turn = static_cast<std::size_t>(2 * t + i);
+        const double f = 2 * beta[i];                     // Eq. 5 with f in [0, 2]
+        v.col(i) += (x.col(i) - best) * f;                // Eq. 6
+        Eigen::Vector2d candidate = x.col(i) + v.col(i);  // Eq. 7
+        if (local[i] > r[i]) {
+          candidate = best + 0.1 * A.mean() * epsilon.col(i);  // Eq. 8
+          ++searches;
+        } else {
+          ++moves;
         }
-        ++acceptances;
+        candidate = candidate.cwiseMax(-1).cwiseMin(1);
+        REQUIRE(same(objective.candidates[turn], candidate));
+        if (script[turn] <= errors[i] && chance[i] < A[i]) {
+          ties += script[turn] == errors[i] ? 1 : 0;
+          x.col(i) = candidate;
+          errors[i] = script[turn];
+          A[i] *= alpha;                           // Eq. 9
+          r[i] = r0 * (1 - std::exp(-gamma * t));  // Eq. 10
+          if (script[turn] < best_error) {
+            best = candidate;
+            best_error = script[turn];
+          }
+        }
       }
+      REQUIRE(bats->best().error == best_error);
+      REQUIRE(same(bats->best().q, best));
     }
-    REQUIRE(bats->best().error == best_error);
-    REQUIRE(same(bats->best().q, best));
   }
   CHECK(moves > 0);
   CHECK(searches > 0);
-  CHECK(acceptances > 1);
+  CHECK(ties > 0);  // accepted as well
 }
 
 TEST_CASE("BA with best_of = evaluated keeps a best that no bat accepted", "[bat]") {

@@ -93,3 +93,13 @@ TEST_CASE("damped least squares does not depend on the population", "[dls]") {
   CHECK(solve(*solver("damped_least_squares").make({}), few.problem, first, a, {.iterations = 10}).best.q ==
         solve(*solver("damped_least_squares").make({}), many.problem, second, b, {.iterations = 10}).best.q);
 }
+
+TEST_CASE("damped least squares starts at the limits where the arm is outside them", "[dls]") {
+  Task task = planar_task(1);
+  task.problem.start = Eigen::Vector2d(1.5, -0.2);
+  RecordingObjective objective(task.chain, task.target);
+  Random random{Key(1)};
+  solver("damped_least_squares").make({})->start(task.problem, objective, random);
+  CHECK(objective.candidates.front() == Eigen::Vector2d(1, -0.2));
+  CHECK(objective.linearized.front() == Eigen::Vector2d(1, -0.2));
+}

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -246,6 +247,60 @@ TEST_CASE("MO-PSO follows one leader a generation unless told otherwise", "[mo_p
       one = one && (led_by - leader).norm() < 1e-9;
     }
     CHECK(one == (choice == "per_generation"));
+  }
+}
+
+TEST_CASE("MO-PSO's roulette gives each occupied cell 10 / (its members), whoever stands in it", "[mo_pso]") {
+  const int particles = 1000;
+  const Task task = iiwa_task(particles);
+  RecordingObjective objective(task.chain, task.target);
+  Random random{Key(6)}, replay{Key(6)};
+  Problem problem = task.problem;
+  problem.iterations = 1;
+  const auto swarm = solver("multi_objective_swarm")
+                         .make({{"inertia", "0"},
+                                {"cognitive", "0"},
+                                {"social", "1"},
+                                {"mutation", "0"},
+                                {"leader", "per_particle"},
+                                {"grid", "3"}});
+  swarm->start(problem, objective, random);
+  const std::vector<Point> archive = reference_archive(seen_points(objective, task.problem.start), 50);
+  swarm->step(objective, random);
+
+  Point low = archive.front(), high = low;
+  for (const Point& member : archive) {
+    low = {std::min(low.error, member.error), std::min(low.variation, member.variation), {}};
+    high = {std::max(high.error, member.error), std::max(high.variation, member.variation), {}};
+  }
+  const auto cell = [&](const Point& member) {
+    const auto part = [](double value, double from, double to) {
+      return std::min(2, static_cast<int>(3 * (value - from) / (to - from)));
+    };
+    return std::pair(part(member.error, low.error, high.error), part(member.variation, low.variation, high.variation));
+  };
+  std::map<std::pair<int, int>, double> members;
+  for (const Point& member : archive) ++members[cell(member)];
+  double weights = 0;
+  for (const auto& [place, count] : members) weights += 10 / count;
+
+  drawn_uniforms(replay, 4, particles);
+  drawn_uniforms(replay, 4, particles);
+  const Candidates u2 = drawn_uniforms(replay, 4, particles);
+  std::vector<double> led(archive.size(), 0);
+  for (std::size_t i = 0; i < static_cast<std::size_t>(particles); ++i) {
+    const Eigen::VectorXd& from = objective.candidates[i];
+    const Eigen::VectorXd& to = objective.candidates[static_cast<std::size_t>(particles) + i];
+    for (std::size_t m = 0; m < archive.size(); ++m) {
+      const Eigen::VectorXd expected = from + u2.col(static_cast<Eigen::Index>(i)).cwiseProduct(archive[m].q - from);
+      if ((expected - to).norm() < 1e-14) ++led[m];
+    }
+  }
+  REQUIRE(members.size() > 2);
+  CHECK(members.size() < archive.size());
+  for (std::size_t m = 0; m < archive.size(); ++m) {
+    const double count = members[cell(archive[m])], p = 10 / count / weights / count;
+    CHECK(std::abs(led[m] - particles * p) < 4 * std::sqrt(particles * p * (1 - p)));  // binomial
   }
 }
 
