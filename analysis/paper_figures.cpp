@@ -102,23 +102,24 @@ std::map<int, const SolveRecord*> first_run(const Study& study, const std::strin
   return solves;
 }
 
-// Ranges and ticks of three axes of one scale: a common round step, about three of them along the longest.
+// Three axes of one scale: a cube around the points, so that any path fits, with a round step of ticks.
 std::string space_axes(const std::array<std::vector<double>, 3>& coordinates) {
   double longest = 0;
-  for (const auto& values : coordinates) {
-    if (!values.empty()) longest = std::max(longest, std::ranges::max(values) - std::ranges::min(values));
+  std::array<double, 3> centre{};
+  for (std::size_t axis = 0; axis < coordinates.size(); ++axis) {
+    if (coordinates[axis].empty()) continue;
+    const auto [low, high] = std::ranges::minmax(coordinates[axis]);
+    centre[axis] = (low + high) / 2;
+    longest = std::max(longest, high - low);
   }
-  const double pad = longest > 0 ? 0.08 * longest : 1;
-  const double decade = std::pow(10, std::floor(std::log10((longest + 2 * pad) / 3)));
-  const double rest = (longest + 2 * pad) / 3 / decade;
-  const double step = decade * (rest > 5 ? 10 : rest > 2 ? 5 : rest > 1 ? 2 : 1);
+  const double half = longest > 0 ? 0.55 * longest : 1;
+  const double decade = std::pow(10, std::floor(std::log10(2 * half / 3)));
+  const double rest = 2 * half / 3 / decade;
+  const double step = decade * (rest > 7 ? 10 : rest > 3.5 ? 5 : rest > 1.5 ? 2 : 1);
   std::string settings;
   for (std::size_t axis = 0; axis < coordinates.size(); ++axis) {
-    const auto& values = coordinates[axis];
-    const double low = values.empty() ? 0 : std::ranges::min(values);
-    const double high = values.empty() ? 0 : std::ranges::max(values);
-    settings += fmt::format("set {0}range [{1}:{2}]\nset {0}tics {3}\n", "xyz"[axis], text_of(low - pad),
-                            text_of(high + pad), text_of(step));
+    settings += fmt::format("set {0}range [{1}:{2}]\nset {0}tics {3} offset 0, 0\n", "xyz"[axis],
+                            text_of(centre[axis] - half), text_of(centre[axis] + half), text_of(step));
   }
   return settings;
 }
