@@ -1,0 +1,98 @@
+#include "analysis/anova.hpp"
+
+#include <fmt/format.h>
+
+#include <boost/math/distributions/fisher_f.hpp>
+#include <cmath>
+#include <cstddef>
+
+namespace ikbench {
+namespace {
+
+// A group as the sums need it: its mean less a shift common to all, and its sum of squares.
+struct Moments {
+  double n = 0;
+  double shifted_mean = 0;
+  double squares = 0;
+};
+
+AnovaTable from_moments(const std::vector<Moments>& groups) {
+  AnovaTable table;
+  double n = 0;
+  for (const Moments& group : groups) n += group.n;
+  for (std::size_t i = 0; i < groups.size(); ++i) {
+    if (groups[i].n < 1) {
+      table.undefined = fmt::format("group {} has no values", i + 1);
+    } else if (!std::isfinite(groups[i].shifted_mean) || !std::isfinite(groups[i].squares)) {
+      table.undefined = fmt::format("group {} has values that are not finite", i + 1);
+    }
+    if (!table.undefined.empty()) return table;
+  }
+  if (groups.size() < 2) {
+    table.undefined = fmt::format("{} to compare; two or more are needed", groups.empty() ? "no group" : "one group");
+    return table;
+  }
+
+  table.df_between = static_cast<int>(groups.size()) - 1;
+  table.df_within = static_cast<int>(n) - static_cast<int>(groups.size());
+  double grand_mean = 0;
+  for (const Moments& group : groups) grand_mean += group.n / n * group.shifted_mean;
+  table.ss_between = 0;
+  table.ss_within = 0;
+  for (const Moments& group : groups) {
+    const double deviation = group.shifted_mean - grand_mean;
+    table.ss_between += group.n * deviation * deviation;
+    table.ss_within += group.squares;
+  }
+  table.ss_total = table.ss_between + table.ss_within;
+  table.ms_between = table.ss_between / table.df_between;
+  if (table.ss_total > 0) table.r_squared = table.ss_between / table.ss_total;
+  if (table.df_within < 1) {
+    table.undefined = "every group has a single value, so there is no spread within groups to compare with";
+    return table;
+  }
+  table.ms_within = table.ss_within / table.df_within;
+  if (!(table.ms_within > 0)) {
+    table.undefined = "every group is constant, so there is no spread within groups to compare with";
+    return table;
+  }
+  table.F = table.ms_between / table.ms_within;
+  table.p = f_upper_tail(table.F, table.df_between, table.df_within);
+  if (!std::isfinite(table.p)) table.undefined = "the sums of squares are too large for double precision";
+  return table;
+}
+
+}  // namespace
+
+double f_upper_tail(double F, double df_between, double df_within) {
+  if (!std::isfinite(F) || F < 0 || !(df_between >= 1) || !(df_within >= 1)) return not_defined;
+  return boost::math::cdf(boost::math::complement(boost::math::fisher_f(df_between, df_within), F));
+}
+
+AnovaTable anova(std::span<const std::vector<double>> groups) {
+  double shift = 0;
+  for (const auto& group : groups) {
+    if (group.empty()) continue;
+    shift = group.front();
+    break;
+  }
+  std::vector<Moments> moments;
+  for (const auto& group : groups) {
+    std::vector<double> shifted;
+    shifted.reserve(group.size());
+    for (const double value : group) shifted.push_back(value - shift);
+    moments.push_back({static_cast<double>(group.size()), mean(shifted), sum_of_squares(shifted)});
+  }
+  return from_moments(moments);
+}
+
+AnovaTable anova_from_summaries(std::span<const GroupSummary> groups) {
+  std::vector<Moments> moments;
+  for (const GroupSummary& group : groups) {
+    const double squares = group.n == 1 ? 0.0 : (group.n - 1) * group.std * group.std;
+    moments.push_back({static_cast<double>(group.n), group.mean, squares});
+  }
+  return from_moments(moments);
+}
+
+}  // namespace ikbench

@@ -1,0 +1,41 @@
+// One-way analysis of variance, from samples or from published summaries, in the layout of the paper's Tables 4-6.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "analysis/descriptive.hpp"
+
+namespace ikbench {
+
+// What a paper prints of a group.
+struct GroupSummary {
+  double mean = not_defined;
+  double std = not_defined;  // sample standard deviation; of no account where n is 1
+  int n = 0;
+};
+
+struct AnovaTable {
+  double ss_between = not_defined;
+  double ss_within = not_defined;
+  double ss_total = not_defined;
+  int df_between = 0;
+  int df_within = 0;
+  double ms_between = not_defined;
+  double ms_within = not_defined;
+  double F = not_defined;
+  double p = not_defined;  // upper tail of the F distribution
+  double r_squared = not_defined;
+  std::string undefined;  // why F and p are not defined; empty where they are
+
+  int df_total() const { return df_between + df_within; }
+};
+
+AnovaTable anova(std::span<const std::vector<double>> groups);
+AnovaTable anova_from_summaries(std::span<const GroupSummary> groups);
+
+// Upper tail of the F distribution; NaN where F is not a number or a degree of freedom is missing.
+double f_upper_tail(double F, double df_between, double df_within);
+
+}  // namespace ikbench

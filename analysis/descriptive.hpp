@@ -1,0 +1,31 @@
+// What a sample of numbers looks like: mean, median, standard deviation, extremes, as in the paper's Table 3.
+#pragma once
+
+#include <limits>
+#include <span>
+
+namespace ikbench {
+
+// A quantity that cannot be had from the data given. Table cells show it as "not defined", never as a number.
+constexpr double not_defined = std::numeric_limits<double>::quiet_NaN();
+
+// Values that are not finite (a solver that diverged) are never left out. They have no mean and no standard deviation,
+// and they rank as worse than every number: the median is that of the whole sample, the maximum is not defined.
+struct Description {
+  int n = 0;           // all values
+  int not_finite = 0;  // those among them that are NaN or infinite
+  double mean = not_defined;
+  double median = not_defined;
+  double std = not_defined;  // sample standard deviation, divided by n - 1
+  double max = not_defined;
+  double min = not_defined;
+};
+
+Description describe(std::span<const double> values);
+
+// Two passes, shifted by the first value, so that many equal leading digits cost nothing.
+double mean(std::span<const double> values);
+// Sum of squared deviations from the mean.
+double sum_of_squares(std::span<const double> values);
+
+}  // namespace ikbench

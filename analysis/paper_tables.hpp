@@ -1,0 +1,50 @@
+// The tables of Slim et al. (2023) for any study, beside the printed numbers where there are any: Table 3 (what was
+// reached), Tables 4-6 (one-way ANOVA of error, variation and time), and the status of every solve.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "analysis/anova.hpp"
+#include "analysis/study.hpp"
+#include "analysis/table.hpp"
+
+namespace ikbench {
+
+// How a number of ours stands to the printed one: `agrees` when Welch's test from the two summaries has p >= 0.05,
+// `close` when their ratio is within 0.5 to 2, else `differs`; `none` where there is nothing to hold it against.
+enum class Agreement { none, agrees, close, differs };
+std::string_view name_of(Agreement agreement);
+
+// One row of Table 3, with the printed mean.
+struct Comparison {
+  std::string solver;
+  Metric metric;
+  Description ours;
+  double paper_mean = not_defined;
+  double ratio = not_defined;  // ours by the printed mean; for seconds, both first divided by those of IK-BA
+  Agreement agreement = Agreement::none;
+};
+
+constexpr std::string_view time_reference = "IK-BA";
+constexpr double significance = 0.05;
+
+std::vector<Comparison> compare(const Study& study, Unit unit);
+
+// The ANOVA over all solvers that have observations and only finite ones; the others are named.
+struct StudyAnova {
+  AnovaTable table;
+  std::vector<std::string> left_out;  // a sentence each
+};
+StudyAnova anova(const Study& study, Metric metric, Unit unit);
+
+Table table_3(const Study& study, Unit unit);
+Table anova_table(const Study& study, Metric metric, Unit unit);  // table-4, table-5, table-6
+Table anova_from_printed_table_3(std::string_view paper);
+Table status_table(const Study& study);
+
+// Every table above that the study has, in the paper's order.
+std::vector<Table> paper_tables(const Study& study, Unit unit);
+
+}  // namespace ikbench

@@ -1,0 +1,22 @@
+// What was run and where, as tables: the definition, every solver's options, the environment of the sessions; and how
+// the study stands beside others with the same targets.
+#pragma once
+
+#include <vector>
+
+#include "analysis/study.hpp"
+#include "analysis/table.hpp"
+#include "results/store.hpp"
+
+namespace ikbench {
+
+Table definition_table(const StudyEntry& entry);
+Table options_table(const StudyEntry& entry);
+// The sessions in which the study's solves were made.
+Table environment_table(const Study& study, const std::vector<Session>& sessions);
+
+// Whether the two studies were given the same targets wherever both have the same run and point.
+bool same_targets(const Study& a, const Study& b);
+Table perspective_table(const std::vector<Study>& studies, Unit unit);
+
+}  // namespace ikbench

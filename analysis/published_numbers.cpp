@@ -1,0 +1,62 @@
+#include "analysis/published_numbers.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "results/published.hpp"
+
+namespace ikbench {
+namespace {
+
+bool has_table(std::string_view paper, std::string_view name) {
+  const auto names = published::tables(paper);
+  return std::ranges::find(names, name) != names.end();
+}
+
+}  // namespace
+
+std::vector<PrintedRow> printed_table_3(std::string_view paper, Metric metric) {
+  std::vector<PrintedRow> rows;
+  if (!has_table(paper, "table-3")) return rows;
+  const CsvTable table = published::table(paper, "table-3");
+  const std::size_t algorithm = table.column("algorithm");
+  const std::size_t metric_column = table.column("metric");
+  for (std::size_t row = 0; row < table.rows.size(); ++row) {
+    if (table.rows[row][metric_column] != name_of(metric)) continue;
+    rows.push_back({.algorithm = table.rows[row][algorithm],
+                    .summary = {.mean = table.number(row, "mean"),
+                                .std = table.number(row, "std"),
+                                .n = static_cast<int>(table.number(row, "n"))},
+                    .median = table.number(row, "median")});
+  }
+  return rows;
+}
+
+std::optional<PrintedRow> printed_row(std::string_view paper, std::string_view algorithm, Metric metric) {
+  for (const PrintedRow& row : printed_table_3(paper, metric)) {
+    if (row.algorithm == algorithm) return row;
+  }
+  return std::nullopt;
+}
+
+std::optional<AnovaTable> printed_anova(std::string_view paper, Metric metric) {
+  if (metric == Metric::evaluations) return std::nullopt;
+  const std::string name = fmt::format("table-{}", 4 + static_cast<int>(metric));
+  if (!has_table(paper, name)) return std::nullopt;
+  const CsvTable table = published::table(paper, name);
+  constexpr std::size_t between = 0, within = 1, total = 2;
+  AnovaTable printed;
+  printed.ss_between = table.number(between, "ss");
+  printed.ss_within = table.number(within, "ss");
+  printed.ss_total = table.number(total, "ss");
+  printed.df_between = static_cast<int>(table.number(between, "df"));
+  printed.df_within = static_cast<int>(table.number(within, "df"));
+  printed.ms_between = table.number(between, "ms");
+  printed.ms_within = table.number(within, "ms");
+  printed.F = table.number(between, "f");
+  printed.p = table.number(between, "p");
+  return printed;
+}
+
+}  // namespace ikbench

@@ -1,0 +1,105 @@
+#include "analysis/quantile.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <stdexcept>
+
+namespace ikbench {
+
+QuantileType quantile_type(int number) {
+  if (number < 1 || number > 9) {
+    throw std::invalid_argument(fmt::format("quantile type {}: expected 1 to 9 (Hyndman and Fan)", number));
+  }
+  return static_cast<QuantileType>(number);
+}
+
+std::vector<double> ranked_values(std::span<const double> values) {
+  std::vector<double> ranked(values.begin(), values.end());
+  for (double& value : ranked) {
+    if (!std::isfinite(value)) value = worse_than_every_number;
+  }
+  std::ranges::sort(ranked);
+  return ranked;
+}
+
+namespace {
+
+// Weight of the upper neighbour where the position j + g falls between two order statistics.
+double weight(QuantileType type, double j, double g) {
+  const bool between = g > 0;
+  switch (type) {
+    case QuantileType::type_1:
+      return between ? 1.0 : 0.0;
+    case QuantileType::type_2:
+      return between ? 1.0 : 0.5;
+    case QuantileType::type_3:
+      return !between && std::fmod(j, 2.0) == 0.0 ? 0.0 : 1.0;
+    default:
+      return g;
+  }
+}
+
+// m = a + p (1 - a - b), Hyndman and Fan's plotting positions.
+double offset(QuantileType type, double p) {
+  constexpr std::array<std::array<double, 2>, 6> ab{
+      {{0, 1}, {0.5, 0.5}, {0, 0}, {1, 1}, {1.0 / 3, 1.0 / 3}, {3.0 / 8, 3.0 / 8}}};
+  if (type == QuantileType::type_3) return -0.5;
+  if (type < QuantileType::type_4) return 0;
+  const auto [a, b] = ab[static_cast<std::size_t>(type) - 4];
+  return a + p * (1 - a - b);
+}
+
+}  // namespace
+
+double quantile(std::span<const double> sorted, double p, QuantileType type) {
+  if (!(p >= 0 && p <= 1)) throw std::invalid_argument(fmt::format("quantile at p = {}: expected 0 to 1", p));
+  if (sorted.empty()) return std::numeric_limits<double>::quiet_NaN();
+  const double n = static_cast<double>(sorted.size());
+  const double position = n * p + offset(type, p);
+  const double fuzz = 4 * std::numeric_limits<double>::epsilon() * std::max(1.0, n);  // n p is rarely exact in binary
+  const double j = std::floor(position + fuzz);
+  const double g = position - j < fuzz ? 0.0 : position - j;
+  const auto order_statistic = [&](double rank) {
+    return sorted[static_cast<std::size_t>(std::clamp(rank, 1.0, n)) - 1];
+  };
+  const double lower = order_statistic(j);
+  const double upper = order_statistic(j + 1);
+  const double w = weight(type, j, g);
+  if (w == 0 || lower == upper) return lower;
+  if (w == 1) return upper;
+  return (1 - w) * lower + w * upper;
+}
+
+bool Box::drawable() const { return std::isfinite(q1) && std::isfinite(median) && std::isfinite(q3); }
+
+Box box(std::span<const double> values, QuantileType type) {
+  Box result;
+  result.n = static_cast<int>(values.size());
+  std::vector<double> ranked = ranked_values(values);
+  result.q1 = quantile(ranked, 0.25, type);
+  result.median = quantile(ranked, 0.5, type);
+  result.q3 = quantile(ranked, 0.75, type);
+  result.not_finite = static_cast<int>(std::erase(ranked, worse_than_every_number));
+  if (!result.drawable()) {
+    result.outliers = ranked;  // no box, but every value that can be shown
+    return result;
+  }
+  const double reach = 1.5 * (result.q3 - result.q1);
+  result.whisker_low = result.q1;  // where no value lies between the fence and the box
+  result.whisker_high = result.q3;
+  for (const double value : ranked) {
+    if (value < result.q1 - reach || value > result.q3 + reach) {
+      result.outliers.push_back(value);
+    } else {
+      result.whisker_low = std::min(result.whisker_low, value);
+      result.whisker_high = std::max(result.whisker_high, value);
+    }
+  }
+  return result;
+}
+
+}  // namespace ikbench

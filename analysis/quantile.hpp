@@ -1,0 +1,40 @@
+// Sample quantiles: the nine definitions of Hyndman and Fan, The American Statistician 50 (1996) 361, and box plots.
+#pragma once
+
+#include <limits>
+#include <span>
+#include <vector>
+
+namespace ikbench {
+
+enum class QuantileType { type_1 = 1, type_2, type_3, type_4, type_5, type_6, type_7, type_8, type_9 };
+
+// The type of a number 1 to 9; anything else is std::invalid_argument.
+QuantileType quantile_type(int number);
+
+// The rank of a value that is not finite.
+constexpr double worse_than_every_number = std::numeric_limits<double>::infinity();
+
+// Sorted; values that are not finite come last, as infinity.
+std::vector<double> ranked_values(std::span<const double> values);
+
+// The p-quantile of sorted values, 0 <= p <= 1; NaN where there are none. Type 5 is MATLAB's, 7 that of R and NumPy.
+double quantile(std::span<const double> sorted, double p, QuantileType type);
+
+// The numbers of a box plot: quartiles, and whiskers to the last value within 1.5 box heights.
+struct Box {
+  int n = 0;
+  int not_finite = 0;  // counted, ranked as worse than every number, and not drawable
+  double q1 = std::numeric_limits<double>::quiet_NaN();
+  double median = std::numeric_limits<double>::quiet_NaN();
+  double q3 = std::numeric_limits<double>::quiet_NaN();
+  double whisker_low = std::numeric_limits<double>::quiet_NaN();
+  double whisker_high = std::numeric_limits<double>::quiet_NaN();
+  std::vector<double> outliers;  // finite ones, ascending
+
+  bool drawable() const;  // the whole box is finite
+};
+
+Box box(std::span<const double> values, QuantileType type);
+
+}  // namespace ikbench

@@ -1,0 +1,164 @@
+#include "analysis/report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+#include "analysis/files.hpp"
+#include "analysis/paper_figures.hpp"
+#include "analysis/paper_tables.hpp"
+#include "analysis/provenance.hpp"
+#include "analysis/summary.hpp"
+#include "analysis/text.hpp"
+#include "results/published.hpp"
+
+namespace ikbench {
+namespace {
+
+// The tables and figures of a report, by name, as Markdown.
+class Pieces {
+ public:
+  void add(const Table& table) { markdown_[table.name] = to_markdown(table) + '\n'; }
+
+  void add(const Figure& figure, bool rendered) {
+    const std::string caption = markdown_text(figure.caption);
+    const auto link = [&](std::string_view type) { return fmt::format("[{0}](figures/{1}.{0})", type, figure.name); };
+    std::string& text = markdown_[figure.name];
+    text = fmt::format("**{}**\n\n", markdown_text(title_of(figure)));
+    if (rendered) {
+      text += fmt::format("![{0}](figures/{1}.png)\n\n{0} ({2}, {3}; {4}, {5})\n\n", caption, figure.name, link("svg"),
+                          link("pdf"), link("gp"), link("dat"));
+    } else {
+      text += fmt::format("{} Not drawn; gnuplot draws it from {} and {}.\n\n", caption, link("gp"), link("dat"));
+    }
+  }
+
+  // All whose name begins so, in the order of their names; nothing where there are none.
+  std::string starting(std::string_view prefix) const {
+    std::string text;
+    for (const auto& [name, markdown] : markdown_) {
+      if (name.starts_with(prefix)) text += markdown;
+    }
+    return text;
+  }
+  std::string named(const std::string& name) const {
+    const auto found = markdown_.find(name);
+    return found == markdown_.end() ? "" : found->second;
+  }
+
+ private:
+  // figure-9-a is Figure 9 a.
+  static std::string title_of(const Figure& figure) {
+    std::string title = figure.name;
+    std::ranges::replace(title, '-', ' ');
+    title[0] = 'F';
+    return title;
+  }
+
+  // By length, then by letter: figure-9-z before figure-9-aa.
+  struct InOrder {
+    bool operator()(const std::string& a, const std::string& b) const {
+      return a.size() != b.size() ? a.size() < b.size() : a < b;
+    }
+  };
+  std::map<std::string, std::string, InOrder> markdown_;
+};
+
+std::string bullets(const std::vector<std::string>& sentences) {
+  std::string text;
+  for (const std::string& sentence : sentences) text += fmt::format("- {}\n", markdown_text(sentence));
+  return text + '\n';
+}
+
+// Other studies of the store that were given the same targets, after the reported one.
+std::vector<Study> with_same_targets(const Store& store, const Study& study) {
+  std::vector<Study> result{study};
+  for (const StudyEntry& entry : store.studies()) {
+    if (entry.name == study.name) continue;
+    Study other = make_study(entry, store.solves(entry.name));
+    if (same_targets(study, other)) result.push_back(std::move(other));
+  }
+  return result;
+}
+
+std::vector<std::string> warnings_of(const Study& study, const std::vector<FigureOutcome>& outcomes) {
+  std::vector<std::string> warnings;
+  const auto papers = published::papers();
+  if (!study.published.empty() && std::ranges::find(papers, study.published) == papers.end()) {
+    warnings.push_back(fmt::format("no published tables of '{}' to compare with; there are: {}", study.published,
+                                   fmt::join(papers, ", ")));
+  }
+  for (const SolverCounts& count : counts(study)) {
+    if (count.solves >= count.expected) continue;
+    warnings.push_back(
+        fmt::format("{}: {} of {} solves are there", one_line(count.solver), count.solves, count.expected));
+  }
+  if (std::string note = timing_note(study); !note.empty()) warnings.push_back(std::move(note));
+  // The same message for many figures is one warning.
+  std::vector<std::pair<std::string, std::string>> failures;
+  for (const FigureOutcome& outcome : outcomes) {
+    if (outcome.error.empty()) continue;
+    const auto same = std::ranges::find(failures, outcome.error, &std::pair<std::string, std::string>::first);
+    if (same != failures.end()) {
+      same->second += ", " + outcome.name;
+    } else {
+      failures.emplace_back(outcome.error, outcome.name);
+    }
+  }
+  for (const auto& [error, names] : failures) warnings.push_back(fmt::format("not drawn: {}: {}", names, error));
+  return warnings;
+}
+
+}  // namespace
+
+void write_table(const Table& table, const std::filesystem::path& folder) {
+  write_file(folder / (table.name + ".md"), to_markdown(table));
+  write_file(folder / (table.name + ".csv"), to_csv(table));
+  write_file(folder / (table.name + ".tex"), to_latex(table));
+}
+
+Report write_report(const Store& store, const ReportRequest& request) {
+  const StudyEntry entry = store.study(request.study);
+  const Study study = make_study(entry, store.solves(request.study));
+
+  std::vector<Table> tables{definition_table(entry), options_table(entry), environment_table(study, store.sessions())};
+  for (Table& table : paper_tables(study, request.unit)) tables.push_back(std::move(table));
+  const std::vector<Study> together = with_same_targets(store, study);
+  if (together.size() > 1) tables.push_back(perspective_table(together, request.unit));
+  Pieces pieces;
+  for (const Table& table : tables) {
+    write_table(table, request.folder / "tables");
+    pieces.add(table);
+  }
+
+  const std::vector<Figure> figures = paper_figures(study, request.unit, request.quartiles);
+  const std::vector<FigureOutcome> outcomes = write_figures(figures, request.folder / "figures", request.figures);
+  for (std::size_t i = 0; i < figures.size(); ++i) pieces.add(figures[i], outcomes[i].rendered);
+
+  Report report{.file = request.folder / "report.md", .warnings = warnings_of(study, outcomes)};
+  std::string text = fmt::format("# Report: {}\n\n## Summary\n\n", markdown_text(study.name));
+  text += bullets(summary(study, request.unit));
+  if (!report.warnings.empty()) text += "### Warnings\n\n" + bullets(report.warnings);
+  if (!request.command.empty())
+    text += fmt::format("To get this report again:\n\n    {}\n\n", one_line(request.command));
+  text +=
+      "Every table is in `tables/` as Markdown, CSV (all digits) and LaTeX; every figure in `figures/` as SVG, PDF and "
+      "PNG, with the script and the data it is drawn from.\n\n";
+  text += "## What was run\n\n" + pieces.named("definition") + pieces.named("options");
+  text += "## Where it was run\n\n" + pieces.named("environment");
+  text += "## What became of every solve\n\n" + pieces.named("status");
+  text += "## Results\n\n" + pieces.named("figure-5") + pieces.named("table-3");
+  for (const char* name : {"figure-6", "figure-7", "figure-8"}) text += pieces.named(name);
+  text += pieces.starting("figure-9-");
+  text += "## Analysis of variance\n\n";
+  for (const char* name :
+       {"figure-10", "figure-11", "figure-12", "table-4", "table-5", "table-6", "anova-from-printed-table-3"}) {
+    text += pieces.named(name);
+  }
+  if (together.size() > 1) text += "## Perspective\n\n" + pieces.named("perspective");
+  write_file(report.file, text);
+  return report;
+}
+
+}  // namespace ikbench

@@ -1,0 +1,37 @@
+// The report of a study: report.md, tables/ (Markdown, CSV, LaTeX) and figures/ in one folder.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "analysis/figure.hpp"
+#include "analysis/quantile.hpp"
+#include "analysis/study.hpp"
+#include "analysis/table.hpp"
+#include "results/store.hpp"
+
+namespace ikbench {
+
+struct ReportRequest {
+  std::string study;
+  std::filesystem::path folder;  // made where missing; files of the same names are replaced
+  Unit unit = Unit::run;
+  QuantileType quartiles = QuantileType::type_5;
+  RenderOptions figures = {};
+  std::string command = {};  // how to get this report again, as typed; shown in the report
+};
+
+struct Report {
+  std::filesystem::path file;         // report.md
+  std::vector<std::string> warnings;  // figures that were not drawn, a study that is incomplete, ...
+};
+
+// An unknown study, or a folder that cannot be written to, is std::invalid_argument. Tables are there even where
+// gnuplot is not.
+Report write_report(const Store& store, const ReportRequest& request);
+
+// One table as NAME.md, NAME.csv and NAME.tex.
+void write_table(const Table& table, const std::filesystem::path& folder);
+
+}  // namespace ikbench

@@ -1,0 +1,188 @@
+#include "analysis/study.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <stdexcept>
+#include <tuple>
+
+#include "analysis/descriptive.hpp"
+
+namespace ikbench {
+namespace {
+
+constexpr int most = 1'000'000;  // runs, points
+
+// A whole number of the definition, at the top or inside one of its parts; 0 where it does not say.
+int defined_number(const nlohmann::json& definition, const char* key) {
+  const auto read = [key](const nlohmann::json& object) {
+    const auto found = object.find(key);
+    if (found == object.end() || !found->is_number_integer()) return 0;
+    return static_cast<int>(std::clamp<std::int64_t>(found->get<std::int64_t>(), 0, most));
+  };
+  if (!definition.is_object()) return 0;
+  if (const int top = read(definition)) return top;
+  for (const auto& part : definition) {
+    if (!part.is_object()) continue;
+    if (const int inside = read(part)) return inside;
+  }
+  return 0;
+}
+
+void check_and_count(Study& study) {
+  std::set<std::tuple<std::string, int, int>> seen;
+  for (const SolveRecord& solve : study.solves) {
+    if (solve.run < 1 || solve.run > most || solve.point < 1 || solve.point > most) {
+      throw std::invalid_argument(fmt::format("study '{}', solver '{}': run {}, point {}; expected 1 to {} for both",
+                                              study.name, solve.solver, solve.run, solve.point, most));
+    }
+    if (!seen.emplace(solve.solver, solve.run, solve.point).second) {
+      throw std::invalid_argument(fmt::format("study '{}', solver '{}': run {}, point {} is there twice; expected once",
+                                              study.name, solve.solver, solve.run, solve.point));
+    }
+    if (std::ranges::find(study.solvers, solve.solver) == study.solvers.end()) study.solvers.push_back(solve.solver);
+    study.runs = std::max(study.runs, solve.run);
+    study.points = std::max(study.points, solve.point);
+  }
+}
+
+// The solves of one solver, by run.
+std::map<int, std::vector<const SolveRecord*>> runs_of(const Study& study, const std::string& solver) {
+  std::map<int, std::vector<const SolveRecord*>> runs;
+  for (const SolveRecord& solve : study.solves) {
+    if (solve.solver == solver) runs[solve.run].push_back(&solve);
+  }
+  return runs;
+}
+
+bool complete(const std::vector<const SolveRecord*>& run, const Study& study) {
+  return static_cast<int>(run.size()) == study.points;
+}
+
+}  // namespace
+
+Study make_study(const StudyEntry& entry, std::vector<SolveRecord> solves) {
+  const auto definition = nlohmann::json::parse(entry.definition, nullptr, false);
+  Study study{.name = entry.name,
+              .runs = defined_number(definition, "runs"),
+              .points = defined_number(definition, "points"),
+              .solves = std::move(solves)};
+  if (definition.is_object() && definition.contains("published") && definition["published"].is_string()) {
+    study.published = definition["published"].get<std::string>();
+  }
+  for (const Series& series : entry.series) study.solvers.push_back(series.label);
+  check_and_count(study);
+  return study;
+}
+
+Study make_study(std::string name, std::vector<SolveRecord> solves) {
+  Study study{.name = std::move(name), .solves = std::move(solves)};
+  check_and_count(study);
+  return study;
+}
+
+std::string_view name_of(Metric metric) {
+  constexpr std::array<std::string_view, 4> names{"position_error_cm", "variation_deg", "seconds", "evaluations"};
+  return names[static_cast<std::size_t>(metric)];
+}
+
+double value_of(const SolveRecord& solve, Metric metric) {
+  switch (metric) {
+    case Metric::position_error_cm:
+      return solve.position_error_cm;
+    case Metric::variation_deg:
+      return solve.variation_deg;
+    case Metric::seconds:
+      return solve.seconds;
+    case Metric::evaluations:
+      return static_cast<double>(solve.evaluations);
+  }
+  return not_defined;
+}
+
+std::vector<Sample> samples(const Study& study, Metric metric, Unit unit) {
+  std::vector<Sample> result;
+  for (const std::string& solver : study.solvers) {
+    Sample sample{.solver = solver};
+    for (const auto& [number, run] : runs_of(study, solver)) {
+      std::vector<double> values;
+      for (const SolveRecord* solve : run) values.push_back(value_of(*solve, metric));
+      if (unit == Unit::point) {
+        sample.values.insert(sample.values.end(), values.begin(), values.end());
+      } else if (complete(run, study)) {
+        sample.values.push_back(mean(values));
+      } else {
+        ++sample.incomplete_runs;
+      }
+    }
+    result.push_back(std::move(sample));
+  }
+  return result;
+}
+
+std::vector<SolverCounts> counts(const Study& study) {
+  std::vector<SolverCounts> result;
+  for (const std::string& solver : study.solvers) {
+    SolverCounts count{.solver = solver, .expected = std::int64_t{study.runs} * study.points};
+    for (const auto& [number, run] : runs_of(study, solver)) {
+      ++(complete(run, study) ? count.complete_runs : count.incomplete_runs);
+      for (const SolveRecord* solve : run) {
+        ++count.solves;
+        ++count.by_status[static_cast<std::size_t>(solve->status)];
+        ++count.by_timing[static_cast<std::size_t>(solve->timing)];
+        if (solve->limit_violation_deg > 0) ++count.outside_limits;
+        count.worst_outside_deg = std::max(count.worst_outside_deg, solve->limit_violation_deg);
+      }
+    }
+    result.push_back(count);
+  }
+  return result;
+}
+
+std::vector<std::string> status_notes(const Study& study) {
+  std::vector<int> by_status(status_names.size());
+  int solves = 0;
+  std::int64_t expected = 0;
+  int incomplete_runs = 0;
+  for (const SolverCounts& count : counts(study)) {
+    for (std::size_t i = 0; i < by_status.size(); ++i) by_status[i] += count.by_status[i];
+    solves += count.solves;
+    expected += count.expected;
+    incomplete_runs += count.incomplete_runs;
+  }
+  std::string note = fmt::format("Solves: {} of {} expected; by status:", solves, expected);
+  for (std::size_t i = 0; i < by_status.size(); ++i) {
+    note += fmt::format("{} {} {}", i == 0 ? "" : ",", status_names[i], by_status[i]);
+  }
+  std::vector<std::string> notes{note + "."};
+  if (solves < expected) {
+    notes.push_back(
+        fmt::format("The study is incomplete. Runs with missing points: {}; they give no run mean, and only "
+                    "complete runs enter the observations.",
+                    incomplete_runs));
+  }
+  if (by_status[static_cast<std::size_t>(Status::not_finite)] > 0) {
+    notes.push_back(
+        "Answers that are not finite are not left out: a run that has one has no mean error, ranks as the worst in "
+        "median "
+        "and quartiles, and leaves the mean, standard deviation and maximum of its solver not defined.");
+  }
+  return notes;
+}
+
+std::string timing_note(const Study& study) {
+  std::vector<int> by_timing(timing_names.size());
+  for (const SolveRecord& solve : study.solves) ++by_timing[static_cast<std::size_t>(solve.timing)];
+  const int parallel = by_timing[static_cast<std::size_t>(Timing::parallel)];
+  const int debug = by_timing[static_cast<std::size_t>(Timing::debug_build)];
+  if (parallel + debug == 0) return "";
+  return fmt::format(
+      "Times are not comparable: of {} solves, {} were timed while others ran in parallel and {} in a debug build.",
+      study.solves.size(), parallel, debug);
+}
+
+}  // namespace ikbench

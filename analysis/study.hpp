@@ -1,0 +1,68 @@
+// A study as the analysis sees it: the solves, who took part, and what was to be solved. Points of one run depend on
+// each other; the unit of analysis is therefore the run, one observation being the mean over its points.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "results/record.hpp"
+#include "results/store.hpp"
+
+namespace ikbench {
+
+struct Study {
+  std::string name;
+  std::vector<std::string> solvers = {};  // labels, in the order of the study
+  int runs = 0;                           // as defined, per solver
+  int points = 0;                         // as defined, per run
+  std::string published = {};             // paper whose printed tables it is held against (results/published), or empty
+  std::vector<SolveRecord> solves = {};
+};
+
+// Numbers of runs and points come from the definition, or where it does not say, from the solves. A solve twice in the
+// records, or not numbered from 1 to 1000000, is std::invalid_argument.
+Study make_study(const StudyEntry& entry, std::vector<SolveRecord> solves);
+// Without a definition (a CSV of solves): solvers in the order of their first solve.
+Study make_study(std::string name, std::vector<SolveRecord> solves);
+
+enum class Unit { run, point };
+
+enum class Metric { position_error_cm, variation_deg, seconds, evaluations };
+std::string_view name_of(Metric metric);  // the column's name
+double value_of(const SolveRecord& solve, Metric metric);
+
+// The observations of one solver. A run of which points are missing gives no run mean; it is counted instead.
+struct Sample {
+  std::string solver;
+  std::vector<double> values = {};
+  int incomplete_runs = 0;
+};
+
+std::vector<Sample> samples(const Study& study, Metric metric, Unit unit);
+
+// Sums of what became of the solves of one solver.
+struct SolverCounts {
+  std::string solver;
+  int solves = 0;
+  std::int64_t expected = 0;
+  int complete_runs = 0;
+  int incomplete_runs = 0;  // begun, and with points missing
+  std::vector<int> by_status = std::vector<int>(status_names.size());
+  std::vector<int> by_timing = std::vector<int>(timing_names.size());
+  int outside_limits = 0;
+  double worst_outside_deg = 0;  // of the worst joint
+
+  int of(Status status) const { return by_status[static_cast<std::size_t>(status)]; }
+  int of(Timing timing) const { return by_timing[static_cast<std::size_t>(timing)]; }
+};
+
+std::vector<SolverCounts> counts(const Study& study);
+
+// The counts as sentences, to stand beside every table and figure: statuses, what is missing, times that are not clean.
+std::vector<std::string> status_notes(const Study& study);
+std::string timing_note(const Study& study);  // empty where every time is clean
+
+}  // namespace ikbench

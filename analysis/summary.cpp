@@ -1,0 +1,193 @@
+#include "analysis/summary.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "analysis/paper_tables.hpp"
+#include "analysis/published_numbers.hpp"
+#include "analysis/text.hpp"
+#include "analysis/welch.hpp"
+
+namespace ikbench {
+namespace {
+
+struct Standing {
+  std::string solver;
+  double mean;
+};
+
+// The solvers that have a mean, the smallest first.
+std::vector<Standing> ranking(const std::vector<Comparison>& rows, Metric metric) {
+  std::vector<Standing> standings;
+  for (const Comparison& row : rows) {
+    if (row.metric == metric && std::isfinite(row.ours.mean)) standings.push_back({row.solver, row.ours.mean});
+  }
+  std::ranges::stable_sort(standings, {}, &Standing::mean);
+  return standings;
+}
+
+// The printed ranking of those solvers that are in ours.
+std::vector<Standing> printed_ranking(const Study& study, Metric metric, const std::vector<Standing>& ours) {
+  std::vector<Standing> standings;
+  for (const PrintedRow& row : printed_table_3(study.published, metric)) {
+    if (std::ranges::find(ours, row.algorithm, &Standing::solver) == ours.end()) continue;
+    standings.push_back({row.algorithm, row.summary.mean});
+  }
+  std::ranges::stable_sort(standings, {}, &Standing::mean);
+  return standings;
+}
+
+std::string names(const std::vector<Standing>& standings) {
+  std::string text;
+  for (const Standing& standing : standings) text += (text.empty() ? "" : ", ") + standing.solver;
+  return text;
+}
+
+// How many pairs of the printed order stand in the same order here.
+std::string pairs_in_order(const std::vector<Standing>& printed, const std::vector<Standing>& ours) {
+  const auto place = [&](const Standing& standing) {
+    return std::ranges::find(ours, standing.solver, &Standing::solver);
+  };
+  int pairs = 0;
+  int same = 0;
+  for (std::size_t i = 0; i < printed.size(); ++i) {
+    for (std::size_t j = i + 1; j < printed.size(); ++j) {
+      ++pairs;
+      if (place(printed[i]) < place(printed[j])) ++same;
+    }
+  }
+  return fmt::format("{} of {} pairs stand in the printed order", same, pairs);
+}
+
+std::string ranking_sentence(const Study& study, const std::vector<Comparison>& rows, Metric metric) {
+  constexpr std::array<std::string_view, 3> words{"Accuracy (mean position error", "Angles variation (mean",
+                                                  "Computing time (mean"};
+  const auto ours = ranking(rows, metric);
+  if (ours.empty()) return "";
+  std::string text = fmt::format("{}, smallest first): {}", words[static_cast<std::size_t>(metric)], names(ours));
+  if (ours.size() < study.solvers.size()) {
+    text += fmt::format("; {} without a mean", study.solvers.size() - ours.size());
+  }
+  const auto printed = printed_ranking(study, metric, ours);
+  if (printed.size() < 2) return text + ".";
+  const bool same_first = printed.front().solver == ours.front().solver;
+  return text + fmt::format(". The paper: {}. {} is first in the paper, and {}; {}.", names(printed),
+                            printed.front().solver,
+                            same_first ? std::string("here too") : fmt::format("here it is {}", ours.front().solver),
+                            pairs_in_order(printed, ours));
+}
+
+// The paper's second finding: its solver moves the joints less than every other. Welch's test says where the difference
+// cannot be told from chance; points of one run depend on each other, so it is asked of run means only.
+std::string variation_sentence(const Study& study, const std::vector<Comparison>& rows, Unit unit) {
+  const auto printed = printed_ranking(study, Metric::variation_deg, ranking(rows, Metric::variation_deg));
+  const auto description = [&](std::string_view solver) {
+    return std::ranges::find_if(
+               rows, [&](const Comparison& row) { return row.solver == solver && row.metric == Metric::variation_deg; })
+        ->ours;
+  };
+  const auto printed_reference = std::ranges::find(printed, time_reference, &Standing::solver);
+  if (printed_reference == printed.end()) return "";
+  const Description reference = description(time_reference);
+  std::string less, alike, more;
+  for (const Standing& standing : printed) {
+    if (standing.mean <= printed_reference->mean) continue;
+    const Description other = description(standing.solver);
+    const WelchTest test = welch({.mean = reference.mean, .std = reference.std, .n = reference.n},
+                                 {.mean = other.mean, .std = other.std, .n = other.n});
+    const bool undecided = unit == Unit::run && test.p >= significance;
+    std::string& list = undecided ? alike : reference.mean < other.mean ? less : more;
+    list +=
+        fmt::format("{}{} ({:.0f} %)", list.empty() ? "" : ", ", standing.solver, 100 * reference.mean / other.mean);
+  }
+  std::string text;
+  if (!less.empty()) text += " Here it is less than that of " + less + ".";
+  if (!alike.empty()) text += " Here it cannot be told apart from that of " + alike + " (Welch's test, p >= 0.05).";
+  if (!more.empty()) text += " Here it is not less than that of " + more + ".";
+  if (text.empty()) return "";
+  return fmt::format(
+      "The paper prints a smaller angles variation for {} than for the others.{} (In brackets: {}'s by "
+      "the other's.)",
+      time_reference, text, time_reference);
+}
+
+std::string anova_sentence(const Study& study, Metric metric, Unit unit) {
+  const StudyAnova ours = anova(study, metric, unit);
+  const auto printed = printed_anova(study.published, metric);
+  std::string text = fmt::format("ANOVA of {}: ", name_of(metric));
+  if (!ours.table.undefined.empty()) {
+    text += "not defined, " + ours.table.undefined;
+  } else {
+    const bool differ = ours.table.p < significance;
+    text += fmt::format("F({}, {}) = {}, p {}: the solvers {}", ours.table.df_between, ours.table.df_within,
+                        rounded_number(ours.table.F, 4),
+                        ours.table.p < 1e-300 ? "< 1e-300" : "= " + rounded_number(ours.table.p, 3),
+                        differ ? "differ" : "are not shown to differ");
+    if (printed) text += (printed->p < significance) == differ ? ", as in the paper" : ", other than in the paper";
+  }
+  for (const std::string& sentence : ours.left_out) text += ". " + sentence.substr(0, sentence.size() - 1);
+  return text + ".";
+}
+
+// Which numbers agree, are close, differ.
+std::vector<std::string> number_sentences(const std::vector<Comparison>& rows) {
+  std::vector<std::string> sentences;
+  for (const Agreement agreement : {Agreement::agrees, Agreement::close, Agreement::differs}) {
+    int count = 0;
+    std::string list;
+    for (const Comparison& row : rows) {
+      if (row.agreement != agreement || (row.metric == Metric::seconds && row.solver == time_reference)) continue;
+      ++count;
+      const std::string_view what = row.metric == Metric::seconds         ? "relative time"
+                                    : row.metric == Metric::variation_deg ? "variation"
+                                                                          : "error";
+      list += fmt::format("{}{} {} ({} x)", count == 1 ? "" : ", ", row.solver, what, rounded_number(row.ratio, 3));
+    }
+    if (count > 0) {
+      sentences.push_back(fmt::format("Numbers of Table 3, verdict '{}' ({}; ours by the printed mean): {}.",
+                                      name_of(agreement), count, list));
+    }
+  }
+  return sentences;
+}
+
+void add_circumstances(std::vector<std::string>& sentences, const Study& study) {
+  int outside = 0;
+  int wrong = 0;
+  double worst = 0;
+  for (const SolverCounts& count : counts(study)) {
+    outside += count.outside_limits;
+    wrong += count.of(Status::claimed_but_wrong);
+    worst = std::max(worst, count.worst_outside_deg);
+  }
+  const std::size_t solves = study.solves.size();
+  sentences.push_back(outside == 0 ? "Every answer is inside the joint limits."
+                                   : fmt::format("{} of {} answers leave the joint limits, the worst joint by {} deg.",
+                                                 outside, solves, rounded_number(worst, 3)));
+  if (wrong > 0) sentences.push_back(fmt::format("{} answers are not what their solver claimed.", wrong));
+  for (std::string& note : status_notes(study)) sentences.push_back(std::move(note));
+  if (std::string note = timing_note(study); !note.empty()) sentences.push_back(std::move(note));
+}
+
+}  // namespace
+
+std::vector<std::string> summary(const Study& study, Unit unit) {
+  constexpr std::array<Metric, 3> metrics{Metric::position_error_cm, Metric::variation_deg, Metric::seconds};
+  if (study.solves.empty()) return {"Nothing of this study is solved yet."};
+  const auto rows = compare(study, unit);
+  std::vector<std::string> sentences;
+  for (const Metric metric : metrics) {
+    sentences.push_back(ranking_sentence(study, rows, metric));
+    if (metric == Metric::variation_deg) sentences.push_back(variation_sentence(study, rows, unit));
+  }
+  for (const Metric metric : metrics) sentences.push_back(anova_sentence(study, metric, unit));
+  for (std::string& sentence : number_sentences(rows)) sentences.push_back(std::move(sentence));
+  add_circumstances(sentences, study);
+  std::erase(sentences, "");
+  return sentences;
+}
+
+}  // namespace ikbench

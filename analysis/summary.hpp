@@ -1,0 +1,14 @@
+// What a study says, in plain words: the paper's findings and whether they hold here.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "analysis/study.hpp"
+
+namespace ikbench {
+
+// Sentences, the most important first; plain text.
+std::vector<std::string> summary(const Study& study, Unit unit);
+
+}  // namespace ikbench

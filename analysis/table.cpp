@@ -1,0 +1,115 @@
+#include "analysis/table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include "analysis/text.hpp"
+#include "results/csv.hpp"
+#include "results/number.hpp"
+
+namespace ikbench {
+namespace {
+
+constexpr int digits_to_read = 5;
+constexpr double smallest_p = 1e-300;  // below, the tails of distributions underflow
+
+template <class... Visitors>
+struct Overloaded : Visitors... {
+  using Visitors::operator()...;
+};
+template <class... Visitors>
+Overloaded(Visitors...) -> Overloaded<Visitors...>;  // clang++ 14 wants the guide spelled out
+
+std::string readable(const Cell& cell) {
+  return std::visit(
+      Overloaded{
+          [](std::monostate) { return std::string(); }, [](const std::string& text) { return text; },
+          [](std::int64_t count) { return fmt::to_string(count); },
+          [](double value) { return std::isfinite(value) ? rounded_number(value, digits_to_read) : "not defined"; },
+          [](PValue p) {
+            if (!std::isfinite(p.value)) return std::string("not defined");
+            if (p.value < smallest_p) return std::string("< 1e-300");
+            return rounded_number(p.value, digits_to_read);
+          }},
+      cell);
+}
+
+std::string computable(const Cell& cell) {
+  return std::visit(
+      Overloaded{[](std::monostate) { return std::string(); }, [](const std::string& text) { return text; },
+                 [](std::int64_t count) { return fmt::to_string(count); },
+                 [](double value) { return std::isfinite(value) ? text_of(value) : std::string(); },
+                 [](PValue p) { return std::isfinite(p.value) ? text_of(p.value) : std::string(); }},
+      cell);
+}
+
+// 1.2e-05 as $1.2 \times 10^{-5}$; a number needs mathematics for its minus sign too.
+std::string latex_cell(const Cell& cell) {
+  const std::string text = readable(cell);
+  if (std::holds_alternative<std::string>(cell) || text.empty() || text == "not defined") return latex_text(text);
+  if (text.starts_with('<')) return "$<10^{-300}$";
+  const std::size_t e = text.find('e');
+  if (e == std::string::npos) return text.starts_with('-') ? "$" + text + "$" : text;
+  return fmt::format("${} \\times 10^{{{}}}$", text.substr(0, e), std::stoi(text.substr(e + 1)));
+}
+
+std::vector<std::size_t> columns_in_use(const Table& table) {
+  std::vector<std::size_t> used;
+  for (std::size_t c = 0; c < table.columns.size(); ++c) {
+    const auto filled = [c](const std::vector<Cell>& row) { return !std::holds_alternative<std::monostate>(row[c]); };
+    if (table.rows.empty() || std::ranges::any_of(table.rows, filled)) used.push_back(c);
+  }
+  return used;
+}
+
+}  // namespace
+
+std::string to_markdown(const Table& table) {
+  const std::vector<std::size_t> used = columns_in_use(table);
+  std::string text = fmt::format("**{}**\n\n|", markdown_text(table.caption));
+  for (const std::size_t c : used) text += fmt::format(" {} |", markdown_text(table.columns[c].name));
+  text += "\n|";
+  for (const std::size_t c : used) text += table.columns[c].align == Align::left ? " :--- |" : " ---: |";
+  text += '\n';
+  for (const auto& row : table.rows) {
+    text += '|';
+    for (const std::size_t c : used) text += fmt::format(" {} |", markdown_text(readable(row[c])));
+    text += '\n';
+  }
+  for (const std::string& note : table.notes) text += fmt::format("\n{}\n", markdown_text(note));
+  return text;
+}
+
+std::string to_latex(const Table& table) {
+  const std::vector<std::size_t> used = columns_in_use(table);
+  std::string text = fmt::format("% needs \\usepackage{{booktabs}}\n\\begin{{table}}\n\\centering\n\\caption{{{}}}\n",
+                                 latex_text(table.caption));
+  text += fmt::format("\\label{{tab:{}}}\n\\begin{{tabular}}{{", table.name);
+  for (const std::size_t c : used) text += table.columns[c].align == Align::left ? 'l' : 'r';
+  text += "}\n\\toprule\n";
+  const auto add_row = [&](auto&& cell_text) {
+    for (std::size_t i = 0; i < used.size(); ++i) text += fmt::format("{}{}", i == 0 ? "" : " & ", cell_text(used[i]));
+    text += " \\\\\n";
+  };
+  add_row([&](std::size_t c) { return latex_text(table.columns[c].name); });
+  text += "\\midrule\n";
+  for (const auto& row : table.rows) add_row([&](std::size_t c) { return latex_cell(row[c]); });
+  text += "\\bottomrule\n\\end{tabular}\n";
+  for (const std::string& note : table.notes) text += fmt::format("\n\\footnotesize {}\n", latex_text(note));
+  return text + "\\end{table}\n";
+}
+
+std::string to_csv(const Table& table) {
+  CsvTable csv;
+  for (const Column& column : table.columns) csv.header.push_back(column.name);
+  for (const auto& row : table.rows) {
+    std::vector<std::string>& cells = csv.rows.emplace_back();
+    for (const Cell& cell : row) cells.push_back(computable(cell));
+  }
+  return to_csv(csv);
+}
+
+}  // namespace ikbench

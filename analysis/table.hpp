@@ -1,0 +1,39 @@
+// A table as every part of the report makes it, and its three forms: Markdown and LaTeX to read, CSV to compute with.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace ikbench {
+
+struct PValue {
+  double value;
+};
+
+// A double that is not finite, and a p-value that is not, show as "not defined" (an empty field in CSV).
+// std::monostate: there is nothing to say, an empty cell.
+using Cell = std::variant<std::monostate, std::string, std::int64_t, double, PValue>;
+
+enum class Align { left, right };
+
+struct Column {
+  std::string name;
+  Align align = Align::right;
+};
+
+struct Table {
+  std::string name;     // stable, the file's name: "table-3"
+  std::string caption;  // plain text, as are notes, heads and cells: the writers escape
+  std::vector<Column> columns = {};
+  std::vector<std::vector<Cell>> rows = {};  // each as long as columns
+  std::vector<std::string> notes = {};       // what a reader must know; not in the CSV
+};
+
+// Columns that are empty in every row are left out of Markdown and LaTeX; the CSV has them all, with every digit.
+std::string to_markdown(const Table& table);
+std::string to_latex(const Table& table);
+std::string to_csv(const Table& table);
+
+}  // namespace ikbench

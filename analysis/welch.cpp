@@ -1,0 +1,36 @@
+#include "analysis/welch.hpp"
+
+#include <boost/math/distributions/students_t.hpp>
+#include <cmath>
+
+namespace ikbench {
+
+WelchTest welch(const GroupSummary& a, const GroupSummary& b) {
+  WelchTest test;
+  if (a.n < 2 || b.n < 2) {
+    test.undefined = "a group of fewer than two values has no spread";
+    return test;
+  }
+  if (!std::isfinite(a.mean) || !std::isfinite(a.std) || !std::isfinite(b.mean) || !std::isfinite(b.std)) {
+    test.undefined = "a mean or a standard deviation is not defined";
+    return test;
+  }
+  const double va = a.std * a.std / a.n;
+  const double vb = b.std * b.std / b.n;
+  if (!(va + vb > 0)) {
+    test.undefined = "both groups are constant";
+    return test;
+  }
+  const double a_part = va / (va + vb);
+  const double b_part = vb / (va + vb);
+  test.t = (a.mean - b.mean) / std::sqrt(va + vb);
+  test.df = 1 / (a_part * a_part / (a.n - 1) + b_part * b_part / (b.n - 1));
+  if (!std::isfinite(test.t) || !std::isfinite(test.df)) {
+    test.undefined = "the spread is too large for double precision";
+    return test;
+  }
+  test.p = 2 * boost::math::cdf(boost::math::complement(boost::math::students_t(test.df), std::abs(test.t)));
+  return test;
+}
+
+}  // namespace ikbench

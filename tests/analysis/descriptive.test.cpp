@@ -1,0 +1,114 @@
+#include "analysis/descriptive.hpp"
+
+#include <cmath>
+#include <stdexcept>
+#include <vector>
+
+#include "analysis/quantile.hpp"
+#include "tests/catch.hpp"
+
+using namespace ikbench;
+
+TEST_CASE("mean, median, standard deviation, maximum and minimum by hand", "[descriptive]") {
+  const Description d = describe(std::vector<double>{4, 1, 3, 2});
+  CHECK(d.n == 4);
+  CHECK(d.mean == 2.5);
+  CHECK(d.median == 2.5);
+  CHECK(d.std == Approx(std::sqrt(5.0 / 3)));  // squares 2.25 + 0.25 + 0.25 + 2.25, by n - 1
+  CHECK(d.max == 4);
+  CHECK(d.min == 1);
+}
+
+TEST_CASE("many equal leading digits cost the standard deviation nothing", "[descriptive]") {
+  // 1e9 + {4, 7, 13, 16}: deviations -6 -3 3 6, squares 90, by 3.
+  CHECK(describe(std::vector<double>{1e9 + 4, 1e9 + 7, 1e9 + 13, 1e9 + 16}).std == std::sqrt(30.0));
+}
+
+TEST_CASE("one value has a mean and no standard deviation", "[descriptive]") {
+  const Description d = describe(std::vector<double>{3});
+  CHECK(d.mean == 3);
+  CHECK(d.median == 3);
+  CHECK(std::isnan(d.std));
+}
+
+TEST_CASE("equal values have standard deviation zero", "[descriptive]") {
+  CHECK(describe(std::vector<double>{0.1, 0.1, 0.1}).std == 0);
+}
+
+TEST_CASE("no values have no description", "[descriptive]") {
+  const Description d = describe({});
+  CHECK(d.n == 0);
+  CHECK(std::isnan(d.mean));
+  CHECK(std::isnan(d.median));
+  CHECK(std::isnan(d.max));
+}
+
+TEST_CASE("values that are not finite are counted, have no mean, and rank as the worst", "[descriptive]") {
+  const Description d = describe(std::vector<double>{NAN, 1, 2, 3, HUGE_VAL, 4});
+  CHECK(d.n == 6);
+  CHECK(d.not_finite == 2);
+  CHECK(std::isnan(d.mean));
+  CHECK(std::isnan(d.std));
+  CHECK(d.median == 3.5);  // of 1 2 3 4 worst worst
+  CHECK(d.min == 1);
+  CHECK(!std::isfinite(d.max));
+}
+
+TEST_CASE("quartiles of 1 2 3 4 9 2 by Hyndman and Fan's types", "[quantile]") {
+  const std::vector<double> sorted = ranked_values(std::vector<double>{1, 2, 3, 4, 9, 2});
+  // Types 5 to 8: R's quantile; 1 to 4 and 9 by hand from the paper's definitions, n p = 1.5 and 4.5.
+  const auto [number, q1, q3] = GENERATE(table<int, double, double>({{1, 2, 4},
+                                                                     {2, 2, 4},
+                                                                     {3, 2, 3},
+                                                                     {4, 1.5, 3.5},
+                                                                     {5, 2, 4},
+                                                                     {6, 1.75, 5.25},
+                                                                     {7, 2, 3.75},
+                                                                     {8, 1.9166666667, 4.4166666667},
+                                                                     {9, 1.9375, 4.3125}}));
+  CAPTURE(number);
+  CHECK(quantile(sorted, 0.25, quantile_type(number)) == Approx(q1));
+  CHECK(quantile(sorted, 0.75, quantile_type(number)) == Approx(q3));
+}
+
+TEST_CASE("on a jump the discontinuous types take the lower value, the middle, and the even rank", "[quantile]") {
+  const std::vector<double> sorted{10, 20, 30, 40};
+  CHECK(quantile(sorted, 0.5, QuantileType::type_1) == 20);  // n p = 2 exactly
+  CHECK(quantile(sorted, 0.5, QuantileType::type_2) == 25);
+  CHECK(quantile(sorted, 0.375, QuantileType::type_3) == 20);  // n p - 1/2 = 1, odd: the next
+  CHECK(quantile(sorted, 0.625, QuantileType::type_3) == 20);  // n p - 1/2 = 2, even: this one
+}
+
+TEST_CASE("the quantiles at 0 and 1 are the extremes for every type", "[quantile]") {
+  const int number = GENERATE(1, 2, 3, 4, 5, 6, 7, 8, 9);
+  const std::vector<double> sorted{1, 5, 6};
+  CHECK(quantile(sorted, 0, quantile_type(number)) == 1);
+  CHECK(quantile(sorted, 1, quantile_type(number)) == 6);
+  CHECK(quantile(std::vector<double>{7}, 0.3, quantile_type(number)) == 7);
+}
+
+TEST_CASE("a quantile type or a probability that does not exist is refused", "[quantile]") {
+  CHECK_THROWS_AS(quantile_type(0), std::invalid_argument);
+  CHECK_THROWS_AS(quantile_type(10), std::invalid_argument);
+  CHECK_THROWS_AS(quantile(std::vector<double>{1}, 1.5, QuantileType::type_7), std::invalid_argument);
+  CHECK_THROWS_AS(quantile(std::vector<double>{1}, NAN, QuantileType::type_7), std::invalid_argument);
+}
+
+TEST_CASE("whiskers end at the last value within 1.5 box heights, and what lies beyond is an outlier", "[quantile]") {
+  // Type 5 of 1..8 and 20: n p = 2.25 + 0.5, so q1 = 2.75, q3 = 7.25; fences -4 and 14.
+  const Box b = box(std::vector<double>{8, 7, 6, 5, 4, 3, 2, 1, 20}, QuantileType::type_5);
+  CHECK(b.q1 == 2.75);
+  CHECK(b.median == 5);
+  CHECK(b.q3 == 7.25);
+  CHECK(b.whisker_low == 1);
+  CHECK(b.whisker_high == 8);
+  CHECK(b.outliers == std::vector<double>{20});
+}
+
+TEST_CASE("a box with too many values that are not finite is not drawable, and shows the others as points",
+          "[quantile]") {
+  const Box b = box(std::vector<double>{1, 2, NAN, NAN}, QuantileType::type_5);
+  CHECK(b.not_finite == 2);
+  CHECK(!b.drawable());
+  CHECK(b.outliers == std::vector<double>{1, 2});
+}

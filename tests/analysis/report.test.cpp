@@ -1,0 +1,206 @@
+#include "analysis/report.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "analysis/files.hpp"
+#include "analysis/provenance.hpp"
+#include "analysis/summary.hpp"
+#include "tests/analysis/folder.hpp"
+#include "tests/analysis/synthetic.hpp"
+#include "tests/catch.hpp"
+
+using namespace ikbench;
+
+namespace {
+
+bool contains(const std::string& text, const std::string& words) { return text.find(words) != std::string::npos; }
+
+struct Example {
+  std::string name = "slim2023";
+  std::string definition =
+      R"({"robot": "iiwa", "path": {"kind": "helix", "points": 20}, "runs": 20, "published": "slim2023"})";
+  synthetic::Shape shape = {};
+};
+
+// Saves a study of made-up solves; its keys begin with its name.
+void save(Store& store, const Example& example) {
+  StudyEntry entry{.name = example.name, .definition = example.definition, .series = {}};
+  std::vector<SolveRecord> solves = synthetic::solves(example.shape);
+  const std::int64_t session = store.begin_session({{"cpu", "a <fast> one"}, {"compiler", "g++ 12"}});
+  for (std::size_t i = 0; i < example.shape.solvers.size(); ++i) {
+    entry.series.push_back({.key = example.name + "-series-" + std::to_string(i),
+                            .label = example.shape.solvers[i],
+                            .algorithm = "algorithm",
+                            .options = R"({"alpha": 0.97, "acceptance": "greedy"})"});
+  }
+  for (SolveRecord& solve : solves) {
+    solve.study = example.name;
+    solve.series = example.name + "-" + solve.series;
+    solve.session = session;
+  }
+  store.save_study(entry);
+  store.append(solves);
+}
+
+}  // namespace
+
+TEST_CASE("a report has its tables, figures and report.md", "[report]") {
+  const TestFolder folder;
+  Store store(folder.path() / "store.db", Store::Mode::write);
+  save(store, {});
+  const Report report = write_report(
+      store, {.study = "slim2023", .folder = folder.path() / "out", .command = "ikbench report slim2023 --out out"});
+  CHECK(report.file == folder.path() / "out" / "report.md");
+  CHECK(report.warnings.empty());
+  const auto files = files_in(folder.path() / "out");
+  for (const char* name : {"definition", "options", "environment", "status", "table-3", "table-4", "table-5", "table-6",
+                           "anova-from-printed-table-3"}) {
+    for (const char* type : {".md", ".csv", ".tex"}) CHECK(files.contains("tables/" + std::string(name) + type));
+  }
+  CHECK(files.contains("figures/figure-10.pdf"));
+  const std::string text = text_of_file(report.file);
+  for (const char* words :
+       {"# Report: slim2023", "## Summary", "    ikbench report slim2023 --out out", "| path.kind | helix |",
+        "| IK-BA | algorithm | alpha | 0.97 |", "a &lt;fast&gt; one", "](figures/figure-9-f.png)",
+        "Table 6: one-way ANOVA", "IK-BA is first in the paper, and here too"}) {
+    CAPTURE(words);
+    CHECK(contains(text, words));
+  }
+  CHECK(!contains(text, "## Perspective"));
+}
+
+TEST_CASE("every link of a report leads to a file", "[report]") {
+  const TestFolder folder;
+  Store store(folder.path() / "store.db", Store::Mode::write);
+  save(store, {.shape = {.runs = 2}});
+  const std::string text = text_of_file(write_report(store, {.study = "slim2023", .folder = folder.path()}).file);
+  int links = 0;
+  for (std::size_t at = text.find("](figures/"); at != std::string::npos; at = text.find("](figures/", at + 1)) {
+    const std::string target = text.substr(at + 2, text.find(')', at) - at - 2);
+    CAPTURE(target);
+    CHECK(std::filesystem::exists(folder.path() / target));
+    ++links;
+  }
+  CHECK(links == 13 * 5);  // 13 figures, each as picture, SVG, PDF, script and data
+}
+
+TEST_CASE("a study with the same targets is shown in perspective, one with others is not", "[report]") {
+  const TestFolder folder;
+  Store store(folder.path() / "store.db", Store::Mode::write);
+  save(store, {.shape = {.runs = 2}});
+  save(store, {.name = "context", .definition = R"({"runs": 2})", .shape = {.solvers = {"random search"}, .runs = 2}});
+  save(
+      store,
+      {.name = "shorter", .definition = R"({"runs": 2})", .shape = {.solvers = {"elsewhere"}, .runs = 2, .points = 5}});
+  const Report report =
+      write_report(store, {.study = "slim2023", .folder = folder.path() / "out", .figures = {.render = false}});
+  CHECK(contains(text_of_file(report.file), "## Perspective"));
+  const std::string csv = text_of_file(folder.path() / "out/tables/perspective.csv");
+  CHECK(contains(csv, "\ncontext,random search,2,0,"));
+  CHECK(contains(csv, "\nslim2023,MO-PSO,2,0,"));
+  CHECK(!contains(csv, "elsewhere"));
+}
+
+TEST_CASE("without gnuplot the tables are written and the report says what is missing", "[report]") {
+  const TestFolder folder;
+  Store store(folder.path() / "store.db", Store::Mode::write);
+  save(store, {.shape = {.runs = 20}});
+  const Report report = write_report(
+      store, {.study = "slim2023", .folder = folder.path() / "out", .figures = {.gnuplot = "no-such-gnuplot"}});
+  REQUIRE(report.warnings.size() == 1);  // one for all figures
+  CHECK(contains(report.warnings[0], "cannot start no-such-gnuplot"));
+  CHECK(contains(report.warnings[0], "figure-12"));
+  CHECK(std::filesystem::exists(folder.path() / "out/tables/table-3.csv"));
+  const std::string text = text_of_file(report.file);
+  CHECK(contains(text, "### Warnings"));
+  CHECK(!contains(text, "!["));
+}
+
+TEST_CASE("names of a study and its solvers show as text in the report", "[report]") {
+  const TestFolder folder;
+  Store store(folder.path() / "store.db", Store::Mode::write);
+  const std::string name = "<script>alert(1)</script>`|\n# x";
+  save(store, {.name = name,
+               .definition = R"({"runs": 2})",
+               .shape = {.solvers = {"<b>`|\n\n# y", "![](x)"}, .runs = 2, .points = 2}});
+  const Report report =
+      write_report(store, {.study = name, .folder = folder.path() / "out", .command = "ikbench '\n# z'"});
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder.path() / "out")) {
+    if (entry.path().extension() != ".md") continue;
+    const std::string text = text_of_file(entry.path());
+    CAPTURE(entry.path());
+    CHECK(!contains(text, "<script"));
+    CHECK(!contains(text, "<b>"));
+    CHECK(!contains(text, "\n# x"));
+    CHECK(!contains(text, "\n# y"));
+    CHECK(!contains(text, "\n# z"));
+    CHECK(!contains(text, "![](x)"));
+  }
+  CHECK(contains(text_of_file(report.file), "# Report: &lt;script&gt;alert(1)&lt;/script&gt;&#96;&#124; \\# x"));
+}
+
+TEST_CASE("a study of which nothing is solved has a report that says so", "[report]") {
+  const TestFolder folder;
+  Store store(folder.path() / "store.db", Store::Mode::write);
+  save(store, {.shape = {.runs = 0}});
+  const Report report = write_report(store, {.study = "slim2023", .folder = folder.path()});
+  CHECK(contains(text_of_file(report.file), "Nothing of this study is solved yet."));
+  CHECK(report.warnings.size() == 6);  // each solver: 0 of 400
+}
+
+TEST_CASE("an incomplete study, parallel times and answers outside the limits are said at the top", "[report]") {
+  std::vector<SolveRecord> solves = synthetic::solves({.runs = 3});
+  solves.pop_back();
+  solves[0].timing = Timing::parallel;
+  solves[1].limit_violation_deg = 7.5;
+  const auto sentences = summary(make_study("s", solves), Unit::run);
+  const auto says = [&](const std::string& words) {
+    return std::ranges::any_of(sentences, [&](const std::string& sentence) { return contains(sentence, words); });
+  };
+  CHECK(says("1 of 359 answers leave the joint limits, the worst joint by 7.5 deg."));
+  CHECK(says("Solves: 359 of 360 expected"));
+  CHECK(says("Times are not comparable"));
+}
+
+TEST_CASE("the summary says which findings of the paper hold", "[report]") {
+  std::vector<SolveRecord> solves = synthetic::solves({});
+  for (SolveRecord& solve : solves) {
+    if (solve.solver == "MO-PSO") solve.variation_deg /= 2;
+  }
+  Study study = make_study("s", solves);
+  study.published = "slim2023";
+  std::string all;
+  for (const std::string& sentence : summary(study, Unit::run)) all += sentence + '\n';
+  CHECK(contains(all, "IK-BA is first in the paper, and here too"));
+  CHECK(contains(all, "IK-BA is first in the paper, and here it is MO-PSO; 14 of 15 pairs stand in the printed order"));
+  CHECK(contains(all, "Here it is not less than that of MO-PSO"));
+  CHECK(contains(all, "the solvers differ, as in the paper"));
+}
+
+TEST_CASE("a difference in variation that may be chance is said to be one", "[report]") {
+  std::vector<SolveRecord> solves = synthetic::solves({.solvers = {"IK-BA", "MO-PSO"}, .runs = 2, .points = 1});
+  const double variations[] = {80, 90, 84, 90};  // means 85 and 87: t = -0.343, p = 0.76
+  for (std::size_t i = 0; i < solves.size(); ++i) solves[i].variation_deg = variations[i];
+  Study study = make_study("s", solves);
+  study.published = "slim2023";
+  CHECK(contains(summary(study, Unit::run)[2], "cannot be told apart from that of MO-PSO (98 %)"));
+}
+
+TEST_CASE("an unknown study is refused by name", "[report]") {
+  const TestFolder folder;
+  Store store(folder.path() / "store.db", Store::Mode::write);
+  CHECK_THROWS_AS(write_report(store, {.study = "nothing", .folder = folder.path()}), std::invalid_argument);
+}
+
+TEST_CASE("a file that cannot be written is an error that names it, and nothing is left of it", "[report]") {
+  const TestFolder folder;
+  write_file(folder.path() / "file", "text");
+  CHECK(text_of_file(folder.path() / "file") == "text");
+  CHECK_THROWS_AS(write_file(folder.path() / "file" / "below", "x"), std::invalid_argument);
+  std::filesystem::create_directory(folder.path() / "taken");
+  write_file(folder.path() / "taken" / "x", "");
+  CHECK_THROWS_AS(write_file(folder.path() / "taken", "x"), std::invalid_argument);
+  CHECK(files_in(folder.path()) == std::set<std::string>{"file", "taken/x"});
+}

@@ -1,0 +1,53 @@
+#include "analysis/table.hpp"
+
+#include <cmath>
+
+#include "tests/catch.hpp"
+
+using namespace ikbench;
+
+namespace {
+
+Table small_table() {
+  return {.name = "small",
+          .caption = "A <small> table",
+          .columns = {{"solver", Align::left}, {"error_cm"}, {"p"}, {"n"}, {"empty"}},
+          .rows = {{std::string("a|b"), 0.00019123456789, PValue{1e-310}, std::int64_t{20}, {}},
+                   {std::string("[c] & d"), NAN, PValue{NAN}, std::int64_t{-3}, {}}},
+          .notes = {"100 % of it"}};
+}
+
+}  // namespace
+
+TEST_CASE("Markdown has five digits, words for what is not defined, and no empty column", "[table]") {
+  CHECK(to_markdown(small_table()) ==
+        "**A &lt;small&gt; table**\n\n"
+        "| solver | error_cm | p | n |\n"
+        "| :--- | ---: | ---: | ---: |\n"
+        "| a&#124;b | 0.00019123 | &lt; 1e-300 | 20 |\n"
+        "| \\[c\\] &amp; d | not defined | not defined | -3 |\n"
+        "\n100 % of it\n");
+}
+
+TEST_CASE("CSV has every digit, every column, and an empty field for what is not defined", "[table]") {
+  CHECK(to_csv(small_table()) ==
+        "solver,error_cm,p,n,empty\n"
+        "a|b,0.00019123456789,1e-310,20,\n"
+        "[c] & d,,,-3,\n");
+}
+
+TEST_CASE("LaTeX has booktabs rules and escapes every special character", "[table]") {
+  const std::string text = to_latex(small_table());
+  CHECK(text.find("\\caption{A \\textless{}small\\textgreater{} table}") != std::string::npos);
+  CHECK(text.find("\\begin{tabular}{lrrr}\n\\toprule\nsolver & error\\_cm & p & n \\\\\n\\midrule\n") !=
+        std::string::npos);
+  CHECK(text.find("a\\textbar{}b & 0.00019123 & $<10^{-300}$ & 20 \\\\\n") != std::string::npos);
+  CHECK(text.find("{[}c{]} \\& d & not defined & not defined & $-3$ \\\\\n") != std::string::npos);
+  CHECK(text.find("100 \\% of it") != std::string::npos);
+}
+
+TEST_CASE("LaTeX writes powers of ten as such", "[table]") {
+  const Table table{.name = "t", .caption = "t", .columns = {{"x"}}, .rows = {{7.2225e-24}, {1.0877e6}}};
+  CHECK(to_latex(table).find("$7.2225 \\times 10^{-24}$") != std::string::npos);
+  CHECK(to_latex(table).find("$1.0877 \\times 10^{6}$") != std::string::npos);
+}

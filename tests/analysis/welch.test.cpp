@@ -1,0 +1,36 @@
+#include "analysis/welch.hpp"
+
+#include <cmath>
+
+#include "tests/catch.hpp"
+
+using namespace ikbench;
+
+TEST_CASE("Welch's test of Student's sleep data is that of R", "[welch]") {
+  // R's help page of t.test: t = -1.8608, df = 17.776, p-value = 0.07939; means 0.75 and 2.33.
+  const WelchTest test = welch({.mean = 0.75, .std = 1.789010, .n = 10}, {.mean = 2.33, .std = 2.002249, .n = 10});
+  CHECK(test.t == Approx(-1.8608).epsilon(1e-4));
+  CHECK(test.df == Approx(17.776).epsilon(1e-4));
+  CHECK(test.p == Approx(0.07939).epsilon(1e-3));
+}
+
+TEST_CASE("equal groups have p = 1", "[welch]") {
+  CHECK(welch({.mean = 1, .std = 1, .n = 5}, {.mean = 1, .std = 1, .n = 5}).p == Approx(1));
+}
+
+TEST_CASE("a constant group against one with spread is a one-sample t-test", "[welch]") {
+  // t = 1 / (2 / sqrt 4) = 1 on 3 degrees of freedom: p = 1/3 + 1/2 ... = 0.391002 (t table).
+  const WelchTest test = welch({.mean = 2, .std = 2, .n = 4}, {.mean = 1, .std = 0, .n = 20});
+  CHECK(test.df == Approx(3));
+  CHECK(test.p == Approx(0.391002).epsilon(1e-5));
+}
+
+TEST_CASE("where there is no test it says why", "[welch]") {
+  const GroupSummary good{.mean = 1, .std = 1, .n = 5};
+  const GroupSummary constant{.mean = 1, .std = 0, .n = 5};
+  CHECK(welch({.mean = 1, .std = not_defined, .n = 1}, good).undefined.find("fewer than two") != std::string::npos);
+  CHECK(welch({.mean = not_defined, .std = 1, .n = 5}, good).undefined.find("not defined") != std::string::npos);
+  CHECK(welch(constant, constant).undefined.find("constant") != std::string::npos);
+  CHECK(welch({.mean = 1, .std = 1e200, .n = 5}, good).undefined.find("too large") != std::string::npos);
+  CHECK(std::isnan(welch(constant, constant).p));
+}
