@@ -76,6 +76,10 @@ std::string_view figure_style() {
 # A new report writes this file anew.
 set encoding utf8
 
+# Characters that mean something to gnuplot, for labels.
+array character[126]
+do for [i = 33:126] { character[i] = sprintf("%c", i) }
+
 # Okabe and Ito's palette (2008), told apart by the colour-blind; markers tell the curves apart without colour, and
 # dashes those that would repeat a colour.
 colours = "#0072B2 #D55E00 #009E73 #CC79A7 #E69F00 #56B4E9 #000000"
@@ -100,9 +104,10 @@ set xtics noenhanced offset 0, 0.3
 set xlabel offset 0, 0.85
 set ylabel offset 0.5, 0
 
-# Three outputs of the same size: 8 pt text and thin lines in each; PNG at 300 dpi. Cairo's points are 1/96 inch.
-svg = sprintf("svg enhanced size %d,%d dynamic font 'Liberation Sans,10.67' background '#FFFFFF'", \
-  width_cm / 2.54 * 96, height_cm / 2.54 * 96)
+# Three outputs of the same size, 8 pt text and thin lines in each: SVG in units of a point, PDF, PNG at 300 dpi. To Cairo a
+# point of text is 1/96 inch.
+svg = sprintf("svg enhanced size %d,%d dynamic font 'Liberation Sans,8' linewidth 0.8 background '#FFFFFF'", \
+  width_cm / 2.54 * 72, height_cm / 2.54 * 72)
 pdf = sprintf("pdfcairo enhanced size %gcm,%gcm font 'Liberation Sans,8' fontscale 0.75 linewidth 1.2 pointscale 1.1", width_cm, height_cm)
 png = sprintf("pngcairo enhanced size %d,%d font 'Liberation Sans,8' fontscale 3.125 linewidth 4 pointscale 3.5", \
   width_cm / 2.54 * 300, height_cm / 2.54 * 300)
@@ -110,7 +115,7 @@ png = sprintf("pngcairo enhanced size %d,%d font 'Liberation Sans,8' fontscale 3
 }
 
 std::string script_of(const Figure& figure) {
-  std::string script = fmt::format("# {} (To draw it again: gnuplot {}.gp)\n", one_line(figure.caption), figure.name);
+  std::string script = fmt::format("# To draw it again: gnuplot {}.gp\n", figure.name);
   script += fmt::format("width_cm = {}\nheight_cm = {}\nload 'style.gp'\n\n", text_of(figure.width_cm),
                         text_of(figure.height_cm));
   script += figure.settings + '\n';

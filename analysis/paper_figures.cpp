@@ -43,6 +43,13 @@ std::string with_notes(std::string caption, const Study& study, Metric metric, c
   return caption;
 }
 
+// A tick's label is a format to gnuplot: %% is %.
+std::string doubled_percent(std::string_view label) {
+  std::string result;
+  for (const char c : label) result.append(c == '%' ? 2 : 1, c);
+  return result;
+}
+
 // The legend below the plot, in as many columns as fit, and the room that it takes.
 void add_legend(Figure& figure, const std::vector<std::string>& labels) {
   std::size_t longest = 1;
@@ -95,23 +102,24 @@ std::map<int, const SolveRecord*> first_run(const Study& study, const std::strin
   return solves;
 }
 
-// Ranges and ticks of three axes of one scale: a common round step, about three of them along the longest.
+// Three axes of one scale: a cube around the points, so that any path fits, with a round step of ticks.
 std::string space_axes(const std::array<std::vector<double>, 3>& coordinates) {
   double longest = 0;
-  for (const auto& values : coordinates) {
-    if (!values.empty()) longest = std::max(longest, std::ranges::max(values) - std::ranges::min(values));
+  std::array<double, 3> centre{};
+  for (std::size_t axis = 0; axis < coordinates.size(); ++axis) {
+    if (coordinates[axis].empty()) continue;
+    const auto [low, high] = std::ranges::minmax(coordinates[axis]);
+    centre[axis] = (low + high) / 2;
+    longest = std::max(longest, high - low);
   }
-  const double pad = longest > 0 ? 0.08 * longest : 1;
-  const double decade = std::pow(10, std::floor(std::log10((longest + 2 * pad) / 3)));
-  const double rest = (longest + 2 * pad) / 3 / decade;
-  const double step = decade * (rest > 5 ? 10 : rest > 2 ? 5 : rest > 1 ? 2 : 1);
+  const double half = longest > 0 ? 0.55 * longest : 1;
+  const double decade = std::pow(10, std::floor(std::log10(2 * half / 3)));
+  const double rest = 2 * half / 3 / decade;
+  const double step = decade * (rest > 7 ? 10 : rest > 3.5 ? 5 : rest > 1.5 ? 2 : 1);
   std::string settings;
   for (std::size_t axis = 0; axis < coordinates.size(); ++axis) {
-    const auto& values = coordinates[axis];
-    const double low = values.empty() ? 0 : std::ranges::min(values);
-    const double high = values.empty() ? 0 : std::ranges::max(values);
-    settings += fmt::format("set {0}range [{1}:{2}]\nset {0}tics {3}\n", "xyz"[axis], text_of(low - pad),
-                            text_of(high + pad), text_of(step));
+    settings += fmt::format("set {0}range [{1}:{2}]\nset {0}tics {3} offset 0, 0\n", "xyz"[axis],
+                            text_of(centre[axis] - half), text_of(centre[axis] + half), text_of(step));
   }
   return settings;
 }
@@ -171,14 +179,15 @@ Figure curves_figure(const Study& study, Metric metric) {
   figure.settings = axis.settings + point_axis(study.points);
   add_legend(figure, study.solvers);
 
+  const int points_per_marker = 1 + study.points / 40;
   figure.data = fmt::format("# column 1: point; then {}, mean over the runs, of\n", quantity(metric));
   std::vector<std::string> clauses{"NaN notitle"};
   for (std::size_t i = 0; i < study.solvers.size(); ++i) {
     figure.data += fmt::format("# column {}: {}\n", i + 2, one_line(study.solvers[i]));
     const std::string label = shortened(study.solvers[i], longest_label);
     if (std::ranges::any_of(curves[i], [](double value) { return std::isfinite(value); })) {
-      clauses.push_back(fmt::format("'{}.dat' using 1:(shown(${})) with linespoints ls {} title {}", figure.name, i + 2,
-                                    i + 1, gnuplot_string(label)));
+      clauses.push_back(fmt::format("'{}.dat' using 1:(shown(${})) with linespoints ls {} pointinterval {} title {}",
+                                    figure.name, i + 2, i + 1, points_per_marker, gnuplot_string(label)));
     } else {  // in the legend all the same
       clauses.push_back(
           fmt::format("keyentry with linespoints ls {} title {}", i + 1, gnuplot_string(label + " (nothing to show)")));
@@ -264,10 +273,9 @@ Figure box_figure(const Study& study, const BoxRequest& request) {
       "# solver's position, lower whisker, q1, median, q3, upper whisker, observations, of those not finite\n";
   for (std::size_t i = 0; i < n; ++i) {
     const Box& b = boxes[i];
-    std::string label = shortened(study.solvers[i], longest_label);
+    const std::string label = shortened(study.solvers[i], longest_label);
     longest = std::max(longest, character_count(label));
-    for (std::size_t at = label.find('%'); at != std::string::npos; at = label.find('%', at + 2)) label.insert(at, "%");
-    ticks += fmt::format("{}{} {}", i == 0 ? "" : ", ", gnuplot_string(label), i + 1);  // %% is % in a tick's label
+    ticks += fmt::format("{}{} {}", i == 0 ? "" : ", ", gnuplot_string(doubled_percent(label)), i + 1);
     figure.data +=
         fmt::format("# {}\n{} {} {} {} {} {} {} {}\n", one_line(study.solvers[i]), i + 1, number(b.whisker_low),
                     number(b.q1), number(b.median), number(b.q3), number(b.whisker_high), b.n, b.not_finite);
@@ -278,17 +286,22 @@ Figure box_figure(const Study& study, const BoxRequest& request) {
                             b.n == 0 ? "solved" : "finite", i + 1);
     }
   }
-  figure.data += "\n\n# outliers: solver's position, value\n" + (outliers.empty() ? "1 NaN\n" : outliers);
+  if (outliers.empty()) outliers = "1 NaN\n";
+  figure.data += fmt::format("\n\n# outliers: solver's position, value\n{}", outliers);
 
   if (!counts.empty()) counts += "set tmargin 2.5\n";
 
   // Labels lie flat where they have room (about 6 characters a centimetre), else they stand.
   const double room = (figure.width_cm - 1.8) / static_cast<double>(n) * 6;
   const bool standing = static_cast<double>(longest) > room;
-  if (standing) figure.height_cm += 0.11 * static_cast<double>(longest);
+  if (standing) {
+    const double label_cm = 0.13 * static_cast<double>(longest) + 0.4;
+    figure.height_cm += label_cm;
+    counts += fmt::format("set bmargin at screen {}\n", text_of(label_cm / figure.height_cm));
+  }
   figure.settings = axis.settings + counts +
                     fmt::format(
-                        "unset key\nset grid noxtics ytics\nset xrange [0.4:{}.6]\nset xtics {}({})\n"
+                        "unset key\nset grid noxtics ytics\nset xrange [0.4:{}.6]\nset xtics font ',7' {}({})\n"
                         "set boxwidth 0.5\nset style fill solid 0.25 border\n",
                         n, standing ? "rotate by 90 right " : "", ticks);
   std::vector<std::string> clauses;

@@ -23,8 +23,9 @@ std::string text_of_json(const Json& value) {
 void add_values(std::vector<std::vector<Cell>>& rows, const Json& value, const std::vector<Cell>& before,
                 const std::string& path) {
   if (value.is_object() && !value.empty()) {
-    for (const auto& [key, inner] : value.items())
-      add_values(rows, inner, before, path.empty() ? key : path + "." + key);
+    for (const auto& [key, inner] : value.items()) {
+      add_values(rows, inner, before, path.empty() ? key : fmt::format("{}.{}", path, key));
+    }
     return;
   }
   std::vector<Cell> row = before;

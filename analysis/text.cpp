@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <cctype>
-
 namespace ikbench {
 namespace {
 
@@ -35,7 +33,7 @@ bool is_control(std::string_view sequence) {
   return sequence.size() == 2 && lead == 0xC2 && static_cast<unsigned char>(sequence[1]) < 0xA0;
 }
 
-bool is_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0; }
+bool is_word(char c) { return (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z'); }
 
 }  // namespace
 
@@ -174,13 +172,14 @@ std::string latex_text(std::string_view text) {
 }
 
 std::string gnuplot_string(std::string_view text) {
+  constexpr std::string_view harmless = " -_.,:()+*/=<>[]&|?^~%";
   std::string result = "'";
   for (const char c : one_line(text)) {
-    // Not '', which gnuplot 5.4 misreads at the front of a string.
-    if (c == '\'') {
-      result += R"('."'".')";
-    } else {
+    const bool ascii = static_cast<unsigned char>(c) < 0x80;
+    if (!ascii || is_word(c) || harmless.find(c) != std::string_view::npos) {
       result += c;
+    } else {
+      result += fmt::format("'.character[{}].'", static_cast<int>(c));
     }
   }
   return result + "'";

@@ -16,8 +16,9 @@ std::size_t character_count(std::string_view utf8);
 
 std::string markdown_text(std::string_view text);
 std::string latex_text(std::string_view text);
-// A string of gnuplot, quotes included. Single quotes, because gnuplot substitutes nothing in them; a single quote of
-// the text is a string of its own, joined by dots.
+// A string expression of gnuplot. Quotes, backticks, @, $, \, #, braces and the like never stand in the script
+// themselves (gnuplot 5.4 loses count of quotes when it looks for macros); they are elements of the array `character`
+// of style.gp.
 std::string gnuplot_string(std::string_view text);
 
 std::string rounded_number(double value, int significant_digits);

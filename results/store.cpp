@@ -34,6 +34,11 @@ struct Damage : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+[[noreturn]] void refuse_damaged(const std::string& file, const std::string& what) {
+  throw std::invalid_argument(
+      fmt::format("'{}' is damaged ({}); restore it from a copy or run its studies into a new store", file, what));
+}
+
 // SQLite's word for what went wrong, as a sentence about the file.
 [[noreturn]] void refuse(const std::string& file, const SQLite::Exception& error) {
   switch (error.getErrorCode()) {
@@ -42,8 +47,7 @@ struct Damage : std::runtime_error {
           fmt::format("'{}' is not an ikbench store: it is no SQLite file; expected one that ikbench wrote", file));
     case SQLITE_CORRUPT:
     case SQLITE_ERROR:  // our SQL is right, so the tables are not ours
-      throw std::invalid_argument(fmt::format(
-          "'{}' is damaged ({}); restore it from a copy or run its studies into a new store", file, error.what()));
+      refuse_damaged(file, error.what());
     case SQLITE_CANTOPEN:
     case SQLITE_PERM:
     case SQLITE_READONLY:
@@ -69,8 +73,7 @@ auto guarded(const std::string& file, Action&& action) {
   } catch (const SQLite::Exception& error) {
     refuse(file, error);
   } catch (const Damage& error) {
-    throw std::invalid_argument(fmt::format(
-        "'{}' is damaged ({}); restore it from a copy or run its studies into a new store", file, error.what()));
+    refuse_damaged(file, error.what());
   }
 }
 

@@ -49,7 +49,7 @@ std::array<Eigen::Vector3d, 2> SphericalWrist::angles(const ConfigurationRef& q_
   const bool singular = std::hypot(R(0, 2), R(1, 2)) < 1e-12;  // t6 = 0 or pi: only t5 +- t7 is fixed
   const double t5 = singular ? near[0] + offsets_[0] : std::atan2(R(1, 2), R(0, 2));
   std::array<Eigen::Vector3d, 2> both{branch(t5), branch(t5 + std::numbers::pi)};
-  if (both[0][1] < both[1][1]) std::swap(both[0], both[1]);
+  if (!singular && both[0][1] < both[1][1]) std::swap(both[0], both[1]);
   for (Eigen::Vector3d& angles : both) angles = angles.unaryExpr(&wrapped);
   return both;
 }

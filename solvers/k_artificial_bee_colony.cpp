@@ -21,8 +21,8 @@ class KArtificialBeeColony final : public Solver {
     Neighbour neighbour = Neighbour::best;
     int limit = 0;
     FitnessUnit fitness_unit = FitnessUnit::cm;  // the paper's unit; in metres all sources would be nearly alike
-    // Clamped: mean error 0.20 cm and variation 268 deg, against 0.24 and 311 unclamped (printed: 0.23 and 277) with a
-    // quarter of the answers outside the limits.
+    // By evidence (docs/paper-notes.md 2.7): clamped 0.21 cm and 268 deg, unclamped 0.24 and 336 with a quarter of the
+    // answers outside the limits; printed 0.23 and 277.
     Bounds bounds = Bounds::clamp;
 
     void list(OptionList& list) {

@@ -39,10 +39,14 @@ TEST_CASE("LaTeX shows any text as text", "[text]") {
   CHECK(latex_text("a---b") == "a-{}-{}-b");      // no ligature
 }
 
-TEST_CASE("a gnuplot string ends only where it should", "[text]") {
-  CHECK(gnuplot_string("it's") == R"('it'."'".'s')");
-  CHECK(gnuplot_string("`id` \"x\" \\") == "'`id` \"x\" \\'");
-  CHECK(gnuplot_string("'\nset output 'x") == R"(''."'".' set output '."'".'x')");
+TEST_CASE("nothing that means something to gnuplot stands in a script", "[text]") {
+  CHECK(gnuplot_string("K-ABC (50 %)") == "'K-ABC (50 %)'");
+  CHECK(gnuplot_string("it's") == "'it'.character[39].'s'");
+  for (const char c : std::string("'\"`@$\\#{}!;")) {
+    CHECK(gnuplot_string(std::string(1, c)) == "''.character[" + std::to_string(c) + "].''");
+  }
+  CHECK(gnuplot_string("a\nb") == "'a b'");
+  CHECK(gnuplot_string("θ") == "'θ'");
 }
 
 TEST_CASE("rounded numbers have the digits asked for", "[text]") {

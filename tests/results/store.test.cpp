@@ -72,7 +72,7 @@ TEST_CASE("every double comes back bit for bit, finite or not", "[store]") {
   }
 }
 
-TEST_CASE("a negative zero keeps its sign in lists; SQLite drops it in a REAL column", "[store]") {
+TEST_CASE("a negative zero keeps its sign in a list but not in a number, where SQLite drops it", "[store]") {
   SolveRecord record = sample_record();
   record.answer_rad = {-0.0};
   record.position_error_cm = -0.0;

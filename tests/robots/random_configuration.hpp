@@ -1,0 +1,26 @@
+// Random configurations for the tests of robots, which know nothing of the solvers' random streams.
+#pragma once
+
+#include <random>
+
+#include "robots/robot.hpp"
+
+namespace ikbench {
+
+class RandomConfigurations {
+ public:
+  // Uniform within the limits.
+  Eigen::VectorXd operator()(const JointLimits& limits) {
+    Eigen::VectorXd q(limits.lower.size());
+    for (Eigen::Index j = 0; j < q.size(); ++j) q[j] = between(limits.lower[j], limits.upper[j]);
+    return q;
+  }
+  double between(double lower, double upper) {
+    return lower + (upper - lower) * static_cast<double>(engine_() >> 11) * 0x1p-53;
+  }
+
+ private:
+  std::mt19937_64 engine_{20230305};
+};
+
+}  // namespace ikbench

@@ -1,0 +1,301 @@
+// What holds for every solver of the registry, and for each value of its options.
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+#include "tests/catch.hpp"
+#include "tests/solvers/allocations.hpp"
+#include "tests/solvers/objectives.hpp"
+
+using namespace ikbench;
+
+namespace {
+
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+// The defaults; each choice; each number alone at both of its ends; all numbers at their low and their high ends.
+std::vector<Settings> corners(const SolverInfo& info) {
+  std::vector<Settings> corners{{}};
+  Settings low, high;
+  info.describe([&](const OptionList& list) {
+    for (const Option& option : list.options()) {
+      for (const std::string& choice : option.choices) corners.push_back({{option.name, choice}});
+      for (const std::string& bound : option.bounds) corners.push_back({{option.name, bound}});
+      if (option.bounds.empty()) continue;
+      low[option.name] = option.bounds.front();
+      high[option.name] = option.bounds.back();
+    }
+  });
+  corners.push_back(low);
+  corners.push_back(high);
+  return corners;
+}
+
+std::string text(const Settings& settings) {
+  std::string text;
+  for (const auto& [name, value] : settings) text += name + " = " + value + "; ";
+  return text;
+}
+
+bool has_choice(const SolverInfo& info, std::string_view name, std::string_view choice) {
+  bool found = false;
+  info.describe([&](const OptionList& list) {
+    for (const Option& option : list.options()) {
+      if (option.name != name) continue;
+      for (const std::string& each : option.choices) found = found || each == choice;
+    }
+  });
+  return found;
+}
+
+Solution solved(Solver& solver, const Task& task, Objective& objective, std::uint64_t seed = 1) {
+  Random random{Key(seed)};
+  return solve(solver, task.problem, objective, random, {.iterations = 30}, Trace::best_error);
+}
+
+// That best() never worsens and is exactly as good as it says, on this objective.
+void check_best(Solver& solver, const Task& task, Objective& objective) {
+  Random random{Key(7)};
+  Objective judge(task.chain, task.target);
+  solver.start(task.problem, objective, random);
+  double before = infinity;
+  for (int iteration = 0; iteration < 30; ++iteration) {
+    const Best& best = solver.best();
+    REQUIRE(best.q.size() == task.problem.joints());
+    REQUIRE_FALSE(std::isnan(best.error));
+    REQUIRE(best.error <= before);
+    if (std::isfinite(best.error)) REQUIRE(best.error == judge.error(best.q));
+    before = best.error;
+    solver.step(objective, random);
+  }
+}
+
+}  // namespace
+
+TEST_CASE("every solver says what it is and where it comes from", "[contract]") {
+  for (const SolverInfo& info : solvers()) {
+    CAPTURE(info.name);
+    CHECK(solver(info.name).name == info.name);
+    CHECK_FALSE(info.summary.empty());
+    CHECK_FALSE(info.source.empty());
+    info.describe([](const OptionList& list) {
+      for (const Option& option : list.options()) {
+        CAPTURE(option.name);
+        CHECK_FALSE(option.meaning.empty());
+        CHECK_FALSE(option.expected.empty());
+      }
+    });
+  }
+}
+
+TEST_CASE("an option given its default's text is the default", "[contract]") {
+  for (const SolverInfo& info : solvers()) {
+    const Settings defaults = info.options({});
+    CHECK(info.options(defaults) == defaults);
+  }
+}
+
+TEST_CASE("best never worsens and is exactly as good as it says, in every corner of the options", "[contract]") {
+  for (const SolverInfo& info : solvers()) {
+    for (const Settings& settings : corners(info)) {
+      CAPTURE(info.name, text(settings));
+      const Task task = iiwa_task();
+      Objective objective(task.chain, task.target);
+      check_best(*info.make(settings), task, objective);
+    }
+  }
+}
+
+TEST_CASE("best stays honest where some errors are not numbers", "[contract]") {
+  for (const SolverInfo& info : solvers()) {
+    for (const Settings& settings : corners(info)) {
+      for (const double value : {not_a_number, infinity}) {
+        CAPTURE(info.name, text(settings), value);
+        const Task task = iiwa_task();
+        SpoiltObjective objective(task.chain, task.target, value, 3);
+        check_best(*info.make(settings), task, objective);
+      }
+    }
+  }
+}
+
+TEST_CASE("a solve in which no error is a number ends as not finite", "[contract]") {
+  for (const SolverInfo& info : solvers()) {
+    for (const Settings& settings : corners(info)) {
+      CAPTURE(info.name, text(settings));
+      const Task task = iiwa_task();
+      SpoiltObjective objective(task.chain, task.target, not_a_number, 1);
+      const auto solver = info.make(settings);
+      CHECK(solved(*solver, task, objective).stopped == Stopped::not_finite);
+      check_best(*solver, task, objective);  // and nothing breaks where someone goes on
+    }
+  }
+}
+
+TEST_CASE("the same key gives the same answer, also from a solver used before", "[contract]") {
+  for (const SolverInfo& info : solvers()) {
+    for (const Settings& settings : corners(info)) {
+      CAPTURE(info.name, text(settings));
+      const Task task = iiwa_task(), other = snake_task(3, 6);
+      const auto solver = info.make(settings), used = info.make(settings);
+      Objective first(task.chain, task.target), between(other.chain, other.target), second(task.chain, task.target);
+      const Solution a = solved(*solver, task, first);
+      solved(*used, other, between);
+      const Solution b = solved(*used, task, second);
+      CHECK(a.best.q == b.best.q);
+      CHECK(a.trace == b.trace);
+      CHECK(a.evaluations == b.evaluations);
+    }
+  }
+}
+
+TEST_CASE("different keys give different draws", "[contract]") {
+  for (const SolverInfo& info : solvers()) {
+    CAPTURE(info.name);
+    Task task = iiwa_task();
+    task.target = {2, 2, 2};  // out of reach: solvers that draw only when they are stuck are stuck
+    RecordingObjective first(task.chain, task.target), second(task.chain, task.target);
+    const auto solver = info.make({});
+    solved(*solver, task, first, 1);
+    solved(*solver, task, second, 2);
+    CHECK(first.candidates != second.candidates);
+  }
+}
+
+TEST_CASE("every candidate goes through the objective, which counts it", "[contract]") {
+  for (const SolverInfo& info : solvers()) {
+    for (const Settings& settings : corners(info)) {
+      CAPTURE(info.name, text(settings));
+      const Task task = iiwa_task();
+      RecordingObjective objective(task.chain, task.target);
+      const Solution solution = solved(*info.make(settings), task, objective);
+      CHECK(solution.evaluations == objective.evaluations());
+      CHECK(static_cast<std::size_t>(solution.evaluations) ==
+            objective.candidates.size() + objective.linearized.size());
+      double smallest = infinity;
+      for (const double error : objective.given) smallest = std::min(smallest, error);
+      CHECK(smallest <= solution.best.error);
+    }
+  }
+}
+
+TEST_CASE("with bounds = clamp no candidate is outside the limits", "[contract]") {
+  for (const SolverInfo& info : solvers()) {
+    if (!has_choice(info, "bounds", "clamp")) continue;
+    for (Settings settings : corners(info)) {
+      settings["bounds"] = "clamp";
+      CAPTURE(info.name, text(settings));
+      Task task = iiwa_task();
+      const JointLimits limits{task.problem.lower / 4, task.problem.upper / 4};
+      task.problem.lower = limits.lower;
+      task.problem.upper = limits.upper;
+      RecordingObjective objective(task.chain, task.target);
+      solved(*info.make(settings), task, objective);
+      for (const auto& q : objective.candidates) REQUIRE(limits.violation(q) == 0);
+      for (const auto& q : objective.linearized) REQUIRE(limits.violation(q) == 0);
+    }
+  }
+}
+
+TEST_CASE("solvers without a choice of bounds stay inside the limits", "[contract]") {
+  for (const SolverInfo& info : solvers()) {
+    if (info.options({}).contains("bounds")) continue;
+    CAPTURE(info.name);
+    const Task task = iiwa_task();
+    RecordingObjective objective(task.chain, task.target);
+    solved(*info.make({}), task, objective);
+    for (const auto& q : objective.candidates) {
+      REQUIRE(JointLimits{task.problem.lower, task.problem.upper}.violation(q) == 0);
+    }
+  }
+}
+
+TEST_CASE("a small population works or is refused in a sentence", "[contract]") {
+  for (const SolverInfo& info : solvers()) {
+    for (const Settings& settings : corners(info)) {
+      for (int population = 1; population <= 7; ++population) {
+        CAPTURE(info.name, text(settings), population);
+        const Task task = iiwa_task(population);
+        Objective objective(task.chain, task.target);
+        try {
+          const Solution solution = solved(*info.make(settings), task, objective);
+          CHECK(std::isfinite(solution.best.error));
+        } catch (const std::invalid_argument& refused) {
+          CHECK(std::string(refused.what()).find(info.name) == 0);
+          CHECK(std::string(refused.what()).find(std::to_string(population)) != std::string::npos);
+        }
+      }
+    }
+  }
+}
+
+TEST_CASE("one joint, two and twenty are searched alike", "[contract]") {
+  for (const SolverInfo& info : solvers()) {
+    for (const int joints : {1, 2, 20}) {
+      CAPTURE(info.name, joints);
+      const Task task = snake_task(joints);
+      Objective objective(task.chain, task.target);
+      check_best(*info.make({}), task, objective);
+    }
+  }
+}
+
+TEST_CASE("a solve may start at the limits, or where a joint is locked", "[contract]") {
+  for (const SolverInfo& info : solvers()) {
+    CAPTURE(info.name);
+    Task task = iiwa_task();
+    task.problem.start = task.problem.upper;
+    Objective objective(task.chain, task.target);
+    check_best(*info.make({}), task, objective);
+    task.problem.lower[2] = task.problem.upper[2] = task.problem.start[2] = 0.3;
+    check_best(*info.make({}), task, objective);
+  }
+}
+
+TEST_CASE("an iteration takes no memory from the heap", "[contract]") {
+  for (const SolverInfo& info : solvers()) {
+    for (const Settings& settings : corners(info)) {
+      for (const int joints : {4, 20}) {
+        CAPTURE(info.name, text(settings), joints);
+        Task task = snake_task(joints, 50);
+        task.target *= 10;  // out of reach: restarts and scouts take part
+        Objective objective(task.chain, task.target);
+        Random random{Key(1)};
+        const auto solver = info.make(settings);
+        solver->start(task.problem, objective, random);
+        const long before = allocations();
+        for (int iteration = 0; iteration < 12; ++iteration) solver->step(objective, random);
+        CHECK(allocations() == before);
+      }
+    }
+  }
+}
+
+TEST_CASE("the count of allocations sees what the standard library and Eigen take", "[contract]") {
+  long before = allocations();
+  const std::vector<int> vector(1000);
+  CHECK(allocations() == before + 1);
+  before = allocations();
+  const Eigen::VectorXd eigen = Eigen::VectorXd::Zero(1000);
+  CHECK(allocations() == before + 1);
+}
+
+TEST_CASE("every solver but the floor beats random search on the iiwa", "[contract]") {
+  const Task task = iiwa_task(50);
+  const auto mean_error = [&](const SolverInfo& info) {
+    double sum = 0;
+    for (std::uint64_t seed = 0; seed < 10; ++seed) {
+      Objective objective(task.chain, task.target);
+      Random random{Key(seed)};
+      sum += solve(*info.make({}), task.problem, objective, random, {.iterations = 200}).best.error;
+    }
+    return sum / 10;
+  };
+  const double floor = mean_error(solver("random_search"));
+  for (const SolverInfo& info : solvers()) {
+    CAPTURE(info.name);
+    if (info.name != "random_search") CHECK(mean_error(info) < floor);
+  }
+}

@@ -1,0 +1,105 @@
+// Damped least squares: its steps by hand, its convergence and its restarts.
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "tests/catch.hpp"
+#include "tests/solvers/objectives.hpp"
+
+using namespace ikbench;
+
+TEST_CASE("a damped step is (J^T J + mu I)^-1 J^T e, and the gain ratio sets the next damping", "[dls]") {
+  Task task = planar_task(1);
+  task.target = {0.68, 0.70, 0};  // near (0.6, 0.4) rad
+  RecordingObjective objective(task.chain, task.target);
+  Random random{Key(1)};
+  const auto descent = solver("damped_least_squares").make({{"damping", "0.1"}});
+  descent->start(task.problem, objective, random);
+
+  Eigen::Vector2d q = task.problem.start;
+  double mu = 0;
+  for (int iteration = 0; iteration < 4; ++iteration) {
+    // Two links of 0.5 m: the closed form of the position and of its Jacobian.
+    const double t1 = q[0], t12 = q[0] + q[1];
+    const Eigen::Vector2d e =
+        Eigen::Vector2d(0.68, 0.70) - 0.5 * Eigen::Vector2d(std::cos(t1) + std::cos(t12), std::sin(t1) + std::sin(t12));
+    Eigen::Matrix2d J;
+    J << -0.5 * std::sin(t1) - 0.5 * std::sin(t12), -0.5 * std::sin(t12), 0.5 * std::cos(t1) + 0.5 * std::cos(t12),
+        0.5 * std::cos(t12);
+    const Eigen::Matrix2d A = J.transpose() * J;
+    if (iteration == 0) mu = 0.1 * A.diagonal().maxCoeff();
+    const Eigen::Vector2d gradient = J.transpose() * e;
+    const Eigen::Vector2d h = (A + mu * Eigen::Matrix2d::Identity()).inverse() * gradient;
+
+    descent->step(objective, random);
+    const Eigen::VectorXd candidate = (q + h).cwiseMax(-1).cwiseMin(1);
+    REQUIRE((objective.candidates.back() - candidate).norm() < 1e-14);
+    const double error = objective.given.back();
+    REQUIRE(error < e.norm());
+    const double gain = (e.squaredNorm() - error * error) / h.dot(mu * h + gradient);
+    mu *= std::max(1.0 / 3, 1 - std::pow(2 * gain - 1, 3));
+    q = candidate;
+  }
+}
+
+TEST_CASE("a step that makes it worse is undone, and damped by 2, 4, 8 and so on", "[dls]") {
+  const Task task = planar_task(1);
+  RecordingObjective objective(task.chain, std::vector<double>{0.5});  // whatever follows is worse
+  Random random{Key(1)};
+  const auto descent = solver("damped_least_squares").make({{"damping", "1"}});
+  descent->start(task.problem, objective, random);
+  const Eigen::VectorXd start = task.problem.start;
+  Eigen::Matrix3Xd J(3, 2);
+  task.chain.position_jacobian(start, J);
+  const Eigen::Matrix2d A = J.transpose() * J;
+  const Eigen::Vector2d gradient = -J.transpose() * task.chain.position(start);  // a scripted objective's target is 0
+  double mu = A.diagonal().maxCoeff();
+  for (const double growth : {2, 4, 8, 16}) {
+    descent->step(objective, random);
+    const Eigen::Vector2d h = (A + mu * Eigen::Matrix2d::Identity()).inverse() * gradient;
+    CHECK((objective.candidates.back() - (start + h).cwiseMax(-1).cwiseMin(1)).norm() < 1e-14);
+    mu *= growth;
+  }
+  CHECK(descent->best().error == 0.5);
+}
+
+TEST_CASE("damped least squares places the iiwa's wrist to 1e-14 m within 20 steps", "[dls]") {
+  const Task task = iiwa_task();
+  Objective objective(task.chain, task.target);
+  Random random{Key(1)};
+  const Solution solution =
+      solve(*solver("damped_least_squares").make({}), task.problem, objective, random, {.iterations = 20});
+  CHECK(solution.best.error < 1e-14);
+}
+
+TEST_CASE("damped least squares restarts at random where it is stuck, and only there", "[dls]") {
+  Task task = iiwa_task();
+  const JointLimits limits{task.problem.lower, task.problem.upper};
+  for (const bool reachable : {true, false}) {
+    if (!reachable) task.target = {2, 0, 0};
+    RecordingObjective objective(task.chain, task.target);
+    Random random{Key(1)}, untouched{Key(1)};
+    solve(*solver("damped_least_squares").make({}), task.problem, objective, random, {.iterations = 200});
+    CHECK((random.uniform() == untouched.uniform()) == reachable);
+    for (const Eigen::VectorXd& q : objective.candidates) REQUIRE(limits.violation(q) == 0);
+  }
+}
+
+TEST_CASE("damped least squares does not depend on the population", "[dls]") {
+  const Task few = iiwa_task(1), many = iiwa_task(100);
+  Objective first(few.chain, few.target), second(many.chain, many.target);
+  Random a{Key(1)}, b{Key(1)};
+  CHECK(solve(*solver("damped_least_squares").make({}), few.problem, first, a, {.iterations = 10}).best.q ==
+        solve(*solver("damped_least_squares").make({}), many.problem, second, b, {.iterations = 10}).best.q);
+}
+
+TEST_CASE("damped least squares starts at the limits where the arm is outside them", "[dls]") {
+  Task task = planar_task(1);
+  task.problem.start = Eigen::Vector2d(1.5, -0.2);
+  RecordingObjective objective(task.chain, task.target);
+  Random random{Key(1)};
+  solver("damped_least_squares").make({})->start(task.problem, objective, random);
+  CHECK(objective.candidates.front() == Eigen::Vector2d(1, -0.2));
+  CHECK(objective.linearized.front() == Eigen::Vector2d(1, -0.2));
+}
