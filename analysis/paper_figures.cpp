@@ -35,7 +35,7 @@ std::string capitalised(std::string_view text) {
 std::string number(double value) { return std::isfinite(value) ? text_of(value) : "NaN"; }
 
 // Says what a reader of the picture must know.
-std::string with_notes(std::string caption, const Study& study, Metric metric, const Axis& axis) {
+std::string with_notes(std::string caption, const StudyResults& study, Metric metric, const Axis& axis) {
   if (axis.shows_at_edge) caption += " Values of zero are drawn at the lower edge.";
   if (metric == Metric::seconds) {
     if (const std::string note = timing_note(study); !note.empty()) caption += ' ' + note;
@@ -79,7 +79,7 @@ std::string plot_command(const std::vector<std::string>& clauses, std::string_vi
 }
 
 // Mean over the runs at every point; a point with an answer that is not finite has none.
-std::vector<double> means_by_point(const Study& study, const std::string& solver, Metric metric) {
+std::vector<double> means_by_point(const StudyResults& study, const std::string& solver, Metric metric) {
   std::vector<std::vector<double>> values(static_cast<std::size_t>(study.points));
   for (const SolveRecord& solve : study.solves) {
     if (solve.solver == solver) values[static_cast<std::size_t>(solve.point) - 1].push_back(value_of(solve, metric));
@@ -90,7 +90,7 @@ std::vector<double> means_by_point(const Study& study, const std::string& solver
 }
 
 // The first run that the solver has, by point.
-std::map<int, const SolveRecord*> first_run(const Study& study, const std::string& solver) {
+std::map<int, const SolveRecord*> first_run(const StudyResults& study, const std::string& solver) {
   int run = 0;
   for (const SolveRecord& solve : study.solves) {
     if (solve.solver == solver && (run == 0 || solve.run < run)) run = solve.run;
@@ -132,7 +132,7 @@ std::string letters(std::size_t index) {
 
 }  // namespace
 
-Figure path_figure(const Study& study) {
+Figure path_figure(const StudyResults& study) {
   Figure figure{.name = "figure-5", .caption = "The targets of the first run.", .height_cm = 8.0};
   const std::string solver = study.solves.front().solver;
   figure.data = "# target x, y, z [cm]; position error [cm] of " + one_line(solver) + "\n";
@@ -164,7 +164,7 @@ Figure path_figure(const Study& study) {
   return figure;
 }
 
-Figure curves_figure(const Study& study, Metric metric) {
+Figure curves_figure(const StudyResults& study, Metric metric) {
   Figure figure{.name = fmt::format("figure-{}", 6 + static_cast<int>(metric)),
                 .caption = fmt::format("{}: mean over the runs at each point.", capitalised(quantity(metric)))};
   std::vector<std::vector<double>> curves;
@@ -202,7 +202,7 @@ Figure curves_figure(const Study& study, Metric metric) {
   return figure;
 }
 
-std::vector<Figure> joint_figures(const Study& study) {
+std::vector<Figure> joint_figures(const StudyResults& study) {
   std::vector<Figure> figures;
   for (const std::string& solver : study.solvers) {
     const auto solves = first_run(study, solver);
@@ -247,7 +247,7 @@ std::vector<Figure> joint_figures(const Study& study) {
   return figures;
 }
 
-Figure box_figure(const Study& study, const BoxRequest& request) {
+Figure box_figure(const StudyResults& study, const BoxRequest& request) {
   const std::string observation = request.unit == Unit::run ? "run means" : "points";
   Figure figure{
       .name = fmt::format("figure-{}", 10 + static_cast<int>(request.metric)),
@@ -321,7 +321,7 @@ Figure box_figure(const Study& study, const BoxRequest& request) {
   return figure;
 }
 
-std::vector<Figure> paper_figures(const Study& study, Unit unit, QuantileType quartiles) {
+std::vector<Figure> paper_figures(const StudyResults& study, Unit unit, QuantileType quartiles) {
   if (study.solves.empty()) return {};
   constexpr std::array<Metric, 3> metrics{Metric::position_error_cm, Metric::variation_deg, Metric::seconds};
   std::vector<Figure> figures{path_figure(study)};

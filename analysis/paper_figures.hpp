@@ -10,18 +10,19 @@
 
 namespace ikbench {
 
-Figure path_figure(const Study& study);                   // figure-5
-Figure curves_figure(const Study& study, Metric metric);  // figure-6, 7, 8
-std::vector<Figure> joint_figures(const Study& study);    // figure-9-a, figure-9-b, ...: one per solver that has solves
+Figure path_figure(const StudyResults& study);                   // figure-5
+Figure curves_figure(const StudyResults& study, Metric metric);  // figure-6, 7, 8
+std::vector<Figure> joint_figures(
+    const StudyResults& study);  // figure-9-a, figure-9-b, ...: one per solver that has solves
 
 struct BoxRequest {
   Metric metric = Metric::position_error_cm;
   Unit unit = Unit::run;
   QuantileType quartiles = QuantileType::type_5;  // MATLAB's, as the paper's
 };
-Figure box_figure(const Study& study, const BoxRequest& request);  // figure-10, 11, 12
+Figure box_figure(const StudyResults& study, const BoxRequest& request);  // figure-10, 11, 12
 
 // All of them in the paper's order; none where nothing was solved.
-std::vector<Figure> paper_figures(const Study& study, Unit unit, QuantileType quartiles);
+std::vector<Figure> paper_figures(const StudyResults& study, Unit unit, QuantileType quartiles);
 
 }  // namespace ikbench

@@ -27,7 +27,7 @@ std::string_view unit_note(Unit unit) {
                              "standard deviations claim more than the data say; verdicts go by the ratio alone.";
 }
 
-void add_notes(Table& table, const Study& study, Unit unit) {
+void add_notes(Table& table, const StudyResults& study, Unit unit) {
   table.notes.emplace_back(unit_note(unit));
   for (std::string& note : status_notes(study)) table.notes.push_back(std::move(note));
 }
@@ -119,7 +119,7 @@ std::string_view name_of(Agreement agreement) {
   return names[static_cast<std::size_t>(agreement)];
 }
 
-std::vector<Comparison> compare(const Study& study, Unit unit) {
+std::vector<Comparison> compare(const StudyResults& study, Unit unit) {
   std::vector<Comparison> rows;
   for (const Metric metric : paper_metrics) {
     for (const Sample& sample : samples(study, metric, unit)) {
@@ -138,7 +138,7 @@ std::vector<Comparison> compare(const Study& study, Unit unit) {
   return rows;
 }
 
-StudyAnova anova(const Study& study, Metric metric, Unit unit) {
+StudyAnova anova(const StudyResults& study, Metric metric, Unit unit) {
   StudyAnova result;
   std::vector<std::vector<double>> groups;
   for (Sample& sample : samples(study, metric, unit)) {
@@ -156,7 +156,7 @@ StudyAnova anova(const Study& study, Metric metric, Unit unit) {
   return result;
 }
 
-Table table_3(const Study& study, Unit unit) {
+Table table_3(const StudyResults& study, Unit unit) {
   Table table{.name = "table-3",
               .caption = "Table 3: position error, angles variation and computing time",
               .columns = {{"algorithm", Align::left},
@@ -187,7 +187,7 @@ Table table_3(const Study& study, Unit unit) {
   return table;
 }
 
-Table anova_table(const Study& study, Metric metric, Unit unit) {
+Table anova_table(const StudyResults& study, Metric metric, Unit unit) {
   const int number = 4 + static_cast<int>(metric);
   Table table{.name = fmt::format("table-{}", number),
               .caption = fmt::format("Table {}: one-way ANOVA of the {}", number, words_for(metric)),
@@ -219,7 +219,7 @@ Table anova_from_printed_table_3(std::string_view paper) {
   return table;
 }
 
-Table status_table(const Study& study) {
+Table status_table(const StudyResults& study) {
   Table table{.name = "status",
               .caption = "What became of every solve, by the independent verifier",
               .columns = {{"algorithm", Align::left}}};
@@ -249,7 +249,7 @@ Table status_table(const Study& study) {
   return table;
 }
 
-std::vector<Table> paper_tables(const Study& study, Unit unit) {
+std::vector<Table> paper_tables(const StudyResults& study, Unit unit) {
   std::vector<Table> tables{table_3(study, unit)};
   for (const Metric metric : paper_metrics) tables.push_back(anova_table(study, metric, unit));
   if (!printed_table_3(study.published, Metric::position_error_cm).empty()) {

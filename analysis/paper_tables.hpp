@@ -30,21 +30,21 @@ struct Comparison {
 constexpr std::string_view time_reference = "IK-BA";
 constexpr double significance = 0.05;
 
-std::vector<Comparison> compare(const Study& study, Unit unit);
+std::vector<Comparison> compare(const StudyResults& study, Unit unit);
 
 // The ANOVA over all solvers that have observations and only finite ones; the others are named.
 struct StudyAnova {
   AnovaTable table;
   std::vector<std::string> left_out;  // a sentence each
 };
-StudyAnova anova(const Study& study, Metric metric, Unit unit);
+StudyAnova anova(const StudyResults& study, Metric metric, Unit unit);
 
-Table table_3(const Study& study, Unit unit);
-Table anova_table(const Study& study, Metric metric, Unit unit);  // table-4, table-5, table-6
+Table table_3(const StudyResults& study, Unit unit);
+Table anova_table(const StudyResults& study, Metric metric, Unit unit);  // table-4, table-5, table-6
 Table anova_from_printed_table_3(std::string_view paper);
-Table status_table(const Study& study);
+Table status_table(const StudyResults& study);
 
 // Every table above that the study has, in the paper's order.
-std::vector<Table> paper_tables(const Study& study, Unit unit);
+std::vector<Table> paper_tables(const StudyResults& study, Unit unit);
 
 }  // namespace ikbench

@@ -62,7 +62,7 @@ Table options_table(const StudyEntry& entry) {
   return table;
 }
 
-Table environment_table(const Study& study, const std::vector<Session>& sessions) {
+Table environment_table(const StudyResults& study, const std::vector<Session>& sessions) {
   Table table{.name = "environment",
               .caption = "Environment",
               .columns = {{"fact", Align::left}, {"value", Align::left}, {"sessions", Align::left}}};
@@ -83,7 +83,7 @@ Table environment_table(const Study& study, const std::vector<Session>& sessions
   return table;
 }
 
-bool same_targets(const Study& a, const Study& b) {
+bool same_targets(const StudyResults& a, const StudyResults& b) {
   using Target = std::pair<std::vector<double>, std::vector<double>>;
   std::map<std::pair<int, int>, Target> targets;
   for (const SolveRecord& solve : a.solves) {
@@ -99,7 +99,7 @@ bool same_targets(const Study& a, const Study& b) {
   return met && a.points == b.points;
 }
 
-Table perspective_table(const std::vector<Study>& studies, Unit unit) {
+Table perspective_table(const std::vector<StudyResults>& studies, Unit unit) {
   constexpr std::array<Metric, 4> metrics{Metric::position_error_cm, Metric::variation_deg, Metric::seconds,
                                           Metric::evaluations};
   Table table{.name = "perspective",
@@ -109,7 +109,7 @@ Table perspective_table(const std::vector<Study>& studies, Unit unit) {
     table.columns.push_back({fmt::format("mean_{}", name_of(metric))});
     table.columns.push_back({fmt::format("median_{}", name_of(metric))});
   }
-  for (const Study& study : studies) {
+  for (const StudyResults& study : studies) {
     const std::size_t first = table.rows.size();
     for (const SolverCounts& count : counts(study)) {
       table.rows.push_back({study.name, count.solver, std::int64_t{0}, std::int64_t{count.of(Status::not_finite)}});

@@ -13,10 +13,10 @@ namespace ikbench {
 Table definition_table(const StudyEntry& entry);
 Table options_table(const StudyEntry& entry);
 // The sessions in which the study's solves were made.
-Table environment_table(const Study& study, const std::vector<Session>& sessions);
+Table environment_table(const StudyResults& study, const std::vector<Session>& sessions);
 
 // Whether the two studies were given the same targets wherever both have the same run and point.
-bool same_targets(const Study& a, const Study& b);
-Table perspective_table(const std::vector<Study>& studies, Unit unit);
+bool same_targets(const StudyResults& a, const StudyResults& b);
+Table perspective_table(const std::vector<StudyResults>& studies, Unit unit);
 
 }  // namespace ikbench

@@ -72,17 +72,17 @@ std::string bullets(const std::vector<std::string>& sentences) {
 }
 
 // Other studies of the store that were given the same targets, after the reported one.
-std::vector<Study> with_same_targets(const Store& store, const Study& study) {
-  std::vector<Study> result{study};
+std::vector<StudyResults> with_same_targets(const Store& store, const StudyResults& study) {
+  std::vector<StudyResults> result{study};
   for (const StudyEntry& entry : store.studies()) {
     if (entry.name == study.name) continue;
-    Study other = make_study(entry, store.solves(entry.name));
+    StudyResults other = make_study(entry, store.solves(entry.name));
     if (same_targets(study, other)) result.push_back(std::move(other));
   }
   return result;
 }
 
-std::vector<std::string> warnings_of(const Study& study, const std::vector<FigureOutcome>& outcomes) {
+std::vector<std::string> warnings_of(const StudyResults& study, const std::vector<FigureOutcome>& outcomes) {
   std::vector<std::string> warnings;
   const auto papers = published::papers();
   if (!study.published.empty() && std::ranges::find(papers, study.published) == papers.end()) {
@@ -120,11 +120,11 @@ void write_table(const Table& table, const std::filesystem::path& folder) {
 
 Report write_report(const Store& store, const ReportRequest& request) {
   const StudyEntry entry = store.study(request.study);
-  const Study study = make_study(entry, store.solves(request.study));
+  const StudyResults study = make_study(entry, store.solves(request.study));
 
   std::vector<Table> tables{definition_table(entry), options_table(entry), environment_table(study, store.sessions())};
   for (Table& table : paper_tables(study, request.unit)) tables.push_back(std::move(table));
-  const std::vector<Study> together = with_same_targets(store, study);
+  const std::vector<StudyResults> together = with_same_targets(store, study);
   if (together.size() > 1) tables.push_back(perspective_table(together, request.unit));
   Pieces pieces;
   for (const Table& table : tables) {

@@ -33,7 +33,7 @@ int defined_number(const nlohmann::json& definition, const char* key) {
   return 0;
 }
 
-void check_and_count(Study& study) {
+void check_and_count(StudyResults& study) {
   std::set<std::tuple<std::string, int, int>> seen;
   for (const SolveRecord& solve : study.solves) {
     if (solve.run < 1 || solve.run > most || solve.point < 1 || solve.point > most) {
@@ -51,7 +51,7 @@ void check_and_count(Study& study) {
 }
 
 // The solves of one solver, by run.
-std::map<int, std::vector<const SolveRecord*>> runs_of(const Study& study, const std::string& solver) {
+std::map<int, std::vector<const SolveRecord*>> runs_of(const StudyResults& study, const std::string& solver) {
   std::map<int, std::vector<const SolveRecord*>> runs;
   for (const SolveRecord& solve : study.solves) {
     if (solve.solver == solver) runs[solve.run].push_back(&solve);
@@ -59,18 +59,18 @@ std::map<int, std::vector<const SolveRecord*>> runs_of(const Study& study, const
   return runs;
 }
 
-bool complete(const std::vector<const SolveRecord*>& run, const Study& study) {
+bool complete(const std::vector<const SolveRecord*>& run, const StudyResults& study) {
   return static_cast<int>(run.size()) == study.points;
 }
 
 }  // namespace
 
-Study make_study(const StudyEntry& entry, std::vector<SolveRecord> solves) {
+StudyResults make_study(const StudyEntry& entry, std::vector<SolveRecord> solves) {
   const auto definition = nlohmann::json::parse(entry.definition, nullptr, false);
-  Study study{.name = entry.name,
-              .runs = defined_number(definition, "runs"),
-              .points = defined_number(definition, "points"),
-              .solves = std::move(solves)};
+  StudyResults study{.name = entry.name,
+                     .runs = defined_number(definition, "runs"),
+                     .points = defined_number(definition, "points"),
+                     .solves = std::move(solves)};
   if (definition.is_object() && definition.contains("published") && definition["published"].is_string()) {
     study.published = definition["published"].get<std::string>();
   }
@@ -79,8 +79,8 @@ Study make_study(const StudyEntry& entry, std::vector<SolveRecord> solves) {
   return study;
 }
 
-Study make_study(std::string name, std::vector<SolveRecord> solves) {
-  Study study{.name = std::move(name), .solves = std::move(solves)};
+StudyResults make_study(std::string name, std::vector<SolveRecord> solves) {
+  StudyResults study{.name = std::move(name), .solves = std::move(solves)};
   check_and_count(study);
   return study;
 }
@@ -104,7 +104,7 @@ double value_of(const SolveRecord& solve, Metric metric) {
   return not_defined;
 }
 
-std::vector<Sample> samples(const Study& study, Metric metric, Unit unit) {
+std::vector<Sample> samples(const StudyResults& study, Metric metric, Unit unit) {
   std::vector<Sample> result;
   for (const std::string& solver : study.solvers) {
     Sample sample{.solver = solver};
@@ -124,7 +124,7 @@ std::vector<Sample> samples(const Study& study, Metric metric, Unit unit) {
   return result;
 }
 
-std::vector<SolverCounts> counts(const Study& study) {
+std::vector<SolverCounts> counts(const StudyResults& study) {
   std::vector<SolverCounts> result;
   for (const std::string& solver : study.solvers) {
     SolverCounts count{.solver = solver, .expected = std::int64_t{study.runs} * study.points};
@@ -143,7 +143,7 @@ std::vector<SolverCounts> counts(const Study& study) {
   return result;
 }
 
-std::vector<std::string> status_notes(const Study& study) {
+std::vector<std::string> status_notes(const StudyResults& study) {
   std::vector<int> by_status(status_names.size());
   int solves = 0;
   std::int64_t expected = 0;
@@ -174,7 +174,7 @@ std::vector<std::string> status_notes(const Study& study) {
   return notes;
 }
 
-std::string timing_note(const Study& study) {
+std::string timing_note(const StudyResults& study) {
   std::vector<int> by_timing(timing_names.size());
   for (const SolveRecord& solve : study.solves) ++by_timing[static_cast<std::size_t>(solve.timing)];
   const int parallel = by_timing[static_cast<std::size_t>(Timing::parallel)];

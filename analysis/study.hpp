@@ -13,7 +13,7 @@
 
 namespace ikbench {
 
-struct Study {
+struct StudyResults {
   std::string name;
   std::vector<std::string> solvers = {};  // labels, in the order of the study
   int runs = 0;                           // as defined, per solver
@@ -24,9 +24,9 @@ struct Study {
 
 // Numbers of runs and points come from the definition, or where it does not say, from the solves. A solve twice in the
 // records, or not numbered from 1 to 1000000, is std::invalid_argument.
-Study make_study(const StudyEntry& entry, std::vector<SolveRecord> solves);
+StudyResults make_study(const StudyEntry& entry, std::vector<SolveRecord> solves);
 // Without a definition (a CSV of solves): solvers in the order of their first solve.
-Study make_study(std::string name, std::vector<SolveRecord> solves);
+StudyResults make_study(std::string name, std::vector<SolveRecord> solves);
 
 enum class Unit { run, point };
 
@@ -41,7 +41,7 @@ struct Sample {
   int incomplete_runs = 0;
 };
 
-std::vector<Sample> samples(const Study& study, Metric metric, Unit unit);
+std::vector<Sample> samples(const StudyResults& study, Metric metric, Unit unit);
 
 // Sums of what became of the solves of one solver.
 struct SolverCounts {
@@ -59,10 +59,10 @@ struct SolverCounts {
   int of(Timing timing) const { return by_timing[static_cast<std::size_t>(timing)]; }
 };
 
-std::vector<SolverCounts> counts(const Study& study);
+std::vector<SolverCounts> counts(const StudyResults& study);
 
 // The counts as sentences, to stand beside every table and figure: statuses, what is missing, times that are not clean.
-std::vector<std::string> status_notes(const Study& study);
-std::string timing_note(const Study& study);  // empty where every time is clean
+std::vector<std::string> status_notes(const StudyResults& study);
+std::string timing_note(const StudyResults& study);  // empty where every time is clean
 
 }  // namespace ikbench

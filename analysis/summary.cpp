@@ -30,7 +30,7 @@ std::vector<Standing> ranking(const std::vector<Comparison>& rows, Metric metric
 }
 
 // The printed ranking of those solvers that are in ours.
-std::vector<Standing> printed_ranking(const Study& study, Metric metric, const std::vector<Standing>& ours) {
+std::vector<Standing> printed_ranking(const StudyResults& study, Metric metric, const std::vector<Standing>& ours) {
   std::vector<Standing> standings;
   for (const PrintedRow& row : printed_table_3(study.published, metric)) {
     if (std::ranges::find(ours, row.algorithm, &Standing::solver) == ours.end()) continue;
@@ -62,7 +62,7 @@ std::string pairs_in_order(const std::vector<Standing>& printed, const std::vect
   return fmt::format("{} of {} pairs stand in the printed order", same, pairs);
 }
 
-std::string ranking_sentence(const Study& study, const std::vector<Comparison>& rows, Metric metric) {
+std::string ranking_sentence(const StudyResults& study, const std::vector<Comparison>& rows, Metric metric) {
   constexpr std::array<std::string_view, 3> words{"Accuracy (mean position error", "Angles variation (mean",
                                                   "Computing time (mean"};
   const auto ours = ranking(rows, metric);
@@ -82,7 +82,7 @@ std::string ranking_sentence(const Study& study, const std::vector<Comparison>& 
 
 // The paper's second finding: its solver moves the joints less than every other. Welch's test says where the difference
 // cannot be told from chance; points of one run depend on each other, so it is asked of run means only.
-std::string variation_sentence(const Study& study, const std::vector<Comparison>& rows, Unit unit) {
+std::string variation_sentence(const StudyResults& study, const std::vector<Comparison>& rows, Unit unit) {
   const auto printed = printed_ranking(study, Metric::variation_deg, ranking(rows, Metric::variation_deg));
   const auto description = [&](std::string_view solver) {
     return std::ranges::find_if(
@@ -114,7 +114,7 @@ std::string variation_sentence(const Study& study, const std::vector<Comparison>
       time_reference, text, time_reference);
 }
 
-std::string anova_sentence(const Study& study, Metric metric, Unit unit) {
+std::string anova_sentence(const StudyResults& study, Metric metric, Unit unit) {
   const StudyAnova ours = anova(study, metric, unit);
   const auto printed = printed_anova(study.published, metric);
   std::string text = fmt::format("ANOVA of {}: ", name_of(metric));
@@ -154,7 +154,7 @@ std::vector<std::string> number_sentences(const std::vector<Comparison>& rows) {
   return sentences;
 }
 
-void add_circumstances(std::vector<std::string>& sentences, const Study& study) {
+void add_circumstances(std::vector<std::string>& sentences, const StudyResults& study) {
   int outside = 0;
   int wrong = 0;
   double worst = 0;
@@ -174,7 +174,7 @@ void add_circumstances(std::vector<std::string>& sentences, const Study& study) 
 
 }  // namespace
 
-std::vector<std::string> summary(const Study& study, Unit unit) {
+std::vector<std::string> summary(const StudyResults& study, Unit unit) {
   constexpr std::array<Metric, 3> metrics{Metric::position_error_cm, Metric::variation_deg, Metric::seconds};
   if (study.solves.empty()) return {"Nothing of this study is solved yet."};
   const auto rows = compare(study, unit);

@@ -9,6 +9,6 @@
 namespace ikbench {
 
 // Sentences, the most important first; plain text.
-std::vector<std::string> summary(const Study& study, Unit unit);
+std::vector<std::string> summary(const StudyResults& study, Unit unit);
 
 }  // namespace ikbench

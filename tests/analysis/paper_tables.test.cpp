@@ -12,8 +12,8 @@ using namespace ikbench;
 
 namespace {
 
-Study study_of(std::vector<SolveRecord> solves) {
-  Study study = make_study("synthetic", std::move(solves));
+StudyResults study_of(std::vector<SolveRecord> solves) {
+  StudyResults study = make_study("synthetic", std::move(solves));
   study.published = "slim2023";
   return study;
 }
@@ -58,13 +58,13 @@ TEST_CASE("one observation is one run's mean over its points", "[study]") {
   std::vector<SolveRecord> solves = synthetic::solves({.solvers = {"IK-BA"}, .runs = 2, .points = 2});
   const double errors[] = {1, 3, 10, 30};
   for (std::size_t i = 0; i < solves.size(); ++i) solves[i].position_error_cm = errors[i];
-  const Study study = make_study("two runs", solves);
+  const StudyResults study = make_study("two runs", solves);
   CHECK(samples(study, Metric::position_error_cm, Unit::run)[0].values == std::vector<double>{2, 20});
   CHECK(samples(study, Metric::position_error_cm, Unit::point)[0].values == std::vector<double>{1, 3, 10, 30});
 }
 
 TEST_CASE("six solvers of 20 runs have 5 and 114 degrees of freedom, as in the paper", "[paper]") {
-  const Study study = study_of(synthetic::solves({}));
+  const StudyResults study = study_of(synthetic::solves({}));
   const AnovaTable table = anova(study, Metric::variation_deg, Unit::run).table;
   CHECK(table.df_between == 5);
   CHECK(table.df_within == 114);
@@ -73,7 +73,7 @@ TEST_CASE("six solvers of 20 runs have 5 and 114 degrees of freedom, as in the p
 TEST_CASE("a run with missing points gives no run mean, and is counted", "[study]") {
   std::vector<SolveRecord> solves = synthetic::solves({.runs = 3, .points = 4});
   solves.pop_back();  // the last point of MO-PSO's third run
-  const Study study = study_of(solves);
+  const StudyResults study = study_of(solves);
   const Sample sample = samples(study, Metric::position_error_cm, Unit::run).back();
   CHECK(sample.solver == "MO-PSO");
   CHECK(sample.values.size() == 2);
@@ -91,7 +91,7 @@ TEST_CASE("runs, points and the paper come from the study's definition", "[study
       .name = "s",
       .definition = R"({"runs": 20, "path": {"kind": "helix", "points": 20}, "published": "slim2023"})",
       .series = {{"k1", "IK-BA", "ik_ba", "{}"}, {"k2", "BA", "ba", "{}"}}};
-  const Study study = make_study(entry, {});
+  const StudyResults study = make_study(entry, {});
   CHECK(study.runs == 20);
   CHECK(study.points == 20);
   CHECK(study.published == "slim2023");
@@ -125,7 +125,7 @@ TEST_CASE("a mean agrees, is close, or differs", "[paper]") {
 TEST_CASE("computing time is compared relative to IK-BA only", "[paper]") {
   std::vector<SolveRecord> solves = synthetic::solves({});
   for (SolveRecord& solve : solves) solve.seconds = solve.solver == "MO-PSO" ? 0.010 : 0.001;
-  const Study study = study_of(solves);
+  const StudyResults study = study_of(solves);
   // Ours 10; printed 1.2853 / 0.2439 = 5.26978.
   CHECK(row_of(compare(study, Unit::run), "MO-PSO", Metric::seconds).ratio == Approx(10 / 5.26978).epsilon(1e-5));
   const Table table = table_3(study, Unit::run);
@@ -139,7 +139,7 @@ TEST_CASE("without IK-BA there is no relative time, and the verdict says so", "[
 }
 
 TEST_CASE("without published numbers their columns are empty", "[paper]") {
-  const Study study = make_study("own", synthetic::solves({.solvers = {"IK-BA", "BA"}}));
+  const StudyResults study = make_study("own", synthetic::solves({.solvers = {"IK-BA", "BA"}}));
   for (const auto& row : table_3(study, Unit::run).rows) {
     for (std::size_t column = 7; column < 10; ++column) CHECK(std::holds_alternative<std::monostate>(row[column]));
   }
@@ -159,7 +159,7 @@ TEST_CASE("an answer that is not finite is never dropped", "[paper]") {
   REQUIRE(bad.solver == "BA");
   bad.position_error_cm = not_defined;
   bad.status = Status::not_finite;
-  const Study study = study_of(solves);
+  const StudyResults study = study_of(solves);
   const Comparison row = row_of(compare(study, Unit::run), "BA", Metric::position_error_cm);
   CHECK(row.ours.not_finite == 1);
   CHECK(std::isnan(row.ours.mean));

@@ -169,7 +169,7 @@ TEST_CASE("the summary says which findings of the paper hold", "[report]") {
   for (SolveRecord& solve : solves) {
     if (solve.solver == "MO-PSO") solve.variation_deg /= 2;
   }
-  Study study = make_study("s", solves);
+  StudyResults study = make_study("s", solves);
   study.published = "slim2023";
   std::string all;
   for (const std::string& sentence : summary(study, Unit::run)) all += sentence + '\n';
@@ -183,7 +183,7 @@ TEST_CASE("a difference in variation that may be chance is said to be one", "[re
   std::vector<SolveRecord> solves = synthetic::solves({.solvers = {"IK-BA", "MO-PSO"}, .runs = 2, .points = 1});
   const double variations[] = {80, 90, 84, 90};  // means 85 and 87: t = -0.343, p = 0.76
   for (std::size_t i = 0; i < solves.size(); ++i) solves[i].variation_deg = variations[i];
-  Study study = make_study("s", solves);
+  StudyResults study = make_study("s", solves);
   study.published = "slim2023";
   CHECK(contains(summary(study, Unit::run)[2], "cannot be told apart from that of MO-PSO (98 %)"));
 }
