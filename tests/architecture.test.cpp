@@ -161,3 +161,13 @@ TEST_CASE("libraries never print, only cli/ does", "[architecture]") {
     }
   }
 }
+
+// catch_discover_tests hands the names over as a CMake list: one of these characters, and ctest silently runs fewer.
+TEST_CASE("no test has a name that CMake takes apart", "[architecture]") {
+  for (const fs::path& file : sources_of("tests")) {
+    for (const std::string& name : between(text_of(file), "\nTEST_CASE(\"", "\"")) {
+      INFO(file.string() << ": " << name);
+      CHECK(name.find_first_of("[];\\") == std::string::npos);
+    }
+  }
+}

@@ -140,7 +140,7 @@ TEST_CASE("streams of neighbouring keys are uncorrelated", "[random]") {
   }
 }
 
-TEST_CASE("uniform numbers have the moments and the distribution of [0, 1)", "[random]") {
+TEST_CASE("uniform numbers have the moments and the distribution of the unit interval", "[random]") {
   const std::vector<double> values = many(false);
   CHECK(*std::min_element(values.begin(), values.end()) >= 0);
   CHECK(*std::max_element(values.begin(), values.end()) < 1);
