@@ -133,9 +133,12 @@ std::string letters(std::size_t index) {
 }  // namespace
 
 Figure path_figure(const StudyResults& study) {
-  Figure figure{.name = "figure-5", .caption = "The targets of the first run.", .height_cm = 8.0};
   const std::string solver = study.solves.front().solver;
-  figure.data = "# target x, y, z [cm]; position error [cm] of " + one_line(solver) + "\n";
+  Figure figure{
+      .name = "figure-5",
+      .caption = fmt::format("The targets (line, dots) and where {} came to in its first run (rings).", solver),
+      .height_cm = 8.0};
+  figure.data = "# target x, y, z [cm]; reached x, y, z [cm] and position error [cm] of " + one_line(solver) + "\n";
   std::array<std::vector<double>, 3> coordinates;
   double largest_error = 0;
   for (const auto& [point, solve] : first_run(study, solver)) {
@@ -144,22 +147,26 @@ Figure path_figure(const StudyResults& study) {
       coordinates[axis].push_back(100 * solve->target_position_m[axis]);
       figure.data += number(coordinates[axis].back()) + ' ';
     }
+    for (std::size_t axis = 0; axis < coordinates.size(); ++axis) {
+      const bool known = solve->reached_position_m.size() == coordinates.size();
+      figure.data += number(known ? 100 * solve->reached_position_m[axis] : not_defined) + ' ';
+    }
     figure.data += number(solve->position_error_cm) + '\n';
     largest_error =
         std::isfinite(solve->position_error_cm) ? std::max(largest_error, solve->position_error_cm) : not_defined;
   }
   figure.caption += std::isfinite(largest_error)
-                        ? fmt::format(" {} came within {} cm of each.", solver, rounded_number(largest_error, 2))
-                        : fmt::format(" {} did not reach all of them.", solver);
+                        ? fmt::format(" The farthest is {} cm off.", rounded_number(largest_error, 2))
+                        : " Not all of its answers are finite.";
   figure.settings =
       space_axes(coordinates) +
       "set xlabel 'x [cm]'\nset ylabel 'y [cm]'\nset zlabel 'z [cm]' rotate parallel\n"
       "set view 62, 32, 1.1\nset view equal xyz\nset xyplane relative 0\nset border 127 lw 0.5 lc rgb '#AAAAAA'\n"
       "set tics textcolor rgb '#000000'\nset grid xtics ytics ztics\nunset key\n";
   figure.plot =
-      "splot 'figure-5.dat' using 1:2:3 with lines lw 0.7 lc rgb '#888888', '' using 1:2:3 with points ls 1 ps 0.6, "
-      "\\\n"
-      "  '' using 1:2:3 every ::0::0 with points pt 6 ps 1.1 lw 0.8 lc rgb '#000000', \\\n"
+      "splot 'figure-5.dat' using 1:2:3 with lines lw 0.7 lc rgb '#888888', \\\n"
+      "  '' using 1:2:3 with points pt 7 ps 0.35 lc rgb '#000000', \\\n"
+      "  '' using 4:5:6 with points pt 6 ps 0.8 lw 0.8 lc rgb '#0072B2', \\\n"
       "  '' using 1:2:3:('start') every ::0::0 with labels right offset -0.9,0.4";
   return figure;
 }

@@ -40,6 +40,7 @@ struct StudyAnova {
 StudyAnova anova(const StudyResults& study, Metric metric, Unit unit);
 
 Table table_3(const StudyResults& study, Unit unit);
+Table table_3_as_printed(std::string_view paper);
 Table anova_table(const StudyResults& study, Metric metric, Unit unit);  // table-4, table-5, table-6
 Table anova_from_printed_table_3(std::string_view paper);
 Table status_table(const StudyResults& study);

@@ -83,6 +83,16 @@ Table environment_table(const StudyResults& study, const std::vector<Session>& s
   return table;
 }
 
+std::string command_of(const StudyResults& study, const std::vector<Session>& sessions) {
+  std::int64_t last = 0;
+  for (const SolveRecord& solve : study.solves) last = std::max(last, solve.session);
+  for (const Session& session : sessions) {
+    const auto command = session.environment.find("command");
+    if (session.id == last && command != session.environment.end()) return command->second;
+  }
+  return "";
+}
+
 bool same_targets(const StudyResults& a, const StudyResults& b) {
   using Target = std::pair<std::vector<double>, std::vector<double>>;
   std::map<std::pair<int, int>, Target> targets;

@@ -2,6 +2,7 @@
 // the study stands beside others with the same targets.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "analysis/study.hpp"
@@ -14,6 +15,8 @@ Table definition_table(const StudyEntry& entry);
 Table options_table(const StudyEntry& entry);
 // The sessions in which the study's solves were made.
 Table environment_table(const StudyResults& study, const std::vector<Session>& sessions);
+// What was typed to make the last of the study's solves; empty where the store does not say.
+std::string command_of(const StudyResults& study, const std::vector<Session>& sessions);
 
 // Whether the two studies were given the same targets wherever both have the same run and point.
 bool same_targets(const StudyResults& a, const StudyResults& b);

@@ -137,18 +137,20 @@ Report write_report(const Store& store, const ReportRequest& request) {
   for (std::size_t i = 0; i < figures.size(); ++i) pieces.add(figures[i], outcomes[i].rendered);
 
   Report report{.file = request.folder / "report.md", .warnings = warnings_of(study, outcomes)};
-  std::string text = fmt::format("# Report: {}\n\n## Summary\n\n", markdown_text(study.name));
+  std::string text = fmt::format("# {}\n\n", markdown_text(study.title.empty() ? study.name : study.title));
+  text += fmt::format("Report of the study {}.\n\n## Summary\n\n", markdown_text(study.name));
   text += bullets(summary(study, request.unit));
   if (!report.warnings.empty()) text += "### Warnings\n\n" + bullets(report.warnings);
-  if (!request.command.empty())
-    text += fmt::format("To get this report again:\n\n    {}\n\n", one_line(request.command));
+  if (const std::string command = command_of(study, store.sessions()); !command.empty()) {
+    text += fmt::format("To get these numbers again:\n\n    {}\n\n", one_line(command));
+  }
   text +=
       "Every table is in `tables/` as Markdown, CSV (all digits) and LaTeX; every figure in `figures/` as SVG, PDF and "
       "PNG, with the script and the data it is drawn from.\n\n";
   text += "## What was run\n\n" + pieces.named("definition") + pieces.named("options");
   text += "## Where it was run\n\n" + pieces.named("environment");
   text += "## What became of every solve\n\n" + pieces.named("status");
-  text += "## Results\n\n" + pieces.named("figure-5") + pieces.named("table-3");
+  text += "## Results\n\n" + pieces.named("figure-5") + pieces.named("table-3") + pieces.named("table-3-as-printed");
   for (const char* name : {"figure-6", "figure-7", "figure-8"}) text += pieces.named(name);
   text += pieces.starting("figure-9-");
   text += "## Analysis of variance\n\n";

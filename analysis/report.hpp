@@ -19,7 +19,6 @@ struct ReportRequest {
   Unit unit = Unit::run;
   QuantileType quartiles = QuantileType::type_5;
   RenderOptions figures = {};
-  std::string command = {};  // how to get this report again, as typed; shown in the report
 };
 
 struct Report {

@@ -71,9 +71,12 @@ StudyResults make_study(const StudyEntry& entry, std::vector<SolveRecord> solves
                      .runs = defined_number(definition, "runs"),
                      .points = defined_number(definition, "points"),
                      .solves = std::move(solves)};
-  if (definition.is_object() && definition.contains("published") && definition["published"].is_string()) {
-    study.published = definition["published"].get<std::string>();
-  }
+  const auto defined_text = [&](const char* key) {
+    const bool is_there = definition.is_object() && definition.contains(key) && definition[key].is_string();
+    return is_there ? definition[key].get<std::string>() : std::string();
+  };
+  study.title = defined_text("title");
+  study.published = defined_text("published");
   for (const Series& series : entry.series) study.solvers.push_back(series.label);
   check_and_count(study);
   return study;

@@ -15,6 +15,7 @@ namespace ikbench {
 
 struct StudyResults {
   std::string name;
+  std::string title = {};
   std::vector<std::string> solvers = {};  // labels, in the order of the study
   int runs = 0;                           // as defined, per solver
   int points = 0;                         // as defined, per run

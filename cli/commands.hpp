@@ -5,14 +5,21 @@
 #include <CLI/CLI.hpp>
 #include <cstdint>
 #include <limits>
+#include <string>
 
 namespace ikbench::cli {
 
 // CLI::NonNegativeNumber prints its upper bound with 309 digits.
 inline CLI::Range non_negative() { return {std::int64_t{0}, std::numeric_limits<std::int64_t>::max()}; }
 
-void add_reproduce(CLI::App& app, int& exit_code);
-void add_run(CLI::App& app, int& exit_code);
+// What was typed, as a shell would take it again, and how it ended.
+struct Invocation {
+  std::string command;
+  int exit_code = 0;
+};
+
+void add_reproduce(CLI::App& app, Invocation& invocation);
+void add_run(CLI::App& app, Invocation& invocation);
 void add_report(CLI::App& app);
 void add_list(CLI::App& app);
 void add_solve(CLI::App& app);

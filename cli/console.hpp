@@ -15,6 +15,9 @@ namespace ikbench::cli {
 // Control characters shown as escapes, so that no name moves a cursor or colours a terminal; newlines stay.
 std::string printable(std::string_view text);
 
+// A program and its arguments as a shell would take them again.
+std::string shell_command(std::string_view program, const std::vector<std::string>& arguments);
+
 // Columns padded to their widest cell; the first row is the head.
 std::string aligned(const std::vector<std::vector<std::string>>& rows);
 

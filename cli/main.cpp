@@ -25,16 +25,16 @@ int main(int argc, char** argv) {
   app.failure_message([](const CLI::App*, const CLI::Error& error) {
     return fmt::format("ikbench: {}; see --help\n", cli::printable(error.what()));
   });
-  int exit_code = 0;
-  cli::add_reproduce(app, exit_code);
-  cli::add_run(app, exit_code);
+  cli::Invocation invocation{.command = cli::shell_command("ikbench", {argv + 1, argv + argc})};
+  cli::add_reproduce(app, invocation);
+  cli::add_run(app, invocation);
   cli::add_report(app);
   cli::add_list(app);
   cli::add_solve(app);
   cli::add_export(app);
   try {
     app.parse(argc, argv);
-    return exit_code;
+    return invocation.exit_code;
   } catch (const CLI::RequiredError& error) {
     if (argc < 2 || !app.get_subcommands().empty()) return app.exit(error) == 0 ? 0 : 1;
     std::vector<std::string> commands;  // what CLI11 does not say: which word it did not know, and those it knows
@@ -46,6 +46,9 @@ int main(int argc, char** argv) {
   } catch (const std::invalid_argument& error) {
     fmt::print(stderr, "ikbench: {}\n", cli::printable(error.what()));
     return 1;
+  } catch (const std::runtime_error& error) {  // no space left, a store that another process writes, ...
+    fmt::print(stderr, "ikbench: {}\n", cli::printable(error.what()));
+    return 2;
   } catch (const std::exception& error) {
     fmt::print(stderr, "ikbench: internal error: {}\n", cli::printable(error.what()));
     return 2;

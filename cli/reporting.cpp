@@ -52,22 +52,23 @@ StudyEntry chosen_study(const Store& store, const std::string& name) {
   return std::move(studies.front());
 }
 
-Ended run_and_tell(const Study& study, const std::filesystem::path& folder, int jobs) {
+Ended run_and_tell(const Study& study, const std::filesystem::path& folder, RunRequest request) {
   for (const Unreachable& target : unreachable(study)) {
     fmt::print(stderr, "warning: point {} is out of reach: {:.2f} cm from the shoulder, reach {:.2f} cm\n",
                target.point, target.distance * 100, target.reach * 100);
   }
   if (is_debug_build()) {
     fmt::print(stderr, "warning: this is a debug build; times are marked as such\n");
-  } else if (jobs > static_cast<int>(std::thread::hardware_concurrency())) {
-    fmt::print(stderr, "warning: {} jobs on {} processors\n", jobs, std::thread::hardware_concurrency());
+  } else if (request.jobs > static_cast<int>(std::thread::hardware_concurrency())) {
+    fmt::print(stderr, "warning: {} jobs on {} processors\n", request.jobs, std::thread::hardware_concurrency());
   }
   Store store(store_in(folder), Store::Mode::write);
   Progress progress;
   {
     ProgressBar bar(study.name);
-    progress = run(study, store,
-                   {.jobs = jobs, .progress = [&](const Progress& now) { bar.show(now); }, .cancelled = &cancelled()});
+    request.progress = [&](const Progress& now) { bar.show(now); };
+    request.cancelled = &cancelled();
+    progress = run(study, store, request);
   }
   const std::string place = printable(store_in(folder).string());
   if (progress.done < progress.total) {

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <string>
 
-#include "experiments/study.hpp"
+#include "experiments/runner.hpp"
 #include "results/store.hpp"
 
 namespace ikbench::cli {
@@ -36,7 +36,7 @@ enum class Ended { complete, stopped };
 
 // Runs a study into the folder's store.sqlite with progress; warns of targets out of reach; says what was done, and
 // after Ctrl-C how to go on.
-Ended run_and_tell(const Study& study, const std::filesystem::path& folder, int jobs);
+Ended run_and_tell(const Study& study, const std::filesystem::path& folder, RunRequest request);
 
 std::filesystem::path store_in(const std::filesystem::path& folder);
 

@@ -10,7 +10,7 @@
 
 namespace ikbench::cli {
 
-void add_reproduce(CLI::App& app, int& exit_code) {
+void add_reproduce(CLI::App& app, Invocation& invocation) {
   struct Arguments {
     std::int64_t seed = 1;
     int runs = 20;
@@ -29,13 +29,14 @@ void add_reproduce(CLI::App& app, int& exit_code) {
       "  ikbench reproduce\n"
       "  ikbench reproduce --seed 2 --out out/seed-2\n"
       "  ikbench reproduce --jobs 2               faster; times are marked as not comparable");
-  command->callback([arguments, &exit_code] {
+  command->callback([arguments, &invocation] {
     const Overrides overrides{fmt::format("seed={}", arguments->seed), fmt::format("runs={}", arguments->runs)};
     const std::filesystem::path folder =
         arguments->run.out.empty() ? default_folder("slim2023") : std::filesystem::path(arguments->run.out);
     for (const char* name : {"slim2023", "slim2023-context"}) {
-      if (run_and_tell(load_study(name, overrides), folder, arguments->run.jobs) == Ended::stopped) {
-        exit_code = 130;
+      if (run_and_tell(load_study(name, overrides), folder,
+                       {.jobs = arguments->run.jobs, .command = invocation.command}) == Ended::stopped) {
+        invocation.exit_code = 130;
         return;
       }
     }

@@ -8,7 +8,7 @@
 
 namespace ikbench::cli {
 
-void add_run(CLI::App& app, int& exit_code) {
+void add_run(CLI::App& app, Invocation& invocation) {
   struct Arguments {
     std::string study;
     Overrides overrides;
@@ -32,12 +32,12 @@ void add_run(CLI::App& app, int& exit_code) {
       "  ikbench run slim2023 --set seed=2 --out out/seed-2\n"
       "  ikbench run slim2023 --set IK-BA.bounds=clamp --set runs=5 --out out/clamped\n\n"
       "Running it again does only what is missing.");
-  command->callback([arguments, &exit_code] {
+  command->callback([arguments, &invocation] {
     const Study study = load_study(arguments->study, arguments->overrides);
     const std::filesystem::path folder =
         arguments->run.out.empty() ? default_folder(study.name) : std::filesystem::path(arguments->run.out);
-    if (run_and_tell(study, folder, arguments->run.jobs) == Ended::stopped) {
-      exit_code = 130;
+    if (run_and_tell(study, folder, {.jobs = arguments->run.jobs, .command = invocation.command}) == Ended::stopped) {
+      invocation.exit_code = 130;
     } else if (!arguments->without_report) {
       write_and_announce(Store(store_in(folder), Store::Mode::read), study.name, folder, arguments->report);
     }

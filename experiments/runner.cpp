@@ -135,6 +135,7 @@ class Contest {
                        .target_rotation = to_vector(transposed.reshaped()),
                        .start_rad = to_vector(start),
                        .answer_rad = to_vector(answer),
+                       .reached_position_m = to_vector(verdict.reached),
                        .position_error_cm = verdict.position_error * metre_in_cm,
                        .claimed_error_cm = solution.best.error * metre_in_cm,
                        .orientation_error = verdict.orientation_error,
@@ -226,6 +227,7 @@ Progress run(const Study& study, Store& store, const RunRequest& request) {
 
   std::map<std::string, std::string> session = environment();
   session["jobs"] = std::to_string(request.jobs);
+  session["command"] = request.command;
   const std::int64_t session_id = store.begin_session(session);
   std::mutex recording;
   const auto is_cancelled = [&] { return request.cancelled != nullptr && *request.cancelled; };

@@ -18,6 +18,7 @@ struct Progress {
 struct RunRequest {
   int jobs = 1;                                   // solves at once; times are comparable with 1 only
   std::function<void(const Progress&)> progress;  // called after every solve, by one thread at a time
+  std::string command = {};                       // what was typed, for the record
   const std::atomic<bool>* cancelled = nullptr;   // looked at before every solve; what is done stays
 };
 

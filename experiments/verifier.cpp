@@ -79,7 +79,8 @@ Verdict verify(const Robot& robot, const Pose& target, const Eigen::VectorXd& st
   const Eigen::VectorXd move = answer - start;
   Eigen::VectorXd outside(2 * answer.size());
   outside << robot.limits.lower - answer, answer - robot.limits.upper;
-  return {.position_error = (reached - wanted).topRightCorner<3, 1>().norm(),
+  return {.reached = reached.topRightCorner<3, 1>(),
+          .position_error = (reached - wanted).topRightCorner<3, 1>().norm(),
           .orientation_error = (R - R_wanted).norm() / R_wanted.norm(),
           .variation = move.norm(),
           .largest_move = largest(move.cwiseAbs()),

@@ -8,6 +8,7 @@
 namespace ikbench {
 
 struct Verdict {
+  Eigen::Vector3d reached;       // position of the tool [m]
   double position_error = 0;     // [m], Eq. 1
   double orientation_error = 0;  // ||R - Rd|| / ||Rd||, Eq. 3
   double variation = 0;          // [rad], Eq. 12, over all joints

@@ -38,20 +38,21 @@ constexpr std::string_view name_of(Enum value) {
 struct SolveRecord {
   std::string study;
   std::string robot;
-  std::string solver;                     // the label under which the solver takes part in the study
-  std::string series;                     // hash of everything that decides the numbers of this solver in this study
-  int run = 1;                            // from 1
-  int point = 1;                          // from 1, in the order of the path
-  std::vector<double> target_position_m;  // x, y, z
-  std::vector<double> target_rotation;    // 9 elements of the rotation matrix, row by row
-  std::vector<double> start_rad;          // Theta_s, all joints
-  std::vector<double> answer_rad;         // all joints
-  double position_error_cm = 0;           // Eq. 1, by the verifier
-  double claimed_error_cm = 0;            // the solver's own word
-  double orientation_error = 0;           // Eq. 3, by the verifier
-  double variation_deg = 0;               // Eq. 12, over all joints
-  double largest_move_deg = 0;            // largest move of a single joint
-  double limit_violation_deg = 0;         // how far the worst joint is outside its limits; 0 inside
+  std::string solver;                      // the label under which the solver takes part in the study
+  std::string series;                      // hash of everything that decides the numbers of this solver in this study
+  int run = 1;                             // from 1
+  int point = 1;                           // from 1, in the order of the path
+  std::vector<double> target_position_m;   // x, y, z
+  std::vector<double> target_rotation;     // 9 elements of the rotation matrix, row by row
+  std::vector<double> start_rad;           // Theta_s, all joints
+  std::vector<double> answer_rad;          // all joints
+  std::vector<double> reached_position_m;  // x, y, z of the tool with that answer, by the verifier
+  double position_error_cm = 0;            // Eq. 1, by the verifier
+  double claimed_error_cm = 0;             // the solver's own word
+  double orientation_error = 0;            // Eq. 3, by the verifier
+  double variation_deg = 0;                // Eq. 12, over all joints
+  double largest_move_deg = 0;             // largest move of a single joint
+  double limit_violation_deg = 0;          // how far the worst joint is outside its limits; 0 inside
   std::int64_t evaluations = 0;
   std::int64_t iterations = 0;
   StopReason stop_reason = StopReason::iterations;
@@ -75,6 +76,8 @@ void for_each_column(Visit&& visit) {
   visit("target_rotation", &SolveRecord::target_rotation, "target rotation matrix, row by row");
   visit("start_rad", &SolveRecord::start_rad, "configuration before the solve, all joints [rad]");
   visit("answer_rad", &SolveRecord::answer_rad, "configuration found, all joints [rad]");
+  visit("reached_position_m", &SolveRecord::reached_position_m,
+        "x, y, z of the tool with that configuration, by the verifier [m]");
   visit("position_error_cm", &SolveRecord::position_error_cm,
         "Euclidean distance to the target, recomputed by the verifier [cm] (Eq. 1)");
   visit("claimed_error_cm", &SolveRecord::claimed_error_cm, "position error that the solver reported [cm]");

@@ -1,5 +1,6 @@
 #include "solvers/solve.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 
@@ -12,7 +13,7 @@ Solution solve(Solver& solver, const Problem& problem, Objective& objective, Ran
   const auto seconds = [&] { return std::chrono::duration<double>(Clock::now() - started).count(); };
 
   Solution solution;
-  if (trace == Trace::best_error) solution.trace.reserve(static_cast<std::size_t>(stop.iterations));
+  if (trace == Trace::best_error) solution.trace.reserve(static_cast<std::size_t>(std::min(stop.iterations, 100'000)));
   solver.start(problem, objective, random);
   for (;;) {
     const double error = solver.best().error;

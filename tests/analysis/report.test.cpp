@@ -22,13 +22,15 @@ struct Example {
   std::string definition =
       R"({"robot": "iiwa", "path": {"kind": "helix", "points": 20}, "runs": 20, "published": "slim2023"})";
   synthetic::Shape shape = {};
+  std::string command = "ikbench run slim2023 --out out";
 };
 
 // Saves a study of made-up solves; its keys begin with its name.
 void save(Store& store, const Example& example) {
   StudyEntry entry{.name = example.name, .definition = example.definition, .series = {}};
   std::vector<SolveRecord> solves = synthetic::solves(example.shape);
-  const std::int64_t session = store.begin_session({{"cpu", "a <fast> one"}, {"compiler", "g++ 12"}});
+  const std::int64_t session =
+      store.begin_session({{"cpu", "a <fast> one"}, {"compiler", "g++ 12"}, {"command", example.command}});
   for (std::size_t i = 0; i < example.shape.solvers.size(); ++i) {
     entry.series.push_back({.key = example.name + "-series-" + std::to_string(i),
                             .label = example.shape.solvers[i],
@@ -50,8 +52,7 @@ TEST_CASE("a report has its tables, figures and report.md", "[report]") {
   const TestFolder folder;
   Store store(folder.path() / "store.db", Store::Mode::write);
   save(store, {});
-  const Report report = write_report(
-      store, {.study = "slim2023", .folder = folder.path() / "out", .command = "ikbench report slim2023 --out out"});
+  const Report report = write_report(store, {.study = "slim2023", .folder = folder.path() / "out"});
   CHECK(report.file == folder.path() / "out" / "report.md");
   CHECK(report.warnings.empty());
   const auto files = files_in(folder.path() / "out");
@@ -62,7 +63,7 @@ TEST_CASE("a report has its tables, figures and report.md", "[report]") {
   CHECK(files.contains("figures/figure-10.pdf"));
   const std::string text = text_of_file(report.file);
   for (const char* words :
-       {"# Report: slim2023", "## Summary", "    ikbench report slim2023 --out out", "| path.kind | helix |",
+       {"Report of the study slim2023", "## Summary", "    ikbench run slim2023 --out out", "| path.kind | helix |",
         "| IK-BA | algorithm | alpha | 0.97 |", "a &lt;fast&gt; one", "](figures/figure-9-f.png)",
         "Table 6: one-way ANOVA", "IK-BA is first in the paper, and here too"}) {
     CAPTURE(words);
@@ -123,10 +124,10 @@ TEST_CASE("names of a study and its solvers show as text in the report", "[repor
   Store store(folder.path() / "store.db", Store::Mode::write);
   const std::string name = "<script>alert(1)</script>`|\n# x";
   save(store, {.name = name,
-               .definition = R"({"runs": 2})",
-               .shape = {.solvers = {"<b>`|\n\n# y", "![](x)"}, .runs = 2, .points = 2}});
-  const Report report =
-      write_report(store, {.study = name, .folder = folder.path() / "out", .command = "ikbench '\n# z'"});
+               .definition = R"({"runs": 2, "title": "<script>\n# x"})",
+               .shape = {.solvers = {"<b>`|\n\n# y", "![](x)"}, .runs = 2, .points = 2},
+               .command = "ikbench '\n# z'"});
+  const Report report = write_report(store, {.study = name, .folder = folder.path() / "out"});
   for (const auto& entry : std::filesystem::recursive_directory_iterator(folder.path() / "out")) {
     if (entry.path().extension() != ".md") continue;
     const std::string text = text_of_file(entry.path());
@@ -138,7 +139,8 @@ TEST_CASE("names of a study and its solvers show as text in the report", "[repor
     CHECK(!contains(text, "\n# z"));
     CHECK(!contains(text, "![](x)"));
   }
-  CHECK(contains(text_of_file(report.file), "# Report: &lt;script&gt;alert(1)&lt;/script&gt;&#96;&#124; \\# x"));
+  CHECK(contains(text_of_file(report.file),
+                 "Report of the study &lt;script&gt;alert(1)&lt;/script&gt;&#96;&#124; \\# x"));
 }
 
 TEST_CASE("a study of which nothing is solved has a report that says so", "[report]") {

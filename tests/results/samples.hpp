@@ -77,6 +77,7 @@ inline SolveRecord sample_record(const std::string& series = "key-a", int run = 
           .target_rotation = {-1, 0, 0, 0, 1, 0, 0, 0, -1},
           .start_rad = {0, 0, 0, 0, 0, 0, 0},
           .answer_rad = {0.1, -0.2, 1.0 / 3.0, 0.4, 0.5, 0.6, 0.7},
+          .reached_position_m = {0.6, 0.2, 0.100019},
           .position_error_cm = 0.0019,
           .claimed_error_cm = 0.0018,
           .orientation_error = 1e-16,

@@ -240,7 +240,8 @@ TEST_CASE("the file names its program and the schema of these columns", "[store]
   // Schema 1. Another list here needs another version, and a way to read this one: docs/data-dictionary.md.
   CHECK(sqlite.execAndGet("SELECT group_concat(name || ' ' || type) FROM pragma_table_info('solves')").getString() ==
         "study TEXT,robot TEXT,solver TEXT,series TEXT,run INTEGER,point INTEGER,target_position_m TEXT,"
-        "target_rotation TEXT,start_rad TEXT,answer_rad TEXT,position_error_cm REAL,claimed_error_cm REAL,"
+        "target_rotation TEXT,start_rad TEXT,answer_rad TEXT,reached_position_m TEXT,position_error_cm "
+        "REAL,claimed_error_cm REAL,"
         "orientation_error REAL,variation_deg REAL,largest_move_deg REAL,limit_violation_deg REAL,evaluations INTEGER,"
         "iterations INTEGER,stop_reason TEXT,status TEXT,seconds REAL,cpu_seconds REAL,timing TEXT,session INTEGER,"
         "trace_cm TEXT");
