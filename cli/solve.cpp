@@ -10,6 +10,7 @@
 #include "cli/console.hpp"
 #include "experiments/runner.hpp"
 #include "experiments/study_file.hpp"
+#include "robots/spherical_wrist.hpp"
 #include "solvers/registry.hpp"
 
 namespace ikbench::cli {
@@ -19,7 +20,7 @@ namespace {
 constexpr double degree = std::numbers::pi / 180;
 
 struct Arguments {
-  std::string robot = "kuka_iiwa14", solver = "damped_least_squares", tool = "down", search = "wrist";
+  std::string robot = "kuka_iiwa14", solver = "damped_least_squares", tool = "down", search;
   std::vector<double> position_cm, rpy_deg, start_deg;
   Overrides overrides;
   std::int64_t seed = 1;
@@ -44,7 +45,10 @@ Study study_of(const Arguments& arguments) {
   for (std::size_t j = 0; j < arguments.start_deg.size(); ++j) {
     study.initial[static_cast<Eigen::Index>(j)] = arguments.start_deg[j] * degree;
   }
-  Overrides overrides{"search=" + arguments.search, fmt::format("seed={}", arguments.seed), "runs=1"};
+  const std::string search = !arguments.search.empty()                            ? arguments.search
+                             : SphericalWrist::fits(robot(arguments.robot).chain) ? "wrist"
+                                                                                  : "all_joints";
+  Overrides overrides{"search=" + search, fmt::format("seed={}", arguments.seed), "runs=1"};
   for (const std::string& text : arguments.overrides) {
     const bool of_solver = text.find('.') == std::string::npos || text.find('.') > text.find('=');
     overrides.push_back(of_solver ? arguments.solver + "." + text : text);
@@ -94,9 +98,10 @@ void add_solve(CLI::App& app) {
       ->capture_default_str();
   command->add_option("--robot", arguments->robot, "see: ikbench list robots")->capture_default_str();
   command->add_option("--solver", arguments->solver, "see: ikbench list solvers")->capture_default_str();
-  command->add_option("--search", arguments->search, "wrist or all_joints")
-      ->check(CLI::IsMember({"wrist", "all_joints"}))
-      ->capture_default_str();
+  command
+      ->add_option("--search", arguments->search,
+                   "wrist or all_joints; wrist where the arm has a spherical one if not given")
+      ->check(CLI::IsMember({"wrist", "all_joints"}));
   command->add_option("--start-deg", arguments->start_deg, "where the arm is, all joints; zeros if not given")
       ->delimiter(',');
   command
@@ -108,7 +113,7 @@ void add_solve(CLI::App& app) {
       "Examples:\n"
       "  ikbench solve --position-cm 60 20 10\n"
       "  ikbench solve --position-cm 60,20,10 --solver ik_bat --set bounds=clamp --set stop.iterations=1000\n"
-      "  ikbench solve --robot planar_2 --search all_joints --position-cm 50 50 0");
+      "  ikbench solve --robot planar_2 --position-cm 50 50 0");
   command->callback([arguments] {
     const Study study = study_of(*arguments);
     fmt::print("{}", shown(solve_once(study, study.solvers.front(), target_of(*arguments))));

@@ -471,12 +471,9 @@ Study read_study(const toml::table& table, std::string_view source) {
     throw at("initial_deg", fmt::format("initial_deg has {} angles; expected {}, the joints of {}",
                                         study.initial.size(), arm.chain.joints(), arm.name));
   }
-  if (study.search == Search::wrist) {
-    try {
-      SphericalWrist wrist(arm.chain);
-    } catch (const std::invalid_argument& error) {
-      throw at("search", fmt::format("search is \"wrist\", but {}; expected \"all_joints\"", error.what()));
-    }
+  if (study.search == Search::wrist && !SphericalWrist::fits(arm.chain)) {
+    throw at("search",
+             fmt::format("search is \"wrist\", but {} has no spherical wrist; expected \"all_joints\"", arm.name));
   }
   return study;
 }

@@ -8,12 +8,12 @@
 namespace ikbench {
 
 struct Verdict {
-  Eigen::Vector3d reached;       // position of the tool [m]
-  double position_error = 0;     // [m], Eq. 1
-  double orientation_error = 0;  // ||R - Rd|| / ||Rd||, Eq. 3
-  double variation = 0;          // [rad], Eq. 12, over all joints
-  double largest_move = 0;       // [rad], of a single joint
-  double limit_violation = 0;    // [rad], of the worst joint; 0 inside
+  Eigen::Vector3d reached = Eigen::Vector3d::Zero();  // position of the tool [m]
+  double position_error = 0;                          // [m], Eq. 1
+  double orientation_error = 0;                       // ||R - Rd|| / ||Rd||, Eq. 3
+  double variation = 0;                               // [rad], Eq. 12, over all joints
+  double largest_move = 0;                            // [rad], of a single joint
+  double limit_violation = 0;                         // [rad], of the worst joint; 0 inside
 };
 
 // Tool pose of a configuration by the verifier's own route.

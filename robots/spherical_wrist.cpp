@@ -9,7 +9,9 @@ namespace ikbench {
 namespace {
 
 Chain arm_of(const Chain& whole) {
-  if (whole.joints() < 4) throw std::invalid_argument("a spherical wrist needs an arm of at least 4 joints");
+  if (!SphericalWrist::fits(whole)) {
+    throw std::invalid_argument("the last three axes of this arm do not form a spherical wrist");
+  }
   const std::vector<DhLink>& links = whole.links();
   return Chain({links.begin(), links.end() - 3}, {0, 0, links[links.size() - 3].d});
 }
@@ -18,16 +20,20 @@ double wrapped(double angle) { return std::remainder(angle, 2 * std::numbers::pi
 
 }  // namespace
 
+bool SphericalWrist::fits(const Chain& whole) {
+  if (whole.joints() < 4) return false;
+  const DhLink* last = &whole.links().back();
+  const DhLink &first = last[-2], &middle = last[-1], &third = last[0];
+  const auto near = [](double a, double b) { return std::abs(a - b) < 1e-12; };
+  return first.a == 0 && middle.a == 0 && middle.d == 0 && third.a == 0 && third.alpha == 0 &&
+         near(std::abs(first.alpha), std::numbers::pi / 2) && near(first.alpha, -middle.alpha);
+}
+
 SphericalWrist::SphericalWrist(const Chain& whole) : arm_(arm_of(whole)) {
   const DhLink* last = &whole.links().back();
-  const DhLink &first_link = last[-2], &middle = last[-1], &third = last[0];
-  const double quarter = std::numbers::pi / 2;
-  const auto near = [](double a, double b) { return std::abs(a - b) < 1e-12; };
-  const bool meets = first_link.a == 0 && middle.a == 0 && middle.d == 0 && third.a == 0 && third.alpha == 0 &&
-                     near(std::abs(first_link.alpha), quarter) && near(first_link.alpha, -middle.alpha);
-  if (!meets) throw std::invalid_argument("the last three axes of this arm do not form a spherical wrist");
-  offsets_ = {first_link.offset, middle.offset, third.offset};
-  sense_ = first_link.alpha < 0 ? 1 : -1;
+  const DhLink &first = last[-2], &middle = last[-1], &third = last[0];
+  offsets_ = {first.offset, middle.offset, third.offset};
+  sense_ = first.alpha < 0 ? 1 : -1;
   tool_in_tool_ = whole.tip() + Eigen::Vector3d(0, 0, third.d);
 }
 

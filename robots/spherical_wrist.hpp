@@ -10,8 +10,11 @@ namespace ikbench {
 
 class SphericalWrist {
  public:
-  // Last three twists must be -90, 90, 0 degrees (or 90, -90, 0) with no lengths between the axes;
-  // std::invalid_argument otherwise.
+  // Whether the last three twists are -90, 90, 0 degrees (or 90, -90, 0) with no lengths between the axes, and joints
+  // are left for the arm.
+  static bool fits(const Chain& whole);
+
+  // std::invalid_argument where it does not fit.
   explicit SphericalWrist(const Chain& whole);
 
   // The first joints up to the wrist's centre, which is the tool point of this chain.

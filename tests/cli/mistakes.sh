@@ -32,7 +32,6 @@ refused 'the target is not finite' solve --position-cm nan 0 0
 refused 'the target is not finite' solve --position-cm 60 20 10 --rpy-deg inf 0 0
 refused '--start-deg has 2 angles; expected 7' solve --position-cm 60 20 10 --start-deg 1,2
 refused '--start-deg has nan' solve --position-cm 60 20 10 --start-deg nan,0,0,0,0,0,0
-refused 'expected "all_joints"' solve --position-cm 60 20 10 --robot planar_2
 refused '--set' solve --position-cm 60 20 10 --set dampnig=1
 
 # --set.

@@ -38,7 +38,7 @@ cmp -s points/tables/table-4.csv made/tables/table-4.csv && fail "--unit point g
 succeeds run slim2023-context "${small[@]}" --no-report --out made
 has "$out" "12 solves"
 succeeds report made/store.sqlite --no-figures --out first
-has "$(<first/report.md)" "Report: slim2023"
+has "$(<first/report.md)" "Report of the study slim2023"
 succeeds report made/store.sqlite --no-figures --study slim2023-context --out second
 has "$(<second/report.md)" "slim2023-context"
 has "$(<second/tables/table-3.csv)" "DLS"

@@ -7,7 +7,7 @@ value() { # value NAME: what `solve` says of it
 }
 
 # Two links of half a metre: (50, 50) cm is an elbow of 90 degrees.
-succeeds solve --robot planar_2 --search all_joints --position-cm 50 50 0
+succeeds solve --robot planar_2 --position-cm 50 50 0
 [ "$(value status)" = ok ] || fail "planar: $out"
 [[ $(value 'joint 2 \[deg\]') =~ ^-?(90\.000|89\.999) ]] || fail "the elbow is at $(value 'joint 2 \[deg\]')"
 [ "$(grep -c '^joint' .out)" = 2 ] || fail "planar_2 has two joints: $out"

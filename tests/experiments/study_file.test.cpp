@@ -313,7 +313,7 @@ TEST_CASE("a label stands once in a study", "[study][mistakes]") {
 TEST_CASE("what fields ask of each other is checked where one of them stands", "[study][mistakes]") {
   check({{"robot = \"planar_2\"\nsearch = \"wrist\"\n" + entrant,
           "my.toml:2:10: ",
-          {"search is \"wrist\"", "at least 4 joints", "expected \"all_joints\""}},
+          {"search is \"wrist\"", "planar_2 has no spherical wrist", "expected \"all_joints\""}},
          {"robot = \"planar_2\"\n" + entrant, "my.toml:1:1: ", {"search is \"wrist\"", "expected \"all_joints\""}},
          {"initial_deg = [0, 0]\n" + entrant,
           "my.toml:1:15: ",
