@@ -224,10 +224,11 @@ Table anova_from_printed_table_3(std::string_view paper) {
     for (const PrintedRow& row : printed_table_3(paper, metric)) groups.push_back(row.summary);
     const std::optional<AnovaTable> printed = printed_anova(paper, metric);
     add_anova_rows(table, anova_from_summaries(groups), printed, {text(name_of(metric))});
-    for (std::size_t row = table.rows.size() - sources.size(); row < table.rows.size(); ++row) {
-      const bool has_F = printed && std::get<std::string>(table.rows[row][1]) == sources.front();
-      table.rows[row].push_back(has_F ? Cell(PValue{f_upper_tail(printed->F, printed->df_between, printed->df_within)})
-                                      : Cell());
+    for (auto row = table.rows.end() - sources.size(); row != table.rows.end(); ++row)
+      row->resize(table.columns.size());
+    if (printed) {
+      const double p = f_upper_tail(printed->F, printed->df_between, printed->df_within);
+      table.rows[table.rows.size() - sources.size()].back() = PValue{p};
     }
   }
   table.notes.emplace_back(

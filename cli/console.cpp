@@ -103,7 +103,7 @@ std::filesystem::path default_folder(std::string_view study) {
   for (char& c : name) {
     if (std::isalnum(static_cast<unsigned char>(c)) == 0 && c != '-' && c != '_' && c != '.') c = '_';
   }
-  if (name.empty() || name.front() == '.') name.insert(0, "_");
+  if (name.empty() || name.front() == '.') name = '_' + name;
   return std::filesystem::path("out") / name;
 }
 
