@@ -99,9 +99,9 @@ set style line 101 lw 1.3 lc rgb "#000000" dt 1
 set border 3 lw 0.6
 set tics out nomirror scale 0.6, 0.3
 set grid xtics ytics ls 100
-set key below horizontal Left reverse noenhanced samplen 2 spacing 1.1
+set key below horizontal Left reverse noenhanced samplen 2 spacing 1.1 height 0.8
 set xtics noenhanced offset 0, 0.3
-set xlabel offset 0, 1
+set xlabel offset 0, 0.85
 set ylabel offset 0.5, 0
 
 # Three outputs of the same size, 8 pt text and thin lines in each: SVG in units of a point, PDF, PNG at 300 dpi. To Cairo a

@@ -59,7 +59,7 @@ void add_legend(Figure& figure, const std::vector<std::string>& labels) {
       std::max<std::size_t>(1, static_cast<std::size_t>(characters / static_cast<double>(longest + 7)));
   const std::size_t rows = (labels.size() + columns - 1) / columns;
   figure.settings += fmt::format("set key maxcols {}\n", columns);
-  figure.height_cm += 0.36 * static_cast<double>(rows);
+  figure.height_cm += 0.3 + 0.36 * static_cast<double>(rows);
 }
 
 // Ticks at whole points: 1 and multiples of a round step.
