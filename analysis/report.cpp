@@ -136,10 +136,14 @@ Report write_report(const Store& store, const ReportRequest& request) {
   const std::vector<FigureOutcome> outcomes = write_figures(figures, request.folder / "figures", request.figures);
   for (std::size_t i = 0; i < figures.size(); ++i) pieces.add(figures[i], outcomes[i].rendered);
 
-  Report report{.file = request.folder / "report.md", .warnings = warnings_of(study, outcomes)};
+  Report report{.file = request.folder / "report.md",
+                .results = table_3(study, request.unit),
+                .summary = summary(study, request.unit),
+                .warnings = warnings_of(study, outcomes)};
+  for (std::size_t i = 1; i < together.size(); ++i) report.summary.push_back(perspective(together[i], request.unit));
   std::string text = fmt::format("# {}\n\n", markdown_text(study.title.empty() ? study.name : study.title));
   text += fmt::format("Report of the study {}.\n\n## Summary\n\n", markdown_text(study.name));
-  text += bullets(summary(study, request.unit));
+  text += bullets(report.summary);
   if (!report.warnings.empty()) text += "### Warnings\n\n" + bullets(report.warnings);
   if (const std::string command = command_of(study, store.sessions()); !command.empty()) {
     text += fmt::format("To get these numbers again:\n\n    {}\n\n", one_line(command));

@@ -23,6 +23,8 @@ struct ReportRequest {
 
 struct Report {
   std::filesystem::path file;         // report.md
+  Table results;                      // Table 3
+  std::vector<std::string> summary;   // what it says first, sentence by sentence
   std::vector<std::string> warnings;  // figures that were not drawn, a study that is incomplete, ...
 };
 

@@ -190,4 +190,20 @@ std::vector<std::string> summary(const StudyResults& study, Unit unit) {
   return sentences;
 }
 
+std::string perspective(const StudyResults& other, Unit unit) {
+  std::string list;
+  const auto mean_of = [&](const std::string& solver, Metric metric) {
+    const auto all = samples(other, metric, unit);
+    return describe(std::ranges::find(all, solver, &Sample::solver)->values).mean;
+  };
+  for (const std::string& solver : other.solvers) {
+    list += fmt::format("{}{} {} cm, {} deg, {} s and {} evaluations", list.empty() ? "" : "; ", solver,
+                        rounded_number(mean_of(solver, Metric::position_error_cm), 2),
+                        rounded_number(mean_of(solver, Metric::variation_deg), 3),
+                        rounded_number(mean_of(solver, Metric::seconds), 2),
+                        rounded_number(mean_of(solver, Metric::evaluations), 3));
+  }
+  return fmt::format("For perspective, means of the study {} on the same targets: {}.", other.name, list);
+}
+
 }  // namespace ikbench

@@ -67,6 +67,17 @@ std::vector<std::size_t> columns_in_use(const Table& table) {
 
 }  // namespace
 
+std::vector<std::vector<std::string>> readable_cells(const Table& table) {
+  const std::vector<std::size_t> used = columns_in_use(table);
+  std::vector<std::vector<std::string>> cells(1);
+  for (const std::size_t c : used) cells[0].push_back(table.columns[c].name);
+  for (const auto& row : table.rows) {
+    std::vector<std::string>& texts = cells.emplace_back();
+    for (const std::size_t c : used) texts.push_back(readable(row[c]));
+  }
+  return cells;
+}
+
 std::string to_markdown(const Table& table) {
   const std::vector<std::size_t> used = columns_in_use(table);
   std::string text = fmt::format("**{}**\n\n|", markdown_text(table.caption));

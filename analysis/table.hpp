@@ -36,4 +36,7 @@ std::string to_markdown(const Table& table);
 std::string to_latex(const Table& table);
 std::string to_csv(const Table& table);
 
+// Heads and cells as Markdown has them, without its escapes: the first row is the head.
+std::vector<std::vector<std::string>> readable_cells(const Table& table);
+
 }  // namespace ikbench

@@ -5,7 +5,6 @@
 #include <thread>
 
 #include "analysis/report.hpp"
-#include "analysis/summary.hpp"
 #include "cli/console.hpp"
 #include "experiments/environment.hpp"
 #include "experiments/runner.hpp"
@@ -38,9 +37,8 @@ void write_and_announce(const Store& store, const std::string& study, const std:
                                              .unit = unit,
                                              .quartiles = quantile_type(arguments.quartiles),
                                              .figures = {.render = !arguments.without_figures}});
-  for (const std::string& sentence : summary(make_study(store.study(study), store.solves(study)), unit)) {
-    fmt::print("{}\n", printable(sentence));
-  }
+  fmt::print("\n{}\n", aligned(readable_cells(report.results)));
+  for (const std::string& sentence : report.summary) fmt::print("{}\n", printable(sentence));
   for (const std::string& warning : report.warnings) fmt::print(stderr, "warning: {}\n", printable(warning));
   fmt::print("Report: {}\n", printable(report.file.string()));
 }

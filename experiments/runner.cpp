@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 #include <oneapi/tbb/global_control.h>
-#include <oneapi/tbb/parallel_for_each.h>
+#include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/task_arena.h>
 #include <time.h>
 
@@ -229,29 +229,40 @@ Progress run(const Study& study, Store& store, const RunRequest& request) {
   session["jobs"] = std::to_string(request.jobs);
   session["command"] = request.command;
   const std::int64_t session_id = store.begin_session(session);
-  std::mutex recording;
+  std::mutex desk;  // where work is taken and records are handed in
+  std::size_t next = 0;
   const auto is_cancelled = [&] { return request.cancelled != nullptr && *request.cancelled; };
 
-  const auto solve_chain = [&](Chained& chained) {
+  const auto take = [&]() -> Chained* {
+    const std::scoped_lock lock(desk);
+    return next < work.size() ? &work[next++] : nullptr;
+  };
+  const auto hand_in = [&](SolveRecord record) {
+    const std::scoped_lock lock(desk);
+    record.session = session_id;
+    store.append({record});
+    ++progress.done;
+    if (request.progress) request.progress(progress);
+  };
+  const auto work_on = [&](Chained& chained) {
     for (int point = chained.first_missing; point <= static_cast<int>(poses.size()) && !is_cancelled(); ++point) {
       SolveRecord record =
           chained.contest->solve(poses[static_cast<std::size_t>(point - 1)], chained.start, chained.run, point);
       if (request.jobs > 1 && record.timing == Timing::clean) record.timing = Timing::parallel;
-      record.session = session_id;
       move(chained.start, record);
-      const std::scoped_lock lock(recording);
-      store.append({record});
-      ++progress.done;
-      if (request.progress) request.progress(progress);
+      hand_in(std::move(record));
     }
   };
+  const auto worker = [&](int) {
+    while (Chained* chained = take()) work_on(*chained);
+  };
   if (request.jobs == 1) {
-    for (Chained& chained : work) solve_chain(chained);
+    worker(0);
   } else {
     // Else oneTBB has no more threads than processors, whatever is asked for.
     const tbb::global_control threads(tbb::global_control::max_allowed_parallelism,
                                       static_cast<std::size_t>(request.jobs));
-    tbb::task_arena(request.jobs).execute([&] { tbb::parallel_for_each(work, solve_chain); });
+    tbb::task_arena(request.jobs).execute([&] { tbb::parallel_for(0, request.jobs, worker); });
   }
   return progress;
 }
