@@ -68,14 +68,20 @@ std::string aligned(const std::vector<std::vector<std::string>>& rows) {
   return printable(text);
 }
 
-const std::atomic<bool>& cancelled() {
+CancelOnSignal::CancelOnSignal() {
   struct sigaction action {};
   action.sa_handler = [](int) { cancel_requested = true; };
-  action.sa_flags = static_cast<int>(SA_RESETHAND);  // a second Ctrl-C ends the program at once
+  action.sa_flags = static_cast<int>(SA_RESETHAND);
   sigaction(SIGINT, &action, nullptr);
   sigaction(SIGTERM, &action, nullptr);
-  return cancel_requested;
 }
+
+CancelOnSignal::~CancelOnSignal() {
+  std::signal(SIGINT, SIG_DFL);
+  std::signal(SIGTERM, SIG_DFL);
+}
+
+const std::atomic<bool>& CancelOnSignal::requested() const { return cancel_requested; }
 
 ProgressBar::ProgressBar(std::string title) : title_(std::move(title)), on_terminal_(isatty(STDERR_FILENO) != 0) {}
 

@@ -21,8 +21,16 @@ std::string shell_command(std::string_view program, const std::vector<std::strin
 // Columns padded to their widest cell; the first row is the head.
 std::string aligned(const std::vector<std::vector<std::string>>& rows);
 
-// Set by Ctrl-C and SIGTERM from the first call on.
-const std::atomic<bool>& cancelled();
+// While it lives, Ctrl-C and SIGTERM set a flag; a second one ends the program at once.
+class CancelOnSignal {
+ public:
+  CancelOnSignal();
+  ~CancelOnSignal();
+  CancelOnSignal(const CancelOnSignal&) = delete;
+  CancelOnSignal& operator=(const CancelOnSignal&) = delete;
+
+  const std::atomic<bool>& requested() const;
+};
 
 // A bar with rate and time left on a terminal; nothing elsewhere.
 class ProgressBar {

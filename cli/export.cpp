@@ -4,10 +4,9 @@
 #include <fmt/format.h>
 
 #include <cstdio>
-#include <fstream>
 #include <memory>
-#include <stdexcept>
 
+#include "analysis/files.hpp"
 #include "cli/commands.hpp"
 #include "cli/reporting.hpp"
 #include "results/store.hpp"
@@ -37,13 +36,10 @@ void add_export(CLI::App& app) {
     const std::vector<SolveRecord> solves = store.solves(study.name);
     const std::string text = arguments->format == "csv" ? to_csv(solves) : to_json(study, store.sessions(), solves);
     if (arguments->file == "-") {
-      std::fwrite(text.data(), 1, text.size(), stdout);
-      return;
+      std::fwrite(text.data(), 1, text.size(), stdout);  // main sees whether it could be written
+    } else {
+      write_file(arguments->file, text);
     }
-    std::ofstream out(arguments->file, std::ios::binary);
-    out << text;
-    out.close();
-    if (!out) throw std::invalid_argument(fmt::format("{}: cannot be written", arguments->file));
   });
 }
 

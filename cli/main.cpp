@@ -1,6 +1,7 @@
 // ikbench: which inverse-kinematics solver is better, and does a published claim hold?
 #include <fmt/format.h>
 
+#include <cstdio>
 #include <exception>
 #include <stdexcept>
 
@@ -34,6 +35,8 @@ int main(int argc, char** argv) {
   cli::add_export(app);
   try {
     app.parse(argc, argv);
+    if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
+      throw std::runtime_error("standard output cannot be written");
     return invocation.exit_code;
   } catch (const CLI::RequiredError& error) {
     if (argc < 2 || !app.get_subcommands().empty()) return app.exit(error) == 0 ? 0 : 1;

@@ -65,7 +65,8 @@ Ended run_and_tell(const Study& study, const std::filesystem::path& folder, RunR
   {
     ProgressBar bar(study.name);
     request.progress = [&](const Progress& now) { bar.show(now); };
-    request.cancelled = &cancelled();
+    const CancelOnSignal signals;
+    request.cancelled = &signals.requested();
     progress = run(study, store, request);
   }
   const std::string place = printable(store_in(folder).string());

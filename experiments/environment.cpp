@@ -7,6 +7,7 @@
 #include <Eigen/Core>
 #include <chrono>
 #include <fstream>
+#include <string_view>
 #include <thread>
 
 #include "build_info.hpp"
@@ -55,7 +56,7 @@ std::map<std::string, std::string> environment() {
 
 bool is_debug_build() {
 #ifdef NDEBUG
-  return false;
+  return build_info::sanitize != std::string_view("none");
 #else
   return true;
 #endif

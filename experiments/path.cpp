@@ -1,5 +1,6 @@
 #include "experiments/path.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 

@@ -6,7 +6,9 @@
 #include <oneapi/tbb/task_arena.h>
 #include <time.h>
 
+#include <array>
 #include <chrono>
+#include <map>
 #include <mutex>
 #include <nlohmann/json.hpp>
 #include <numbers>
@@ -78,16 +80,32 @@ class Task {
   Eigen::VectorXd completed(const Eigen::VectorXd& found, const Pose& target, const Eigen::VectorXd& start) const {
     if (!wrist_) return found;
     const Eigen::Vector3d near = start.tail<3>();
-    const auto [positive, negative] = wrist_->angles(found, target.linear(), near);
-    const bool take_positive =
-        study_.wrist_branch == WristBranch::positive ||
-        (study_.wrist_branch == WristBranch::nearest && (positive - near).norm() <= (negative - near).norm());
+    const std::array<Eigen::Vector3d, 2> branches = wrist_->angles(found, target.linear(), near);
     Eigen::VectorXd answer(found.size() + 3);
-    answer << found, take_positive ? positive : negative;
+    answer << found, branches[chosen(branches, near)];
     return answer;
   }
 
  private:
+  std::size_t chosen(const std::array<Eigen::Vector3d, 2>& branches, const Eigen::Vector3d& near) const {
+    const std::size_t nearer = (branches[0] - near).norm() <= (branches[1] - near).norm() ? 0 : 1;
+    const auto is_inside = [&](const Eigen::Vector3d& angles) {
+      return (angles.array() >= arm_.limits.lower.tail<3>().array()).all() &&
+             (angles.array() <= arm_.limits.upper.tail<3>().array()).all();
+    };
+    switch (study_.wrist_branch) {
+      case WristBranch::positive:
+        return 0;
+      case WristBranch::negative:
+        return 1;
+      case WristBranch::inside:
+        return !is_inside(branches[nearer]) && is_inside(branches[1 - nearer]) ? 1 - nearer : nearer;
+      case WristBranch::nearest:
+        break;
+    }
+    return nearer;
+  }
+
   const Study& study_;
   const Robot& arm_;
   std::optional<SphericalWrist> wrist_;
@@ -209,12 +227,18 @@ Progress run(const Study& study, Store& store, const RunRequest& request) {
     }
     for (const SolveRecord& record : store.series(contests[c].series())) {
       if (record.run > study.runs) continue;
+      const auto edited = [&](std::string_view what) {
+        return std::invalid_argument(
+            fmt::format("the store's solve of run {}, point {} by {} {}; it was edited: take another --out", record.run,
+                        record.point, record.solver, what));
+      };
+      if (record.run < 1) throw edited("has a run below 1");
+      if (record.answer_rad.size() != static_cast<std::size_t>(study.initial.size())) {
+        throw edited(fmt::format("has {} joints instead of {}", record.answer_rad.size(), study.initial.size()));
+      }
       Chained& chained = work[static_cast<std::size_t>(record.run - 1) * contests.size() + c];
       if (record.point != chained.first_missing) {
-        throw std::invalid_argument(
-            fmt::format("the store has point {} of run {} of {} but not point {}; it was edited: "
-                        "take another --out",
-                        record.point, record.run, record.solver, chained.first_missing));
+        throw edited(fmt::format("is there, but not that of point {}", chained.first_missing));
       }
       ++chained.first_missing;
       move(chained.start, record);

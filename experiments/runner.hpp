@@ -22,8 +22,10 @@ struct RunRequest {
   const std::atomic<bool>* cancelled = nullptr;   // looked at before every solve; what is done stays
 };
 
+// `study` is one that the study file's reader would give: known names, as many initial angles as joints.
 // The points of a run are chained (the arm starts where the previous answer left it), runs are independent. Numbers do
-// not depend on `jobs`, on the order of solvers, or on what the store already had.
+// not depend on `jobs` (unless a solve ends by its wall time), on the order of solvers, or on what the store already
+// had.
 Progress run(const Study& study, Store& store, const RunRequest& request);
 
 // One target, by one entrant, with every number that a study would record.

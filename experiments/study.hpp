@@ -19,7 +19,8 @@ enum class Search { wrist, all_joints };
 
 // Which of the wrist's two branches completes an answer: the one with the smaller move, or that whose middle joint is
 // positive or negative.
-enum class WristBranch { nearest, positive, negative };
+// inside: the nearer of those inside the joint limits, and the nearer of all where none is.
+enum class WristBranch { nearest, positive, negative, inside };
 
 // Whether the joint limits hold for candidates: as each solver's own option says, or the same for all that have it.
 enum class StudyBounds { per_solver, initial, clamp };
@@ -55,11 +56,12 @@ std::vector<Study> studies();
 // filled in.
 Settings effective_options(const Study& study, const Entrant& entrant);
 
-// Hash of everything that decides the numbers of one entrant: equal hashes, equal numbers.
+// Hash of everything that decides the numbers of one entrant: equal hashes, equal numbers, on one machine and unless a
+// solve ends by its wall time.
 std::string series_key(const Study& study, const Entrant& entrant);
 
-// A target that no configuration reaches, by the distance from the shoulder (to the wrist's centre, where that is what
-// is searched).
+// A target that no configuration reaches, for certain: by the distance from the shoulder (to the wrist's centre, where
+// that is what is searched).
 struct Unreachable {
   int point;        // from 1
   double distance;  // [m]

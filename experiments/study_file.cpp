@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <set>
@@ -36,7 +37,8 @@ void list_fields(Io& io, StopRule& stop) {
   io.whole("iterations", stop.iterations, {0, 1'000'000'000}, "iterations at most");
   io.number("tolerance_cm", stop.tolerance, centimetre, {0, 1e6}, "position error at which a solve ends; 0: none");
   io.whole("evaluations", stop.evaluations, {0, no_limit}, "evaluations after which a solve ends; 0: no such rule");
-  io.number("seconds", stop.seconds, 1, {0, 1e6}, "wall time after which a solve ends; 0: no such rule");
+  io.number("seconds", stop.seconds, 1, {0, 1e6},
+            "wall time after which a solve ends, and numbers depend on the machine; 0: no such rule");
 }
 
 template <class Io>
@@ -74,11 +76,12 @@ void list_fields(Io& io, Study& study) {
       Choices<StudyBounds>{
           {"per_solver", StudyBounds::per_solver}, {"initial", StudyBounds::initial}, {"clamp", StudyBounds::clamp}},
       "joint limits of candidates: each solver's own option, or one reading for all that have it");
-  io.choice(
-      "wrist_branch", study.wrist_branch,
-      Choices<WristBranch>{
-          {"nearest", WristBranch::nearest}, {"positive", WristBranch::positive}, {"negative", WristBranch::negative}},
-      "which of the wrist's two branches completes an answer");
+  io.choice("wrist_branch", study.wrist_branch,
+            Choices<WristBranch>{{"nearest", WristBranch::nearest},
+                                 {"positive", WristBranch::positive},
+                                 {"negative", WristBranch::negative},
+                                 {"inside", WristBranch::inside}},
+            "which of the wrist's two branches completes an answer");
   io.numbers("initial_deg", study.initial, degree, 0, "configuration before the first point of a run");
   io.whole("population", study.population, {1, 100'000}, "candidates an iteration");
   io.whole("runs", study.runs, {1, 1'000'000}, "independent repetitions");
@@ -470,6 +473,12 @@ Study read_study(const toml::table& table, std::string_view source) {
   if (study.initial.size() != arm.chain.joints()) {
     throw at("initial_deg", fmt::format("initial_deg has {} angles; expected {}, the joints of {}",
                                         study.initial.size(), arm.chain.joints(), arm.name));
+  }
+  for (const Entrant& entrant : study.solvers) {
+    if (const int least = solver(entrant.solver).least_population; study.population < least) {
+      throw at("population",
+               fmt::format("population is {}, but {} needs at least {}", study.population, entrant.solver, least));
+    }
   }
   if (study.search == Search::wrist && !SphericalWrist::fits(arm.chain)) {
     throw at("search",

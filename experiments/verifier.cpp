@@ -11,6 +11,8 @@ namespace {
 
 using Matrix = std::array<std::array<double, 4>, 4>;
 
+constexpr double rounding = 1e-9;  // [m], [rad]
+
 constexpr Matrix identity{{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}}};
 
 Matrix product(const Matrix& left, const Matrix& right) {
@@ -79,22 +81,23 @@ Verdict verify(const Robot& robot, const Pose& target, const Eigen::VectorXd& st
   const Eigen::VectorXd move = answer - start;
   Eigen::VectorXd outside(2 * answer.size());
   outside << robot.limits.lower - answer, answer - robot.limits.upper;
+  const double limit_violation = largest(outside);
   return {.reached = reached.topRightCorner<3, 1>(),
           .position_error = (reached - wanted).topRightCorner<3, 1>().norm(),
           .orientation_error = (R - R_wanted).norm() / R_wanted.norm(),
           .variation = move.norm(),
           .largest_move = largest(move.cwiseAbs()),
-          .limit_violation = largest(outside)};
+          .limit_violation = limit_violation <= rounding ? 0 : limit_violation};
 }
 
 Status judge(const Verdict& verdict, const Requirement& requirement) {
-  constexpr double rounding = 1e-9;
   if (!std::isfinite(verdict.position_error) || !std::isfinite(verdict.orientation_error)) return Status::not_finite;
   const bool claim_holds = std::abs(verdict.position_error - requirement.claimed_error) <= rounding;  // not for NaN
   const bool turned_wrong = requirement.orientation_is_exact && verdict.orientation_error > rounding;
   if (!claim_holds || turned_wrong) return Status::claimed_but_wrong;
-  if (verdict.limit_violation > rounding) return Status::limit_violated;
-  if (requirement.tolerance > 0 && verdict.position_error > requirement.tolerance) return Status::tolerance_missed;
+  if (verdict.limit_violation > 0) return Status::limit_violated;
+  if (requirement.tolerance > 0 && verdict.position_error > requirement.tolerance + rounding)
+    return Status::tolerance_missed;
   return Status::ok;
 }
 

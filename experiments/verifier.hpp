@@ -13,7 +13,7 @@ struct Verdict {
   double orientation_error = 0;                       // ||R - Rd|| / ||Rd||, Eq. 3
   double variation = 0;                               // [rad], Eq. 12, over all joints
   double largest_move = 0;                            // [rad], of a single joint
-  double limit_violation = 0;                         // [rad], of the worst joint; 0 inside
+  double limit_violation = 0;                         // [rad], of the worst joint; 0 inside, and up to 1e-9
 };
 
 // Tool pose of a configuration by the verifier's own route.

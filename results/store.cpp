@@ -60,7 +60,12 @@ struct Damage : std::runtime_error {
       throw std::runtime_error(fmt::format(
           "'{}' was kept locked by another process for {} s; wait until that has ended", file, busy_timeout_ms / 1000));
     case SQLITE_CONSTRAINT:
-      throw std::logic_error(fmt::format("'{}' already has it: {}", file, error.what()));
+      if (error.getExtendedErrorCode() != SQLITE_CONSTRAINT_PRIMARYKEY) {
+        throw std::logic_error(fmt::format("'{}' already has it: {}", file, error.what()));
+      }
+      throw std::runtime_error(fmt::format(
+          "'{}' has that solve already ({}): another ikbench runs the same study into it; wait for it, then run again",
+          file, error.what()));
     default:
       throw std::runtime_error(fmt::format("'{}' cannot be used: {}", file, error.what()));
   }
@@ -432,6 +437,7 @@ std::vector<SolveRecord> Store::solves(const std::string& study_name) const {
     if (!runs) throw Damage(fmt::format("the definition of study '{}'", study_name));
     std::vector<SolveRecord> list;
     for (const Series& series : entry.series) database_->read_solves(series.key, *runs, list);
+    for (SolveRecord& record : list) record.study = study_name;  // also where another name first solved it
     return list;
   });
 }

@@ -1,7 +1,7 @@
 // The store: one SQLite file that remembers studies, sessions and solves. Several studies may share a store.
 // Schema: docs/data-dictionary.md. A user's mistake (no such file, not a store, damaged, a newer schema, no permission)
 // is std::invalid_argument; a store kept locked by another process or a full disk std::runtime_error; a mistake of ours
-// (a solve that is already there, a definition that is not JSON) std::logic_error. A Store belongs to one thread at a
+// (a definition that is not JSON) std::logic_error. A Store belongs to one thread at a
 // time.
 #pragma once
 
@@ -54,7 +54,7 @@ class Store {
   std::vector<Session> sessions() const;
 
   // All of them in one transaction, which outlives the process, however that ends. A solve that is already there
-  // (series, run, point) is an error of ours; then none of them is kept.
+  // (series, run, point), because another process solves the same, is std::runtime_error; then none of them is kept.
   void append(const std::vector<SolveRecord>& records);
 
   // Solves of one series, ordered by run and point.

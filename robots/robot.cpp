@@ -1,5 +1,6 @@
 #include "robots/robot.hpp"
 
+#include <algorithm>
 #include <numbers>
 #include <stdexcept>
 

@@ -24,7 +24,7 @@ class SphericalWrist {
   Eigen::Vector3d centre(const Pose& T_base_tool) const;
 
   // The last three angles for an orientation, both branches: first with the middle joint's angle >= 0, then < 0;
-  // each in (-pi, pi]. Where the outer axes coincide (middle angle 0 or pi) only their sum or difference is fixed: the
+  // each in [-pi, pi]. Where the outer axes coincide (middle angle 0 or pi) only their sum or difference is fixed: the
   // first answer then keeps the first angle of `near`, the angles the wrist has now.
   std::array<Eigen::Vector3d, 2> angles(const ConfigurationRef& q_arm, const Eigen::Matrix3d& R_base_tool,
                                         const Eigen::Vector3d& near) const;

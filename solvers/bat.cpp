@@ -71,7 +71,7 @@ class Bat final : public Solver {
       if (local_[i] > pulse_rate_[i]) {
         candidate_ = best_.q + options_.step_factor * loudness_.mean() * epsilon_.col(i);  // Eq. 8
       }
-      apply(options_.bounds, problem_, candidate_);
+      keep_inside(options_.bounds, problem_, candidate_);
       const double error = objective.error(candidate_);
       const bool accepted = error <= errors_[i] && chance_[i] < loudness_[i];
       if (accepted) {

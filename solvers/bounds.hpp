@@ -26,7 +26,7 @@ inline void draw_within_limits(const Problem& problem, Random& random, Candidate
 
 // One candidate (a vector or a column) back inside, where the reading says so.
 template <class Candidate>
-void apply(Bounds bounds, const Problem& problem, Candidate&& q) {
+void keep_inside(Bounds bounds, const Problem& problem, Candidate&& q) {
   if (bounds == Bounds::clamp) q = q.cwiseMax(problem.lower).cwiseMin(problem.upper);
 }
 

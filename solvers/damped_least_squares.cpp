@@ -35,7 +35,7 @@ class DampedLeastSquares final : public Solver {
     jacobian_.resize(3, problem.joints());
     step_.resize(problem.joints());
     candidate_ = problem.start;
-    apply(options_.bounds, problem_, candidate_);
+    keep_inside(options_.bounds, problem_, candidate_);
     best_ = {problem.start};
     begin(objective);
   }
@@ -55,7 +55,7 @@ class DampedLeastSquares final : public Solver {
     const Eigen::Matrix3d damped = jacobian_ * jacobian_.transpose() + mu_ * Eigen::Matrix3d::Identity();
     step_.noalias() = jacobian_.transpose() * damped.ldlt().solve(to_go_);
     candidate_ = q_ + step_;
-    apply(options_.bounds, problem_, candidate_);
+    keep_inside(options_.bounds, problem_, candidate_);
     const double error = objective.error(candidate_);
     failures_ = error < 0.99 * error_ ? 0 : failures_ + 1;
     if (error < error_) {

@@ -13,6 +13,8 @@ namespace ikbench {
 
 namespace {
 
+constexpr int least_population = 4;  // a candidate and the three others that it is combined with
+
 class DifferentialEvolution final : public Solver {
  public:
   enum class Outside { initial, clamp, reflect, resample };
@@ -38,10 +40,10 @@ class DifferentialEvolution final : public Solver {
   explicit DifferentialEvolution(Options options) : options_(options) {}
 
   void start(const Problem& problem, Objective& objective, Random& random) override {
-    if (problem.population < 4) {
-      throw std::invalid_argument(
-          fmt::format("differential_evolution has a population of {}; it combines three others, so it needs at least 4",
-                      problem.population));
+    if (problem.population < least_population) {
+      throw std::invalid_argument(fmt::format(
+          "differential_evolution has a population of {}; it combines three others, so it needs at least {}",
+          problem.population, least_population));
     }
     problem_ = problem;
     const int candidates = problem.population;
@@ -131,7 +133,7 @@ class DifferentialEvolution final : public Solver {
 
 SolverInfo differential_evolution() {
   return solver_info<DifferentialEvolution>("differential_evolution", "differential evolution (DE), rand/1/bin",
-                                            "Storn and Price 1997");
+                                            "Storn and Price 1997", least_population);
 }
 
 }  // namespace ikbench

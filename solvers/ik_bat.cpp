@@ -49,6 +49,7 @@ class IkBat final : public Solver {
     x_.resize(problem.joints(), bats);
     v_.setZero(problem.joints(), bats);
     epsilon_.resize(problem.joints(), bats);
+    errors_.resize(bats);
     beta_.resize(bats);
     chance_.resize(bats);
     candidate_.resize(problem.joints());
@@ -58,7 +59,9 @@ class IkBat final : public Solver {
 
     draw_within_limits(problem, random, x_);
     x_.col(0) = problem.start;  // one bat starts where the arm is
-    for (int i = 0; i < bats; ++i) best_.improve(x_.col(i), objective.error(x_.col(i)));
+    keep_inside(options_.bounds, problem_, x_.col(0));
+    objective.errors(x_, errors_);
+    for (int i = 0; i < bats; ++i) best_.improve(x_.col(i), errors_[i]);
   }
 
   void step(Objective& objective, Random& random) override {
@@ -74,7 +77,7 @@ class IkBat final : public Solver {
       v_.col(i) += (x_.col(i) - 0.5 * (best_.q + theta_s)) * f;                                           // Eq. 13
       x_.col(i) += v_.col(i);                                                                             // Eq. 7
       candidate_ = r * best_.q + (1 - r) * theta_s + options_.step_factor * loudness_ * epsilon_.col(i);  // Eq. 14
-      apply(options_.bounds, problem_, candidate_);
+      keep_inside(options_.bounds, problem_, candidate_);
       const double error = objective.error(candidate_);
       if (accepts(chance_[i]) && best_.improve(candidate_, error)) x_.col(i) = candidate_;
     }
@@ -98,7 +101,7 @@ class IkBat final : public Solver {
   Options options_;
   Problem problem_;
   Candidates x_, v_, epsilon_;
-  Eigen::VectorXd beta_, chance_, candidate_;
+  Eigen::VectorXd errors_, beta_, chance_, candidate_;
   double loudness_ = 0;
   int iteration_ = 0;
   Best best_;

@@ -93,7 +93,7 @@ class KArtificialBeeColony final : public Solver {
     const double phi = 2 * phi_[bee] - 1;
     candidate_ = x_.col(i);
     candidate_[j] += phi * (k == i ? x_(j, i) : x_(j, i) - x_(j, k));
-    apply(options_.bounds, problem_, candidate_);
+    keep_inside(options_.bounds, problem_, candidate_);
     const double error = objective.error(candidate_);
     if (error < errors_[i]) {
       x_.col(i) = candidate_;

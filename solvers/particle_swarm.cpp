@@ -63,7 +63,7 @@ class ParticleSwarm final : public Solver {
                   options_.cognitive * u1_.col(i).cwiseProduct(personal_.col(i) - x) +  //
                   options_.social * u2_.col(i).cwiseProduct(best_.q - x);
       x += v_.col(i);
-      apply(options_.bounds, problem_, x);
+      keep_inside(options_.bounds, problem_, x);
       const double error = objective.error(x);
       if (error < errors_[i]) {
         personal_.col(i) = x;

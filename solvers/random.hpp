@@ -1,5 +1,5 @@
-// Random numbers that are the same on every machine: xoshiro256++ (Blackman and Vigna 2019) in eight interleaved
-// lanes, seeded by splitmix64 from a key. A stream is a pure function of its key.
+// Random numbers, the same wherever the C library has the same log, sin and cos: xoshiro256++ (Blackman and Vigna 2019)
+// in eight interleaved lanes, seeded by splitmix64 from a key. A stream is a pure function of its key.
 #pragma once
 
 #include <array>

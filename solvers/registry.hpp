@@ -14,7 +14,8 @@ namespace ikbench {
 struct SolverInfo {
   std::string name;
   std::string summary;
-  std::string source;  // the publication it comes from
+  std::string source;        // the publication it comes from
+  int least_population = 1;  // candidates that it cannot do without
   // The defaults, or with `settings` applied (std::invalid_argument as OptionList::set says).
   std::function<Settings(const Settings& settings)> options;
   std::function<std::unique_ptr<Solver>(const Settings& settings)> make;
@@ -27,7 +28,7 @@ SolverInfo solver(std::string_view name);
 
 // For a solver's file: its class has a nested Options with `void list(OptionList&)` and a constructor from it.
 template <class S>
-SolverInfo solver_info(std::string name, std::string summary, std::string source) {
+SolverInfo solver_info(std::string name, std::string summary, std::string source, int least_population = 1) {
   using Options = typename S::Options;
   const auto configured = [](const Settings& settings) {
     Options options;
@@ -39,6 +40,7 @@ SolverInfo solver_info(std::string name, std::string summary, std::string source
   return {.name = std::move(name),
           .summary = std::move(summary),
           .source = std::move(source),
+          .least_population = least_population,
           .options =
               [configured](const Settings& settings) {
                 Options options = configured(settings);

@@ -77,7 +77,7 @@ refused 'file' run slim2023 "${small[@]}" --out file
 refused 'file' run slim2023 "${small[@]}" --out file/below
 refused 'file' reproduce --runs 1 --out file
 refused 'file' report made/store.sqlite --out file
-refused 'none/solves.csv' export made/store.sqlite -o none/solves.csv
+refused 'store.sqlite/solves.csv' export made/store.sqlite -o made/store.sqlite/solves.csv
 refused 'made' export made/store.sqlite -o made
 [ "$(<file)" = "a file" ] || fail "the file was changed"
 mkdir taken && echo "not a store" >taken/store.sqlite

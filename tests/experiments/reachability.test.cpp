@@ -100,7 +100,6 @@ TEST_CASE("two links of half a metre reach one metre and no further", "[reachabi
   study.robot = "planar_2";
   study.search = Search::all_joints;
   study.path = Helix{.centre = {0, 0, 0}, .radius = 1.0, .length = 0, .turns = 1};
-  CHECK(unreachable(study).size() <= 20);  // on the rim: a matter of rounding
   std::get<Helix>(study.path).radius = 0.9999;
   CHECK(unreachable(study).empty());
   std::get<Helix>(study.path).radius = 1.0001;

@@ -230,14 +230,23 @@ TEST_CASE("a study that asks for the same under another name finds it in the sto
   CHECK(scratch.store.solves("renamed").size() == 24);
 }
 
-TEST_CASE("a store with a hole in a run is refused", "[runner]") {
-  ScratchStore scratch;
-  run(small_study(), scratch.store, {});
-  SQLite::Database(scratch.file.string(), SQLite::OPEN_READWRITE)
-      .exec("DELETE FROM solves WHERE solver = 'BA' AND run = 2 AND point = 3");
-  const std::string message = complaint<std::invalid_argument>([&] { run(small_study(), scratch.store, {}); });
-  INFO(message);
-  CHECK(message.find("point 4 of run 2 of BA but not point 3") != std::string::npos);
+TEST_CASE("a store that was edited is refused and says where", "[runner]") {
+  const auto complaint_after = [](const char* edit) {
+    ScratchStore scratch;
+    run(small_study(), scratch.store, {});
+    SQLite::Database(scratch.file.string(), SQLite::OPEN_READWRITE).exec(edit);
+    return complaint<std::invalid_argument>([&] { run(small_study(), scratch.store, {}); });
+  };
+  for (const auto& [edit, part] : std::vector<std::pair<const char*, const char*>>{
+           {"DELETE FROM solves WHERE solver = 'BA' AND run = 2 AND point = 3",
+            "run 2, point 4 by BA is there, but not that of point 3"},
+           {"UPDATE solves SET run = 0 WHERE solver = 'BA' AND run = 2", "has a run below 1"},
+           {"UPDATE solves SET answer_rad = '[1]' WHERE solver = 'BA' AND run = 2 AND point = 1",
+            "run 2, point 1 by BA has 1 joints instead of"}}) {
+    const std::string message = complaint_after(edit);
+    CAPTURE(edit, message);
+    CHECK(message.find(part) != std::string::npos);
+  }
 }
 
 TEST_CASE("progress is told before the first solve and after every one, and never goes back", "[runner]") {

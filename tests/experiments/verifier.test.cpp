@@ -140,13 +140,19 @@ TEST_CASE("an answer that is exact, inside the limits and as claimed is ok", "[v
 TEST_CASE("an error above the tolerance is a missed tolerance, if one was asked for", "[verifier]") {
   const Verdict off{.position_error = 0.01};
   CHECK(judge(off, {.claimed_error = 0.01, .tolerance = 0.009}) == Status::tolerance_missed);
+  CHECK(judge(off, {.claimed_error = 0.01, .tolerance = 0.01 - 0.5e-9}) == Status::ok);  // rounding
   CHECK(judge(off, {.claimed_error = 0.01, .tolerance = 0.01}) == Status::ok);
   CHECK(judge(off, {.claimed_error = 0.01, .tolerance = 0}) == Status::ok);
 }
 
 TEST_CASE("a joint outside its limits by more than rounding is a violation", "[verifier]") {
+  const auto violated = [](double outside) {  // the limits of planar_2 are +-180 deg
+    return verify(robot("planar_2"), at(0, 0, 0), angles({0, 0}), angles({0, pi + outside})).limit_violation;
+  };
+  CHECK(violated(2e-9) == Approx(2e-9));
+  CHECK(violated(0.5e-9) == 0);
   CHECK(judge({.limit_violation = 2e-9}, any) == Status::limit_violated);
-  CHECK(judge({.limit_violation = 0.5e-9}, any) == Status::ok);
+  CHECK(judge({.limit_violation = 0}, any) == Status::ok);
 }
 
 TEST_CASE("a claim that differs from the verified error in either direction is wrong", "[verifier]") {

@@ -19,8 +19,8 @@ struct Range {
 const std::map<std::string, Range> errors_cm{{"IK-BA", {0.0014, 0.0021}}, {"BA", {1.1, 2.2}},
                                              {"DE", {0.15, 0.45}},        {"PSO", {0.35, 0.70}},
                                              {"K-ABC", {0.16, 0.28}},     {"MO-PSO", {0.3, 0.9}}};
-const std::map<std::string, Range> variations_deg{{"IK-BA", {0, 115}}, {"BA", {240, 330}},    {"DE", {240, 330}},
-                                                  {"PSO", {240, 330}}, {"K-ABC", {240, 330}}, {"MO-PSO", {0, 115}}};
+const std::map<std::string, Range> variations_deg{{"IK-BA", {25, 115}}, {"BA", {240, 330}},    {"DE", {240, 330}},
+                                                  {"PSO", {240, 330}},  {"K-ABC", {240, 330}}, {"MO-PSO", {25, 115}}};
 
 // The study with that seed, solved into a store that is gone afterwards.
 StudyResults solved(int seed) {

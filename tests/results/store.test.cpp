@@ -179,7 +179,7 @@ TEST_CASE("a solve that is already there is refused, and nothing of its batch is
   const ScratchFolder folder;
   Store store(folder.path / "a.ikb", Store::Mode::write);
   store.append({sample_record("a", 1, 1)});
-  CHECK_THAT(complaint<std::logic_error>([&] {
+  CHECK_THAT(complaint<std::runtime_error>([&] {
                store.append({sample_record("a", 1, 2), sample_record("a", 1, 1)});
              }),
              ContainsSubstring("solves.series, solves.run, solves.point"));

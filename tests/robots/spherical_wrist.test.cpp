@@ -122,7 +122,8 @@ TEST_CASE("a wrist bent beyond the limit of its middle joint violates it in both
 }
 
 TEST_CASE("an arm without a spherical wrist is refused", "[wrist]") {
-  CHECK_THROWS_WITH(SphericalWrist(robot("planar_3").chain), "the last three axes of this arm do not form a spherical wrist");
+  CHECK_THROWS_WITH(SphericalWrist(robot("planar_3").chain),
+                    "the last three axes of this arm do not form a spherical wrist");
   std::vector<DhLink> links = robot("kuka_iiwa14").chain.links();
   links[5].d = 0.01;
   CHECK_THROWS_WITH(SphericalWrist(Chain(links)), "the last three axes of this arm do not form a spherical wrist");
