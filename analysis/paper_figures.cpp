@@ -11,6 +11,7 @@
 
 #include "analysis/axis.hpp"
 #include "analysis/descriptive.hpp"
+#include "analysis/published_numbers.hpp"
 #include "analysis/text.hpp"
 #include "results/number.hpp"
 
@@ -236,7 +237,7 @@ std::vector<Figure> joint_figures(const StudyResults& study) {
     }
     const double range = largest <= 180 ? 180 : 1.05 * largest;
     figure.settings = fmt::format(
-        "set title {} noenhanced offset 0, -0.6\nset ylabel 'joint angle [deg]'\nset yrange [{}:{}]\n{}",
+        "set title {} noenhanced offset 0, -0.6\nset tmargin 2\nset ylabel 'joint angle [deg]'\nset yrange [{}:{}]\n{}",
         gnuplot_string(shortened(solver, 2 * longest_label)), -range, range, largest <= 180 ? "set ytics 60\n" : "");
     figure.settings += point_axis(study.points);
     std::vector<std::string> clauses;
@@ -267,6 +268,18 @@ Figure box_figure(const StudyResults& study, const BoxRequest& request) {
     boxes.push_back(box(sample.values, request.quartiles));
     all.insert(all.end(), sample.values.begin(), sample.values.end());
   }
+  // What the paper prints of the same solver, but for times: those are of another machine.
+  std::string printed_marks;
+  if (request.unit == Unit::run && request.metric != Metric::seconds) {
+    for (std::size_t i = 0; i < study.solvers.size(); ++i) {
+      const auto printed = printed_row(study.published, study.solvers[i], request.metric);
+      if (!printed) continue;
+      printed_marks +=
+          fmt::format("{} {} {} {}\n", i + 1, number(printed->min), number(printed->median), number(printed->max));
+      all.insert(all.end(), {printed->min, printed->median, printed->max});
+    }
+  }
+  if (!printed_marks.empty()) figure.caption += " Grey: smallest, median and largest value as printed.";
   const Axis axis = value_axis(all, quantity(request.metric), Scale::by_spread);
   figure.caption = with_notes(figure.caption, study, request.metric, axis);
 
@@ -295,6 +308,9 @@ Figure box_figure(const StudyResults& study, const BoxRequest& request) {
   }
   if (outliers.empty()) outliers = "1 NaN\n";
   figure.data += fmt::format("\n\n# outliers: solver's position, value\n{}", outliers);
+  if (!printed_marks.empty()) {
+    figure.data += "\n\n# as printed: solver's position, smallest, median, largest\n" + printed_marks;
+  }
 
   if (!counts.empty()) counts += "set tmargin 2.5\n";
 
@@ -324,6 +340,12 @@ Figure box_figure(const StudyResults& study, const BoxRequest& request) {
       fmt::format("'{}.dat' index 0 using ($1-0.25):(shown($4)):(0.5):(0) with vectors nohead ls 101", figure.name));
   clauses.push_back(
       fmt::format("'{}.dat' index 1 using 1:(shown($2)) with points pt 6 ps 0.4 lw 0.8 lc rgb '#000000'", figure.name));
+  if (!printed_marks.empty()) {
+    clauses.push_back(fmt::format(
+        "'{0}.dat' index 2 using ($1+0.36):(shown($2)):(0):(shown($4)-shown($2)) with vectors nohead lw 1.6 lc rgb "
+        "'#AAAAAA', '' index 2 using ($1+0.29):(shown($3)):(0.14):(0) with vectors nohead lw 1.6 lc rgb '#777777'",
+        figure.name));
+  }
   figure.plot = plot_command(clauses);
   return figure;
 }

@@ -2,6 +2,7 @@
 // reached), Tables 4-6 (one-way ANOVA of error, variation and time), and the status of every solve.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -27,6 +28,9 @@ struct Comparison {
   Agreement agreement = Agreement::none;
 };
 
+// Agrees by Welch's test, though the ratio is not within 0.5 to 2: the spread is too large to tell the two apart.
+bool rests_on_spread(const Comparison& row);
+
 constexpr std::string_view time_reference = "IK-BA";
 constexpr double significance = 0.05;
 
@@ -38,6 +42,9 @@ struct StudyAnova {
   std::vector<std::string> left_out;  // a sentence each
 };
 StudyAnova anova(const StudyResults& study, Metric metric, Unit unit);
+
+// The printed ANOVA of that metric where it answers the same question: the same solvers, runs as observations.
+std::optional<AnovaTable> comparable_printed_anova(const StudyResults& study, Metric metric, Unit unit);
 
 Table table_3(const StudyResults& study, Unit unit);
 Table table_3_as_printed(std::string_view paper);

@@ -28,7 +28,9 @@ std::vector<PrintedRow> printed_table_3(std::string_view paper, Metric metric) {
                     .summary = {.mean = table.number(row, "mean"),
                                 .std = table.number(row, "std"),
                                 .n = static_cast<int>(table.number(row, "n"))},
-                    .median = table.number(row, "median")});
+                    .median = table.number(row, "median"),
+                    .max = table.number(row, "max"),
+                    .min = table.number(row, "min")});
   }
   return rows;
 }

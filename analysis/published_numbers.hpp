@@ -15,6 +15,8 @@ struct PrintedRow {
   std::string algorithm;
   GroupSummary summary;
   double median = not_defined;
+  double max = not_defined;
+  double min = not_defined;
 };
 
 // The rows of the printed Table 3 for one metric; none where nothing is published, or the paper has no such metric.

@@ -77,6 +77,11 @@ StudyResults make_study(const StudyEntry& entry, std::vector<SolveRecord> solves
   };
   study.title = defined_text("title");
   study.published = defined_text("published");
+  if (definition.is_object() && definition.contains("departures") && definition["departures"].is_array()) {
+    for (const auto& departure : definition["departures"]) {
+      if (departure.is_string()) study.departures.push_back(departure.get<std::string>());
+    }
+  }
   for (const Series& series : entry.series) study.solvers.push_back(series.label);
   check_and_count(study);
   return study;
@@ -182,7 +187,18 @@ std::string timing_note(const StudyResults& study) {
   for (const SolveRecord& solve : study.solves) ++by_timing[static_cast<std::size_t>(solve.timing)];
   const int parallel = by_timing[static_cast<std::size_t>(Timing::parallel)];
   const int debug = by_timing[static_cast<std::size_t>(Timing::debug_build)];
-  if (parallel + debug == 0) return "";
+  if (parallel + debug == 0) {
+    double seconds = 0, cpu_seconds = 0;
+    for (const SolveRecord& solve : study.solves) {
+      seconds += solve.seconds;
+      cpu_seconds += solve.cpu_seconds;
+    }
+    if (!(seconds > 1.1 * cpu_seconds) || !(cpu_seconds > 0)) return "";
+    return fmt::format(
+        "Times are not comparable: the wall time of the solves is {:.2f} times their CPU time, so other programs were "
+        "at work on the machine.",
+        seconds / cpu_seconds);
+  }
   return fmt::format(
       "Times are not comparable: of {} solves, {} were timed while others ran in parallel and {} in a debug build.",
       study.solves.size(), parallel, debug);

@@ -20,6 +20,7 @@ struct StudyResults {
   int runs = 0;                           // as defined, per solver
   int points = 0;                         // as defined, per run
   std::string published = {};             // paper whose printed tables it is held against (results/published), or empty
+  std::vector<std::string> departures = {};  // what of the published study's definition was changed
   std::vector<SolveRecord> solves = {};
 };
 

@@ -42,7 +42,7 @@ std::vector<Standing> printed_ranking(const StudyResults& study, Metric metric, 
 
 std::string names(const std::vector<Standing>& standings) {
   std::string text;
-  for (const Standing& standing : standings) text += (text.empty() ? "" : ", ") + standing.solver;
+  for (const Standing& standing : standings) text += (text.empty() ? "" : " < ") + standing.solver;
   return text;
 }
 
@@ -83,6 +83,7 @@ std::string ranking_sentence(const StudyResults& study, const std::vector<Compar
 // The paper's second finding: its solver moves the joints less than every other. Welch's test says where the difference
 // cannot be told from chance; points of one run depend on each other, so it is asked of run means only.
 std::string variation_sentence(const StudyResults& study, const std::vector<Comparison>& rows, Unit unit) {
+  if (unit == Unit::point) return "";
   const auto printed = printed_ranking(study, Metric::variation_deg, ranking(rows, Metric::variation_deg));
   const auto description = [&](std::string_view solver) {
     return std::ranges::find_if(
@@ -98,7 +99,7 @@ std::string variation_sentence(const StudyResults& study, const std::vector<Comp
     const Description other = description(standing.solver);
     const WelchTest test = welch({.mean = reference.mean, .std = reference.std, .n = reference.n},
                                  {.mean = other.mean, .std = other.std, .n = other.n});
-    const bool undecided = unit == Unit::run && test.p >= significance;
+    const bool undecided = test.p >= significance;
     std::string& list = undecided ? alike : reference.mean < other.mean ? less : more;
     list +=
         fmt::format("{}{} ({:.0f} %)", list.empty() ? "" : ", ", standing.solver, 100 * reference.mean / other.mean);
@@ -109,14 +110,14 @@ std::string variation_sentence(const StudyResults& study, const std::vector<Comp
   if (!more.empty()) text += " Here it is not less than that of " + more + ".";
   if (text.empty()) return "";
   return fmt::format(
-      "The paper prints a smaller angles variation for {} than for the others.{} (In brackets: {}'s by "
-      "the other's.)",
+      "The paper prints a smaller angles variation for {} than for the others.{} (In brackets: {}'s in "
+      "percent of the other's.)",
       time_reference, text, time_reference);
 }
 
 std::string anova_sentence(const StudyResults& study, Metric metric, Unit unit) {
   const StudyAnova ours = anova(study, metric, unit);
-  const auto printed = printed_anova(study.published, metric);
+  const auto printed = comparable_printed_anova(study, metric, unit);
   std::string text = fmt::format("ANOVA of {}: ", name_of(metric));
   if (!ours.table.undefined.empty()) {
     text += "not defined, " + ours.table.undefined;
@@ -128,6 +129,7 @@ std::string anova_sentence(const StudyResults& study, Metric metric, Unit unit) 
                         differ ? "differ" : "are not shown to differ");
     if (printed) text += (printed->p < significance) == differ ? ", as in the paper" : ", other than in the paper";
   }
+  if (unit == Unit::point) text += "; but the points of one run depend on each other, so this p is no evidence";
   for (const std::string& sentence : ours.left_out) text += ". " + sentence.substr(0, sentence.size() - 1);
   return text + ".";
 }
@@ -135,11 +137,11 @@ std::string anova_sentence(const StudyResults& study, Metric metric, Unit unit) 
 // Which numbers agree, are close, differ.
 std::vector<std::string> number_sentences(const std::vector<Comparison>& rows) {
   std::vector<std::string> sentences;
-  for (const Agreement agreement : {Agreement::agrees, Agreement::close, Agreement::differs}) {
+  const auto add = [&](std::string_view verdict, auto&& has_it) {
     int count = 0;
     std::string list;
     for (const Comparison& row : rows) {
-      if (row.agreement != agreement || (row.metric == Metric::seconds && row.solver == time_reference)) continue;
+      if (!has_it(row) || (row.metric == Metric::seconds && row.solver == time_reference)) continue;
       ++count;
       const std::string_view what = row.metric == Metric::seconds         ? "relative time"
                                     : row.metric == Metric::variation_deg ? "variation"
@@ -147,29 +149,40 @@ std::vector<std::string> number_sentences(const std::vector<Comparison>& rows) {
       list += fmt::format("{}{} {} ({} x)", count == 1 ? "" : ", ", row.solver, what, rounded_number(row.ratio, 3));
     }
     if (count > 0) {
-      sentences.push_back(fmt::format("Numbers of Table 3, verdict '{}' ({}; ours by the printed mean): {}.",
-                                      name_of(agreement), count, list));
+      sentences.push_back(fmt::format("Table 3, verdict '{}' ({} means; ratio ours/paper): {}.", verdict, count, list));
     }
+  };
+  for (const Agreement agreement : {Agreement::agrees, Agreement::close, Agreement::differs}) {
+    add(name_of(agreement), [&](const Comparison& row) { return row.agreement == agreement && !rests_on_spread(row); });
   }
+  add("agrees, for its spread only", rests_on_spread);
   return sentences;
 }
 
-void add_circumstances(std::vector<std::string>& sentences, const StudyResults& study) {
+std::string departures_sentence(const StudyResults& study) {
+  if (study.departures.empty()) return "";
+  return fmt::format("This is not the paper's study as the program has it; it departs in: {}.",
+                     fmt::join(study.departures, ", "));
+}
+
+std::string limits_sentence(const StudyResults& study) {
   int outside = 0;
-  int wrong = 0;
   double worst = 0;
+  std::string list;
   for (const SolverCounts& count : counts(study)) {
     outside += count.outside_limits;
-    wrong += count.of(Status::claimed_but_wrong);
+    list += fmt::format("{}{} {}", list.empty() ? "" : ", ", count.solver, count.outside_limits);
     worst = std::max(worst, count.worst_outside_deg);
   }
-  const std::size_t solves = study.solves.size();
-  sentences.push_back(outside == 0 ? "Every answer is inside the joint limits."
-                                   : fmt::format("{} of {} answers leave the joint limits, the worst joint by {} deg.",
-                                                 outside, solves, rounded_number(worst, 3)));
-  if (wrong > 0) sentences.push_back(fmt::format("{} answers are not what their solver claimed.", wrong));
-  for (std::string& note : status_notes(study)) sentences.push_back(std::move(note));
-  if (std::string note = timing_note(study); !note.empty()) sentences.push_back(std::move(note));
+  if (outside == 0) return "Every answer is inside the joint limits.";
+  return fmt::format("{} of {} answers are outside the joint limits ({}), the worst joint by {} deg.", outside,
+                     study.solves.size(), list, rounded_number(worst, 3));
+}
+
+std::string wrong_claims_sentence(const StudyResults& study) {
+  int wrong = 0;
+  for (const SolverCounts& count : counts(study)) wrong += count.of(Status::claimed_but_wrong);
+  return wrong == 0 ? "" : fmt::format("{} answers are not what their solver claimed.", wrong);
 }
 
 }  // namespace
@@ -178,14 +191,17 @@ std::vector<std::string> summary(const StudyResults& study, Unit unit) {
   constexpr std::array<Metric, 3> metrics{Metric::position_error_cm, Metric::variation_deg, Metric::seconds};
   if (study.solves.empty()) return {"Nothing of this study is solved yet."};
   const auto rows = compare(study, unit);
-  std::vector<std::string> sentences;
+  std::vector<std::string> sentences{departures_sentence(study)};
   for (const Metric metric : metrics) {
     sentences.push_back(ranking_sentence(study, rows, metric));
+    if (metric == Metric::position_error_cm) sentences.push_back(limits_sentence(study));
     if (metric == Metric::variation_deg) sentences.push_back(variation_sentence(study, rows, unit));
   }
   for (const Metric metric : metrics) sentences.push_back(anova_sentence(study, metric, unit));
   for (std::string& sentence : number_sentences(rows)) sentences.push_back(std::move(sentence));
-  add_circumstances(sentences, study);
+  sentences.push_back(wrong_claims_sentence(study));
+  for (std::string& note : status_notes(study)) sentences.push_back(std::move(note));
+  sentences.push_back(timing_note(study));
   std::erase(sentences, "");
   return sentences;
 }

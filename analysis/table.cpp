@@ -56,6 +56,14 @@ std::string latex_cell(const Cell& cell) {
   return fmt::format("${} \\times 10^{{{}}}$", text.substr(0, e), std::stoi(text.substr(e + 1)));
 }
 
+// "Table 3: errors" as "errors": LaTeX counts tables itself.
+std::string without_number(const std::string& caption) {
+  const std::size_t colon = caption.find(": ");
+  const bool numbered = caption.starts_with("Table ") && colon != std::string::npos &&
+                        caption.find_first_not_of("0123456789", 6) == colon;
+  return numbered ? caption.substr(colon + 2) : caption;
+}
+
 std::vector<std::size_t> columns_in_use(const Table& table) {
   std::vector<std::size_t> used;
   for (std::size_t c = 0; c < table.columns.size(); ++c) {
@@ -97,7 +105,7 @@ std::string to_markdown(const Table& table) {
 std::string to_latex(const Table& table) {
   const std::vector<std::size_t> used = columns_in_use(table);
   std::string text = fmt::format("% needs \\usepackage{{booktabs}}\n\\begin{{table}}\n\\centering\n\\caption{{{}}}\n",
-                                 latex_text(table.caption));
+                                 latex_text(without_number(table.caption)));
   text += fmt::format("\\label{{tab:{}}}\n\\begin{{tabular}}{{", table.name);
   for (const std::size_t c : used) text += table.columns[c].align == Align::left ? 'l' : 'r';
   text += "}\n\\toprule\n";

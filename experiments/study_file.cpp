@@ -14,6 +14,8 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "results/number.hpp"
+#include "results/published.hpp"
 #include "robots/names.hpp"
 #include "robots/spherical_wrist.hpp"
 #include "solvers/registry.hpp"
@@ -463,6 +465,10 @@ Study read_study(const toml::table& table, std::string_view source) {
     return std::invalid_argument(reader.where(node == nullptr ? table.source() : node->source(), key) +
                                  std::string(message));
   };
+  const auto papers = published::papers();
+  if (!study.published.empty() && std::find(papers.begin(), papers.end(), study.published) == papers.end()) {
+    throw at("published", unknown_name("paper", study.published, {papers.begin(), papers.end()}));
+  }
   std::vector<std::string> robot_names;
   for (const Robot& known : robots()) robot_names.push_back(known.name);
   if (std::find(robot_names.begin(), robot_names.end(), study.robot) == robot_names.end()) {
@@ -600,8 +606,7 @@ Study load_study(const std::string& name_or_file, const Overrides& overrides) {
   std::error_code error;
   const std::filesystem::path file = name_or_file;
   if (!std::filesystem::is_regular_file(file, error)) {
-    throw std::invalid_argument("there is no such study file, and " +
-                                unknown_name("built-in study", name_or_file, names));
+    throw std::invalid_argument("no such file, and " + unknown_name("built-in study", name_or_file, names));
   }
   if (std::filesystem::file_size(file, error) > largest_file) {
     throw std::invalid_argument(fmt::format("{}: expected a study file of at most 10 MB", name_or_file));
@@ -639,13 +644,16 @@ std::string to_toml(const Study& study) {
     writer.line("solver", toml_string(entrant.solver),
                 "options and their ranges: ikbench list solvers " + entrant.solver);
     std::vector<std::string> options;
-    for (const auto& [name, value] : entrant.options) options.push_back(name + " = " + toml_string(value));
+    for (const auto& [name, value] : entrant.options)
+      options.push_back(name + " = " + (number_from(value) ? value : toml_string(value)));
     if (!options.empty()) writer.line("options", fmt::format("{{ {} }}", fmt::join(options, ", ")), "");
   }
   return writer.out;
 }
 
-std::string to_json(const Study& study) {
+namespace {
+
+nlohmann::ordered_json definition(const Study& study) {
   Study fields = study;
   JsonWriter writer, stop, path;
   list_fields(writer, fields);
@@ -658,8 +666,46 @@ std::string to_json(const Study& study) {
     path.out["kind"] = "poses";
   }
   writer.out["path"] = path.out;
-  writer.out["points"] = targets(study.path).size();
-  return writer.out.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+  return writer.out;
+}
+
+// The settings in which a study differs from the built-in one that claims to be of the same paper. A name, a title, a
+// seed and a trace make no difference to that claim; further solvers neither.
+std::vector<std::string> departures(const Study& study) {
+  const std::vector<Study> known = studies();
+  const auto original = std::find_if(known.begin(), known.end(), [&](const Study& candidate) {
+    return !study.published.empty() && candidate.published == study.published;
+  });
+  std::vector<std::string> found;
+  if (original == known.end()) return found;
+  const auto ours = definition(study).flatten(), theirs = definition(*original).flatten();
+  for (const auto& [pointer, value] : theirs.items()) {
+    const bool is_free = pointer == "/name" || pointer == "/title" || pointer == "/seed" || pointer == "/trace";
+    if (is_free || (ours.contains(pointer) && ours[pointer] == value)) continue;
+    std::string key = pointer.substr(1);
+    std::replace(key.begin(), key.end(), '/', '.');
+    found.push_back(key);
+  }
+  for (const Entrant& entrant : original->solvers) {
+    const auto same = std::find_if(study.solvers.begin(), study.solvers.end(),
+                                   [&](const Entrant& ours_too) { return ours_too.label == entrant.label; });
+    if (same == study.solvers.end()) {
+      found.push_back("no " + entrant.label);
+    } else if (same->solver != entrant.solver ||
+               effective_options(study, *same) != effective_options(*original, entrant)) {
+      found.push_back("options of " + entrant.label);
+    }
+  }
+  return found;
+}
+
+}  // namespace
+
+std::string to_json(const Study& study) {
+  nlohmann::ordered_json json = definition(study);
+  json["points"] = targets(study.path).size();
+  json["departures"] = departures(study);
+  return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
 }  // namespace ikbench

@@ -44,8 +44,8 @@ refused '--set path.tool:' run slim2023 --set path.tool=sideways
 refused '--set name:' run slim2023 --set $'name=a\nb'
 
 # Study files.
-refused 'no such study file' run none.toml
-refused 'no such study file' run .
+refused 'no such file' run none.toml
+refused 'no such file' run .
 printf 'name = "x"\nruns = = 3\n' >broken.toml
 refused 'broken.toml:2:8: not TOML' run broken.toml
 printf 'name = "x"\nruns = 0\n[[solvers]]\nsolver = "bat"\n' >wrong.toml

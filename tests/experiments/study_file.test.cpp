@@ -407,7 +407,7 @@ TEST_CASE("a study is a built-in name or a file, and anything else is told the n
                                   (folder.path / "none.toml").string(), std::string("/dev/zero")}) {
     const std::string message = complaint<std::invalid_argument>([&] { load_study(none); });
     INFO(none);
-    CHECK(contains(message, "no such study file"));
+    CHECK(contains(message, "no such file"));
     CHECK(contains(message, "slim2023-context"));
   }
   CHECK(contains(complaint<std::invalid_argument>([] { load_study("slim2032"); }), "did you mean \"slim2023\"?"));
