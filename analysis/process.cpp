@@ -2,28 +2,41 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <poll.h>
+#include <signal.h>
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
+#include <chrono>
 #include <cstring>
+#include <optional>
 
 namespace ikbench {
 namespace {
 
-// The reading end of a pipe until the other side closes it.
-std::string read_all(int descriptor) {
+constexpr std::size_t most_output = 4096;
+constexpr std::chrono::seconds patience{60};
+
+// What comes out of a pipe until the other side closes it, the first bytes of it; nothing where that takes too long.
+std::optional<std::string> read_all(int descriptor) {
+  using Clock = std::chrono::steady_clock;
+  const Clock::time_point deadline = Clock::now() + patience;
   std::string text;
   std::array<char, 4096> buffer;
   while (true) {
+    const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(deadline - Clock::now()).count();
+    pollfd waiting{.fd = descriptor, .events = POLLIN, .revents = 0};
+    const int ready = left > 0 ? ::poll(&waiting, 1, static_cast<int>(left)) : 0;
+    if (ready < 0 && errno == EINTR) continue;
+    if (ready <= 0) return std::nullopt;
     const ssize_t size = ::read(descriptor, buffer.data(), buffer.size());
-    if (size > 0) {
-      text.append(buffer.data(), static_cast<std::size_t>(size));
-    } else if (size == 0 || errno != EINTR) {
-      return text;
-    }
+    if (size < 0 && errno == EINTR) continue;
+    if (size <= 0) return text;
+    text.append(buffer.data(), std::min(static_cast<std::size_t>(size), most_output - text.size()));
   }
 }
 
@@ -61,8 +74,10 @@ ProcessResult run_process(const std::vector<std::string>& words, const std::file
   if (error != 0) {
     result.output = fmt::format("cannot start {}: {}", words[0], std::strerror(error));
   } else {
-    result.output = read_all(pipe[0]);
-    result.succeeded = wait_for(process);
+    std::optional<std::string> output = read_all(pipe[0]);
+    if (!output) ::kill(process, SIGKILL);
+    result.succeeded = wait_for(process) && output;
+    result.output = output ? std::move(*output) : fmt::format("{} took more than {} s", words[0], patience.count());
   }
   ::close(pipe[0]);
   return result;

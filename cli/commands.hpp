@@ -3,14 +3,9 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
-#include <cstdint>
-#include <limits>
 #include <string>
 
 namespace ikbench::cli {
-
-// CLI::NonNegativeNumber prints its upper bound with 309 digits.
-inline CLI::Range non_negative() { return {std::int64_t{0}, std::numeric_limits<std::int64_t>::max()}; }
 
 // What was typed, as a shell would take it again, and how it ended.
 struct Invocation {

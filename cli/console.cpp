@@ -6,6 +6,9 @@
 #include <algorithm>
 #include <cctype>
 #include <csignal>
+#include <cstdio>
+
+#include "analysis/text.hpp"
 
 namespace ikbench::cli {
 
@@ -14,26 +17,25 @@ namespace {
 std::atomic<bool> cancel_requested{false};
 static_assert(std::atomic<bool>::is_always_lock_free);
 
-// Columns that UTF-8 text takes, one a character.
-std::size_t width(std::string_view text) {
-  return static_cast<std::size_t>(
-      std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xc0) != 0x80; }));
-}
-
 }  // namespace
 
 std::string printable(std::string_view text) {
-  std::string result;
+  std::string result, line;
   for (const char c : text) {
     const auto byte = static_cast<unsigned char>(c);
-    if ((byte < 0x20 && c != '\n') || byte == 0x7f) {
-      result += fmt::format("\\x{:02x}", byte);
+    if (c == '\n') {
+      result += one_line(line) + '\n';
+      line.clear();
+    } else if (byte < 0x20 || byte == 0x7f) {
+      line += fmt::format("\\x{:02x}", byte);
     } else {
-      result += c;
+      line += c;
     }
   }
-  return result;
+  return result + one_line(line);
 }
+
+void say(std::string_view text) { std::fputs((printable(text) + '\n').c_str(), stderr); }
 
 std::string shell_command(std::string_view program, const std::vector<std::string>& arguments) {
   constexpr std::string_view harmless = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_=.,:/+@%";
@@ -55,13 +57,13 @@ std::string aligned(const std::vector<std::vector<std::string>>& rows) {
   std::vector<std::size_t> widths;
   for (const auto& row : rows) {
     widths.resize(std::max(widths.size(), row.size()));
-    for (std::size_t c = 0; c < row.size(); ++c) widths[c] = std::max(widths[c], width(row[c]));
+    for (std::size_t c = 0; c < row.size(); ++c) widths[c] = std::max(widths[c], character_count(row[c]));
   }
   std::string text;
   for (const auto& row : rows) {
     for (std::size_t c = 0; c < row.size(); ++c) {
       text += row[c];
-      if (c + 1 < row.size()) text += std::string(widths[c] - width(row[c]) + 2, ' ');
+      if (c + 1 < row.size()) text += std::string(widths[c] - character_count(row[c]) + 2, ' ');
     }
     text += '\n';
   }
@@ -86,7 +88,7 @@ const std::atomic<bool>& CancelOnSignal::requested() const { return cancel_reque
 ProgressBar::ProgressBar(std::string title) : title_(std::move(title)), on_terminal_(isatty(STDERR_FILENO) != 0) {}
 
 ProgressBar::~ProgressBar() {
-  if (on_terminal_) fmt::print(stderr, "\r\x1b[K");
+  if (on_terminal_) std::fputs("\r\x1b[K", stderr);
 }
 
 void ProgressBar::show(const Progress& progress) {
@@ -96,11 +98,16 @@ void ProgressBar::show(const Progress& progress) {
   constexpr std::int64_t cells = 30;
   const std::int64_t full = progress.total == 0 ? cells : cells * progress.done / progress.total;
   const double elapsed = std::chrono::duration<double>(now - started_).count();
-  const double rate = elapsed > 0 ? static_cast<double>(progress.done - progress.reused) / elapsed : 0;
-  const auto left =
-      rate > 0 ? static_cast<std::int64_t>(static_cast<double>(progress.total - progress.done) / rate) : 0;
-  fmt::print(stderr, "\r\x1b[K{} [{:#<{}}{:.<{}}] {}/{} solves, {:.0f}/s, {}:{:02} left", printable(title_), "", full,
-             "", cells - full, progress.done, progress.total, rate, left / 60, left % 60);
+  const std::int64_t solved = progress.done - progress.reused;
+  std::string pace;  // nothing to say before the first solve
+  if (solved > 0 && elapsed > 0) {
+    const double rate = static_cast<double>(solved) / elapsed;
+    const auto left = static_cast<std::int64_t>(static_cast<double>(progress.total - progress.done) / rate);
+    pace = fmt::format(", {:.0f}/s, {}:{:02} left", rate, left / 60, left % 60);
+  }
+  const std::string bar = fmt::format("\r\x1b[K{} [{:#<{}}{:.<{}}] {}/{} solves{}", printable(title_), "", full, "",
+                                      cells - full, progress.done, progress.total, pace);
+  std::fputs(bar.c_str(), stderr);
   std::fflush(stderr);
 }
 

@@ -12,8 +12,12 @@
 
 namespace ikbench::cli {
 
-// Control characters shown as escapes, so that no name moves a cursor or colours a terminal; newlines stay.
+// Text from anywhere as valid UTF-8 whose control characters are escapes or blanks, so that no name moves a cursor,
+// colours a terminal or turns its writing round; newlines stay.
 std::string printable(std::string_view text);
+
+// A line on standard error, printable; that nobody can read it is no failure.
+void say(std::string_view text);
 
 // A program and its arguments as a shell would take them again.
 std::string shell_command(std::string_view program, const std::vector<std::string>& arguments);

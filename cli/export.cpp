@@ -4,7 +4,9 @@
 #include <fmt/format.h>
 
 #include <cstdio>
+#include <filesystem>
 #include <memory>
+#include <stdexcept>
 
 #include "analysis/files.hpp"
 #include "cli/commands.hpp"
@@ -38,6 +40,10 @@ void add_export(CLI::App& app) {
     if (arguments->file == "-") {
       std::fwrite(text.data(), 1, text.size(), stdout);  // main sees whether it could be written
     } else {
+      std::error_code error;
+      if (std::filesystem::equivalent(arguments->file, arguments->store, error)) {
+        throw std::invalid_argument(fmt::format("-o {} is the store itself; expected another file", arguments->file));
+      }
       write_file(arguments->file, text);
     }
   });

@@ -42,18 +42,18 @@ int main(int argc, char** argv) {
     if (argc < 2 || !app.get_subcommands().empty()) return app.exit(error) == 0 ? 0 : 1;
     std::vector<std::string> commands;  // what CLI11 does not say: which word it did not know, and those it knows
     for (const CLI::App* command : app.get_subcommands({})) commands.push_back(command->get_name());
-    fmt::print(stderr, "ikbench: {}\n", cli::printable(unknown_name("command", argv[1], commands)));
+    cli::say(fmt::format("ikbench: {}", unknown_name("command", argv[1], commands)));
     return 1;
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 1;
   } catch (const std::invalid_argument& error) {
-    fmt::print(stderr, "ikbench: {}\n", cli::printable(error.what()));
+    cli::say(fmt::format("ikbench: {}", error.what()));
     return 1;
   } catch (const std::runtime_error& error) {  // no space left, a store that another process writes, ...
-    fmt::print(stderr, "ikbench: {}\n", cli::printable(error.what()));
+    cli::say(fmt::format("ikbench: {}", error.what()));
     return 2;
   } catch (const std::exception& error) {
-    fmt::print(stderr, "ikbench: internal error: {}\n", cli::printable(error.what()));
+    cli::say(fmt::format("ikbench: internal error: {}", error.what()));
     return 2;
   }
 }

@@ -10,6 +10,9 @@
 
 namespace ikbench::cli {
 
+// Decimal digits and nothing else: CLI11 alone reads 010 as 8 and takes what is too large for the largest.
+CLI::Validator whole_number();
+
 struct ReportArguments {
   std::string unit = "run";
   int quartiles = 5;
@@ -31,6 +34,9 @@ struct RunArguments {
 };
 
 void add_run_options(CLI::App& command, RunArguments& arguments);
+
+// On standard error, where there are any.
+void warn_of_unreachable(const Study& study);
 
 enum class Ended { complete, stopped };
 

@@ -21,8 +21,11 @@ void add_reproduce(CLI::App& app, Invocation& invocation) {
   CLI::App* command =
       app.add_subcommand("reproduce", "Make the tables and figures of Slim et al. 2023, beside the printed");
   add_run_options(*command, arguments->run);
-  command->add_option("--seed", arguments->seed, "")->check(non_negative())->capture_default_str();
-  command->add_option("--runs", arguments->runs, "")->check(CLI::Range(1, 1'000'000))->capture_default_str();
+  command->add_option("--seed", arguments->seed, "")->check(whole_number())->capture_default_str();
+  command->add_option("--runs", arguments->runs, "")
+      ->check(whole_number())
+      ->check(CLI::Range(1, 1'000'000))
+      ->capture_default_str();
   add_report_options(*command, arguments->report);
   command->footer(
       "Examples:\n"

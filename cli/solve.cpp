@@ -8,6 +8,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
+#include "cli/reporting.hpp"
 #include "experiments/runner.hpp"
 #include "experiments/study_file.hpp"
 #include "robots/spherical_wrist.hpp"
@@ -23,6 +24,7 @@ struct Arguments {
   std::string robot = "kuka_iiwa14", solver = "damped_least_squares", tool = "down", search;
   std::vector<double> position_cm, rpy_deg, start_deg;
   Overrides overrides;
+  double tolerance_cm = 0.01;
   std::int64_t seed = 1;
 };
 
@@ -48,7 +50,8 @@ Study study_of(const Arguments& arguments) {
   const std::string search = !arguments.search.empty()                            ? arguments.search
                              : SphericalWrist::fits(robot(arguments.robot).chain) ? "wrist"
                                                                                   : "all_joints";
-  Overrides overrides{"search=" + search, fmt::format("seed={}", arguments.seed), "runs=1"};
+  Overrides overrides{"search=" + search, fmt::format("seed={}", arguments.seed), "runs=1",
+                      fmt::format("stop.tolerance_cm={}", arguments.tolerance_cm)};
   for (const std::string& text : arguments.overrides) {
     const bool of_solver = text.find('.') == std::string::npos || text.find('.') > text.find('=');
     overrides.push_back(of_solver ? arguments.solver + "." + text : text);
@@ -68,14 +71,15 @@ Pose target_of(const Arguments& arguments) {
   return target;
 }
 
-std::string shown(const SolveRecord& record) {
+std::string shown(const SolveRecord& record, Search search) {
   std::vector<std::vector<std::string>> rows{{"solver", record.solver},
                                              {"status", std::string(name_of(record.status))}};
   for (std::size_t j = 0; j < record.answer_rad.size(); ++j) {
     rows.push_back({fmt::format("joint {} [deg]", j + 1), fmt::format("{:.6f}", record.answer_rad[j] / degree)});
   }
   rows.push_back({"position error [cm]", fmt::format("{:.6g}", record.position_error_cm)});
-  rows.push_back({"orientation error", fmt::format("{:.6g}", record.orientation_error)});
+  rows.push_back({"orientation error", fmt::format("{:.6g}{}", record.orientation_error,
+                                                   search == Search::all_joints ? " (not sought)" : "")});
   rows.push_back({"variation [deg]", fmt::format("{:.4f}", record.variation_deg)});
   rows.push_back({"limit violation [deg]", fmt::format("{:.4f}", record.limit_violation_deg)});
   rows.push_back({"evaluations", std::to_string(record.evaluations)});
@@ -108,7 +112,11 @@ void add_solve(CLI::App& app) {
       ->add_option("--set", arguments->overrides,
                    "option of the solver, or of the stop rule: alpha=0.9, stop.iterations=50")
       ->allow_extra_args(false);
-  command->add_option("--seed", arguments->seed, "")->check(non_negative())->capture_default_str();
+  command
+      ->add_option("--tolerance-cm", arguments->tolerance_cm,
+                   "position error at which the solve ends; an answer beyond it is tolerance_missed; 0: none")
+      ->capture_default_str();
+  command->add_option("--seed", arguments->seed, "")->check(whole_number())->capture_default_str();
   command->footer(
       "Examples:\n"
       "  ikbench solve --position-cm 60 20 10\n"
@@ -116,7 +124,11 @@ void add_solve(CLI::App& app) {
       "  ikbench solve --robot planar_2 --position-cm 50 50 0");
   command->callback([arguments] {
     const Study study = study_of(*arguments);
-    fmt::print("{}", shown(solve_once(study, study.solvers.front(), target_of(*arguments))));
+    const Pose target = target_of(*arguments);
+    Study with_target = study;
+    with_target.path = std::vector<Pose>{target};
+    warn_of_unreachable(with_target);
+    fmt::print("{}", shown(solve_once(study, study.solvers.front(), target), study.search));
   });
 }
 

@@ -233,8 +233,13 @@ Progress run(const Study& study, Store& store, const RunRequest& request) {
                         record.point, record.solver, what));
       };
       if (record.run < 1) throw edited("has a run below 1");
+      if (record.point > static_cast<int>(poses.size()))
+        throw edited(fmt::format("is beyond the {} points", poses.size()));
       if (record.answer_rad.size() != static_cast<std::size_t>(study.initial.size())) {
         throw edited(fmt::format("has {} joints instead of {}", record.answer_rad.size(), study.initial.size()));
+      }
+      if (record.status != Status::not_finite && !to_eigen(record.answer_rad).allFinite()) {
+        throw edited("has an answer that is not finite");
       }
       Chained& chained = work[static_cast<std::size_t>(record.run - 1) * contests.size() + c];
       if (record.point != chained.first_missing) {

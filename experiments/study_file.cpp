@@ -480,6 +480,14 @@ Study read_study(const toml::table& table, std::string_view source) {
     throw at("initial_deg", fmt::format("initial_deg has {} angles; expected {}, the joints of {}",
                                         study.initial.size(), arm.chain.joints(), arm.name));
   }
+  constexpr double most_solves = 1e8;
+  if (static_cast<double>(study.solvers.size()) * study.runs * static_cast<double>(targets(study.path).size()) >
+      most_solves) {
+    throw at("runs", "solvers, runs and points make more than 100 000 000 solves; expected fewer");
+  }
+  if (study.trace == Trace::best_error && study.stop.iterations > 1'000'000) {
+    throw at("trace", "a trace of more than 1 000 000 iterations was asked for; expected stop.iterations below that");
+  }
   for (const Entrant& entrant : study.solvers) {
     if (const int least = solver(entrant.solver).least_population; study.population < least) {
       throw at("population",

@@ -122,6 +122,33 @@ TEST_CASE("a mean agrees, is close, or differs", "[paper]") {
   CHECK(row_of(rows, "BA", Metric::position_error_cm).ratio == Approx(2.1));
 }
 
+TEST_CASE("a mean that agrees only because its spread is large says so", "[paper]") {
+  std::vector<SolveRecord> solves = synthetic::solves({.solvers = {"IK-BA"}, .runs = 2});
+  for (SolveRecord& solve : solves) solve.position_error_cm = solve.run == 1 ? 0.001 : 0.2;  // printed mean 0.0019
+  const auto rows = compare(study_of(solves), Unit::run);
+  const Comparison& row = row_of(rows, "IK-BA", Metric::position_error_cm);
+  CHECK(row.agreement == Agreement::agrees);  // t = 0.99 on one degree of freedom
+  CHECK(row.ratio > 50);
+  CHECK(rests_on_spread(row));
+  CHECK(to_markdown(table_3(study_of(solves), Unit::run)).find("| agrees, for its spread only |") != std::string::npos);
+}
+
+TEST_CASE("the printed ANOVA stands beside ours only where both ask the same", "[paper]") {
+  const StudyResults six = study_of(synthetic::solves({}));
+  CHECK(comparable_printed_anova(six, Metric::variation_deg, Unit::run)->F == Approx(388.9396));  // as printed
+  CHECK(!comparable_printed_anova(six, Metric::variation_deg, Unit::point));
+  CHECK(!comparable_printed_anova(study_of(synthetic::solves({.solvers = {"IK-BA", "BA"}})), Metric::variation_deg,
+                                  Unit::run));
+}
+
+TEST_CASE("times taken while other programs were at work are said to be so", "[study]") {
+  std::vector<SolveRecord> solves = synthetic::solves({.solvers = {"IK-BA"}, .runs = 2});
+  for (SolveRecord& solve : solves) solve.cpu_seconds = solve.seconds / 1.05;
+  CHECK(timing_note(study_of(solves)).empty());
+  for (SolveRecord& solve : solves) solve.cpu_seconds = solve.seconds / 2;
+  CHECK(timing_note(study_of(solves)).find("2.00 times their CPU time") != std::string::npos);
+}
+
 TEST_CASE("computing time is compared relative to IK-BA only", "[paper]") {
   std::vector<SolveRecord> solves = synthetic::solves({});
   for (SolveRecord& solve : solves) solve.seconds = solve.solver == "MO-PSO" ? 0.010 : 0.001;

@@ -21,7 +21,7 @@ refused 'STUDY' run
 refused '--jobs' run slim2023 --jobs 0
 refused '--jobs' run slim2023 --jobs many
 refused '--runs: Value 0 not in range 1 to 1000000' reproduce --runs 0
-refused '--seed: Value -1 not in range 0 to' reproduce --seed -1
+refused '--seed: -1 is not a whole number' reproduce --seed -1
 refused '--unit' report store.sqlite --unit day
 refused '--quartiles' report store.sqlite --quartiles 10
 refused '--format' export store.sqlite --format xml
@@ -91,3 +91,15 @@ refused '\x1b[31m' report $'\e[31mred'
 refused '\x1b[31m' run slim2023 --set $'\e[31m=1'
 quiet
 [ ! -e out ] || fail "something was written to out/"
+
+# Whole numbers are decimal and fit: CLI11 alone reads 010 as 8.
+refused '010 is not a whole number' reproduce --seed 010 --runs 1
+refused 'is not a whole number' reproduce --runs 99999999999999999999999
+refused 'is not a whole number' run slim2023 --jobs 0x2
+
+# What is written to nowhere is no success; that nobody hears a complaint is no crash.
+"$program" list robots >/dev/full 2>.err; [ $? = 2 ] || fail "a full standard output went unnoticed"
+has "$(<.err)" 'standard output cannot be written'
+"$program" list nonsense 2>/dev/full; [ $? = 1 ] || fail "a full standard error"
+refused 'is the store itself' export made/store.sqlite -o made/store.sqlite
+succeeds export made/store.sqlite

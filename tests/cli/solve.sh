@@ -7,7 +7,7 @@ value() { # value NAME: what `solve` says of it
 }
 
 # Two links of half a metre: (50, 50) cm is an elbow of 90 degrees.
-succeeds solve --robot planar_2 --position-cm 50 50 0
+succeeds solve --robot planar_2 --position-cm 50 50 0 --tolerance-cm 0
 [ "$(value status)" = ok ] || fail "planar: $out"
 [[ $(value 'joint 2 \[deg\]') =~ ^-?(90\.000|89\.999) ]] || fail "the elbow is at $(value 'joint 2 \[deg\]')"
 [ "$(grep -c '^joint' .out)" = 2 ] || fail "planar_2 has two joints: $out"
@@ -15,7 +15,7 @@ quiet
 
 # The iiwa, wrist in closed form: the orientation is met exactly.
 for tool in down eq27; do
-  succeeds solve --position-cm 50 10 40 --tool $tool
+  succeeds solve --position-cm 50 10 40 --tool $tool --tolerance-cm 1e-7
   [ "$(grep -c '^joint' .out)" = 7 ] || fail "the iiwa has seven joints: $out"
   awk -v e="$(value 'orientation error')" 'BEGIN { exit !(e < 1e-9) }' || fail "orientation: $out"
   awk -v e="$(value 'position error \[cm\]')" 'BEGIN { exit !(e < 1e-6) }' || fail "position: $out"
@@ -49,5 +49,6 @@ succeeds solve --position-cm=-50,-10,40 --start-deg=-10,20,-30,40,-50,60,-70
 # Out of reach, the answer is what it is, and says so.
 succeeds solve --robot planar_2 --search all_joints --position-cm 200 0 0
 awk -v e="$(value 'position error \[cm\]')" 'BEGIN { exit !(e > 99.9) }' || fail "200 cm with 100 cm of arm: $out"
+[ "$(value status)" = tolerance_missed ] || fail "100 cm off is no answer: $out"
 succeeds solve --position-cm 1e300 0 0
 [ "$(value status)" = not_finite ] || fail "a target beyond the numbers: $out"

@@ -1,0 +1,32 @@
+// What of the paper's study a study that claims to be it has changed, as the store's definition says it.
+#include <nlohmann/json.hpp>
+
+#include "experiments/study_file.hpp"
+#include "tests/catch.hpp"
+
+using namespace ikbench;
+
+namespace {
+
+std::vector<std::string> departures(const Overrides& overrides) {
+  const auto definition = nlohmann::json::parse(to_json(load_study("slim2023", overrides)));
+  return definition["departures"].get<std::vector<std::string>>();
+}
+
+}  // namespace
+
+TEST_CASE("the paper's study under another seed, name or title is the paper's study", "[study]") {
+  CHECK(departures({}).empty());
+  CHECK(departures({"seed=2", "name=again", "title=Once more", "trace=best_error"}).empty());
+}
+
+TEST_CASE("every other change of the paper's study is a departure, by its key", "[study]") {
+  CHECK(departures({"runs=5"}) == std::vector<std::string>{"runs"});
+  CHECK(departures({"path.tool=eq27", "bounds=clamp"}) ==
+        std::vector<std::string>{"bounds", "path.tool", "options of IK-BA"});
+  CHECK(departures({"DE.weight=0.5"}) == std::vector<std::string>{"options of DE"});
+}
+
+TEST_CASE("a study that claims no paper departs from none", "[study]") {
+  CHECK(departures({"published=", "runs=5"}).empty());
+}
