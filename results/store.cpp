@@ -9,11 +9,14 @@
 #include <sqlite3.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <set>
 #include <stdexcept>
+#include <string>
 #include <string_view>
 #include <system_error>
 #include <type_traits>
@@ -29,10 +32,31 @@ constexpr std::int64_t schema_version = 1;           // docs/data-dictionary.md:
 constexpr int busy_timeout_ms = 10'000;
 constexpr std::int64_t all_runs = std::numeric_limits<std::int64_t>::max();
 
+// More than any study needs; a file that holds more was not written by us.
+constexpr int largest_value = 256'000'000;  // bytes of a text in the file
+constexpr std::size_t largest_json = 1'000'000;
+constexpr int deepest_json = 32;
+constexpr std::size_t longest_label = 1000;
+constexpr std::size_t most_series = 1000;
+constexpr std::int64_t most_runs = 1'000'000;
+constexpr std::int64_t most_points = 100'000;
+constexpr std::int64_t most_solves = 100'000'000;
+
 // Something in the file that no store of ours has.
 struct Damage : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
+
+// More solves than a study may have, which a user can ask for too.
+struct TooManySolves : Damage {
+  using Damage::Damage;
+};
+
+// Text of the file within a sentence.
+std::string shortened(std::string_view text) {
+  constexpr std::size_t longest = 40;
+  return text.size() <= longest ? fmt::format("'{}'", text) : fmt::format("'{}...'", text.substr(0, longest));
+}
 
 [[noreturn]] void refuse_damaged(const std::string& file, const std::string& what) {
   throw std::invalid_argument(
@@ -48,6 +72,10 @@ struct Damage : std::runtime_error {
     case SQLITE_CORRUPT:
     case SQLITE_ERROR:  // our SQL is right, so the tables are not ours
       refuse_damaged(file, error.what());
+    case SQLITE_TOOBIG:
+      throw std::invalid_argument(
+          fmt::format("'{}' cannot hold a value of more than {} MB; expected a shorter text, list or trace", file,
+                      largest_value / 1'000'000));
     case SQLITE_CANTOPEN:
     case SQLITE_PERM:
     case SQLITE_READONLY:
@@ -105,12 +133,12 @@ double json_number(std::string_view text) {
   if (text == json_infinity) return std::numeric_limits<double>::infinity();
   if (text == json_minus_infinity) return -std::numeric_limits<double>::infinity();
   if (const auto number = number_from(text)) return *number;
-  throw Damage(fmt::format("'{}' in a list of numbers", text));
+  throw Damage(fmt::format("{} in a list of numbers", shortened(text)));
 }
 
 std::vector<double> numbers_from(std::string_view array) {
   if (array.size() < 2 || array.front() != '[' || array.back() != ']')
-    throw Damage(fmt::format("'{}' is not a list of numbers", array.substr(0, 40)));
+    throw Damage(fmt::format("{} is not a list of numbers", shortened(array)));
   std::vector<double> numbers;
   std::string_view rest = array.substr(1, array.size() - 2);
   if (rest.empty()) return numbers;
@@ -141,24 +169,51 @@ void bind(SQLite::Statement& statement, int index, const Value& value) {
     statement.bind(index, value);
 }
 
+std::string shown(const SQLite::Column& column) {
+  if (column.isNull()) return "NULL";
+  if (column.isBlob()) return "(BLOB)";
+  return column.isText() ? shortened(column.getString()) : column.getString();
+}
+
+// SQLite keeps a value of any type in a column of any type, and would give a wrong one as 0 or as text.
+void expect(bool is_right, const SQLite::Column& column, std::string_view type) {
+  if (!is_right) throw Damage(fmt::format("{} {}, expected {}", column.getName(), shown(column), type));
+}
+
 template <class Value>
 void read(const SQLite::Column& column, Value& value) {
-  if constexpr (std::is_enum_v<Value>) {
-    const auto& names = names_of(value);
-    const auto found = std::find(names.begin(), names.end(), column.getString());
-    if (found == names.end()) throw Damage(fmt::format("{} '{}'", column.getName(), column.getString()));
-    value = static_cast<Value>(found - names.begin());
-  } else if constexpr (std::is_same_v<Value, std::vector<double>>) {
-    value = numbers_from(column.getString());
-  } else if constexpr (std::is_floating_point_v<Value>) {
+  if constexpr (std::is_floating_point_v<Value>) {
+    expect(column.isFloat() || column.isInteger() || column.isNull(), column, "a number");
     value = column.isNull() ? std::numeric_limits<double>::quiet_NaN() : column.getDouble();
   } else if constexpr (std::is_integral_v<Value>) {
+    expect(column.isInteger(), column, "a whole number");
     if (!std::in_range<Value>(column.getInt64()))
       throw Damage(fmt::format("{} {}", column.getName(), column.getInt64()));
     value = static_cast<Value>(column.getInt64());
   } else {
-    value = column.getString();
+    expect(column.isText(), column, "text");
+    if constexpr (std::is_enum_v<Value>) {
+      const auto& names = names_of(value);
+      const auto found = std::find(names.begin(), names.end(), column.getString());
+      if (found == names.end()) throw Damage(fmt::format("{} {}", column.getName(), shown(column)));
+      value = static_cast<Value>(found - names.begin());
+    } else if constexpr (std::is_same_v<Value, std::vector<double>>) {
+      try {
+        value = numbers_from(column.getString());
+      } catch (const Damage& error) {
+        throw Damage(fmt::format("{}: {}", column.getName(), error.what()));
+      }
+    } else {
+      value = column.getString();
+    }
   }
+}
+
+template <class Value>
+Value value_in(const SQLite::Column& column) {
+  Value value{};
+  read(column, value);
+  return value;
 }
 
 // The columns of `solves`, each through `format` and separated by commas.
@@ -172,24 +227,49 @@ std::string solve_columns(Format&& format) {
   return text;
 }
 
+struct TableMaker {
+  std::string_view name;
+  std::string sql;
+};
+
+std::vector<TableMaker> tables() {
+  return {
+      {"meta", "CREATE TABLE meta (key TEXT NOT NULL PRIMARY KEY, value TEXT NOT NULL)"},
+      {"studies",
+       "CREATE TABLE studies (position INTEGER PRIMARY KEY, name TEXT NOT NULL UNIQUE, definition TEXT NOT NULL, "
+       "saved TEXT NOT NULL)"},
+      {"series",
+       "CREATE TABLE series (study TEXT NOT NULL, position INTEGER NOT NULL, key TEXT NOT NULL, label TEXT NOT NULL, "
+       "algorithm TEXT NOT NULL, options TEXT NOT NULL, PRIMARY KEY (study, position), UNIQUE (study, key), "
+       "UNIQUE (study, label))"},
+      {"sessions", "CREATE TABLE sessions (id INTEGER PRIMARY KEY, began TEXT NOT NULL)"},
+      {"environment",
+       "CREATE TABLE environment (session INTEGER NOT NULL, key TEXT NOT NULL, value TEXT NOT NULL, "
+       "PRIMARY KEY (session, key))"},
+      {"solves", fmt::format("CREATE TABLE solves ({}, PRIMARY KEY (series, run, point))",
+                             solve_columns([](auto name, auto type) { return fmt::format("{} {}", name, type); }))}};
+}
+
 std::string create_tables() {
-  return fmt::format(
-      R"sql(
-PRAGMA application_id = {};
-PRAGMA user_version = {};
-CREATE TABLE meta (key TEXT NOT NULL PRIMARY KEY, value TEXT NOT NULL);
-INSERT INTO meta VALUES ('schema', '{}'), ('written by', 'ikbench; the columns are described in docs/data-dictionary.md');
-CREATE TABLE studies (position INTEGER PRIMARY KEY, name TEXT NOT NULL UNIQUE, definition TEXT NOT NULL,
-                      saved TEXT NOT NULL);
-CREATE TABLE series (study TEXT NOT NULL, position INTEGER NOT NULL, key TEXT NOT NULL, label TEXT NOT NULL,
-                     algorithm TEXT NOT NULL, options TEXT NOT NULL,
-                     PRIMARY KEY (study, position), UNIQUE (study, key), UNIQUE (study, label));
-CREATE TABLE sessions (id INTEGER PRIMARY KEY, began TEXT NOT NULL);
-CREATE TABLE environment (session INTEGER NOT NULL, key TEXT NOT NULL, value TEXT NOT NULL, PRIMARY KEY (session, key));
-CREATE TABLE solves ({}, PRIMARY KEY (series, run, point));
-)sql",
-      application_id, schema_version, schema_version,
-      solve_columns([](auto name, auto type) { return fmt::format("{} {}", name, type); }));
+  std::string sql =
+      fmt::format("PRAGMA application_id = {}; PRAGMA user_version = {};\n", application_id, schema_version);
+  for (const TableMaker& table : tables()) sql += table.sql + ";\n";
+  return sql + fmt::format(
+                   "INSERT INTO meta VALUES ('schema', '{}'), ('written by', 'ikbench; the columns are "
+                   "described in docs/data-dictionary.md');\n",
+                   schema_version);
+}
+
+// SQL with every run of white space as one space.
+std::string on_one_line(std::string_view sql) {
+  std::string text;
+  for (const char c : sql) {
+    if (std::isspace(static_cast<unsigned char>(c)) == 0)
+      text += c;
+    else if (!text.empty() && text.back() != ' ')
+      text += ' ';
+  }
+  return text;
 }
 
 std::string insert_solve() {
@@ -198,18 +278,77 @@ std::string insert_solve() {
 }
 
 std::string select_solves() {
-  return fmt::format("SELECT {} FROM solves WHERE series = ? AND run <= ? ORDER BY run, point",
+  return fmt::format("SELECT {} FROM solves WHERE series = ? ORDER BY run, point",
                      solve_columns([](auto name, auto) { return name; }));
 }
 
 constexpr const char* now = "strftime('%Y-%m-%dT%H:%M:%SZ', 'now')";
 
-// Nothing where the definition is not a JSON object with an integer `runs`.
-std::optional<std::int64_t> runs_of(const StudyEntry& study) {
-  const auto definition = nlohmann::json::parse(study.definition, nullptr, false);
-  if (!definition.is_object() || !definition.contains("runs") || !definition["runs"].is_number_integer())
-    return std::nullopt;
-  return definition["runs"].get<std::int64_t>();
+// How deep the arrays and objects of a JSON text are nested. Up to its first mistake this is what a parser sees.
+int depth_of(std::string_view json) {
+  int depth = 0, deepest = 0;
+  bool in_text = false;
+  for (std::size_t i = 0; i < json.size(); ++i) {
+    const char c = json[i];
+    if (in_text && c == '\\')
+      ++i;
+    else if (c == '"')
+      in_text = !in_text;
+    else if (!in_text && (c == '[' || c == '{'))
+      deepest = std::max(deepest, ++depth);
+    else if (!in_text && (c == ']' || c == '}'))
+      --depth;
+  }
+  return deepest;
+}
+
+// Whoever reads the object may walk through it by recursion, so it must not be deep.
+nlohmann::json object_in(const std::string& text, const std::string& what) {
+  if (text.size() > largest_json)
+    throw Damage(fmt::format("{} has {} bytes, expected at most {}", what, text.size(), largest_json));
+  if (const int depth = depth_of(text); depth > deepest_json)
+    throw Damage(fmt::format("{} is nested {} deep, expected at most {}", what, depth, deepest_json));
+  auto json = nlohmann::json::parse(text, nullptr, false);
+  if (!json.is_object()) throw Damage(fmt::format("{} is not a JSON object", what));
+  return json;
+}
+
+// A whole number of a definition, from 1 to `most`.
+std::int64_t defined(const nlohmann::json& definition, const char* key, std::int64_t most, const std::string& what) {
+  const auto found = definition.find(key);
+  const bool is_whole = found != definition.end() && found->is_number_integer();
+  const bool is_huge = is_whole && found->is_number_unsigned() &&
+                       found->get<std::uint64_t>() > static_cast<std::uint64_t>(std::numeric_limits<int>::max());
+  if (!is_whole || is_huge || found->get<std::int64_t>() < 1 || found->get<std::int64_t>() > most)
+    throw Damage(fmt::format("{} has no '{}' from 1 to {}", what, key, most));
+  return found->get<std::int64_t>();
+}
+
+// What every study in a store is; returns its runs.
+std::int64_t check_study(const StudyEntry& study) {
+  const std::string name = shortened(study.name);
+  if (study.series.size() > most_series)
+    throw Damage(fmt::format("study {} has more than {} series", name, most_series));
+  std::set<std::string_view> keys, labels;
+  for (const Series& series : study.series) {
+    if (series.label.size() > longest_label)
+      throw Damage(fmt::format("study {} has a label of {} bytes, expected at most {}", name, series.label.size(),
+                               longest_label));
+    if (!labels.insert(series.label).second)
+      throw Damage(fmt::format("study {} has two series of the label {}", name, shortened(series.label)));
+    if (!keys.insert(series.key).second)
+      throw Damage(fmt::format("study {} has two series of the key {}", name, shortened(series.key)));
+    object_in(series.options, fmt::format("options of {} in study {}", shortened(series.label), name));
+  }
+  const std::string what = fmt::format("the definition of study {}", name);
+  const auto definition = object_in(study.definition, what);
+  const std::int64_t runs = defined(definition, "runs", most_runs, what);
+  const std::int64_t points = definition.contains("points") ? defined(definition, "points", most_points, what) : 1;
+  const std::int64_t solves = runs * points * static_cast<std::int64_t>(study.series.size());
+  if (solves > most_solves)
+    throw TooManySolves(fmt::format("study {} asks for {} solves ({} runs, {} points, {} series), expected at most {}",
+                                    name, solves, runs, points, study.series.size(), most_solves));
+  return runs;
 }
 
 // The path for SQLite, absolute so that it never means something special (":memory:").
@@ -246,14 +385,17 @@ struct Store::Database {
         sqlite(checked_path(path, mode),
                mode == Mode::write ? SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE : SQLite::OPEN_READONLY,
                busy_timeout_ms) {
+    distrust();
     if (mode == Mode::read) {
       check_header();
+      check_schema();
       return;
     }
     SQLite::Transaction transaction(sqlite, SQLite::TransactionBehavior::IMMEDIATE);
     if (number("SELECT count(*) FROM sqlite_master") == 0 && number("PRAGMA application_id") == 0)
       sqlite.exec(create_tables());
     check_header();
+    check_schema();
     transaction.commit();
     sqlite.exec("PRAGMA journal_mode = WAL; PRAGMA synchronous = NORMAL");
   }
@@ -273,6 +415,17 @@ struct Store::Database {
 
   std::int64_t number(const char* query) { return sqlite.execAndGet(query).getInt64(); }
 
+  // The file may be anybody's: none of its SQL is run (https://www.sqlite.org/security.html).
+  void distrust() {
+    sqlite3* const handle = sqlite.getHandle();
+    for (const auto& [option, value] :
+         {std::pair{SQLITE_DBCONFIG_DEFENSIVE, 1}, std::pair{SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0},
+          std::pair{SQLITE_DBCONFIG_ENABLE_TRIGGER, 0}, std::pair{SQLITE_DBCONFIG_ENABLE_VIEW, 0}})
+      sqlite3_db_config(handle, option, value, static_cast<int*>(nullptr));
+    sqlite3_limit(handle, SQLITE_LIMIT_LENGTH, largest_value);
+    sqlite.exec("PRAGMA cell_size_check = ON");
+  }
+
   void check_header() {
     if (number("PRAGMA application_id") != application_id)
       throw std::invalid_argument(
@@ -281,34 +434,98 @@ struct Store::Database {
       throw std::invalid_argument(
           fmt::format("'{}' has schema {}, newer than the {} that this ikbench knows; use the ikbench that wrote it",
                       file, version, schema_version));
+    else if (version < schema_version)
+      throw Damage(fmt::format("its user_version is {}, expected {}", version, schema_version));
     // SQLite takes what is missing of the last page for zeros.
     if (std::filesystem::file_size(file) % static_cast<std::uintmax_t>(number("PRAGMA page_size")) != 0)
       throw Damage("it was cut short");
   }
 
+  // Our tables, as we make them, and nothing else.
+  void check_schema() {
+    if (const std::string encoding = sqlite.execAndGet("PRAGMA encoding").getString(); encoding != "UTF-8")
+      throw Damage(fmt::format("its encoding is {}, expected UTF-8", encoding));
+    std::vector<TableMaker> missing = tables();
+    const auto is_ours = [ours = tables()](const std::string& name) {
+      return std::ranges::find(ours, name, &TableMaker::name) != ours.end();
+    };
+    SQLite::Statement query(sqlite, "SELECT type, name, tbl_name, sql FROM sqlite_master");
+    while (query.executeStep()) {
+      const std::string type = query.getColumn(0).getString();
+      const std::string name = query.getColumn(1).getString();
+      const bool is_automatic = query.getColumn(3).isNull() && name.starts_with("sqlite_autoindex_");
+      if (type == "index" && is_automatic && is_ours(query.getColumn(2).getString())) continue;
+      const auto found = std::ranges::find(missing, name, &TableMaker::name);
+      if (type != "table" || found == missing.end())
+        throw Damage(fmt::format("it holds {} {}, which no store of ikbench has", type.substr(0, 40), shortened(name)));
+      if (on_one_line(query.getColumn(3).getString()) != found->sql)
+        throw Damage(fmt::format("its table {} has other columns or constraints than ikbench gives it", name));
+      missing.erase(found);
+    }
+    if (!missing.empty()) throw Damage(fmt::format("it has no table '{}'", missing.front().name));
+  }
+
+  // Blobs equal no text, so that a search would pass over them; they come after every text.
+  void refuse_blobs(const char* table, const char* column) {
+    if (SQLite::Statement(sqlite, fmt::format("SELECT 1 FROM {} WHERE {} >= x'' LIMIT 1", table, column)).executeStep())
+      throw Damage(fmt::format("{} is a BLOB in a row of table {}, expected text", column, table));
+  }
+
   std::vector<Series> series_of(const std::string& study) {
-    SQLite::Statement query(sqlite,
-                            "SELECT key, label, algorithm, options FROM series WHERE study = ? ORDER BY position");
+    refuse_blobs("series", "study");
+    SQLite::Statement query(
+        sqlite, "SELECT key, label, algorithm, options, position FROM series WHERE study = ? ORDER BY position");
     query.bind(1, study);
     std::vector<Series> list;
-    while (query.executeStep())
-      list.push_back({.key = query.getColumn(0).getString(),
-                      .label = query.getColumn(1).getString(),
-                      .algorithm = query.getColumn(2).getString(),
-                      .options = query.getColumn(3).getString()});
+    while (list.size() <= most_series && query.executeStep()) {  // one too many is enough to be refused
+      value_in<std::int64_t>(query.getColumn(4));
+      list.push_back({.key = value_in<std::string>(query.getColumn(0)),
+                      .label = value_in<std::string>(query.getColumn(1)),
+                      .algorithm = value_in<std::string>(query.getColumn(2)),
+                      .options = value_in<std::string>(query.getColumn(3))});
+    }
     return list;
+  }
+
+  std::optional<StudyEntry> find_study(const std::string& name) {
+    SQLite::Statement query(sqlite, "SELECT definition FROM studies WHERE name = ?");
+    query.bind(1, name);
+    if (!query.executeStep()) return std::nullopt;
+    StudyEntry study{.name = name, .definition = value_in<std::string>(query.getColumn(0)), .series = series_of(name)};
+    check_study(study);
+    return study;
+  }
+
+  // The names of the studies within a sentence.
+  std::string study_names() {
+    constexpr std::int64_t most = 20;
+    SQLite::Statement query(sqlite, "SELECT name FROM studies ORDER BY position LIMIT ?");
+    query.bind(1, most);
+    std::vector<std::string> names;
+    while (query.executeStep()) names.push_back(value_in<std::string>(query.getColumn(0)));
+    const std::int64_t others = number("SELECT count(*) FROM studies") - static_cast<std::int64_t>(names.size());
+    if (names.empty()) return "(the store is empty)";
+    return fmt::format("{}{}", fmt::join(names, ", "), others > 0 ? fmt::format(" and {} more", others) : "");
   }
 
   // Appends the solves of a series, up to a run, to the list.
   void read_solves(const std::string& key, std::int64_t last_run, std::vector<SolveRecord>& list) {
+    refuse_blobs("solves", "series");
     SQLite::Statement query(sqlite, select_solves());
     query.bind(1, key);
-    query.bind(2, last_run);
+    const int run = query.getColumnIndex("run"), point = query.getColumnIndex("point");
     while (query.executeStep()) {
-      SolveRecord& record = list.emplace_back();
-      int index = 0;
-      for_each_column(
-          [&](std::string_view, auto member, std::string_view) { read(query.getColumn(index++), record.*member); });
+      try {
+        value_in<int>(query.getColumn(point));
+        if (value_in<int>(query.getColumn(run)) > last_run) continue;
+        SolveRecord& record = list.emplace_back();
+        int index = 0;
+        for_each_column(
+            [&](std::string_view, auto member, std::string_view) { read(query.getColumn(index++), record.*member); });
+      } catch (const Damage& error) {
+        throw Damage(fmt::format("{}; in the solve of run {}, point {} of series {}", error.what(),
+                                 shown(query.getColumn(run)), shown(query.getColumn(point)), shortened(key)));
+      }
     }
   }
 };
@@ -321,12 +538,13 @@ Store::Store(Store&&) noexcept = default;
 Store& Store::operator=(Store&&) noexcept = default;
 
 void Store::save_study(const StudyEntry& study) {
-  if (!runs_of(study))
-    throw std::logic_error(
-        fmt::format("definition of study '{}' is not a JSON object with an integer 'runs'", study.name));
-  for (const Series& series : study.series)
-    if (!nlohmann::json::accept(series.options))
-      throw std::logic_error(fmt::format("options of '{}' in study '{}' are not JSON", series.label, study.name));
+  try {
+    check_study(study);
+  } catch (const TooManySolves& error) {
+    throw std::invalid_argument(error.what());
+  } catch (const Damage& error) {
+    throw std::logic_error(error.what());
+  }
 
   guarded(database_->file, [&] {
     SQLite::Database& sqlite = database_->sqlite;
@@ -356,24 +574,25 @@ std::vector<StudyEntry> Store::studies() const {
   return guarded(database_->file, [&] {
     SQLite::Statement query(database_->sqlite, "SELECT name, definition FROM studies ORDER BY position");
     std::vector<StudyEntry> list;
+    std::set<std::string> names;
     while (query.executeStep()) {
-      const std::string name = query.getColumn(0).getString();
-      list.push_back(
-          {.name = name, .definition = query.getColumn(1).getString(), .series = database_->series_of(name)});
+      const auto name = value_in<std::string>(query.getColumn(0));
+      if (!names.insert(name).second) throw Damage(fmt::format("two studies have the name {}", shortened(name)));
+      list.push_back({.name = name,
+                      .definition = value_in<std::string>(query.getColumn(1)),
+                      .series = database_->series_of(name)});
+      check_study(list.back());
     }
     return list;
   });
 }
 
 StudyEntry Store::study(const std::string& name) const {
-  std::vector<std::string> names;
-  for (StudyEntry& study : studies()) {
-    if (study.name == name) return std::move(study);
-    names.push_back(study.name);
-  }
-  throw std::invalid_argument(
-      fmt::format("no study '{}' in '{}', expected one of: {}", name, database_->file,
-                  names.empty() ? "(the store is empty)" : fmt::format("{}", fmt::join(names, ", "))));
+  return guarded(database_->file, [&] {
+    if (auto found = database_->find_study(name)) return std::move(*found);
+    throw std::invalid_argument(
+        fmt::format("no study '{}' in '{}', expected one of: {}", name, database_->file, database_->study_names()));
+  });
 }
 
 std::int64_t Store::begin_session(const std::map<std::string, std::string>& environment) {
@@ -399,11 +618,13 @@ std::vector<Session> Store::sessions() const {
                             "SELECT id, key, value FROM sessions LEFT JOIN environment ON session = id ORDER BY id");
     std::vector<Session> list;
     while (query.executeStep()) {
-      const std::int64_t id = query.getColumn(0).getInt64();
+      const auto id = value_in<std::int64_t>(query.getColumn(0));
       if (list.empty() || list.back().id != id) list.push_back({.id = id, .environment = {}});
       if (!query.getColumn(1).isNull())
-        list.back().environment[query.getColumn(1).getString()] = query.getColumn(2).getString();
+        list.back().environment[value_in<std::string>(query.getColumn(1))] = value_in<std::string>(query.getColumn(2));
     }
+    SQLite::Statement astray(database_->sqlite, "SELECT session FROM environment WHERE typeof(session) <> 'integer'");
+    if (astray.executeStep()) value_in<std::int64_t>(astray.getColumn(0));  // the join passes over it
     return list;
   });
 }
@@ -433,10 +654,16 @@ std::vector<SolveRecord> Store::series(const std::string& key) const {
 std::vector<SolveRecord> Store::solves(const std::string& study_name) const {
   return guarded(database_->file, [&] {
     const StudyEntry entry = study(study_name);
-    const auto runs = runs_of(entry);
-    if (!runs) throw Damage(fmt::format("the definition of study '{}'", study_name));
+    const std::int64_t runs = check_study(entry);
     std::vector<SolveRecord> list;
-    for (const Series& series : entry.series) database_->read_solves(series.key, *runs, list);
+    for (const Series& series : entry.series) {
+      const std::size_t first = list.size();
+      database_->read_solves(series.key, runs, list);
+      for (std::size_t i = first; i < list.size(); ++i)
+        if (list[i].solver != series.label)
+          throw Damage(fmt::format("solver {} in run {}, point {} of the series of {}", shortened(list[i].solver),
+                                   list[i].run, list[i].point, shortened(series.label)));
+    }
     for (SolveRecord& record : list) record.study = study_name;  // also where another name first solved it
     return list;
   });

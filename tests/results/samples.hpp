@@ -65,11 +65,11 @@ std::string complaint(Action&& action) {
   return "";
 }
 
-// A record with a value of its own in every column.
+// A record with a value of its own in every column; of the series of sample_study, with its label.
 inline SolveRecord sample_record(const std::string& series = "key-a", int run = 1, int point = 1) {
   return {.study = "table-3",
           .robot = "iiwa14",
-          .solver = "IK-BA",
+          .solver = series == "key-b" ? "BA" : "IK-BA",
           .series = series,
           .run = run,
           .point = point,

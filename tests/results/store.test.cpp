@@ -95,9 +95,10 @@ TEST_CASE("any text comes back as it was", "[store]") {
     const ScratchFolder folder;
     Store store(folder.path / "a.ikb", Store::Mode::write);
     StudyEntry study = sample_study(text);
-    study.series[0].key = study.series[0].label = study.series[0].algorithm = text;
+    study.series[0].key = study.series[0].algorithm = text;
+    study.series[0].label = record.solver = text.substr(0, 1000);
     store.save_study(study);
-    CHECK(store.study(text).series[0].label == text);
+    CHECK(store.study(text).series[0].label == record.solver);
     store.append({record});
     CHECK(store.solves(text).size() == 1);
     const auto id = store.begin_session({{text, text}});
@@ -138,6 +139,8 @@ TEST_CASE("a study that is not there is told which are", "[store]") {
   store.save_study(sample_study("circle"));
   CHECK(complaint<std::invalid_argument>([&] { store.solves("x"); }) ==
         "no study 'x' in " + quoted(file) + ", expected one of: helix, circle");
+  for (int i = 3; i <= 23; ++i) store.save_study(sample_study("s" + std::to_string(i)));
+  CHECK_THAT(complaint<std::invalid_argument>([&] { store.study("x"); }), ContainsSubstring(", s19, s20 and 3 more"));
 }
 
 TEST_CASE("solves of a study are those of its current series and runs, in its order", "[store]") {
@@ -145,17 +148,22 @@ TEST_CASE("solves of a study are those of its current series and runs, in its or
   Store store(folder.path / "a.ikb", Store::Mode::write);
   StudyEntry study = sample_study();
   study.definition = R"({"runs":2,"points":2})";
-  study.series = {{.key = "z", .label = "first", .algorithm = "ba", .options = "{}"},
+  study.series = {{.key = "z", .label = "IK-BA", .algorithm = "ba", .options = "{}"},
                   {.key = "a", .label = "second", .algorithm = "ba", .options = "{}"}};
   store.save_study(study);
-  store.append({sample_record("a", 1, 2), sample_record("a", 1, 1), sample_record("old", 1, 1)});
+  const auto second = [](int run, int point) {
+    SolveRecord record = sample_record("a", run, point);
+    record.solver = "second";
+    return record;
+  };
+  store.append({second(1, 2), second(1, 1), sample_record("old", 1, 1)});
   store.append(
       {sample_record("z", 10, 1), sample_record("z", 2, 1), sample_record("z", 1, 1), sample_record("z", 2, 2)});
   CHECK(places(store.solves("table-3")) == std::vector<std::string>{"z 1 1", "z 2 1", "z 2 2", "a 1 1", "a 1 2"});
   CHECK(places(store.series("z")) == std::vector<std::string>{"z 1 1", "z 2 1", "z 2 2", "z 10 1"});
 
   // Other options are another series; the solves of the former stay in the file.
-  study.series = {{.key = "old", .label = "first", .algorithm = "ba", .options = R"({"gamma":0.5})"}};
+  study.series = {{.key = "old", .label = "IK-BA", .algorithm = "ba", .options = R"({"gamma":0.5})"}};
   store.save_study(study);
   CHECK(places(store.solves("table-3")) == std::vector<std::string>{"old 1 1"});
   CHECK(store.series("z").size() == 4);
@@ -193,10 +201,15 @@ TEST_CASE("a study whose definition has no integer runs is an error of ours", "[
   const ScratchFolder folder;
   Store store(folder.path / "a.ikb", Store::Mode::write);
   StudyEntry study = sample_study();
-  for (const char* definition : {"", "[]", "{", "{}", R"({"runs":"20"})", R"({"runs":2.5})"}) {
+  for (const char* definition : {"", "[]", "{", "{}", R"({"runs":"20"})", R"({"runs":2.5})", R"({"runs":0})",
+                                 R"({"runs":1000001})", R"({"runs":1,"points":100001})"}) {
     study.definition = definition;
     CHECK_THROWS_AS(store.save_study(study), std::logic_error);
   }
+  study = sample_study();
+  study.definition = R"({"runs":1000000,"points":100})";  // what a study file may say: the user's mistake
+  CHECK(complaint<std::invalid_argument>([&] { store.save_study(study); }) ==
+        "study 'table-3' asks for 200000000 solves (1000000 runs, 100 points, 2 series), expected at most 100000000");
   study = sample_study();
   study.series[0].options = "gamma=1";
   CHECK_THROWS_AS(store.save_study(study), std::logic_error);
