@@ -15,14 +15,21 @@
 namespace ikbench {
 namespace {
 
-constexpr int most = 1'000'000;  // runs, points
+constexpr int most_runs = 1'000'000;
+constexpr int most_points = 100'000;
+constexpr std::size_t most_solvers = 1000;
+constexpr std::int64_t most_solves = 100'000'000;
 
 // A whole number of the definition, at the top or inside one of its parts; 0 where it does not say.
-int defined_number(const nlohmann::json& definition, const char* key) {
-  const auto read = [key](const nlohmann::json& object) {
+int defined_number(const std::string& study, const nlohmann::json& definition, const char* key, int most) {
+  const auto read = [&](const nlohmann::json& object) {
     const auto found = object.find(key);
     if (found == object.end() || !found->is_number_integer()) return 0;
-    return static_cast<int>(std::clamp<std::int64_t>(found->get<std::int64_t>(), 0, most));
+    const double value = found->get<double>();  // also where it is beyond every integer
+    if (value > most) {
+      throw std::invalid_argument(fmt::format("study '{}': {} {}; expected at most {}", study, key, value, most));
+    }
+    return value < 0 ? 0 : static_cast<int>(value);
   };
   if (!definition.is_object()) return 0;
   if (const int top = read(definition)) return top;
@@ -36,9 +43,10 @@ int defined_number(const nlohmann::json& definition, const char* key) {
 void check_and_count(StudyResults& study) {
   std::set<std::tuple<std::string, int, int>> seen;
   for (const SolveRecord& solve : study.solves) {
-    if (solve.run < 1 || solve.run > most || solve.point < 1 || solve.point > most) {
-      throw std::invalid_argument(fmt::format("study '{}', solver '{}': run {}, point {}; expected 1 to {} for both",
-                                              study.name, solve.solver, solve.run, solve.point, most));
+    if (solve.run < 1 || solve.run > most_runs || solve.point < 1 || solve.point > most_points) {
+      throw std::invalid_argument(
+          fmt::format("study '{}', solver '{}': run {}, point {}; expected runs 1 to {} and points 1 to {}", study.name,
+                      solve.solver, solve.run, solve.point, most_runs, most_points));
     }
     if (!seen.emplace(solve.solver, solve.run, solve.point).second) {
       throw std::invalid_argument(fmt::format("study '{}', solver '{}': run {}, point {} is there twice; expected once",
@@ -47,6 +55,16 @@ void check_and_count(StudyResults& study) {
     if (std::ranges::find(study.solvers, solve.solver) == study.solvers.end()) study.solvers.push_back(solve.solver);
     study.runs = std::max(study.runs, solve.run);
     study.points = std::max(study.points, solve.point);
+    if (study.solvers.size() > most_solvers) {
+      throw std::invalid_argument(
+          fmt::format("study '{}' has more than {} solvers; expected no more", study.name, most_solvers));
+    }
+  }
+  const auto solvers = static_cast<std::int64_t>(study.solvers.size());
+  if (const std::int64_t expected = std::int64_t{study.runs} * study.points; expected * solvers > most_solves) {
+    throw std::invalid_argument(
+        fmt::format("study '{}' has {} runs of {} points by {} solvers; expected at most {} solves", study.name,
+                    study.runs, study.points, solvers, most_solves));
   }
 }
 
@@ -68,8 +86,8 @@ bool complete(const std::vector<const SolveRecord*>& run, const StudyResults& st
 StudyResults make_study(const StudyEntry& entry, std::vector<SolveRecord> solves) {
   const auto definition = nlohmann::json::parse(entry.definition, nullptr, false);
   StudyResults study{.name = entry.name,
-                     .runs = defined_number(definition, "runs"),
-                     .points = defined_number(definition, "points"),
+                     .runs = defined_number(entry.name, definition, "runs", most_runs),
+                     .points = defined_number(entry.name, definition, "points", most_points),
                      .solves = std::move(solves)};
   const auto defined_text = [&](const char* key) {
     const bool is_there = definition.is_object() && definition.contains(key) && definition[key].is_string();

@@ -25,7 +25,8 @@ struct StudyResults {
 };
 
 // Numbers of runs and points come from the definition, or where it does not say, from the solves. A solve twice in the
-// records, or not numbered from 1 to 1000000, is std::invalid_argument.
+// records, runs beyond 1 to 1000000, points beyond 1 to 100000, more than 1000 solvers or 100000000 expected solves are
+// std::invalid_argument.
 StudyResults make_study(const StudyEntry& entry, std::vector<SolveRecord> solves);
 // Without a definition (a CSV of solves): solvers in the order of their first solve.
 StudyResults make_study(std::string name, std::vector<SolveRecord> solves);

@@ -107,6 +107,35 @@ TEST_CASE("a solve that is there twice or is not numbered from 1 is refused", "[
   CHECK_THROWS_AS(make_study("s", solves), std::invalid_argument);
 }
 
+TEST_CASE("a study larger than any is refused in a sentence", "[study]") {
+  StudyEntry entry{.name = "s", .definition = R"({"runs": 1000001})", .series = {{"k1", "BA", "ba", "{}"}}};
+  const auto complaint = [&] {
+    try {
+      make_study(entry, {});
+    } catch (const std::invalid_argument& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  CHECK(complaint() == "study 's': runs 1000001; expected at most 1000000");
+  entry.definition = R"({"runs": 18446744073709551615})";
+  CHECK(complaint().ends_with("; expected at most 1000000"));
+  entry.definition = R"({"runs": 1, "path": {"points": 100001}})";
+  CHECK(complaint() == "study 's': points 100001; expected at most 100000");
+  entry.definition = R"({"runs": 100000, "points": 1001})";
+  CHECK(complaint() == "study 's' has 100000 runs of 1001 points by 1 solvers; expected at most 100000000 solves");
+  entry.definition = R"({"runs": 100000, "points": 1000})";
+  CHECK(complaint() == "");
+
+  std::vector<SolveRecord> solves = synthetic::solves({.solvers = {"BA"}, .runs = 1, .points = 2});
+  solves[1].point = 100'001;
+  CHECK_THROWS_WITH(make_study("s", solves),
+                    "study 's', solver 'BA': run 1, point 100001; expected runs 1 to 1000000 and points 1 to 100000");
+  solves.assign(1001, solves[0]);
+  for (std::size_t i = 0; i < solves.size(); ++i) solves[i].solver = std::to_string(i);
+  CHECK_THROWS_WITH(make_study("s", solves), "study 's' has more than 1000 solvers; expected no more");
+}
+
 TEST_CASE("a mean agrees, is close, or differs", "[paper]") {
   std::vector<SolveRecord> solves = synthetic::solves({});
   for (SolveRecord& solve : solves) {
