@@ -338,7 +338,7 @@ std::int64_t check_study(const StudyEntry& study) {
       throw Damage(fmt::format("study {} has two series of the label {}", name, shortened(series.label)));
     if (!keys.insert(series.key).second)
       throw Damage(fmt::format("study {} has two series of the key {}", name, shortened(series.key)));
-    object_in(series.options, fmt::format("options of {} in study {}", shortened(series.label), name));
+    object_in(series.options, fmt::format("the text of the options of {} in study {}", shortened(series.label), name));
   }
   const std::string what = fmt::format("the definition of study {}", name);
   const auto definition = object_in(study.definition, what);

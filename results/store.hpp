@@ -1,7 +1,8 @@
 // The store: one SQLite file that remembers studies, sessions and solves. Several studies may share a store.
-// Schema: docs/data-dictionary.md. A user's mistake (no such file, not a store, damaged, a newer schema, no permission)
-// is std::invalid_argument; a store kept locked by another process or a full disk std::runtime_error; a mistake of ours
-// (a definition that is not JSON) std::logic_error. A Store belongs to one thread at a
+// Schema: docs/data-dictionary.md. A user's mistake (no such file, not a store, damaged, a newer schema, no permission,
+// a study of too many solves) is std::invalid_argument; a store kept locked by another process or a full disk
+// std::runtime_error; a mistake of ours (a definition that is not JSON) std::logic_error. The file may be anybody's:
+// whatever in it ikbench would not have written is damage, and no SQL of it is run. A Store belongs to one thread at a
 // time.
 #pragma once
 
@@ -60,7 +61,7 @@ class Store {
   // Solves of one series, ordered by run and point.
   std::vector<SolveRecord> series(const std::string& key) const;
   // Current solves of a study, in the order of its series, then run, then point; runs beyond `runs` of the
-  // definition are left out.
+  // definition are left out. The solver of each is the label of its series.
   std::vector<SolveRecord> solves(const std::string& study) const;
 
  private:
