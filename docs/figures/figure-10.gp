@@ -5,10 +5,10 @@ load 'style.gp'
 
 set logscale y
 set format y '10^{%T}'
-set yrange [1e-3:1e1]
+set yrange [1e-4:1e1]
 set ytics 1e1
 set mytics 10
-shown(y) = y > 0 ? y : (y <= 0 ? 1e-3 : NaN)
+shown(y) = y > 0 ? y : (y <= 0 ? 1e-4 : NaN)
 set ylabel 'position error [cm]'
 unset key
 set grid noxtics ytics
@@ -26,7 +26,8 @@ plot 'figure-10.dat' index 0 every ::0::0 using 1:(shown($3)):(shown($2)):(shown
   'figure-10.dat' index 0 every ::4::4 using 1:(shown($3)):(shown($2)):(shown($6)):(shown($5)) with candlesticks ls 5 dt 1 whiskerbars 0.5, \
   'figure-10.dat' index 0 every ::5::5 using 1:(shown($3)):(shown($2)):(shown($6)):(shown($5)) with candlesticks ls 6 dt 1 whiskerbars 0.5, \
   'figure-10.dat' index 0 using ($1-0.25):(shown($4)):(0.5):(0) with vectors nohead ls 101, \
-  'figure-10.dat' index 1 using 1:(shown($2)) with points pt 6 ps 0.4 lw 0.8 lc rgb '#000000'
+  'figure-10.dat' index 1 using 1:(shown($2)) with points pt 6 ps 0.4 lw 0.8 lc rgb '#000000', \
+  'figure-10.dat' index 2 using ($1+0.36):(shown($2)):(0):(shown($4)-shown($2)) with vectors nohead lw 1.6 lc rgb '#AAAAAA', '' index 2 using ($1+0.29):(shown($3)):(0.14):(0) with vectors nohead lw 1.6 lc rgb '#777777'
 set terminal @pdf
 set output 'figure-10.pdf'
 replot

@@ -3,7 +3,7 @@ width_cm = 8.5
 height_cm = 6.4
 load 'style.gp'
 
-set yrange [0:382.80487249933265]
+set yrange [0:396.85033500000003]
 shown(y) = y * 1
 set ylabel 'angles variation [deg]'
 unset key
@@ -22,7 +22,8 @@ plot 'figure-11.dat' index 0 every ::0::0 using 1:(shown($3)):(shown($2)):(shown
   'figure-11.dat' index 0 every ::4::4 using 1:(shown($3)):(shown($2)):(shown($6)):(shown($5)) with candlesticks ls 5 dt 1 whiskerbars 0.5, \
   'figure-11.dat' index 0 every ::5::5 using 1:(shown($3)):(shown($2)):(shown($6)):(shown($5)) with candlesticks ls 6 dt 1 whiskerbars 0.5, \
   'figure-11.dat' index 0 using ($1-0.25):(shown($4)):(0.5):(0) with vectors nohead ls 101, \
-  'figure-11.dat' index 1 using 1:(shown($2)) with points pt 6 ps 0.4 lw 0.8 lc rgb '#000000'
+  'figure-11.dat' index 1 using 1:(shown($2)) with points pt 6 ps 0.4 lw 0.8 lc rgb '#000000', \
+  'figure-11.dat' index 2 using ($1+0.36):(shown($2)):(0):(shown($4)-shown($2)) with vectors nohead lw 1.6 lc rgb '#AAAAAA', '' index 2 using ($1+0.29):(shown($3)):(0.14):(0) with vectors nohead lw 1.6 lc rgb '#777777'
 set terminal @pdf
 set output 'figure-11.pdf'
 replot

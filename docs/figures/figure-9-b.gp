@@ -4,6 +4,7 @@ height_cm = 7.78
 load 'style.gp'
 
 set title 'BA' noenhanced offset 0, -0.6
+set tmargin 2
 set ylabel 'joint angle [deg]'
 set yrange [-180:180]
 set ytics 60
