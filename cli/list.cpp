@@ -3,7 +3,6 @@
 #include <fmt/ranges.h>
 
 #include <memory>
-#include <numbers>
 #include <stdexcept>
 
 #include "cli/commands.hpp"
@@ -11,13 +10,13 @@
 #include "experiments/study_file.hpp"
 #include "results/export.hpp"
 #include "robots/names.hpp"
+#include "robots/units.hpp"
 #include "solvers/registry.hpp"
 
 namespace ikbench::cli {
 
 namespace {
 
-constexpr double degree = std::numbers::pi / 180;
 using Rows = std::vector<std::vector<std::string>>;
 
 std::string solver_list() {

@@ -3,7 +3,6 @@
 
 #include <cmath>
 #include <memory>
-#include <numbers>
 #include <stdexcept>
 
 #include "cli/commands.hpp"
@@ -12,13 +11,12 @@
 #include "experiments/runner.hpp"
 #include "experiments/study_file.hpp"
 #include "robots/spherical_wrist.hpp"
+#include "robots/units.hpp"
 #include "solvers/registry.hpp"
 
 namespace ikbench::cli {
 
 namespace {
-
-constexpr double degree = std::numbers::pi / 180;
 
 struct Arguments {
   std::string robot = "kuka_iiwa14", solver = "damped_least_squares", tool = "down", search;

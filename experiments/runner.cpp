@@ -11,7 +11,6 @@
 #include <map>
 #include <mutex>
 #include <nlohmann/json.hpp>
-#include <numbers>
 #include <optional>
 #include <stdexcept>
 
@@ -19,14 +18,12 @@
 #include "experiments/study_file.hpp"
 #include "experiments/verifier.hpp"
 #include "robots/spherical_wrist.hpp"
+#include "robots/units.hpp"
 #include "solvers/registry.hpp"
 
 namespace ikbench {
 
 namespace {
-
-constexpr double radian_in_degrees = 180 / std::numbers::pi;
-constexpr double metre_in_cm = 100;
 
 double thread_seconds() {
   timespec now{};
@@ -154,12 +151,12 @@ class Contest {
                        .start_rad = to_vector(start),
                        .answer_rad = to_vector(answer),
                        .reached_position_m = to_vector(verdict.reached),
-                       .position_error_cm = verdict.position_error * metre_in_cm,
-                       .claimed_error_cm = solution.best.error * metre_in_cm,
+                       .position_error_cm = verdict.position_error / centimetre,
+                       .claimed_error_cm = solution.best.error / centimetre,
                        .orientation_error = verdict.orientation_error,
-                       .variation_deg = verdict.variation * radian_in_degrees,
-                       .largest_move_deg = verdict.largest_move * radian_in_degrees,
-                       .limit_violation_deg = verdict.limit_violation * radian_in_degrees,
+                       .variation_deg = verdict.variation / degree,
+                       .largest_move_deg = verdict.largest_move / degree,
+                       .limit_violation_deg = verdict.limit_violation / degree,
                        .evaluations = solution.evaluations,
                        .iterations = solution.iterations,
                        .stop_reason = recorded(solution.stopped),
@@ -171,7 +168,7 @@ class Contest {
                         : judge(verdict, {.claimed_error = solution.best.error,
                                           .tolerance = study_.stop.tolerance,
                                           .orientation_is_exact = study_.search == Search::wrist});
-    for (const double error : solution.trace) record.trace_cm.push_back(error * metre_in_cm);
+    for (const double error : solution.trace) record.trace_cm.push_back(error / centimetre);
     return record;
   }
 

@@ -5,12 +5,11 @@
 #include <stdexcept>
 
 #include "robots/names.hpp"
+#include "robots/units.hpp"
 
 namespace ikbench {
 
 namespace {
-
-constexpr double degree = std::numbers::pi / 180;
 
 JointLimits symmetric_limits(const Eigen::VectorXd& degrees) { return {-degrees * degree, degrees * degree}; }
 

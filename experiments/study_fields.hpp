@@ -1,0 +1,79 @@
+// The fields of a study, said once: name, field, range and meaning. What reads and writes studies (study_reader.cpp,
+// study_writer.cpp) visits this list.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "experiments/study.hpp"
+#include "robots/units.hpp"
+
+namespace ikbench {
+
+template <class Enum>
+using Choices = std::vector<std::pair<std::string, Enum>>;
+
+constexpr std::int64_t no_limit = std::numeric_limits<std::int64_t>::max();
+
+template <class Io>
+void list_fields(Io& io, StopRule& stop) {
+  io.whole("iterations", stop.iterations, {0, 1'000'000'000}, "iterations at most");
+  io.number("tolerance_cm", stop.tolerance, centimetre, {0, 1e6}, "position error at which a solve ends; 0: none");
+  io.whole("evaluations", stop.evaluations, {0, no_limit}, "evaluations after which a solve ends; 0: no such rule");
+  io.number("seconds", stop.seconds, 1, {0, 1e6},
+            "wall time after which a solve ends, and numbers depend on the machine; 0: no such rule");
+}
+
+template <class Io>
+void list_circle_fields(Io& io, Helix& helix) {
+  io.numbers("centre_cm", helix.centre, centimetre, 3, "centre of the bottom");
+  io.number("radius_cm", helix.radius, centimetre, {0, 1e6}, "");
+  io.number("start_deg", helix.start, degree, {-1e5, 1e5}, "angle t of the first point");
+  io.whole("points", helix.points, {1, 100'000}, "");
+  io.choice("phase", helix.phase, Choices<Phase>{{"sin_cos", Phase::sin_cos}, {"cos_sin", Phase::cos_sin}},
+            "(x, y) from the centre: radius (sin t, cos t), or radius (cos t, sin t)");
+  io.choice("spacing", helix.spacing,
+            Choices<Spacing>{{"k_over_n", Spacing::k_over_n}, {"k_over_n_minus_1", Spacing::k_over_n_minus_1}},
+            "point k = 0 ... n - 1 lies at this fraction of the path");
+  io.choice("tool", helix.tool, Choices<Tool>{{"down", Tool::down}, {"eq27", Tool::eq27}},
+            "how the tool is held: straight down, or as Eq. 27 prints it (horizontal)");
+}
+
+template <class Io>
+void list_helix_fields(Io& io, Helix& helix) {
+  io.number("length_cm", helix.length, centimetre, {-1e6, 1e6}, "rise along z");
+  io.number("turns", helix.turns, 1, {-1e3, 1e3}, "");
+  list_circle_fields(io, helix);
+}
+
+template <class Io>
+void list_fields(Io& io, Study& study) {
+  io.text("name", study.name, "folder of its results: out/<name>/");
+  io.text("title", study.title, "");
+  io.text("published", study.published, "paper whose printed tables are set beside the results; \"\": none");
+  io.text("robot", study.robot, "see: ikbench list robots");
+  io.choice("search", study.search, Choices<Search>{{"wrist", Search::wrist}, {"all_joints", Search::all_joints}},
+            "wrist: the joints before a spherical wrist, which follows in closed form; all_joints: position only");
+  io.choice(
+      "bounds", study.bounds,
+      Choices<StudyBounds>{
+          {"per_solver", StudyBounds::per_solver}, {"initial", StudyBounds::initial}, {"clamp", StudyBounds::clamp}},
+      "joint limits of candidates: each solver's own option, or one reading for all that have it");
+  io.choice("wrist_branch", study.wrist_branch,
+            Choices<WristBranch>{{"nearest", WristBranch::nearest},
+                                 {"positive", WristBranch::positive},
+                                 {"negative", WristBranch::negative},
+                                 {"inside", WristBranch::inside}},
+            "which of the wrist's two branches completes an answer");
+  io.numbers("initial_deg", study.initial, degree, 0, "configuration before the first point of a run");
+  io.whole("population", study.population, {1, 100'000}, "candidates an iteration");
+  io.whole("runs", study.runs, {1, 1'000'000}, "independent repetitions");
+  io.whole("seed", study.seed, {0, no_limit}, "");
+  io.choice("trace", study.trace, Choices<Trace>{{"none", Trace::none}, {"best_error", Trace::best_error}},
+            "best error after every iteration, kept in the store");
+}
+
+}  // namespace ikbench

@@ -1,0 +1,203 @@
+// A study as text: TOML to be edited and run, JSON for the store.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <toml++/toml.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "experiments/study_fields.hpp"
+#include "experiments/study_file.hpp"
+#include "results/number.hpp"
+
+namespace ikbench {
+
+namespace {
+
+// The number x for which x * unit is `value` again, bit for bit, where there is one near.
+double in_unit(double value, double unit) {
+  const double guess = value / unit;
+  for (const double x :
+       {std::round(guess * 1e9) / 1e9, guess, std::nextafter(guess, 0), std::nextafter(guess, 2 * guess)}) {
+    if (x * unit == value) return x;
+  }
+  return guess;
+}
+
+std::vector<double> in_unit(const Eigen::VectorXd& values, double unit) {
+  std::vector<double> result;
+  for (const double value : values) result.push_back(in_unit(value, unit));
+  return result;
+}
+
+bool is_exact(const Eigen::VectorXd& values, double unit) {
+  return std::all_of(values.begin(), values.end(), [&](double value) { return in_unit(value, unit) * unit == value; });
+}
+
+// "-0" would be read as the integer 0.
+std::string numeral(double value) { return value == 0 && std::signbit(value) ? "-0.0" : fmt::format("{}", value); }
+
+std::string numerals(const std::vector<double>& values) {
+  std::vector<std::string> texts;
+  for (const double value : values) texts.push_back(numeral(value));
+  return fmt::format("[{}]", fmt::join(texts, ", "));
+}
+
+template <class Enum>
+const std::string& name_in(const Choices<Enum>& choices, Enum value) {
+  return std::find_if(choices.begin(), choices.end(), [&](const auto& choice) { return choice.second == value; })
+      ->first;
+}
+
+std::string toml_string(std::string_view text) {
+  std::ostringstream out;
+  out << toml::value<std::string>(text);
+  return out.str();
+}
+
+class TomlWriter {
+ public:
+  void text(std::string_view key, const std::string& field, std::string_view meaning) {
+    line(key, toml_string(field), meaning);
+  }
+  template <class Enum>
+  void choice(std::string_view key, Enum field, const Choices<Enum>& choices, std::string_view meaning) {
+    std::vector<std::string> names;
+    for (const auto& choice : choices) names.push_back(choice.first);
+    line(key, toml_string(name_in(choices, field)), fmt::format("{}: {}", fmt::join(names, " | "), meaning));
+  }
+  template <class Whole>
+  void whole(std::string_view key, Whole field, std::pair<std::int64_t, std::int64_t>, std::string_view meaning) {
+    line(key, fmt::format("{}", field), meaning);
+  }
+  void number(std::string_view key, double field, double unit, std::pair<double, double>, std::string_view meaning) {
+    line(key, numeral(in_unit(field, unit)), meaning);
+  }
+  void numbers(std::string_view key, const Eigen::VectorXd& field, double unit, int, std::string_view meaning) {
+    line(key, numerals(in_unit(field, unit)), meaning);
+  }
+  void line(std::string_view key, std::string_view value, std::string_view meaning) {
+    out += meaning.empty() ? fmt::format("{} = {}\n", key, value) : fmt::format("{} = {}  # {}\n", key, value, meaning);
+  }
+
+  std::string out;
+};
+
+class JsonWriter {
+ public:
+  void text(const std::string& key, const std::string& field, std::string_view) { out[key] = field; }
+  template <class Enum>
+  void choice(const std::string& key, Enum field, const Choices<Enum>& choices, std::string_view) {
+    out[key] = name_in(choices, field);
+  }
+  template <class Whole>
+  void whole(const std::string& key, Whole field, std::pair<std::int64_t, std::int64_t>, std::string_view) {
+    out[key] = field;
+  }
+  void number(const std::string& key, double field, double unit, std::pair<double, double>, std::string_view) {
+    out[key] = in_unit(field, unit);
+  }
+  void numbers(const std::string& key, const Eigen::VectorXd& field, double unit, int, std::string_view) {
+    out[key] = in_unit(field, unit);
+  }
+
+  nlohmann::ordered_json out;
+};
+
+std::vector<double> by_rows(const Eigen::Matrix3d& R) {
+  std::vector<double> elements;
+  for (int row = 0; row < 3; ++row) elements.insert(elements.end(), {R(row, 0), R(row, 1), R(row, 2)});
+  return elements;
+}
+
+nlohmann::ordered_json definition(const Study& study) {
+  Study fields = study;
+  JsonWriter writer, stop, path;
+  list_fields(writer, fields);
+  list_fields(stop, fields.stop);
+  writer.out["stop"] = stop.out;
+  if (auto* helix = std::get_if<Helix>(&fields.path)) {
+    path.out["kind"] = "helix";
+    list_helix_fields(path, *helix);
+  } else {
+    path.out["kind"] = "poses";
+  }
+  writer.out["path"] = path.out;
+  return writer.out;
+}
+
+// The settings in which a study differs from the built-in one that claims to be of the same paper. A name, a title, a
+// seed and a trace make no difference to that claim; further solvers neither.
+std::vector<std::string> departures(const Study& study) {
+  const std::vector<Study> known = studies();
+  const auto original = std::find_if(known.begin(), known.end(), [&](const Study& candidate) {
+    return !study.published.empty() && candidate.published == study.published;
+  });
+  std::vector<std::string> found;
+  if (original == known.end()) return found;
+  const auto ours = definition(study).flatten(), theirs = definition(*original).flatten();
+  for (const auto& [pointer, value] : theirs.items()) {
+    const bool is_free = pointer == "/name" || pointer == "/title" || pointer == "/seed" || pointer == "/trace";
+    if (is_free || (ours.contains(pointer) && ours[pointer] == value)) continue;
+    std::string key = pointer.substr(1);
+    std::replace(key.begin(), key.end(), '/', '.');
+    found.push_back(key);
+  }
+  for (const Entrant& entrant : original->solvers) {
+    const auto same = std::find_if(study.solvers.begin(), study.solvers.end(),
+                                   [&](const Entrant& ours_too) { return ours_too.label == entrant.label; });
+    if (same == study.solvers.end()) {
+      found.push_back("no " + entrant.label);
+    } else if (same->solver != entrant.solver ||
+               effective_options(study, *same) != effective_options(*original, entrant)) {
+      found.push_back("options of " + entrant.label);
+    }
+  }
+  return found;
+}
+
+}  // namespace
+
+std::string to_toml(const Study& study) {
+  Study fields = study;  // list_fields serves readers too
+  TomlWriter writer;
+  list_fields(writer, fields);
+  writer.out += "\n[stop]\n";
+  list_fields(writer, fields.stop);
+  writer.out += "\n[path]\n";
+  if (auto* helix = std::get_if<Helix>(&fields.path)) {
+    writer.line("kind", "\"helix\"", "helix | circle | poses: a list of { position_cm = [...], rpy_deg = [...] }");
+    list_helix_fields(writer, *helix);
+  } else {
+    writer.out += "kind = \"poses\"\nposes = [\n";
+    for (const Pose& pose : std::get<std::vector<Pose>>(fields.path)) {
+      const Eigen::VectorXd position = pose.translation();
+      const bool in_cm = is_exact(position, centimetre);
+      writer.out += fmt::format("  {{ {} = {}, rotation = {} }},\n", in_cm ? "position_cm" : "position_m",
+                                numerals(in_unit(position, in_cm ? centimetre : 1)), numerals(by_rows(pose.linear())));
+    }
+    writer.out += "]\n";
+  }
+  for (const Entrant& entrant : study.solvers) {
+    writer.out += "\n[[solvers]]\n";
+    writer.line("label", toml_string(entrant.label), "");
+    writer.line("solver", toml_string(entrant.solver),
+                "options and their ranges: ikbench list solvers " + entrant.solver);
+    std::vector<std::string> options;
+    for (const auto& [name, value] : entrant.options)
+      options.push_back(name + " = " + (number_from(value) ? value : toml_string(value)));
+    if (!options.empty()) writer.line("options", fmt::format("{{ {} }}", fmt::join(options, ", ")), "");
+  }
+  return writer.out;
+}
+
+std::string to_json(const Study& study) {
+  nlohmann::ordered_json json = definition(study);
+  json["points"] = targets(study.path).size();
+  json["departures"] = departures(study);
+  return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+}  // namespace ikbench
