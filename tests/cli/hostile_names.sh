@@ -74,4 +74,5 @@ for odd in .. . ../up /abs a/b; do
   [ "$(ls -A)" = out ] && [ "$(find out -name store.sqlite | wc -l)" = 1 ] || fail "name $odd: $(find .)"
   cd .. && rm -r odd
 done
-[ "$(ls)" = $'again\nexport.csv\nexport.json\nhere\nhostile.toml\nodd.toml' ] || fail "something else was written: $(ls)"
+rm -f export.csv export.json  # only where there is a python3 to read them
+[ "$(ls)" = $'again\nhere\nhostile.toml\nodd.toml' ] || fail "something else was written: $(ls)"

@@ -52,7 +52,7 @@ printf 'name = "x"\nruns = 0\n[[solvers]]\nsolver = "bat"\n' >wrong.toml
 refused 'wrong.toml:2:8: runs is 0; expected a whole number from 1' run wrong.toml
 printf 'name = "x"\n\n[[solvers]]\n  solver = "abt"\n' >misspelt.toml
 refused 'misspelt.toml:4:12: unknown solver "abt"; did you mean "bat"?' run misspelt.toml
-head -c 3000 /dev/urandom >garbage.toml
+printf '\376\355\372\316\000\001binary\377' >garbage.toml
 refused 'garbage.toml:1:' run garbage.toml
 : >empty.toml
 refused 'empty.toml:1:1: the study names no solver' run empty.toml
