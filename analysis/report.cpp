@@ -122,7 +122,8 @@ Report write_report(const Store& store, const ReportRequest& request) {
   const StudyEntry entry = store.study(request.study);
   const StudyResults study = make_study(entry, store.solves(request.study));
 
-  std::vector<Table> tables{definition_table(entry), options_table(entry), environment_table(study, store.sessions())};
+  const std::vector<Session> sessions = store.sessions();
+  std::vector<Table> tables{definition_table(entry), options_table(entry), environment_table(study, sessions)};
   for (Table& table : paper_tables(study, request.unit)) tables.push_back(std::move(table));
   const std::vector<StudyResults> together = with_same_targets(store, study);
   if (together.size() > 1) tables.push_back(perspective_table(together, request.unit));
@@ -137,7 +138,7 @@ Report write_report(const Store& store, const ReportRequest& request) {
   for (std::size_t i = 0; i < figures.size(); ++i) pieces.add(figures[i], outcomes[i].rendered);
 
   Report report{.file = request.folder / "report.md",
-                .results = table_3(study, request.unit),
+                .results = *std::ranges::find(tables, "table-3", &Table::name),
                 .summary = summary(study, request.unit),
                 .warnings = warnings_of(study, outcomes)};
   for (std::size_t i = 1; i < together.size(); ++i) report.summary.push_back(perspective(together[i], request.unit));
@@ -145,7 +146,7 @@ Report write_report(const Store& store, const ReportRequest& request) {
   text += fmt::format("Report of the study {}.\n\n## Summary\n\n", markdown_text(study.name));
   text += bullets(report.summary);
   if (!report.warnings.empty()) text += "### Warnings\n\n" + bullets(report.warnings);
-  if (const std::string command = command_of(study, store.sessions()); !command.empty()) {
+  if (const std::string command = command_of(study, sessions); !command.empty()) {
     text += fmt::format("To get these numbers again:\n\n    {}\n\n", one_line(command));
   }
   text +=

@@ -207,17 +207,19 @@ std::vector<std::string> summary(const StudyResults& study, Unit unit) {
 }
 
 std::string perspective(const StudyResults& other, Unit unit) {
-  std::string list;
-  const auto mean_of = [&](const std::string& solver, Metric metric) {
-    const auto all = samples(other, metric, unit);
-    return describe(std::ranges::find(all, solver, &Sample::solver)->values).mean;
+  const auto means = [&](Metric metric, int digits) {  // of every solver, in their order
+    std::vector<std::string> texts;
+    for (const Sample& sample : samples(other, metric, unit)) {
+      texts.push_back(rounded_number(describe(sample.values).mean, digits));
+    }
+    return texts;
   };
-  for (const std::string& solver : other.solvers) {
-    list += fmt::format("{}{} {} cm, {} deg, {} s and {} evaluations", list.empty() ? "" : "; ", solver,
-                        rounded_number(mean_of(solver, Metric::position_error_cm), 2),
-                        rounded_number(mean_of(solver, Metric::variation_deg), 3),
-                        rounded_number(mean_of(solver, Metric::seconds), 2),
-                        rounded_number(mean_of(solver, Metric::evaluations), 3));
+  const auto error = means(Metric::position_error_cm, 2), variation = means(Metric::variation_deg, 3);
+  const auto seconds = means(Metric::seconds, 2), evaluations = means(Metric::evaluations, 3);
+  std::string list;
+  for (std::size_t i = 0; i < other.solvers.size(); ++i) {
+    list += fmt::format("{}{} {} cm, {} deg, {} s and {} evaluations", i == 0 ? "" : "; ", other.solvers[i], error[i],
+                        variation[i], seconds[i], evaluations[i]);
   }
   return fmt::format("For perspective, means of the study {} on the same targets: {}.", other.name, list);
 }

@@ -121,11 +121,10 @@ void add_solve(CLI::App& app) {
       "  ikbench solve --position-cm 60,20,10 --solver ik_bat --set bounds=clamp --set stop.iterations=1000\n"
       "  ikbench solve --robot planar_2 --position-cm 50 50 0");
   command->callback([arguments] {
-    const Study study = study_of(*arguments);
+    Study study = study_of(*arguments);
     const Pose target = target_of(*arguments);
-    Study with_target = study;
-    with_target.path = std::vector<Pose>{target};
-    warn_of_unreachable(with_target);
+    study.path = std::vector<Pose>{target};
+    warn_of_unreachable(study);
     fmt::print("{}", shown(solve_once(study, study.solvers.front(), target), study.search));
   });
 }

@@ -42,6 +42,12 @@ Eigen::Matrix3d rotation(Tool tool) {
   return R;
 }
 
+std::vector<double> by_rows(const Eigen::Matrix3d& R) {
+  std::vector<double> elements;
+  for (int row = 0; row < 3; ++row) elements.insert(elements.end(), {R(row, 0), R(row, 1), R(row, 2)});
+  return elements;
+}
+
 Eigen::Matrix3d rotation_from_rpy(const Eigen::Vector3d& rpy) {
   using Eigen::AngleAxisd;
   return (AngleAxisd(rpy[2], Eigen::Vector3d::UnitZ()) * AngleAxisd(rpy[1], Eigen::Vector3d::UnitY()) *

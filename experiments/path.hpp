@@ -33,6 +33,8 @@ using Path = std::variant<Helix, std::vector<Pose>>;
 
 std::vector<Pose> targets(const Path& path);
 Eigen::Matrix3d rotation(Tool tool);
+// The nine elements, row by row.
+std::vector<double> by_rows(const Eigen::Matrix3d& R);
 // Rz(yaw) Ry(pitch) Rx(roll).
 Eigen::Matrix3d rotation_from_rpy(const Eigen::Vector3d& rpy);
 

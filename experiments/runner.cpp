@@ -118,9 +118,12 @@ class Contest {
         task_(study, arm),
         info_(solver(entrant.solver)),
         options_(effective_options(study, entrant)),
-        series_(series_key(study, entrant)) {}
+        series_{.key = series_key(study, entrant),
+                .label = entrant.label,
+                .algorithm = entrant.solver,
+                .options = nlohmann::json(options_).dump()} {}
 
-  const std::string& series() const { return series_; }
+  const Series& series() const { return series_; }
 
   SolveRecord solve(const Pose& target, const Eigen::VectorXd& start, int run, int point) const {
     const std::unique_ptr<Solver> solver = info_.make(options_);
@@ -139,15 +142,14 @@ class Contest {
     const double cpu_seconds = thread_seconds() - thread_started;
 
     const Verdict verdict = verify(arm_, target, start, answer);
-    const Eigen::Matrix3d transposed = target.linear().transpose();  // row by row
     SolveRecord record{.study = study_.name,
                        .robot = arm_.name,
                        .solver = entrant_.label,
-                       .series = series_,
+                       .series = series_.key,
                        .run = run,
                        .point = point,
                        .target_position_m = to_vector(target.translation()),
-                       .target_rotation = to_vector(transposed.reshaped()),
+                       .target_rotation = by_rows(target.linear()),
                        .start_rad = to_vector(start),
                        .answer_rad = to_vector(answer),
                        .reached_position_m = to_vector(verdict.reached),
@@ -179,7 +181,7 @@ class Contest {
   Task task_;
   SolverInfo info_;
   Settings options_;
-  std::string series_;
+  Series series_;
 };
 
 // The arm is where the answer put it, unless that was no configuration at all.
@@ -194,14 +196,9 @@ struct Chained {  // one run of one entrant, and what the store already has of i
   Eigen::VectorXd start;
 };
 
-StudyEntry entry_of(const Study& study) {
+StudyEntry entry_of(const Study& study, const std::vector<Contest>& contests) {
   StudyEntry entry{.name = study.name, .definition = to_json(study), .series = {}};
-  for (const Entrant& entrant : study.solvers) {
-    entry.series.push_back({.key = series_key(study, entrant),
-                            .label = entrant.label,
-                            .algorithm = entrant.solver,
-                            .options = nlohmann::json(effective_options(study, entrant)).dump()});
-  }
+  for (const Contest& contest : contests) entry.series.push_back(contest.series());
   return entry;
 }
 
@@ -212,7 +209,7 @@ Progress run(const Study& study, Store& store, const RunRequest& request) {
   const std::vector<Pose> poses = targets(study.path);
   std::vector<Contest> contests;
   for (const Entrant& entrant : study.solvers) contests.emplace_back(study, entrant, arm);
-  store.save_study(entry_of(study));
+  store.save_study(entry_of(study, contests));
 
   // Runs outside, solvers inside: whatever drifts on the machine meanwhile touches all solvers alike.
   Progress progress{.total = static_cast<std::int64_t>(contests.size()) * study.runs *
@@ -222,7 +219,7 @@ Progress run(const Study& study, Store& store, const RunRequest& request) {
     for (int run = 1; run <= study.runs; ++run) {
       work[static_cast<std::size_t>(run - 1) * contests.size() + c] = {&contests[c], run, 1, study.initial};
     }
-    for (const SolveRecord& record : store.series(contests[c].series())) {
+    for (const SolveRecord& record : store.series(contests[c].series().key)) {
       if (record.run > study.runs) continue;
       const auto edited = [&](std::string_view what) {
         return std::invalid_argument(

@@ -2,7 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <array>
+#include <optional>
 
 #include "robots/spherical_wrist.hpp"
 #include "solvers/registry.hpp"
@@ -79,14 +80,14 @@ std::string series_key(const Study& study, const Entrant& entrant) {
 
 std::vector<Unreachable> unreachable(const Study& study) {
   const Robot arm = robot(study.robot);
-  const bool wrist_only = study.search == Search::wrist;
-  const Chain chain = wrist_only ? SphericalWrist(arm.chain).arm() : arm.chain;
-  const Chain::Ball ball = chain.reach();
+  const std::optional<SphericalWrist> wrist =
+      study.search == Search::wrist ? std::optional<SphericalWrist>(arm.chain) : std::nullopt;
+  const Chain::Ball ball = (wrist ? wrist->arm() : arm.chain).reach();
   std::vector<Unreachable> found;
   int point = 0;
   for (const Pose& target : targets(study.path)) {
     ++point;
-    const Eigen::Vector3d goal = wrist_only ? SphericalWrist(arm.chain).centre(target) : target.translation();
+    const Eigen::Vector3d goal = wrist ? wrist->centre(target) : target.translation();
     const double distance = (goal - ball.centre).norm();
     if (distance > ball.radius) found.push_back({point, distance, ball.radius});
   }

@@ -300,12 +300,13 @@ Study read_study(const toml::table& table, std::string_view source) {
   if (!study.published.empty() && std::find(papers.begin(), papers.end(), study.published) == papers.end()) {
     throw at("published", unknown_name("paper", study.published, {papers.begin(), papers.end()}));
   }
-  std::vector<std::string> robot_names;
-  for (const Robot& known : robots()) robot_names.push_back(known.name);
-  if (std::find(robot_names.begin(), robot_names.end(), study.robot) == robot_names.end()) {
-    throw at("robot", unknown_name("robot", study.robot, robot_names));
-  }
-  const Robot arm = robot(study.robot);
+  const Robot arm = [&] {
+    try {
+      return robot(study.robot);
+    } catch (const std::invalid_argument& error) {
+      throw at("robot", error.what());
+    }
+  }();
   if (study.initial.size() == 0) study.initial = Eigen::VectorXd::Zero(arm.chain.joints());
   if (study.initial.size() != arm.chain.joints()) {
     throw at("initial_deg", fmt::format("initial_deg has {} angles; expected {}, the joints of {}",

@@ -106,12 +106,6 @@ class JsonWriter {
   nlohmann::ordered_json out;
 };
 
-std::vector<double> by_rows(const Eigen::Matrix3d& R) {
-  std::vector<double> elements;
-  for (int row = 0; row < 3; ++row) elements.insert(elements.end(), {R(row, 0), R(row, 1), R(row, 2)});
-  return elements;
-}
-
 nlohmann::ordered_json definition(const Study& study) {
   Study fields = study;
   JsonWriter writer, stop, path;
