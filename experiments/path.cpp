@@ -1,8 +1,9 @@
 #include "experiments/path.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <numbers>
+
+#include "robots/functions.hpp"
 
 namespace ikbench {
 
@@ -14,8 +15,9 @@ std::vector<Pose> along(const Helix& helix) {
   for (int k = 0; k < helix.points; ++k) {
     const double fraction = static_cast<double>(k) / intervals;
     const double t = helix.start + 2 * std::numbers::pi * helix.turns * fraction;
-    const double first = helix.phase == Phase::sin_cos ? std::sin(t) : std::cos(t);
-    const double second = helix.phase == Phase::sin_cos ? std::cos(t) : std::sin(t);
+    const auto [sine, cosine] = sin_cos(t);
+    const double first = helix.phase == Phase::sin_cos ? sine : cosine;
+    const double second = helix.phase == Phase::sin_cos ? cosine : sine;
     Pose pose = Pose::Identity();
     pose.linear() = rotation(helix.tool);
     pose.translation() =
@@ -49,10 +51,14 @@ std::vector<double> by_rows(const Eigen::Matrix3d& R) {
 }
 
 Eigen::Matrix3d rotation_from_rpy(const Eigen::Vector3d& rpy) {
-  using Eigen::AngleAxisd;
-  return (AngleAxisd(rpy[2], Eigen::Vector3d::UnitZ()) * AngleAxisd(rpy[1], Eigen::Vector3d::UnitY()) *
-          AngleAxisd(rpy[0], Eigen::Vector3d::UnitX()))
-      .toRotationMatrix();
+  const auto [sr, cr] = sin_cos(rpy[0]);
+  const auto [sp, cp] = sin_cos(rpy[1]);
+  const auto [sy, cy] = sin_cos(rpy[2]);
+  Eigen::Matrix3d R;                                             // Rz(yaw) Ry(pitch) Rx(roll)
+  R << cy * cp, cy * sp * sr - sy * cr, cy * sp * cr + sy * sr,  //
+      sy * cp, sy * sp * sr + cy * cr, sy * sp * cr - cy * sr,   //
+      -sp, cp * sr, cp * cr;
+  return R;
 }
 
 }  // namespace ikbench

@@ -13,7 +13,7 @@ namespace ikbench {
 namespace {
 
 // To be raised whenever the same study gives other numbers than before, so that a store never mixes the two.
-constexpr int numerics_version = 1;
+constexpr int numerics_version = 2;
 
 // Slim et al. 2023, Sec. 5.2, in the readings of docs/paper-notes.md section 2.
 Study slim2023() {

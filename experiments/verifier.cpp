@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "robots/functions.hpp"
+
 namespace ikbench {
 
 namespace {
@@ -25,20 +27,22 @@ Matrix product(const Matrix& left, const Matrix& right) {
   return result;
 }
 
+// Our own sine and cosine, for the same bits everywhere; with the C library as their witness: NaN where the two differ.
+SinCos witnessed_sin_cos(double angle) {
+  const SinCos of = sin_cos(angle);
+  const bool same = std::abs(of.sine - std::sin(angle)) <= 1e-15 && std::abs(of.cosine - std::cos(angle)) <= 1e-15;
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  return same ? of : SinCos{none, none};
+}
+
 Matrix turned_about_z(double angle) {
-  Matrix matrix = identity;
-  matrix[0][0] = matrix[1][1] = std::cos(angle);
-  matrix[1][0] = std::sin(angle);
-  matrix[0][1] = -matrix[1][0];
-  return matrix;
+  const auto [sine, cosine] = witnessed_sin_cos(angle);
+  return {{{cosine, -sine, 0, 0}, {sine, cosine, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}}};
 }
 
 Matrix turned_about_x(double angle) {
-  Matrix matrix = identity;
-  matrix[1][1] = matrix[2][2] = std::cos(angle);
-  matrix[2][1] = std::sin(angle);
-  matrix[1][2] = -matrix[2][1];
-  return matrix;
+  const auto [sine, cosine] = witnessed_sin_cos(angle);
+  return {{{1, 0, 0, 0}, {0, cosine, -sine, 0}, {0, sine, cosine, 0}, {0, 0, 0, 1}}};
 }
 
 Matrix moved(double x, double y, double z) {

@@ -11,7 +11,7 @@ namespace ikbench {
 
 namespace {
 
-JointLimits symmetric_limits(const Eigen::VectorXd& degrees) { return {-degrees * degree, degrees * degree}; }
+JointLimits symmetric_limits(const Configuration& degrees) { return {-degrees * degree, degrees * degree}; }
 
 // Slim et al. 2023, Table 2; the lengths, which the paper does not print, are the manufacturer's.
 Robot kuka_iiwa14() {
@@ -31,8 +31,7 @@ Robot kuka_iiwa14() {
 Robot planar(int joints) {
   const auto count = static_cast<std::size_t>(joints);
   return {"planar_" + std::to_string(joints), std::to_string(joints) + " links of 0.5 m in the x-y plane",
-          Chain(std::vector<DhLink>(count, DhLink{.a = 0.5})),
-          symmetric_limits(Eigen::VectorXd::Constant(joints, 180))};
+          Chain(std::vector<DhLink>(count, DhLink{.a = 0.5})), symmetric_limits(Configuration::Constant(joints, 180))};
 }
 
 }  // namespace

@@ -10,7 +10,7 @@
 namespace ikbench {
 
 struct JointLimits {
-  Eigen::VectorXd lower, upper;  // [rad], Eq. 4
+  Configuration lower, upper;  // [rad], Eq. 4
 
   // How far the worst joint is outside [rad]; 0 inside.
   double violation(const ConfigurationRef& q) const;

@@ -4,6 +4,8 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "robots/functions.hpp"
+
 namespace ikbench {
 
 namespace {
@@ -46,14 +48,14 @@ std::array<Eigen::Vector3d, 2> SphericalWrist::angles(const ConfigurationRef& q_
   const Eigen::Matrix3d R_base_arm = arm_.forward(q_arm).linear();  // Eq. 16
   const Eigen::Matrix3d R = R_base_arm.transpose() * R_base_tool;   // Eq. 17: Rz(t5) Ry(t6) Rz(t7)
   const auto branch = [&](double t5) -> Eigen::Vector3d {
-    const double c5 = std::cos(t5), s5 = std::sin(t5);
+    const auto [s5, c5] = sin_cos(t5);
     // Rz(-t5) R = Ry(t6) Rz(t7): well conditioned for every t5, also next to the singular case.
-    const double t6 = std::atan2(c5 * R(0, 2) + s5 * R(1, 2), R(2, 2));
-    const double t7 = std::atan2(c5 * R(1, 0) - s5 * R(0, 0), c5 * R(1, 1) - s5 * R(0, 1));
+    const double t6 = arc_tangent(c5 * R(0, 2) + s5 * R(1, 2), R(2, 2));
+    const double t7 = arc_tangent(c5 * R(1, 0) - s5 * R(0, 0), c5 * R(1, 1) - s5 * R(0, 1));
     return Eigen::Vector3d(t5, sense_ * t6, t7) - offsets_;
   };
-  const bool singular = std::hypot(R(0, 2), R(1, 2)) < 1e-12;  // t6 = 0 or pi: only t5 +- t7 is fixed
-  const double t5 = singular ? near[0] + offsets_[0] : std::atan2(R(1, 2), R(0, 2));
+  const bool singular = R(0, 2) * R(0, 2) + R(1, 2) * R(1, 2) < 1e-24;  // t6 = 0 or pi: only t5 +- t7 is fixed
+  const double t5 = singular ? near[0] + offsets_[0] : arc_tangent(R(1, 2), R(0, 2));
   std::array<Eigen::Vector3d, 2> both{branch(t5), branch(t5 + std::numbers::pi)};
   if (!singular && both[0][1] < both[1][1]) std::swap(both[0], both[1]);
   for (Eigen::Vector3d& angles : both) angles = angles.unaryExpr(&wrapped);

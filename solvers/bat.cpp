@@ -1,7 +1,6 @@
 // BA, the bat algorithm: Yang 2010, with the parameters of Slim et al. 2023, Algorithm 1 and Table 1.
 // The reading is argued in docs/paper-notes.md 2.6.
-#include <cmath>
-
+#include "robots/functions.hpp"
 #include "solvers/bounds.hpp"
 #include "solvers/registry.hpp"
 
@@ -41,56 +40,66 @@ class Bat final : public Solver {
   void start(const Problem& problem, Objective& objective, Random& random) override {
     problem_ = problem;
     const int bats = problem.population;
-    x_.resize(problem.joints(), bats);
-    v_.setZero(problem.joints(), bats);
-    epsilon_.resize(problem.joints(), bats);
-    errors_.resize(bats);
-    loudness_.resize(bats);
-    pulse_rate_.setConstant(bats, options_.pulse_rate);
-    for (Eigen::VectorXd* draws : {&beta_, &local_, &chance_}) draws->resize(bats);
-    candidate_.resize(problem.joints());
+    for (Candidates* each : {&x_, &v_, &v_next_, &candidates_, &epsilon_}) each->resize(problem.joints(), bats);
+    for (Eigen::RowVectorXd* each : {&loudness_, &pulse_rate_, &frequency_, &local_, &chance_}) each->resize(bats);
+    for (Eigen::VectorXd* each : {&errors_, &found_}) each->resize(bats);
     iteration_ = 0;
     best_ = {problem.start};
 
     draw_within_limits(problem, random, x_);
     random.uniforms(loudness_);  // Table 1: A_i random in [0, 1]
+    pulse_rate_.setConstant(options_.pulse_rate);
+    v_.setZero();
     objective.errors(x_, errors_);
     for (int i = 0; i < bats; ++i) best_.improve(x_.col(i), errors_[i]);
   }
 
   void step(Objective& objective, Random& random) override {
-    random.uniforms(beta_);
+    random.uniforms(frequency_);
     random.uniforms(local_);
     random.normals(epsilon_);
     random.uniforms(chance_);
+    frequency_ = options_.f_min + (options_.f_max - options_.f_min) * frequency_.array();  // Eq. 5
     ++iteration_;
-    for (Eigen::Index i = 0; i < x_.cols(); ++i) {
-      const double f = options_.f_min + (options_.f_max - options_.f_min) * beta_[i];  // Eq. 5
-      v_.col(i) += (x_.col(i) - best_.q) * f;                                          // Eq. 6
-      candidate_ = x_.col(i) + v_.col(i);                                              // Eq. 7
-      if (local_[i] > pulse_rate_[i]) {
-        candidate_ = best_.q + options_.step_factor * loudness_.mean() * epsilon_.col(i);  // Eq. 8
-      }
-      keep_inside(options_.bounds, problem_, candidate_);
-      const double error = objective.error(candidate_);
-      const bool accepted = error <= errors_[i] && chance_[i] < loudness_[i];
-      if (accepted) {
-        x_.col(i) = candidate_;
-        errors_[i] = error;
-        loudness_[i] *= options_.alpha;                                                       // Eq. 9
-        pulse_rate_[i] = options_.pulse_rate * (1 - std::exp(-options_.gamma * iteration_));  // Eq. 10
-      }
-      if (accepted || options_.best_of == BestOf::evaluated) best_.improve(candidate_, error);
-    }
+    objective.one_by_one(
+        candidates_, found_, [&](Eigen::Index first, Eigen::Index count) { fly(Eigen::seqN(first, count)); },
+        [&](Eigen::Index i) {
+          const bool accepted = found_[i] <= errors_[i] && chance_[i] < loudness_[i];
+          if (accepted) {
+            x_.col(i) = candidates_.col(i);
+            errors_[i] = found_[i];
+            loudness_[i] *= options_.alpha;                                                          // Eq. 9
+            pulse_rate_[i] = options_.pulse_rate * (1 - exponential(-options_.gamma * iteration_));  // Eq. 10
+          }
+          const bool counts = accepted || options_.best_of == BestOf::evaluated;
+          return (counts && best_.improve(candidates_.col(i), found_[i])) || accepted;  // the mean loudness fell
+        });
+    v_.swap(v_next_);
   }
 
   const Best& best() const override { return best_; }
 
  private:
+  template <class Bats>
+  void fly(const Bats& bats) {
+    const double mean_loudness = loudness_.mean();
+    for (Eigen::Index j = 0; j < x_.rows(); ++j) {
+      const double best = best_.q[j];
+      const auto x = x_(j, bats).array(), v = v_(j, bats).array(), f = frequency_(bats).array();
+      v_next_(j, bats) = v + (x - best) * f;  // Eq. 6
+      candidates_(j, bats) =
+          (local_(bats).array() > pulse_rate_(bats).array())
+              .select(best + (options_.step_factor * mean_loudness) * epsilon_(j, bats).array(),  // Eq. 8
+                      x + v_next_(j, bats).array());                                              // Eq. 7
+    }
+    keep_inside(options_.bounds, problem_, candidates_(Eigen::all, bats));
+  }
+
   Options options_;
   Problem problem_;
-  Candidates x_, v_, epsilon_;
-  Eigen::VectorXd errors_, loudness_, pulse_rate_, beta_, local_, chance_, candidate_;
+  Candidates x_, v_, v_next_, candidates_, epsilon_;
+  Eigen::RowVectorXd loudness_, pulse_rate_, frequency_, local_, chance_;
+  Eigen::VectorXd errors_, found_;  // of the bats; of the candidates
   int iteration_ = 0;
   Best best_;
 };

@@ -24,10 +24,11 @@ inline void draw_within_limits(const Problem& problem, Random& random, Candidate
   }
 }
 
-// One candidate (a vector or a column) back inside, where the reading says so.
+// Candidates (a vector, or columns of Candidates) back inside, where the reading says so.
 template <class Candidate>
 void keep_inside(Bounds bounds, const Problem& problem, Candidate&& q) {
-  if (bounds == Bounds::clamp) q = q.cwiseMax(problem.lower).cwiseMin(problem.upper);
+  if (bounds != Bounds::clamp) return;
+  for (Eigen::Index j = 0; j < q.rows(); ++j) q.row(j) = q.row(j).cwiseMax(problem.lower[j]).cwiseMin(problem.upper[j]);
 }
 
 }  // namespace ikbench

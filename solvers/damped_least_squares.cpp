@@ -3,8 +3,8 @@
 // Algorithm 3.16). It starts where the arm is and from a random configuration each time it stalls; one trial a step.
 #include <Eigen/Cholesky>
 #include <algorithm>
-#include <cmath>
 
+#include "robots/functions.hpp"
 #include "solvers/bounds.hpp"
 #include "solvers/registry.hpp"
 
@@ -52,7 +52,7 @@ class DampedLeastSquares final : public Solver {
       return;
     }
     // (J^T J + mu I)^-1 J^T e = J^T (J J^T + mu I)^-1 e, and the second is 3 x 3 for any number of joints.
-    const Eigen::Matrix3d damped = jacobian_ * jacobian_.transpose() + mu_ * Eigen::Matrix3d::Identity();
+    const Eigen::Matrix3d damped = jacobian_.lazyProduct(jacobian_.transpose()) + mu_ * Eigen::Matrix3d::Identity();
     step_.noalias() = jacobian_.transpose() * damped.ldlt().solve(to_go_);
     candidate_ = q_ + step_;
     keep_inside(options_.bounds, problem_, candidate_);
@@ -61,7 +61,7 @@ class DampedLeastSquares final : public Solver {
     if (error < error_) {
       const double predicted = mu_ * step_.squaredNorm() + (jacobian_ * step_).dot(to_go_);
       const double gain = (error_ * error_ - error * error) / predicted;
-      mu_ *= std::max(1.0 / 3, 1 - std::pow(2 * gain - 1, 3));
+      mu_ *= std::max(1.0 / 3, 1 - power(2 * gain - 1, 3));
       growth_ = 2;
       arrive(error, objective);
     } else {
@@ -90,7 +90,7 @@ class DampedLeastSquares final : public Solver {
 
   Options options_;
   Problem problem_;
-  Eigen::VectorXd q_, candidate_, step_;
+  Configuration q_, candidate_, step_;
   Eigen::Matrix3Xd jacobian_;
   Eigen::Vector3d to_go_;  // target - position [m]
   double error_ = 0, mu_ = 0, growth_ = 2;

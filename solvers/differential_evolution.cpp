@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <stdexcept>
+#include <vector>
 
 #include "solvers/bounds.hpp"
 #include "solvers/registry.hpp"
@@ -18,15 +19,21 @@ constexpr int least_population = 4;  // a candidate and the three others that it
 class DifferentialEvolution final : public Solver {
  public:
   enum class Outside { initial, clamp, reflect, resample };
+  enum class Replacement { generation, at_once };
 
   struct Options {
     double weight = 0.6;
     double crossover = 0.9;
+    Replacement replacement = Replacement::at_once;
     Outside bounds = Outside::clamp;
 
     void list(OptionList& list) {
       list.number("weight", weight, {0, 2}, "F, factor of the difference of two candidates");
       list.number("crossover", crossover, {0, 1}, "C, chance of a joint to come from the mutant");
+      list.choice("replacement", replacement,
+                  {{"generation", Replacement::generation}, {"at_once", Replacement::at_once}},
+                  "a better trial takes its place with the next generation (Storn and Price), or at once: the next "
+                  "trial may combine it already");
       list.choice("bounds", bounds,
                   {{"initial", Outside::initial},
                    {"clamp", Outside::clamp},
@@ -47,13 +54,11 @@ class DifferentialEvolution final : public Solver {
     }
     problem_ = problem;
     const int candidates = problem.population;
-    x_.resize(problem.joints(), candidates);
-    partner_.resize(3, candidates);
-    crossover_.resize(problem.joints(), candidates);
-    fresh_.resize(problem.joints(), candidates);
+    for (Candidates* each : {&x_, &trials_, &crossover_, &fresh_}) each->resize(problem.joints(), candidates);
+    chance_.resize(3, candidates);
+    partners_.resize(static_cast<std::size_t>(candidates));
     forced_.resize(candidates);
-    errors_.resize(candidates);
-    trial_.resize(problem.joints());
+    for (Eigen::VectorXd* each : {&errors_, &trial_errors_}) each->resize(candidates);
     best_ = {problem.start};
 
     draw_within_limits(problem, random, x_);
@@ -62,24 +67,39 @@ class DifferentialEvolution final : public Solver {
   }
 
   void step(Objective& objective, Random& random) override {
-    random.uniforms(partner_);
+    random.uniforms(chance_);
     random.uniforms(crossover_);
     random.uniforms(forced_);
     if (options_.bounds == Outside::resample) draw_within_limits(problem_, random, fresh_);
-    for (Eigen::Index i = 0; i < x_.cols(); ++i) {
-      const auto [a, b, c] = partners(i);
-      const auto forced = static_cast<Eigen::Index>(forced_[i] * static_cast<double>(x_.rows()));
+    for (int i = 0; i < x_.cols(); ++i) partners_[static_cast<std::size_t>(i)] = chosen_partners(i);
+    forced_ = (forced_.array() * static_cast<double>(x_.rows())).floor();
+
+    const auto combine = [&](Eigen::Index first, Eigen::Index count) {
+      const auto some = Eigen::seqN(first, count);
       for (Eigen::Index j = 0; j < x_.rows(); ++j) {
-        const bool mutant = j == forced || crossover_(j, i) < options_.crossover;            // crossover
-        trial_[j] = mutant ? x_(j, a) + options_.weight * (x_(j, b) - x_(j, c)) : x_(j, i);  // mutation
+        for (Eigen::Index i = first; i < first + count; ++i) {
+          const auto& [a, b, c] = partners_[static_cast<std::size_t>(i)];
+          trials_(j, i) = x_(j, a) + options_.weight * (x_(j, b) - x_(j, c));  // mutation
+        }
+        const auto mutates =
+            crossover_(j, some).array() < options_.crossover || forced_(some).array() == static_cast<double>(j);
+        trials_(j, some) = mutates.select(trials_(j, some), x_(j, some));  // crossover
       }
-      bring_inside(i);
-      const double error = objective.error(trial_);
-      if (error < errors_[i]) {  // takes its place at once: the next one may combine it already
-        x_.col(i) = trial_;
-        errors_[i] = error;
-        best_.improve(trial_, error);
-      }
+      bring_inside(some);
+    };
+    const auto replace_if_better = [&](Eigen::Index i) {
+      if (!(trial_errors_[i] < errors_[i])) return false;
+      x_.col(i) = trials_.col(i);
+      errors_[i] = trial_errors_[i];
+      best_.improve(trials_.col(i), trial_errors_[i]);
+      return true;
+    };
+    if (options_.replacement == Replacement::at_once) {
+      objective.one_by_one(trials_, trial_errors_, combine, replace_if_better);
+    } else {
+      combine(0, x_.cols());
+      objective.errors(trials_, trial_errors_);
+      for (Eigen::Index i = 0; i < x_.cols(); ++i) replace_if_better(i);
     }
   }
 
@@ -87,36 +107,33 @@ class DifferentialEvolution final : public Solver {
 
  private:
   // Three different candidates, none of them i: each number picks one of those that are left.
-  std::array<Eigen::Index, 3> partners(Eigen::Index i) const {
-    std::array<Eigen::Index, 3> chosen{};
-    std::array<Eigen::Index, 4> taken{i};  // the first k + 1, ascending
-    for (std::size_t k = 0; k < 3; ++k) {
-      const auto row = static_cast<Eigen::Index>(k);
-      auto pick = static_cast<Eigen::Index>(partner_(row, i) * static_cast<double>(x_.cols() - row - 1));
-      std::size_t place = 0;
-      for (; place <= k && pick >= taken[place]; ++place) ++pick;
-      for (std::size_t t = k + 1; t > place; --t) taken[t] = taken[t - 1];
-      chosen[k] = taken[place] = pick;
-    }
-    return chosen;
+  std::array<int, 3> chosen_partners(int i) const {
+    const auto pick = [&](int k) { return static_cast<int>(chance_(k, i) * static_cast<double>(x_.cols() - 1 - k)); };
+    const auto after = [](int place, int taken) { return place >= taken ? place + 1 : place; };
+    const int a = after(pick(0), i);
+    const int first = std::min(i, a), second = std::max(i, a);
+    const int b = after(after(pick(1), first), second);
+    const int lowest = std::min(first, b), highest = std::max(second, b), middle = std::max(first, std::min(second, b));
+    return {a, b, after(after(after(pick(2), lowest), middle), highest)};
   }
 
-  void bring_inside(Eigen::Index i) {
-    for (Eigen::Index j = 0; j < trial_.size(); ++j) {
-      const double lower = problem_.lower[j], upper = problem_.upper[j], outside = trial_[j];
-      if (outside >= lower && outside <= upper) continue;
-      const double limit = outside < lower ? lower : upper;
+  template <class Some>
+  void bring_inside(const Some& some) {
+    for (Eigen::Index j = 0; j < x_.rows(); ++j) {
+      const double lower = problem_.lower[j], upper = problem_.upper[j];
+      auto q = trials_(j, some).array();
+      const auto inside = q >= lower && q <= upper;
       switch (options_.bounds) {
         case Outside::initial:
           break;
         case Outside::clamp:
-          trial_[j] = limit;
+          q = q.max(lower).min(upper);
           break;
         case Outside::reflect:
-          trial_[j] = std::clamp(2 * limit - outside, lower, upper);
+          q = inside.select(q, (q < lower).select(2 * lower - q, 2 * upper - q).max(lower).min(upper));
           break;
         case Outside::resample:
-          trial_[j] = fresh_(j, i);
+          q = inside.select(q, fresh_(j, some).array());
           break;
       }
     }
@@ -124,8 +141,10 @@ class DifferentialEvolution final : public Solver {
 
   Options options_;
   Problem problem_;
-  Candidates x_, partner_, crossover_, fresh_;
-  Eigen::VectorXd forced_, errors_, trial_;
+  Candidates x_, trials_, chance_, crossover_, fresh_;
+  std::vector<std::array<int, 3>> partners_;
+  Eigen::RowVectorXd forced_;  // the joint that comes from the mutant whatever the chance
+  Eigen::VectorXd errors_, trial_errors_;
   Best best_;
 };
 

@@ -1,8 +1,7 @@
 // IK-BA, the bat algorithm for inverse kinematics: Slim et al. 2023, Algorithm 2.
 // Every candidate is drawn between the best configuration and the one the arm is in (Eq. 14), so Eqs. 5, 13 and 7 move
 // the bats without any effect on the result (docs/paper-notes.md 2.4); they are kept as the paper has them.
-#include <cmath>
-
+#include "robots/functions.hpp"
 #include "solvers/bounds.hpp"
 #include "solvers/registry.hpp"
 
@@ -13,6 +12,7 @@ namespace {
 class IkBat final : public Solver {
  public:
   enum class Acceptance { greedy, loudness, yang2020 };
+  enum class Epsilon { normal, truncated };
 
   struct Options {
     double f_min = 0;
@@ -22,6 +22,7 @@ class IkBat final : public Solver {
     double loudness = 1;
     double pulse_rate = 1;
     double step_factor = 0.1;
+    Epsilon epsilon = Epsilon::normal;
     Acceptance acceptance = Acceptance::greedy;
     Bounds bounds = Bounds::initial;
 
@@ -33,6 +34,8 @@ class IkBat final : public Solver {
       list.number("loudness", loudness, {0, 10}, "initial loudness A");
       list.number("pulse_rate", pulse_rate, {0, 1}, "final pulse rate r0, Eq. 10");
       list.number("step_factor", step_factor, {0, 10}, "factor of eps A in Eq. 14; 0.1 in Yang's code, not printed");
+      list.choice("epsilon", epsilon, {{"normal", Epsilon::normal}, {"truncated", Epsilon::truncated}},
+                  "eps in Eq. 14 is standard normal (Yang's code), or that within [-1, 1] (Yang 2010)");
       list.choice(
           "acceptance", acceptance,
           {{"greedy", Acceptance::greedy}, {"loudness", Acceptance::loudness}, {"yang2020", Acceptance::yang2020}},
@@ -46,13 +49,11 @@ class IkBat final : public Solver {
   void start(const Problem& problem, Objective& objective, Random& random) override {
     problem_ = problem;
     const int bats = problem.population;
-    x_.resize(problem.joints(), bats);
-    v_.setZero(problem.joints(), bats);
-    epsilon_.resize(problem.joints(), bats);
+    for (Candidates* each : {&x_, &v_, &x_next_, &v_next_, &candidates_, &epsilon_}) {
+      each->resize(problem.joints(), bats);
+    }
+    for (Eigen::RowVectorXd* each : {&frequency_, &chance_}) each->resize(bats);
     errors_.resize(bats);
-    beta_.resize(bats);
-    chance_.resize(bats);
-    candidate_.resize(problem.joints());
     loudness_ = options_.loudness;
     iteration_ = 0;
     best_ = {problem.start};
@@ -60,32 +61,47 @@ class IkBat final : public Solver {
     draw_within_limits(problem, random, x_);
     x_.col(0) = problem.start;  // one bat starts where the arm is
     keep_inside(options_.bounds, problem_, x_.col(0));
+    v_.setZero();
     objective.errors(x_, errors_);
     for (int i = 0; i < bats; ++i) best_.improve(x_.col(i), errors_[i]);
   }
 
   void step(Objective& objective, Random& random) override {
-    const Eigen::VectorXd& theta_s = problem_.start;
-    random.uniforms(beta_);
-    random.normals(epsilon_);
+    random.uniforms(frequency_);
+    options_.epsilon == Epsilon::normal ? random.normals(epsilon_) : random.truncated_normals(epsilon_);
     random.uniforms(chance_);
-    loudness_ *= options_.alpha;                                                          // Eq. 9
-    const double r = options_.pulse_rate * (1 - std::exp(-options_.gamma * iteration_));  // Eq. 10; first r is 0
+    frequency_ = options_.f_min + (options_.f_max - options_.f_min) * frequency_.array();  // Eq. 5
+    loudness_ *= options_.alpha;                                                           // Eq. 9
+    pulse_rate_ = options_.pulse_rate * (1 - exponential(-options_.gamma * iteration_));   // Eq. 10; the first is 0
     ++iteration_;
-    for (Eigen::Index i = 0; i < x_.cols(); ++i) {
-      const double f = options_.f_min + (options_.f_max - options_.f_min) * beta_[i];                     // Eq. 5
-      v_.col(i) += (x_.col(i) - 0.5 * (best_.q + theta_s)) * f;                                           // Eq. 13
-      x_.col(i) += v_.col(i);                                                                             // Eq. 7
-      candidate_ = r * best_.q + (1 - r) * theta_s + options_.step_factor * loudness_ * epsilon_.col(i);  // Eq. 14
-      keep_inside(options_.bounds, problem_, candidate_);
-      const double error = objective.error(candidate_);
-      if (accepts(chance_[i]) && best_.improve(candidate_, error)) x_.col(i) = candidate_;
-    }
+    objective.one_by_one(
+        candidates_, errors_, [&](Eigen::Index first, Eigen::Index count) { fly(Eigen::seqN(first, count)); },
+        [&](Eigen::Index i) {
+          if (!accepts(chance_[i]) || !best_.improve(candidates_.col(i), errors_[i])) return false;
+          x_next_.col(i) = candidates_.col(i);
+          return true;
+        });
+    x_.swap(x_next_);
+    v_.swap(v_next_);
   }
 
   const Best& best() const override { return best_; }
 
  private:
+  template <class Bats>
+  void fly(const Bats& bats) {
+    const double r = pulse_rate_;
+    for (Eigen::Index j = 0; j < x_.rows(); ++j) {
+      const double best = best_.q[j], theta_s = problem_.start[j];
+      const auto x = x_(j, bats).array(), v = v_(j, bats).array(), f = frequency_(bats).array();
+      v_next_(j, bats) = v + (x - 0.5 * (best + theta_s)) * f;  // Eq. 13
+      x_next_(j, bats) = x + v_next_(j, bats).array();          // Eq. 7
+      candidates_(j, bats) = (r * best + (1 - r) * theta_s) +   // Eq. 14
+                             (options_.step_factor * loudness_) * epsilon_(j, bats).array();
+    }
+    keep_inside(options_.bounds, problem_, candidates_(Eigen::all, bats));
+  }
+
   bool accepts(double chance) const {
     switch (options_.acceptance) {
       case Acceptance::loudness:
@@ -100,9 +116,10 @@ class IkBat final : public Solver {
 
   Options options_;
   Problem problem_;
-  Candidates x_, v_, epsilon_;
-  Eigen::VectorXd errors_, beta_, chance_, candidate_;
-  double loudness_ = 0;
+  Candidates x_, v_, x_next_, v_next_, candidates_, epsilon_;
+  Eigen::RowVectorXd frequency_, chance_;
+  Eigen::VectorXd errors_;
+  double loudness_ = 0, pulse_rate_ = 0;
   int iteration_ = 0;
   Best best_;
 };

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "robots/units.hpp"
 #include "solvers/bounds.hpp"
 #include "solvers/registry.hpp"
+#include "solvers/roulette.hpp"
 
 namespace ikbench {
 
@@ -43,12 +45,13 @@ class KArtificialBeeColony final : public Solver {
     problem_ = problem;
     const int sources = options_.colony == Colony::full ? problem.population : std::max(1, problem.population / 2);
     limit_ = options_.limit > 0 ? options_.limit : (problem.population + problem.joints()) / 2;
-    x_.resize(problem.joints(), sources);
-    for (Eigen::VectorXd* each : {&errors_, &joint_, &neighbour_, &phi_, &roulette_, &cumulative_}) {
+    for (Candidates* each : {&x_, &candidates_}) each->resize(problem.joints(), sources);
+    for (Eigen::VectorXd* each : {&errors_, &found_, &joint_, &neighbour_, &phi_, &roulette_}) {
       each->resize(sources);
     }
+    source_.resize(sources);
+    share_.reserve(static_cast<std::size_t>(sources));
     failures_.setZero(sources);
-    candidate_.resize(problem.joints());
     best_ = {problem.start};
 
     draw_within_limits(problem, random, x_);
@@ -60,12 +63,16 @@ class KArtificialBeeColony final : public Solver {
   void step(Objective& objective, Random& random) override {
     const Eigen::Index sources = x_.cols();
     draw_searches(random);
-    for (Eigen::Index bee = 0; bee < sources; ++bee) search(bee, bee, objective);  // employed bees
+    for (Eigen::Index bee = 0; bee < sources; ++bee) source_[bee] = bee;  // employed bees
+    search(objective);
 
     draw_searches(random);
     random.uniforms(roulette_);
     spin_up();
-    for (Eigen::Index bee = 0; bee < sources; ++bee) search(bee, source_at(roulette_[bee]), objective);  // onlookers
+    for (Eigen::Index bee = 0; bee < sources; ++bee) {
+      source_[bee] = static_cast<Eigen::Index>(share_.pick(roulette_[bee]));
+    }  // onlookers
+    search(objective);
 
     for (Eigen::Index i = 0; i < sources; ++i) {  // scouts
       if (failures_[i] <= limit_) continue;
@@ -86,24 +93,39 @@ class KArtificialBeeColony final : public Solver {
     if (options_.neighbour == Neighbour::random) random.uniforms(neighbour_);
   }
 
-  // A bee tries source i with one joint moved along the difference to its neighbour.
-  void search(Eigen::Index bee, Eigen::Index i, Objective& objective) {
-    const auto j = static_cast<Eigen::Index>(joint_[bee] * static_cast<double>(x_.rows()));
-    const Eigen::Index k = options_.neighbour == Neighbour::best ? best_source_ : other_source(i, neighbour_[bee]);
-    const double phi = 2 * phi_[bee] - 1;
-    candidate_ = x_.col(i);
-    candidate_[j] += phi * (k == i ? x_(j, i) : x_(j, i) - x_(j, k));
-    keep_inside(options_.bounds, problem_, candidate_);
-    const double error = objective.error(candidate_);
-    if (error < errors_[i]) {
-      x_.col(i) = candidate_;
-      errors_[i] = error;
-      failures_[i] = 0;
-      if (!(errors_[best_source_] <= error)) best_source_ = i;
-      best_.improve(candidate_, error);
-    } else {
-      ++failures_[i];
-    }
+  // Every bee tries its source i with one joint moved along the difference to the source's neighbour.
+  void search(Objective& objective) {
+    objective.one_by_one(
+        candidates_, found_,
+        [&](Eigen::Index first, Eigen::Index count) {
+          const auto bees = Eigen::seqN(first, count);
+          for (Eigen::Index j = 0; j < x_.rows(); ++j) {
+            for (Eigen::Index bee = first; bee < first + count; ++bee) candidates_(j, bee) = x_(j, source_[bee]);
+          }
+          for (Eigen::Index bee = first; bee < first + count; ++bee) {
+            const Eigen::Index i = source_[bee];
+            const auto j = static_cast<Eigen::Index>(joint_[bee] * static_cast<double>(x_.rows()));
+            const Eigen::Index k =
+                options_.neighbour == Neighbour::best ? best_source_ : other_source(i, neighbour_[bee]);
+            const double phi = 2 * phi_[bee] - 1;
+            candidates_(j, bee) += phi * (k == i ? x_(j, i) : x_(j, i) - x_(j, k));
+          }
+          keep_inside(options_.bounds, problem_, candidates_(Eigen::all, bees));
+        },
+        [&](Eigen::Index bee) {
+          const Eigen::Index i = source_[bee];
+          if (!(found_[bee] < errors_[i])) {
+            ++failures_[i];
+            return false;
+          }
+          x_.col(i) = candidates_.col(bee);
+          errors_[i] = found_[bee];
+          failures_[i] = 0;
+          if (!(errors_[best_source_] <= errors_[i])) best_source_ = i;
+          best_.improve(candidates_.col(bee), found_[bee]);
+          const bool visited_again = std::find(source_.begin() + bee + 1, source_.end(), i) != source_.end();
+          return visited_again || i == best_source_ || options_.neighbour == Neighbour::random;
+        });
   }
 
   void find_best_source() {
@@ -122,25 +144,19 @@ class KArtificialBeeColony final : public Solver {
 
   // The roulette: a source's share is 1 / (1 + f); one whose error is no number has none.
   void spin_up() {
-    const double unit = options_.fitness_unit == FitnessUnit::cm ? 0.01 : 1;  // [m]
-    double sum = 0;
-    for (Eigen::Index i = 0; i < errors_.size(); ++i) {
-      if (std::isfinite(errors_[i])) sum += 1 / (1 + errors_[i] / unit);
-      cumulative_[i] = sum;
-    }
-  }
-
-  Eigen::Index source_at(double chance) const {
-    const Eigen::Index last = cumulative_.size() - 1;
-    const auto found = std::upper_bound(cumulative_.begin(), cumulative_.end(), chance * cumulative_[last]);
-    return std::min<Eigen::Index>(found - cumulative_.begin(), last);
+    const double unit = options_.fitness_unit == FitnessUnit::cm ? centimetre : 1;
+    share_.clear();
+    for (const double error : errors_) share_.add(std::isfinite(error) ? 1 / (1 + error / unit) : 0);
   }
 
   Options options_;
   Problem problem_;
   int limit_ = 0;
-  Candidates x_;
-  Eigen::VectorXd errors_, joint_, neighbour_, phi_, roulette_, cumulative_, candidate_;
+  Candidates x_, candidates_;
+  Eigen::VectorX<Eigen::Index> source_;  // of every bee
+  Eigen::VectorXd errors_, found_;       // of the sources; of the candidates
+  Eigen::VectorXd joint_, neighbour_, phi_, roulette_;
+  Roulette share_;
   Eigen::VectorXi failures_;
   Eigen::Index best_source_ = 0;  // of those there are now; best_ is the best there ever was
   Best best_;

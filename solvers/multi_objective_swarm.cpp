@@ -8,8 +8,10 @@
 #include <tuple>
 #include <vector>
 
+#include "robots/functions.hpp"
 #include "solvers/bounds.hpp"
 #include "solvers/registry.hpp"
+#include "solvers/roulette.hpp"
 
 namespace ikbench {
 
@@ -35,8 +37,10 @@ class Front {
     kept_.clear();
     q_.resize(joints, capacity);
     next_q_.resize(joints, capacity);
-    for (auto* list : {&members_, &kept_}) list->reserve(static_cast<std::size_t>(capacity + swarm));
-    shares_.reserve(capacity_);
+    const auto most = static_cast<std::size_t>(capacity + swarm);
+    for (auto* list : {&members_, &newcomers_, &kept_}) list->reserve(most);
+    order_.reserve(most);
+    roulette_.reserve(capacity_);
   }
 
   bool empty() const { return members_.empty(); }
@@ -45,46 +49,37 @@ class Front {
   auto q(std::size_t m) const { return q_.col(static_cast<Eigen::Index>(m)); }
 
   void add(const Candidates& swarm, const std::vector<Cost>& costs) {
+    newcomers_.clear();
     for (Eigen::Index i = 0; i < swarm.cols(); ++i) {
       const Cost& cost = costs[static_cast<std::size_t>(i)];
-      if (std::isfinite(cost.error)) members_.push_back({cost, q_.cols() + i});
+      if (std::isfinite(cost.error) && !is_behind_front(cost)) newcomers_.push_back({cost, q_.cols() + i});
     }
+    if (newcomers_.empty()) return;
+    std::sort(newcomers_.begin(), newcomers_.end(), by_error);
     keep_non_dominated();
     if (members_.size() > capacity_) drop_most_crowded();
-    for (std::size_t m = 0; m < members_.size(); ++m) {
-      const Eigen::Index from = members_[m].source, to = static_cast<Eigen::Index>(m);
-      if (from < q_.cols()) {
-        next_q_.col(to) = q_.col(from);
-      } else {
-        next_q_.col(to) = swarm.col(from - q_.cols());
-      }
-      members_[m].source = to;
-    }
-    q_.swap(next_q_);
+    take_in(swarm);
   }
 
-  // The roulette's wheel: an occupied cell of the grid over the front weighs 10 / (its members), shared among them.
+  // The roulette: an occupied cell of the grid over the front weighs 10 / (its members), shared among them.
   void divide(int cells) {
-    shares_.clear();
-    double sum = 0;
+    roulette_.clear();
     for (std::size_t first = 0, last = 0; first < size(); first = last) {
       while (last < size() && same_cell(cost(first), cost(last), cells)) ++last;
       const auto count = static_cast<double>(last - first);
-      for (std::size_t m = first; m < last; ++m) shares_.push_back(sum += 10 / count / count);
+      for (std::size_t m = first; m < last; ++m) roulette_.add(10 / count / count);
     }
   }
 
-  // The member that a number in [0, 1) picks from the wheel.
-  std::size_t pick(double chance) const {
-    const auto found = std::upper_bound(shares_.begin(), shares_.end(), chance * shares_.back());
-    return std::min(static_cast<std::size_t>(found - shares_.begin()), size() - 1);
-  }
+  // The member that a number in [0, 1) picks.
+  std::size_t pick(double chance) const { return roulette_.pick(chance); }
 
   // The member nearest to the best value of both objectives at once, each counted in its range over the front.
   std::size_t knee() const {
     const auto distance = [&](std::size_t m) {
-      return std::hypot(position(cost(m).error, cost(0).error, cost(size() - 1).error),
-                        position(cost(m).variation, cost(size() - 1).variation, cost(0).variation));
+      const double e = position(cost(m).error, cost(0).error, cost(size() - 1).error);
+      const double v = position(cost(m).variation, cost(size() - 1).variation, cost(0).variation);
+      return e * e + v * v;
     };
     std::size_t nearest = 0;
     for (std::size_t m = 1; m < size(); ++m) {
@@ -113,14 +108,25 @@ class Front {
                cell(position(b.variation, right.variation, left.variation));
   }
 
+  static bool by_error(const Member& a, const Member& b) {
+    return std::tie(a.cost.error, a.cost.variation, a.source) < std::tie(b.cost.error, b.cost.variation, b.source);
+  }
+
+  // Whether a member has no larger error and no larger variation: of those with no larger error, the last varies least.
+  bool is_behind_front(const Cost& newcomer) const {
+    const auto beyond = std::upper_bound(members_.begin(), members_.end(), newcomer.error,
+                                         [](double error, const Member& member) { return error < member.cost.error; });
+    return beyond != members_.begin() && std::prev(beyond)->cost.variation <= newcomer.variation;
+  }
+
   // One pass in order of error: whoever does not vary less than all before is dominated (or equal, and kept once).
   void keep_non_dominated() {
-    std::sort(members_.begin(), members_.end(), [](const Member& a, const Member& b) {
-      return std::tie(a.cost.error, a.cost.variation, a.source) < std::tie(b.cost.error, b.cost.variation, b.source);
-    });
     kept_.clear();
-    for (const Member& member : members_) {
-      if (kept_.empty() || member.cost.variation < kept_.back().cost.variation) kept_.push_back(member);
+    auto member = members_.cbegin(), newcomer = newcomers_.cbegin();
+    while (member != members_.cend() || newcomer != newcomers_.cend()) {
+      const bool old = newcomer == newcomers_.cend() || (member != members_.cend() && by_error(*member, *newcomer));
+      const Member& next = old ? *member++ : *newcomer++;
+      if (kept_.empty() || next.cost.variation < kept_.back().cost.variation) kept_.push_back(next);
     }
     members_.swap(kept_);
   }
@@ -130,24 +136,42 @@ class Front {
     const std::size_t last = size() - 1;
     const double errors = cost(last).error - cost(0).error;
     const double variations = cost(0).variation - cost(last).variation;
+    order_.clear();
     for (std::size_t m = 0; m <= last; ++m) {
       members_[m].crowding = m == 0 || m == last ? std::numeric_limits<double>::infinity()
                                                  : (cost(m + 1).error - cost(m - 1).error) / errors +
                                                        (cost(m - 1).variation - cost(m + 1).variation) / variations;
+      order_.push_back(m);
     }
-    const auto in_front_order = [](const Member& a, const Member& b) { return a.cost.error < b.cost.error; };
-    std::sort(members_.begin(), members_.end(), [&](const Member& a, const Member& b) {
-      return a.crowding > b.crowding || (a.crowding == b.crowding && in_front_order(a, b));
+    const auto first_dropped = order_.begin() + static_cast<std::ptrdiff_t>(capacity_);
+    std::nth_element(order_.begin(), first_dropped, order_.end(), [&](std::size_t a, std::size_t b) {
+      return members_[a].crowding > members_[b].crowding || (members_[a].crowding == members_[b].crowding && a < b);
     });
+    std::sort(order_.begin(), first_dropped);
+    for (std::size_t m = 0; m < capacity_; ++m) members_[m] = members_[order_[m]];
     members_.resize(capacity_);
-    std::sort(members_.begin(), members_.end(), in_front_order);
+  }
+
+  // The configurations of the members, in their order.
+  void take_in(const Candidates& swarm) {
+    for (Eigen::Index j = 0; j < q_.rows(); ++j) {
+      for (std::size_t m = 0; m < size(); ++m) {
+        const Eigen::Index from = members_[m].source;
+        next_q_(j, static_cast<Eigen::Index>(m)) = from < q_.cols() ? q_(j, from) : swarm(j, from - q_.cols());
+      }
+    }
+    for (std::size_t m = 0; m < size(); ++m) members_[m].source = static_cast<Eigen::Index>(m);
+    q_.swap(next_q_);
   }
 
   std::size_t capacity_ = 0;
-  std::vector<Member> members_, kept_;
-  std::vector<double> shares_;  // cumulative
-  Candidates q_, next_q_;       // column m is member m
+  std::vector<Member> members_, newcomers_, kept_;
+  std::vector<std::size_t> order_;  // of the members, the least crowded first
+  Roulette roulette_;
+  Candidates q_, next_q_;           // column m is member m
 };
+
+using RowArray = Eigen::Array<double, 1, Eigen::Dynamic>;
 
 class MultiObjectiveSwarm final : public Solver {
  public:
@@ -193,7 +217,9 @@ class MultiObjectiveSwarm final : public Solver {
     v_.setZero(problem.joints(), particles);
     u1_.resize(problem.joints(), particles);
     u2_.resize(problem.joints(), particles);
-    for (Eigen::VectorXd* each : {&errors_, &leader_, &coin_}) each->resize(particles);
+    for (Eigen::VectorXd* each : {&errors_, &chance_, &coin_}) each->resize(particles);
+    for (RowArray* each : {&variations_, &lead_}) each->resize(particles);
+    leader_.resize(particles);
     costs_.resize(static_cast<std::size_t>(particles));
     order_.resize(static_cast<std::size_t>(particles));
     velocity_limit_ = options_.velocity_limit_percent / 100 * (problem.upper - problem.lower);
@@ -210,21 +236,25 @@ class MultiObjectiveSwarm final : public Solver {
   void step(Objective& objective, Random& random) override {
     random.uniforms(u1_);
     random.uniforms(u2_);
-    random.uniforms(leader_);
+    random.uniforms(chance_);
     random.uniforms(coin_);
     ++generation_;
     archive_.divide(options_.grid);
-    for (Eigen::Index i = 0; i < x_.cols(); ++i) {
-      const double chance = leader_[options_.leader == Leader::per_generation ? 0 : i];
-      auto x = x_.col(i);
-      v_.col(i) = options_.inertia * v_.col(i) + options_.cognitive * u1_.col(i).cwiseProduct(personal_.col(i) - x);
-      if (!archive_.empty()) {
-        v_.col(i) += options_.social * u2_.col(i).cwiseProduct(archive_.q(archive_.pick(chance)) - x);
-      }
-      x += v_.col(i);
+    const bool led = !archive_.empty();
+    for (Eigen::Index i = 0; led && i < x_.cols(); ++i) {
+      const bool anew = i == 0 || options_.leader == Leader::per_particle;
+      leader_[i] = anew ? archive_.pick(chance_[i]) : leader_[0];
+    }
+    for (Eigen::Index j = 0; j < x_.rows(); ++j) {
+      auto x = x_.row(j).array(), v = v_.row(j).array();
+      const auto u1 = u1_.row(j).array(), u2 = u2_.row(j).array(), p = personal_.row(j).array();
+      v = options_.inertia * v + options_.cognitive * (u1 * (p - x));
+      for (Eigen::Index i = 0; led && i < x.size(); ++i) lead_[i] = archive_.q(leader_[i])[j];
+      if (led) v += options_.social * (u2 * (lead_ - x));
+      x += v;
     }
     mutate(random);
-    for (Eigen::Index i = 0; i < x_.cols(); ++i) turn_back(i);
+    for (Eigen::Index j = 0; j < x_.rows(); ++j) turn_back(j);
     evaluate(objective);
     for (Eigen::Index i = 0; i < x_.cols(); ++i) {
       const auto at = static_cast<std::size_t>(i);
@@ -242,9 +272,10 @@ class MultiObjectiveSwarm final : public Solver {
  private:
   void evaluate(Objective& objective) {
     objective.errors(x_, errors_);
-    for (Eigen::Index i = 0; i < x_.cols(); ++i) {
-      costs_[static_cast<std::size_t>(i)] = {errors_[i], (x_.col(i) - problem_.start).norm()};
-    }
+    variations_.setZero();
+    for (Eigen::Index j = 0; j < x_.rows(); ++j) variations_ += (x_.row(j).array() - problem_.start[j]).square();
+    variations_ = variations_.sqrt();
+    for (Eigen::Index i = 0; i < x_.cols(); ++i) costs_[static_cast<std::size_t>(i)] = {errors_[i], variations_[i]};
     archive_.add(x_, costs_);
     if (archive_.empty()) return;
     // The front's first member has the smallest error there ever was: nothing dominates it and crowding spares it.
@@ -259,7 +290,7 @@ class MultiObjectiveSwarm final : public Solver {
     const int first = (swarm + 2) / 3, second = (swarm + 1) / 3, third = swarm / 3;
     const double left = std::max(0.0, 1 - generation_ / static_cast<double>(std::max(1, problem_.iterations)));
     redraw(first, second, options_.mutation, random);
-    redraw(first + second, third, std::pow(left, 5 * problem_.joints()), random);
+    redraw(first + second, third, power(left, 5 * problem_.joints()), random);
   }
 
   // Draws a share of the particles from, from + 1, ..., from + count - 1 anew, each at most once.
@@ -274,19 +305,21 @@ class MultiObjectiveSwarm final : public Solver {
   }
 
   // The velocity is limited after it has been used; at a joint limit it changes sign.
-  void turn_back(Eigen::Index i) {
-    for (Eigen::Index j = 0; j < x_.rows(); ++j) {
-      v_(j, i) = std::clamp(v_(j, i), -velocity_limit_[j], velocity_limit_[j]);
-      const double inside = std::clamp(x_(j, i), problem_.lower[j], problem_.upper[j]);
-      if (inside != x_(j, i)) v_(j, i) = -v_(j, i);
-      x_(j, i) = inside;
-    }
+  void turn_back(Eigen::Index j) {
+    const double lower = problem_.lower[j], upper = problem_.upper[j], most = velocity_limit_[j];
+    auto x = x_.row(j).array(), v = v_.row(j).array();
+    v = v.max(-most).min(most);
+    v = (x < lower || x > upper).select(-v, v);
+    x = x.max(lower).min(upper);
   }
 
   Options options_;
   Problem problem_;
   Candidates x_, v_, personal_, u1_, u2_;
-  Eigen::VectorXd errors_, leader_, coin_, velocity_limit_;
+  Eigen::VectorXd errors_, chance_, coin_;
+  RowArray variations_, lead_;          // lead_: a joint of every particle's leader
+  Eigen::VectorX<std::size_t> leader_;  // of every particle, a member of the archive
+  Configuration velocity_limit_;
   std::vector<Cost> costs_, personal_costs_;
   std::vector<int> order_;
   Front archive_;

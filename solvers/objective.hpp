@@ -1,6 +1,7 @@
 // The only door to an evaluation: the position error of candidates (Eq. 1), and an honest count of them.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 
 #include "robots/chain.hpp"
@@ -26,6 +27,29 @@ class Objective {
     return error[0];
   }
 
+  // What a loop over the candidates does in which each is proposed from what those before it have changed, evaluated,
+  // and decided on; but evaluated in batches:
+  //   propose(first, count)  writes these columns of q from the solver's present state;
+  //   decide(i)              takes candidate i, whose error is errors[i], in or not, and says whether it changed
+  //   anything
+  //                          that the proposals after it depend on. If so, those are proposed anew.
+  // Every candidate that is decided on counts as one evaluation; proposals that are dropped undecided do not.
+  template <class Propose, class Decide>
+  void one_by_one(Candidates& q, Eigen::VectorXd& errors, Propose&& propose, Decide&& decide) {
+    for (Eigen::Index i = 0; i < q.cols();) {
+      const Eigen::Index count = std::min(look_ahead_, q.cols() - i), last = i + count;
+      propose(i, count);
+      evaluate(q.middleCols(i, count), errors.segment(i, count));
+      bool changed = false;
+      for (; i < last && !changed; ++i) {
+        ++evaluations_;
+        changed = decide(i);
+      }
+      // As far ahead as it has paid lately; the numbers do not depend on it.
+      look_ahead_ = std::min<Eigen::Index>(changed ? 8 : 2 * look_ahead_, furthest_ahead_);
+    }
+  }
+
   // The way still to go, target - position [m], and the position's Jacobian (3 x joints) into `jacobian`; counts one
   // evaluation.
   Eigen::Vector3d linearize(const ConfigurationRef& q, Eigen::Ref<Eigen::Matrix3Xd> jacobian) {
@@ -36,17 +60,21 @@ class Objective {
   std::int64_t evaluations() const { return evaluations_; }
 
  protected:
+  // With 1 candidate to look ahead at most, one_by_one is that loop as it is written.
+  Objective(const Chain& chain, Eigen::Vector3d target, Eigen::Index furthest_ahead)
+      : chain_(chain), target_(std::move(target)), look_ahead_(furthest_ahead), furthest_ahead_(furthest_ahead) {}
+
   virtual void evaluate(const CandidatesRef& q, Eigen::Ref<Eigen::VectorXd> errors) {
     chain_.position_errors(q, target_, errors);
   }
   virtual Eigen::Vector3d evaluate_linear(const ConfigurationRef& q, Eigen::Ref<Eigen::Matrix3Xd> jacobian) {
-    chain_.position_jacobian(q, jacobian);
-    return target_ - chain_.position(q);
+    return target_ - chain_.linearize(q, jacobian);
   }
 
  private:
   const Chain& chain_;
   Eigen::Vector3d target_;
+  Eigen::Index look_ahead_ = 64, furthest_ahead_ = 100'000;  // candidates
   std::int64_t evaluations_ = 0;
 };
 

@@ -41,14 +41,12 @@ class ParticleSwarm final : public Solver {
   void start(const Problem& problem, Objective& objective, Random& random) override {
     problem_ = problem;
     const int particles = problem.population;
-    x_.resize(problem.joints(), particles);
-    v_.setZero(problem.joints(), particles);
-    u1_.resize(problem.joints(), particles);
-    u2_.resize(problem.joints(), particles);
-    errors_.resize(particles);
+    for (Candidates* each : {&x_, &v_, &x_next_, &v_next_, &u1_, &u2_}) each->resize(problem.joints(), particles);
+    for (Eigen::VectorXd* each : {&errors_, &found_}) each->resize(particles);
     best_ = {problem.start};
 
     draw_within_limits(problem, random, x_);
+    v_.setZero();
     personal_ = x_;
     objective.errors(x_, errors_);
     for (int i = 0; i < particles; ++i) best_.improve(x_.col(i), errors_[i]);
@@ -57,29 +55,38 @@ class ParticleSwarm final : public Solver {
   void step(Objective& objective, Random& random) override {
     random.uniforms(u1_);
     random.uniforms(u2_);
-    for (Eigen::Index i = 0; i < x_.cols(); ++i) {
-      auto x = x_.col(i);
-      v_.col(i) = options_.inertia * v_.col(i) +                                        // Shi and Eberhart 1998
-                  options_.cognitive * u1_.col(i).cwiseProduct(personal_.col(i) - x) +  //
-                  options_.social * u2_.col(i).cwiseProduct(best_.q - x);
-      x += v_.col(i);
-      keep_inside(options_.bounds, problem_, x);
-      const double error = objective.error(x);
-      if (error < errors_[i]) {
-        personal_.col(i) = x;
-        errors_[i] = error;
-      }
-      best_.improve(x, error);  // seen by the next particle already
-    }
+    objective.one_by_one(
+        x_next_, found_, [&](Eigen::Index first, Eigen::Index count) { fly(Eigen::seqN(first, count)); },
+        [&](Eigen::Index i) {
+          if (found_[i] < errors_[i]) {
+            personal_.col(i) = x_next_.col(i);
+            errors_[i] = found_[i];
+          }
+          return best_.improve(x_next_.col(i), found_[i]);  // seen by the next particle already
+        });
+    x_.swap(x_next_);
+    v_.swap(v_next_);
   }
 
   const Best& best() const override { return best_; }
 
  private:
+  template <class Particles>
+  void fly(const Particles& particles) {
+    for (Eigen::Index j = 0; j < x_.rows(); ++j) {
+      const auto x = x_(j, particles).array(), v = v_(j, particles).array(), p = personal_(j, particles).array();
+      v_next_(j, particles) = options_.inertia * v +  // Shi and Eberhart 1998
+                              options_.cognitive * (u1_(j, particles).array() * (p - x)) +
+                              options_.social * (u2_(j, particles).array() * (best_.q[j] - x));
+      x_next_(j, particles) = x + v_next_(j, particles).array();
+    }
+    keep_inside(options_.bounds, problem_, x_next_(Eigen::all, particles));
+  }
+
   Options options_;
   Problem problem_;
-  Candidates x_, v_, personal_, u1_, u2_;
-  Eigen::VectorXd errors_;  // of the personal bests
+  Candidates x_, v_, x_next_, v_next_, personal_, u1_, u2_;
+  Eigen::VectorXd errors_, found_;  // of the personal bests; of x_next_
   Best best_;
 };
 

@@ -1,12 +1,12 @@
-// Random numbers, the same wherever the C library has the same log, sin and cos: xoshiro256++ (Blackman and Vigna 2019)
-// in eight interleaved lanes, seeded by splitmix64 from a key. A stream is a pure function of its key.
+// Random numbers, the same on every machine: xoshiro256++ (Blackman and Vigna 2019) in eight interleaved lanes, seeded
+// by splitmix64 from a key. A stream is a pure function of its key.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <string_view>
 
 #include "robots/chain.hpp"
+#include "solvers/random_kernels.hpp"
 
 namespace ikbench {
 
@@ -26,21 +26,29 @@ class Random {
  public:
   explicit Random(Key key);
 
-  double uniform();                                // [0, 1), 52 bits
-  double uniform(double from, double to);          // [from, to)
-  int index(int count);                            // 0 ... count - 1
-  void uniforms(Eigen::Ref<Eigen::VectorXd> out);  // each in [0, 1)
-  void uniforms(Candidates& out);                  // each in [0, 1)
-  void normals(Candidates& out);                   // each standard normal (Box-Muller)
+  double uniform();                        // [0, 1), 52 bits
+  double uniform(double from, double to);  // [from, to)
+  int index(int count);                    // 0 ... count - 1
+
+  // Fills of a vector or of Candidates (row by row). They take whole blocks of eight and leave single draws theirs.
+  template <class Numbers>
+  void uniforms(Numbers& out) {  // each in [0, 1)
+    kernels_.uniforms(state_, out.data(), out.size());
+  }
+  template <class Numbers>
+  void normals(Numbers& out) {  // each standard normal (Box and Muller 1958)
+    kernels_.normals(state_, out.data(), out.size());
+  }
+  template <class Numbers>
+  void truncated_normals(Numbers& out) {  // each standard normal, given that it is within [-1, 1]
+    kernels_.truncated_normals(state_, out.data(), out.size());
+  }
 
  private:
-  static constexpr std::size_t lanes = 8;
-  using Block = std::array<double, lanes>;
-  Block next_block();  // one number in [0, 1) of each lane
-
-  std::array<std::array<std::uint64_t, lanes>, 4> state_;
-  Block buffer_{};
-  std::size_t used_ = lanes;
+  RandomKernels kernels_;
+  RandomState state_;
+  double buffer_[random_lanes];
+  int used_ = random_lanes;
 };
 
 }  // namespace ikbench

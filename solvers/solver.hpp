@@ -11,9 +11,9 @@ namespace ikbench {
 
 // What a solver is told of the task besides the objective.
 struct Problem {
-  Eigen::VectorXd start;  // Theta_s: the configuration the arm is in [rad]; its size is the number of joints searched
-  Eigen::VectorXd lower;  // joint limits [rad], Eq. 4
-  Eigen::VectorXd upper;
+  Configuration start;  // Theta_s: the configuration the arm is in [rad]; its size is the number of joints searched
+  Configuration lower;  // joint limits [rad], Eq. 4
+  Configuration upper;
   int population = 50;   // candidates an iteration
   int iterations = 200;  // planned; for schedules that end with the solve
 
@@ -21,11 +21,12 @@ struct Problem {
 };
 
 struct Best {
-  Eigen::VectorXd q;                                       // [rad]
+  Configuration q;                                         // [rad]
   double error = std::numeric_limits<double>::infinity();  // [m], as the objective gave it
 
   // Keeps the candidate if it is better; says whether it did.
-  bool improve(const ConfigurationRef& candidate, double candidate_error) {
+  template <class Candidate>
+  bool improve(const Candidate& candidate, double candidate_error) {
     if (!(candidate_error < error)) return false;
     q = candidate;
     error = candidate_error;
@@ -37,7 +38,8 @@ class Solver {
  public:
   virtual ~Solver() = default;
 
-  // Draws and evaluates the first candidates. All memory is taken here.
+  // Draws and evaluates the first candidates. All memory is taken here; a second start for a problem of the same size
+  // needs none.
   virtual void start(const Problem& problem, Objective& objective, Random& random) = 0;
   // One iteration.
   virtual void step(Objective& objective, Random& random) = 0;

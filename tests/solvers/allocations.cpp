@@ -30,10 +30,16 @@ namespace {
 #else
 
 extern "C" void* __libc_malloc(std::size_t size);  // glibc's own
+extern "C" void* __libc_calloc(std::size_t number, std::size_t size);
 
 extern "C" void* malloc(std::size_t size) {
   ++count;
   return __libc_malloc(size);
+}
+
+extern "C" void* calloc(std::size_t number, std::size_t size) {  // what compilers make of malloc and zeros
+  ++count;
+  return __libc_calloc(number, size);
 }
 
 #endif

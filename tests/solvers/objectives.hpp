@@ -11,12 +11,12 @@
 
 namespace ikbench {
 
-// Logs every candidate. Its errors are the real ones, or those of `script` in turn and then infinity.
+// Logs every candidate, one by one. Its errors are the real ones, or those of `script` in turn and then infinity.
 class RecordingObjective final : public Objective {
  public:
-  RecordingObjective(const Chain& chain, const Eigen::Vector3d& target) : Objective(chain, target) {}
+  RecordingObjective(const Chain& chain, const Eigen::Vector3d& target) : Objective(chain, target, 1) {}
   RecordingObjective(const Chain& chain, std::vector<double> script)
-      : Objective(chain, Eigen::Vector3d::Zero()), scripted_(true), script_(std::move(script)) {}
+      : Objective(chain, Eigen::Vector3d::Zero(), 1), scripted_(true), script_(std::move(script)) {}
 
   std::vector<Eigen::VectorXd> candidates;
   std::vector<double> given;  // the error of each

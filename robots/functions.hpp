@@ -1,0 +1,25 @@
+// The elementary functions of everything that decides a number: sine, cosine, arc tangent and exponential. Those of the
+// C library differ between libraries and processors in their last bits; these are + - * / and fused multiply-add alone.
+#pragma once
+
+#include <Eigen/Core>
+
+namespace ikbench {
+
+struct SinCos {
+  double sine, cosine;
+};
+
+// Within 1.5 ulp; NaN for an angle that is infinite, NaN or 2^51 quarter turns (3.5e15 rad) or more.
+SinCos sin_cos(double angle);
+// The same of many angles; all three have the same size.
+void sines_and_cosines(const Eigen::Ref<const Eigen::VectorXd>& angles, Eigen::Ref<Eigen::VectorXd> sines,
+                       Eigen::Ref<Eigen::VectorXd> cosines);
+// The angle of (x, y) in [-pi, pi], within 3 ulp; 0 for (0, 0).
+double arc_tangent(double y, double x);
+// e to the power of x, within 1 ulp; infinity above 709.78, 0 below -708.39.
+double exponential(double x);
+// x to the power of n >= 0, by multiplication.
+double power(double x, int n);
+
+}  // namespace ikbench

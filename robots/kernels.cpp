@@ -1,0 +1,78 @@
+// Compiled once for every instruction set, with IKBENCH_KERNELS naming it; read lanes.hpp before including anything.
+#include "robots/kernels.hpp"
+
+#include "robots/elementary.hpp"
+
+namespace ikbench {
+namespace {
+
+// `load` gives joint j of the candidates in the lanes.
+template <class Load>
+IKBENCH_LANES Reals distance(const KernelChain& chain, const double* target, Load load) {
+  // One point, carried from the tip to the base: a plane rotation a joint instead of a matrix product.
+  Reals x = all(chain.tip[0]), y = all(chain.tip[1]), z = all(chain.tip[2]);
+  Bits too_far{};
+#pragma GCC unroll 1
+  for (int j = chain.joints - 1; j >= 0; --j) {
+    const KernelLink& link = chain.links[j];
+    const Reals y_before = y;
+    if (link.twist == KernelLink::quarter) {
+      y = -z;
+      z = y_before;
+    } else if (link.twist == KernelLink::minus_quarter) {
+      y = z;
+      z = -y_before;
+    } else if (link.twist == KernelLink::general) {
+      y = fused_less(all(link.cosine), y, all(link.sine) * z);
+      z = fused(all(link.sine), y_before, all(link.cosine) * z);
+    }
+    x = x + link.a;
+    z = z + link.d;
+    const Reals angle = load(j) + link.offset;
+    if (!link.turns) {
+      z = fused(angle, all(0.0), z);  // no way to go, but not a number where the angle is none
+      continue;
+    }
+    const auto [of, turns] = sin_cos(angle);
+    too_far |= turned_too_far(turns);
+    const Reals x_before = x;
+    x = fused_less(of.cosine, x, of.sine * y);
+    y = fused(of.sine, x_before, of.cosine * y);
+  }
+  const Reals dx = x - target[0], dy = y - target[1], dz = z - target[2];
+  const Reals error = root(fused(dx, dx, fused(dy, dy, dz * dz)));  // Eq. 1
+  return reals(bits(error) | angle_refused(too_far));               // all ones are NaN
+}
+
+void position_errors(const KernelChain& chain, const double* target, const double* q, ptrdiff_t row, ptrdiff_t count,
+                     double* errors) {
+  if (count < width) {
+    if (count == 0) return;
+    store_first(count, errors,
+                distance(chain, target, [&](int j) IKBENCH_INLINE { return load_first(count, q + j * row); }));
+    return;
+  }
+#pragma GCC unroll 1
+  for (ptrdiff_t i = 0; i < count; i += width) {
+    if (i > count - width) i = count - width;  // the last ones, some of them a second time, to the same bits
+    store(errors + i, distance(chain, target, [&](int j) IKBENCH_INLINE { return load<Reals>(q + j * row + i); }));
+  }
+}
+
+void sines_and_cosines(const double* angles, ptrdiff_t count, double* sines, double* cosines) {
+  for (ptrdiff_t i = 0; i < count; i += width) {
+    const ptrdiff_t some = count - i < width ? count - i : width;
+    const auto [of, turns] = sin_cos(load_first(some, angles + i));
+    const Bits refused = angle_refused(turned_too_far(turns));
+    store_first(some, sines + i, reals(bits(of.sine) | refused));
+    store_first(some, cosines + i, reals(bits(of.cosine) | refused));
+  }
+}
+
+}  // namespace
+
+namespace IKBENCH_KERNELS {
+RobotKernels robot_kernels() { return {&position_errors, &sines_and_cosines}; }
+}  // namespace IKBENCH_KERNELS
+
+}  // namespace ikbench
