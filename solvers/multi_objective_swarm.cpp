@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include "robots/functions.hpp"
@@ -65,7 +66,10 @@ class Front {
   void divide(int cells) {
     roulette_.clear();
     for (std::size_t first = 0, last = 0; first < size(); first = last) {
-      while (last < size() && same_cell(cost(first), cost(last), cells)) ++last;
+      const auto cell = cell_of(cost(first), cells);
+      do {
+        ++last;
+      } while (last < size() && cell_of(cost(last), cells) == cell);
       const auto count = static_cast<double>(last - first);
       for (std::size_t m = first; m < last; ++m) roulette_.add(10 / count / count);
     }
@@ -91,7 +95,7 @@ class Front {
  private:
   struct Member {
     Cost cost;
-    Eigen::Index source;  // column of the archive, or beyond it of the swarm
+    Eigen::Index source;  // column of the archive, or beyond it of the swarm, or nowhere
     double crowding = 0;
   };
 
@@ -100,13 +104,14 @@ class Front {
     return high > low ? (value - low) / (high - low) : 0;
   }
 
-  bool same_cell(const Cost& a, const Cost& b, int cells) const {
+  std::pair<int, int> cell_of(const Cost& cost, int cells) const {
     const auto cell = [cells](double at) { return std::min(static_cast<int>(at * cells), cells - 1); };
     const Cost &left = members_.front().cost, &right = members_.back().cost;
-    return cell(position(a.error, left.error, right.error)) == cell(position(b.error, left.error, right.error)) &&
-           cell(position(a.variation, right.variation, left.variation)) ==
-               cell(position(b.variation, right.variation, left.variation));
+    return {cell(position(cost.error, left.error, right.error)),
+            cell(position(cost.variation, right.variation, left.variation))};
   }
+
+  static constexpr Eigen::Index nowhere = -1;
 
   static bool by_error(const Member& a, const Member& b) {
     return std::tie(a.cost.error, a.cost.variation, a.source) < std::tie(b.cost.error, b.cost.variation, b.source);
@@ -114,9 +119,12 @@ class Front {
 
   // Whether a member has no larger error and no larger variation: of those with no larger error, the last varies least.
   bool is_behind_front(const Cost& newcomer) const {
-    const auto beyond = std::upper_bound(members_.begin(), members_.end(), newcomer.error,
-                                         [](double error, const Member& member) { return error < member.cost.error; });
-    return beyond != members_.begin() && std::prev(beyond)->cost.variation <= newcomer.variation;
+    if (empty() || newcomer.error < cost(0).error) return false;
+    std::size_t last = 0;  // by halving, without a branch to guess
+    for (std::size_t left = size(); left > 1; left -= left / 2) {
+      last += cost(last + left / 2).error <= newcomer.error ? left / 2 : 0;
+    }
+    return cost(last).variation <= newcomer.variation;
   }
 
   // One pass in order of error: whoever does not vary less than all before is dominated (or equal, and kept once).
@@ -143,13 +151,12 @@ class Front {
                                                        (cost(m - 1).variation - cost(m + 1).variation) / variations;
       order_.push_back(m);
     }
-    const auto first_dropped = order_.begin() + static_cast<std::ptrdiff_t>(capacity_);
-    std::nth_element(order_.begin(), first_dropped, order_.end(), [&](std::size_t a, std::size_t b) {
+    const auto dropped = order_.begin() + static_cast<std::ptrdiff_t>(capacity_);
+    std::nth_element(order_.begin(), dropped, order_.end(), [&](std::size_t a, std::size_t b) {
       return members_[a].crowding > members_[b].crowding || (members_[a].crowding == members_[b].crowding && a < b);
     });
-    std::sort(order_.begin(), first_dropped);
-    for (std::size_t m = 0; m < capacity_; ++m) members_[m] = members_[order_[m]];
-    members_.resize(capacity_);
+    std::for_each(dropped, order_.end(), [&](std::size_t m) { members_[m].source = nowhere; });
+    std::erase_if(members_, [](const Member& member) { return member.source == nowhere; });
   }
 
   // The configurations of the members, in their order.
@@ -168,7 +175,7 @@ class Front {
   std::vector<Member> members_, newcomers_, kept_;
   std::vector<std::size_t> order_;  // of the members, the least crowded first
   Roulette roulette_;
-  Candidates q_, next_q_;           // column m is member m
+  Candidates q_, next_q_;  // column m is member m
 };
 
 using RowArray = Eigen::Array<double, 1, Eigen::Dynamic>;
