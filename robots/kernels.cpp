@@ -46,27 +46,19 @@ IKBENCH_LANES Reals distance(const KernelChain& chain, const double* target, Loa
 
 void position_errors(const KernelChain& chain, const double* target, const double* q, ptrdiff_t row, ptrdiff_t count,
                      double* errors) {
-  if (count < width) {
-    if (count == 0) return;
-    store_first(count, errors,
-                distance(chain, target, [&](int j) IKBENCH_INLINE { return load_first(count, q + j * row); }));
-    return;
-  }
-#pragma GCC unroll 1
-  for (ptrdiff_t i = 0; i < count; i += width) {
-    if (i > count - width) i = count - width;  // the last ones, some of them a second time, to the same bits
-    store(errors + i, distance(chain, target, [&](int j) IKBENCH_INLINE { return load<Reals>(q + j * row + i); }));
-  }
+  for_lanes(count, [&](ptrdiff_t i, auto some) IKBENCH_INLINE {
+    const auto joint = [&](int j) IKBENCH_INLINE { return some.load(q + j * row + i); };
+    some.store(errors + i, distance(chain, target, joint));
+  });
 }
 
 void sines_and_cosines(const double* angles, ptrdiff_t count, double* sines, double* cosines) {
-  for (ptrdiff_t i = 0; i < count; i += width) {
-    const ptrdiff_t some = count - i < width ? count - i : width;
-    const auto [of, turns] = sin_cos(load_first(some, angles + i));
+  for_lanes(count, [&](ptrdiff_t i, auto some) IKBENCH_INLINE {
+    const auto [of, turns] = sin_cos(some.load(angles + i));
     const Bits refused = angle_refused(turned_too_far(turns));
-    store_first(some, sines + i, reals(bits(of.sine) | refused));
-    store_first(some, cosines + i, reals(bits(of.cosine) | refused));
-  }
+    some.store(sines + i, reals(bits(of.sine) | refused));
+    some.store(cosines + i, reals(bits(of.cosine) | refused));
+  });
 }
 
 }  // namespace

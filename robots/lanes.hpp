@@ -81,6 +81,24 @@ IKBENCH_LANES void store(Number* to, Lanes lanes) {
   __builtin_memcpy(to, &lanes, sizeof lanes);
 }
 
+// Calls body(first, some) for groups of lanes that cover `count` numbers; `some` loads and stores those of the group.
+struct AllLanes {
+  IKBENCH_INLINE Reals load(const double* from) const { return ::ikbench::load<Reals>(from); }
+  IKBENCH_INLINE void store(double* to, Reals x) const { ::ikbench::store(to, x); }
+};
+struct FirstLanes {
+  ptrdiff_t count;
+  IKBENCH_INLINE Reals load(const double* from) const { return load_first(count, from); }
+  IKBENCH_INLINE void store(double* to, Reals x) const { store_first(count, to, x); }
+};
+template <class Body>
+IKBENCH_LANES void for_lanes(ptrdiff_t count, Body body) {
+  ptrdiff_t i = 0;
+#pragma GCC unroll 1
+  for (; i + width <= count; i += width) body(i, AllLanes{});
+  if (i < count) body(i, FirstLanes{count - i});
+}
+
 // All ones in the lanes where one of these bits of x is set, else all zeros.
 IKBENCH_LANES Bits where_any(Bits x, uint64_t of) {
 #if defined(__AVX512F__) || defined(__FMA__)

@@ -4,6 +4,7 @@
 #include "robots/functions.hpp"
 #include "solvers/bounds.hpp"
 #include "solvers/registry.hpp"
+#include "solvers/row_kernels.hpp"
 
 namespace ikbench {
 
@@ -75,9 +76,10 @@ class IkBat final : public Solver {
     pulse_rate_ = options_.pulse_rate * (1 - exponential(-options_.gamma * iteration_));   // Eq. 10; the first is 0
     ++iteration_;
     objective.one_by_one(
-        candidates_, errors_, [&](Eigen::Index first, Eigen::Index count) { fly(Eigen::seqN(first, count)); },
+        candidates_, errors_, [&](Eigen::Index first, Eigen::Index count) { fly(first, count); },
         [&](Eigen::Index i) {
-          if (!accepts(chance_[i]) || !best_.improve(candidates_.col(i), errors_[i])) return false;
+          if (!(errors_[i] < best_.error) || !accepts(chance_[i])) return false;
+          best_.improve(candidates_.col(i), errors_[i]);
           x_next_.col(i) = candidates_.col(i);
           return true;
         });
@@ -88,18 +90,21 @@ class IkBat final : public Solver {
   const Best& best() const override { return best_; }
 
  private:
-  template <class Bats>
-  void fly(const Bats& bats) {
+  void fly(Eigen::Index first, Eigen::Index count) {
     const double r = pulse_rate_;
     for (Eigen::Index j = 0; j < x_.rows(); ++j) {
       const double best = best_.q[j], theta_s = problem_.start[j];
-      const auto x = x_(j, bats).array(), v = v_(j, bats).array(), f = frequency_(bats).array();
-      v_next_(j, bats) = v + (x - 0.5 * (best + theta_s)) * f;  // Eq. 13
-      x_next_(j, bats) = x + v_next_(j, bats).array();          // Eq. 7
-      candidates_(j, bats) = (r * best + (1 - r) * theta_s) +   // Eq. 14
-                             (options_.step_factor * loudness_) * epsilon_(j, bats).array();
+      rows_.fly({.pole = 0.5 * (best + theta_s),  // Eqs. 13 and 7
+                 .frequency = &frequency_[first],
+                 .x = &x_(j, first),
+                 .v = &v_(j, first),
+                 .x_next = &x_next_(j, first),
+                 .v_next = &v_next_(j, first),
+                 .count = count});
+      rows_.scatter(r * best + (1 - r) * theta_s, options_.step_factor * loudness_,  // Eq. 14
+                    &epsilon_(j, first), &candidates_(j, first), count);
     }
-    keep_inside(options_.bounds, problem_, candidates_(Eigen::all, bats));
+    keep_inside(options_.bounds, problem_, candidates_.middleCols(first, count));
   }
 
   bool accepts(double chance) const {
@@ -115,6 +120,7 @@ class IkBat final : public Solver {
   }
 
   Options options_;
+  RowKernels rows_ = row_kernels();
   Problem problem_;
   Candidates x_, v_, x_next_, v_next_, candidates_, epsilon_;
   Eigen::RowVectorXd frequency_, chance_;

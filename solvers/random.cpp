@@ -1,6 +1,7 @@
 #include "solvers/random.hpp"
 
 #include "robots/instruction_set.hpp"
+#include "solvers/row_kernels.hpp"
 
 namespace ikbench {
 
@@ -45,6 +46,21 @@ RandomKernels random_kernels(InstructionSet set) {
   static_cast<void>(set);
 #endif
   return portable::random_kernels();
+}
+
+RowKernels row_kernels(InstructionSet set) {
+#ifdef __x86_64__
+  if (set == InstructionSet::x86_64_v4) return x86_64_v4::row_kernels();
+  if (set == InstructionSet::x86_64_v3) return x86_64_v3::row_kernels();
+#else
+  static_cast<void>(set);
+#endif
+  return portable::row_kernels();
+}
+
+const RowKernels& row_kernels() {
+  static const RowKernels chosen = row_kernels(instruction_set());
+  return chosen;
 }
 
 Random::Random(Key key) : kernels_(chosen_kernels()) {
