@@ -1,0 +1,89 @@
+#include "experiments/microbenchmarks/measurements.hpp"
+
+#include <algorithm>
+#include <regex>
+#include <stdexcept>
+
+namespace ikbench::microbenchmarks {
+
+namespace {
+
+// Google Benchmark adds to a name how it was run.
+std::string plain_name(const nlohmann::json& entry) {
+  static const std::regex manner("/(iterations|repeats|min_time|threads):[^/]*|/(real|manual|process)_time");
+  const std::string name = entry.contains("run_name") ? entry["run_name"] : entry.at("name");
+  return entry.contains("run_name") ? std::regex_replace(name, manner, "") : name;
+}
+
+double unit_in_seconds(const std::string& unit) {
+  if (unit == "ns") return 1e-9;
+  if (unit == "us") return 1e-6;
+  if (unit == "ms") return 1e-3;
+  return 1;
+}
+
+}  // namespace
+
+void Measurements::add(const nlohmann::json& document) {
+  if (!document.is_object() || !document.contains("benchmarks") || !document["benchmarks"].is_array()) {
+    throw std::invalid_argument("expected an object with a list `benchmarks`, as --benchmark_out writes it");
+  }
+  context_.update(document.value("context", nlohmann::json::object()));
+  for (const nlohmann::json& entry : document["benchmarks"]) {
+    if (entry.value("run_type", "iteration") != "iteration") continue;  // means and the like
+    const std::string name = plain_name(entry);
+    if (entry.value("error_occurred", false)) {
+      errors_[name] = entry.value("error_message", "");
+      continue;
+    }
+    std::vector<nlohmann::json>& all = repetitions_[name];
+    if (all.empty()) order_.push_back(name);
+    all.push_back(entry);
+    std::stable_sort(all.begin(), all.end(), [](const nlohmann::json& a, const nlohmann::json& b) {
+      return a.value("repetition_index", 0) < b.value("repetition_index", 0);
+    });
+  }
+}
+
+std::vector<double> Measurements::seconds(const std::string& name) const {
+  std::vector<double> values;
+  if (!repetitions_.contains(name)) return values;
+  for (const nlohmann::json& entry : repetitions_.at(name)) {
+    if (entry.contains("real_time")) {
+      values.push_back(entry["real_time"].get<double>() * unit_in_seconds(entry.value("time_unit", "ns")));
+    }
+  }
+  return values;
+}
+
+std::vector<double> Measurements::counter(const std::string& name, const std::string& counter) const {
+  std::vector<double> values;
+  if (!repetitions_.contains(name)) return values;
+  for (const nlohmann::json& entry : repetitions_.at(name)) {
+    if (entry.contains(counter)) values.push_back(entry[counter].get<double>());
+  }
+  return values;
+}
+
+std::string Measurements::text(const std::string& name, const std::string& key) const {
+  return repetitions_.contains(name) ? repetitions_.at(name).front().value(key, "") : "";
+}
+
+std::vector<std::string> Measurements::names(const std::string& prefix) const {
+  std::vector<std::string> names;
+  std::copy_if(order_.begin(), order_.end(), std::back_inserter(names),
+               [&](const std::string& name) { return name.starts_with(prefix); });
+  return names;
+}
+
+std::string Measurements::error(const std::string& name) const {
+  return errors_.contains(name) ? errors_.at(name) : "";
+}
+
+std::string Measurements::context(const std::string& key) const {
+  if (!context_.contains(key)) return "";
+  const nlohmann::json& value = context_[key];
+  return value.is_string() ? value.get<std::string>() : value.dump();
+}
+
+}  // namespace ikbench::microbenchmarks
