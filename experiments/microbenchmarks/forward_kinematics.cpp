@@ -85,9 +85,13 @@ Reach snake_reach(int joints) {
            .upper = Eigen::VectorXd::Constant(joints, 2)}};
 }
 
-void growth_with_joints(benchmark::State& state) { measure(state, snake_reach(static_cast<int>(state.range(0))), batch); }
+void growth_with_joints(benchmark::State& state) {
+  measure(state, snake_reach(static_cast<int>(state.range(0))), batch);
+}
 
-void growth_with_population(benchmark::State& state) { measure(state, flange_reach(), static_cast<int>(state.range(0))); }
+void growth_with_population(benchmark::State& state) {
+  measure(state, flange_reach(), static_cast<int>(state.range(0)));
+}
 
 BENCHMARK(ours)->Name("forward_kinematics/ours");
 BENCHMARK(one_at_a_time)->Name("forward_kinematics/one_at_a_time");

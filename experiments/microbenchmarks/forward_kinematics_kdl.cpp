@@ -12,7 +12,8 @@ namespace {
 KDL::Chain kdl_chain(const Chain& chain) {
   KDL::Chain same;
   for (const DhLink& link : chain.links()) {
-    same.addSegment(KDL::Segment(KDL::Joint(KDL::Joint::RotZ), KDL::Frame::DH(link.a, link.alpha, link.d, link.offset)));
+    same.addSegment(
+        KDL::Segment(KDL::Joint(KDL::Joint::RotZ), KDL::Frame::DH(link.a, link.alpha, link.d, link.offset)));
   }
   return same;
 }

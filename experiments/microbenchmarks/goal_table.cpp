@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <functional>
 #include <iterator>
 #include <optional>
@@ -59,7 +60,7 @@ Goal ratio(std::string number, std::string words, Bound bound, const std::string
   return {std::move(number),
           std::move(words),
           bound,
-          [=](const Measurements& all) { return quotients(all.seconds(over), all.seconds(under)); },
+          [=](const Measurements& all) { return quotients(all.nanoseconds(over), all.nanoseconds(under)); },
           {over, under},
           "",
           std::move(peer)};
@@ -67,13 +68,16 @@ Goal ratio(std::string number, std::string words, Bound bound, const std::string
 
 Goal time(std::string number, std::string words, Bound bound, const std::string& name, double unit,
           const std::string& unit_name) {
-  return {std::move(number), std::move(words), bound,
+  return {std::move(number),
+          std::move(words),
+          bound,
           [=](const Measurements& all) {
-            Values values = all.seconds(name);
+            Values values = all.nanoseconds(name);
             for (double& value : values) value /= unit;
             return values;
           },
-          {name}, unit_name};
+          {name},
+          unit_name};
 }
 
 Goal counter(std::string number, std::string words, Bound bound, const std::string& name, const std::string& key,
@@ -86,13 +90,16 @@ Goal counter(std::string number, std::string words, Bound bound, const std::stri
           unit};
 }
 
-// Cost per candidate and joint, the dearest over the cheapest size; the median of each, as no two are neighbours in time.
+// Cost per candidate and joint, the dearest over the cheapest size; the median of each, as no two are neighbours in
+// time.
 Goal growth(std::string words, const std::string& prefix) {
-  return {"growth", std::move(words), at_most(1.1, 1.1),
+  return {"growth",
+          std::move(words),
+          at_most(1.1, 1.1),
           [=](const Measurements& all) -> Values {
             Values costs;
             for (const std::string& name : all.names(prefix)) {
-              const Values costs_of_one = quotients(all.seconds(name), all.counter(name, "candidate_joints"));
+              const Values costs_of_one = quotients(all.nanoseconds(name), all.counter(name, "candidate_joints"));
               if (!costs_of_one.empty()) costs.push_back(median(costs_of_one));
             }
             if (costs.size() < 2) return {};
@@ -132,8 +139,9 @@ std::vector<Goal> goals() {
       ratio("G3", "IK-BA solve / its forward kinematics alone", at_most(2.5, 2.5), ba + "ours", ba + "kinematics_only"),
       ratio("G5", "IK-BA, exactly sequential / synchronous", at_most(1.1, 1.1), ba + "ours", ba + "synchronous"),
       ratio("G6", "textbook IK-BA / ours", at_least(30, 18), ba + "textbook", ba + "ours")};
-  for (const auto& [name, words] : {std::pair("differential_evolution", "differential evolution"),
-                                    std::pair("particle_swarm", "particle swarm"), std::pair("bee_colony", "bee colony")}) {
+  for (const auto& [name, words] :
+       {std::pair("differential_evolution", "differential evolution"), std::pair("particle_swarm", "particle swarm"),
+        std::pair("bee_colony", "bee colony")}) {
     const std::string pair = pagmo + name;
     goals.push_back(ratio("G7", fmt::format("pagmo's {} / ours", words), at_least(15, 10), pair + "/pagmo",
                           pair + "/ours", "pagmo"));
@@ -141,27 +149,38 @@ std::vector<Goal> goals() {
                           pair + "/ours", "pagmo"));
   }
   const std::vector<Goal> others{
-      time("G9", "whole helix study, 2400 solves, one thread", at_most(0.8, 1.1), "study/threads/1", 1, "s"),
+      time("G9", "whole helix study, 2400 solves, one thread", at_most(0.8, 1.1), "study/threads/1", 1e9, "s"),
       ratio("G10", "whole helix study, one thread / two", at_least(1.85, 1.85), "study/threads/1", "study/threads/2"),
-      {"G11", "different results over instruction sets and 1, 2, 4 threads", always_at_most(1), different_hashes,
+      {"G11",
+       "different results over instruction sets and 1, 2, 4 threads",
+       always_at_most(1),
+       different_hashes,
        {"result_hash/*"}},
-      {"G12", "forward kinematics off long double", always_at_most(1e-13),
+      {"G12",
+       "forward kinematics off long double",
+       always_at_most(1e-13),
        [](const Measurements& all) {
          return largest_counter(all, {"accuracy/forward_kinematics"}, {"position_cm", "position_error_cm"});
        },
-       {"accuracy/forward_kinematics"}, "cm"},
+       {"accuracy/forward_kinematics"},
+       "cm"},
       counter("G12", "sin and cos off long double", always_at_most(2), "accuracy/sin_cos", "ulp", "ulp"),
-      {"G13", "heap allocations inside a solve, the worst solver", always_at_most(0),
+      {"G13",
+       "heap allocations inside a solve, the worst solver",
+       always_at_most(0),
        [](const Measurements& all) { return largest_counter(all, all.names("allocations/"), {"allocations"}); },
        {"allocations/*"}},
-      time("G14", "IK-BA with 12 bats until 0.1 cm, median solve", at_most(40, 60), ba + "to_tolerance", 1e-6, "us"),
-      {"", "of these solves, without 0.1 cm after 1000 iterations", none,
+      time("G14", "IK-BA with 12 bats until 0.1 cm, median solve", at_most(40, 60), ba + "to_tolerance", 1e3, "us"),
+      {"",
+       "of these solves, without 0.1 cm after 1000 iterations",
+       none,
        [](const Measurements& all) {
          Values shares = all.counter("ik_bat/to_tolerance", "missed_share");
          for (double& share : shares) share *= 100;
          return shares;
        },
-       {ba + "to_tolerance"}, "%"},
+       {ba + "to_tolerance"},
+       "%"},
       growth("a candidate's joint, the dearest / the cheapest of 4 to 32 joints", fk + "joints/"),
       growth("a candidate's joint, the dearest / the cheapest of 50 to 5000 candidates", fk + "population/")};
   goals.insert(goals.end(), others.begin(), others.end());
@@ -195,7 +214,7 @@ std::string why_not(const Goal& goal, const Measurements& measurements) {
     return goal.peer + " is not installed";
   }
   for (const std::string& name : goal.needs) {
-    if (measurements.seconds(name).empty()) return "no run of " + name;
+    if (measurements.nanoseconds(name).empty()) return "no run of " + name;
   }
   return "no run of it";
 }
@@ -242,12 +261,11 @@ Cells cells(const Row& row) {
   return {row.number, row.goal, row.required, row.measured, verdict};
 }
 
-std::string time_text(double seconds) {
-  const auto [unit, name] = seconds < 1e-6   ? std::pair(1e-9, "ns")
-                            : seconds < 1e-3 ? std::pair(1e-6, "us")
-                            : seconds < 1    ? std::pair(1e-3, "ms")
-                                             : std::pair(1.0, "s");
-  return fmt::format("{:.3g} {}", seconds / unit, name);
+std::string time_text(double nanoseconds) {
+  if (nanoseconds < 1e3) return fmt::format("{:.3g} ns", nanoseconds);
+  if (nanoseconds < 1e6) return fmt::format("{:.3g} us", nanoseconds / 1e3);
+  if (nanoseconds < 1e9) return fmt::format("{:.3g} ms", nanoseconds / 1e6);
+  return fmt::format("{:.3g} s", nanoseconds / 1e9);
 }
 
 }  // namespace
@@ -294,12 +312,12 @@ std::string machine(const Measurements& measurements) {
 std::string times_as_markdown(const Measurements& measurements) {
   std::string text = "| benchmark | median | per candidate or draw |\n|---|---|---|\n";
   for (const std::string& name : measurements.names()) {
-    const Values seconds = measurements.seconds(name);
-    if (seconds.empty() || name.starts_with("accuracy/") || name.starts_with("allocations/")) continue;
+    const Values times = measurements.nanoseconds(name);
+    if (times.empty() || name.starts_with("accuracy/") || name.starts_with("allocations/")) continue;
     Values each = measurements.counter(name, "per_candidate");
     if (each.empty()) each = measurements.counter(name, "per_draw");
-    text += fmt::format("| {} | {} | {} |\n", name, time_text(median(seconds)),
-                        each.empty() ? "" : time_text(median(each)));
+    text += fmt::format("| {} | {} | {} |\n", name, time_text(median(times)),
+                        each.empty() ? "" : time_text(1e9 * median(each)));
   }
   return text;
 }

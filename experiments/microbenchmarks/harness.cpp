@@ -17,7 +17,7 @@ namespace {
 // Google Benchmark would print mean, median, deviation and every repetition.
 class Medians final : public benchmark::ConsoleReporter {
  public:
-  Medians() : ConsoleReporter(OO_Tabular) {}
+  Medians() : ConsoleReporter(OO_None) {}
 
   void ReportRuns(const std::vector<Run>& reports) override {
     std::vector<Run> shown;

@@ -39,8 +39,8 @@ class SynchronousIkBat final : public Solver {
   void step(Objective& objective, Random& random) override {
     random.uniforms(beta_);
     random.normals(epsilon_);
-    random.uniforms(chance_);  // for the acceptance, which by default asks for none
-    loudness_ *= 0.97;                                    // Eq. 9
+    random.uniforms(chance_);                            // for the acceptance, which by default asks for none
+    loudness_ *= 0.97;                                   // Eq. 9
     const double r = 1 - std::exp(-0.1 * iteration_++);  // Eq. 10
     for (Eigen::Index j = 0; j < x_.rows(); ++j) {
       const double between = 0.5 * (best_.q[j] + theta_s_[j]), centre = r * best_.q[j] + (1 - r) * theta_s_[j];

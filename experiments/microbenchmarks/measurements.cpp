@@ -15,11 +15,10 @@ std::string plain_name(const nlohmann::json& entry) {
   return entry.contains("run_name") ? std::regex_replace(name, manner, "") : name;
 }
 
-double unit_in_seconds(const std::string& unit) {
-  if (unit == "ns") return 1e-9;
-  if (unit == "us") return 1e-6;
-  if (unit == "ms") return 1e-3;
-  return 1;
+double unit_in_nanoseconds(const std::string& unit) {
+  if (unit == "us") return 1e3;
+  if (unit == "ms") return 1e6;
+  return unit == "s" ? 1e9 : 1;
 }
 
 }  // namespace
@@ -45,12 +44,12 @@ void Measurements::add(const nlohmann::json& document) {
   }
 }
 
-std::vector<double> Measurements::seconds(const std::string& name) const {
+std::vector<double> Measurements::nanoseconds(const std::string& name) const {
   std::vector<double> values;
   if (!repetitions_.contains(name)) return values;
   for (const nlohmann::json& entry : repetitions_.at(name)) {
     if (entry.contains("real_time")) {
-      values.push_back(entry["real_time"].get<double>() * unit_in_seconds(entry.value("time_unit", "ns")));
+      values.push_back(entry["real_time"].get<double>() * unit_in_nanoseconds(entry.value("time_unit", "ns")));
     }
   }
   return values;

@@ -14,7 +14,7 @@ class Measurements {
   void add(const nlohmann::json& document);
 
   // One number a repetition, in their order; empty where it was not measured.
-  std::vector<double> seconds(const std::string& name) const;
+  std::vector<double> nanoseconds(const std::string& name) const;
   std::vector<double> counter(const std::string& name, const std::string& counter) const;
   // A value that is text, of the only repetition; or empty.
   std::string text(const std::string& name, const std::string& key) const;

@@ -55,12 +55,10 @@ int main(int argc, char** argv) {
   const std::string set(instruction_set());
   std::map<std::string, std::string> context = environment();
   context["instruction_set"] = set;
-  const nlohmann::json document{
-      {"context", context},
-      {"benchmarks",
-       {{{"name", "result_hash/" + set + "/threads:" + std::to_string(threads)},
-         {"solves", hashes.size()},
-         {"hash", fmt::format("{:016x}", all.value())}}}}};
+  const nlohmann::json result{{"name", "result_hash/" + set + "/threads:" + std::to_string(threads)},
+                              {"solves", hashes.size()},
+                              {"hash", fmt::format("{:016x}", all.value())}};
+  const nlohmann::json document{{"context", context}, {"benchmarks", nlohmann::json::array({result})}};
   std::cout << document.dump(2) << '\n';
   return 0;
 }

@@ -59,16 +59,15 @@ Result ik_bat(const std::vector<Link>& links, const Vector& target, const Vector
 
   double loudness = 1;
   for (int t = 0; t < iterations; ++t) {
-    loudness *= alpha;                                  // Eq. 9
+    loudness *= alpha;                                 // Eq. 9
     const double r = r0 * (1 - std::exp(-gamma * t));  // Eq. 10
     for (std::size_t i = 0; i < count; ++i) {
       const double f = f_min + (f_max - f_min) * uniform(generator);  // Eq. 5
       Vector candidate(joints);
       for (std::size_t j = 0; j < joints; ++j) {
-        v[i][j] += (x[i][j] - (best.theta[j] + theta_s[j]) / 2) * f;  // Eq. 13
-        x[i][j] += v[i][j];                                           // Eq. 7
-        candidate[j] =
-            r * best.theta[j] + (1 - r) * theta_s[j] + step_factor * loudness * normal(generator);  // Eq. 14
+        v[i][j] += (x[i][j] - (best.theta[j] + theta_s[j]) / 2) * f;                                           // Eq. 13
+        x[i][j] += v[i][j];                                                                                    // Eq. 7
+        candidate[j] = r * best.theta[j] + (1 - r) * theta_s[j] + step_factor * loudness * normal(generator);  // Eq. 14
       }
       const double error = position_error(links, candidate, target);
       if (error < best.error) {

@@ -39,11 +39,7 @@ void to_tolerance(benchmark::State& state) {
   state.counters["missed_share"] = static_cast<double>(missed) / targets;
 }
 
-BENCHMARK(to_tolerance)
-    ->Name("ik_bat/to_tolerance")
-    ->Iterations(1)
-    ->UseManualTime()
-    ->Unit(benchmark::kMicrosecond);
+BENCHMARK(to_tolerance)->Name("ik_bat/to_tolerance")->Iterations(1)->UseManualTime()->Unit(benchmark::kMicrosecond);
 
 }  // namespace
 
