@@ -304,8 +304,10 @@ std::string machine(const Measurements& measurements) {
     return value.empty() ? std::string("unknown") : value;
   };
   const std::string peers = measurements.context("peers");
+  std::string load = noted("load_avg");  // a list
+  std::erase_if(load, [](char c) { return c == '[' || c == ']'; });
   return fmt::format("{}, {} processors, load {}; instruction set {}; {}, {}; commit {}; {}; peers: {}.", noted("cpu"),
-                     noted("num_cpus"), noted("load_avg"), noted("instruction_set"), noted("compiler"), noted("flags"),
+                     noted("num_cpus"), load, noted("instruction_set"), noted("compiler"), noted("flags"),
                      noted("commit"), noted("date"), peers.empty() ? "none" : peers);
 }
 

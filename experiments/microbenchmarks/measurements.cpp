@@ -15,6 +15,12 @@ std::string plain_name(const nlohmann::json& entry) {
   return entry.contains("run_name") ? std::regex_replace(name, manner, "") : name;
 }
 
+// As Google Benchmark itself does for its rates: CPU time, unless the benchmark asks for the clock's.
+bool is_by_the_clock(const nlohmann::json& entry) {
+  const std::string name = entry.value("run_name", "");
+  return name.ends_with("/real_time") || name.ends_with("/manual_time");
+}
+
 double unit_in_nanoseconds(const std::string& unit) {
   if (unit == "us") return 1e3;
   if (unit == "ms") return 1e6;
@@ -48,8 +54,9 @@ std::vector<double> Measurements::nanoseconds(const std::string& name) const {
   std::vector<double> values;
   if (!repetitions_.contains(name)) return values;
   for (const nlohmann::json& entry : repetitions_.at(name)) {
-    if (entry.contains("real_time")) {
-      values.push_back(entry["real_time"].get<double>() * unit_in_nanoseconds(entry.value("time_unit", "ns")));
+    const char* time = is_by_the_clock(entry) ? "real_time" : "cpu_time";
+    if (entry.contains(time)) {
+      values.push_back(entry[time].get<double>() * unit_in_nanoseconds(entry.value("time_unit", "ns")));
     }
   }
   return values;

@@ -13,7 +13,8 @@ class Measurements {
   // std::invalid_argument where it is not such a document.
   void add(const nlohmann::json& document);
 
-  // One number a repetition, in their order; empty where it was not measured.
+  // One number a repetition, in their order; empty where it was not measured. CPU time, or the clock's where a
+  // benchmark asks for it.
   std::vector<double> nanoseconds(const std::string& name) const;
   std::vector<double> counter(const std::string& name, const std::string& counter) const;
   // A value that is text, of the only repetition; or empty.

@@ -74,6 +74,17 @@ TEST_CASE("the manner of a run is no part of a benchmark's name, and means are n
   CHECK(row(all, "G14").verdict == Verdict::met);
 }
 
+TEST_CASE("CPU time counts, unless the benchmark asks for the clock's", "[goals]") {
+  const auto disturbed = [](const std::string& name) {  // by another program, which had the core half of the time
+    json entry = repetition(name, 0, 2e9);
+    entry["cpu_time"] = 1e9;
+    return entry;
+  };
+  CHECK(row(measured({disturbed("study/threads/1")}), "G9").measured == "1 s");
+  CHECK(row(measured({disturbed("study/threads/1/iterations:1/real_time")}), "G9").measured == "2 s");
+  CHECK(row(measured({disturbed("study/threads/1/manual_time")}), "G9").measured == "2 s");
+}
+
 TEST_CASE("what was not measured says why", "[goals]") {
   const std::vector<json> only_ours{repetition(ours, 0, 5)};
   CHECK(row(measured(only_ours), "G1").verdict == Verdict::not_measured);
