@@ -1,18 +1,22 @@
 #include "experiments/microbenchmarks/measurements.hpp"
 
 #include <algorithm>
-#include <regex>
 #include <stdexcept>
 
 namespace ikbench::microbenchmarks {
 
 namespace {
 
-// Google Benchmark adds to a name how it was run.
+// Google Benchmark appends to a name how it was run.
 std::string plain_name(const nlohmann::json& entry) {
-  static const std::regex manner("/(iterations|repeats|min_time|threads):[^/]*|/(real|manual|process)_time");
-  const std::string name = entry.contains("run_name") ? entry["run_name"] : entry.at("name");
-  return entry.contains("run_name") ? std::regex_replace(name, manner, "") : name;
+  if (!entry.contains("run_name")) return entry.at("name");
+  const std::string name = entry["run_name"];
+  std::size_t end = name.size();
+  for (const char* manner :
+       {"/min_time:", "/iterations:", "/repeats:", "/process_time", "/real_time", "/manual_time"}) {
+    end = std::min(end, name.find(manner));
+  }
+  return name.substr(0, end);
 }
 
 // As Google Benchmark itself does for its rates: CPU time, unless the benchmark asks for the clock's.
