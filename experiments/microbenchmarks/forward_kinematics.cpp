@@ -1,0 +1,107 @@
+// Position errors of 50 candidates: ours, and what one would write instead; and how ours grows.
+#include <cmath>
+
+#include "experiments/microbenchmarks/closed_form.hpp"
+#include "experiments/microbenchmarks/harness.hpp"
+#include "solvers/objective.hpp"
+
+namespace ikbench::microbenchmarks {
+
+namespace {
+
+constexpr int batch = 50;
+
+void measure(benchmark::State& state, const Reach& reach, int candidates) {
+  const Candidates q = drawn_candidates(reach.problem, candidates);
+  Eigen::VectorXd errors(candidates);
+  for (auto _ : state) {
+    reach.chain.position_errors(q, reach.target, errors);
+    benchmark::DoNotOptimize(errors.data());
+    benchmark::ClobberMemory();
+  }
+  count_candidates(state, candidates, reach.chain.joints());
+}
+
+void ours(benchmark::State& state) { measure(state, flange_reach(), batch); }
+
+void one_at_a_time(benchmark::State& state) {
+  const Reach reach = flange_reach();
+  const Candidates q = drawn_candidates(reach.problem, batch);
+  Objective objective(reach.chain, reach.target);
+  for (auto _ : state) {
+    for (int i = 0; i < batch; ++i) benchmark::DoNotOptimize(objective.error(q.col(i)));
+  }
+  count_candidates(state, batch, reach.chain.joints());
+}
+
+// A peer gives the position of one candidate; its candidates lie one after the other, which suits it best.
+template <class Position>
+void measure_peer(benchmark::State& state, const Position& position) {
+  const Reach reach = flange_reach();
+  const Eigen::MatrixXd q = drawn_candidates(reach.problem, batch);
+  Eigen::VectorXd errors(batch);
+  for (int i = 0; i < batch; ++i) {
+    if (!is_same_position(state, reach.chain, q.col(i), position(reach.chain, q.col(i).data()))) return;
+  }
+  for (auto _ : state) {
+    for (int i = 0; i < batch; ++i) errors[i] = (position(reach.chain, q.col(i).data()) - reach.target).norm();
+    benchmark::DoNotOptimize(errors.data());
+    benchmark::ClobberMemory();
+  }
+  count_candidates(state, batch, reach.chain.joints());
+}
+
+void closed_form(benchmark::State& state) {
+  measure_peer(state, [](const Chain&, const double* q) { return iiwa_flange(q); });
+}
+
+// Eqs. 18 and 26, letter by letter.
+void eigen_products(benchmark::State& state) {
+  measure_peer(state, [](const Chain& chain, const double* q) -> Eigen::Vector3d {
+    Eigen::Matrix4d T = Eigen::Matrix4d::Identity();
+    for (int j = 0; j < chain.joints(); ++j) {
+      const DhLink& link = chain.links()[static_cast<std::size_t>(j)];
+      const double c = std::cos(q[j] + link.offset), s = std::sin(q[j] + link.offset);
+      const double ca = std::cos(link.alpha), sa = std::sin(link.alpha);
+      Eigen::Matrix4d T_link;
+      T_link << c, -s * ca, s * sa, link.a * c,  //
+          s, c * ca, -c * sa, link.a * s,        //
+          0, sa, ca, link.d,                     //
+          0, 0, 0, 1;
+      T = T * T_link;
+    }
+    return T.block<3, 1>(0, 3);
+  });
+}
+
+// About axes in turn upright and level, half of the stretched arm away: no joint can be left out, no length is 0.
+Reach snake_reach(int joints) {
+  std::vector<DhLink> links;
+  for (int j = 0; j < joints; ++j) links.push_back({.a = 0.1, .alpha = j % 2 == 0 ? 1.5 : -1.5});
+  return {Chain(links),
+          {0.05 * joints, 0.02 * joints, 0.01},
+          {.start = Eigen::VectorXd::Zero(joints),
+           .lower = Eigen::VectorXd::Constant(joints, -2),
+           .upper = Eigen::VectorXd::Constant(joints, 2)}};
+}
+
+void growth_with_joints(benchmark::State& state) {
+  measure(state, snake_reach(static_cast<int>(state.range(0))), batch);
+}
+
+void growth_with_population(benchmark::State& state) {
+  measure(state, flange_reach(), static_cast<int>(state.range(0)));
+}
+
+BENCHMARK(ours)->Name("forward_kinematics/ours");
+BENCHMARK(one_at_a_time)->Name("forward_kinematics/one_at_a_time");
+BENCHMARK(closed_form)->Name("forward_kinematics/closed_form");
+BENCHMARK(eigen_products)->Name("forward_kinematics/eigen_products");
+BENCHMARK(growth_with_joints)->Name("forward_kinematics/joints")->Arg(4)->Arg(7)->Arg(8)->Arg(16)->Arg(32);
+BENCHMARK(growth_with_population)->Name("forward_kinematics/population")->Arg(50)->Arg(500)->Arg(5000);
+
+}  // namespace
+
+}  // namespace ikbench::microbenchmarks
+
+int main(int argc, char** argv) { return ikbench::microbenchmarks::run(argc, argv); }

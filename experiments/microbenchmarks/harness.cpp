@@ -1,0 +1,90 @@
+#include "experiments/microbenchmarks/harness.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "experiments/environment.hpp"
+#include "experiments/path.hpp"
+#include "robots/instruction_set.hpp"
+#include "robots/spherical_wrist.hpp"
+#include "solvers/bounds.hpp"
+
+namespace ikbench::microbenchmarks {
+
+namespace {
+
+// Google Benchmark would print mean, median, deviation and every repetition.
+class Medians final : public benchmark::ConsoleReporter {
+ public:
+  Medians() : ConsoleReporter(OO_None) {}
+
+  void ReportRuns(const std::vector<Run>& reports) override {
+    std::vector<Run> shown;
+    std::copy_if(reports.begin(), reports.end(), std::back_inserter(shown), [](const Run& report) {
+      return report.error_occurred || report.repetitions <= 1 || report.aggregate_name == "median";
+    });
+    if (!shown.empty()) ConsoleReporter::ReportRuns(shown);
+  }
+};
+
+}  // namespace
+
+int run(int argc, char** argv) {
+  for (const auto& [key, value] : environment()) {
+    if (key != "date") benchmark::AddCustomContext(key, value);
+  }
+  benchmark::AddCustomContext("instruction_set", std::string(instruction_set()));
+  benchmark::AddCustomContext("peers", IKBENCH_PEERS);
+  benchmark::Initialize(&argc, argv);
+  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
+  Medians console;
+  benchmark::RunSpecifiedBenchmarks(&console);
+  benchmark::Shutdown();
+  return 0;
+}
+
+Reach wrist_reach(int population) {
+  const Robot iiwa = robot("kuka_iiwa14");
+  const SphericalWrist wrist(iiwa.chain);
+  return {wrist.arm(),
+          wrist.centre(targets(Helix{}).front()),
+          {.start = Eigen::VectorXd::Zero(4),
+           .lower = iiwa.limits.lower.head(4),
+           .upper = iiwa.limits.upper.head(4),
+           .population = population}};
+}
+
+Reach flange_reach(int population) {
+  const Robot iiwa = robot("kuka_iiwa14");
+  return {iiwa.chain,
+          targets(Helix{}).front().translation(),
+          {.start = Eigen::VectorXd::Zero(7),
+           .lower = iiwa.limits.lower,
+           .upper = iiwa.limits.upper,
+           .population = population}};
+}
+
+Candidates drawn_candidates(const Problem& problem, int count) {
+  Candidates candidates(problem.joints(), count);
+  Random random{Key(1)};
+  draw_within_limits(problem, random, candidates);
+  return candidates;
+}
+
+bool is_same_position(benchmark::State& state, const Chain& chain, const ConfigurationRef& q,
+                      const Eigen::Vector3d& position) {
+  const double difference = (chain.position(q) - position).norm();
+  if (difference <= 1e-12) return true;
+  state.SkipWithError(fmt::format("the position is {} m away from that of our chain", difference).c_str());
+  return false;
+}
+
+void count_candidates(benchmark::State& state, int candidates, int joints) {
+  using benchmark::Counter;
+  state.counters["per_candidate"] =
+      Counter(candidates, Counter::Flags(Counter::kIsIterationInvariantRate | Counter::kInvert));
+  state.counters["candidate_joints"] = static_cast<double>(candidates) * joints;
+}
+
+}  // namespace ikbench::microbenchmarks

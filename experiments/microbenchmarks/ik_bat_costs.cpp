@@ -1,0 +1,129 @@
+// What an IK-BA solve of seven joints (population 50, 200 iterations) costs over its evaluations alone, over a variant
+// that updates once an iteration, and against a textbook program.
+#include <cmath>
+
+#include "experiments/microbenchmarks/harness.hpp"
+#include "experiments/microbenchmarks/textbook_ik_bat.hpp"
+#include "solvers/bounds.hpp"
+#include "solvers/registry.hpp"
+#include "solvers/solve.hpp"
+
+namespace ikbench::microbenchmarks {
+
+namespace {
+
+constexpr int iterations = 200;
+
+// IK-BA with its defaults, but the best of an iteration is known only in the next one: everybody in one batch.
+class SynchronousIkBat final : public Solver {
+ public:
+  void start(const Problem& problem, Objective& objective, Random& random) override {
+    theta_s_ = problem.start;
+    x_.resize(problem.joints(), problem.population);
+    v_.setZero(problem.joints(), problem.population);
+    epsilon_.resize(problem.joints(), problem.population);
+    candidates_.resize(problem.joints(), problem.population);
+    for (Eigen::VectorXd* each : {&errors_, &beta_, &chance_}) each->resize(problem.population);
+    loudness_ = 1;
+    iteration_ = 0;
+    best_.q = problem.start;
+    best_.error = std::numeric_limits<double>::infinity();
+    draw_within_limits(problem, random, x_);
+    x_.col(0) = problem.start;
+    objective.errors(x_, errors_);
+    Eigen::Index i;
+    const double error = errors_.minCoeff(&i);
+    best_.improve(x_.col(i), error);
+  }
+
+  void step(Objective& objective, Random& random) override {
+    random.uniforms(beta_);
+    random.normals(epsilon_);
+    random.uniforms(chance_);                            // for the acceptance, which by default asks for none
+    loudness_ *= 0.97;                                   // Eq. 9
+    const double r = 1 - std::exp(-0.1 * iteration_++);  // Eq. 10
+    for (Eigen::Index j = 0; j < x_.rows(); ++j) {
+      const double between = 0.5 * (best_.q[j] + theta_s_[j]), centre = r * best_.q[j] + (1 - r) * theta_s_[j];
+      v_.row(j).array() += (x_.row(j).array() - between) * (2 * beta_.transpose().array());  // Eqs. 5 and 13
+      x_.row(j) += v_.row(j);                                                                // Eq. 7
+      candidates_.row(j).array() = centre + 0.1 * loudness_ * epsilon_.row(j).array();       // Eq. 14
+    }
+    objective.errors(candidates_, errors_);
+    Eigen::Index i;
+    const double error = errors_.minCoeff(&i);
+    if (best_.improve(candidates_.col(i), error)) x_.col(i) = candidates_.col(i);
+  }
+
+  const Best& best() const override { return best_; }
+
+ private:
+  Eigen::VectorXd theta_s_, errors_, beta_, chance_;
+  Candidates x_, v_, epsilon_, candidates_;
+  double loudness_ = 1;
+  int iteration_ = 0;
+  Best best_;
+};
+
+void measure(benchmark::State& state, Solver& solver) {
+  const Reach reach = flange_reach();
+  Random random{Key(1)};
+  double sum = 0;
+  for (auto _ : state) {
+    Objective objective(reach.chain, reach.target);
+    sum += solve(solver, reach.problem, objective, random, {.iterations = iterations}).best.error;
+  }
+  state.counters["error_cm"] = benchmark::Counter(100 * sum, benchmark::Counter::kAvgIterations);
+}
+
+void ours(benchmark::State& state) { measure(state, *solver("ik_bat").make({})); }
+
+void synchronous(benchmark::State& state) {
+  SynchronousIkBat solver;
+  measure(state, solver);
+}
+
+// As many evaluations as a solve has, in the same batches: the first candidates, and those of each iteration.
+void kinematics_only(benchmark::State& state) {
+  const Reach reach = flange_reach();
+  const Candidates q = drawn_candidates(reach.problem, reach.problem.population);
+  Eigen::VectorXd errors(q.cols());
+  for (auto _ : state) {
+    Objective objective(reach.chain, reach.target);
+    for (int batch = 0; batch <= iterations; ++batch) {
+      objective.errors(q, errors);
+      benchmark::DoNotOptimize(errors.data());
+      benchmark::ClobberMemory();
+    }
+  }
+}
+
+void textbook_solve(benchmark::State& state) {
+  const Reach reach = flange_reach();
+  std::vector<textbook::Link> links;
+  for (const DhLink& link : reach.chain.links()) links.push_back({link.a, link.alpha, link.d});
+  const auto to_vector = [](const Eigen::VectorXd& values) { return textbook::Vector(values.begin(), values.end()); };
+  const textbook::Vector target = to_vector(reach.target), start = to_vector(reach.problem.start),
+                         lower = to_vector(reach.problem.lower), upper = to_vector(reach.problem.upper);
+  const Candidates q = drawn_candidates(reach.problem, 50);
+  for (Eigen::Index i = 0; i < q.cols(); ++i) {
+    const textbook::Vector position = textbook::forward_kinematics(links, to_vector(q.col(i)));
+    if (!is_same_position(state, reach.chain, q.col(i), Eigen::Vector3d(position.data()))) return;
+  }
+  std::mt19937_64 generator(1);
+  double sum = 0;
+  for (auto _ : state) {
+    sum += textbook::ik_bat(links, target, start, lower, upper, reach.problem.population, iterations, generator).error;
+  }
+  state.counters["error_cm"] = benchmark::Counter(100 * sum, benchmark::Counter::kAvgIterations);
+}
+
+BENCHMARK(ours)->Name("ik_bat/ours")->Unit(benchmark::kMicrosecond);
+BENCHMARK(kinematics_only)->Name("ik_bat/kinematics_only")->Unit(benchmark::kMicrosecond);
+BENCHMARK(synchronous)->Name("ik_bat/synchronous")->Unit(benchmark::kMicrosecond);
+BENCHMARK(textbook_solve)->Name("ik_bat/textbook")->Unit(benchmark::kMicrosecond);
+
+}  // namespace
+
+}  // namespace ikbench::microbenchmarks
+
+int main(int argc, char** argv) { return ikbench::microbenchmarks::run(argc, argv); }

@@ -1,0 +1,34 @@
+// The whole helix study: six solvers, 2400 solves, timing and verifier included, store and report excluded; by one
+// thread and by two.
+#include "experiments/microbenchmarks/harness.hpp"
+#include "experiments/runner.hpp"
+
+namespace ikbench::microbenchmarks {
+
+namespace {
+
+void whole_study(benchmark::State& state) {
+  const Study study = studies().front();
+  double solves = 0;
+  for (auto _ : state) {
+    solve_study(study, static_cast<int>(state.range(0)), [&](const SolveRecord& record) {
+      benchmark::DoNotOptimize(record.position_error_cm);
+      ++solves;
+    });
+  }
+  state.counters["solves"] = benchmark::Counter(solves, benchmark::Counter::kAvgIterations);
+}
+
+BENCHMARK(whole_study)
+    ->Name("study/threads")
+    ->Arg(1)
+    ->Arg(2)
+    ->Iterations(1)
+    ->UseRealTime()
+    ->Unit(benchmark::kMillisecond);
+
+}  // namespace
+
+}  // namespace ikbench::microbenchmarks
+
+int main(int argc, char** argv) { return ikbench::microbenchmarks::run(argc, argv); }
