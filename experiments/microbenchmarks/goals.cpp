@@ -53,9 +53,9 @@ int run(int argc, char** argv) {
   app.add_flag("--instruction-sets", all, "only name those that this machine can run");
   CLI11_PARSE(app, argc, argv);
 
-  if (in_use) std::cout << instruction_set() << '\n';
+  if (in_use) std::cout << name_of(instruction_set()) << '\n';
   if (all) {
-    for (const std::string_view set : instruction_sets()) std::cout << set << '\n';
+    for (const InstructionSet set : instruction_sets()) std::cout << name_of(set) << '\n';
   }
   if (in_use || all) return 0;
 

@@ -34,7 +34,7 @@ int run(int argc, char** argv) {
   for (const auto& [key, value] : environment()) {
     if (key != "date") benchmark::AddCustomContext(key, value);
   }
-  benchmark::AddCustomContext("instruction_set", std::string(instruction_set()));
+  benchmark::AddCustomContext("instruction_set", std::string(name_of(instruction_set())));
   benchmark::AddCustomContext("peers", IKBENCH_PEERS);
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;

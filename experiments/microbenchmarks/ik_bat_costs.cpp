@@ -1,11 +1,11 @@
 // What an IK-BA solve of seven joints (population 50, 200 iterations) costs over its evaluations alone, over a variant
 // that updates once an iteration, and against a textbook program.
-#include <cmath>
-
 #include "experiments/microbenchmarks/harness.hpp"
 #include "experiments/microbenchmarks/textbook_ik_bat.hpp"
+#include "robots/functions.hpp"
 #include "solvers/bounds.hpp"
 #include "solvers/registry.hpp"
+#include "solvers/row_kernels.hpp"
 #include "solvers/solve.hpp"
 
 namespace ikbench::microbenchmarks {
@@ -23,7 +23,7 @@ class SynchronousIkBat final : public Solver {
     v_.setZero(problem.joints(), problem.population);
     epsilon_.resize(problem.joints(), problem.population);
     candidates_.resize(problem.joints(), problem.population);
-    for (Eigen::VectorXd* each : {&errors_, &beta_, &chance_}) each->resize(problem.population);
+    for (Eigen::VectorXd* each : {&errors_, &frequency_, &chance_}) each->resize(problem.population);
     loudness_ = 1;
     iteration_ = 0;
     best_.q = problem.start;
@@ -37,16 +37,23 @@ class SynchronousIkBat final : public Solver {
   }
 
   void step(Objective& objective, Random& random) override {
-    random.uniforms(beta_);
+    random.uniforms(frequency_);
     random.normals(epsilon_);
-    random.uniforms(chance_);                            // for the acceptance, which by default asks for none
-    loudness_ *= 0.97;                                   // Eq. 9
-    const double r = 1 - std::exp(-0.1 * iteration_++);  // Eq. 10
+    random.uniforms(chance_);                               // for the acceptance, which by default asks for none
+    frequency_ *= 2;                                        // Eq. 5
+    loudness_ *= 0.97;                                      // Eq. 9
+    const double r = 1 - exponential(-0.1 * iteration_++);  // Eq. 10
     for (Eigen::Index j = 0; j < x_.rows(); ++j) {
-      const double between = 0.5 * (best_.q[j] + theta_s_[j]), centre = r * best_.q[j] + (1 - r) * theta_s_[j];
-      v_.row(j).array() += (x_.row(j).array() - between) * (2 * beta_.transpose().array());  // Eqs. 5 and 13
-      x_.row(j) += v_.row(j);                                                                // Eq. 7
-      candidates_.row(j).array() = centre + 0.1 * loudness_ * epsilon_.row(j).array();       // Eq. 14
+      double *const x = &x_(j, 0), *const v = &v_(j, 0);
+      rows_.fly({.pole = 0.5 * (best_.q[j] + theta_s_[j]),  // Eqs. 13 and 7
+                 .frequency = frequency_.data(),
+                 .x = x,
+                 .v = v,
+                 .x_next = x,
+                 .v_next = v,
+                 .count = x_.cols()});
+      rows_.scatter(r * best_.q[j] + (1 - r) * theta_s_[j], 0.1 * loudness_, &epsilon_(j, 0), &candidates_(j, 0),
+                    x_.cols());  // Eq. 14
     }
     objective.errors(candidates_, errors_);
     Eigen::Index i;
@@ -57,8 +64,9 @@ class SynchronousIkBat final : public Solver {
   const Best& best() const override { return best_; }
 
  private:
-  Eigen::VectorXd theta_s_, errors_, beta_, chance_;
+  Eigen::VectorXd theta_s_, errors_, frequency_, chance_;
   Candidates x_, v_, epsilon_, candidates_;
+  RowKernels rows_ = row_kernels();
   double loudness_ = 1;
   int iteration_ = 0;
   Best best_;

@@ -52,7 +52,7 @@ int main(int argc, char** argv) {
   Hash all;
   for (const auto& [solve, hash] : hashes) all.add(std::bit_cast<double>(hash.value()));
 
-  const std::string set(instruction_set());
+  const std::string set(name_of(instruction_set()));
   std::map<std::string, std::string> context = environment();
   context["instruction_set"] = set;
   const nlohmann::json result{{"name", "result_hash/" + set + "/threads:" + std::to_string(threads)},
