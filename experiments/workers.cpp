@@ -30,15 +30,14 @@ class Door {
 
 void work_together(int jobs, const std::function<void()>& worker) {
   if (jobs == 1) return worker();
+  const auto work = [&](int) {
+    const Door door;
+    worker();
+  };
   const Door door;
   // Else oneTBB has no more threads than processors, whatever is asked for.
   const tbb::global_control threads(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(jobs));
-  tbb::task_arena(jobs).execute([&] {
-    tbb::parallel_for(0, jobs, [&](int) {
-      const Door workers_door;
-      worker();
-    });
-  });
+  tbb::task_arena(jobs).execute([&] { tbb::parallel_for(0, jobs, work); });
 }
 
 void Desk::hand_in(SolveRecord record) {
