@@ -19,5 +19,6 @@ void add_report(CLI::App& app);
 void add_list(CLI::App& app);
 void add_solve(CLI::App& app);
 void add_export(CLI::App& app);
+void add_fingerprint(CLI::App& app);
 
 }  // namespace ikbench::cli

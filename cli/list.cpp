@@ -9,6 +9,7 @@
 #include "cli/console.hpp"
 #include "experiments/study_file.hpp"
 #include "results/export.hpp"
+#include "robots/instruction_set.hpp"
 #include "robots/names.hpp"
 #include "robots/units.hpp"
 #include "solvers/registry.hpp"
@@ -79,10 +80,23 @@ std::string column_list(std::string_view name) {
   return aligned(rows);
 }
 
+std::string instruction_set_list(std::string_view name) {
+  Rows rows{{"NAME", "IN USE"}};
+  std::vector<std::string> names;
+  for (const InstructionSet each : instruction_sets()) {
+    const std::string_view set = name_of(each);
+    names.emplace_back(set);
+    if (name.empty() || set == name) rows.push_back({std::string(set), each == instruction_set() ? "yes" : "no"});
+  }
+  if (rows.size() == 1) throw std::invalid_argument(unknown_name("instruction set", name, names));
+  return aligned(rows);
+}
+
 std::string listed(const std::string& kind, const std::string& name) {
   if (kind == "solvers") return name.empty() ? solver_list() : solver_details(name);
   if (kind == "robots") return name.empty() ? robot_list() : robot_details(name);
   if (kind == "columns") return column_list(name);
+  if (kind == "instruction-sets") return instruction_set_list(name);
   return name.empty() ? study_list() : to_toml(load_study(name));
 }
 
@@ -93,16 +107,18 @@ void add_list(CLI::App& app) {
     std::string kind, name;
   };
   auto arguments = std::make_shared<Arguments>();
-  CLI::App* command = app.add_subcommand("list", "What there is: solvers, robots, studies, columns of the results");
-  command->add_option("KIND", arguments->kind, "solvers, robots, studies or columns")
+  CLI::App* command =
+      app.add_subcommand("list", "What there is: solvers, robots, studies, columns of the results, instruction sets");
+  command->add_option("KIND", arguments->kind, "solvers, robots, studies, columns or instruction-sets")
       ->required()
-      ->check(CLI::IsMember({"solvers", "robots", "studies", "columns"}));
+      ->check(CLI::IsMember({"solvers", "robots", "studies", "columns", "instruction-sets"}));
   command->add_option("NAME", arguments->name, "one of them in full; a study as TOML, to be edited and run");
   command->footer(
       "Examples:\n"
       "  ikbench list solvers\n"
       "  ikbench list solvers ik_bat              its options, their defaults and ranges\n"
-      "  ikbench list studies slim2023 > my.toml");
+      "  ikbench list studies slim2023 > my.toml\n"
+      "  ikbench list instruction-sets            those of this machine; IKBENCH_INSTRUCTION_SET=name chooses one");
   command->callback([arguments] { fmt::print("{}", listed(arguments->kind, arguments->name)); });
 }
 

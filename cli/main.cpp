@@ -33,6 +33,7 @@ int main(int argc, char** argv) {
   cli::add_list(app);
   cli::add_solve(app);
   cli::add_export(app);
+  cli::add_fingerprint(app);
   try {
     app.parse(argc, argv);
     if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)

@@ -45,7 +45,7 @@ void add_run_options(CLI::App& command, RunArguments& arguments) {
 }
 
 void write_and_announce(const Store& store, const std::string& study, const std::filesystem::path& folder,
-                        const ReportArguments& arguments) {
+                        const ReportArguments& arguments, const std::vector<std::string>& remarks) {
   const Unit unit = arguments.unit == "run" ? Unit::run : Unit::point;
   const Report report = write_report(store, {.study = study,
                                              .folder = folder,
@@ -54,6 +54,7 @@ void write_and_announce(const Store& store, const std::string& study, const std:
                                              .figures = {.render = !arguments.without_figures}});
   fmt::print("\n{}\n", aligned(readable_cells(report.results)));
   for (const std::string& sentence : report.summary) fmt::print("{}\n", printable(sentence));
+  for (const std::string& remark : remarks) fmt::print("{}\n", printable(remark));
   for (const std::string& warning : report.warnings) say("warning: " + warning);
   fmt::print("Report: {}\n", printable(report.file.string()));
 }

@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "experiments/runner.hpp"
 #include "results/store.hpp"
@@ -21,9 +22,10 @@ struct ReportArguments {
 
 void add_report_options(CLI::App& command, ReportArguments& arguments);
 
-// Writes tables, figures and report.md into the folder; prints the summary and, as the last line, the report's path.
+// Writes tables, figures and report.md into the folder; prints the summary, the remarks and, as the last line, the
+// report's path.
 void write_and_announce(const Store& store, const std::string& study, const std::filesystem::path& folder,
-                        const ReportArguments& arguments);
+                        const ReportArguments& arguments, const std::vector<std::string>& remarks = {});
 
 // The study of that name, or the first of the store where the name is empty.
 StudyEntry chosen_study(const Store& store, const std::string& name);

@@ -7,8 +7,24 @@
 #include "cli/console.hpp"
 #include "cli/reporting.hpp"
 #include "experiments/study_file.hpp"
+#include "results/fingerprint.hpp"
 
 namespace ikbench::cli {
+
+namespace {
+
+// What the numbers of a study are, in a line, and whether they are those that everybody should get.
+std::string compared_with_reference(const Store& store, const std::string& name) {
+  const std::string ours = fingerprint(store.solves(name));
+  const std::string_view reference = reference_fingerprint(name);
+  const bool is_as_built_in = store.study(name).definition == to_json(load_study(name));
+  return fmt::format("Fingerprint of {}: {}, {}", name, ours,
+                     !is_as_built_in     ? "of a study with another seed or number of runs than the reference"
+                     : ours == reference ? "the reference numbers"
+                                         : fmt::format("not the reference numbers: {}", reference));
+}
+
+}  // namespace
 
 void add_reproduce(CLI::App& app, Invocation& invocation) {
   struct Arguments {
@@ -36,14 +52,18 @@ void add_reproduce(CLI::App& app, Invocation& invocation) {
     const Overrides overrides{fmt::format("seed={}", arguments->seed), fmt::format("runs={}", arguments->runs)};
     const std::filesystem::path folder =
         arguments->run.out.empty() ? default_folder("slim2023") : std::filesystem::path(arguments->run.out);
-    for (const char* name : {"slim2023", "slim2023-context"}) {
+    const std::vector<std::string> names{"slim2023", "slim2023-context"};
+    for (const std::string& name : names) {
       if (run_and_tell(load_study(name, overrides), folder,
                        {.jobs = arguments->run.jobs, .command = invocation.command}) == Ended::stopped) {
         invocation.exit_code = 130;
         return;
       }
     }
-    write_and_announce(Store(store_in(folder), Store::Mode::read), "slim2023", folder, arguments->report);
+    const Store store(store_in(folder), Store::Mode::read);
+    std::vector<std::string> remarks;
+    for (const std::string& name : names) remarks.push_back(compared_with_reference(store, name));
+    write_and_announce(store, names.front(), folder, arguments->report, remarks);
   });
 }
 

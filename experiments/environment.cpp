@@ -11,6 +11,7 @@
 #include <thread>
 
 #include "build_info.hpp"
+#include "robots/instruction_set.hpp"
 
 namespace ikbench {
 
@@ -49,6 +50,7 @@ std::map<std::string, std::string> environment() {
           {"date", fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::chrono::system_clock::now()))},
           {"eigen", fmt::format("{}.{}.{}", EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION)},
           {"flags", build_info::flags},
+          {"instruction_set", std::string(name_of(instruction_set()))},
           {"os", operating_system()},
           {"sanitizers", build_info::sanitize},
           {"version", build_info::version}};

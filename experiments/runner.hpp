@@ -1,4 +1,5 @@
-// Runs a study into a store: solve by solve, only what is missing, and every answer verified after the clock stopped.
+// Runs a study: into a store, only what is missing of it, or without one; every answer verified after the clock
+// stopped.
 #pragma once
 
 #include <atomic>
@@ -27,6 +28,10 @@ struct RunRequest {
 // not depend on `jobs` (unless a solve ends by its wall time), on the order of solvers, or on what the store already
 // had.
 Progress run(const Study& study, Store& store, const RunRequest& request);
+
+// All solves of a study, without a store. `take` gets each as soon as it is done, by one thread at a time: those of a
+// run in the order of its points.
+void solve_study(const Study& study, int jobs, const std::function<void(SolveRecord)>& take);
 
 // One target, by one entrant, with every number that a study would record.
 SolveRecord solve_once(const Study& study, const Entrant& entrant, const Pose& target);

@@ -12,6 +12,7 @@ refused 'unknown robot "kuka"' solve --position-cm 60 20 10 --robot kuka
 refused 'unknown robot "planar_4"; did you mean' list robots planar_4
 refused 'unknown column "tmie"' list columns tmie
 refused 'unknown built-in study "x"' list studies x
+refused 'unknown instruction set "x86-65"' list instruction-sets x86-65
 refused 'things' list things
 
 # Options of the commands.
@@ -62,7 +63,7 @@ succeeds run slim2023 "${small[@]}" --no-report --out made
 head -c 5000 made/store.sqlite >truncated.sqlite
 printf 'solver,error\nA,1\n' >table.csv
 : >empty.sqlite
-for command in report export; do
+for command in report export fingerprint; do
   refused "'none.sqlite' does not exist" $command none.sqlite
   refused 'is a folder' $command made
   refused 'is not an ikbench store' $command table.csv

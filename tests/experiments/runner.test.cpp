@@ -7,6 +7,7 @@
 #include <atomic>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <numbers>
 
@@ -158,14 +159,60 @@ TEST_CASE("what is cancelled before it begins solves nothing", "[runner]") {
 
 TEST_CASE("parallel jobs stop soon after they are asked to, and what they did stays", "[runner]") {
   ScratchStore scratch;
+  Study study = small_study();
+  study.runs = 10'000;  // for longer than any transaction takes
   std::atomic<bool> cancelled{false};
   const auto look = [&](const Progress& now) { cancelled = now.done >= 5; };
-  const Progress stopped = run(small_study(), scratch.store, {.jobs = 4, .progress = look, .cancelled = &cancelled});
+  const Progress stopped = run(study, scratch.store, {.jobs = 4, .progress = look, .cancelled = &cancelled});
   CHECK(stopped.done >= 5);
-  CHECK(stopped.done <= 5 + 3);  // those that were under way
+  CHECK(stopped.done < stopped.total);
   CHECK(scratch.store.solves("small").size() == static_cast<std::size_t>(stopped.done));
   run(small_study(), scratch.store, {});
   CHECK(same_numbers(scratch.store.solves("small"), solves_of(small_study())));
+}
+
+TEST_CASE("what fails where solves are taken is told, ends the work, and what was taken before stays", "[runner]") {
+  for (const int jobs : {1, 4}) {
+    ScratchStore scratch;
+    Study study = small_study();
+    study.runs = 10'000;
+    const auto fail = [](const Progress& now) {
+      if (now.done == 5) throw std::runtime_error("no space");
+    };
+    CHECK(complaint<std::runtime_error>([&] { run(study, scratch.store, {.jobs = jobs, .progress = fail}); }) ==
+          "no space");
+    const std::size_t kept = scratch.store.solves("small").size();
+    CHECK(kept >= 5);
+    CHECK(kept < 120'000);
+    CHECK(run(small_study(), scratch.store, {}).done == 24);
+    CHECK(same_numbers(scratch.store.solves("small"), solves_of(small_study())));
+
+    int taken = 0;
+    const auto refuse = [&](const SolveRecord&) {
+      ++taken;
+      throw std::runtime_error("no room");
+    };
+    CHECK(complaint<std::runtime_error>([&] { solve_study(study, jobs, refuse); }) == "no room");
+    CHECK(taken == 1);
+  }
+}
+
+TEST_CASE("a study is solved without a store to the same numbers, the points of a run in their order", "[runner]") {
+  const Study study = study_of_every_solver();
+  const std::vector<SolveRecord> stored = solves_of(study);
+  for (const int jobs : {1, 2, 4}) {
+    std::map<std::pair<std::string, int>, std::vector<SolveRecord>> taken;
+    solve_study(study, jobs, [&](SolveRecord record) {
+      std::vector<SolveRecord>& of_run = taken[{record.solver, record.run}];
+      CHECK(record.point == static_cast<int>(of_run.size()) + 1);
+      of_run.push_back(std::move(record));
+    });
+    std::vector<SolveRecord> ordered;
+    for (const SolveRecord& record : stored) {
+      ordered.push_back(taken.at({record.solver, record.run}).at(static_cast<std::size_t>(record.point - 1)));
+    }
+    CHECK(same_numbers(ordered, stored));
+  }
 }
 
 TEST_CASE("more runs add only those", "[runner]") {

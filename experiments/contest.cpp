@@ -1,0 +1,144 @@
+#include "experiments/contest.hpp"
+
+#include <time.h>
+
+#include <array>
+#include <chrono>
+#include <nlohmann/json.hpp>
+
+#include "experiments/environment.hpp"
+#include "experiments/verifier.hpp"
+#include "robots/units.hpp"
+
+namespace ikbench {
+
+namespace {
+
+double thread_seconds() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+StopReason recorded(Stopped stopped) {
+  switch (stopped) {
+    case Stopped::iterations:
+      return StopReason::iterations;
+    case Stopped::tolerance:
+      return StopReason::tolerance;
+    case Stopped::evaluations:
+      return StopReason::evaluations;
+    case Stopped::time:
+      return StopReason::time;
+    case Stopped::not_finite:
+      break;
+  }
+  return StopReason::not_finite;
+}
+
+std::vector<double> to_vector(const Configuration& values) { return {values.begin(), values.end()}; }
+
+}  // namespace
+
+Task::Task(const Study& study, const Robot& arm) : study_(study), arm_(arm) {
+  if (study.search == Search::wrist) wrist_.emplace(arm.chain);
+}
+
+Problem Task::problem(const Configuration& start) const {
+  const int joints = chain().joints();
+  return {.start = start.head(joints),
+          .lower = arm_.limits.lower.head(joints),
+          .upper = arm_.limits.upper.head(joints),
+          .population = study_.population,
+          .iterations = study_.stop.iterations};
+}
+
+Configuration Task::completed(const Configuration& found, const Pose& target, const Configuration& start) const {
+  if (!wrist_) return found;
+  const Eigen::Vector3d near = start.tail<3>();
+  const std::array<Eigen::Vector3d, 2> branches = wrist_->angles(found, target.linear(), near);
+  Configuration answer(found.size() + 3);
+  answer << found, branches[chosen(branches, near)];
+  return answer;
+}
+
+std::size_t Task::chosen(const std::array<Eigen::Vector3d, 2>& branches, const Eigen::Vector3d& near) const {
+  const std::size_t nearer = (branches[0] - near).norm() <= (branches[1] - near).norm() ? 0 : 1;
+  const auto is_inside = [&](const Eigen::Vector3d& angles) {
+    return (angles.array() >= arm_.limits.lower.tail<3>().array()).all() &&
+           (angles.array() <= arm_.limits.upper.tail<3>().array()).all();
+  };
+  switch (study_.wrist_branch) {
+    case WristBranch::positive:
+      return 0;
+    case WristBranch::negative:
+      return 1;
+    case WristBranch::inside:
+      return !is_inside(branches[nearer]) && is_inside(branches[1 - nearer]) ? 1 - nearer : nearer;
+    case WristBranch::nearest:
+      break;
+  }
+  return nearer;
+}
+
+Contest::Contest(const Study& study, const Entrant& entrant, const Robot& arm)
+    : study_(study),
+      entrant_(entrant),
+      arm_(arm),
+      task_(study, arm),
+      info_(solver(entrant.solver)),
+      options_(effective_options(study, entrant)),
+      series_{.key = series_key(study, entrant),
+              .label = entrant.label,
+              .algorithm = entrant.solver,
+              .options = nlohmann::json(options_).dump()} {}
+
+SolveRecord Contest::solve(Solver& solver, const Pose& target, const Configuration& start, int run, int point) const {
+  Objective objective(task_.chain(), task_.goal(target));
+  Random random(Key(study_.seed)
+                    .with(entrant_.label)
+                    .with(static_cast<std::uint64_t>(run))
+                    .with(static_cast<std::uint64_t>(point)));
+  const Problem problem = task_.problem(start);
+
+  const double thread_started = thread_seconds();
+  const auto started = std::chrono::steady_clock::now();
+  const Solution solution = ikbench::solve(solver, problem, objective, random, study_.stop, study_.trace);
+  const Configuration answer = task_.completed(solution.best.q, target, start);
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - started;
+  const double cpu_seconds = thread_seconds() - thread_started;
+
+  const Verdict verdict = verify(arm_, target, start, answer);
+  SolveRecord record{.study = study_.name,
+                     .robot = arm_.name,
+                     .solver = entrant_.label,
+                     .series = series_.key,
+                     .run = run,
+                     .point = point,
+                     .target_position_m = to_vector(target.translation()),
+                     .target_rotation = by_rows(target.linear()),
+                     .start_rad = to_vector(start),
+                     .answer_rad = to_vector(answer),
+                     .reached_position_m = to_vector(verdict.reached),
+                     .position_error_cm = verdict.position_error / centimetre,
+                     .claimed_error_cm = solution.best.error / centimetre,
+                     .orientation_error = verdict.orientation_error,
+                     .variation_deg = verdict.variation / degree,
+                     .largest_move_deg = verdict.largest_move / degree,
+                     .limit_violation_deg = verdict.limit_violation / degree,
+                     .evaluations = solution.evaluations,
+                     .iterations = solution.iterations,
+                     .stop_reason = recorded(solution.stopped),
+                     .seconds = seconds.count(),
+                     .cpu_seconds = cpu_seconds,
+                     .timing = is_debug_build() ? Timing::debug_build : Timing::clean};
+  record.status = record.stop_reason == StopReason::not_finite
+                      ? Status::not_finite
+                      : judge(verdict, {.claimed_error = solution.best.error,
+                                        .tolerance = study_.stop.tolerance,
+                                        .orientation_is_exact = study_.search == Search::wrist});
+  for (const double error : solution.trace) record.trace_cm.push_back(error / centimetre);
+  return record;
+}
+
+}  // namespace ikbench

@@ -1,0 +1,54 @@
+// One entrant of a study: its solves, each timed, verified and recorded.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <optional>
+
+#include "experiments/study.hpp"
+#include "results/store.hpp"
+#include "robots/spherical_wrist.hpp"
+#include "solvers/registry.hpp"
+
+namespace ikbench {
+
+// What is searched for one target: all joints, or those before the wrist.
+class Task {
+ public:
+  Task(const Study& study, const Robot& arm);
+
+  const Chain& chain() const { return wrist_ ? wrist_->arm() : arm_.chain; }
+  Eigen::Vector3d goal(const Pose& target) const { return wrist_ ? wrist_->centre(target) : target.translation(); }
+  Problem problem(const Configuration& start) const;
+  // All joints of the answer: those searched, and the wrist's by the closed form.
+  Configuration completed(const Configuration& found, const Pose& target, const Configuration& start) const;
+
+ private:
+  std::size_t chosen(const std::array<Eigen::Vector3d, 2>& branches, const Eigen::Vector3d& near) const;
+
+  const Study& study_;
+  const Robot& arm_;
+  std::optional<SphericalWrist> wrist_;
+};
+
+// Study, entrant and arm outlive it. It may be used by several threads at once, each with a solver of its own.
+class Contest {
+ public:
+  Contest(const Study& study, const Entrant& entrant, const Robot& arm);
+
+  const Series& series() const { return series_; }
+  // Good for any number of solves, one after the other: a solver that is started anew remembers nothing.
+  std::unique_ptr<Solver> make_solver() const { return info_.make(options_); }
+  SolveRecord solve(Solver& solver, const Pose& target, const Configuration& start, int run, int point) const;
+
+ private:
+  const Study& study_;
+  const Entrant& entrant_;
+  const Robot& arm_;
+  Task task_;
+  SolverInfo info_;
+  Settings options_;
+  Series series_;
+};
+
+}  // namespace ikbench

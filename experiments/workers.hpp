@@ -1,0 +1,32 @@
+// Threads that work side by side, and the desk where they hand in what they made.
+#pragma once
+
+#include <functional>
+#include <mutex>
+#include <vector>
+
+#include "results/record.hpp"
+
+namespace ikbench {
+
+// Calls `worker` `jobs` times, side by side, and returns when all have ended; one job is this thread's own. What a
+// worker throws is thrown here.
+void work_together(int jobs, const std::function<void()>& worker);
+
+// Passes records on, one thread at a time. What is handed in meanwhile waits and is passed on next, all at once, by the
+// thread that is at it, so that no worker ever waits for another's. Once passing on has failed it is not tried again.
+class Desk {
+ public:
+  using PassOn = std::function<void(std::vector<SolveRecord>)>;
+
+  explicit Desk(PassOn pass_on) : pass_on_(std::move(pass_on)) {}
+  void hand_in(SolveRecord record);
+
+ private:
+  PassOn pass_on_;
+  std::mutex mutex_;
+  bool is_busy_ = false;
+  std::vector<SolveRecord> waiting_;
+};
+
+}  // namespace ikbench

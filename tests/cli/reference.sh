@@ -1,0 +1,21 @@
+#!/usr/bin/env bash
+# The paper's studies give the reference numbers, bit by bit, with every instruction set of this machine and any number
+# of threads. After a change that is meant to give others: docs/renew-reference.
+source "$(dirname "$0")/common.sh"
+
+references=$scripts/../../results/reference.inc
+for set in $("$program" list instruction-sets | tail -n +2 | cut -d' ' -f1); do
+  export IKBENCH_INSTRUCTION_SET=$set
+  succeeds list instruction-sets
+  has "$(tr -s ' ' <.out)" "$set yes"
+  for jobs in 1 2 4; do
+    succeeds reproduce --jobs $jobs --no-figures --out "$set-$jobs"
+    for study in slim2023 slim2023-context; do
+      has "$out" "Fingerprint of $study: $(grep "\"$study\"" "$references" | cut -d'"' -f4), the reference numbers"
+    done
+  done
+done
+
+# Another seed has no reference.
+succeeds reproduce --seed 2 --runs 1 --no-figures --out seed-2
+has "$out" "of a study with another seed or number of runs than the reference"

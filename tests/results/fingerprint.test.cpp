@@ -1,0 +1,124 @@
+// The fingerprint: every result counts, and nothing else.
+#include "results/fingerprint.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <set>
+
+#include "results/export.hpp"
+#include "tests/catch.hpp"
+#include "tests/results/samples.hpp"
+
+using namespace ikbench;
+
+namespace {
+
+std::vector<SolveRecord> sample_records() {
+  return {sample_record("key-a", 1, 1), sample_record("key-a", 1, 2), sample_record("key-a", 2, 1),
+          sample_record("key-b", 1, 1)};
+}
+
+// Another value of the same type, as little different as can be.
+void change(std::string& text) { text += '\0'; }
+void change(int& number) { ++number; }
+void change(std::int64_t& number) { ++number; }
+void change(double& number) { number = std::nextafter(number, 1e9); }
+void change(std::vector<double>& numbers) { change(numbers.back()); }
+void change(StopReason& reason) { reason = StopReason::time; }
+void change(Status& status) { status = Status::ok; }
+void change(Timing& timing) { timing = Timing::clean; }
+
+}  // namespace
+
+TEST_CASE("a fingerprint is 32 hexadecimal digits, the same on every machine", "[fingerprint]") {
+  CHECK(fingerprint({}) == "00000000000000010000000000000002");
+  CHECK(fingerprint(sample_records()) == "e997cb37c78400d5c9e9a2e431e77d79");
+}
+
+TEST_CASE("every column but times, timing and session counts to its last bit", "[fingerprint]") {
+  const std::string before = fingerprint(sample_records());
+  std::set<std::string> seen{before};
+  std::size_t left_out = 0;
+  for_each_column([&](std::string_view name, auto member, std::string_view) {
+    CAPTURE(name);
+    std::vector<SolveRecord> records = sample_records();
+    change(records[2].*member);
+    if (std::ranges::find(not_in_fingerprint, name) != not_in_fingerprint.end()) {
+      ++left_out;
+      CHECK(fingerprint(records) == before);
+    } else {
+      CHECK(seen.insert(fingerprint(records)).second);
+    }
+  });
+  CHECK(left_out == not_in_fingerprint.size());
+}
+
+TEST_CASE("the order of records does not count, which ones there are does", "[fingerprint]") {
+  std::vector<SolveRecord> records = sample_records();
+  const std::string before = fingerprint(records);
+  std::reverse(records.begin(), records.end());
+  CHECK(fingerprint(records) == before);
+  std::swap(records[1].answer_rad, records[2].reached_position_m);
+  CHECK(fingerprint(records) != before);
+  records = sample_records();
+  records.pop_back();
+  CHECK(fingerprint(records) != before);
+  records.push_back(records.front());
+  CHECK(fingerprint(records) != before);
+}
+
+TEST_CASE("what is in one text or list counts as no other's", "[fingerprint]") {
+  SolveRecord record = sample_record();
+  record.study = std::string("ab");
+  record.robot = std::string("c");
+  const std::string before = fingerprint({record});
+  record.study = std::string("a");
+  record.robot = std::string("bc");
+  CHECK(fingerprint({record}) != before);
+  record = sample_record();
+  record.start_rad = {1, 2};
+  record.answer_rad = {3};
+  const std::string lists = fingerprint({record});
+  record.start_rad = {1};
+  record.answer_rad = {2, 3};
+  CHECK(fingerprint({record}) != lists);
+}
+
+TEST_CASE("every NaN is the same; the sign of zero counts in a list and not in a number of its own", "[fingerprint]") {
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  const auto with = [](double number, double listed) {
+    SolveRecord record = sample_record();
+    record.position_error_cm = number;
+    record.answer_rad = {listed};
+    return fingerprint({record});
+  };
+  CHECK(with(nan, 1) == with(-nan, 1));
+  CHECK(with(1, nan) == with(1, -nan));
+  CHECK(with(1, nan) == with(1, std::bit_cast<double>(0x7FF8000000000123)));
+  CHECK(with(nan, 1) != with(std::numeric_limits<double>::infinity(), 1));
+  CHECK(with(-0.0, 1) == with(0.0, 1));
+  CHECK(with(1, -0.0) != with(1, 0.0));
+}
+
+TEST_CASE("a store keeps the fingerprint, of numbers that are not finite too", "[fingerprint]") {
+  const ScratchFolder folder;
+  Store store(folder.path / "store.sqlite", Store::Mode::write);
+  store.save_study(sample_study());
+  std::vector<SolveRecord> records = sample_records();
+  records[1].position_error_cm = -std::numeric_limits<double>::quiet_NaN();
+  records[1].answer_rad = {-0.0, std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::quiet_NaN()};
+  records[2].variation_deg = -0.0;
+  records[3].claimed_error_cm = std::numeric_limits<double>::infinity();
+  store.append({records[3], records[1]});
+  store.append({records[0], records[2]});
+  CHECK(fingerprint(store.solves("table-3")) == fingerprint(records));
+}
+
+TEST_CASE("the studies of the paper have a reference, others none", "[fingerprint]") {
+  for (const char* study : {"slim2023", "slim2023-context"}) {
+    const std::string_view reference = reference_fingerprint(study);
+    CHECK(reference.size() == 32);
+    CHECK(reference.find_first_not_of("0123456789abcdef") == std::string_view::npos);
+  }
+  CHECK(reference_fingerprint("mine").empty());
+}
