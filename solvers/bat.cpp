@@ -3,6 +3,7 @@
 #include "robots/functions.hpp"
 #include "solvers/bounds.hpp"
 #include "solvers/registry.hpp"
+#include "solvers/row_kernels.hpp"
 
 namespace ikbench {
 
@@ -62,7 +63,7 @@ class Bat final : public Solver {
     frequency_ = options_.f_min + (options_.f_max - options_.f_min) * frequency_.array();  // Eq. 5
     ++iteration_;
     objective.one_by_one(
-        candidates_, found_, [&](Eigen::Index first, Eigen::Index count) { fly(Eigen::seqN(first, count)); },
+        candidates_, found_, [&](Eigen::Index first, Eigen::Index count) { fly(first, count); },
         [&](Eigen::Index i) {
           const bool accepted = found_[i] <= errors_[i] && chance_[i] < loudness_[i];
           if (accepted) {
@@ -80,22 +81,26 @@ class Bat final : public Solver {
   const Best& best() const override { return best_; }
 
  private:
-  template <class Bats>
-  void fly(const Bats& bats) {
-    const double mean_loudness = loudness_.mean();
+  void fly(Eigen::Index first, Eigen::Index count) {
+    const auto bats = Eigen::seqN(first, count);
+    const double step = options_.step_factor * loudness_.mean();
     for (Eigen::Index j = 0; j < x_.rows(); ++j) {
-      const double best = best_.q[j];
-      const auto x = x_(j, bats).array(), v = v_(j, bats).array(), f = frequency_(bats).array();
-      v_next_(j, bats) = v + (x - best) * f;  // Eq. 6
-      candidates_(j, bats) =
-          (local_(bats).array() > pulse_rate_(bats).array())
-              .select(best + (options_.step_factor * mean_loudness) * epsilon_(j, bats).array(),  // Eq. 8
-                      x + v_next_(j, bats).array());                                              // Eq. 7
+      rows_.fly({.pole = best_.q[j],  // Eqs. 6 and 7
+                 .frequency = &frequency_[first],
+                 .x = &x_(j, first),
+                 .v = &v_(j, first),
+                 .x_next = &candidates_(j, first),
+                 .v_next = &v_next_(j, first),
+                 .count = count});
+      const auto searches_locally = local_(bats).array() > pulse_rate_(bats).array();
+      auto candidates = candidates_(j, bats).array();
+      candidates = searches_locally.select(best_.q[j] + step * epsilon_(j, bats).array(), candidates);  // Eq. 8
     }
-    keep_inside(options_.bounds, problem_, candidates_(Eigen::all, bats));
+    keep_inside(options_.bounds, problem_, candidates_.middleCols(first, count));
   }
 
   Options options_;
+  RowKernels rows_ = row_kernels();
   Problem problem_;
   Candidates x_, v_, v_next_, candidates_, epsilon_;
   Eigen::RowVectorXd loudness_, pulse_rate_, frequency_, local_, chance_;
