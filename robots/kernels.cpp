@@ -30,7 +30,7 @@ IKBENCH_LANES Reals distance(const KernelChain& chain, const double* target, Loa
     z = z + link.d;
     const Reals angle = load(j) + link.offset;
     if (!link.turns) {
-      z = fused(angle, all(0.0), z);  // no way to go, but not a number where the angle is none
+      too_far |= turned_too_far(bits(nearest_turn(angle)));  // no way to go, but refused like any other
       continue;
     }
     const auto [of, turns] = sin_cos(angle);
