@@ -1,7 +1,7 @@
 // Numbers in lanes: `Reals` is as many doubles as the instruction set that a unit is compiled for works on at once, and
 // `Bits` are their patterns. The operators + - * / & | ^ ~ << >> of both work lane by lane, on a plain double too.
 //
-// For kernel units only (kernels.cpp, random_kernels.cpp), of which there is one a instruction set in one program: all
+// For kernel units only (robots/kernels.cpp, solvers/kernels.cpp), of which there is one a instruction set in one program: all
 // has internal linkage and nothing is of std::, or the linker might keep an inline function with instructions that an
 // older processor does not have.
 #pragma once

@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "robots/chain.hpp"
-#include "solvers/random_kernels.hpp"
+#include "solvers/kernels.hpp"
 
 namespace ikbench {
 
@@ -45,7 +45,7 @@ class Random {
   }
 
  private:
-  RandomKernels kernels_;
+  const SolverKernels& kernels_;
   RandomState state_;
   double buffer_[random_lanes];
   int used_ = random_lanes;

@@ -197,7 +197,7 @@ TEST_CASE("a solver is one line in the registry and one file of that name, which
 }
 
 TEST_CASE("every file in solvers/ is a registered solver or part of the frame around them", "[architecture]") {
-  const Names solvers = registered_solvers(), frame{"options", "random", "random_kernels", "registry", "solve"};
+  const Names solvers = registered_solvers(), frame{"kernels", "options", "random", "registry", "solve"};
   for (const fs::path& file : sources_of("solvers")) {
     if (file.extension() != ".cpp") continue;
     INFO(file.string());
@@ -277,12 +277,12 @@ TEST_CASE("kernels include kernels and C headers alone, and have nothing of std"
   const Names c_headers{"stddef.h", "stdint.h", "immintrin.h"};
   const std::set<fs::path> sources = kernel_sources();
   CHECK(sources.contains("robots/kernels.cpp"));
-  CHECK(sources.contains("solvers/random_kernels.cpp"));
+  CHECK(sources.contains("solvers/kernels.cpp"));
   CHECK(sources.size() >= 6);
   for (const fs::path& source : sources) {
     INFO(source.string());
     const std::string stem = source.stem().string();
-    CHECK((stem == "lanes" || stem == "elementary" || stem.ends_with("kernels")));
+    CHECK((stem == "lanes" || stem == "elementary" || stem == "kernels"));
     CHECK(code_of(source).find("std::") == std::string::npos);
     for (const std::string& included : between(text_of(source), "#include <", ">")) CHECK(c_headers.contains(included));
   }

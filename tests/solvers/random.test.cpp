@@ -202,23 +202,23 @@ TEST_CASE("keys that differ in any part are different", "[random]") {
 }
 
 TEST_CASE("every instruction set fills with the same bits, and no further than it is told", "[random]") {
-  using Fill = void (*RandomKernels::*)(RandomState&, double*, ptrdiff_t);
+  using Fill = void (*SolverKernels::*)(RandomState&, double*, ptrdiff_t);
   std::vector<std::size_t> sizes{1000};
   for (std::size_t size = 0; size <= 40; ++size) sizes.push_back(size);
   const auto before = Key(7);
-  for (const Fill fill : {&RandomKernels::uniforms, &RandomKernels::normals, &RandomKernels::truncated_normals}) {
+  for (const Fill fill : {&SolverKernels::uniforms, &SolverKernels::normals, &SolverKernels::truncated_normals}) {
     for (const std::size_t size : sizes) {
       const auto count = static_cast<ptrdiff_t>(size);
       std::vector<double> expected(size);
       RandomState expected_state = state_of(before);
-      (random_kernels(InstructionSet::portable).*fill)(expected_state, expected.data(), count);
+      (solver_kernels(InstructionSet::portable).*fill)(expected_state, expected.data(), count);
       for (const InstructionSet set : instruction_sets()) {
         CAPTURE(name_of(set), size);
         constexpr double untouched = -9;
         std::vector<double> exact(size), out(size + 40, untouched);
         RandomState state = state_of(before), other = state;
-        (random_kernels(set).*fill)(state, exact.data(), count);  // ends where its memory ends
-        (random_kernels(set).*fill)(other, out.data() + 20, count);
+        (solver_kernels(set).*fill)(state, exact.data(), count);  // ends where its memory ends
+        (solver_kernels(set).*fill)(other, out.data() + 20, count);
         REQUIRE(std::equal(exact.begin(), exact.end(), expected.begin(),
                            [](double a, double b) { return std::memcmp(&a, &b, sizeof a) == 0; }));
         REQUIRE(std::equal(exact.begin(), exact.end(), out.begin() + 20));
@@ -313,7 +313,7 @@ TEST_CASE("the smallest and the largest draws give truncated normal numbers at -
     for (const InstructionSet set : instruction_sets()) {
       RandomState own = state;
       std::array<double, 8> out{};
-      random_kernels(set).truncated_normals(own, out.data(), 8);
+      solver_kernels(set).truncated_normals(own, out.data(), 8);
       for (const double x : out) {
         CHECK(std::abs(x) <= 1);
         CHECK(std::abs(x) > 1 - 1e-14);
