@@ -85,7 +85,8 @@ class Bat final : public Solver {
     const double mean_loudness = loudness_.mean();
     for (Eigen::Index j = 0; j < x_.rows(); ++j) {
       const double best = best_.q[j];
-      const auto x = x_(j, bats).array(), v = v_(j, bats).array(), f = frequency_(bats).array();
+      const auto x = x_(j, bats).array(), v = v_(j, bats).array();
+      const auto f = frequency_(bats).array();
       v_next_(j, bats) = v + (x - best) * f;  // Eq. 6
       candidates_(j, bats) =
           (local_(bats).array() > pulse_rate_(bats).array())

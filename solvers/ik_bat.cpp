@@ -93,7 +93,8 @@ class IkBat final : public Solver {
     const double r = pulse_rate_;
     for (Eigen::Index j = 0; j < x_.rows(); ++j) {
       const double best = best_.q[j], theta_s = problem_.start[j];
-      const auto x = x_(j, bats).array(), v = v_(j, bats).array(), f = frequency_(bats).array();
+      const auto x = x_(j, bats).array(), v = v_(j, bats).array();
+      const auto f = frequency_(bats).array();
       v_next_(j, bats) = v + (x - 0.5 * (best + theta_s)) * f;  // Eq. 13
       x_next_(j, bats) = x + v_next_(j, bats).array();          // Eq. 7
       candidates_(j, bats) = (r * best + (1 - r) * theta_s) +   // Eq. 14
