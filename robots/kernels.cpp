@@ -26,9 +26,9 @@ IKBENCH_LANES Reals distance(const KernelChain& chain, const double* target, Loa
       y = fused_less(all(link.cosine), y, all(link.sine) * z);
       z = fused(all(link.sine), y_before, all(link.cosine) * z);
     }
-    x = x + link.a;
-    z = z + link.d;
-    const Reals angle = load(j) + link.offset;
+    if (link.a != 0) x = x + link.a;
+    if (link.d != 0) z = z + link.d;
+    const Reals angle = link.offset != 0 ? load(j) + link.offset : load(j);
     if (!link.turns) {
       too_far |= turned_too_far(bits(nearest_turn(angle)));  // no way to go, but refused like any other
       continue;

@@ -1,9 +1,9 @@
 // Numbers in lanes: `Reals` is as many doubles as the instruction set that a unit is compiled for works on at once, and
 // `Bits` are their patterns. The operators + - * / & | ^ ~ << >> of both work lane by lane, on a plain double too.
 //
-// For kernel units only (robots/kernels.cpp, solvers/kernels.cpp), of which there is one a instruction set in one program: all
-// has internal linkage and nothing is of std::, or the linker might keep an inline function with instructions that an
-// older processor does not have.
+// For kernel units only (robots/kernels.cpp, solvers/kernels.cpp), of which there is one a instruction set in one
+// program: all has internal linkage and nothing is of std::, or the linker might keep an inline function with
+// instructions that an older processor does not have.
 #pragma once
 
 #include <stddef.h>
@@ -28,6 +28,8 @@ IKBENCH_LANES Reals fused(Reals a, Reals b, Reals c) { return _mm512_fmadd_pd(a,
 IKBENCH_LANES Reals fused_less(Reals a, Reals b, Reals c) { return _mm512_fmsub_pd(a, b, c); }   // a b - c
 IKBENCH_LANES Reals less_fused(Reals a, Reals b, Reals c) { return _mm512_fnmadd_pd(a, b, c); }  // c - a b
 IKBENCH_LANES Reals root(Reals x) { return _mm512_maskz_sqrt_pd(0xff, x); }
+IKBENCH_LANES Reals larger(Reals a, Reals b) { return _mm512_maskz_max_pd(0xff, a, b); }   // b where one is NaN
+IKBENCH_LANES Reals smaller(Reals a, Reals b) { return _mm512_maskz_min_pd(0xff, a, b); }  // b where one is NaN
 IKBENCH_LANES __mmask8 first(ptrdiff_t count) { return (__mmask8)((1u << count) - 1); }
 IKBENCH_LANES Reals load_first(ptrdiff_t count, const double* from) {
   return _mm512_maskz_loadu_pd(first(count), from);
@@ -44,6 +46,8 @@ IKBENCH_LANES Reals fused(Reals a, Reals b, Reals c) { return _mm256_fmadd_pd(a,
 IKBENCH_LANES Reals fused_less(Reals a, Reals b, Reals c) { return _mm256_fmsub_pd(a, b, c); }
 IKBENCH_LANES Reals less_fused(Reals a, Reals b, Reals c) { return _mm256_fnmadd_pd(a, b, c); }
 IKBENCH_LANES Reals root(Reals x) { return _mm256_sqrt_pd(x); }
+IKBENCH_LANES Reals larger(Reals a, Reals b) { return _mm256_max_pd(a, b); }
+IKBENCH_LANES Reals smaller(Reals a, Reals b) { return _mm256_min_pd(a, b); }
 IKBENCH_LANES __m256i first(ptrdiff_t count) {
   return _mm256_cmpgt_epi64(_mm256_set1_epi64x(count), _mm256_setr_epi64x(0, 1, 2, 3));
 }
@@ -60,6 +64,8 @@ IKBENCH_LANES Reals fused(Reals a, Reals b, Reals c) { return __builtin_fma(a, b
 IKBENCH_LANES Reals fused_less(Reals a, Reals b, Reals c) { return __builtin_fma(a, b, -c); }
 IKBENCH_LANES Reals less_fused(Reals a, Reals b, Reals c) { return __builtin_fma(-a, b, c); }
 IKBENCH_LANES Reals root(Reals x) { return __builtin_sqrt(x); }
+IKBENCH_LANES Reals larger(Reals a, Reals b) { return a > b ? a : b; }
+IKBENCH_LANES Reals smaller(Reals a, Reals b) { return a < b ? a : b; }
 IKBENCH_LANES Reals load_first(ptrdiff_t, const double* from) { return *from; }
 IKBENCH_LANES void store_first(ptrdiff_t, double* to, Reals x) { *to = x; }
 

@@ -137,10 +137,28 @@ void scatter(double centre, double step, const double* draws, double* q, ptrdiff
             [&](ptrdiff_t i, auto some) IKBENCH_INLINE { some.store(q + i, centre + step * some.load(draws + i)); });
 }
 
+void swarm(const Swarm& swarm) {
+  for_lanes(swarm.count, [&](ptrdiff_t i, auto some) IKBENCH_INLINE {
+    const Reals x = some.load(swarm.x + i), to_personal = some.load(swarm.personal + i) - x, to_best = swarm.best - x;
+    const Reals v_next = swarm.inertia * some.load(swarm.v + i) +
+                         swarm.cognitive * (some.load(swarm.u1 + i) * to_personal) +
+                         swarm.social * (some.load(swarm.u2 + i) * to_best);
+    some.store(swarm.v_next + i, v_next);
+    some.store(swarm.x_next + i, x + v_next);
+  });
+}
+
+// NaN stays: it is the second of both comparisons.
+void clamp(double lower, double upper, double* q, ptrdiff_t count) {
+  for_lanes(count, [&](ptrdiff_t i, auto some) IKBENCH_INLINE {
+    some.store(q + i, smaller(all(upper), larger(all(lower), some.load(q + i))));
+  });
+}
+
 }  // namespace
 
 namespace IKBENCH_KERNELS {
-SolverKernels solver_kernels() { return {&uniforms, &normals, &truncated_normals, &fly, &scatter}; }
+SolverKernels solver_kernels() { return {&uniforms, &normals, &truncated_normals, &fly, &swarm, &scatter, &clamp}; }
 }  // namespace IKBENCH_KERNELS
 
 }  // namespace ikbench

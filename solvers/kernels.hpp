@@ -26,6 +26,15 @@ struct Flight {
   ptrdiff_t count;
 };
 
+// A joint of `count` particles: v_next = inertia v + cognitive u1 (personal - x) + social u2 (best - x), x_next = x +
+// v_next.
+struct Swarm {
+  double inertia, cognitive, social, best;
+  const double *x, *v, *personal, *u1, *u2;
+  double *x_next, *v_next;
+  ptrdiff_t count;
+};
+
 struct SolverKernels {
   // Each fills `count` numbers and takes whole blocks of eight: what is left of the last is dropped.
   void (*uniforms)(RandomState& state, double* out, ptrdiff_t count);           // [0, 1), 52 bits
@@ -33,7 +42,9 @@ struct SolverKernels {
   void (*truncated_normals)(RandomState& state, double* out, ptrdiff_t count);  // standard normal within [-1, 1]
 
   void (*fly)(const Flight& flight);  // v_next = v + (x - pole) frequency, x_next = x + v_next
+  void (*swarm)(const Swarm& swarm);
   void (*scatter)(double centre, double step, const double* draws, double* q, ptrdiff_t count);  // centre + step draws
+  void (*clamp)(double lower, double upper, double* q, ptrdiff_t count);
 };
 
 namespace portable {
