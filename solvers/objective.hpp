@@ -1,4 +1,4 @@
-// The only door to an evaluation: the position error of candidates (Eq. 1), and an honest count of them.
+// The only door to an evaluation: the position error of candidates (Eq. 1), and the count of them.
 #pragma once
 
 #include <algorithm>
@@ -27,13 +27,12 @@ class Objective {
     return error[0];
   }
 
-  // What a loop over the candidates does in which each is proposed from what those before it have changed, evaluated,
-  // and decided on; but evaluated in batches:
-  //   propose(first, count)  writes these columns of q from the solver's present state;
-  //   decide(i)              takes candidate i, whose error is errors[i], in or not, and says whether it changed
-  //   anything
-  //                          that the proposals after it depend on. If so, those are proposed anew.
-  // Every candidate that is decided on counts as one evaluation; proposals that are dropped undecided do not.
+  // A loop over the candidates in which each is proposed from what those before it have changed, evaluated, and decided
+  // on. It looks ahead and evaluates in batches all the same:
+  // - propose(first, count) writes these columns of q from the solver's present state;
+  // - decide(i) takes candidate i, whose error is errors[i], in or not, and says whether that changed anything that the
+  //   proposals after it depend on. If so, those are proposed anew.
+  // What is decided on counts as an evaluation, as in the loop as it is written; proposals that are dropped do not.
   template <class Propose, class Decide>
   void one_by_one(Candidates& q, Eigen::VectorXd& errors, Propose&& propose, Decide&& decide) {
     for (Eigen::Index i = 0; i < q.cols();) {

@@ -2,6 +2,7 @@
 // by splitmix64 from a key. A stream is a pure function of its key.
 #pragma once
 
+#include <Eigen/Core>
 #include <cstdint>
 #include <string_view>
 
@@ -32,15 +33,16 @@ class Random {
 
   // Fills of a vector or of Candidates (row by row). They take whole blocks of eight and leave single draws theirs.
   template <class Numbers>
-  void uniforms(Numbers& out) {  // each in [0, 1)
+  void uniforms(Eigen::PlainObjectBase<Numbers>& out) {  // each in [0, 1)
     kernels_.uniforms(state_, out.data(), out.size());
   }
   template <class Numbers>
-  void normals(Numbers& out) {  // each standard normal (Box and Muller 1958)
+  void normals(Eigen::PlainObjectBase<Numbers>& out) {  // each standard normal (Box and Muller 1958)
     kernels_.normals(state_, out.data(), out.size());
   }
   template <class Numbers>
-  void truncated_normals(Numbers& out) {  // each standard normal, given that it is within [-1, 1]
+  void truncated_normals(
+      Eigen::PlainObjectBase<Numbers>& out) {  // each standard normal, given that it is within [-1, 1]
     kernels_.truncated_normals(state_, out.data(), out.size());
   }
 

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <vector>
 
+#include "robots/functions.hpp"
 #include "robots/robot.hpp"
 #include "tests/catch.hpp"
 #include "tests/robots/random_configuration.hpp"
@@ -162,4 +163,16 @@ TEST_CASE("the iiwa's wrist reaches the 820 mm of its name from the shoulder", "
   const Chain arm({links.begin(), links.begin() + 4}, {0, 0, links[4].d});
   CHECK(arm.reach().radius == Approx(0.820).epsilon(1e-15));
   CHECK((arm.reach().centre - Eigen::Vector3d(0, 0, 0.360)).norm() < 1e-15);
+}
+
+TEST_CASE("an arm refuses candidates, errors and angles of the wrong number", "[chain]") {
+  const Chain chain = robot("kuka_iiwa14").chain;
+  Eigen::VectorXd errors(5), few(4);
+  errors.setZero();
+  few.setZero();
+  CHECK_THROWS_AS(chain.position_errors(Candidates::Zero(4, 5), Eigen::Vector3d::Zero(), errors),
+                  std::invalid_argument);
+  CHECK_THROWS_AS(chain.position_errors(Candidates::Zero(7, 5), Eigen::Vector3d::Zero(), few), std::invalid_argument);
+  CHECK_THROWS_AS(chain.forward(Eigen::VectorXd::Zero(8)), std::invalid_argument);
+  CHECK_THROWS_AS(sines_and_cosines(few, errors, errors), std::invalid_argument);
 }
