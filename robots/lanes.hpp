@@ -31,6 +31,7 @@ IKBENCH_LANES Reals root(Reals x) { return _mm512_maskz_sqrt_pd(0xff, x); }
 IKBENCH_LANES Reals larger(Reals a, Reals b) { return _mm512_maskz_max_pd(0xff, a, b); }   // b where one is NaN
 IKBENCH_LANES Reals smaller(Reals a, Reals b) { return _mm512_maskz_min_pd(0xff, a, b); }  // b where one is NaN
 IKBENCH_LANES Bits where_any(Bits x, uint64_t of) { return (Bits)((x & of) != 0); }
+IKBENCH_LANES Bits where_less(Reals a, Reals b) { return (Bits)(a < b); }
 IKBENCH_LANES __mmask8 first(ptrdiff_t count) { return (__mmask8)((1u << count) - 1); }
 IKBENCH_LANES Reals load_first(ptrdiff_t count, const double* from) {
   return _mm512_maskz_loadu_pd(first(count), from);
@@ -50,6 +51,7 @@ IKBENCH_LANES Reals root(Reals x) { return _mm256_sqrt_pd(x); }
 IKBENCH_LANES Reals larger(Reals a, Reals b) { return _mm256_max_pd(a, b); }
 IKBENCH_LANES Reals smaller(Reals a, Reals b) { return _mm256_min_pd(a, b); }
 IKBENCH_LANES Bits where_any(Bits x, uint64_t of) { return (Bits)((x & of) != 0); }
+IKBENCH_LANES Bits where_less(Reals a, Reals b) { return (Bits)(a < b); }
 IKBENCH_LANES __m256i first(ptrdiff_t count) {
   return _mm256_cmpgt_epi64(_mm256_set1_epi64x(count), _mm256_setr_epi64x(0, 1, 2, 3));
 }
@@ -69,16 +71,19 @@ IKBENCH_LANES Reals root(Reals x) { return __builtin_sqrt(x); }
 IKBENCH_LANES Reals larger(Reals a, Reals b) { return a > b ? a : b; }
 IKBENCH_LANES Reals smaller(Reals a, Reals b) { return a < b ? a : b; }
 IKBENCH_LANES Bits where_any(Bits x, uint64_t of) { return (x & of) != 0 ? ~uint64_t{0} : 0; }
+IKBENCH_LANES Bits where_less(Reals a, Reals b) { return a < b ? ~uint64_t{0} : 0; }
 IKBENCH_LANES Reals load_first(ptrdiff_t, const double* from) { return *from; }
 IKBENCH_LANES void store_first(ptrdiff_t, double* to, Reals x) { *to = x; }
 
 #endif
 
-// Of all branches alike: `where_any` is all ones in the lanes where one of these bits of x is set, else all zeros;
+// Of all branches alike: `where_any` is all ones in the lanes where one of these bits of x is set, else all zeros, and
+// `where_less` where a < b;
 // `load_first` and `store_first` touch only that many numbers, 1 to `width`, and the other lanes are 0.
 
 IKBENCH_LANES Bits bits(Reals x) { return __builtin_bit_cast(Bits, x); }
 IKBENCH_LANES Reals reals(Bits x) { return __builtin_bit_cast(Reals, x); }
+IKBENCH_LANES Reals chosen(Bits where, Reals a, Reals b) { return reals((where & bits(a)) | (~where & bits(b))); }
 
 template <class Lanes, class Number>
 IKBENCH_LANES Lanes load(const Number* from) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "solvers/bounds.hpp"
+#include "solvers/kernels.hpp"
 #include "solvers/registry.hpp"
 
 namespace ikbench {
@@ -72,20 +73,20 @@ class DifferentialEvolution final : public Solver {
     random.uniforms(forced_);
     if (options_.bounds == Outside::resample) draw_within_limits(problem_, random, fresh_);
     for (int i = 0; i < x_.cols(); ++i) partners_[static_cast<std::size_t>(i)] = chosen_partners(i);
-    forced_ = (forced_.array() * static_cast<double>(x_.rows())).floor();
+    for (Eigen::Index i = 0; i < x_.cols(); ++i) {  // one joint comes from the mutant whatever the chance
+      crossover_(static_cast<Eigen::Index>(forced_[i] * static_cast<double>(x_.rows())), i) = -1;
+    }
 
     const auto combine = [&](Eigen::Index first, Eigen::Index count) {
-      const auto some = Eigen::seqN(first, count);
       for (Eigen::Index j = 0; j < x_.rows(); ++j) {
         for (Eigen::Index i = first; i < first + count; ++i) {
           const auto& [a, b, c] = partners_[static_cast<std::size_t>(i)];
           trials_(j, i) = x_(j, a) + options_.weight * (x_(j, b) - x_(j, c));  // mutation
         }
-        const auto mutates =
-            crossover_(j, some).array() < options_.crossover || forced_(some).array() == static_cast<double>(j);
-        trials_(j, some) = mutates.select(trials_(j, some), x_(j, some));  // crossover
+        kernels_.choose(&crossover_(j, first), options_.crossover, &x_(j, first), &trials_(j, first),
+                        count);  // crossover
       }
-      bring_inside(some);
+      bring_inside(Eigen::seqN(first, count));
     };
     const auto replace_if_better = [&](Eigen::Index i) {
       if (!(trial_errors_[i] < errors_[i])) return false;
@@ -127,7 +128,7 @@ class DifferentialEvolution final : public Solver {
         case Outside::initial:
           break;
         case Outside::clamp:
-          q = q.max(lower).min(upper);
+          kernels_.clamp(lower, upper, &trials_(j, some.first()), some.size());
           break;
         case Outside::reflect:
           q = inside.select(q, (q < lower).select(2 * lower - q, 2 * upper - q).max(lower).min(upper));
@@ -140,10 +141,11 @@ class DifferentialEvolution final : public Solver {
   }
 
   Options options_;
+  const SolverKernels& kernels_ = solver_kernels();
   Problem problem_;
   Candidates x_, trials_, chance_, crossover_, fresh_;
   std::vector<std::array<int, 3>> partners_;
-  Eigen::RowVectorXd forced_;  // the joint that comes from the mutant whatever the chance
+  Eigen::RowVectorXd forced_;
   Eigen::VectorXd errors_, trial_errors_;
   Best best_;
 };

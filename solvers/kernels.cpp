@@ -148,6 +148,13 @@ void swarm(const Swarm& swarm) {
   });
 }
 
+void choose(const double* chance, double limit, const double* other, double* q, ptrdiff_t count) {
+  for_lanes(count, [&](ptrdiff_t i, auto some) IKBENCH_INLINE {
+    const Bits stays = where_less(some.load(chance + i), all(limit));
+    some.store(q + i, chosen(stays, some.load(q + i), some.load(other + i)));
+  });
+}
+
 // NaN stays: it is the second of both comparisons.
 void clamp(double lower, double upper, double* q, ptrdiff_t count) {
   for_lanes(count, [&](ptrdiff_t i, auto some) IKBENCH_INLINE {
@@ -158,7 +165,9 @@ void clamp(double lower, double upper, double* q, ptrdiff_t count) {
 }  // namespace
 
 namespace IKBENCH_KERNELS {
-SolverKernels solver_kernels() { return {&uniforms, &normals, &truncated_normals, &fly, &swarm, &scatter, &clamp}; }
+SolverKernels solver_kernels() {
+  return {&uniforms, &normals, &truncated_normals, &fly, &swarm, &scatter, &choose, &clamp};
+}
 }  // namespace IKBENCH_KERNELS
 
 }  // namespace ikbench

@@ -44,6 +44,8 @@ struct SolverKernels {
   void (*fly)(const Flight& flight);  // v_next = v + (x - pole) frequency, x_next = x + v_next
   void (*swarm)(const Swarm& swarm);
   void (*scatter)(double centre, double step, const double* draws, double* q, ptrdiff_t count);  // centre + step draws
+  // q where its chance is below `limit`, else `other`.
+  void (*choose)(const double* chance, double limit, const double* other, double* q, ptrdiff_t count);
   void (*clamp)(double lower, double upper, double* q, ptrdiff_t count);
 };
 

@@ -233,3 +233,24 @@ TEST_CASE("NaN, an infinity and -0.0 are clamped in whatever lane", "[kernels]")
     }
   }
 }
+
+TEST_CASE("every instruction set chooses by chance as the plain loop does, and touches nothing else", "[kernels]") {
+  Dice dice;
+  for (const InstructionSet set : instruction_sets()) {
+    for (const std::size_t size : sizes()) {
+      for (const Guarded::Page page : {Guarded::Page::after, Guarded::Page::before}) {
+        CAPTURE(name_of(set), size, page == Guarded::Page::after);
+        const Numbers chance = drawn(dice, size), other = drawn(dice, size), before = drawn(dice, size);
+        const double limit = size % 3 == 0 || size == 0 ? 0.5 : chance[size / 2];  // a chance that is the limit: other
+        Numbers expected(size);
+        for (std::size_t i = 0; i < size; ++i) expected[i] = chance[i] < limit ? before[i] : other[i];
+        Row chance_row(chance, page), other_row(other, page), row(before, page);
+        solver_kernels(set).choose(chance_row.data(), limit, other_row.data(), row.data(),
+                                   static_cast<ptrdiff_t>(size));
+        REQUIRE(same_bits(row.data(), expected.data(), size));
+        REQUIRE(row.kept_within());
+        REQUIRE((only_read(chance_row, chance) && only_read(other_row, other)));
+      }
+    }
+  }
+}
