@@ -41,11 +41,11 @@ std::vector<double> to_vector(const Configuration& values) { return {values.begi
 }  // namespace
 
 Task::Task(const Study& study, const Robot& arm) : study_(study), arm_(arm) {
-  if (study.search == Search::wrist) wrist_.emplace(arm.chain);
+  if (study.search == Search::wrist) wrist_.emplace(*arm.chain());
 }
 
 Problem Task::problem(const Configuration& start) const {
-  const int joints = chain().joints();
+  const int joints = arm().joints();
   return {.start = start.head(joints),
           .lower = arm_.limits.lower.head(joints),
           .upper = arm_.limits.upper.head(joints),
@@ -94,7 +94,7 @@ Contest::Contest(const Study& study, const Entrant& entrant, const Robot& arm)
               .options = nlohmann::json(options_).dump()} {}
 
 SolveRecord Contest::solve(Solver& solver, const Pose& target, const Configuration& start, int run, int point) const {
-  Objective objective(task_.chain(), task_.goal(target));
+  Objective objective(task_.arm(), task_.goal(target));
   Random random(Key(study_.seed)
                     .with(entrant_.label)
                     .with(static_cast<std::uint64_t>(run))

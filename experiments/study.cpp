@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <array>
 #include <optional>
 
 #include "robots/spherical_wrist.hpp"
@@ -64,9 +63,8 @@ Settings effective_options(const Study& study, const Entrant& entrant) {
 
 std::string series_key(const Study& study, const Entrant& entrant) {
   const Robot arm = robot(study.robot);
-  std::string text = fmt::format("numerics {}\nrobot", numerics_version);
-  for (const DhLink& link : arm.chain.links()) text += exact(std::array{link.a, link.alpha, link.d, link.offset});
-  text += exact(arm.chain.tip()) + exact(arm.limits.lower) + exact(arm.limits.upper) + "\ntargets ";
+  std::string text = fmt::format("numerics {}\nrobot ", numerics_version);
+  text += arm.kinematics->definition() + exact(arm.limits.lower) + exact(arm.limits.upper) + "\ntargets ";
   for (const Pose& target : targets(study.path)) text += exact(target.matrix().reshaped());
   text += fmt::format("\ninitial {}\nsearch {} branch {} population {} seed {} trace {}", exact(study.initial),
                       static_cast<int>(study.search), static_cast<int>(study.wrist_branch), study.population,
@@ -81,8 +79,9 @@ std::string series_key(const Study& study, const Entrant& entrant) {
 std::vector<Unreachable> unreachable(const Study& study) {
   const Robot arm = robot(study.robot);
   const std::optional<SphericalWrist> wrist =
-      study.search == Search::wrist ? std::optional<SphericalWrist>(arm.chain) : std::nullopt;
-  const Chain::Ball ball = (wrist ? wrist->arm() : arm.chain).reach();
+      study.search == Search::wrist ? std::optional<SphericalWrist>(*arm.chain()) : std::nullopt;
+  const Kinematics& searched = wrist ? wrist->arm() : *arm.kinematics;
+  const Kinematics::Ball ball = searched.reach();
   std::vector<Unreachable> found;
   int point = 0;
   for (const Pose& target : targets(study.path)) {

@@ -307,10 +307,10 @@ Study read_study(const toml::table& table, std::string_view source) {
       throw at("robot", error.what());
     }
   }();
-  if (study.initial.size() == 0) study.initial = Eigen::VectorXd::Zero(arm.chain.joints());
-  if (study.initial.size() != arm.chain.joints()) {
+  if (study.initial.size() == 0) study.initial = Eigen::VectorXd::Zero(arm.joints());
+  if (study.initial.size() != arm.joints()) {
     throw at("initial_deg", fmt::format("initial_deg has {} angles; expected {}, the joints of {}",
-                                        study.initial.size(), arm.chain.joints(), arm.name));
+                                        study.initial.size(), arm.joints(), arm.name));
   }
   constexpr double most_solves = 1e8;
   if (static_cast<double>(study.solvers.size()) * study.runs * static_cast<double>(targets(study.path).size()) >
@@ -326,7 +326,7 @@ Study read_study(const toml::table& table, std::string_view source) {
                fmt::format("population is {}, but {} needs at least {}", study.population, entrant.solver, least));
     }
   }
-  if (study.search == Search::wrist && !SphericalWrist::fits(arm.chain)) {
+  if (study.search == Search::wrist && (arm.chain() == nullptr || !SphericalWrist::fits(*arm.chain()))) {
     throw at("search",
              fmt::format("search is \"wrist\", but {} has no spherical wrist; expected \"all_joints\"", arm.name));
   }

@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <string_view>
 
-#include "robots/chain.hpp"
 #include "solvers/random_kernels.hpp"
 
 namespace ikbench {

@@ -46,7 +46,7 @@ int run(int argc, char** argv) {
 
 Reach wrist_reach(int population) {
   const Robot iiwa = robot("kuka_iiwa14");
-  const SphericalWrist wrist(iiwa.chain);
+  const SphericalWrist wrist(*iiwa.chain());
   return {wrist.arm(),
           wrist.centre(targets(Helix{}).front()),
           {.start = Eigen::VectorXd::Zero(4),
@@ -57,7 +57,7 @@ Reach wrist_reach(int population) {
 
 Reach flange_reach(int population) {
   const Robot iiwa = robot("kuka_iiwa14");
-  return {iiwa.chain,
+  return {*iiwa.chain(),
           targets(Helix{}).front().translation(),
           {.start = Eigen::VectorXd::Zero(7),
            .lower = iiwa.limits.lower,

@@ -10,8 +10,8 @@ TEST_CASE("every robot is found by its name, and has limits for each joint", "[r
   for (const Robot& arm : robots()) {
     CHECK(robot(arm.name).name == arm.name);
     CHECK_FALSE(arm.summary.empty());
-    CHECK(arm.limits.lower.size() == arm.chain.joints());
-    CHECK(arm.limits.upper.size() == arm.chain.joints());
+    CHECK(arm.limits.lower.size() == arm.kinematics->joints());
+    CHECK(arm.limits.upper.size() == arm.kinematics->joints());
     CHECK((arm.limits.lower.array() < arm.limits.upper.array()).all());
   }
 }
