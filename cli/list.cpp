@@ -63,6 +63,15 @@ std::string robot_details(std::string_view name) {
                      aligned(rows));
 }
 
+std::string study_list() {
+  Rows rows{{"NAME", "SOLVERS", "RUNS", "POINTS", "WHAT"}};
+  for (const Study& study : studies()) {
+    rows.push_back({study.name, std::to_string(study.solvers.size()), std::to_string(study.runs),
+                    std::to_string(targets(study.path).size()), study.title});
+  }
+  return aligned(rows);
+}
+
 std::string column_list(std::string_view name) {
   Rows rows{{"COLUMN", "TYPE", "MEANING"}};
   std::vector<std::string> names;

@@ -8,6 +8,7 @@
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
 #include "experiments/environment.hpp"
+#include "robots/instruction_set.hpp"
 #include "robots/names.hpp"
 
 int main(int argc, char** argv) {
@@ -35,6 +36,7 @@ int main(int argc, char** argv) {
   cli::add_export(app);
   cli::add_fingerprint(app);
   try {
+    static_cast<void>(instruction_set());  // a wrong IKBENCH_INSTRUCTION_SET is told before anything is begun
     app.parse(argc, argv);
     if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
       throw std::runtime_error("standard output cannot be written");

@@ -22,7 +22,7 @@ Study slim2023() {
   study.initial = Eigen::VectorXd::Zero(7);
   study.solvers = {{"IK-BA", "ik_bat", {}},
                    {"BA", "bat", {}},
-                   {"DE", "differential_evolution", {}},
+                   {"DE", "differential_evolution", {{"replacement", "at_once"}}},  // docs/paper-notes.md 2.9
                    {"PSO", "particle_swarm", {}},
                    {"K-ABC", "k_artificial_bee_colony", {}},
                    {"MO-PSO", "multi_objective_swarm", {}}};

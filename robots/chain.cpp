@@ -48,6 +48,9 @@ Chain::Chain(std::vector<DhLink> links, Eigen::Vector3d tip) : links_(std::move(
 
 template <class Visit>
 Pose Chain::follow(const ConfigurationRef& q, Visit&& visit) const {
+  if (q.size() != joints()) {
+    throw std::invalid_argument(fmt::format("{} angles for an arm of {} joints", q.size(), joints()));
+  }
   Configuration angles = q, sines(q.size()), cosines(q.size());
   for (int j = 0; j < joints(); ++j) angles[j] += links_[static_cast<std::size_t>(j)].offset;
   sines_and_cosines(angles, sines, cosines);
@@ -94,6 +97,10 @@ Eigen::Vector3d Chain::linearize(const ConfigurationRef& q, Eigen::Ref<Eigen::Ma
 
 void Chain::position_errors(const CandidatesRef& q, const Eigen::Vector3d& target,
                             Eigen::Ref<Eigen::VectorXd> errors) const {
+  if (q.rows() != joints() || errors.size() != q.cols()) {
+    throw std::invalid_argument(fmt::format("{} candidates of {} joints and {} errors for an arm of {} joints",
+                                            q.cols(), q.rows(), errors.size(), joints()));
+  }
   const KernelChain chain{kernel_links_.data(), joints(), {tip_.x(), tip_.y(), tip_.z()}};
   robot_kernels().position_errors(chain, target.data(), q.data(), q.outerStride(), q.cols(), errors.data());
 }

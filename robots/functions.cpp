@@ -1,15 +1,19 @@
 #include "robots/functions.hpp"
 
 #include <bit>
+#include <cfloat>
 #include <cmath>
 #include <cstdint>
 #include <limits>
 #include <numbers>
+#include <stdexcept>
 
 #include "robots/instruction_set.hpp"
 #include "robots/kernels.hpp"
 
 namespace ikbench {
+
+static_assert(FLT_EVAL_METHOD == 0, "arithmetic in double, not in registers of another width");
 
 RobotKernels robot_kernels(InstructionSet set) {
 #ifdef __x86_64__
@@ -34,6 +38,9 @@ SinCos sin_cos(double angle) {
 
 void sines_and_cosines(const Eigen::Ref<const Eigen::VectorXd>& angles, Eigen::Ref<Eigen::VectorXd> sines,
                        Eigen::Ref<Eigen::VectorXd> cosines) {
+  if (sines.size() != angles.size() || cosines.size() != angles.size()) {
+    throw std::invalid_argument("as many sines and cosines as angles, or none");
+  }
   robot_kernels().sines_and_cosines(angles.data(), angles.size(), sines.data(), cosines.data());
 }
 

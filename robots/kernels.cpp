@@ -26,11 +26,11 @@ IKBENCH_LANES Reals distance(const KernelChain& chain, const double* target, Loa
       y = fused_less(all(link.cosine), y, all(link.sine) * z);
       z = fused(all(link.sine), y_before, all(link.cosine) * z);
     }
-    x = x + link.a;
-    z = z + link.d;
-    const Reals angle = load(j) + link.offset;
+    if (link.a != 0) x = x + link.a;
+    if (link.d != 0) z = z + link.d;
+    const Reals angle = link.offset != 0 ? load(j) + link.offset : load(j);
     if (!link.turns) {
-      z = fused(angle, all(0.0), z);  // no way to go, but not a number where the angle is none
+      too_far |= turned_too_far(bits(nearest_turn(angle)));  // no way to go, but refused like any other
       continue;
     }
     const auto [of, turns] = sin_cos(angle);

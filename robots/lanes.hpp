@@ -1,14 +1,14 @@
 // Numbers in lanes: `Reals` is as many doubles as the instruction set that a unit is compiled for works on at once, and
 // `Bits` are their patterns. The operators + - * / & | ^ ~ << >> of both work lane by lane, on a plain double too.
 //
-// For kernel units only (kernels.cpp, random_kernels.cpp), of which there is one a instruction set in one program: all
-// has internal linkage and nothing is of std::, or the linker might keep an inline function with instructions that an
-// older processor does not have.
+// For kernel units only (robots/kernels.cpp, solvers/kernels.cpp), of which there is one a instruction set in one
+// program: all has internal linkage and nothing is of std::, or the linker might keep an inline function with
+// instructions that an older processor does not have.
 #pragma once
 
 #include <stddef.h>
 #include <stdint.h>
-#if defined(__AVX512F__) || defined(__FMA__)
+#if defined(__AVX512F__) || defined(__AVX2__)
 #include <immintrin.h>
 #endif
 
@@ -28,6 +28,9 @@ IKBENCH_LANES Reals fused(Reals a, Reals b, Reals c) { return _mm512_fmadd_pd(a,
 IKBENCH_LANES Reals fused_less(Reals a, Reals b, Reals c) { return _mm512_fmsub_pd(a, b, c); }   // a b - c
 IKBENCH_LANES Reals less_fused(Reals a, Reals b, Reals c) { return _mm512_fnmadd_pd(a, b, c); }  // c - a b
 IKBENCH_LANES Reals root(Reals x) { return _mm512_maskz_sqrt_pd(0xff, x); }
+IKBENCH_LANES Reals larger(Reals a, Reals b) { return _mm512_maskz_max_pd(0xff, a, b); }   // b where one is NaN
+IKBENCH_LANES Reals smaller(Reals a, Reals b) { return _mm512_maskz_min_pd(0xff, a, b); }  // b where one is NaN
+IKBENCH_LANES Bits where_any(Bits x, uint64_t of) { return (Bits)((x & of) != 0); }
 IKBENCH_LANES __mmask8 first(ptrdiff_t count) { return (__mmask8)((1u << count) - 1); }
 IKBENCH_LANES Reals load_first(ptrdiff_t count, const double* from) {
   return _mm512_maskz_loadu_pd(first(count), from);
@@ -44,6 +47,9 @@ IKBENCH_LANES Reals fused(Reals a, Reals b, Reals c) { return _mm256_fmadd_pd(a,
 IKBENCH_LANES Reals fused_less(Reals a, Reals b, Reals c) { return _mm256_fmsub_pd(a, b, c); }
 IKBENCH_LANES Reals less_fused(Reals a, Reals b, Reals c) { return _mm256_fnmadd_pd(a, b, c); }
 IKBENCH_LANES Reals root(Reals x) { return _mm256_sqrt_pd(x); }
+IKBENCH_LANES Reals larger(Reals a, Reals b) { return _mm256_max_pd(a, b); }
+IKBENCH_LANES Reals smaller(Reals a, Reals b) { return _mm256_min_pd(a, b); }
+IKBENCH_LANES Bits where_any(Bits x, uint64_t of) { return (Bits)((x & of) != 0); }
 IKBENCH_LANES __m256i first(ptrdiff_t count) {
   return _mm256_cmpgt_epi64(_mm256_set1_epi64x(count), _mm256_setr_epi64x(0, 1, 2, 3));
 }
@@ -60,12 +66,16 @@ IKBENCH_LANES Reals fused(Reals a, Reals b, Reals c) { return __builtin_fma(a, b
 IKBENCH_LANES Reals fused_less(Reals a, Reals b, Reals c) { return __builtin_fma(a, b, -c); }
 IKBENCH_LANES Reals less_fused(Reals a, Reals b, Reals c) { return __builtin_fma(-a, b, c); }
 IKBENCH_LANES Reals root(Reals x) { return __builtin_sqrt(x); }
+IKBENCH_LANES Reals larger(Reals a, Reals b) { return a > b ? a : b; }
+IKBENCH_LANES Reals smaller(Reals a, Reals b) { return a < b ? a : b; }
+IKBENCH_LANES Bits where_any(Bits x, uint64_t of) { return (x & of) != 0 ? ~uint64_t{0} : 0; }
 IKBENCH_LANES Reals load_first(ptrdiff_t, const double* from) { return *from; }
 IKBENCH_LANES void store_first(ptrdiff_t, double* to, Reals x) { *to = x; }
 
 #endif
 
-// `load_first` and `store_first` touch only that many numbers, 1 to `width`; the other lanes are 0.
+// Of all branches alike: `where_any` is all ones in the lanes where one of these bits of x is set, else all zeros;
+// `load_first` and `store_first` touch only that many numbers, 1 to `width`, and the other lanes are 0.
 
 IKBENCH_LANES Bits bits(Reals x) { return __builtin_bit_cast(Bits, x); }
 IKBENCH_LANES Reals reals(Bits x) { return __builtin_bit_cast(Reals, x); }
@@ -97,15 +107,6 @@ IKBENCH_LANES void for_lanes(ptrdiff_t count, Body body) {
 #pragma GCC unroll 1
   for (; i + width <= count; i += width) body(i, AllLanes{});
   if (i < count) body(i, FirstLanes{count - i});
-}
-
-// All ones in the lanes where one of these bits of x is set, else all zeros.
-IKBENCH_LANES Bits where_any(Bits x, uint64_t of) {
-#if defined(__AVX512F__) || defined(__FMA__)
-  return (Bits)((x & of) != 0);
-#else
-  return (x & of) != 0 ? ~uint64_t{0} : 0;
-#endif
 }
 
 }  // namespace

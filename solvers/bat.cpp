@@ -2,8 +2,8 @@
 // The reading is argued in docs/paper-notes.md 2.6.
 #include "robots/functions.hpp"
 #include "solvers/bounds.hpp"
+#include "solvers/kernels.hpp"
 #include "solvers/registry.hpp"
-#include "solvers/row_kernels.hpp"
 
 namespace ikbench {
 
@@ -85,13 +85,13 @@ class Bat final : public Solver {
     const auto bats = Eigen::seqN(first, count);
     const double step = options_.step_factor * loudness_.mean();
     for (Eigen::Index j = 0; j < x_.rows(); ++j) {
-      rows_.fly({.pole = best_.q[j],  // Eqs. 6 and 7
-                 .frequency = &frequency_[first],
-                 .x = &x_(j, first),
-                 .v = &v_(j, first),
-                 .x_next = &candidates_(j, first),
-                 .v_next = &v_next_(j, first),
-                 .count = count});
+      kernels_.fly({.pole = best_.q[j],  // Eqs. 6 and 7
+                    .frequency = &frequency_[first],
+                    .x = &x_(j, first),
+                    .v = &v_(j, first),
+                    .x_next = &candidates_(j, first),
+                    .v_next = &v_next_(j, first),
+                    .count = count});
       const auto searches_locally = local_(bats).array() > pulse_rate_(bats).array();
       auto candidates = candidates_(j, bats).array();
       candidates = searches_locally.select(best_.q[j] + step * epsilon_(j, bats).array(), candidates);  // Eq. 8
@@ -100,7 +100,7 @@ class Bat final : public Solver {
   }
 
   Options options_;
-  RowKernels rows_ = row_kernels();
+  const SolverKernels& kernels_ = solver_kernels();
   Problem problem_;
   Candidates x_, v_, v_next_, candidates_, epsilon_;
   Eigen::RowVectorXd loudness_, pulse_rate_, frequency_, local_, chance_;

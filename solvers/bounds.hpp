@@ -20,15 +20,22 @@ inline void list_bounds(OptionList& list, Bounds& bounds) {
 inline void draw_within_limits(const Problem& problem, Random& random, Candidates& out) {
   random.uniforms(out);
   for (Eigen::Index j = 0; j < out.rows(); ++j) {
-    out.row(j) = problem.lower[j] + (problem.upper[j] - problem.lower[j]) * out.row(j).array();
+    double* const q = &out(j, 0);
+    solver_kernels().scatter(problem.lower[j], problem.upper[j] - problem.lower[j], q, q, out.cols());
   }
 }
 
 // Candidates (a vector, or columns of Candidates) back inside, where the reading says so.
-template <class Candidate>
-void keep_inside(Bounds bounds, const Problem& problem, Candidate&& q) {
+template <class Some>
+void keep_inside(Bounds bounds, const Problem& problem, Some&& q) {
   if (bounds != Bounds::clamp) return;
-  for (Eigen::Index j = 0; j < q.rows(); ++j) q.row(j) = q.row(j).cwiseMax(problem.lower[j]).cwiseMin(problem.upper[j]);
+  for (Eigen::Index j = 0; j < q.rows(); ++j) {
+    if (q.cols() == 1) {
+      q(j, 0) = std::clamp(q(j, 0), problem.lower[j], problem.upper[j]);
+    } else {
+      solver_kernels().clamp(problem.lower[j], problem.upper[j], &q.coeffRef(j, 0), q.cols());
+    }
+  }
 }
 
 }  // namespace ikbench

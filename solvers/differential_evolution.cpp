@@ -24,7 +24,7 @@ class DifferentialEvolution final : public Solver {
   struct Options {
     double weight = 0.6;
     double crossover = 0.9;
-    Replacement replacement = Replacement::at_once;
+    Replacement replacement = Replacement::generation;
     Outside bounds = Outside::clamp;
 
     void list(OptionList& list) {

@@ -3,8 +3,8 @@
 // the bats without any effect on the result (docs/paper-notes.md 2.4); they are kept as the paper has them.
 #include "robots/functions.hpp"
 #include "solvers/bounds.hpp"
+#include "solvers/kernels.hpp"
 #include "solvers/registry.hpp"
-#include "solvers/row_kernels.hpp"
 
 namespace ikbench {
 
@@ -94,15 +94,15 @@ class IkBat final : public Solver {
     const double r = pulse_rate_;
     for (Eigen::Index j = 0; j < x_.rows(); ++j) {
       const double best = best_.q[j], theta_s = problem_.start[j];
-      rows_.fly({.pole = 0.5 * (best + theta_s),  // Eqs. 13 and 7
-                 .frequency = &frequency_[first],
-                 .x = &x_(j, first),
-                 .v = &v_(j, first),
-                 .x_next = &x_next_(j, first),
-                 .v_next = &v_next_(j, first),
-                 .count = count});
-      rows_.scatter(r * best + (1 - r) * theta_s, options_.step_factor * loudness_,  // Eq. 14
-                    &epsilon_(j, first), &candidates_(j, first), count);
+      kernels_.fly({.pole = 0.5 * (best + theta_s),  // Eqs. 13 and 7
+                    .frequency = &frequency_[first],
+                    .x = &x_(j, first),
+                    .v = &v_(j, first),
+                    .x_next = &x_next_(j, first),
+                    .v_next = &v_next_(j, first),
+                    .count = count});
+      kernels_.scatter(r * best + (1 - r) * theta_s, options_.step_factor * loudness_,  // Eq. 14
+                       &epsilon_(j, first), &candidates_(j, first), count);
     }
     keep_inside(options_.bounds, problem_, candidates_.middleCols(first, count));
   }
@@ -120,7 +120,7 @@ class IkBat final : public Solver {
   }
 
   Options options_;
-  RowKernels rows_ = row_kernels();
+  const SolverKernels& kernels_ = solver_kernels();
   Problem problem_;
   Candidates x_, v_, x_next_, v_next_, candidates_, epsilon_;
   Eigen::RowVectorXd frequency_, chance_;

@@ -49,7 +49,7 @@ class KArtificialBeeColony final : public Solver {
     for (Eigen::VectorXd* each : {&errors_, &found_, &joint_, &neighbour_, &phi_, &roulette_}) {
       each->resize(sources);
     }
-    source_.resize(sources);
+    for (auto* each : {&source_, &last_visit_}) each->resize(sources);
     share_.reserve(static_cast<std::size_t>(sources));
     failures_.setZero(sources);
     best_ = {problem.start};
@@ -95,6 +95,7 @@ class KArtificialBeeColony final : public Solver {
 
   // Every bee tries its source i with one joint moved along the difference to the source's neighbour.
   void search(Objective& objective) {
+    for (Eigen::Index bee = 0; bee < source_.size(); ++bee) last_visit_[source_[bee]] = bee;
     objective.one_by_one(
         candidates_, found_,
         [&](Eigen::Index first, Eigen::Index count) {
@@ -123,8 +124,7 @@ class KArtificialBeeColony final : public Solver {
           failures_[i] = 0;
           if (!(errors_[best_source_] <= errors_[i])) best_source_ = i;
           best_.improve(candidates_.col(bee), found_[bee]);
-          const bool visited_again = std::find(source_.begin() + bee + 1, source_.end(), i) != source_.end();
-          return visited_again || i == best_source_ || options_.neighbour == Neighbour::random;
+          return last_visit_[i] > bee || i == best_source_ || options_.neighbour == Neighbour::random;
         });
   }
 
@@ -153,8 +153,8 @@ class KArtificialBeeColony final : public Solver {
   Problem problem_;
   int limit_ = 0;
   Candidates x_, candidates_;
-  Eigen::VectorX<Eigen::Index> source_;  // of every bee
-  Eigen::VectorXd errors_, found_;       // of the sources; of the candidates
+  Eigen::VectorX<Eigen::Index> source_, last_visit_;  // of every bee its source; of every source its last bee
+  Eigen::VectorXd errors_, found_;                    // of the sources; of the candidates
   Eigen::VectorXd joint_, neighbour_, phi_, roulette_;
   Roulette share_;
   Eigen::VectorXi failures_;

@@ -1,4 +1,4 @@
-// The only door to an evaluation: the position error of candidates (Eq. 1), and an honest count of them.
+// The only door to an evaluation: the position error of candidates (Eq. 1), and the count of them.
 #pragma once
 
 #include <algorithm>
@@ -27,26 +27,24 @@ class Objective {
     return error[0];
   }
 
-  // What a loop over the candidates does in which each is proposed from what those before it have changed, evaluated,
-  // and decided on; but evaluated in batches:
-  //   propose(first, count)  writes these columns of q from the solver's present state;
-  //   decide(i)              takes candidate i, whose error is errors[i], in or not, and says whether it changed
-  //   anything
-  //                          that the proposals after it depend on. If so, those are proposed anew.
-  // Every candidate that is decided on counts as one evaluation; proposals that are dropped undecided do not.
+  // A loop over the candidates in which each is proposed from what those before it have changed, evaluated, and decided
+  // on. It looks ahead and evaluates in batches all the same:
+  // - propose(first, count) writes these columns of q from the solver's present state;
+  // - decide(i) takes candidate i, whose error is errors[i], in or not, and says whether that changed anything that the
+  //   proposals after it depend on. If so, those are proposed anew.
+  // What is decided on counts as an evaluation, as in the loop as it is written; proposals that are dropped do not.
   template <class Propose, class Decide>
   void one_by_one(Candidates& q, Eigen::VectorXd& errors, Propose&& propose, Decide&& decide) {
     for (Eigen::Index i = 0; i < q.cols();) {
       const Eigen::Index count = std::min(look_ahead_, q.cols() - i), last = i + count;
       propose(i, count);
       evaluate(q.middleCols(i, count), errors.segment(i, count));
+      const Eigen::Index first = i;
       bool changed = false;
-      for (; i < last && !changed; ++i) {
-        ++evaluations_;
-        changed = decide(i);
-      }
-      // As far ahead as it has paid lately; the numbers do not depend on it.
-      look_ahead_ = std::min<Eigen::Index>(changed ? 8 : 2 * look_ahead_, furthest_ahead_);
+      while (i < last && !changed) changed = decide(i++);
+      evaluations_ += i - first;
+      // As far ahead as it pays: half as far after a change, twice as far without. The numbers do not depend on it.
+      look_ahead_ = std::min(changed ? std::max<Eigen::Index>(look_ahead_ / 2, 8) : 2 * look_ahead_, furthest_ahead_);
     }
   }
 
@@ -74,7 +72,7 @@ class Objective {
  private:
   const Kinematics& arm_;
   Eigen::Vector3d target_;
-  Eigen::Index look_ahead_ = 64, furthest_ahead_ = 100'000;  // candidates
+  Eigen::Index look_ahead_ = 64, furthest_ahead_ = 64;  // candidates
   std::int64_t evaluations_ = 0;
 };
 

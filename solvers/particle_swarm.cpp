@@ -1,6 +1,7 @@
 // PSO, particle swarm optimisation: Kennedy and Eberhart 1995 with the inertia of Shi and Eberhart 1998; the numbers
 // are those of Slim et al. 2023, Table 1. The reading is argued in docs/paper-notes.md 2.5.
 #include "solvers/bounds.hpp"
+#include "solvers/kernels.hpp"
 #include "solvers/registry.hpp"
 
 namespace ikbench {
@@ -56,7 +57,7 @@ class ParticleSwarm final : public Solver {
     random.uniforms(u1_);
     random.uniforms(u2_);
     objective.one_by_one(
-        x_next_, found_, [&](Eigen::Index first, Eigen::Index count) { fly(Eigen::seqN(first, count)); },
+        x_next_, found_, [&](Eigen::Index first, Eigen::Index count) { fly(first, count); },
         [&](Eigen::Index i) {
           if (found_[i] < errors_[i]) {
             personal_.col(i) = x_next_.col(i);
@@ -71,19 +72,26 @@ class ParticleSwarm final : public Solver {
   const Best& best() const override { return best_; }
 
  private:
-  template <class Particles>
-  void fly(const Particles& particles) {
+  void fly(Eigen::Index first, Eigen::Index count) {
     for (Eigen::Index j = 0; j < x_.rows(); ++j) {
-      const auto x = x_(j, particles).array(), v = v_(j, particles).array(), p = personal_(j, particles).array();
-      v_next_(j, particles) = options_.inertia * v +  // Shi and Eberhart 1998
-                              options_.cognitive * (u1_(j, particles).array() * (p - x)) +
-                              options_.social * (u2_(j, particles).array() * (best_.q[j] - x));
-      x_next_(j, particles) = x + v_next_(j, particles).array();
+      kernels_.swarm({.inertia = options_.inertia,  // Shi and Eberhart 1998
+                      .cognitive = options_.cognitive,
+                      .social = options_.social,
+                      .best = best_.q[j],
+                      .x = &x_(j, first),
+                      .v = &v_(j, first),
+                      .personal = &personal_(j, first),
+                      .u1 = &u1_(j, first),
+                      .u2 = &u2_(j, first),
+                      .x_next = &x_next_(j, first),
+                      .v_next = &v_next_(j, first),
+                      .count = count});
     }
-    keep_inside(options_.bounds, problem_, x_next_(Eigen::all, particles));
+    keep_inside(options_.bounds, problem_, x_next_.middleCols(first, count));
   }
 
   Options options_;
+  const SolverKernels& kernels_ = solver_kernels();
   Problem problem_;
   Candidates x_, v_, x_next_, v_next_, personal_, u1_, u2_;
   Eigen::VectorXd errors_, found_;  // of the personal bests; of x_next_

@@ -1,7 +1,6 @@
 #include "solvers/random.hpp"
 
 #include "robots/instruction_set.hpp"
-#include "solvers/row_kernels.hpp"
 
 namespace ikbench {
 
@@ -16,11 +15,6 @@ std::uint64_t splitmix64(std::uint64_t& state) {
 }
 
 std::uint64_t mixed(std::uint64_t value) { return splitmix64(value); }
-
-const RandomKernels& chosen_kernels() {
-  static const RandomKernels chosen = random_kernels(instruction_set());
-  return chosen;
-}
 
 }  // namespace
 
@@ -38,32 +32,22 @@ Key Key::with(std::string_view part) const {
   return with(hash);
 }
 
-RandomKernels random_kernels(InstructionSet set) {
+SolverKernels solver_kernels(InstructionSet set) {
 #ifdef __x86_64__
-  if (set == InstructionSet::x86_64_v4) return x86_64_v4::random_kernels();
-  if (set == InstructionSet::x86_64_v3) return x86_64_v3::random_kernels();
+  if (set == InstructionSet::x86_64_v4) return x86_64_v4::solver_kernels();
+  if (set == InstructionSet::x86_64_v3) return x86_64_v3::solver_kernels();
 #else
   static_cast<void>(set);
 #endif
-  return portable::random_kernels();
+  return portable::solver_kernels();
 }
 
-RowKernels row_kernels(InstructionSet set) {
-#ifdef __x86_64__
-  if (set == InstructionSet::x86_64_v4) return x86_64_v4::row_kernels();
-  if (set == InstructionSet::x86_64_v3) return x86_64_v3::row_kernels();
-#else
-  static_cast<void>(set);
-#endif
-  return portable::row_kernels();
-}
-
-const RowKernels& row_kernels() {
-  static const RowKernels chosen = row_kernels(instruction_set());
+const SolverKernels& solver_kernels() {
+  static const SolverKernels chosen = solver_kernels(instruction_set());
   return chosen;
 }
 
-Random::Random(Key key) : kernels_(chosen_kernels()) {
+Random::Random(Key key) : kernels_(solver_kernels()) {
   std::uint64_t seed = key.value();
   for (std::size_t lane = 0; lane < random_lanes; ++lane) {
     for (auto& word : state_.words) word[lane] = splitmix64(seed);

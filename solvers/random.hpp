@@ -2,10 +2,11 @@
 // by splitmix64 from a key. A stream is a pure function of its key.
 #pragma once
 
+#include <Eigen/Core>
 #include <cstdint>
 #include <string_view>
 
-#include "solvers/random_kernels.hpp"
+#include "solvers/kernels.hpp"
 
 namespace ikbench {
 
@@ -31,20 +32,21 @@ class Random {
 
   // Fills of a vector or of Candidates (row by row). They take whole blocks of eight and leave single draws theirs.
   template <class Numbers>
-  void uniforms(Numbers& out) {  // each in [0, 1)
+  void uniforms(Eigen::PlainObjectBase<Numbers>& out) {  // each in [0, 1)
     kernels_.uniforms(state_, out.data(), out.size());
   }
   template <class Numbers>
-  void normals(Numbers& out) {  // each standard normal (Box and Muller 1958)
+  void normals(Eigen::PlainObjectBase<Numbers>& out) {  // each standard normal (Box and Muller 1958)
     kernels_.normals(state_, out.data(), out.size());
   }
   template <class Numbers>
-  void truncated_normals(Numbers& out) {  // each standard normal, given that it is within [-1, 1]
+  void truncated_normals(
+      Eigen::PlainObjectBase<Numbers>& out) {  // each standard normal, given that it is within [-1, 1]
     kernels_.truncated_normals(state_, out.data(), out.size());
   }
 
  private:
-  RandomKernels kernels_;
+  const SolverKernels& kernels_;
   RandomState state_;
   double buffer_[random_lanes];
   int used_ = random_lanes;

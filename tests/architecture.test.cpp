@@ -65,6 +65,68 @@ std::vector<std::string> between(const std::string& text, const std::string& ope
   return found;
 }
 
+// Without comments, which are `//` to the end of the line.
+std::string code_of(const fs::path& file) {
+  std::istringstream text(text_of(file));
+  std::string code;
+  for (std::string line; std::getline(text, line);) code += line.substr(0, line.find("//")) + '\n';
+  return code;
+}
+
+struct Word {
+  std::string text;
+  bool of_std, called;  // after "std::", before "("
+};
+
+std::vector<Word> words_of(const std::string& code) {
+  const std::string letters = "_0123456789abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ";
+  std::vector<Word> words;
+  for (std::size_t at = 0; (at = code.find_first_of(letters, at)) != std::string::npos;) {
+    const std::size_t end = std::min(code.find_first_not_of(letters, at), code.size());
+    const std::size_t next = code.find_first_not_of(" \n", end);
+    words.push_back({code.substr(at, end - at), at >= 5 && code.compare(at - 5, 5, "std::") == 0,
+                     next != std::string::npos && code[next] == '('});
+    at = end;
+  }
+  return words;
+}
+
+// The elementary functions of the C library or of Eigen that a code uses, also as a method or as C has them.
+std::vector<std::string> elementary_functions(const std::string& code) {
+  static const Names functions{"sin",   "cos",  "tan",    "asin",   "acos",       "atan",      "atan2", "sinh",
+                               "cosh",  "tanh", "asinh",  "acosh",  "atanh",      "sincos",    "exp",   "exp2",
+                               "expm1", "log",  "log2",   "log10",  "log1p",      "pow",       "hypot", "cbrt",
+                               "erf",   "erfc", "tgamma", "lgamma", "stableNorm", "hypotNorm", "lerp",  "blueNorm"};
+  static const Names geometry{"AngleAxis", "AngleAxisd", "Rotation2D", "Rotation2Dd", "eulerAngles"};
+  std::vector<std::string> found;
+  for (const Word& word : words_of(code)) {
+    std::string name = word.text;
+    if (!functions.contains(name) && (name.ends_with('f') || name.ends_with('l'))) name.pop_back();
+    const bool function = functions.contains(name) && (word.of_std || word.called);
+    if (function || geometry.contains(name) || name.ends_with("_distribution")) found.push_back(word.text);
+  }
+  return found;
+}
+
+// The sources that are compiled once for every instruction set, and all of ours that they include.
+std::set<fs::path> kernel_sources() {
+  std::set<fs::path> sources;
+  std::vector<fs::path> next;
+  for (const auto& [folder, below] : may_know()) {
+    for (const std::string& source :
+         between(text_of(folder + "/CMakeLists.txt"), "ikbench_kernels(" + folder + " ", ")")) {
+      next.push_back(folder + "/" + source);
+    }
+  }
+  while (!next.empty()) {
+    const fs::path source = next.back();
+    next.pop_back();
+    if (!sources.insert(source).second) continue;
+    for (const std::string& included : between(text_of(source), "#include \"", "\"")) next.push_back(included);
+  }
+  return sources;
+}
+
 std::vector<std::string> includes_of(const fs::path& file) { return between(text_of(file), "#include \"", "\""); }
 
 Names registered_solvers() {
@@ -135,7 +197,7 @@ TEST_CASE("a solver is one line in the registry and one file of that name, which
 }
 
 TEST_CASE("every file in solvers/ is a registered solver or part of the frame around them", "[architecture]") {
-  const Names solvers = registered_solvers(), frame{"options", "random", "registry", "solve"};
+  const Names solvers = registered_solvers(), frame{"kernels", "options", "random", "registry", "solve"};
   for (const fs::path& file : sources_of("solvers")) {
     if (file.extension() != ".cpp") continue;
     INFO(file.string());
@@ -166,6 +228,63 @@ TEST_CASE("libraries never print, only programs do", "[architecture]") {
         CHECK(text.find(printer) == std::string::npos);
       }
     }
+  }
+}
+
+// What these say differs between C libraries and processors in the last bits, and with it what a study says:
+// robots/functions.hpp has ours. Square roots are exact everywhere.
+TEST_CASE("nothing that decides a number calls the C library's elementary functions", "[architecture]") {
+  CHECK(elementary_functions("std::sin(x); ::atan2f (y, x); x.array().log(); f(std::pow); AngleAxisd(a, b);").size() ==
+        5);
+  CHECK(elementary_functions("sin_cos(x); power(x, 2); double log = 0; sines(3); std::sqrt(x);").empty());
+  for (const std::string folder : {"robots", "solvers", "experiments"}) {
+    for (const fs::path& file : sources_of(folder)) {
+      INFO(file.string());
+      // The verifier asks the C library whether our own functions are right, and refuses an answer where they differ;
+      // no number of a record is made of what it says.
+      const bool witness = file == "experiments/verifier.cpp";
+      CHECK(elementary_functions(code_of(file)) ==
+            (witness ? std::vector<std::string>{"sin", "cos"} : std::vector<std::string>{}));
+    }
+  }
+}
+
+// Eigen adds up in another order where it vectorizes, or else aligns: the whole program says once that it does not.
+TEST_CASE("no source and no folder of its own says how Eigen or the compiler calculates", "[architecture]") {
+  for (const auto& [folder, below] : may_know()) {
+    std::vector<fs::path> files = sources_of(folder);
+    files.emplace_back(folder + "/CMakeLists.txt");
+    for (const fs::path& file : files) {
+      INFO(file.string());
+      const std::string code = code_of(file);
+      for (const Word& word : words_of(code)) {
+        CHECK((!word.text.starts_with("EIGEN_") || word.text.ends_with("_VERSION")));
+      }
+      for (const char* rule :
+           {"fast-math", "Ofast", "-march", "-mtune", "-ffp-contract=fast", "FP_CONTRACT", "float_control"}) {
+        INFO(rule);
+        CHECK(code.find(rule) == std::string::npos);
+      }
+    }
+  }
+  const std::string house = text_of("CMakeLists.txt");
+  CHECK(house.find("INTERFACE EIGEN_DONT_VECTORIZE") != std::string::npos);
+  CHECK(house.find("-ffp-contract=off") != std::string::npos);
+}
+
+// An inline function of another header, compiled for a newer processor, may be the one that the linker keeps for all.
+TEST_CASE("kernels include kernels and C headers alone, and have nothing of std", "[architecture]") {
+  const Names c_headers{"stddef.h", "stdint.h", "immintrin.h"};
+  const std::set<fs::path> sources = kernel_sources();
+  CHECK(sources.contains("robots/kernels.cpp"));
+  CHECK(sources.contains("solvers/kernels.cpp"));
+  CHECK(sources.size() >= 6);
+  for (const fs::path& source : sources) {
+    INFO(source.string());
+    const std::string stem = source.stem().string();
+    CHECK((stem == "lanes" || stem == "elementary" || stem == "kernels"));
+    CHECK(code_of(source).find("std::") == std::string::npos);
+    for (const std::string& included : between(text_of(source), "#include <", ">")) CHECK(c_headers.contains(included));
   }
 }
 

@@ -5,7 +5,7 @@
 #include "robots/functions.hpp"
 #include "solvers/bounds.hpp"
 #include "solvers/registry.hpp"
-#include "solvers/row_kernels.hpp"
+#include "solvers/kernels.hpp"
 #include "solvers/solve.hpp"
 
 namespace ikbench::microbenchmarks {
@@ -45,14 +45,14 @@ class SynchronousIkBat final : public Solver {
     const double r = 1 - exponential(-0.1 * iteration_++);  // Eq. 10
     for (Eigen::Index j = 0; j < x_.rows(); ++j) {
       double *const x = &x_(j, 0), *const v = &v_(j, 0);
-      rows_.fly({.pole = 0.5 * (best_.q[j] + theta_s_[j]),  // Eqs. 13 and 7
+      kernels_.fly({.pole = 0.5 * (best_.q[j] + theta_s_[j]),  // Eqs. 13 and 7
                  .frequency = frequency_.data(),
                  .x = x,
                  .v = v,
                  .x_next = x,
                  .v_next = v,
                  .count = x_.cols()});
-      rows_.scatter(r * best_.q[j] + (1 - r) * theta_s_[j], 0.1 * loudness_, &epsilon_(j, 0), &candidates_(j, 0),
+      kernels_.scatter(r * best_.q[j] + (1 - r) * theta_s_[j], 0.1 * loudness_, &epsilon_(j, 0), &candidates_(j, 0),
                     x_.cols());  // Eq. 14
     }
     objective.errors(candidates_, errors_);
@@ -66,7 +66,7 @@ class SynchronousIkBat final : public Solver {
  private:
   Eigen::VectorXd theta_s_, errors_, frequency_, chance_;
   Candidates x_, v_, epsilon_, candidates_;
-  RowKernels rows_ = row_kernels();
+  const SolverKernels& kernels_ = solver_kernels();
   double loudness_ = 1;
   int iteration_ = 0;
   Best best_;

@@ -376,7 +376,7 @@ TEST_CASE("the verified error of every solver is the one it claims on the planar
     Study study = study_of_every_solver();
     study.robot = name;
     study.search = Search::all_joints;
-    study.initial = Eigen::VectorXd::Zero(robot(name).chain.joints());
+    study.initial = Eigen::VectorXd::Zero(robot(name).joints());
     study.path = Helix{.centre = {0.3, 0.3, 0}, .length = 0, .turns = 1, .points = 4};
     for (const SolveRecord& record : solves_of(study)) {
       INFO(record.solver);

@@ -88,12 +88,22 @@ TEST_CASE("DE lets a joint come from the mutant with chance C, beside the forced
 
 TEST_CASE("DE replaces a candidate at once, and by a strictly better one only", "[differential_evolution]") {
   // The first trial is better, the second ties, the third and the fourth are worse.
-  Started de({{"crossover", "1"}, {"bounds", "initial"}}, {5, 5, 5, 5, 4, 5, 6, 6});
+  Started de({{"crossover", "1"}, {"bounds", "initial"}, {"replacement", "at_once"}}, {5, 5, 5, 5, 4, 5, 6, 6});
   de.solver->step(de.objective, de.random);
   CHECK_FALSE(mutant_of(de.seen(4), de.x, 0, 0.6).empty());
   de.x[0] = de.seen(4);
   for (int i = 1; i < 4; ++i) CHECK_FALSE(mutant_of(de.seen(4 + i), de.x, static_cast<std::size_t>(i), 0.6).empty());
   CHECK(de.solver->best().error == 4);
+  de.solver->step(de.objective, de.random);
+  for (int i = 0; i < 4; ++i) CHECK_FALSE(mutant_of(de.seen(8 + i), de.x, static_cast<std::size_t>(i), 0.6).empty());
+}
+
+TEST_CASE("DE combines the generation before, whatever has become better meanwhile", "[differential_evolution]") {
+  Started de({{"crossover", "1"}, {"bounds", "initial"}}, {5, 5, 5, 5, 4, 4, 6, 6});  // Storn and Price 1997
+  de.solver->step(de.objective, de.random);
+  for (int i = 0; i < 4; ++i) CHECK_FALSE(mutant_of(de.seen(4 + i), de.x, static_cast<std::size_t>(i), 0.6).empty());
+  de.x[0] = de.seen(4);
+  de.x[1] = de.seen(5);
   de.solver->step(de.objective, de.random);
   for (int i = 0; i < 4; ++i) CHECK_FALSE(mutant_of(de.seen(8 + i), de.x, static_cast<std::size_t>(i), 0.6).empty());
 }

@@ -41,6 +41,12 @@ class RecordingObjective final : public Objective {
   std::vector<double> script_;
 };
 
+// Looks no further ahead than the candidate at hand, as the pseudo-codes do.
+class OneAheadObjective final : public Objective {
+ public:
+  OneAheadObjective(const Chain& chain, const Eigen::Vector3d& target) : Objective(chain, target, 1) {}
+};
+
 // Gives `value` instead of the error of every `period`-th candidate.
 class SpoiltObjective final : public Objective {
  public:

@@ -1,5 +1,5 @@
 // Compiled once for every instruction set, with IKBENCH_KERNELS naming it; read lanes.hpp before including anything.
-#include "solvers/random_kernels.hpp"
+#include "solvers/kernels.hpp"
 
 #include "robots/elementary.hpp"
 
@@ -123,10 +123,42 @@ void truncated_normals(RandomState& state, double* out, ptrdiff_t count) {
   });
 }
 
+void fly(const Flight& flight) {
+  for_lanes(flight.count, [&](ptrdiff_t i, auto some) IKBENCH_INLINE {
+    const Reals x = some.load(flight.x + i), v = some.load(flight.v + i), f = some.load(flight.frequency + i);
+    const Reals v_next = v + (x - flight.pole) * f;
+    some.store(flight.v_next + i, v_next);
+    some.store(flight.x_next + i, x + v_next);
+  });
+}
+
+void scatter(double centre, double step, const double* draws, double* q, ptrdiff_t count) {
+  for_lanes(count,
+            [&](ptrdiff_t i, auto some) IKBENCH_INLINE { some.store(q + i, centre + step * some.load(draws + i)); });
+}
+
+void swarm(const Swarm& swarm) {
+  for_lanes(swarm.count, [&](ptrdiff_t i, auto some) IKBENCH_INLINE {
+    const Reals x = some.load(swarm.x + i), to_personal = some.load(swarm.personal + i) - x, to_best = swarm.best - x;
+    const Reals v_next = swarm.inertia * some.load(swarm.v + i) +
+                         swarm.cognitive * (some.load(swarm.u1 + i) * to_personal) +
+                         swarm.social * (some.load(swarm.u2 + i) * to_best);
+    some.store(swarm.v_next + i, v_next);
+    some.store(swarm.x_next + i, x + v_next);
+  });
+}
+
+// NaN stays: it is the second of both comparisons.
+void clamp(double lower, double upper, double* q, ptrdiff_t count) {
+  for_lanes(count, [&](ptrdiff_t i, auto some) IKBENCH_INLINE {
+    some.store(q + i, smaller(all(upper), larger(all(lower), some.load(q + i))));
+  });
+}
+
 }  // namespace
 
 namespace IKBENCH_KERNELS {
-RandomKernels random_kernels() { return {&uniforms, &normals, &truncated_normals}; }
+SolverKernels solver_kernels() { return {&uniforms, &normals, &truncated_normals, &fly, &swarm, &scatter, &clamp}; }
 }  // namespace IKBENCH_KERNELS
 
 }  // namespace ikbench

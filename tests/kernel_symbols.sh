@@ -1,0 +1,13 @@
+#!/usr/bin/env bash
+# Whether an object file of kernels defines one symbol that the linker sees: kernel_symbols.sh SET OBJECT
+# Of a weak symbol, such as an inline function, the linker keeps any one: it might be compiled for another processor.
+set -euo pipefail
+set=$1 object=$2
+command -v "${NM:=nm}" >/dev/null || { echo "skipped: no nm"; exit 77; }
+
+# Type information, which clang's sanitizer adds, is data and has no instructions.
+symbols=$("$NM" --extern-only --defined-only --demangle "$object" | cut -d ' ' -f 2- | grep -v '^V typeinfo ' || true)
+[[ $symbols =~ ^"T ikbench::${set}::"[a-z]+"_kernels()"$ ]] && exit
+echo "expected the kernels of $set alone, found:"
+echo "$symbols"
+exit 1

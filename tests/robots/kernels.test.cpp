@@ -1,0 +1,358 @@
+// The kernels of every instruction set that this machine runs, held against the portable ones bit by bit, and these
+// against long double.
+#include "robots/kernels.hpp"
+
+#include <sys/mman.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdlib>
+#include <cstring>
+#include <numbers>
+#include <optional>
+#include <random>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "robots/elementary.hpp"
+#include "robots/instruction_set.hpp"
+#include "robots/robot.hpp"
+#include "tests/catch.hpp"
+#include "tests/robots/random_configuration.hpp"
+#include "tests/robots/reference.hpp"
+
+using namespace ikbench;
+using std::numbers::pi;
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+// Numbers with a page after them (or before them) that may not be touched: also what a masked instruction reads, which
+// no sanitizer sees.
+class Guarded {
+ public:
+  enum class Page { after, before };
+
+  explicit Guarded(std::size_t count, Page page = Page::after) : count_(count) {
+    const auto size = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
+    bytes_ = (count * sizeof(double) + size - 1) / size * size + size;
+    memory_ = mmap(nullptr, bytes_, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+    REQUIRE(memory_ != MAP_FAILED);
+    char* const first = static_cast<char*>(memory_);
+    char* const shut = page == Page::after ? first + bytes_ - size : first;
+    REQUIRE(mprotect(shut, size, PROT_NONE) == 0);
+    numbers_ = reinterpret_cast<double*>(page == Page::after ? shut - count * sizeof(double) : first + size);
+  }
+  ~Guarded() { munmap(memory_, bytes_); }
+  Guarded(const Guarded&) = delete;
+  Guarded& operator=(const Guarded&) = delete;
+
+  double* data() { return numbers_; }
+  double& operator[](std::size_t i) { return numbers_[i]; }
+  std::size_t size() const { return count_; }
+
+ private:
+  std::size_t count_, bytes_ = 0;
+  void* memory_ = nullptr;
+  double* numbers_ = nullptr;
+};
+
+KernelLink kernel_link(const DhLink& link) {
+  const long double alpha = meant_twist(link.alpha);
+  const auto exact = [](long double x) { return std::abs(x) < 1e-15L ? 0.0 : static_cast<double>(x); };
+  const double c = exact(std::cos(alpha)), s = exact(std::sin(alpha));
+  const KernelLink::Twist twist = c == 0             ? s > 0 ? KernelLink::quarter : KernelLink::minus_quarter
+                                  : s == 0 && c == 1 ? KernelLink::none
+                                                     : KernelLink::general;
+  return {twist, true, c, s, link.a, link.d, link.offset};
+}
+
+struct RandomArm {
+  std::vector<DhLink> links;
+  Eigen::Vector3d tip;
+
+  RandomArm(Dice& dice, int joints) : links(static_cast<std::size_t>(joints)) {
+    for (DhLink& link : links) {
+      const int turns = dice.below(5) - 2;  // exact quarter turns, also two; or any twist
+      link = {.a = dice.below(2) == 0 ? 0 : dice.between(-1, 1),
+              .alpha = dice.below(3) == 0 ? dice.between(-pi, pi) : turns * (pi / 2),
+              .d = dice.below(2) == 0 ? 0 : dice.between(-1, 1),
+              .offset = dice.below(2) == 0 ? 0 : dice.between(-pi, pi)};
+    }
+    for (double& x : tip) x = dice.below(2) == 0 ? 0 : dice.between(-0.3, 0.3);
+  }
+};
+
+struct Arm {
+  std::vector<KernelLink> links;
+  Eigen::Vector3d tip;
+
+  Arm(const std::vector<DhLink>& from, Eigen::Vector3d at) : tip(std::move(at)) {
+    for (const DhLink& link : from) links.push_back(kernel_link(link));
+  }
+  explicit Arm(const RandomArm& arm) : Arm(arm.links, arm.tip) {}
+
+  KernelChain chain() const { return {links.data(), static_cast<int>(links.size()), {tip.x(), tip.y(), tip.z()}}; }
+};
+
+bool same_bits(const double* a, const double* b, std::size_t count) {
+  return std::memcmp(a, b, count * sizeof(double)) == 0;
+}
+
+Eigen::Vector3d random_target(Dice& dice) { return {dice.between(-1, 1), dice.between(-1, 1), dice.between(-1, 1)}; }
+
+// The errors of `count` candidates from column `from` on, in rows of `row`, are those of the portable kernels and
+// nothing before or behind them is written.
+void check_errors(const Arm& arm, Dice& dice, ptrdiff_t count, ptrdiff_t row, ptrdiff_t from, Guarded::Page page) {
+  const auto joints = static_cast<ptrdiff_t>(arm.links.size());
+  CAPTURE(joints, count, row, from);
+  // As few numbers as there may be: the last row ends with the last candidate.
+  Guarded q(static_cast<std::size_t>((joints - 1) * row + from + count), page);
+  for (std::size_t i = 0; i < q.size(); ++i) q[i] = dice.between(-7, 7);
+  const Eigen::Vector3d target = random_target(dice);
+  std::vector<double> expected(static_cast<std::size_t>(count));
+  const KernelChain chain = arm.chain();
+  robot_kernels(InstructionSet::portable)
+      .position_errors(chain, target.data(), q.data() + from, row, count, expected.data());
+  for (const InstructionSet set : instruction_sets()) {
+    CAPTURE(name_of(set));
+    constexpr double untouched = -1;
+    const std::size_t before = page == Guarded::Page::after ? 5 : 0, behind = page == Guarded::Page::after ? 0 : 5;
+    Guarded errors(expected.size() + before + behind, page);
+    std::fill_n(errors.data(), errors.size(), untouched);
+    robot_kernels(set).position_errors(chain, target.data(), q.data() + from, row, count, errors.data() + before);
+    REQUIRE(same_bits(errors.data() + before, expected.data(), expected.size()));
+    for (std::size_t i = 0; i < before; ++i) REQUIRE(errors[i] == untouched);
+    for (std::size_t i = errors.size() - behind; i < errors.size(); ++i) REQUIRE(errors[i] == untouched);
+  }
+}
+
+// The environment variable as it was, afterwards too.
+class InstructionSetVariable {
+ public:
+  explicit InstructionSetVariable(const char* value) {
+    if (const char* const was = std::getenv(name)) was_ = was;
+    setenv(name, value, 1);
+  }
+  ~InstructionSetVariable() { was_ ? setenv(name, was_->c_str(), 1) : unsetenv(name); }
+
+ private:
+  static constexpr const char* name = "IKBENCH_INSTRUCTION_SET";
+  std::optional<std::string> was_;
+};
+
+}  // namespace
+
+TEST_CASE("every instruction set gives the portable errors bit for bit, for 1 to 64 joints and 1 to 100 candidates",
+          "[kernels]") {
+  Dice dice;
+  for (int joints = 1; joints <= most_joints; ++joints) {
+    const Arm arm(RandomArm(dice, joints));
+    for (ptrdiff_t count = 1; count <= 100; ++count) {
+      if (joints > 8 && count > 20 && dice.below(8) != 0) continue;
+      const ptrdiff_t from = dice.below(12), row = from + count + dice.below(20);
+      check_errors(arm, dice, count, row, from, dice.below(2) == 0 ? Guarded::Page::after : Guarded::Page::before);
+    }
+  }
+}
+
+TEST_CASE("every instruction set gives the portable errors bit for bit, for 100000 candidates", "[kernels]") {
+  Dice dice;
+  const Arm arm(RandomArm(dice, 7));
+  check_errors(arm, dice, 100'000, 100'000, 0, Guarded::Page::after);
+  check_errors(arm, dice, 100'000, 100'013, 3, Guarded::Page::before);
+}
+
+TEST_CASE("no candidates at all are read and written by no instruction set", "[kernels]") {
+  Dice dice;
+  const Arm arm(RandomArm(dice, 3));
+  const double target[3]{};
+  for (const InstructionSet set : instruction_sets()) {
+    robot_kernels(set).position_errors(arm.chain(), target, nullptr, 0, 0, nullptr);
+    robot_kernels(set).sines_and_cosines(nullptr, 0, nullptr, nullptr);
+  }
+}
+
+TEST_CASE("every instruction set gives the portable sines and cosines bit for bit", "[kernels]") {
+  Dice dice;
+  for (std::size_t count = 1; count <= 100; ++count) {
+    for (const Guarded::Page page : {Guarded::Page::after, Guarded::Page::before}) {
+      Guarded angles(count, page);
+      for (std::size_t i = 0; i < count; ++i) {
+        angles[i] = dice.below(10) == 0 ? dice.between(-too_far, too_far) : dice.between(-10, 10);
+        if (dice.below(20) == 0) angles[i] = i % 2 == 0 ? infinity : not_a_number;
+      }
+      std::vector<double> sines(count), cosines(count);
+      robot_kernels(InstructionSet::portable)
+          .sines_and_cosines(angles.data(), static_cast<ptrdiff_t>(count), sines.data(), cosines.data());
+      for (const InstructionSet set : instruction_sets()) {
+        CAPTURE(name_of(set), count);
+        Guarded s(count, page), c(count, page);
+        robot_kernels(set).sines_and_cosines(angles.data(), static_cast<ptrdiff_t>(count), s.data(), c.data());
+        REQUIRE(same_bits(s.data(), sines.data(), count));
+        REQUIRE(same_bits(c.data(), cosines.data(), count));
+      }
+    }
+  }
+}
+
+TEST_CASE("sines and cosines of fewer angles than there are lanes leave the numbers behind them alone", "[kernels]") {
+  for (const InstructionSet set : instruction_sets()) {
+    for (std::size_t count = 1; count <= 20; ++count) {
+      CAPTURE(name_of(set), count);
+      const std::vector<double> angles(count, 0.5);
+      std::vector<double> sines(count + 10, -2), cosines(count + 10, -2);
+      robot_kernels(set).sines_and_cosines(angles.data(), static_cast<ptrdiff_t>(count), sines.data(), cosines.data());
+      CHECK(std::count(sines.begin(), sines.end(), -2) == 10);
+      CHECK(std::count(cosines.begin(), cosines.end(), -2) == 10);
+      CHECK(sines[count] == -2);
+      CHECK(cosines[count] == -2);
+    }
+  }
+}
+
+TEST_CASE("the errors of the iiwa are within 1e-13 cm of 4x4 products in long double", "[kernels]") {
+  RandomConfigurations random;
+  Dice dice;
+  const Robot iiwa = robot("kuka_iiwa14");
+  for (const Eigen::Vector3d& tip : {Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(0.01, -0.02, 0.15)}) {
+    const Chain chain((*iiwa.chain()).links(), tip);
+    const Arm arm((*iiwa.chain()).links(), tip);
+    for (int trial = 0; trial < 10000; ++trial) {
+      const Eigen::VectorXd q = random(iiwa.limits);
+      const Eigen::Vector3d target = random_target(dice);
+      const long double expected = reference_distance(reference_position(chain.links(), tip, q), target);
+      double error = 0;
+      for (const InstructionSet set : instruction_sets()) {
+        robot_kernels(set).position_errors(arm.chain(), target.data(), q.data(), 1, 1, &error);
+        REQUIRE(std::abs(static_cast<double>(error - expected)) < 1e-15);  // [m]
+      }
+      Eigen::VectorXd by_chain(1);
+      chain.position_errors(q, target, by_chain);
+      REQUIRE(by_chain[0] == error);  // which leaves out the joints that move nothing
+    }
+  }
+}
+
+TEST_CASE("the errors of any arm are within 1e-9 m of long double for angles up to 1e5 rad", "[kernels]") {
+  Dice dice;
+  for (int trial = 0; trial < 3000; ++trial) {
+    const RandomArm random(dice, 1 + dice.below(12));
+    const Arm arm(random);
+    Eigen::VectorXd q(static_cast<Eigen::Index>(random.links.size()));
+    for (double& angle : q) angle = dice.between(-1e5, 1e5);
+    const Eigen::Vector3d target = random_target(dice);
+    // The angle that turns is the sum as a double: half a unit of its last place is 7e-12.
+    const long double expected = reference_distance(reference_position(random.links, random.tip, q), target);
+    Eigen::VectorXd error(1);
+    Chain(random.links, random.tip).position_errors(q, target, error);
+    REQUIRE(std::abs(static_cast<double>(error[0] - expected)) < 1e-9);
+    for (const InstructionSet set : instruction_sets()) {
+      robot_kernels(set).position_errors(arm.chain(), target.data(), q.data(), 1, 1, error.data());
+      REQUIRE(std::abs(static_cast<double>(error[0] - expected)) < 1e-9);
+    }
+  }
+}
+
+TEST_CASE("an angle that is none spoils its own candidate, in whatever joint, and no other", "[kernels]") {
+  Dice dice;
+  const std::vector<DhLink> iiwa = robot("kuka_iiwa14").chain()->links();
+  Arm arm(iiwa, Eigen::Vector3d::Zero());
+  arm.links.back().turns = false;
+  constexpr ptrdiff_t count = 19;
+  for (const InstructionSet set : instruction_sets()) {
+    for (ptrdiff_t joint = 0; joint < 7; ++joint) {
+      for (const double bad : {not_a_number, infinity, -infinity, 1e300, -1e300, too_far, -too_far}) {
+        CAPTURE(name_of(set), joint, bad);
+        Candidates q(7, count);
+        for (Eigen::Index i = 0; i < q.size(); ++i) q.data()[i] = dice.between(-2, 2);
+        const Eigen::Vector3d target = random_target(dice);
+        std::vector<double> good(count), errors(count);
+        robot_kernels(set).position_errors(arm.chain(), target.data(), q.data(), count, count, good.data());
+        const auto victim = static_cast<std::size_t>(dice.below(count));
+        q(joint, static_cast<Eigen::Index>(victim)) = bad;
+        robot_kernels(set).position_errors(arm.chain(), target.data(), q.data(), count, count, errors.data());
+        CHECK_FALSE(std::isfinite(errors[victim]));
+        errors[victim] = good[victim];
+        CHECK(errors == good);
+        Eigen::VectorXd by_chain(count);  // in which the last joint moves nothing
+        Chain(iiwa).position_errors(q, target, by_chain);
+        CHECK_FALSE(std::isfinite(by_chain[static_cast<Eigen::Index>(victim)]));
+      }
+    }
+  }
+}
+
+TEST_CASE("a target that is none, or a link beyond all squares, gives no finite error", "[kernels]") {
+  const Robot iiwa = robot("kuka_iiwa14");
+  const Arm arm((*iiwa.chain()).links(), Eigen::Vector3d::Zero());
+  const std::vector<double> q(7 * 11, 0.3);
+  std::vector<double> errors(11);
+  for (const InstructionSet set : instruction_sets()) {
+    for (const double bad : {not_a_number, infinity, -infinity, 1e300}) {
+      CAPTURE(name_of(set), bad);
+      for (Eigen::Index coordinate = 0; coordinate < 3; ++coordinate) {
+        Eigen::Vector3d target(0.1, 0.2, 0.3);
+        target[coordinate] = bad;
+        robot_kernels(set).position_errors(arm.chain(), target.data(), q.data(), 11, 11, errors.data());
+        for (const double error : errors) CHECK_FALSE(std::isfinite(error));
+      }
+      for (std::size_t joint = 0; joint < 7; ++joint) {
+        const Eigen::Vector3d target(0.1, 0.2, 0.3);
+        for (const auto length : {&KernelLink::a, &KernelLink::d}) {
+          Arm huge = arm;
+          huge.links[joint].*length = bad;
+          robot_kernels(set).position_errors(huge.chain(), target.data(), q.data(), 11, 11, errors.data());
+          for (const double error : errors) CHECK_FALSE(std::isfinite(error));
+        }
+      }
+    }
+  }
+}
+
+TEST_CASE("a logarithm is within 2.5 ulp of long double from 2^-52 to 1", "[kernels]") {
+  Dice dice;
+  double worst = 0;
+  const auto check = [&](double x) {
+    worst = std::max(worst, last_places(logarithm(x), std::log(static_cast<long double>(x))));
+  };
+  for (int i = 0; i < 1'000'000; ++i) {
+    check(1 - std::floor(dice.between(0, 1) * 0x1p52) * 0x1p-52);  // as a radius of normal numbers has it
+    check(std::exp2(dice.between(-52, 0)));
+    check(1 - std::exp2(dice.between(-52, -1)));
+  }
+  for (int e = 0; e <= 52; ++e) check(std::ldexp(1.0, -e));
+  CHECK(worst < 2.5);  // two roundings before the last, of numbers of up to two units
+  CHECK(logarithm(1.0) == 0);
+}
+
+TEST_CASE("an instruction set can be named, and an unknown one is refused with those there are", "[kernels]") {
+  for (const InstructionSet set : instruction_sets()) {
+    const InstructionSetVariable variable(std::string(name_of(set)).c_str());
+    CHECK(instruction_set() == set);
+  }
+  {
+    const InstructionSetVariable empty("");
+    CHECK(instruction_set() == instruction_sets().back());
+  }
+  const InstructionSetVariable unknown("x86-64-v5");
+  CHECK_THROWS_AS(instruction_set(), std::invalid_argument);
+  try {
+    instruction_set();
+  } catch (const std::invalid_argument& refused) {
+    const std::string text = refused.what();
+    CAPTURE(text);
+    CHECK(text.find("IKBENCH_INSTRUCTION_SET") == 0);
+    CHECK(text.find("x86-64-v5") != std::string::npos);
+    for (const InstructionSet set : instruction_sets()) CHECK(text.find(name_of(set)) != std::string::npos);
+  }
+}
+
+TEST_CASE("an arm has 64 joints at most", "[chain]") {
+  CHECK(Chain(std::vector<DhLink>(64)).joints() == 64);
+  CHECK_THROWS_WITH(Chain(std::vector<DhLink>(65)), "an arm of 65 joints; at most 64");
+}

@@ -1,0 +1,367 @@
+// The solvers that look ahead in batches, held bit for bit against the loops that they stand for: one candidate after
+// another, each drawn, evaluated and decided on before the next, as the pseudo-code has it.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "robots/functions.hpp"
+#include "robots/units.hpp"
+#include "tests/catch.hpp"
+#include "tests/solvers/objectives.hpp"
+
+using namespace ikbench;
+
+namespace {
+
+constexpr int iterations = 30, population = 21;
+constexpr std::uint64_t keys = 63;  // of each task and settings: eight pairs of these are 504 solves
+
+using Vector = std::vector<double>;
+
+// A loop's own state: candidate i is q[i], in plain vectors.
+struct Loop {
+  Loop(const Task& task, Objective& through, std::uint64_t key, const Settings& with)
+      : problem(task.problem),
+        joints(static_cast<std::size_t>(problem.joints())),
+        objective(through),
+        random{Key(key)},
+        settings(with) {
+    best.q = problem.start;
+  }
+
+  const Problem& problem;
+  const std::size_t joints;
+  Objective& objective;
+  Random random;
+  const Settings& settings;
+  std::vector<Vector> x;
+  Vector errors;
+  Best best;
+
+  double number(const char* name) const { return std::stod(settings.at(name)); }
+  bool is(const char* name, const char* value) const { return settings.at(name) == value; }
+  double start(std::size_t j) const { return problem.start[static_cast<Eigen::Index>(j)]; }
+  double lower(std::size_t j) const { return problem.lower[static_cast<Eigen::Index>(j)]; }
+  double upper(std::size_t j) const { return problem.upper[static_cast<Eigen::Index>(j)]; }
+  double best_q(std::size_t j) const { return best.q[static_cast<Eigen::Index>(j)]; }
+
+  Vector uniforms(std::size_t count) {
+    Eigen::VectorXd drawn(static_cast<Eigen::Index>(count));
+    random.uniforms(drawn);
+    return {drawn.begin(), drawn.end()};
+  }
+  // Of candidate i and joint j in [i][j]; drawn joint by joint.
+  std::vector<Vector> each(std::size_t count, void (*draw)(Random&, Candidates&)) {
+    Candidates drawn(static_cast<Eigen::Index>(joints), static_cast<Eigen::Index>(count));
+    draw(random, drawn);
+    std::vector<Vector> of(count, Vector(joints));
+    for (std::size_t i = 0; i < count; ++i) {
+      for (std::size_t j = 0; j < joints; ++j) {
+        of[i][j] = drawn(static_cast<Eigen::Index>(j), static_cast<Eigen::Index>(i));
+      }
+    }
+    return of;
+  }
+  std::vector<Vector> each_uniform(std::size_t count) {
+    return each(count, [](Random& from, Candidates& out) { from.uniforms(out); });
+  }
+
+  void clamp(Vector& q) const {
+    for (std::size_t j = 0; j < joints; ++j) q[j] = std::min(std::max(q[j], lower(j)), upper(j));
+  }
+  double error(const Vector& q) {
+    return objective.error(Eigen::Map<const Eigen::VectorXd>(q.data(), static_cast<Eigen::Index>(q.size())));
+  }
+  void keep_if_best(const Vector& q, double error) {
+    best.improve(Eigen::Map<const Eigen::VectorXd>(q.data(), static_cast<Eigen::Index>(q.size())), error);
+  }
+  void draw_first(std::size_t count) {
+    x = each_uniform(count);
+    for (Vector& q : x) {
+      for (std::size_t j = 0; j < joints; ++j) q[j] = lower(j) + (upper(j) - lower(j)) * q[j];
+    }
+    errors.resize(count);
+  }
+  void evaluate_first() {
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      errors[i] = error(x[i]);
+      keep_if_best(x[i], errors[i]);
+    }
+  }
+};
+
+// Slim et al. 2023, Algorithm 2.
+void ik_bat(Loop& loop) {
+  const std::size_t bats = population;
+  loop.draw_first(bats);
+  for (std::size_t j = 0; j < loop.joints; ++j) loop.x[0][j] = loop.start(j);
+  if (loop.is("bounds", "clamp")) loop.clamp(loop.x[0]);
+  loop.evaluate_first();
+  double A = loop.number("loudness");
+  for (int t = 0; t < iterations; ++t) {
+    loop.uniforms(bats);  // the frequencies, which change nothing that is evaluated
+    const std::vector<Vector> epsilon =
+        loop.is("epsilon", "normal")
+            ? loop.each(bats, [](Random& from, Candidates& out) { from.normals(out); })
+            : loop.each(bats, [](Random& from, Candidates& out) { from.truncated_normals(out); });
+    const Vector chance = loop.uniforms(bats);
+    A *= loop.number("alpha");                                                                  // Eq. 9
+    const double r = loop.number("pulse_rate") * (1 - exponential(-loop.number("gamma") * t));  // Eq. 10
+    for (std::size_t i = 0; i < bats; ++i) {
+      Vector q(loop.joints);
+      for (std::size_t j = 0; j < loop.joints; ++j) {  // Eq. 14
+        q[j] = (r * loop.best_q(j) + (1 - r) * loop.start(j)) + (loop.number("step_factor") * A) * epsilon[i][j];
+      }
+      if (loop.is("bounds", "clamp")) loop.clamp(q);
+      const double error = loop.error(q);
+      const bool accepts =
+          loop.is("acceptance", "greedy") || (loop.is("acceptance", "loudness") ? chance[i] < A : chance[i] > A);
+      if (accepts) loop.keep_if_best(q, error);
+    }
+  }
+}
+
+// Slim et al. 2023, Algorithm 1.
+void bat(Loop& loop) {
+  const std::size_t bats = population;
+  loop.draw_first(bats);
+  Vector A = loop.uniforms(bats), r(bats, loop.number("pulse_rate"));
+  std::vector<Vector> v(bats, Vector(loop.joints, 0));
+  loop.evaluate_first();
+  for (int t = 1; t <= iterations; ++t) {
+    const Vector beta = loop.uniforms(bats), local = loop.uniforms(bats);
+    const std::vector<Vector> epsilon = loop.each(bats, [](Random& from, Candidates& out) { from.normals(out); });
+    const Vector chance = loop.uniforms(bats);
+    for (std::size_t i = 0; i < bats; ++i) {
+      double sum = 0;
+      for (const double loudness : A) sum += loudness;
+      const double mean = sum / static_cast<double>(bats);
+      const double f = loop.number("f_min") + (loop.number("f_max") - loop.number("f_min")) * beta[i];  // Eq. 5
+      Vector q(loop.joints);
+      for (std::size_t j = 0; j < loop.joints; ++j) {
+        v[i][j] = v[i][j] + (loop.x[i][j] - loop.best_q(j)) * f;                                       // Eq. 6
+        q[j] = local[i] > r[i] ? loop.best_q(j) + (loop.number("step_factor") * mean) * epsilon[i][j]  // Eq. 8
+                               : loop.x[i][j] + v[i][j];                                               // Eq. 7
+      }
+      if (loop.is("bounds", "clamp")) loop.clamp(q);
+      const double error = loop.error(q);
+      const bool accepted = error <= loop.errors[i] && chance[i] < A[i];
+      if (accepted) {
+        loop.x[i] = q;
+        loop.errors[i] = error;
+        A[i] *= loop.number("alpha");                                                     // Eq. 9
+        r[i] = loop.number("pulse_rate") * (1 - exponential(-loop.number("gamma") * t));  // Eq. 10
+      }
+      if (accepted || loop.is("best_of", "evaluated")) loop.keep_if_best(q, error);
+    }
+  }
+}
+
+// Kennedy and Eberhart 1995 with inertia; the swarm's best is told at once.
+void particle_swarm(Loop& loop) {
+  const std::size_t particles = population;
+  loop.draw_first(particles);
+  loop.evaluate_first();
+  std::vector<Vector> v(particles, Vector(loop.joints, 0)), personal = loop.x;
+  for (int t = 0; t < iterations; ++t) {
+    const std::vector<Vector> u1 = loop.each_uniform(particles), u2 = loop.each_uniform(particles);
+    for (std::size_t i = 0; i < particles; ++i) {
+      Vector& x = loop.x[i];
+      for (std::size_t j = 0; j < loop.joints; ++j) {
+        v[i][j] = loop.number("inertia") * v[i][j] + loop.number("cognitive") * (u1[i][j] * (personal[i][j] - x[j])) +
+                  loop.number("social") * (u2[i][j] * (loop.best_q(j) - x[j]));
+        x[j] += v[i][j];
+      }
+      if (loop.is("bounds", "clamp")) loop.clamp(x);
+      const double error = loop.error(x);
+      if (error < loop.errors[i]) {
+        personal[i] = x;
+        loop.errors[i] = error;
+      }
+      loop.keep_if_best(x, error);
+    }
+  }
+}
+
+// rand/1/bin, a better trial in its place at once.
+void differential_evolution(Loop& loop) {
+  const std::size_t candidates = population;
+  loop.draw_first(candidates);
+  loop.evaluate_first();
+  for (int t = 0; t < iterations; ++t) {
+    Candidates chance(3, population);
+    loop.random.uniforms(chance);
+    const std::vector<Vector> crossover = loop.each_uniform(candidates);
+    const Vector forced = loop.uniforms(candidates);
+    for (std::size_t i = 0; i < candidates; ++i) {
+      // Three of the others, each among those that are left, in order.
+      std::set<std::size_t> left;
+      for (std::size_t k = 0; k < candidates; ++k) {
+        if (k != i) left.insert(left.end(), k);
+      }
+      std::array<std::size_t, 3> partner{};
+      for (std::size_t k = 0; k < 3; ++k) {
+        const double share = chance(static_cast<Eigen::Index>(k), static_cast<Eigen::Index>(i));
+        const auto which = std::next(left.begin(), static_cast<int>(share * static_cast<double>(left.size())));
+        partner[k] = *which;
+        left.erase(which);
+      }
+      const auto& [a, b, c] = partner;
+      Vector q(loop.joints);
+      for (std::size_t j = 0; j < loop.joints; ++j) {
+        const bool mutates = crossover[i][j] < loop.number("crossover") ||
+                             static_cast<std::size_t>(forced[i] * static_cast<double>(loop.joints)) == j;
+        q[j] = mutates ? loop.x[a][j] + loop.number("weight") * (loop.x[b][j] - loop.x[c][j]) : loop.x[i][j];
+      }
+      if (loop.is("bounds", "clamp")) loop.clamp(q);
+      const double error = loop.error(q);
+      if (!(error < loop.errors[i])) continue;
+      loop.x[i] = q;
+      loop.errors[i] = error;
+      loop.keep_if_best(q, error);
+    }
+  }
+}
+
+// Karaboga 2005, and El-Sherbiny, Elhosseini and Haikal 2018 with the best source as everyone's neighbour.
+void k_artificial_bee_colony(Loop& loop) {
+  const std::size_t sources = loop.is("colony", "full") ? population : population / 2;
+  loop.draw_first(sources);
+  loop.evaluate_first();
+  std::vector<int> failures(sources, 0);
+  const auto set_limit = static_cast<int>(loop.number("limit"));
+  const int limit = set_limit > 0 ? set_limit : (population + static_cast<int>(loop.joints)) / 2;
+  for (int t = 0; t < iterations; ++t) {
+    for (const bool onlookers : {false, true}) {
+      const Vector joint = loop.uniforms(sources), phi = loop.uniforms(sources);
+      const Vector neighbour = loop.is("neighbour", "random") ? loop.uniforms(sources) : Vector(sources, 0);
+      const Vector roulette = onlookers ? loop.uniforms(sources) : Vector(sources, 0);
+      Vector shares;  // added up; as they are before the first onlooker flies
+      for (const double error : loop.errors) {
+        shares.push_back((shares.empty() ? 0 : shares.back()) +
+                         1 / (1 + error / (loop.is("fitness_unit", "cm") ? centimetre : 1)));
+      }
+      for (std::size_t bee = 0; bee < sources; ++bee) {
+        std::size_t i = bee;
+        if (onlookers) {
+          for (i = 0; i + 1 < sources && shares[i] <= roulette[bee] * shares.back();) ++i;
+        }
+        const auto best_source =
+            static_cast<std::size_t>(std::min_element(loop.errors.begin(), loop.errors.end()) - loop.errors.begin());
+        std::size_t k = best_source;
+        if (loop.is("neighbour", "random")) {
+          k = static_cast<std::size_t>(neighbour[bee] * static_cast<double>(sources - 1));
+          if (k >= i) ++k;
+        }
+        const auto j = static_cast<std::size_t>(joint[bee] * static_cast<double>(loop.joints));
+        Vector q = loop.x[i];
+        q[j] += (2 * phi[bee] - 1) * (k == i ? q[j] : q[j] - loop.x[k][j]);
+        if (loop.is("bounds", "clamp")) loop.clamp(q);
+        const double error = loop.error(q);
+        if (error < loop.errors[i]) {
+          loop.x[i] = q;
+          loop.errors[i] = error;
+          failures[i] = 0;
+          loop.keep_if_best(q, error);
+        } else {
+          ++failures[i];
+        }
+      }
+    }
+    for (std::size_t i = 0; i < sources; ++i) {
+      if (failures[i] <= limit) continue;
+      for (std::size_t j = 0; j < loop.joints; ++j) loop.x[i][j] = loop.random.uniform(loop.lower(j), loop.upper(j));
+      loop.errors[i] = loop.error(loop.x[i]);
+      failures[i] = 0;
+      loop.keep_if_best(loop.x[i], loop.errors[i]);
+    }
+  }
+}
+
+// The iiwa's four joints to its wrist, or all seven to the flange; each key has a target of its own, within reach or
+// just outside.
+Task task_of(int joints, std::uint64_t key) {
+  Task task = iiwa_task(population);
+  const Robot iiwa = robot("kuka_iiwa14");
+  if (joints == 7) {
+    task.chain = (*iiwa.chain());
+    task.problem.start = Eigen::VectorXd::Constant(7, 0.2);
+    task.problem.lower = iiwa.limits.lower;
+    task.problem.upper = iiwa.limits.upper;
+  }
+  Random random{Key(key).with("target")};
+  for (double& coordinate : task.target) coordinate = random.uniform(-0.6, 0.6);
+  return task;
+}
+
+void check_against(const std::string& name, void (*run)(Loop&), const std::vector<Settings>& variants) {
+  const SolverInfo info = solver(name);
+  int solves = 0;
+  for (const Settings& variant : variants) {
+    const auto registered = info.make(variant);
+    const Settings settings = info.options(variant);
+    for (const int joints : {4, 7}) {
+      for (std::uint64_t key = 0; key < keys; ++key) {
+        CAPTURE(name, joints, key);
+        for (const auto& [option, value] : variant) UNSCOPED_INFO(option << " = " << value);
+        const Task task = task_of(joints, key);
+        Objective ahead(task.chain, task.target), by_itself(task.chain, task.target);
+        Random random{Key(key)};
+        const Solution solution = solve(*registered, task.problem, ahead, random, {.iterations = iterations});
+        Loop loop(task, by_itself, key, settings);
+        run(loop);
+        REQUIRE(solution.best.q == loop.best.q);
+        REQUIRE(solution.best.error == loop.best.error);
+        REQUIRE(solution.evaluations == by_itself.evaluations());
+        REQUIRE(random.uniform() == loop.random.uniform());  // both have drawn the same
+        ++solves;
+      }
+    }
+  }
+  CHECK(solves > 500);
+}
+
+}  // namespace
+
+TEST_CASE("IK-BA is its pseudo-code bit for bit, one bat after another", "[one_by_one][ik_bat]") {
+  check_against("ik_bat", ik_bat,
+                {{},
+                 {{"bounds", "clamp"}, {"acceptance", "loudness"}},
+                 {{"epsilon", "truncated"}, {"step_factor", "1"}},
+                 {{"acceptance", "yang2020"}, {"bounds", "clamp"}, {"alpha", "0.9"}}});
+}
+
+TEST_CASE("BA is its pseudo-code bit for bit, one bat after another", "[one_by_one][bat]") {
+  check_against("bat", bat,
+                {{},
+                 {{"bounds", "initial"}, {"pulse_rate", "0.5"}},
+                 {{"best_of", "evaluated"}, {"pulse_rate", "0.9"}, {"gamma", "0.1"}},
+                 {{"alpha", "0.99"}, {"f_max", "0.5"}, {"pulse_rate", "1"}}});
+}
+
+TEST_CASE("PSO is its pseudo-code bit for bit, one particle after another", "[one_by_one][pso]") {
+  check_against("particle_swarm", particle_swarm,
+                {{},
+                 {{"bounds", "initial"}},
+                 {{"inertia", "0.9"}, {"social", "0.3"}},
+                 {{"cognitive", "0"}, {"inertia", "0.7"}, {"bounds", "initial"}}});
+}
+
+TEST_CASE("DE with replacement at once is its pseudo-code bit for bit, one trial after another", "[one_by_one][de]") {
+  check_against("differential_evolution", differential_evolution,
+                {{{"replacement", "at_once"}},
+                 {{"replacement", "at_once"}, {"bounds", "initial"}},
+                 {{"replacement", "at_once"}, {"crossover", "0.3"}, {"weight", "0.9"}},
+                 {{"replacement", "at_once"}, {"crossover", "0"}, {"bounds", "initial"}}});
+}
+
+TEST_CASE("K-ABC is its pseudo-code bit for bit, one bee after another", "[one_by_one][k_abc]") {
+  check_against("k_artificial_bee_colony", k_artificial_bee_colony,
+                {{},
+                 {{"neighbour", "random"}, {"limit", "5"}},
+                 {{"colony", "half"}, {"bounds", "initial"}, {"fitness_unit", "m"}},
+                 {{"limit", "3"}, {"bounds", "initial"}}});
+}
