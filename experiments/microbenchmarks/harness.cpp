@@ -6,7 +6,6 @@
 
 #include "experiments/environment.hpp"
 #include "experiments/path.hpp"
-#include "robots/instruction_set.hpp"
 #include "robots/spherical_wrist.hpp"
 #include "solvers/bounds.hpp"
 
@@ -34,7 +33,6 @@ int run(int argc, char** argv) {
   for (const auto& [key, value] : environment()) {
     if (key != "date") benchmark::AddCustomContext(key, value);
   }
-  benchmark::AddCustomContext("instruction_set", std::string(name_of(instruction_set())));
   benchmark::AddCustomContext("peers", IKBENCH_PEERS);
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;

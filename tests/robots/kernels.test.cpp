@@ -2,9 +2,6 @@
 // against long double.
 #include "robots/kernels.hpp"
 
-#include <sys/mman.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -21,6 +18,7 @@
 #include "robots/instruction_set.hpp"
 #include "robots/robot.hpp"
 #include "tests/catch.hpp"
+#include "tests/robots/guarded.hpp"
 #include "tests/robots/random_configuration.hpp"
 #include "tests/robots/reference.hpp"
 
@@ -31,35 +29,6 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
-// Numbers with a page after them (or before them) that may not be touched: also what a masked instruction reads, which
-// no sanitizer sees.
-class Guarded {
- public:
-  enum class Page { after, before };
-
-  explicit Guarded(std::size_t count, Page page = Page::after) : count_(count) {
-    const auto size = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
-    bytes_ = (count * sizeof(double) + size - 1) / size * size + size;
-    memory_ = mmap(nullptr, bytes_, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
-    REQUIRE(memory_ != MAP_FAILED);
-    char* const first = static_cast<char*>(memory_);
-    char* const shut = page == Page::after ? first + bytes_ - size : first;
-    REQUIRE(mprotect(shut, size, PROT_NONE) == 0);
-    numbers_ = reinterpret_cast<double*>(page == Page::after ? shut - count * sizeof(double) : first + size);
-  }
-  ~Guarded() { munmap(memory_, bytes_); }
-  Guarded(const Guarded&) = delete;
-  Guarded& operator=(const Guarded&) = delete;
-
-  double* data() { return numbers_; }
-  double& operator[](std::size_t i) { return numbers_[i]; }
-  std::size_t size() const { return count_; }
-
- private:
-  std::size_t count_, bytes_ = 0;
-  void* memory_ = nullptr;
-  double* numbers_ = nullptr;
-};
 
 KernelLink kernel_link(const DhLink& link) {
   const long double alpha = meant_twist(link.alpha);
@@ -98,10 +67,6 @@ struct Arm {
 
   KernelChain chain() const { return {links.data(), static_cast<int>(links.size()), {tip.x(), tip.y(), tip.z()}}; }
 };
-
-bool same_bits(const double* a, const double* b, std::size_t count) {
-  return std::memcmp(a, b, count * sizeof(double)) == 0;
-}
 
 Eigen::Vector3d random_target(Dice& dice) { return {dice.between(-1, 1), dice.between(-1, 1), dice.between(-1, 1)}; }
 

@@ -250,7 +250,7 @@ TEST_CASE("a small population works or is refused in a sentence", "[contract]") 
   }
 }
 
-TEST_CASE("a population of 100000 is started and takes a step", "[contract]") {
+TEST_CASE("a population of 100000 is started and takes a step", "[contract][large]") {
   for (const SolverInfo& info : solvers()) {
     CAPTURE(info.name);
     // BA adds the mean loudness up anew for each bat that accepts: a square of the population, with sanitizers 18 s.

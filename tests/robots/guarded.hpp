@@ -1,0 +1,48 @@
+// Memory for the tests of kernels in which nothing beyond an end may be touched.
+#pragma once
+
+#include <sys/mman.h>
+#include <unistd.h>
+
+#include <cstddef>
+#include <cstring>
+
+#include "tests/catch.hpp"
+
+namespace ikbench {
+
+// Numbers with a page after them (or before them) that may not be touched: also what a masked instruction reads, which
+// no sanitizer sees.
+class Guarded {
+ public:
+  enum class Page { after, before };
+
+  explicit Guarded(std::size_t count, Page page = Page::after) : count_(count) {
+    const auto size = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
+    bytes_ = (count * sizeof(double) + size - 1) / size * size + size;
+    memory_ = mmap(nullptr, bytes_, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+    REQUIRE(memory_ != MAP_FAILED);
+    char* const first = static_cast<char*>(memory_);
+    char* const shut = page == Page::after ? first + bytes_ - size : first;
+    REQUIRE(mprotect(shut, size, PROT_NONE) == 0);
+    numbers_ = reinterpret_cast<double*>(page == Page::after ? shut - count * sizeof(double) : first + size);
+  }
+  ~Guarded() { munmap(memory_, bytes_); }
+  Guarded(const Guarded&) = delete;
+  Guarded& operator=(const Guarded&) = delete;
+
+  double* data() { return numbers_; }
+  double& operator[](std::size_t i) { return numbers_[i]; }
+  std::size_t size() const { return count_; }
+
+ private:
+  std::size_t count_, bytes_ = 0;
+  void* memory_ = nullptr;
+  double* numbers_ = nullptr;
+};
+
+inline bool same_bits(const double* a, const double* b, std::size_t count) {
+  return count == 0 || std::memcmp(a, b, count * sizeof(double)) == 0;
+}
+
+}  // namespace ikbench

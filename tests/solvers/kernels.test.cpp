@@ -1,0 +1,235 @@
+// The moves of the solvers' kernels, on every instruction set that this machine runs, held against plain loops bit by
+// bit. The random streams' kernels: random.test.cpp.
+#include "solvers/kernels.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <iterator>
+#include <limits>
+#include <vector>
+
+#include "robots/instruction_set.hpp"
+#include "tests/catch.hpp"
+#include "tests/robots/guarded.hpp"
+#include "tests/robots/reference.hpp"
+
+using namespace ikbench;
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+constexpr double largest = std::numeric_limits<double>::max();
+constexpr double tiniest = std::numeric_limits<double>::denorm_min();
+
+using Numbers = std::vector<double>;
+
+std::vector<std::size_t> sizes() {
+  std::vector<std::size_t> sizes{1000};
+  for (std::size_t size = 0; size <= 40; ++size) sizes.push_back(size);
+  return sizes;
+}
+
+// Mostly ordinary numbers, and sometimes one of the others.
+double drawn(Dice& dice) {
+  constexpr double others[] = {0.0, -0.0, infinity, -infinity, not_a_number, largest, -largest, tiniest, -tiniest};
+  return dice.below(20) == 0 ? others[dice.below(static_cast<int>(std::size(others)))] : dice.between(-7, 7);
+}
+
+Numbers drawn(Dice& dice, std::size_t count) {
+  Numbers numbers(count);
+  for (double& number : numbers) number = drawn(dice);
+  return numbers;
+}
+
+// Numbers between a page that may not be touched and, on their other side, some that may not change.
+class Row {
+ public:
+  Row(const Numbers& numbers, Guarded::Page page)
+      : memory_(numbers.size() + margin, page),
+        first_(page == Guarded::Page::after ? margin : 0),
+        count_(numbers.size()) {
+    std::fill_n(memory_.data(), memory_.size(), untouched);
+    std::copy(numbers.begin(), numbers.end(), data());
+  }
+
+  double* data() { return memory_.data() + first_; }
+  Numbers numbers() { return {data(), data() + count_}; }
+  bool kept_within() {
+    return std::count(memory_.data(), data(), untouched) == static_cast<ptrdiff_t>(first_) &&
+           std::count(data() + count_, memory_.data() + memory_.size(), untouched) ==
+               static_cast<ptrdiff_t>(margin - first_);
+  }
+
+ private:
+  static constexpr std::size_t margin = 20;
+  static constexpr double untouched = -9.25;
+
+  Guarded memory_;
+  std::size_t first_, count_;
+};
+
+// To the last bit; but of a sum of two NaN no compiler promises which it is.
+bool same(const Numbers& a, const Numbers& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](double x, double y) {
+    return std::memcmp(&x, &y, sizeof x) == 0 || (std::isnan(x) && std::isnan(y));
+  });
+}
+
+// A column of numbers that a kernel reads: they are what they were, and nothing beside them was touched.
+bool only_read(Row& row, const Numbers& numbers) {
+  return row.kept_within() && same_bits(row.data(), numbers.data(), numbers.size());
+}
+
+// Calls check(kernels, count, page, in place?) for everything that a row of candidates may be.
+template <class Check>
+void for_each_case(Check check) {
+  for (const InstructionSet set : instruction_sets()) {
+    for (const std::size_t size : sizes()) {
+      for (const Guarded::Page page : {Guarded::Page::after, Guarded::Page::before}) {
+        for (const bool in_place : {false, true}) {
+          CAPTURE(name_of(set), size, page == Guarded::Page::after, in_place);
+          check(solver_kernels(set), size, page, in_place);
+        }
+      }
+    }
+  }
+}
+
+}  // namespace
+
+TEST_CASE("every instruction set flies as the plain loop does, also in place, and touches nothing else", "[kernels]") {
+  Dice dice;
+  for_each_case([&](const SolverKernels& kernels, std::size_t size, Guarded::Page page, bool in_place) {
+    const double pole = drawn(dice);
+    const Numbers frequency = drawn(dice, size), x = drawn(dice, size), v = drawn(dice, size);
+    Numbers x_next(size), v_next(size);
+    for (std::size_t i = 0; i < size; ++i) {
+      v_next[i] = v[i] + (x[i] - pole) * frequency[i];
+      x_next[i] = x[i] + v_next[i];
+    }
+    Row frequency_row(frequency, page), x_row(x, page), v_row(v, page);
+    Row other_x(Numbers(size, 1), page), other_v(Numbers(size, 1), page);
+    Row &x_out = in_place ? x_row : other_x, &v_out = in_place ? v_row : other_v;
+    kernels.fly({.pole = pole,
+                 .frequency = frequency_row.data(),
+                 .x = x_row.data(),
+                 .v = v_row.data(),
+                 .x_next = x_out.data(),
+                 .v_next = v_out.data(),
+                 .count = static_cast<ptrdiff_t>(size)});
+    REQUIRE(same(x_out.numbers(), x_next));
+    REQUIRE(same(v_out.numbers(), v_next));
+    REQUIRE((x_out.kept_within() && v_out.kept_within()));
+    REQUIRE(only_read(frequency_row, frequency));
+    if (!in_place) REQUIRE((only_read(x_row, x) && only_read(v_row, v)));
+  });
+}
+
+TEST_CASE("every instruction set swarms as the plain loop does, also in place, and touches nothing else", "[kernels]") {
+  Dice dice;
+  for_each_case([&](const SolverKernels& kernels, std::size_t size, Guarded::Page page, bool in_place) {
+    const double inertia = dice.between(0, 1), cognitive = dice.between(0, 3), social = dice.between(0, 3);
+    const double best = drawn(dice);
+    const Numbers x = drawn(dice, size), v = drawn(dice, size), personal = drawn(dice, size);
+    const Numbers u1 = drawn(dice, size), u2 = drawn(dice, size);
+    Numbers x_next(size), v_next(size);
+    for (std::size_t i = 0; i < size; ++i) {
+      v_next[i] = inertia * v[i] + cognitive * (u1[i] * (personal[i] - x[i])) + social * (u2[i] * (best - x[i]));
+      x_next[i] = x[i] + v_next[i];
+    }
+    Row x_row(x, page), v_row(v, page), personal_row(personal, page), u1_row(u1, page), u2_row(u2, page);
+    Row other_x(Numbers(size, 1), page), other_v(Numbers(size, 1), page);
+    Row &x_out = in_place ? x_row : other_x, &v_out = in_place ? v_row : other_v;
+    kernels.swarm({.inertia = inertia,
+                   .cognitive = cognitive,
+                   .social = social,
+                   .best = best,
+                   .x = x_row.data(),
+                   .v = v_row.data(),
+                   .personal = personal_row.data(),
+                   .u1 = u1_row.data(),
+                   .u2 = u2_row.data(),
+                   .x_next = x_out.data(),
+                   .v_next = v_out.data(),
+                   .count = static_cast<ptrdiff_t>(size)});
+    REQUIRE(same(x_out.numbers(), x_next));
+    REQUIRE(same(v_out.numbers(), v_next));
+    REQUIRE((x_out.kept_within() && v_out.kept_within()));
+    REQUIRE((only_read(personal_row, personal) && only_read(u1_row, u1) && only_read(u2_row, u2)));
+    if (!in_place) REQUIRE((only_read(x_row, x) && only_read(v_row, v)));
+  });
+}
+
+TEST_CASE("every instruction set scatters as the plain loop does, also in place, and touches nothing else",
+          "[kernels]") {
+  Dice dice;
+  for_each_case([&](const SolverKernels& kernels, std::size_t size, Guarded::Page page, bool in_place) {
+    const double centre = drawn(dice), step = drawn(dice);
+    const Numbers draws = drawn(dice, size);
+    Numbers q(size);
+    for (std::size_t i = 0; i < size; ++i) q[i] = centre + step * draws[i];
+    Row draws_row(draws, page), other(Numbers(size, 1), page);
+    Row& out = in_place ? draws_row : other;
+    kernels.scatter(centre, step, draws_row.data(), out.data(), static_cast<ptrdiff_t>(size));
+    REQUIRE(same(out.numbers(), q));
+    REQUIRE(out.kept_within());
+    if (!in_place) REQUIRE(only_read(draws_row, draws));
+  });
+}
+
+TEST_CASE("every instruction set clamps as the plain loop does, with every bit, and touches nothing else",
+          "[kernels]") {
+  struct Limits {
+    double lower, upper;
+  };
+  Dice dice;
+  for (const auto& [lower, upper] :
+       {Limits{-2, 3}, Limits{-2.9670597283903604, 2.9670597283903604}, Limits{1, 1}, Limits{0.0, 0.0},
+        Limits{-0.0, 0.0}, Limits{-0.0, -0.0}, Limits{0.0, 5}, Limits{-5, -0.0}, Limits{-infinity, infinity},
+        Limits{-infinity, 0}, Limits{0, infinity}, Limits{-largest, largest}}) {
+    // At the limits, next to them, and NaN of any bits.
+    const double more[] = {lower,
+                           upper,
+                           std::nextafter(lower, -infinity),
+                           std::nextafter(upper, infinity),
+                           std::copysign(not_a_number, -1),
+                           std::nan("2023")};
+    for (const InstructionSet set : instruction_sets()) {
+      for (const std::size_t size : sizes()) {
+        for (const Guarded::Page page : {Guarded::Page::after, Guarded::Page::before}) {
+          CAPTURE(name_of(set), lower, upper, size, page == Guarded::Page::after);
+          Numbers q = drawn(dice, size), expected(size);
+          for (double& x : q) {
+            if (dice.below(4) == 0) x = more[dice.below(static_cast<int>(std::size(more)))];
+          }
+          for (std::size_t i = 0; i < size; ++i) expected[i] = q[i] < lower ? lower : q[i] > upper ? upper : q[i];
+          Row row(q, page);
+          solver_kernels(set).clamp(lower, upper, row.data(), static_cast<ptrdiff_t>(size));
+          REQUIRE(same_bits(row.data(), expected.data(), size));  // NaN is the NaN that it was
+          REQUIRE(row.kept_within());
+        }
+      }
+    }
+  }
+}
+
+TEST_CASE("NaN, an infinity and -0.0 are clamped in whatever lane", "[kernels]") {
+  for (const InstructionSet set : instruction_sets()) {
+    for (std::size_t place = 0; place < 21; ++place) {
+      CAPTURE(name_of(set), place);
+      const auto clamped = [&](double x) {
+        Numbers q(21, 0.5);
+        q[place] = x;
+        solver_kernels(set).clamp(-2, 3, q.data(), 21);
+        CHECK(std::count(q.begin(), q.end(), 0.5) == 20);
+        return q[place];
+      };
+      CHECK(std::isnan(clamped(not_a_number)));
+      CHECK(clamped(infinity) == 3);
+      CHECK(clamped(-infinity) == -2);
+      CHECK(std::signbit(clamped(-0.0)));
+    }
+  }
+}
