@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
+#include <cctype>
 #include <fstream>
 #include <kainjow/mustache.hpp>
 #include <sstream>
@@ -153,6 +153,13 @@ const ReportFigure* figure_5(const ReportContent& content) {
   return nullptr;
 }
 
+// table-3 is Table 3.
+std::string titled(std::string name) {
+  std::ranges::replace(name, '-', ' ');
+  name[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(name[0])));
+  return name;
+}
+
 Data findings_data(const std::vector<Finding>& findings) {
   Data list(Data::type::list);
   for (const Finding& finding : findings) {
@@ -164,6 +171,7 @@ Data findings_data(const std::vector<Finding>& findings) {
     data.set("kind", Data(kind));
     data.set("evidence", text(finding.evidence));
     data.set("table", Data(finding.table));
+    data.set("link", Data(titled(finding.table)));
     list.push_back(data);
   }
   return list;

@@ -178,7 +178,10 @@ std::optional<std::string> inline_svg(std::string_view file, std::string_view pr
       continue;
     }
     const bool is_root = open.empty();
-    const bool shown = passed_over.empty() &&
+    const bool is_paper = tag->name == "rect" && std::ranges::any_of(tag->attributes, [](const Attribute& attribute) {
+                            return attribute.name == "fill" && attribute.value == "#ffffff";
+                          });
+    const bool shown = passed_over.empty() && !is_paper &&
                        (is_root ? tag->name == "svg" : std::ranges::find(elements, tag->name) != elements.end());
     if (!shown) {
       if (!tag->is_empty) passed_over.push_back(tag->name);

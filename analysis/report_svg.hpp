@@ -8,7 +8,8 @@
 namespace ikbench {
 
 // The SVG of a file with the elements and attributes of a list and no others (no scripts, styles, links, comments),
-// without what shows nothing, and with `prefix` before every id. Nothing where the text is not such an SVG.
+// without its white paper and what shows nothing, and with `prefix` before every id. Nothing where the text is not such
+// an SVG.
 std::optional<std::string> inline_svg(std::string_view file, std::string_view prefix);
 
 }  // namespace ikbench

@@ -68,6 +68,17 @@
   const samples = 16;  // of the tool's way per step
   const up = new THREE.Vector3(0, 1, 0);
 
+  // All of every solver is seen, at rest and on its way, and both views look from the same place.
+  const room = new THREE.Box3();
+  for (const solver of data.solvers) {
+    for (const move of movesOf(solver)) {
+      for (const q of [move.start, move.end]) for (const corner of forward(q)) room.expandByPoint(corner.at);
+      if (known(move.target)) room.expandByPoint(new THREE.Vector3(...move.target));
+    }
+  }
+  const size = Math.max(room.getSize(new THREE.Vector3()).length(), 0.1);
+  const centre = room.getCenter(new THREE.Vector3());
+
   class View {
     constructor(place, chosen) {
       this.root = document.createElement('div');
@@ -94,6 +105,9 @@
       this.scene.add(light);
       this.controls = new THREE.OrbitControls(this.camera, this.canvas);
       this.controls.enableKeys = false;
+      this.controls.target.copy(centre);
+      this.camera.position.copy(centre).add(new THREE.Vector3(0.75, -1.05, 0.45).multiplyScalar(0.9 * size));
+      this.controls.update();
       this.moving = new THREE.Group();
       this.fixed = new THREE.Group();
       this.scene.add(this.fixed, this.moving);
@@ -107,10 +121,7 @@
       this.canvas.setAttribute('aria-label', `The arm, moved by ${this.solver.name}`);
       const targets = this.moves.filter(move => known(move.target)).map(move => new THREE.Vector3(...move.target));
       this.fixed.remove(...this.fixed.children);
-      const box = new THREE.Box3().setFromPoints([...targets, new THREE.Vector3()]);
-      for (const move of this.moves) for (const corner of forward(move.end)) box.expandByPoint(corner.at);
-      this.size = Math.max(box.getSize(new THREE.Vector3()).length(), 0.1);
-      const grid = new THREE.GridHelper(this.size, 10, 0x888888, 0x888888);
+      const grid = new THREE.GridHelper(size, 10, 0x888888, 0x888888);
       grid.material.transparent = true;
       grid.material.opacity = 0.35;
       grid.rotation.x = Math.PI / 2;
@@ -127,16 +138,10 @@
                                 new THREE.LineBasicMaterial({ color: way, transparent: true, opacity: 0.9 }));
       this.way.frustumCulled = false;
       this.fixed.add(this.way);
-      if (!this.aimed) {
-        box.getCenter(this.controls.target);
-        this.camera.position.copy(this.controls.target).add(new THREE.Vector3(0.75, -1.05, 0.5).multiplyScalar(this.size));
-        this.controls.update();
-        this.aimed = true;
-      }
     }
 
     ball(at, radius, color) {
-      const mesh = new THREE.Mesh(new THREE.SphereBufferGeometry(radius * this.size, 16, 12),
+      const mesh = new THREE.Mesh(new THREE.SphereBufferGeometry(radius * size, 16, 12),
                                   new THREE.MeshLambertMaterial({ color }));
       mesh.position.copy(at);
       return mesh;
@@ -144,7 +149,7 @@
 
     bar(from, to) {
       const along = new THREE.Vector3().subVectors(to, from), length = along.length();
-      const mesh = new THREE.Mesh(new THREE.CylinderBufferGeometry(0.014 * this.size, 0.014 * this.size, length, 16),
+      const mesh = new THREE.Mesh(new THREE.CylinderBufferGeometry(0.014 * size, 0.014 * size, length, 16),
                                   new THREE.MeshLambertMaterial({ color: metal }));
       mesh.position.addVectors(from, to).multiplyScalar(0.5);
       mesh.quaternion.setFromUnitVectors(up, along.normalize());
