@@ -37,14 +37,14 @@ std::vector<StudyResults> with_same_targets(const Store& store, const StudyResul
 std::vector<StudyResults> companions_of(const Store& store, const StudyResults& study) {
   std::vector<StudyResults> result;
   for (const StudyEntry& entry : store.studies()) {
-    for (const char* part : {"-time", "-dobot", "-limits"}) {
+    for (const char* part : {"-time", "-dobot"}) {
       if (entry.name == study.name + part) result.push_back(make_study(entry, store.solves(entry.name)));
     }
   }
   return result;
 }
 
-// What only a companion has; and with its limits enforced, Table 3 and the statuses once more.
+// What only a companion has.
 void add_pieces(const StudyResults& companion, const ReportRequest& request, std::vector<Table>& tables,
                 std::vector<Figure>& figures) {
   const auto is_its_own = [](const std::string& name) {
@@ -53,13 +53,7 @@ void add_pieces(const StudyResults& companion, const ReportRequest& request, std
     return std::ranges::find(names, name) != names.end();
   };
   for (Table& table : paper_tables(companion, request.unit)) {
-    if (companion.name.ends_with("-limits") && (table.name == "table-3" || table.name == "status")) {
-      table.name = "limits-" + table.name;
-      table.caption += " (limits enforced)";
-      tables.push_back(std::move(table));
-    } else if (is_its_own(table.name)) {
-      tables.push_back(std::move(table));
-    }
+    if (is_its_own(table.name)) tables.push_back(std::move(table));
   }
   for (Figure& figure : paper_figures(companion, request.unit, request.quartiles)) {
     if (is_its_own(figure.name)) figures.push_back(std::move(figure));
@@ -120,10 +114,9 @@ Report write_report(const Store& store, const ReportRequest& request) {
   for (const Table& table : tables) write_table(table, request.folder / "tables");
   const std::vector<FigureOutcome> outcomes = write_figures(figures, request.folder / "figures", request.figures);
 
-  const auto timed = std::ranges::find(companions, study.name + "-time", &StudyResults::name);
   ReportContent content{.study = study.name,
                         .title = study.title.empty() ? study.name : study.title,
-                        .findings = findings(study, request.unit, timed == companions.end() ? nullptr : &*timed),
+                        .findings = findings(study, companions, request.unit),
                         .summary = summary(study, request.unit),
                         .warnings = warnings_of(study, outcomes),
                         .command = command_of(study, sessions)};

@@ -26,17 +26,17 @@ const std::vector<Plan>& results() {
       {"Analysis of variance",
        "",
        {"figure-10", "figure-11", "figure-12", "table-4", "table-5", "table-6", "anova-from-printed-table-3"}},
-      {"Time to reach a target",
+      {"Computing time",
        "The paper's test for real time: how long a swarm of a given size takes to come within 0.1 cm.",
        {"table-7"}},
-      {"Dobot Magician",
-       "The paper's second arm on a circle.",
-       {"figure-14", "figure-15", "table-8", "figure-16", "figure-17", "figure-18"}},
+      {"Circle",
+       "The paper's second arm, a Dobot Magician, on a circle.",
+       {"table-8", "figure-14", "figure-15", "figure-16", "figure-17", "figure-18"}},
       {"Audit of the printed numbers",
        "What can be computed from the printed numbers alone, and whether they agree with each other.",
        {"audit*"}},
       {"Readings", "Where the paper leaves a choice: what each choice would have given.", {"readings*"}},
-      {"Joint limits", "The same study with every joint held inside its limits, the wrist's too.", {"limits*"}},
+      {"Joint limits", "The same study with every joint held inside its limits, the wrist's too.", {"limits"}},
       {"Perspective", "", {"perspective"}}};
   return plans;
 }

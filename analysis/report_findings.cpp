@@ -168,33 +168,49 @@ std::optional<Finding> inside_limits(const StudyResults& study) {
   return std::nullopt;
 }
 
-// Table 7's first row: 12 bats within 0.1 cm in the printed time, every target.
-std::optional<Finding> real_time(const StudyResults& timed) {
-  constexpr std::string_view few = "12 bats";
-  constexpr double near_cm = 0.1;
-  std::vector<double> seconds;
+bool has_table(const StudyResults& study, std::string_view name) {
+  const auto tables = published::tables(study.published);
+  return std::ranges::find(tables, name) != tables.end();
+}
+
+// Table 7's first row. Twenty targets a second is real time.
+std::optional<Finding> real_time(const StudyResults& study) {
+  constexpr double real_time_ms = 50, near_cm = 0.1;
+  std::vector<double> milliseconds;
   int reached = 0;
-  for (const SolveRecord& solve : timed.solves) {
-    if (solve.solver != few) continue;
-    seconds.push_back(solve.seconds);
+  for (const SolveRecord& solve : study.solves) {
+    if (solve.solver != "12 bats") continue;
+    milliseconds.push_back(1000 * solve.seconds);
     if (solve.position_error_cm <= near_cm) ++reached;
   }
-  if (seconds.empty() || timed.published.empty()) return std::nullopt;
-  const auto tables = published::tables(timed.published);
-  if (std::ranges::find(tables, "table-7") == tables.end()) return std::nullopt;
-  const CsvTable printed = published::table(timed.published, "table-7");
-  if (printed.rows.empty() || printed.number(0, "bats") != 12) return std::nullopt;
-  const double printed_ms = printed.number(0, "mean_ms"), ours_ms = 1000 * mean(seconds);
-  const bool all = reached == static_cast<int>(seconds.size());
+  if (milliseconds.empty() || !has_table(study, "table-7")) return std::nullopt;
+  const double slowest = std::ranges::max(milliseconds);
+  const bool all_reached = reached == static_cast<int>(milliseconds.size());
   return Finding{
       .claim = "With 12 bats IK-BA answers in real time",
-      .verdict = ours_ms > printed_ms ? Verdict::does_not_hold
-                 : all                ? Verdict::holds
-                                      : Verdict::in_part,
-      .evidence = fmt::format("{} ms a target (printed {} ms, on another machine); {} of {} targets within "
-                              "{} cm.",
-                              short_number(ours_ms), short_number(printed_ms), reached, seconds.size(), near_cm),
+      .verdict = slowest >= real_time_ms ? Verdict::does_not_hold
+                 : all_reached           ? Verdict::holds
+                                         : Verdict::in_part,
+      .evidence = fmt::format("{} ms a target, the slowest {} ms (printed mean {} ms, on another machine; real time is "
+                              "below {} ms); {} of {} targets within {} cm.",
+                              short_number(mean(milliseconds)), short_number(slowest),
+                              published::table(study.published, "table-7").number(0, "mean_ms"), real_time_ms, reached,
+                              milliseconds.size(), near_cm),
       .table = "table-7"};
+}
+
+// Table 8: how near the circle's points are reached, against the mean of the printed errors.
+std::optional<Finding> circle(const StudyResults& study) {
+  if (!study.name.ends_with("-dobot") || study.solves.empty() || !has_table(study, "table-8")) return std::nullopt;
+  const CsvTable table = published::table(study.published, "table-8");
+  std::vector<double> printed, ours;
+  for (std::size_t row = 0; row < table.rows.size(); ++row) printed.push_back(table.number(row, "error_cm"));
+  for (const SolveRecord& solve : study.solves) ours.push_back(solve.position_error_cm);
+  return Finding{.claim = "IK-BA leads the Dobot Magician along a circle to rounding error",
+                 .verdict = mean(ours) <= 2 * mean(printed) ? Verdict::holds : Verdict::does_not_hold,
+                 .evidence = fmt::format("Mean error {} cm over {} points (printed errors: {} cm on average).",
+                                         short_number(mean(ours)), ours.size(), short_number(mean(printed))),
+                 .table = "table-8"};
 }
 
 // Times that were taken among other work decide nothing.
@@ -213,20 +229,27 @@ std::string_view name_of(Verdict verdict) {
   return names[static_cast<std::size_t>(verdict)];
 }
 
-std::vector<Finding> findings(const StudyResults& study, Unit unit, const StudyResults* timed) {
+std::vector<Finding> findings(const StudyResults& study, const std::vector<StudyResults>& companions, Unit unit) {
   std::vector<Finding> result;
   const auto add = [&](std::optional<Finding> finding) {
     if (finding) result.push_back(std::move(*finding));
   };
-  if (study.solves.empty() || printed_table_3(study.published, Metric::position_error_cm).empty()) return result;
   const std::vector<Comparison> rows = compare(study, unit);
-  add(most_accurate(rows));
-  add(ranking(rows, Metric::position_error_cm, "Accuracy", "cm"));
-  for (Finding& finding : variation(rows, unit)) result.push_back(std::move(finding));
-  add(comparable_times(study, ranking(rows, Metric::seconds, "Computing time", "s")));
-  add(solvers_differ(study, unit));
-  add(inside_limits(study));
-  if (timed) add(comparable_times(*timed, real_time(*timed)));
+  const auto is_printed = [](const Comparison& row) { return std::isfinite(row.paper_mean); };
+  if (std::ranges::any_of(rows, is_printed)) {
+    add(most_accurate(rows));
+    add(ranking(rows, Metric::position_error_cm, "Accuracy", "cm"));
+    for (Finding& finding : variation(rows, unit)) result.push_back(std::move(finding));
+    add(comparable_times(study, ranking(rows, Metric::seconds, "Computing time", "s")));
+    add(solvers_differ(study, unit));
+    add(inside_limits(study));
+  }
+  add(comparable_times(study, real_time(study)));
+  add(circle(study));
+  for (const StudyResults& companion : companions) {
+    add(comparable_times(companion, real_time(companion)));
+    add(circle(companion));
+  }
   return result;
 }
 

@@ -19,8 +19,8 @@ struct Finding {
   std::string table;     // the name of the table that has the numbers
 };
 
-// None where nothing is published of the study, or nothing is solved. `timed` is the study of the paper's Table 7 (time
-// to come within 0.1 cm); null where the store has none.
-std::vector<Finding> findings(const StudyResults& study, Unit unit, const StudyResults* timed = nullptr);
+// Those of the study and of its companions, studies of the paper's other experiments. None where nothing is published
+// of them, or nothing is solved.
+std::vector<Finding> findings(const StudyResults& study, const std::vector<StudyResults>& companions, Unit unit);
 
 }  // namespace ikbench

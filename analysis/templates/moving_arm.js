@@ -38,7 +38,7 @@
               { at: at(wrist + arm.wrist_to_tool_m, wristHeight), turning: -1 }];
     },
   }[arm.kind];
-  if (!forward) return;
+  if (!forward || !document.createElement('canvas').getContext('webgl')) return;  // the figure stays
 
   const known = list => Array.isArray(list) && list.every(Number.isFinite);
   const violation = (q, i) => Math.max(0, q[i] / degree - arm.upper_deg[i], arm.lower_deg[i] - q[i] / degree) || 0;
@@ -112,7 +112,7 @@
       this.fixed = new THREE.Group();
       this.scene.add(this.fixed, this.moving);
       this.choose(chosen);
-      select.addEventListener('change', () => { this.choose(Number(select.value)); draw(); });
+      select.addEventListener('change', () => { this.choose(Number(select.value)); this.draw(); });
     }
 
     choose(index) {
@@ -195,44 +195,39 @@
   }
 
   const second = data.solvers.findIndex((solver, i) => i > 0 && solver.name !== data.solvers[0].name);
-  let views;
-  try {
-    views = (second < 0 ? [0] : [0, second]).map((chosen, place) => new View(place, chosen));
-  } catch (error) {
-    return;  // no WebGL: the figure stays
-  }
+  const views = (second < 0 ? [0] : [0, second]).map((chosen, place) => new View(place, chosen));
 
   const play = document.getElementById('play'), place = document.getElementById('place');
   const placeText = document.getElementById('place-text'), speed = document.getElementById('speed');
   place.max = longest;
-  let waiting = false;
-  function draw() {
-    if (waiting) return;
-    waiting = true;
-    requestAnimationFrame(now => {
-      waiting = false;
-      if (playing) {
-        time += Math.min(0.1, (now - before) / 1000) * Number(speed.value);
-        if (time >= longest) { time = longest; run(false); }
-      }
-      before = now;
-      place.value = time;
-      placeText.value = `${Math.min(Math.ceil(time), longest)} of ${longest}`;
-      for (const view of views) view.draw();
-      if (playing) draw();
-    });
+  let frame = 0;
+  function show() {
+    place.value = time;
+    placeText.value = `${Math.min(Math.ceil(time), longest)} of ${longest}`;
+    for (const view of views) view.draw();
+  }
+  function advance(now) {
+    time = Math.min(longest, time + Math.min(0.1, (now - before) / 1000) * Number(speed.value));
+    before = now;
+    if (time >= longest) {
+      run(false);
+    } else {
+      show();
+      frame = requestAnimationFrame(advance);
+    }
   }
   function run(on) {
+    cancelAnimationFrame(frame);
     playing = on;
     play.textContent = on ? 'Pause' : 'Play';
     if (on && time >= longest) time = 0;
     before = performance.now();
-    draw();
+    show();
+    if (on) frame = requestAnimationFrame(advance);
   }
   function go(to) {
-    run(false);
     time = Math.min(Math.max(to, 0), longest);
-    draw();
+    run(false);
   }
   const forth = () => go(Math.floor(time) + 1), back = () => go(Math.ceil(time) - 1);
   play.addEventListener('click', () => run(!playing));
@@ -254,12 +249,12 @@
         other.camera.quaternion.copy(view.camera.quaternion);
         other.controls.target.copy(view.controls.target);
       }
-      draw();
+      if (!playing) show();
     });
   }
   stage.querySelector('.views').append(...views.map(view => view.root));
   document.getElementById('still').hidden = true;
   stage.hidden = false;
-  addEventListener('resize', draw);
-  draw();
+  addEventListener('resize', show);
+  show();
 })();

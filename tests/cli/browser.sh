@@ -49,7 +49,8 @@ probe() {
     }
     { print }' "$1" >"${1%.html}-probed.html"
   browse "${1%.html}-probed.html" --dump-dom
-  ! grep -q ':CONSOLE' "$work/.err" || fail "$1: the console has: $(grep ':CONSOLE' "$work/.err")"
+  # What a graphics driver says of its speed is no fault of the page.
+  ! grep ':CONSOLE' "$work/.err" | grep -v 'GL Driver Message' || fail "$1: the console has the above"
   found=$(sed -n 's/.*<meta name="found" content="\([^"]*\)".*/\1/p' "$work/.out")
 }
 
@@ -104,25 +105,28 @@ E2
 probe plain/report.html links.js
 [ "$found" = "0 0 0 true" ] || fail "ids twice, links to nowhere, markers missing, fits: $found"
 
-# The arm moves: a point on, the text is of that point and the picture another.
+# The arm moves: a point on, another solver, on its own.
 if grep -q 'id="motion-data"' plain/report.html; then
   cat >motion.js <<'E2'
 const meta = document.createElement('meta');
 meta.name = 'found';
 const texts = () => [...document.querySelectorAll('.view p')].map(text => text.textContent.slice(0, 8)).join(' ');
 const forth = document.getElementById('forth');
-requestAnimationFrame(() => requestAnimationFrame(() => {
-  const first = texts();
-  forth.click();
-  forth.click();
-  requestAnimationFrame(() => requestAnimationFrame(() => {
-    meta.content = [document.querySelectorAll('#stage canvas').length, document.getElementById('stage').hidden, first, texts()].join('; ');
-    document.head.append(meta);
-  }));
-}));
+forth.click();
+const words = [document.querySelectorAll('#stage canvas').length, document.getElementById('stage').hidden, texts()];
+forth.click();
+words.push(texts());
+const select = document.querySelector('.view select');
+select.value = 2;
+select.dispatchEvent(new Event('change'));
+words.push(document.querySelector('#stage canvas').getAttribute('aria-label'));
+document.getElementById('play').click();
+words.push(document.getElementById('play').textContent);
+meta.content = words.join('; ');
+document.head.append(meta);
 E2
   probe plain/report.html motion.js
-  [ "$found" = "2; false; Point 1: Point 1:; Point 2: Point 2:" ] || fail "the moving arm: $found"
+  [ "$found" = "2; false; Point 1: Point 1:; Point 2: Point 2:; The arm, moved by DE; Pause" ] || fail "the moving arm: $found"
 fi
 
 # It can be printed.
