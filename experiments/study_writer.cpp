@@ -11,6 +11,7 @@
 #include "experiments/study_fields.hpp"
 #include "experiments/study_file.hpp"
 #include "results/number.hpp"
+#include "robots/dobot_magician.hpp"
 
 namespace ikbench {
 
@@ -122,6 +123,28 @@ nlohmann::ordered_json definition(const Study& study) {
   return writer.out;
 }
 
+// The arm as its kinematics are computed, so that whoever has the store can draw it.
+nlohmann::ordered_json arm_definition(const Robot& arm) {
+  nlohmann::ordered_json json;
+  if (const Chain* const chain = arm.chain()) {
+    json["kind"] = "denavit_hartenberg";
+    for (const DhLink& link : chain->links()) {
+      json["links"].push_back(
+          {{"a_m", link.a}, {"alpha_rad", link.alpha}, {"d_m", link.d}, {"offset_rad", link.offset}});
+    }
+    json["tip_m"] = std::vector<double>(chain->tip().begin(), chain->tip().end());
+  } else {
+    json["kind"] = "dobot_magician";
+    json["upper_arm_m"] = DobotMagician::upper_arm;
+    json["forearm_m"] = DobotMagician::forearm;
+    json["wrist_to_tool_m"] = DobotMagician::wrist_to_tool;
+    json["height_m"] = DobotMagician::height;
+  }
+  json["lower_deg"] = in_unit(arm.limits.lower, degree);
+  json["upper_deg"] = in_unit(arm.limits.upper, degree);
+  return json;
+}
+
 // The settings in which a study differs from the built-in one that claims to be of the same paper. A name, a title, a
 // seed and a trace make no difference to that claim; further solvers neither.
 std::vector<std::string> departures(const Study& study) {
@@ -190,6 +213,7 @@ std::string to_toml(const Study& study) {
 std::string to_json(const Study& study) {
   nlohmann::ordered_json json = definition(study);
   json["points"] = targets(study.path).size();
+  json["arm"] = arm_definition(robot(study.robot));
   json["departures"] = departures(study);
   return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }

@@ -203,6 +203,27 @@ TEST_CASE("as JSON a study says its fields and its number of points", "[study]")
   CHECK(json["stop"]["iterations"] == 200);
 }
 
+TEST_CASE("as JSON a study says what its arm is made of", "[study]") {
+  const nlohmann::json chain = nlohmann::json::parse(to_json(load_study("slim2023")))["arm"];
+  CHECK(chain["kind"] == "denavit_hartenberg");
+  REQUIRE(chain["links"].size() == 7);
+  CHECK(chain["links"][2] ==
+        nlohmann::json{{"a_m", 0.0}, {"alpha_rad", std::numbers::pi / 2}, {"d_m", 0.42}, {"offset_rad", 0.0}});
+  CHECK(chain["tip_m"] == std::vector<double>{0, 0, 0});
+  CHECK(chain["lower_deg"] == std::vector<double>{-170, -120, -170, -120, -170, -120, -175});  // Table 2
+  CHECK(chain["upper_deg"] == std::vector<double>{170, 120, 170, 120, 170, 120, 175});
+
+  const nlohmann::json dobot =
+      nlohmann::json::parse(to_json(read("robot = \"dobot_magician\"\nsearch = \"all_joints\"\n" + entrant)))["arm"];
+  CHECK(dobot == nlohmann::json{{"kind", "dobot_magician"},  // robots/dobot_magician.hpp
+                                {"upper_arm_m", 0.135},
+                                {"forearm_m", 0.147},
+                                {"wrist_to_tool_m", 0.061},
+                                {"height_m", 0.058},
+                                {"lower_deg", {-90.0, 0.0, -10.0}},
+                                {"upper_deg", {90.0, 85.0, 95.0}}});
+}
+
 // ---- mistakes -----------------------------------------------------------------------------------------------------
 
 TEST_CASE("an unknown key is named with its place and the nearest known, at every level", "[study][mistakes]") {
