@@ -63,7 +63,7 @@ Settings effective_options(const Study& study, const Entrant& entrant) {
 
 std::string series_key(const Study& study, const Entrant& entrant) {
   const Robot arm = robot(study.robot);
-  std::string text = fmt::format("numerics {}\nrobot ", numerics_version);
+  std::string text = fmt::format("numerics {}\nrobot", numerics_version);
   text += arm.kinematics->definition() + exact(arm.limits.lower) + exact(arm.limits.upper) + "\ntargets ";
   for (const Pose& target : targets(study.path)) text += exact(target.matrix().reshaped());
   text += fmt::format("\ninitial {}\nsearch {} branch {} population {} seed {} trace {}", exact(study.initial),
