@@ -67,7 +67,7 @@ std::string study_list() {
   Rows rows{{"NAME", "SOLVERS", "RUNS", "POINTS", "WHAT"}};
   for (const Study& study : studies()) {
     rows.push_back({study.name, std::to_string(study.solvers.size()), std::to_string(study.runs),
-                    std::to_string(targets(study.path).size()), study.title});
+                    std::to_string(points(study.path)), study.title});
   }
   return aligned(rows);
 }

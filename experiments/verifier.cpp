@@ -118,7 +118,7 @@ Status judge(const Verdict& verdict, const Requirement& requirement) {
   const bool claim_holds = std::abs(verdict.position_error - requirement.claimed_error) <= rounding;  // not for NaN
   const bool turned_wrong = requirement.orientation_is_exact && verdict.orientation_error > rounding;
   if (!claim_holds || turned_wrong) return Status::claimed_but_wrong;
-  if (verdict.limit_violation > 0) return Status::limit_violated;
+  if (verdict.limit_violation > 0) return requirement.limits_are_enforced ? Status::refused : Status::limit_violated;
   if (requirement.tolerance > 0 && verdict.position_error > requirement.tolerance + rounding)
     return Status::tolerance_missed;
   return Status::ok;

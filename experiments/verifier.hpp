@@ -27,6 +27,7 @@ struct Requirement {
   double claimed_error = 0;           // [m], the solver's own word
   double tolerance = 0;               // [m]; 0: none
   bool orientation_is_exact = false;  // the wrist's closed form took care of it
+  bool limits_are_enforced = false;   // else a violation is told, and the answer is one
 };
 
 // The most severe thing that is wrong with an answer, in the order of Status' description (results/record.hpp).

@@ -117,9 +117,9 @@ Kinematics::Ball Chain::reach() const {
 }
 
 std::string Chain::definition() const {
-  std::string text = "denavit-hartenberg";
-  for (const DhLink& link : links_) text += fmt::format(" {} {} {} {}", link.a, link.alpha, link.d, link.offset);
-  return text + fmt::format(" tip {} {} {}", tip_.x(), tip_.y(), tip_.z());
+  std::string text;
+  for (const DhLink& link : links_) text += fmt::format("{} {} {} {} ", link.a, link.alpha, link.d, link.offset);
+  return text + fmt::format("{} {} {} ", tip_.x(), tip_.y(), tip_.z());
 }
 
 }  // namespace ikbench

@@ -54,7 +54,7 @@ void DobotMagician::position_errors(const CandidatesRef& q, const Eigen::Vector3
 Kinematics::Ball DobotMagician::reach() const { return {{0, 0, height}, upper_arm + forearm + wrist_to_tool}; }
 
 std::string DobotMagician::definition() const {
-  return fmt::format("dobot magician {} {} {} {}", upper_arm, forearm, wrist_to_tool, height);
+  return fmt::format(" dobot magician {} {} {} {} ", upper_arm, forearm, wrist_to_tool, height);
 }
 
 }  // namespace ikbench

@@ -46,7 +46,7 @@ Reach wrist_reach(int population) {
   const Robot iiwa = robot("kuka_iiwa14");
   const SphericalWrist wrist(*iiwa.chain());
   return {wrist.arm(),
-          wrist.centre(targets(Helix{}).front()),
+          wrist.centre(along(Helix{}).front()),
           {.start = Eigen::VectorXd::Zero(4),
            .lower = iiwa.limits.lower.head(4),
            .upper = iiwa.limits.upper.head(4),
@@ -56,7 +56,7 @@ Reach wrist_reach(int population) {
 Reach flange_reach(int population) {
   const Robot iiwa = robot("kuka_iiwa14");
   return {*iiwa.chain(),
-          targets(Helix{}).front().translation(),
+          along(Helix{}).front().translation(),
           {.start = Eigen::VectorXd::Zero(7),
            .lower = iiwa.limits.lower,
            .upper = iiwa.limits.upper,

@@ -156,6 +156,13 @@ TEST_CASE("a joint outside its limits by more than rounding is a violation", "[v
   CHECK(judge({.limit_violation = 0}, any) == Status::ok);
 }
 
+TEST_CASE("where limits are enforced a joint outside them is no answer", "[verifier]") {
+  const Requirement enforced{.claimed_error = 0, .limits_are_enforced = true};
+  CHECK(judge({.limit_violation = 2e-9}, enforced) == Status::refused);
+  CHECK(judge({.limit_violation = 0}, enforced) == Status::ok);
+  CHECK(judge({.position_error = 1, .limit_violation = 2e-9}, enforced) == Status::claimed_but_wrong);
+}
+
 TEST_CASE("a claim that differs from the verified error in either direction is wrong", "[verifier]") {
   CHECK(judge({.position_error = 0.01}, {.claimed_error = 0.02}) == Status::claimed_but_wrong);
   CHECK(judge({.position_error = 0.02}, {.claimed_error = 0.01}) == Status::claimed_but_wrong);
