@@ -273,8 +273,9 @@ Table status_table(const StudyResults& study) {
   }
   table.notes = status_notes(study);
   table.notes.emplace_back(
-      "A solve counts under the first status that applies: not_finite, claimed_but_wrong, limit_violated, "
-      "tolerance_missed, ok. So ok means: finite, as claimed, inside the joint limits, and within the tolerance where "
+      "A solve counts under the first status that applies: not_finite, claimed_but_wrong, refused, "
+      "limit_violated, tolerance_missed, ok. So ok means: finite, as claimed, inside the joint limits, and within the "
+      "tolerance where "
       "the study has one. outside_limits counts every answer with a joint outside its limits, whatever its status; "
       "worst_outside_deg is how far the worst of them is.");
   if (std::string note = timing_note(study); !note.empty()) table.notes.push_back(std::move(note));

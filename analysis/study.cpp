@@ -191,6 +191,12 @@ std::vector<std::string> status_notes(const StudyResults& study) {
                     "complete runs enter the observations.",
                     incomplete_runs));
   }
+  if (by_status[static_cast<std::size_t>(Status::refused)] > 0) {
+    notes.push_back(
+        "A refused answer leaves the arm where it was: the error that counts is the one it has there, and its "
+        "variation "
+        "is 0.");
+  }
   if (by_status[static_cast<std::size_t>(Status::not_finite)] > 0) {
     notes.push_back(
         "Answers that are not finite are not left out: a run that has one has no mean error, ranks as the worst in "

@@ -56,7 +56,7 @@ void write_and_announce(const Store& store, const std::string& study, const std:
   for (const std::string& sentence : report.summary) fmt::print("{}\n", printable(sentence));
   for (const std::string& remark : remarks) fmt::print("{}\n", printable(remark));
   for (const std::string& warning : report.warnings) say("warning: " + warning);
-  fmt::print("Report: {}\n", printable(report.file.string()));
+  fmt::print("Report: {}\n", printable(report.page.string()));
 }
 
 StudyEntry chosen_study(const Store& store, const std::string& name) {

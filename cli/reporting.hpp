@@ -22,8 +22,8 @@ struct ReportArguments {
 
 void add_report_options(CLI::App& command, ReportArguments& arguments);
 
-// Writes tables, figures and report.md into the folder; prints the summary, the remarks and, as the last line, the
-// report's path.
+// Writes tables, figures, report.md and report.html into the folder; prints the summary, the remarks and, as the last line, the
+// path of report.html.
 void write_and_announce(const Store& store, const std::string& study, const std::filesystem::path& folder,
                         const ReportArguments& arguments, const std::vector<std::string>& remarks = {});
 

@@ -6,7 +6,7 @@ succeeds reproduce --runs 2 --jobs 2 --no-figures --out paper
 quiet
 has "$out" "slim2023: 240 solves"        # 6 solvers x 2 runs x 20 points
 has "$out" "slim2023-context: 80 solves" # 2 solvers
-[ "$(tail -n 1 .out)" = "Report: paper/report.md" ] || fail "the last line is: $(tail -n 1 .out)"
+[ "$(tail -n 1 .out)" = "Report: paper/report.html" ] || fail "the last line is: $(tail -n 1 .out)"
 for label in IK-BA BA DE PSO K-ABC MO-PSO; do
   has "$(<paper/tables/table-3.md)" "$label"
 done
