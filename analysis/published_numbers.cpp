@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "results/number.hpp"
 #include "results/published.hpp"
 
 namespace ikbench {
@@ -15,6 +16,14 @@ bool has_table(std::string_view paper, std::string_view name) {
 }
 
 }  // namespace
+
+double half_unit(std::string_view printed) {
+  const std::size_t e = std::min(printed.find_first_of("eE"), printed.size());
+  const std::size_t point = printed.find('.');
+  const std::size_t decimals = point < e ? e - point - 1 : 0;
+  return number_from(fmt::format("0.5e-{}", decimals)).value() *
+         (e < printed.size() ? number_from(fmt::format("1{}", printed.substr(e))).value() : 1.0);
+}
 
 std::vector<PrintedRow> printed_table_3(std::string_view paper, Metric metric) {
   std::vector<PrintedRow> rows;

@@ -26,4 +26,7 @@ std::optional<PrintedRow> printed_row(std::string_view paper, std::string_view a
 // A printed ANOVA (Tables 4-6: error, variation, time), cells as printed; nothing where it is not published.
 std::optional<AnovaTable> printed_anova(std::string_view paper, Metric metric);
 
+// Half a unit of the last printed digit: what rounding may have taken from, or added to, "1.7824e-4".
+double half_unit(std::string_view printed);
+
 }  // namespace ikbench

@@ -141,9 +141,10 @@ Progress run(const Study& study, Store& store, const RunRequest& request) {
   return progress;
 }
 
-void solve_study(const Study& study, int jobs, const std::function<void(SolveRecord)>& take) {
+void solve_study(const Study& study, int jobs, const std::function<void(SolveRecord)>& take,
+                 const std::atomic<bool>* cancelled) {
   Plan plan(study);
-  solve_rest(plan, jobs, nullptr, [&](std::vector<SolveRecord> records) {
+  solve_rest(plan, jobs, cancelled, [&](std::vector<SolveRecord> records) {
     for (SolveRecord& record : records) take(std::move(record));
   });
 }

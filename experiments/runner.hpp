@@ -30,8 +30,9 @@ struct RunRequest {
 Progress run(const Study& study, Store& store, const RunRequest& request);
 
 // All solves of a study, without a store. `take` gets each as soon as it is done, by one thread at a time: those of a
-// run in the order of its points.
-void solve_study(const Study& study, int jobs, const std::function<void(SolveRecord)>& take);
+// run in the order of its points. `cancelled` is looked at before every solve.
+void solve_study(const Study& study, int jobs, const std::function<void(SolveRecord)>& take,
+                 const std::atomic<bool>* cancelled = nullptr);
 
 // One target, by one entrant, with every number that a study would record.
 SolveRecord solve_once(const Study& study, const Entrant& entrant, const Pose& target);
