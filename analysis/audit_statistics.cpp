@@ -23,7 +23,12 @@ const std::array<Measured, 3> measured{Measured{Metric::position_error_cm, "erro
                                        Measured{Metric::variation_deg, "variation", "table-5"},
                                        Measured{Metric::seconds, "time", "table-6"}};
 
-std::string letter(char first, std::size_t index) { return std::string(1, static_cast<char>(first + index)); }
+// "3.1d" is the fourth of "3.1".
+std::string lettered(std::string_view item, std::size_t index) {
+  return fmt::format("{}{}", item, static_cast<char>('a' + index));
+}
+
+std::string_view words_for(Metric metric) { return measured[static_cast<std::size_t>(metric)].words; }
 
 std::string table_words(const std::string& name) { return "Table " + name.substr(name.size() - 1); }
 
@@ -77,7 +82,7 @@ AuditItems anova_items(std::string_view paper) {
     const CsvTable table = published::table(paper, name);
     const std::string& printed = table.rows[0][table.column("f")];
     const double F = anova_from_summaries(summaries(paper, metric)).F;
-    items.push_back({"3.1" + letter('a', i), fmt::format("{}: F of the {}", table_words(name), words), printed,
+    items.push_back({lettered("3.1", i), fmt::format("{}: F of the {}", table_words(name), words), printed,
                      fmt::format("{:.4f}", F), judged(printed, F, slack_of_F(paper, metric)),
                      "F follows from the means and standard deviations of Table 3 with 20 values a group."});
   }
@@ -88,7 +93,7 @@ AuditItems anova_items(std::string_view paper) {
     const double F = table.number(0, "f");
     const auto p_of = [&](double value) { return f_upper_tail(value, table.number(0, "df"), table.number(1, "df")); };
     const double slack = p_of(F - half_unit(table.rows[0][table.column("f")])) - p_of(F);
-    items.push_back({"3.1" + letter('d', i), fmt::format("{}: p of its F", table_words(name)), printed,
+    items.push_back({lettered("3.1", 3 + i), fmt::format("{}: p of its F", table_words(name)), printed,
                      rounded_number(p_of(F), 5), judged(printed, p_of(F), slack),
                      "The printed p is the upper tail of the F distribution at the printed F."});
   }
@@ -111,7 +116,7 @@ AuditItems variance_items(std::string_view paper) {
     const double ratio = (most.std / least.std) * (most.std / least.std);
     const auto pairs = static_cast<double>(groups.size() * (groups.size() - 1));
     const bool unequal = f_upper_tail(ratio, most.n - 1, least.n - 1) * pairs < 0.05;
-    items.push_back({"3.2" + letter('a', i), fmt::format("{}: variances of the {}", table_words(name), words),
+    items.push_back({lettered("3.2", i), fmt::format("{}: variances of the {}", table_words(name), words),
                      "one-way ANOVA, which assumes equal variances",
                      fmt::format("largest by smallest {}", rounded_number(ratio, 3)),
                      unequal ? AuditVerdict::contradiction : AuditVerdict::consistent,
@@ -121,7 +126,7 @@ AuditItems variance_items(std::string_view paper) {
     const auto& [metric, words, name] = measured[i];
     const WelchAnova test = welch_anova(summaries(paper, metric));
     const CsvTable table = published::table(paper, name);
-    items.push_back({"3.2" + letter('d', i), fmt::format("{}: {} without equal variances", table_words(name), words),
+    items.push_back({lettered("3.2", 3 + i), fmt::format("{}: {} without equal variances", table_words(name), words),
                      fmt::format("F {}, p {}", table.rows[0][table.column("f")], table.rows[0][table.column("p")]),
                      fmt::format("Welch F {:.2f}, p {}", test.F, rounded_number(test.p, 3)),
                      test.p < 0.05 ? AuditVerdict::consistent : AuditVerdict::contradiction,
@@ -140,10 +145,10 @@ AuditItems variance_items(std::string_view paper) {
     const double b = printed_row(paper, pair.b, pair.metric).value().summary.mean;
     const double pairs = 15;  // of six
     const double p = std::min(1.0, pairs * welch_of(paper, pair.a, pair.b, pair.metric).p);
-    items.push_back({pair.id, fmt::format("Table 3: {} of {} and {}", name_of(pair.metric), pair.a, pair.b),
+    items.push_back({pair.id, fmt::format("Table 3: mean {} of {} and {}", words_for(pair.metric), pair.a, pair.b),
                      fmt::format("{} below {}", a, b), fmt::format("Welch p {} (times 15 pairs)", rounded_number(p, 2)),
                      p < 0.05 ? AuditVerdict::consistent : AuditVerdict::contradiction,
-                     p < 0.05 ? fmt::format("{} is below {}.", pair.a, pair.b)
+                     p < 0.05 ? fmt::format("Without equal variances {} is below {}.", pair.a, pair.b)
                               : fmt::format("The numbers do not show that {} is below {}.", pair.a, pair.b)});
   }
   return items;
@@ -161,7 +166,7 @@ AuditItems summary_items(std::string_view paper) {
     shown.push_back(fmt::format("{:.2f}", number("mean_ms") / bats));
     const std::string reason =
         impossible(number("mean_ms"), number("median_ms"), number("std_ms"), number("max_ms"), number("min_ms"), n);
-    items.push_back({"3.3" + letter('a', row), fmt::format("Table 7, {} bats", bats),
+    items.push_back({lettered("3.3", row), fmt::format("Table 7, {} bats", bats),
                      fmt::format("mean {}, std {}, max {}", number("mean_ms"), number("std_ms"), number("max_ms")),
                      reason.empty() ? "possible" : reason,
                      reason.empty() ? AuditVerdict::consistent : AuditVerdict::misprint,
@@ -175,7 +180,7 @@ AuditItems summary_items(std::string_view paper) {
   }
   const double p = welch_anova(per_bat).p;
   items.push_back(
-      {"3.3" + letter('a', items.size()), "Table 7: time by bats", fmt::format("{} ms a bat", fmt::join(shown, ", ")),
+      {lettered("3.3", items.size()), "Table 7: time by bats", fmt::format("{} ms a bat", fmt::join(shown, ", ")),
        fmt::format("the same: Welch p {}", rounded_number(p, 2)),
        p < 0.05 ? AuditVerdict::contradiction : AuditVerdict::consistent,
        "About the same number of iterations for every swarm: not its size decides when 0.1 cm is reached."});
@@ -188,7 +193,7 @@ AuditItems summary_items(std::string_view paper) {
         impossible(number("mean"), number("median"), number("std"), number("max"), number("min"), number("n"));
     if (!reason.empty()) wrong.push_back(fmt::format("row {}: {}", row + 1, reason));
   }
-  items.push_back({"3.3" + letter('a', items.size()), "Table 3, row by row",
+  items.push_back({lettered("3.3", items.size()), "Table 3, row by row",
                    fmt::format("{} rows of five statistics", results.rows.size()),
                    wrong.empty() ? "all possible" : fmt::format("{}", fmt::join(wrong, "; ")),
                    wrong.empty() ? AuditVerdict::consistent : AuditVerdict::misprint,

@@ -23,6 +23,7 @@ struct ReadingResults {
   std::string name;
   std::string section = {};   // of docs/paper-notes.md
   std::string sentence = {};  // what it means
+  int out_of_reach = 0;       // targets that no configuration reaches
   std::vector<ReadSolver> solvers = {};
 };
 

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <atomic>
 #include <memory>
 
 #include "analysis/report.hpp"
@@ -38,13 +39,12 @@ RunMeans run_means(const std::string& name, std::vector<SolveRecord> solves) {
 }
 
 // Solves the parts one after the other; after Ctrl-C those that were finished.
-std::vector<RunMeans> solved(const ReadingsPlan& plan, int jobs) {
+std::vector<RunMeans> solved(const ReadingsPlan& plan, int jobs, const std::atomic<bool>& cancelled) {
   Progress progress;
   for (const Study& part : plan.parts) {
-    progress.total += std::int64_t{part.runs} * static_cast<std::int64_t>(targets(part.path).size());
+    progress.total += std::int64_t{part.runs} * static_cast<std::int64_t>(targets(part, 1).size());
   }
   ProgressBar bar("readings");
-  const CancelOnSignal signals;
   std::vector<RunMeans> means;
   for (const Study& part : plan.parts) {
     std::vector<SolveRecord> solves;
@@ -55,8 +55,8 @@ std::vector<RunMeans> solved(const ReadingsPlan& plan, int jobs) {
           ++progress.done;
           bar.show(progress);
         },
-        &signals.requested());
-    if (solves.size() < static_cast<std::size_t>(part.runs) * targets(part.path).size()) break;
+        &cancelled);
+    if (solves.size() < static_cast<std::size_t>(part.runs) * targets(part, 1).size()) break;
     means.push_back(run_means(part.name, std::move(solves)));
   }
   return means;
@@ -77,6 +77,7 @@ std::vector<ReadingResults> results_of(const ReadingsPlan& plan, const std::vect
     if (!std::ranges::all_of(row.parts, is_there)) continue;
     ReadingResults& result = results.emplace_back();
     result.name = name_of(row.readings);
+    result.out_of_reach = row.out_of_reach;
     if (row.readings.size() == 1) {
       result.section = row.readings.front().section;
       result.sentence = row.readings.front().sentence;
@@ -152,9 +153,10 @@ void add_readings(CLI::App& app, Invocation& invocation) {
       fmt::print("{}", reading_list());
       return;
     }
+    const CancelOnSignal signals;
     const ReadingsPlan plan = plan_readings(arguments->grid.empty() ? one_at_a_time() : full_grid(arguments->grid),
                                             arguments->seeds, arguments->overrides);
-    const std::vector<RunMeans> means = solved(plan, arguments->jobs);
+    const std::vector<RunMeans> means = solved(plan, arguments->jobs, signals.requested());
     const std::vector<ReadingResults> results = results_of(plan, means);
     if (!results.empty()) write_and_tell(readings_report(arguments->study, results), *arguments);
     if (means.size() == plan.parts.size()) return;

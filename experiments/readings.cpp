@@ -28,7 +28,7 @@ Reading reading(const std::string& name) {
 
 const std::vector<Reading>& readings() {
   static const std::vector<Reading> list{
-      {"path.tool=eq27", "2.2", "The tool is held level, as Eq. 27 prints it; some points are then out of reach."},
+      {"path.tool=eq27", "2.2", "The tool is held level, as Eq. 27 prints it."},
       {"path.phase=cos_sin", "2.2", "The helix starts in front of the arm and turns the other way."},
       {"path.start_deg=90", "2.2", "The helix starts a quarter turn later."},
       {"path.start_deg=180", "2.2", "The helix starts half a turn later."},
@@ -114,6 +114,7 @@ ReadingsPlan plan_readings(const std::vector<Combination>& combinations, int see
       all.push_back(fmt::format("seed={}", seed));
       for (const Reading& each : combination) all.push_back(each.set);
       const Study study = load_study("slim2023", all);
+      row.out_of_reach = static_cast<int>(unreachable(study).size());
       row.parts.resize(study.solvers.size());
       plan.solvers.clear();
       for (std::size_t s = 0; s < study.solvers.size(); ++s) {

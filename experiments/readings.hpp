@@ -34,6 +34,7 @@ std::vector<Combination> full_grid(const std::vector<std::string>& names);
 struct ReadingsPlan {
   struct Row {
     Combination readings;
+    int out_of_reach = 0;                         // targets that no configuration reaches
     std::vector<std::vector<std::size_t>> parts;  // by solver, by seed; indices of `parts` below
   };
   std::vector<std::string> solvers;
