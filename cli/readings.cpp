@@ -1,5 +1,5 @@
 // ikbench readings: each reading of the paper against the default, over several seeds.
-#include "analysis/readings.hpp"
+#include "cli/readings.hpp"
 
 #include <fmt/format.h>
 
@@ -12,7 +12,6 @@
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
 #include "cli/reporting.hpp"
-#include "experiments/readings.hpp"
 #include "experiments/runner.hpp"
 
 namespace ikbench::cli {
@@ -118,6 +117,14 @@ void write_and_tell(const ReadingsReport& report, const Arguments& arguments) {
 
 }  // namespace
 
+Read read(const std::string& paper, const ReadingsPlan& plan, int jobs, const std::atomic<bool>& cancelled) {
+  const std::vector<RunMeans> means = solved(plan, jobs, cancelled);
+  const std::vector<ReadingResults> results = results_of(plan, means);
+  Read answer{.done = results.size(), .is_complete = means.size() == plan.parts.size()};
+  if (!results.empty()) answer.report = readings_report(paper, results);
+  return answer;
+}
+
 void add_readings(CLI::App& app, Invocation& invocation) {
   auto arguments = std::make_shared<Arguments>();
   CLI::App* command = app.add_subcommand(
@@ -156,11 +163,10 @@ void add_readings(CLI::App& app, Invocation& invocation) {
     const CancelOnSignal signals;
     const ReadingsPlan plan = plan_readings(arguments->grid.empty() ? one_at_a_time() : full_grid(arguments->grid),
                                             arguments->seeds, arguments->overrides);
-    const std::vector<RunMeans> means = solved(plan, arguments->jobs, signals.requested());
-    const std::vector<ReadingResults> results = results_of(plan, means);
-    if (!results.empty()) write_and_tell(readings_report(arguments->study, results), *arguments);
-    if (means.size() == plan.parts.size()) return;
-    say(fmt::format("Stopped: {} of {} readings are done, counting the default.", results.size(), plan.rows.size()));
+    const Read answer = read(arguments->study, plan, arguments->jobs, signals.requested());
+    if (answer.report) write_and_tell(*answer.report, *arguments);
+    if (answer.is_complete) return;
+    say(fmt::format("Stopped: {} of {} readings are done, counting the default.", answer.done, plan.rows.size()));
     invocation.exit_code = 130;
   });
 }
