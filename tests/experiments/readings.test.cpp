@@ -30,12 +30,6 @@ std::set<std::string> moved(const ReadingsPlan& plan, const std::string& set) {
   return labels;
 }
 
-std::vector<SolveRecord> solves_of(const Study& study) {
-  std::vector<SolveRecord> solves;
-  solve_study(study, 1, [&](SolveRecord record) { solves.push_back(without_times(std::move(record))); });
-  return solves;
-}
-
 }  // namespace
 
 TEST_CASE("every reading is an override of slim2023 that changes a series", "[readings]") {
