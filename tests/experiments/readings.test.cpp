@@ -78,7 +78,7 @@ TEST_CASE("a part alone has the numbers that it has in the whole study", "[readi
   }
 }
 
-TEST_CASE("the default reaches all targets; Eq. 27 does not", "[readings]") {
+TEST_CASE("the default reaches all targets, Eq. 27 does not", "[readings]") {
   const ReadingsPlan plan = plan_readings(one_at_a_time(), 1);
   CHECK(plan.rows.front().out_of_reach == 0);
   CHECK(row_of(plan, "path.tool=eq27").out_of_reach > 0);
