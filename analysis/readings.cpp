@@ -214,6 +214,13 @@ std::string ticks_of(const Panel& panel) {
 
 std::string number(double value) { return std::isfinite(value) ? text_of(value) : "NaN"; }
 
+// A tick's label is a format to gnuplot: %% is %.
+std::string tick_label(std::string_view text) {
+  std::string doubled;
+  for (const char c : text) doubled.append(c == '%' ? 2 : 1, c);
+  return gnuplot_string(doubled);
+}
+
 Figure figure_of(std::span<const ReadingResults> readings, const Scores& scores) {
   constexpr double row_cm = 0.42;
   constexpr std::size_t longest_label = 60;
@@ -231,8 +238,8 @@ Figure figure_of(std::span<const ReadingResults> readings, const Scores& scores)
 
   std::vector<std::string> labels;
   for (std::size_t r = 0; r < readings.size(); ++r) {
-    labels.push_back(fmt::format("{} {}", gnuplot_string(shortened(readings[r].name, longest_label)),
-                                 text_of(-static_cast<double>(r))));
+    labels.push_back(
+        fmt::format("{} {}", tick_label(shortened(readings[r].name, longest_label)), text_of(-static_cast<double>(r))));
   }
   figure.settings = fmt::format(
       "set xrange [0:{}]\nset yrange [{}:0.6]\nset xtics ({}, {})\nset ytics noenhanced font ',7' ({})\n"

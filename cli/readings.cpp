@@ -64,7 +64,7 @@ std::vector<RunMeans> solved(const ReadingsPlan& plan, int jobs, const std::atom
 std::string name_of(const Combination& combination) {
   if (combination.empty()) return "default";
   std::string name;
-  for (const Reading& reading : combination) name += (name.empty() ? "" : " + ") + reading.set;
+  for (const Reading& reading : combination) name += fmt::format("{}{}", name.empty() ? "" : " + ", reading.set);
   return name;
 }
 

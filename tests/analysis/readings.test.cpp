@@ -1,6 +1,7 @@
 #include "analysis/readings.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <stdexcept>
 
 #include "analysis/report.hpp"
@@ -88,7 +89,7 @@ TEST_CASE("the figure of readings is drawn, whatever their names", "[readings]")
   readings[1].name = "`touch evil` \"$(x)\" 100% {a_b} @c\n#";
   const TestFolder folder;
   const auto outcomes = write_figures({readings_report("slim2023", readings).figure}, folder.path(), {});
-  CHECK(outcomes.front().error.empty());
+  CHECK(outcomes.front().error == "");
   CHECK(files_in(folder.path()) == std::set<std::string>{"readings.dat", "readings.gp", "readings.pdf", "readings.png",
                                                          "readings.svg", "style.gp"});
 }

@@ -30,12 +30,6 @@ std::set<std::string> moved(const ReadingsPlan& plan, const std::string& set) {
   return labels;
 }
 
-std::vector<SolveRecord> solves_of(const Study& study) {
-  std::vector<SolveRecord> solves;
-  solve_study(study, 1, [&](SolveRecord record) { solves.push_back(without_times(std::move(record))); });
-  return solves;
-}
-
 }  // namespace
 
 TEST_CASE("every reading is an override of slim2023 that changes a series", "[readings]") {
@@ -84,7 +78,7 @@ TEST_CASE("a part alone has the numbers that it has in the whole study", "[readi
   }
 }
 
-TEST_CASE("the default reaches all targets; Eq. 27 does not", "[readings]") {
+TEST_CASE("the default reaches all targets, Eq. 27 does not", "[readings]") {
   const ReadingsPlan plan = plan_readings(one_at_a_time(), 1);
   CHECK(plan.rows.front().out_of_reach == 0);
   CHECK(row_of(plan, "path.tool=eq27").out_of_reach > 0);
