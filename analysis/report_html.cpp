@@ -143,11 +143,13 @@ class Pieces {
   std::size_t sum_ = 0;  // bytes of all pictures so far
 };
 
-const ReportFigure* figure_5(const ReportContent& content) {
-  for (const Section& section : content.results) {
-    for (const Piece& piece : section.pieces) {
-      const auto* figure = std::get_if<ReportFigure>(&piece);
-      if (figure && figure->figure.name == "figure-5") return figure;
+// The piece of that name among the results and the circumstances; null where there is none.
+const Piece* piece_named(const ReportContent& content, std::string_view name) {
+  for (const std::vector<Section>* part : {&content.results, &content.circumstances}) {
+    for (const Section& section : *part) {
+      const auto found =
+          std::ranges::find_if(section.pieces, [&](const Piece& piece) { return name_of(piece) == name; });
+      if (found != section.pieces.end()) return &*found;
     }
   }
   return nullptr;
@@ -160,9 +162,9 @@ std::string titled(std::string name) {
   return name;
 }
 
-Data findings_data(const std::vector<Finding>& findings) {
+Data findings_data(const ReportContent& content) {
   Data list(Data::type::list);
-  for (const Finding& finding : findings) {
+  for (const Finding& finding : content.findings) {
     std::string kind(name_of(finding.verdict));
     std::ranges::replace(kind, ' ', '-');
     Data data;
@@ -170,8 +172,10 @@ Data findings_data(const std::vector<Finding>& findings) {
     data.set("verdict", text(name_of(finding.verdict)));
     data.set("kind", Data(kind));
     data.set("evidence", text(finding.evidence));
-    data.set("table", Data(finding.table));
-    data.set("link", Data(titled(finding.table)));
+    if (piece_named(content, finding.table)) {
+      data.set("table", Data(finding.table));
+      data.set("link", Data(titled(finding.table)));
+    }
     list.push_back(data);
   }
   return list;
@@ -198,7 +202,7 @@ std::string to_html(const ReportContent& content, const HtmlExtras& extras) {
   page.set("summary", list_of(content.summary));
   if (!content.findings.empty()) {
     page.set("has_findings", true);
-    page.set("findings", findings_data(content.findings));
+    page.set("findings", findings_data(content));
     page.set("tally", Data(tally(content.findings)));
   }
   if (!content.warnings.empty()) {
@@ -211,7 +215,8 @@ std::string to_html(const ReportContent& content, const HtmlExtras& extras) {
   const bool moves = extras.motion && extras.drawing_library;
   if (extras.motion) {
     Data motion;
-    const ReportFigure* figure = figure_5(content);
+    const Piece* piece = piece_named(content, "figure-5");
+    const auto* figure = piece ? std::get_if<ReportFigure>(piece) : nullptr;
     if (const auto svg = figure && figure->drawn ? pieces.picture(figure->figure, "still-") : std::nullopt) {
       motion.set("still", Data(*svg));
     }

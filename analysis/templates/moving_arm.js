@@ -106,7 +106,7 @@
       this.controls = new THREE.OrbitControls(this.camera, this.canvas);
       this.controls.enableKeys = false;
       this.controls.target.copy(centre);
-      this.camera.position.copy(centre).add(new THREE.Vector3(0.75, -1.05, 0.45).multiplyScalar(0.9 * size));
+      this.camera.position.copy(centre).add(new THREE.Vector3(0.75, -1.05, 0.45).multiplyScalar(1.05 * size));
       this.controls.update();
       this.moving = new THREE.Group();
       this.fixed = new THREE.Group();

@@ -54,6 +54,8 @@ TEST_CASE("a report has its tables, figures and report.md", "[report]") {
   save(store, {});
   const Report report = write_report(store, {.study = "slim2023", .folder = folder.path() / "out"});
   CHECK(report.file == folder.path() / "out" / "report.md");
+  CHECK(report.page == folder.path() / "out" / "report.html");
+  CHECK(std::filesystem::file_size(report.page) < 4'000'000);
   CHECK(report.warnings.empty());
   const auto files = files_in(folder.path() / "out");
   for (const char* name : {"definition", "options", "environment", "status", "table-3", "table-4", "table-5", "table-6",
@@ -85,6 +87,17 @@ TEST_CASE("every link of a report leads to a file", "[report]") {
     ++links;
   }
   CHECK(links == 13 * 5);  // 13 figures, each as picture, SVG, PDF, script and data
+
+  const std::string page = text_of_file(folder.path() / "report.html");
+  links = 0;
+  for (std::size_t at = page.find("href=\""); at != std::string::npos; at = page.find("href=\"", at + 1)) {
+    const std::string target = page.substr(at + 6, page.find('"', at + 6) - at - 6);
+    if (target.starts_with('#')) continue;
+    CAPTURE(target);
+    CHECK(std::filesystem::exists(folder.path() / target));
+    ++links;
+  }
+  CHECK(links == 13 * 4 + 10 * 3);  // of the figures PDF, SVG, script and data; of 10 tables three files each
 }
 
 TEST_CASE("a study with the same targets is shown in perspective, one with others is not", "[report]") {
@@ -139,6 +152,10 @@ TEST_CASE("names of a study and its solvers show as text in the report", "[repor
     CHECK(!contains(text, "\n# z"));
     CHECK(!contains(text, "![](x)"));
   }
+  const std::string page = text_of_file(report.page);
+  CHECK(!contains(page, "<script>alert"));
+  CHECK(!contains(page, "<b>"));
+  CHECK(contains(page, "&lt;script&gt;alert(1)&lt;/script&gt;`|"));
   CHECK(contains(text_of_file(report.file),
                  "Report of the study &lt;script&gt;alert(1)&lt;/script&gt;&#96;&#124; \\# x"));
 }
