@@ -163,6 +163,11 @@ Report write_report(const Store& store, const ReportRequest& request) {
        {"figure-10", "figure-11", "figure-12", "table-4", "table-5", "table-6", "anova-from-printed-table-3"}) {
     text += pieces.named(name);
   }
+  if (const std::string time = pieces.named("table-7"); !time.empty()) text += "## Computing time\n\n" + time;
+  if (const std::string circle = pieces.named("figure-14"); !circle.empty()) {
+    text += "## Circle\n\n" + pieces.named("table-8") + circle;
+    for (const char* name : {"figure-15", "figure-16", "figure-17", "figure-18"}) text += pieces.named(name);
+  }
   if (together.size() > 1) text += "## Perspective\n\n" + pieces.named("perspective");
   write_file(report.file, text);
   return report;
