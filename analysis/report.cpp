@@ -6,6 +6,7 @@
 #include <map>
 
 #include "analysis/files.hpp"
+#include "analysis/limits_table.hpp"
 #include "analysis/paper_figures.hpp"
 #include "analysis/paper_tables.hpp"
 #include "analysis/provenance.hpp"
@@ -127,6 +128,7 @@ Report write_report(const Store& store, const ReportRequest& request) {
   for (Table& table : paper_tables(study, request.unit)) tables.push_back(std::move(table));
   const std::vector<StudyResults> together = with_same_targets(store, study);
   if (together.size() > 1) tables.push_back(perspective_table(together, request.unit));
+  if (std::optional<Table> table = limits_table(together, request.unit)) tables.push_back(std::move(*table));
   Pieces pieces;
   for (const Table& table : tables) {
     write_table(table, request.folder / "tables");
@@ -168,6 +170,7 @@ Report write_report(const Store& store, const ReportRequest& request) {
     text += "## Circle\n\n" + pieces.named("table-8") + circle;
     for (const char* name : {"figure-15", "figure-16", "figure-17", "figure-18"}) text += pieces.named(name);
   }
+  if (const std::string limits = pieces.named("limits"); !limits.empty()) text += "## Joint limits\n\n" + limits;
   if (together.size() > 1) text += "## Perspective\n\n" + pieces.named("perspective");
   write_file(report.file, text);
   return report;
