@@ -216,7 +216,7 @@ TEST_CASE("a file that names only a solver is the paper's path and numbers with 
   CHECK(keys_of(study) == keys_of(paper));
 }
 
-TEST_CASE("a path needs no more than its kind; the rest is the paper's", "[study]") {
+TEST_CASE("a path needs no more than its kind, and the rest is the paper's", "[study]") {
   const Circle circle = std::get<Circle>(read("[path]\nkind = \"circle\"\nradius_cm = 8\n" + entrant).path);
   CHECK(circle.radius == 0.08);
   CHECK(circle.centre == Eigen::Vector3d(0.16, 0.16, 0));                   // Sec. 6
