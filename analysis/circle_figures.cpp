@@ -222,7 +222,7 @@ Figure circle_space_figure(const StudyResults& study) {
     const int colour = arm_colours[clauses.size()];
     const auto outside = [&](std::size_t axis) {
       const double tool = 100 * corners.back()[axis];
-      return text_of(middle[axis] + 1.25 * (tool - middle[axis]));
+      return text_of(middle[axis] + 1.45 * (tool - middle[axis]));
     };
     figure.settings += fmt::format("set label '{}' at {}, {}, {} center tc rgb word(colours, {}) front\n", point,
                                    outside(0), outside(1), outside(2), colour);

@@ -11,6 +11,7 @@
 
 #include "analysis/axis.hpp"
 #include "analysis/circle_figures.hpp"
+#include "analysis/definition.hpp"
 #include "analysis/descriptive.hpp"
 #include "analysis/figure_parts.hpp"
 #include "analysis/published_numbers.hpp"
@@ -39,10 +40,11 @@ std::string letters(std::size_t index) {
 
 Figure path_figure(const StudyResults& study) {
   const std::string solver = study.solves.front().solver;
-  Figure figure{
-      .name = "figure-5",
-      .caption = fmt::format("The targets (line, dots) and where {} came to in its first run (rings).", solver),
-      .height_cm = 8.0};
+  const bool is_path = Definition(study.definition).text("/path/kind") != "random";
+  Figure figure{.name = "figure-5",
+                .caption = fmt::format("The targets ({}dots) and where {} came to in its first run (rings).",
+                                       is_path ? "line, " : "", solver),
+                .height_cm = 8.0};
   figure.data = "# target x, y, z [cm]; reached x, y, z [cm] and position error [cm] of " + one_line(solver) + "\n";
   std::array<std::vector<double>, 3> coordinates;
   double largest_error = 0;
@@ -64,11 +66,14 @@ Figure path_figure(const StudyResults& study) {
                         ? fmt::format(" The farthest is {} cm off.", rounded_number(largest_error, 2))
                         : " Not all of its answers are finite.";
   figure.settings = space_axes(coordinates) + "unset key\n";
-  figure.plot =
-      "splot 'figure-5.dat' using 1:2:3 with lines lw 0.7 lc rgb '#888888', \\\n"
-      "  '' using 1:2:3 with points pt 7 ps 0.35 lc rgb '#000000', \\\n"
-      "  '' using 4:5:6 with points pt 6 ps 0.8 lw 0.8 lc rgb '#0072B2', \\\n"
-      "  '' using 1:2:3:('start') every ::0::0 with labels right offset -0.9,0.4";
+  std::vector<std::string> clauses;
+  if (is_path) clauses.emplace_back("'figure-5.dat' using 1:2:3 with lines lw 0.7 lc rgb '#888888'");
+  clauses.emplace_back("'figure-5.dat' using 1:2:3 with points pt 7 ps 0.35 lc rgb '#000000'");
+  clauses.emplace_back("'figure-5.dat' using 4:5:6 with points pt 6 ps 0.8 lw 0.8 lc rgb '#0072B2'");
+  if (is_path) {
+    clauses.emplace_back("'figure-5.dat' using 1:2:3:('start') every ::0::0 with labels right offset -0.9,0.4");
+  }
+  figure.plot = plot_command(clauses, "splot");
   return figure;
 }
 
