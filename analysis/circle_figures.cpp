@@ -220,9 +220,9 @@ Figure circle_space_figure(const StudyResults& study) {
       figure.data += row({100 * corner[0], 100 * corner[1], 100 * corner[2]});
     }
     const int colour = arm_colours[clauses.size()];
+    const Point& tool = corners.back();
     const auto outside = [&](std::size_t axis) {
-      const double tool = 100 * corners.back()[axis];
-      return text_of(middle[axis] + 1.45 * (tool - middle[axis]));
+      return text_of(middle[axis] + 1.45 * (100 * tool[axis] - middle[axis]));
     };
     figure.settings += fmt::format("set label '{}' at {}, {}, {} center tc rgb word(colours, {}) front\n", point,
                                    outside(0), outside(1), outside(2), colour);
