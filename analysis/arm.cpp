@@ -39,8 +39,7 @@ std::vector<Point> chain_points(const Definition& definition, const std::vector<
   }
   const std::vector<double> tip = definition.numbers("/arm/tip_m");
   if (tip.size() == 3) points.push_back(along(along(along(points.back(), tip[0], x), tip[1], y), tip[2], z));
-  const auto last = std::ranges::unique(points).begin();  // a length of 0 is no corner
-  points.erase(last, points.end());
+  points.erase(std::unique(points.begin(), points.end()), points.end());  // a length of 0 is no corner
   return points;
 }
 
