@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "analysis/definition.hpp"
 #include "results/number.hpp"
 #include "results/published.hpp"
 
@@ -44,8 +45,13 @@ std::vector<PrintedRow> printed_table_3(std::string_view paper, Metric metric) {
   return rows;
 }
 
-std::optional<PrintedRow> printed_row(std::string_view paper, std::string_view algorithm, Metric metric) {
-  for (const PrintedRow& row : printed_table_3(paper, metric)) {
+std::vector<PrintedRow> printed_table_3(const StudyResults& study, Metric metric) {
+  const std::string path = Definition(study.definition).text("/path/kind");
+  return path == "circle" || path == "random" ? std::vector<PrintedRow>() : printed_table_3(study.published, metric);
+}
+
+std::optional<PrintedRow> printed_row(const StudyResults& study, std::string_view algorithm, Metric metric) {
+  for (const PrintedRow& row : printed_table_3(study, metric)) {
     if (row.algorithm == algorithm) return row;
   }
   return std::nullopt;
@@ -68,6 +74,34 @@ std::optional<AnovaTable> printed_anova(std::string_view paper, Metric metric) {
   printed.F = table.number(between, "f");
   printed.p = table.number(between, "p");
   return printed;
+}
+
+std::vector<PrintedTime> printed_table_7(std::string_view paper) {
+  std::vector<PrintedTime> rows;
+  if (!has_table(paper, "table-7")) return rows;
+  const CsvTable table = published::table(paper, "table-7");
+  for (std::size_t row = 0; row < table.rows.size(); ++row) {
+    rows.push_back({.bats = static_cast<int>(table.number(row, "bats")),
+                    .mean_ms = table.number(row, "mean_ms"),
+                    .median_ms = table.number(row, "median_ms"),
+                    .std_ms = table.number(row, "std_ms"),
+                    .max_ms = table.number(row, "max_ms"),
+                    .min_ms = table.number(row, "min_ms")});
+  }
+  return rows;
+}
+
+std::vector<PrintedPosture> printed_table_8(std::string_view paper) {
+  std::vector<PrintedPosture> rows;
+  if (!has_table(paper, "table-8")) return rows;
+  const CsvTable table = published::table(paper, "table-8");
+  for (std::size_t row = 0; row < table.rows.size(); ++row) {
+    rows.push_back({.point = static_cast<int>(table.number(row, "point")),
+                    .angles_deg = {table.number(row, "theta1_deg"), table.number(row, "theta2_deg"),
+                                   table.number(row, "theta3_deg"), table.number(row, "theta1_deg")},
+                    .error_cm = table.number(row, "error_cm")});
+  }
+  return rows;
 }
 
 }  // namespace ikbench

@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
+#include <optional>
 #include <string_view>
 
 #include "analysis/files.hpp"
+#include "analysis/limits_table.hpp"
 #include "analysis/moving_arm.hpp"
 #include "analysis/paper_figures.hpp"
 #include "analysis/paper_tables.hpp"
@@ -107,6 +109,7 @@ Report write_report(const Store& store, const ReportRequest& request) {
   std::vector<Figure> figures = paper_figures(study, request.unit, request.quartiles);
   std::ranges::move(paper_tables(study, request.unit), std::back_inserter(tables));
   if (together.size() > 1) tables.push_back(perspective_table(together, request.unit));
+  if (std::optional<Table> table = limits_table(together, request.unit)) tables.push_back(std::move(*table));
   for (const StudyResults& companion : companions) add_pieces(companion, request, tables, figures);
   std::ranges::copy(request.extra_tables, std::back_inserter(tables));
   std::ranges::copy(request.extra_figures, std::back_inserter(figures));

@@ -88,6 +88,7 @@ StudyResults make_study(const StudyEntry& entry, std::vector<SolveRecord> solves
   StudyResults study{.name = entry.name,
                      .runs = defined_number(entry.name, definition, "runs", most_runs),
                      .points = defined_number(entry.name, definition, "points", most_points),
+                     .definition = entry.definition,
                      .solves = std::move(solves)};
   const auto defined_text = [&](const char* key) {
     const bool is_there = definition.is_object() && definition.contains(key) && definition[key].is_string();
