@@ -16,6 +16,13 @@ bool has_table(std::string_view paper, std::string_view name) {
   return std::ranges::find(names, name) != names.end();
 }
 
+std::optional<PrintedRow> row_of(const std::vector<PrintedRow>& rows, std::string_view algorithm) {
+  for (const PrintedRow& row : rows) {
+    if (row.algorithm == algorithm) return row;
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 double half_unit(std::string_view printed) {
@@ -50,11 +57,12 @@ std::vector<PrintedRow> printed_table_3(const StudyResults& study, Metric metric
   return path == "circle" || path == "random" ? std::vector<PrintedRow>() : printed_table_3(study.published, metric);
 }
 
+std::optional<PrintedRow> printed_row(std::string_view paper, std::string_view algorithm, Metric metric) {
+  return row_of(printed_table_3(paper, metric), algorithm);
+}
+
 std::optional<PrintedRow> printed_row(const StudyResults& study, std::string_view algorithm, Metric metric) {
-  for (const PrintedRow& row : printed_table_3(study, metric)) {
-    if (row.algorithm == algorithm) return row;
-  }
-  return std::nullopt;
+  return row_of(printed_table_3(study, metric), algorithm);
 }
 
 std::optional<AnovaTable> printed_anova(std::string_view paper, Metric metric) {

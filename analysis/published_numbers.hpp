@@ -25,6 +25,7 @@ std::vector<PrintedRow> printed_table_3(std::string_view paper, Metric metric);
 // The same for a study that can be held against it: one on Table 3's path. A circle is Table 8's, random targets are
 // Table 7's, whatever the labels of the solvers.
 std::vector<PrintedRow> printed_table_3(const StudyResults& study, Metric metric);
+std::optional<PrintedRow> printed_row(std::string_view paper, std::string_view algorithm, Metric metric);
 std::optional<PrintedRow> printed_row(const StudyResults& study, std::string_view algorithm, Metric metric);
 
 // A printed ANOVA (Tables 4-6: error, variation, time), cells as printed; nothing where it is not published.
