@@ -1,6 +1,7 @@
 #include "analysis/report_content.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <string_view>
 
 namespace ikbench {
@@ -62,7 +63,7 @@ Section section(const Plan& plan, std::vector<Piece>& pieces) {
 std::string title_of(const Figure& figure) {
   std::string title = figure.name;
   std::ranges::replace(title, '-', ' ');
-  title[0] = 'F';
+  title[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(title[0])));
   return title;
 }
 
