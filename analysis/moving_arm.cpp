@@ -5,6 +5,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <initializer_list>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -55,6 +56,43 @@ Json first_run(const StudyResults& study, const std::string& solver) {
   return {{"name", one_line(solver)}, {"run", run}, {"steps", std::move(steps)}};
 }
 
+constexpr std::size_t most_joints = 64;
+
+bool is_list_of_lengths(const Json& list, std::size_t size) {
+  return list.is_array() && list.size() == size && std::ranges::all_of(list, [](const Json& each) {
+           return each.is_number() && std::abs(each.get<double>()) <= 1000;  // [m], or limits [deg]
+         });
+}
+
+// How many joints the arm has that the page can draw; 0 where it is none that it knows, as a foreign store may say.
+std::size_t joints_of(const Json& arm) {
+  const auto lengths = [&](std::initializer_list<const char*> names, const Json& of) {
+    return std::ranges::all_of(names, [&](const char* name) {
+      return of.contains(name) && of[name].is_number() && std::abs(of[name].get<double>()) <= 1000;
+    });
+  };
+  std::size_t joints = 0;
+  const Json kind = arm.value("kind", Json());
+  if (kind == "dobot_magician" && lengths({"upper_arm_m", "forearm_m", "wrist_to_tool_m", "height_m"}, arm)) {
+    joints = 3;
+  } else if (kind == "denavit_hartenberg" && arm.contains("links") && arm["links"].is_array() &&
+             arm["links"].size() <= most_joints && is_list_of_lengths(arm.value("tip_m", Json()), 3)) {
+    const bool all = std::ranges::all_of(arm["links"], [&](const Json& link) {
+      return link.is_object() && lengths({"a_m", "alpha_rad", "d_m", "offset_rad"}, link);
+    });
+    joints = all ? arm["links"].size() : 0;
+  }
+  const bool has_limits = is_list_of_lengths(arm.value("lower_deg", Json()), joints) &&
+                          is_list_of_lengths(arm.value("upper_deg", Json()), joints);
+  return has_limits ? joints : 0;
+}
+
+bool can_be_drawn(const SolveRecord& solve, std::size_t joints) {
+  const auto is_near = [](double coordinate) { return std::abs(coordinate) <= 1000; };  // [m]
+  return solve.answer_rad.size() == joints && solve.start_rad.size() == joints && solve.target_position_m.size() == 3 &&
+         std::ranges::all_of(solve.target_position_m, is_near);
+}
+
 std::optional<std::string> text_of_file(const std::filesystem::path& file) {
   std::ifstream stream(file, std::ios::binary);
   std::ostringstream text;
@@ -67,6 +105,9 @@ std::optional<std::string> text_of_file(const std::filesystem::path& file) {
 std::optional<std::string> moving_arm(const StudyEntry& entry, const StudyResults& study) {
   const Json definition = Json::parse(entry.definition, nullptr, false);
   if (!definition.is_object() || !definition.contains("arm") || !definition["arm"].is_object()) return std::nullopt;
+  const std::size_t joints = joints_of(definition["arm"]);
+  const auto drawn = [&](const SolveRecord& solve) { return can_be_drawn(solve, joints); };
+  if (joints == 0 || !std::ranges::all_of(study.solves, drawn)) return std::nullopt;
   Json solvers = Json::array();
   for (const std::string& solver : study.solvers) {
     if (solvers.size() == most_solvers) break;

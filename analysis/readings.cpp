@@ -85,22 +85,25 @@ Scores scores_of(std::string_view paper, std::span<const ReadingResults> reading
   return all;
 }
 
-// Which reading brings a solver's mean nearest to the printed one, where it is not the default.
+// Which reading brings a solver's mean nearest to the printed one; it has to gain more than the default's means differ
+// between seeds.
 std::vector<std::string> nearest(std::span<const ReadingResults> readings, const Scores& scores) {
   std::vector<std::string> sentences;
   const std::array<std::string_view, 2> words{"error", "variation"};
   for (std::size_t m = 0; m < scored_metrics.size(); ++m) {
     for (std::size_t s = 0; s < readings.front().solvers.size(); ++s) {
       const auto off = [&](std::size_t r) { return std::abs(scores[r][m][s].log_ratio); };
-      constexpr double least_gain = 0.0005;  // what shows in three decimals
+      const Score& usual = scores[0][m][s];
       std::size_t best = 0;
       for (std::size_t r = 1; r < readings.size(); ++r) {
-        if (off(r) < off(best) - least_gain || (std::isnan(off(best)) && !std::isnan(off(r)))) best = r;
+        if (off(r) < off(best)) best = r;
       }
-      sentences.push_back(fmt::format("Nearest to the printed {} of {}: {} ({:+.3f}{}).", words[m],
-                                      readings.front().solvers[s].label, readings[best].name,
-                                      scores[best][m][s].log_ratio,
-                                      best == 0 ? "" : fmt::format("; default {:+.3f}", scores[0][m][s].log_ratio)));
+      const bool is_nearer = off(0) - off(best) > usual.highest - usual.lowest;
+      sentences.push_back(
+          fmt::format("The printed {} of {}: the default {:+.3f} (seeds from {:+.3f} to {:+.3f}); {}.", words[m],
+                      readings.front().solvers[s].label, usual.log_ratio, usual.lowest, usual.highest,
+                      is_nearer ? fmt::format("nearest {} ({:+.3f})", readings[best].name, scores[best][m][s].log_ratio)
+                                : "no reading is nearer by more than seeds differ"));
     }
   }
   return sentences;
@@ -121,6 +124,7 @@ Table table_of(std::span<const ReadingResults> readings, const Scores& scores) {
                           {"variation_log_ratio"},
                           {"variation_moved"},
                           {"variation_fits", Align::left}}};
+  const std::size_t seeds = readings.front().solvers.front().error_cm.size();
   const auto rounded = [](double value) -> Cell {
     return std::isfinite(value) ? std::round(value * 1000) / 1000 + 0.0 : value;
   };
@@ -140,34 +144,29 @@ Table table_of(std::span<const ReadingResults> readings, const Scores& scores) {
       for (std::size_t m = 0; m < scored_metrics.size(); ++m) {
         const Score& now = scores[r][m][s];
         const std::vector<Cell> cells{now.mean, rounded(now.log_ratio),
-                                      r == 0 ? Cell() : rounded(now.log_ratio - scores[0][m][s].log_ratio), now.fits};
+                                      r == 0 ? Cell() : rounded(now.log_ratio - scores[0][m][s].log_ratio),
+                                      seeds == 1 ? Cell() : Cell(now.fits)};
         row.insert(row.end(), cells.begin(), cells.end());
       }
       table.rows.push_back(std::move(row));
     }
   }
 
-  const std::size_t seeds = readings.front().solvers.front().error_cm.size();
-  table.notes.push_back(
-      fmt::format("Means over seeds 1 to {}. log_ratio: log10 of our mean by the printed one, 0 where they are equal, "
-                  "0.3 where ours "
-                  "is twice as large; in the rows of all algorithms the root mean square over them. moved_by: by how "
-                  "much the reading "
-                  "changes it. Algorithms without a row have the numbers of the default, bit for bit.",
-                  seeds));
   table.notes.push_back(fmt::format(
       "Means over seeds 1 to {}. log_ratio: log10 of our mean by the printed one, 0 where they are equal, 0.3 where "
-      "ours "
-      "is twice as large; in the rows of all algorithms the root mean square over them. moved: by how much the reading "
-      "changes it. Algorithms without a row have the numbers of the default, bit for bit. out_of_reach: how many "
-      "targets "
-      "no configuration reaches.",
+      "ours is twice as large; in the rows of all algorithms the root mean square over them. moved: by how much the "
+      "reading changes it. Algorithms without a row have the numbers of the default, bit for bit. out_of_reach: how "
+      "many targets no configuration reaches.",
       seeds));
-  table.notes.push_back(fmt::format(
-      "fits: which of the printed median, standard deviation, maximum and minimum lie between the smallest and the "
-      "largest of ours over the seeds. Of a reading that is the paper's, each would in {} % of cases.",
-      100 * (seeds - 1) / (seeds + 1)));
-  for (std::string& sentence : nearest(readings, scores)) table.notes.push_back(std::move(sentence));
+  if (seeds == 1) {
+    table.notes.push_back("One seed shows no spread: neither fits nor what is nearest can be told from it.");
+  } else {
+    table.notes.push_back(fmt::format(
+        "fits: which of the printed median, standard deviation, maximum and minimum lie between the smallest and the "
+        "largest of ours over the seeds. Of a reading that is the paper's, each would in {} % of cases.",
+        100 * (seeds - 1) / (seeds + 1)));
+    for (std::string& sentence : nearest(readings, scores)) table.notes.push_back(std::move(sentence));
+  }
   for (const ReadingResults& reading : readings) {
     if (!reading.sentence.empty()) table.notes.push_back(fmt::format("{}: {}", reading.name, reading.sentence));
   }

@@ -105,6 +105,11 @@ std::vector<Combination> full_grid(const std::vector<std::string>& names) {
 }
 
 ReadingsPlan plan_readings(const std::vector<Combination>& combinations, int seeds, const Overrides& overrides) {
+  for (const std::string& text : overrides) {
+    if (text.starts_with("seed=")) {
+      throw std::invalid_argument(fmt::format("--set {}: readings are solved with the seeds 1 to --seeds", text));
+    }
+  }
   ReadingsPlan plan;
   std::map<std::string, std::size_t> known;  // series key to part
   for (const Combination& combination : combinations) {

@@ -133,8 +133,18 @@ TEST_CASE("real time is judged by the slowest target, and only where all are rea
 }
 
 TEST_CASE("the moving arm has the first run, in few digits, and no way out of its element", "[report]") {
-  const StudyEntry entry{.name = "s", .definition = R"({"arm": {"kind": "denavit_hartenberg"}})", .series = {}};
   std::vector<SolveRecord> solves = synthetic::solves({.solvers = {"</script><b>", "DE"}, .runs = 2, .points = 3});
+  const std::size_t joints = solves.front().answer_rad.size();
+  const nlohmann::json link{{"a_m", 0.1}, {"alpha_rad", 0}, {"d_m", 0.2}, {"offset_rad", 0}};
+  const nlohmann::json arm{{"kind", "denavit_hartenberg"},
+                           {"links", std::vector(joints, link)},
+                           {"tip_m", {0, 0, 0}},
+                           {"lower_deg", std::vector(joints, -170)},
+                           {"upper_deg", std::vector(joints, 170)}};
+  const auto entry_of = [](const nlohmann::json& of) {
+    return StudyEntry{.name = "s", .definition = nlohmann::json{{"arm", of}}.dump(), .series = {}};
+  };
+  const StudyEntry entry = entry_of(arm);
   solves[1].start_rad = solves[0].answer_rad;
   solves[2].answer_rad[0] = not_defined;
   const auto text = moving_arm(entry, make_study("s", solves));
@@ -154,6 +164,18 @@ TEST_CASE("the moving arm has the first run, in few digits, and no way out of it
   CHECK(!moving_arm({.name = "s", .definition = "{}", .series = {}}, make_study("s", solves)));
   CHECK(!moving_arm({.name = "s", .definition = "no JSON", .series = {}}, make_study("s", solves)));
   CHECK(!moving_arm(entry, make_study("s", std::vector<SolveRecord>{})));
+
+  // A foreign store may say anything of its arm; the page draws none that it does not know to the last joint.
+  for (const char* change :
+       {R"({"kind": "__proto__"})", R"({"kind": "dobot_magician"})", R"({"links": []})", R"({"links": "x"})",
+        R"({"links": [0, 0]})", R"({"tip_m": null})", R"({"upper_deg": [1]})", R"({"lower_deg": [1e300]})"}) {
+    CAPTURE(change);
+    nlohmann::json other = arm;
+    other.merge_patch(nlohmann::json::parse(change));
+    CHECK(!moving_arm(entry_of(other), make_study("s", solves)));
+  }
+  solves[1].answer_rad.push_back(0);
+  CHECK(!moving_arm(entry, make_study("s", solves)));
 }
 
 TEST_CASE("a page says why it has no moving arm, and a picture too large for it is a link", "[report]") {

@@ -8,7 +8,7 @@ has "$out" "DE.bounds=reflect"
 
 succeeds readings slim2023 "${small[@]}" --seeds 2 --jobs 2 --out folder
 quiet
-has "$out" "Nearest to the printed error of IK-BA"
+has "$out" "The printed error of IK-BA: the default"
 for type in md csv tex; do [ -s "folder/tables/readings.$type" ] || fail "no readings.$type"; done
 for type in gp dat; do [ -s "folder/figures/readings.$type" ] || fail "no readings.$type"; done
 ! command -v gnuplot >/dev/null || [ -s folder/figures/readings.png ] || fail "no picture"
@@ -26,6 +26,7 @@ refused 'stands twice' readings slim2023 --grid search=all_joints,search=all_joi
 refused '--seeds' readings slim2023 --seeds 0
 refused 'STUDY' readings slim2024
 refused '--set runs' readings slim2023 --set runs=0
+refused 'seeds 1 to --seeds' readings slim2023 --set seed=77
 
 # Far too much to be done; stopped after a second.
 "$program" readings slim2023 --set runs=5000 --set population=200 >stopped.out 2>stopped.err &
