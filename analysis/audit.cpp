@@ -61,7 +61,11 @@ Table audit_table(std::string_view paper) {
         {item.id, item.where, item.printed, item.follows, std::string(name_of(item.verdict)), item.sentence});
   }
   table.notes.emplace_back(
-      "No solve enters this table; every number follows from what is printed. consistent: to the last printed digit; "
+      "No solve enters this table. Numbers follow from what the paper prints and, where it is silent, from statements "
+      "that "
+      "results/published marks as not printed (lengths of the links, the name of the KUKA arm, what K-ABC's source "
+      "says). "
+      "consistent: to the last printed digit; "
       "rounding: within what the rounding of the printed numbers allows; misprint: others of the paper's numbers show "
       "what is meant; contradiction: two things that cannot both hold, or a claim that the numbers do not carry.");
   return table;

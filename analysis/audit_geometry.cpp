@@ -108,11 +108,12 @@ AuditItems circle_items(std::string_view paper) {
   items.push_back({"3.4b", fmt::format("Table 8 with {} at point {}", rounded_number(mended[point - 1], 3), point),
                    said, rounded_number(mean(mended), 4), judged(said, mean(mended), slack, AuditVerdict::misprint),
                    "With a tenth of the largest error the mean is that of the text: its exponent is the misprint."});
-  items.push_back(
-      {"3.4c", "Table 8: angles of the circle", fmt::format("{} angles to 0.1 deg", names.size() * table.rows.size()),
-       fmt::format("largest difference {} deg", rounded_number(farthest, 2)),
-       unless(farthest <= 0.05 * (1 + 1e-9), AuditVerdict::contradiction),
-       "All follow in closed form from links of 13.5, 14.7 and 6.1 cm and a shoulder 5.8 cm above the tool."});
+  items.push_back({"3.4c", "Table 8: angles of the circle",
+                   fmt::format("{} angles to 0.1 deg", names.size() * table.rows.size()),
+                   fmt::format("largest difference {} deg", rounded_number(farthest, 2)),
+                   unless(farthest <= 0.05 * (1 + 1e-9), AuditVerdict::contradiction),
+                   "All follow in closed form from links of 13.5, 14.7 and 6.1 cm and a shoulder 5.8 cm above the "
+                   "tool, which are fitted to these angles."});
   return items;
 }
 

@@ -138,9 +138,9 @@ std::vector<double> mean_trace(const StudyResults& study, const std::string& sol
   return result;
 }
 
-// The farthest target's distance from the base times the spacing of numbers at 1: nearer than about that, positions
-// cannot be told apart.
-double rounding_floor_cm(const StudyResults& study) {
+// The farthest target's distance from the base times the spacing of numbers at 1: the order of
+// rounding. An answer may come nearer by chance.
+double order_of_rounding_cm(const StudyResults& study) {
   double farthest = 0;
   for (const SolveRecord& solve : study.solves) {
     const double distance =
@@ -355,14 +355,15 @@ Figure circle_errors_figure(const StudyResults& study) {
 }
 
 Figure convergence_figure(const StudyResults& study) {
-  const double floor_cm = rounding_floor_cm(study);
-  Figure figure{.name = "figure-18",
-                .caption = fmt::format("Best position error [cm] after every iteration, mean over all solves; one that "
-                                       "ended earlier keeps its last. Dashed: {} cm, the machine's rounding, which is "
-                                       "2^-52 of the farthest target's distance from the base.",
-                                       rounded_number(floor_cm, 2))};
+  const double rounding_cm = order_of_rounding_cm(study);
+  Figure figure{
+      .name = "figure-18",
+      .caption = fmt::format("Best position error [cm] after every iteration, mean over all solves; one that "
+                             "ended earlier keeps its last. Dashed: {} cm, the order of rounding (2^-52 of the "
+                             "farthest target's distance from the base).",
+                             rounded_number(rounding_cm, 2))};
   std::vector<double> all;
-  if (floor_cm > 0) all.push_back(floor_cm);
+  if (rounding_cm > 0) all.push_back(rounding_cm);
   std::vector<std::string> clauses, labels;
   std::size_t iterations = 1;
   for (std::size_t i = 0; i < study.solvers.size(); ++i) {
@@ -381,9 +382,10 @@ Figure convergence_figure(const StudyResults& study) {
   figure.caption = with_notes(figure.caption, study, Metric::position_error_cm, axis);
   figure.settings =
       axis.settings + fmt::format("set xlabel 'iteration'\nset xrange [0:{}]\n", std::max<std::size_t>(iterations, 2));
-  if (floor_cm > 0) {
-    labels.emplace_back("rounding");
-    clauses.push_back(fmt::format("{} with lines lw 0.9 dt 2 lc rgb '#777777' title 'rounding'", text_of(floor_cm)));
+  if (rounding_cm > 0) {
+    labels.emplace_back("order of rounding");
+    clauses.push_back(
+        fmt::format("{} with lines lw 0.9 dt 2 lc rgb '#777777' title 'order of rounding'", text_of(rounding_cm)));
   }
   add_legend(figure, labels);
   figure.plot = plot_command(clauses);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <string>
 
 #include "analysis/definition.hpp"
@@ -22,7 +23,10 @@ struct Side {
   std::string solver;
   Description error_cm;
   Description variation_deg;
-  double accepted_error_cm = not_defined;  // mean over the answers that were not refused
+  // Means over the answers that were not refused. A refused one leaves the arm where it stood: its variation is 0.
+  double accepted_error_cm = not_defined;
+  double accepted_variation_deg = not_defined;
+  Description accepted_variation_of_runs;  // the same of every run that has such an answer
   SolverCounts counts;
   int error_rank = 0;  // 1 is the smallest mean among the solvers of both studies; 0 where there is no mean
   int variation_rank = 0;
@@ -46,20 +50,26 @@ std::vector<Side> sides_of(const StudyResults& study, const StudyResults& other,
   std::vector<Side> sides;
   for (std::size_t i = 0; i < study.solvers.size(); ++i) {
     if (!has_solver(other, study.solvers[i])) continue;
-    std::vector<double> accepted;
+    std::vector<double> accepted_errors, accepted_variations, means_of_runs;
+    std::map<int, std::vector<double>> variations_of_run;
     for (const SolveRecord& solve : study.solves) {
-      if (solve.solver == study.solvers[i] && solve.status != Status::refused)
-        accepted.push_back(solve.position_error_cm);
+      if (solve.solver != study.solvers[i] || solve.status == Status::refused) continue;
+      accepted_errors.push_back(solve.position_error_cm);
+      accepted_variations.push_back(solve.variation_deg);
+      variations_of_run[solve.run].push_back(solve.variation_deg);
     }
+    for (const auto& [run, values] : variations_of_run) means_of_runs.push_back(mean(values));
     sides.push_back({.solver = study.solvers[i],
                      .error_cm = describe(errors[i].values),
                      .variation_deg = describe(variations[i].values),
-                     .accepted_error_cm = describe(accepted).mean,
+                     .accepted_error_cm = describe(accepted_errors).mean,
+                     .accepted_variation_deg = describe(accepted_variations).mean,
+                     .accepted_variation_of_runs = describe(means_of_runs),
                      .counts = all_counts[i]});
   }
   for (Side& side : sides) {
     side.error_rank = rank_of(side, sides, [](const Side& of) { return of.error_cm.mean; });
-    side.variation_rank = rank_of(side, sides, [](const Side& of) { return of.variation_deg.mean; });
+    side.variation_rank = rank_of(side, sides, [](const Side& of) { return of.accepted_variation_deg; });
   }
   return sides;
 }
@@ -94,15 +104,16 @@ std::string overtaken(const Side& side, const std::vector<Side>& sides, int Side
 std::string sentence(const Side& free, const Side& enforced, const std::vector<Side>& after, Unit unit) {
   const std::size_t solvers = after.size();
   return fmt::format(
-      "{}: position error {}, {} cm over the answers that are not refused; variation {}; answers outside the limits {} "
+      "{}: position error {}, {} cm over the answers that are not refused; variation of such answers {}; answers "
+      "outside the limits {} "
       "of {} -> refused {} of {}; {}; {}.",
       free.solver, change(free.error_cm.mean, enforced.error_cm.mean, "cm"), number(enforced.accepted_error_cm),
-      change(free.variation_deg.mean, enforced.variation_deg.mean, "deg"), free.counts.outside_limits,
+      change(free.accepted_variation_deg, enforced.accepted_variation_deg, "deg"), free.counts.outside_limits,
       free.counts.solves, enforced.counts.of(Status::refused), enforced.counts.solves,
       place(free.error_rank, enforced.error_rank, solvers, "error",
             overtaken(enforced, after, &Side::error_rank, &Side::error_cm, unit)),
       place(free.variation_rank, enforced.variation_rank, solvers, "variation",
-            overtaken(enforced, after, &Side::variation_rank, &Side::variation_deg, unit)));
+            overtaken(enforced, after, &Side::variation_rank, &Side::accepted_variation_of_runs, unit)));
 }
 
 Table table_of(const StudyResults& free, const StudyResults& enforced, Unit unit) {
@@ -116,6 +127,7 @@ Table table_of(const StudyResults& free, const StudyResults& enforced, Unit unit
                           {"median_position_error_cm"},
                           {"mean_accepted_error_cm"},
                           {"mean_variation_deg"},
+                          {"mean_accepted_variation_deg"},
                           {"rank_error"},
                           {"rank_variation"},
                           {"outside_limits"}}};
@@ -131,6 +143,7 @@ Table table_of(const StudyResults& free, const StudyResults& enforced, Unit unit
                           side.error_cm.median,
                           side.accepted_error_cm,
                           side.variation_deg.mean,
+                          side.accepted_variation_deg,
                           rank(side.error_rank),
                           rank(side.variation_rank),
                           std::int64_t{side.counts.outside_limits}};
@@ -145,8 +158,12 @@ Table table_of(const StudyResults& free, const StudyResults& enforced, Unit unit
   }
   table.notes.emplace_back(
       "Both studies have the same targets. recorded: answers outside the joint limits are kept and counted; enforced: "
-      "they "
-      "are refused. Places are by means, 1 the smallest, among the solvers of both studies.");
+      "they are refused. Places are by means, 1 the smallest, among the solvers of both studies.");
+  table.notes.emplace_back(
+      "A refused answer leaves the arm where it stood: a variation of 0 deg that no solver should gain by. So places "
+      "in "
+      "variation are by mean_accepted_variation_deg, over the answers that are not refused; mean_variation_deg is over "
+      "all. The tests of variation compare the runs' means over such answers.");
   for (const StudyResults* const study : {&free, &enforced}) {
     for (const std::string& note : status_notes(*study)) table.notes.push_back(study->name + ": " + note);
   }

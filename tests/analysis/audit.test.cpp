@@ -61,6 +61,7 @@ TEST_CASE("equal variances do not hold, and all means are still not the same", "
   CHECK(has(item("3.2d").follows, "141.79"));
   CHECK(has(item("3.2e").follows, "740.81"));
   CHECK(has(item("3.2f").follows, "130.66"));
+  CHECK(has(item("3.2i").follows, "times 15 pairs capped at 1"));
   CHECK(item("3.2i").verdict == AuditVerdict::contradiction);  // variation of IK-BA and MO-PSO
   CHECK(item("3.2j").verdict == AuditVerdict::consistent);     // PSO is faster than IK-BA
 }
@@ -70,7 +71,9 @@ TEST_CASE("in Table 7 the row of 20 bats is impossible, and no other", "[audit][
   CHECK(item("3.3c").follows == "the mean exceeds the maximum");
   CHECK(has(item("3.3c").sentence, "16.5"));  // (80.06 - 47.88) / 2 sqrt(20 / 19)
   for (const char* id : {"3.3a", "3.3b", "3.3d", "3.3e", "3.3f"}) CHECK(item(id).verdict == AuditVerdict::consistent);
-  CHECK(has(item("3.3e").printed, "4.00, 4.07, 4.19, 6.03"));  // 48.01 / 12, 61.09 / 15, 83.75 / 20, 180.94 / 30
+  CHECK(item("3.3e").printed ==
+        "12 bats 4.00, 15 bats 4.07, 30 bats 6.03 ms a bat");  // 48.01 / 12, 61.09 / 15, 180.94 / 30
+  CHECK(has(item("3.3e").follows, "cannot be told apart: Welch p"));
 }
 
 TEST_CASE("Table 8's mean is not that of its text, and with one exponent it is", "[audit][paper]") {

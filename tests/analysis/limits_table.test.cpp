@@ -58,6 +58,8 @@ TEST_CASE("the limits table sets a study beside the one that enforces the limits
   CHECK(number_at(table, 0, "limit_violated") == 1);
   CHECK(number_at(table, 1, "mean_position_error_cm") == 11);
   CHECK(number_at(table, 1, "mean_accepted_error_cm") == 1);
+  CHECK(number_at(table, 1, "mean_variation_deg") == 40);
+  CHECK(number_at(table, 1, "mean_accepted_variation_deg") == 80);
   CHECK(number_at(table, 1, "refused") == 1);
   CHECK(number_at(table, 0, "rank_error") == 1);
   CHECK(number_at(table, 1, "rank_error") == 2);
@@ -68,12 +70,35 @@ TEST_CASE("the limits table sets a study beside the one that enforces the limits
 TEST_CASE("what survives is said of every solver", "[limits]") {
   const Table table = *limits_table({recorded, enforced}, Unit::run);
   CHECK(has_note(table, "IK-BA: position error 2 -> 11 cm (5.5 x), 1 cm over the answers that are not refused; "));
-  CHECK(has_note(table, "variation 50 -> 40 deg (0.8 x); answers outside the limits 1 of 2 -> refused 1 of 2; "));
+  CHECK(has_note(
+      table, "variation of such answers 50 -> 80 deg (1.6 x); answers outside the limits 1 of 2 -> refused 1 of 2; "));
   // Welch's test by hand: 11 against 3, variances 200 and 0, n = 2: t = 0.8, 1 degree of freedom, 1 - 2 atan(t) / pi.
   CHECK(has_note(table, "in error place 1 -> 2 of 2, no longer the first (that is DE; Welch's test, p = 0.57); "));
   CHECK(has_note(table, "in variation place 1 -> 1 of 2, still the first."));
   CHECK(has_note(table, "DE: position error 4 -> 3 cm (0.75 x)"));
   CHECK(has_note(table, "in error place 2 -> 1 of 2, now the first; in variation place 2 -> 2 of 2, as before."));
+}
+
+TEST_CASE("a solver gains no place in variation by being refused", "[limits]") {
+  const Table table =
+      *limits_table({study_of("free", "recorded", {{"IK-BA", 1, 40}, {"IK-BA", 1, 40}, {"DE", 1, 300}, {"DE", 1, 300}}),
+                     study_of("held", "enforced",
+                              {{"IK-BA", 1, 42},
+                               {"IK-BA", 1, 44},
+                               {"DE", 9, 0, Status::refused},
+                               {"DE", 9, 0, Status::refused},
+                               {"DE", 9, 0, Status::refused},
+                               {"DE", 1, 120}})},
+                    Unit::run);
+  CHECK(number_at(table, 3, "mean_variation_deg") == 30);  // less than 43 of IK-BA, by three refusals
+  CHECK(number_at(table, 3, "mean_accepted_variation_deg") == 120);
+  CHECK(number_at(table, 1, "rank_variation") == 1);
+  CHECK(number_at(table, 3, "rank_variation") == 2);
+  CHECK(has_note(table,
+                 "DE: position error 1 -> 7 cm (7 x), 1 cm over the answers that are not refused; variation of "
+                 "such answers 300 -> 120 deg (0.4 x); answers outside the limits 0 of 2 -> refused 3 of 4; "));
+  CHECK(has_note(table, "in variation place 1 -> 1 of 2, still the first."));
+  CHECK(has_note(table, "A refused answer leaves the arm where it stood"));
 }
 
 TEST_CASE("the reported study may be either of the two", "[limits]") {

@@ -123,7 +123,9 @@ TEST_CASE("real time is judged by the slowest target, and only where all are rea
   StudyResults study = study_of(synthetic::solves({.runs = 2}));
   std::vector<SolveRecord> solves = synthetic::solves({.solvers = {"12 bats"}, .runs = 1});
   const auto verdict = [&] {
-    return verdict_of(findings(study, {study_of(solves, "s-time")}, Unit::run), "real time");
+    StudyResults companion = study_of(solves, "s-time");
+    companion.definition = R"({"stop": {"tolerance_cm": 0.1}})";
+    return verdict_of(findings(study, {companion}, Unit::run), "real time");
   };
   CHECK(verdict() == Verdict::holds);
   solves[3].position_error_cm = 0.2;
