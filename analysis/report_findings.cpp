@@ -229,6 +229,15 @@ std::string_view name_of(Verdict verdict) {
   return names[static_cast<std::size_t>(verdict)];
 }
 
+std::string tally(const std::vector<Finding>& findings) {
+  const auto count = [&](Verdict verdict) { return std::ranges::count(findings, verdict, &Finding::verdict); };
+  std::string text = fmt::format("Of {} findings {} hold here", findings.size(), count(Verdict::holds));
+  if (count(Verdict::in_part) > 0) text += fmt::format(", {} in part", count(Verdict::in_part));
+  if (count(Verdict::does_not_hold) > 0) text += fmt::format(", {} not", count(Verdict::does_not_hold));
+  if (count(Verdict::undecided) > 0) text += fmt::format("; {} cannot be decided", count(Verdict::undecided));
+  return text + '.';
+}
+
 std::vector<Finding> findings(const StudyResults& study, const std::vector<StudyResults>& companions, Unit unit) {
   std::vector<Finding> result;
   const auto add = [&](std::optional<Finding> finding) {
