@@ -39,7 +39,7 @@ std::vector<StudyResults> with_same_targets(const Store& store, const StudyResul
 std::vector<StudyResults> companions_of(const Store& store, const StudyResults& study) {
   std::vector<StudyResults> result;
   for (const StudyEntry& entry : store.studies()) {
-    for (const char* part : {"-time", "-dobot"}) {
+    for (const char* part : {"-time", "-dobot", "-limits", "-context"}) {
       if (entry.name == study.name + part) result.push_back(make_study(entry, store.solves(entry.name)));
     }
   }
