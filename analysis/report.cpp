@@ -8,6 +8,7 @@
 #include <optional>
 #include <string_view>
 
+#include "analysis/definition.hpp"
 #include "analysis/files.hpp"
 #include "analysis/limits_table.hpp"
 #include "analysis/moving_arm.hpp"
@@ -35,11 +36,23 @@ std::vector<StudyResults> with_same_targets(const Store& store, const StudyResul
   return result;
 }
 
+// Those that treat joint limits as the first does: where they are not, numbers cannot be put side by side. The others
+// have a table of their own.
+std::vector<StudyResults> with_same_limits(const std::vector<StudyResults>& studies) {
+  const auto are_enforced = [](const StudyResults& study) {
+    return Definition(study.definition).text("/limits") == "enforced";
+  };
+  std::vector<StudyResults> result;
+  std::ranges::copy_if(studies, std::back_inserter(result),
+                       [&](const StudyResults& study) { return are_enforced(study) == are_enforced(studies.front()); });
+  return result;
+}
+
 // The paper's other experiments, where the store has them: studies named after the reported one.
 std::vector<StudyResults> companions_of(const Store& store, const StudyResults& study) {
   std::vector<StudyResults> result;
   for (const StudyEntry& entry : store.studies()) {
-    for (const char* part : {"-time", "-dobot"}) {
+    for (const char* part : {"-time", "-dobot", "-limits", "-context"}) {
       if (entry.name == study.name + part) result.push_back(make_study(entry, store.solves(entry.name)));
     }
   }
@@ -108,7 +121,8 @@ Report write_report(const Store& store, const ReportRequest& request) {
   std::vector<Table> tables{definition_table(entry), options_table(entry), environment_table(study, sessions)};
   std::vector<Figure> figures = paper_figures(study, request.unit, request.quartiles);
   std::ranges::move(paper_tables(study, request.unit), std::back_inserter(tables));
-  if (together.size() > 1) tables.push_back(perspective_table(together, request.unit));
+  const std::vector<StudyResults> beside = with_same_limits(together);
+  if (beside.size() > 1) tables.push_back(perspective_table(beside, request.unit));
   if (std::optional<Table> table = limits_table(together, request.unit)) tables.push_back(std::move(*table));
   for (const StudyResults& companion : companions) add_pieces(companion, request, tables, figures);
   std::ranges::copy(request.extra_tables, std::back_inserter(tables));
@@ -123,7 +137,7 @@ Report write_report(const Store& store, const ReportRequest& request) {
                         .summary = summary(study, request.unit),
                         .warnings = warnings_of(study, outcomes),
                         .command = command_of(study, sessions)};
-  for (std::size_t i = 1; i < together.size(); ++i) content.summary.push_back(perspective(together[i], request.unit));
+  for (std::size_t i = 1; i < beside.size(); ++i) content.summary.push_back(perspective(beside[i], request.unit));
   std::vector<Piece> pieces(tables.begin(), tables.end());
   for (std::size_t i = 0; i < figures.size(); ++i) pieces.emplace_back(ReportFigure{figures[i], outcomes[i].rendered});
   arrange(std::move(pieces), content);

@@ -162,15 +162,24 @@ std::string titled(std::string name) {
   return name;
 }
 
+// "does not hold" is the class does-not-hold.
+std::string kind_of(Verdict verdict) {
+  std::string kind(name_of(verdict));
+  std::ranges::replace(kind, ' ', '-');
+  return kind;
+}
+
 Data findings_data(const ReportContent& content) {
   Data list(Data::type::list);
   for (const Finding& finding : content.findings) {
-    std::string kind(name_of(finding.verdict));
-    std::ranges::replace(kind, ' ', '-');
     Data data;
     data.set("claim", text(finding.claim));
     data.set("verdict", text(name_of(finding.verdict)));
-    data.set("kind", Data(kind));
+    data.set("kind", Data(kind_of(finding.verdict)));
+    if (finding.printed) {
+      data.set("printed", text(name_of(*finding.printed)));
+      data.set("printed_kind", Data(kind_of(*finding.printed)));
+    }
     data.set("evidence", text(finding.evidence));
     if (piece_named(content, finding.table)) {
       data.set("table", Data(finding.table));
@@ -179,15 +188,6 @@ Data findings_data(const ReportContent& content) {
     list.push_back(data);
   }
   return list;
-}
-
-std::string tally(const std::vector<Finding>& findings) {
-  const auto count = [&](Verdict verdict) { return std::ranges::count(findings, verdict, &Finding::verdict); };
-  std::string text = fmt::format("Of {} findings {} hold here", findings.size(), count(Verdict::holds));
-  if (count(Verdict::in_part) > 0) text += fmt::format(", {} in part", count(Verdict::in_part));
-  if (count(Verdict::does_not_hold) > 0) text += fmt::format(", {} not", count(Verdict::does_not_hold));
-  if (count(Verdict::undecided) > 0) text += fmt::format("; {} cannot be decided", count(Verdict::undecided));
-  return text + '.';
 }
 
 std::string source(std::string_view code) { return fmt::format("'sha256-{}'", sha256_in_base64(code)); }

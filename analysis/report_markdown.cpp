@@ -27,6 +27,21 @@ std::string markdown(const ReportFigure& piece) {
 
 std::string markdown(const Table& table) { return to_markdown(table) + '\n'; }
 
+// A column that no finding fills is left out.
+std::string markdown(const std::vector<Finding>& findings) {
+  if (findings.empty()) return "";
+  Table table{
+      .name = "findings",
+      .caption = tally(findings),
+      .columns = {
+          {"finding", Align::left}, {"here", Align::left}, {"printed", Align::left}, {"evidence", Align::left}}};
+  for (const Finding& finding : findings) {
+    table.rows.push_back({finding.claim, std::string(name_of(finding.verdict)),
+                          finding.printed ? Cell(std::string(name_of(*finding.printed))) : Cell(), finding.evidence});
+  }
+  return "## Verdict\n\n" + markdown(table);
+}
+
 std::string markdown(const std::vector<Section>& sections) {
   std::string text;
   for (const Section& section : sections) {
@@ -43,7 +58,8 @@ std::string markdown(const std::vector<Section>& sections) {
 
 std::string to_markdown(const ReportContent& content) {
   std::string text = fmt::format("# {}\n\n", markdown_text(content.title));
-  text += fmt::format("Report of the study {}.\n\n## Summary\n\n", markdown_text(content.study));
+  text += fmt::format("Report of the study {}.\n\n", markdown_text(content.study));
+  text += markdown(content.findings) + "## Summary\n\n";
   text += bullets(content.summary);
   if (!content.warnings.empty()) text += "### Warnings\n\n" + bullets(content.warnings);
   if (!content.command.empty()) {

@@ -65,9 +65,10 @@ TEST_CASE("a report has its tables, figures and report.md", "[report]") {
   CHECK(files.contains("figures/figure-10.pdf"));
   const std::string text = text_of_file(report.file);
   for (const char* words :
-       {"Report of the study slim2023", "## Summary", "    ikbench run slim2023 --out out", "| path.kind | helix |",
-        "| IK-BA | algorithm | alpha | 0.97 |", "a &lt;fast&gt; one", "](figures/figure-9-f.png)",
-        "Table 6: one-way ANOVA", "IK-BA is first in the paper, and here too"}) {
+       {"Report of the study slim2023", "## Verdict", "| IK-BA is the most accurate | holds | holds | ", "## Summary",
+        "    ikbench run slim2023 --out out", "| path.kind | helix |", "| IK-BA | algorithm | alpha | 0.97 |",
+        "a &lt;fast&gt; one", "](figures/figure-9-f.png)", "Table 6: one-way ANOVA",
+        "IK-BA is first in the paper, and here too"}) {
     CAPTURE(words);
     CHECK(contains(text, words));
   }
@@ -108,9 +109,13 @@ TEST_CASE("a study with the same targets is shown in perspective, one with other
   save(
       store,
       {.name = "shorter", .definition = R"({"runs": 2})", .shape = {.solvers = {"elsewhere"}, .runs = 2, .points = 5}});
+  save(store, {.name = "inside",
+               .definition = R"({"runs": 2, "limits": "enforced"})",
+               .shape = {.solvers = {"not beside the others"}, .runs = 2}});
   const Report report =
       write_report(store, {.study = "slim2023", .folder = folder.path() / "out", .figures = {.render = false}});
   CHECK(contains(text_of_file(report.file), "## Perspective"));
+  CHECK(!contains(text_of_file(report.file), "not beside the others"));
   const std::string csv = text_of_file(folder.path() / "out/tables/perspective.csv");
   CHECK(contains(csv, "\ncontext,random search,2,0,"));
   CHECK(contains(csv, "\nslim2023,MO-PSO,2,0,"));

@@ -7,6 +7,7 @@
 #include "analysis/report_content.hpp"
 #include "analysis/report_findings.hpp"
 #include "analysis/report_html.hpp"
+#include "analysis/report_markdown.hpp"
 #include "analysis/report_svg.hpp"
 #include "analysis/sha256.hpp"
 #include "tests/analysis/folder.hpp"
@@ -25,10 +26,14 @@ StudyResults study_of(std::vector<SolveRecord> solves, const std::string& name =
   return study;
 }
 
-Verdict verdict_of(const std::vector<Finding>& findings, const std::string& claim) {
+const Finding& finding_of(const std::vector<Finding>& findings, const std::string& claim) {
   const auto found = std::ranges::find_if(findings, [&](const Finding& f) { return contains(f.claim, claim); });
   REQUIRE(found != findings.end());
-  return found->verdict;
+  return *found;
+}
+
+Verdict verdict_of(const std::vector<Finding>& findings, const std::string& claim) {
+  return finding_of(findings, claim).verdict;
 }
 
 }  // namespace
@@ -119,6 +124,67 @@ TEST_CASE("findings hold, hold in part, are undecided or do not hold, by the sto
   CHECK(findings(make_study("unpublished", synthetic::solves({})), {}, Unit::run).empty());
 }
 
+TEST_CASE("findings are judged on the printed numbers too, by Welch's test", "[report]") {
+  const auto all = findings(study_of(synthetic::solves({})), {}, Unit::run);
+  const auto printed = [&](const char* claim) { return finding_of(all, claim).printed; };
+  CHECK(printed("is the most accurate") == Verdict::holds);
+  CHECK(printed("Accuracy: IK-BA") == Verdict::in_part);     // MO-PSO, PSO and DE cannot be told apart
+  CHECK(printed("less than MO-PSO") == Verdict::undecided);  // 87.1916 and 89.9602 deg, std 7.8 and 25.7: p = 0.65
+  CHECK(contains(finding_of(all, "less than MO-PSO").evidence, "MO-PSO 90 (p = 0.65)"));
+  CHECK(printed("less than the other solvers") == Verdict::holds);
+  CHECK(printed("Computing time: PSO < IK-BA") == Verdict::in_part);  // PSO and IK-BA differ, DE and K-ABC do not
+  CHECK(printed("The solvers differ") == Verdict::holds);
+  CHECK(!printed("inside the joint limits"));
+  CHECK(tally(all) == "Of 7 findings 6 hold here; 1 cannot be decided. On the printed numbers 3 of 6 hold.");
+}
+
+TEST_CASE("an order that most pairs keep holds in part", "[report]") {
+  std::vector<SolveRecord> solves = synthetic::solves({});
+  for (SolveRecord& solve : solves) {
+    if (solve.solver == "PSO") solve.seconds *= 1.25;  // from the first place to the second
+  }
+  CHECK(verdict_of(findings(study_of(solves), {}, Unit::run), "Computing time") == Verdict::in_part);
+  for (SolveRecord& solve : solves) solve.seconds = solve.cpu_seconds = 0.02 - solve.seconds;
+  CHECK(verdict_of(findings(study_of(solves), {}, Unit::run), "Computing time") == Verdict::does_not_hold);
+}
+
+TEST_CASE("companions say what is left with limits enforced and against a classical solver", "[report]") {
+  const StudyResults study = study_of(synthetic::solves({}), "s");
+  StudyResults limits = study_of(synthetic::solves({}), "s-limits");
+  limits.definition = R"({"limits": "enforced"})";
+  limits.solves[0].status = Status::refused;  // of IK-BA
+  StudyResults context = make_study("s-context", synthetic::solves({.solvers = {"DLS"}}));
+  for (SolveRecord& solve : context.solves) {
+    solve.position_error_cm *= 1e-4;
+    solve.variation_deg /= 2;
+    solve.evaluations = 11;
+  }
+  auto all = findings(study, {limits, context}, Unit::run);
+  CHECK(verdict_of(all, "enforced IK-BA stays the most accurate") == Verdict::holds);
+  CHECK(contains(finding_of(all, "enforced").evidence, "IK-BA 1 of 400, BA 0 of 400"));
+  CHECK(verdict_of(all, "classical") == Verdict::does_not_hold);
+  CHECK(contains(finding_of(all, "classical").evidence, "against 11 evaluations"));
+
+  for (SolveRecord& solve : context.solves) solve.evaluations = 20000;
+  for (SolveRecord& solve : limits.solves) solve.position_error_cm *= solve.solver == "IK-BA" ? 1000 : 1;
+  all = findings(study, {limits, context}, Unit::run);
+  CHECK(verdict_of(all, "enforced") == Verdict::does_not_hold);
+  CHECK(verdict_of(all, "classical") == Verdict::in_part);
+  CHECK(findings(study, {}, Unit::run).size() + 2 == all.size());
+}
+
+TEST_CASE("a circle is led to rounding error where its errors are of the order of rounding", "[report]") {
+  StudyResults circle = study_of(synthetic::solves({.solvers = {"IK-BA", "BA"}, .runs = 1}));
+  circle.definition = R"({"path": {"kind": "circle"}})";
+  const auto verdict = [&](double first, double second) {
+    for (SolveRecord& solve : circle.solves) solve.position_error_cm = solve.solver == "IK-BA" ? first : second;
+    return verdict_of(findings(circle, {}, Unit::run), "Dobot");
+  };
+  // The targets are 60 to 100 cm away, so that rounding is some 2e-14 cm.
+  CHECK(verdict(3e-14, 1) == Verdict::holds);  // the second solver is of no account
+  CHECK(verdict(3e-12, 0) == Verdict::does_not_hold);
+}
+
 TEST_CASE("real time is judged by the slowest target, and only where all are reached it holds", "[report]") {
   StudyResults study = study_of(synthetic::solves({.runs = 2}));
   std::vector<SolveRecord> solves = synthetic::solves({.solvers = {"12 bats"}, .runs = 1});
@@ -132,6 +198,19 @@ TEST_CASE("real time is judged by the slowest target, and only where all are rea
   CHECK(verdict() == Verdict::in_part);
   solves[4].seconds = solves[4].cpu_seconds = 0.06;  // 60 ms
   CHECK(verdict() == Verdict::does_not_hold);
+}
+
+TEST_CASE("a page has both verdicts of a finding, or the one that there is", "[report]") {
+  ReportContent content{.study = "s", .title = "t"};
+  content.findings = {
+      {.claim = "<a>", .verdict = Verdict::holds, .evidence = "e", .table = "", .printed = Verdict::undecided},
+      {.claim = "b", .verdict = Verdict::does_not_hold, .evidence = "e", .table = ""}};
+  const std::string page = to_html(content, {});
+  CHECK(contains(page, "here: holds</span> <span class=\"badge undecided\">printed: undecided</span>"));
+  CHECK(contains(page, "here: does not hold</span></span>"));
+  const std::string text = to_markdown(content);
+  CHECK(contains(text, "| &lt;a&gt; | holds | undecided | e |"));
+  CHECK(contains(text, "| b | does not hold |  | e |"));
 }
 
 TEST_CASE("the moving arm has the first run, in few digits, and no way out of its element", "[report]") {
