@@ -10,7 +10,10 @@
 #include <string_view>
 
 #include "analysis/axis.hpp"
+#include "analysis/circle_figures.hpp"
+#include "analysis/definition.hpp"
 #include "analysis/descriptive.hpp"
+#include "analysis/figure_parts.hpp"
 #include "analysis/published_numbers.hpp"
 #include "analysis/text.hpp"
 #include "results/number.hpp"
@@ -18,111 +21,13 @@
 namespace ikbench {
 namespace {
 
-constexpr std::size_t longest_label = 28;  // characters of a solver's label in a figure; the data file has all
 constexpr double two_columns_cm = 17.0;
-
-std::string_view quantity(Metric metric) {
-  constexpr std::array<std::string_view, 4> names{"position error [cm]", "angles variation [deg]", "computing time [s]",
-                                                  "evaluations"};
-  return names[static_cast<std::size_t>(metric)];
-}
-
-std::string capitalised(std::string_view text) {
-  std::string result(text);
-  result[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(result[0])));
-  return result;
-}
-
-std::string number(double value) { return std::isfinite(value) ? text_of(value) : "NaN"; }
-
-// Says what a reader of the picture must know.
-std::string with_notes(std::string caption, const StudyResults& study, Metric metric, const Axis& axis) {
-  if (axis.shows_at_edge) caption += " Values of zero are drawn at the lower edge.";
-  if (metric == Metric::seconds) {
-    if (const std::string note = timing_note(study); !note.empty()) caption += ' ' + note;
-  }
-  return caption;
-}
 
 // A tick's label is a format to gnuplot: %% is %.
 std::string doubled_percent(std::string_view label) {
   std::string result;
   for (const char c : label) result.append(c == '%' ? 2 : 1, c);
   return result;
-}
-
-// The legend below the plot, in as many columns as fit, and the room that it takes.
-void add_legend(Figure& figure, const std::vector<std::string>& labels) {
-  std::size_t longest = 1;
-  for (const std::string& label : labels) longest = std::max(longest, character_count(shortened(label, longest_label)));
-  const double characters = figure.width_cm * 6.5;
-  const auto columns =
-      std::max<std::size_t>(1, static_cast<std::size_t>(characters / static_cast<double>(longest + 7)));
-  const std::size_t rows = (labels.size() + columns - 1) / columns;
-  figure.settings += fmt::format("set key maxcols {}\n", columns);
-  figure.height_cm += 0.3 + 0.36 * static_cast<double>(rows);
-}
-
-// Ticks at whole points: 1 and multiples of a round step.
-std::string point_axis(int points) {
-  int step = 1;
-  for (int decade = 1; points > 10 * step; decade *= 10) {
-    for (const int round : {1, 2, 5}) {
-      if (points > 5 * step) step = decade * round;
-    }
-  }
-  return fmt::format("set xlabel 'point'\nset xrange [0.5:{}.5]\nset xtics {}\n{}", points, step,
-                     step > 1 ? "set xtics add ('1' 1)\n" : "");
-}
-
-std::string plot_command(const std::vector<std::string>& clauses, std::string_view command = "plot") {
-  return fmt::format("{} {}", command, fmt::join(clauses, ", \\\n  "));
-}
-
-// Mean over the runs at every point; a point with an answer that is not finite has none.
-std::vector<double> means_by_point(const StudyResults& study, const std::string& solver, Metric metric) {
-  std::vector<std::vector<double>> values(static_cast<std::size_t>(study.points));
-  for (const SolveRecord& solve : study.solves) {
-    if (solve.solver == solver) values[static_cast<std::size_t>(solve.point) - 1].push_back(value_of(solve, metric));
-  }
-  std::vector<double> means;
-  for (const auto& at_point : values) means.push_back(mean(at_point));
-  return means;
-}
-
-// The first run that the solver has, by point.
-std::map<int, const SolveRecord*> first_run(const StudyResults& study, const std::string& solver) {
-  int run = 0;
-  for (const SolveRecord& solve : study.solves) {
-    if (solve.solver == solver && (run == 0 || solve.run < run)) run = solve.run;
-  }
-  std::map<int, const SolveRecord*> solves;
-  for (const SolveRecord& solve : study.solves) {
-    if (solve.solver == solver && solve.run == run) solves[solve.point] = &solve;
-  }
-  return solves;
-}
-
-// Three axes of one scale: a cube around the points, so that any path fits, with a round step of ticks.
-std::string space_axes(const std::array<std::vector<double>, 3>& coordinates) {
-  double longest = 0;
-  std::array<double, 3> centre{};
-  for (std::size_t axis = 0; axis < coordinates.size(); ++axis) {
-    if (coordinates[axis].empty()) continue;
-    const auto [low, high] = std::ranges::minmax(coordinates[axis]);
-    centre[axis] = (low + high) / 2;
-    longest = std::max(longest, high - low);
-  }
-  const double half = longest > 0 ? 0.55 * longest : 1;
-  const double decade = std::pow(10, std::floor(std::log10(2 * half / 3)));
-  const double rest = 2 * half / 3 / decade;
-  const double step = decade * (rest > 7 ? 10 : rest > 3.5 ? 5 : rest > 1.5 ? 2 : 1);
-  std::string settings;
-  for (std::size_t axis = 0; axis < coordinates.size(); ++axis) {
-    settings += fmt::format("set {0}range [{1}:{2}]\nset {0}tics {3} offset 0, 0\n", "xyz"[axis],
-                            text_of(centre[axis] - half), text_of(centre[axis] + half), text_of(step));
-  }
-  return settings;
 }
 
 // 0 is a, 25 z, 26 aa.
@@ -135,10 +40,11 @@ std::string letters(std::size_t index) {
 
 Figure path_figure(const StudyResults& study) {
   const std::string solver = study.solves.front().solver;
-  Figure figure{
-      .name = "figure-5",
-      .caption = fmt::format("The targets (line, dots) and where {} came to in its first run (rings).", solver),
-      .height_cm = 8.0};
+  const bool is_path = Definition(study.definition).text("/path/kind") != "random";
+  Figure figure{.name = "figure-5",
+                .caption = fmt::format("The targets ({}dots) and where {} came to in its first run (rings).",
+                                       is_path ? "line, " : "", solver),
+                .height_cm = 8.0};
   figure.data = "# target x, y, z [cm]; reached x, y, z [cm] and position error [cm] of " + one_line(solver) + "\n";
   std::array<std::vector<double>, 3> coordinates;
   double largest_error = 0;
@@ -146,29 +52,28 @@ Figure path_figure(const StudyResults& study) {
     if (solve->target_position_m.size() != coordinates.size()) continue;
     for (std::size_t axis = 0; axis < coordinates.size(); ++axis) {
       coordinates[axis].push_back(100 * solve->target_position_m[axis]);
-      figure.data += number(coordinates[axis].back()) + ' ';
+      figure.data += data_number(coordinates[axis].back()) + ' ';
     }
     for (std::size_t axis = 0; axis < coordinates.size(); ++axis) {
       const bool known = solve->reached_position_m.size() == coordinates.size();
-      figure.data += number(known ? 100 * solve->reached_position_m[axis] : not_defined) + ' ';
+      figure.data += data_number(known ? 100 * solve->reached_position_m[axis] : not_defined) + ' ';
     }
-    figure.data += number(solve->position_error_cm) + '\n';
+    figure.data += data_number(solve->position_error_cm) + '\n';
     largest_error =
         std::isfinite(solve->position_error_cm) ? std::max(largest_error, solve->position_error_cm) : not_defined;
   }
   figure.caption += std::isfinite(largest_error)
                         ? fmt::format(" The farthest is {} cm off.", rounded_number(largest_error, 2))
                         : " Not all of its answers are finite.";
-  figure.settings =
-      space_axes(coordinates) +
-      "set xlabel 'x [cm]'\nset ylabel 'y [cm]'\nset zlabel 'z [cm]' rotate parallel\n"
-      "set view 62, 32, 1.1\nset view equal xyz\nset xyplane relative 0\nset border 127 lw 0.5 lc rgb '#AAAAAA'\n"
-      "set tics textcolor rgb '#000000'\nset grid xtics ytics ztics\nunset key\n";
-  figure.plot =
-      "splot 'figure-5.dat' using 1:2:3 with lines lw 0.7 lc rgb '#888888', \\\n"
-      "  '' using 1:2:3 with points pt 7 ps 0.35 lc rgb '#000000', \\\n"
-      "  '' using 4:5:6 with points pt 6 ps 0.8 lw 0.8 lc rgb '#0072B2', \\\n"
-      "  '' using 1:2:3:('start') every ::0::0 with labels right offset -0.9,0.4";
+  figure.settings = space_axes(coordinates) + "unset key\n";
+  std::vector<std::string> clauses;
+  if (is_path) clauses.emplace_back("'figure-5.dat' using 1:2:3 with lines lw 0.7 lc rgb '#888888'");
+  clauses.emplace_back("'figure-5.dat' using 1:2:3 with points pt 7 ps 0.35 lc rgb '#000000'");
+  clauses.emplace_back("'figure-5.dat' using 4:5:6 with points pt 6 ps 0.8 lw 0.8 lc rgb '#0072B2'");
+  if (is_path) {
+    clauses.emplace_back("'figure-5.dat' using 1:2:3:('start') every ::0::0 with labels right offset -0.9,0.4");
+  }
+  figure.plot = plot_command(clauses, "splot");
   return figure;
 }
 
@@ -203,7 +108,7 @@ Figure curves_figure(const StudyResults& study, Metric metric) {
   }
   for (std::size_t point = 0; point < static_cast<std::size_t>(study.points); ++point) {
     figure.data += fmt::to_string(point + 1);
-    for (const auto& curve : curves) figure.data += ' ' + number(curve[point]);
+    for (const auto& curve : curves) figure.data += ' ' + data_number(curve[point]);
     figure.data += '\n';
   }
   figure.plot = plot_command(clauses);
@@ -231,7 +136,7 @@ std::vector<Figure> joint_figures(const StudyResults& study) {
       figure.data += fmt::to_string(point);
       for (std::size_t joint = 0; joint < joints; ++joint) {
         const double angle = joint < solve->answer_rad.size() ? solve->answer_rad[joint] : not_defined;
-        figure.data += ' ' + number(angle * 180 / std::numbers::pi);
+        figure.data += ' ' + data_number(angle * 180 / std::numbers::pi);
       }
       figure.data += '\n';
     }
@@ -272,10 +177,10 @@ Figure box_figure(const StudyResults& study, const BoxRequest& request) {
   std::string printed_marks;
   if (request.unit == Unit::run && request.metric != Metric::seconds) {
     for (std::size_t i = 0; i < study.solvers.size(); ++i) {
-      const auto printed = printed_row(study.published, study.solvers[i], request.metric);
+      const auto printed = printed_row(study, study.solvers[i], request.metric);
       if (!printed) continue;
-      printed_marks +=
-          fmt::format("{} {} {} {}\n", i + 1, number(printed->min), number(printed->median), number(printed->max));
+      printed_marks += fmt::format("{} {} {} {}\n", i + 1, data_number(printed->min), data_number(printed->median),
+                                   data_number(printed->max));
       all.insert(all.end(), {printed->min, printed->median, printed->max});
     }
   }
@@ -296,10 +201,10 @@ Figure box_figure(const StudyResults& study, const BoxRequest& request) {
     const std::string label = shortened(study.solvers[i], longest_label);
     longest = std::max(longest, character_count(label));
     ticks += fmt::format("{}{} {}", i == 0 ? "" : ", ", gnuplot_string(doubled_percent(label)), i + 1);
-    figure.data +=
-        fmt::format("# {}\n{} {} {} {} {} {} {} {}\n", one_line(study.solvers[i]), i + 1, number(b.whisker_low),
-                    number(b.q1), number(b.median), number(b.q3), number(b.whisker_high), b.n, b.not_finite);
-    for (const double value : b.outliers) outliers += fmt::format("{} {}\n", i + 1, number(value));
+    figure.data += fmt::format("# {}\n{} {} {} {} {} {} {} {}\n", one_line(study.solvers[i]), i + 1,
+                               data_number(b.whisker_low), data_number(b.q1), data_number(b.median), data_number(b.q3),
+                               data_number(b.whisker_high), b.n, b.not_finite);
+    for (const double value : b.outliers) outliers += fmt::format("{} {}\n", i + 1, data_number(value));
     if (b.not_finite > 0 || b.n == 0) {
       const std::string words = b.n == 0 ? "nothing" : fmt::format("{} not", b.not_finite);
       counts += fmt::format("set label \"{}\\n{}\" at {}, graph 1 center offset 0, 1.1 font ',6'\n", words,
@@ -359,6 +264,7 @@ std::vector<Figure> paper_figures(const StudyResults& study, Unit unit, Quantile
   for (const Metric metric : metrics) {
     figures.push_back(box_figure(study, {.metric = metric, .unit = unit, .quartiles = quartiles}));
   }
+  for (Figure& figure : circle_figures(study)) figures.push_back(std::move(figure));
   return figures;
 }
 

@@ -1,5 +1,5 @@
 // The figures of Slim et al. (2023) for any study: 5 the path, 6-8 error, variation and time per point, 9 the joint
-// angles of each solver's first run, 10-12 box plots over the run means.
+// angles of each solver's first run, 10-12 box plots over the run means; for a circle also 14-18 (circle_figures.hpp).
 #pragma once
 
 #include <vector>

@@ -8,7 +8,9 @@
 #include <optional>
 #include <set>
 
+#include "analysis/circle.hpp"
 #include "analysis/published_numbers.hpp"
+#include "analysis/time_assessment.hpp"
 #include "analysis/welch.hpp"
 #include "results/published.hpp"
 
@@ -59,9 +61,9 @@ void hold_against_printed(Comparison& row, const PrintedRow& printed, Unit unit)
 }
 
 // The printed times are of another machine and language: only their ratio to IK-BA's can be compared.
-void hold_against_printed_time(Comparison& row, double our_reference, std::string_view paper) {
-  const auto printed = printed_row(paper, row.solver, Metric::seconds);
-  const auto printed_reference = printed_row(paper, time_reference, Metric::seconds);
+void hold_against_printed_time(Comparison& row, double our_reference, const StudyResults& study) {
+  const auto printed = printed_row(study, row.solver, Metric::seconds);
+  const auto printed_reference = printed_row(study, time_reference, Metric::seconds);
   if (!printed || !printed_reference) return;
   row.paper_mean = printed->summary.mean;
   row.ratio = (row.ours.mean / our_reference) / (row.paper_mean / printed_reference->summary.mean);
@@ -137,8 +139,8 @@ std::vector<Comparison> compare(const StudyResults& study, Unit unit) {
   const double our_reference = mean_of(rows, time_reference, Metric::seconds);
   for (Comparison& row : rows) {
     if (row.metric == Metric::seconds) {
-      hold_against_printed_time(row, our_reference, study.published);
-    } else if (const auto printed = printed_row(study.published, row.solver, row.metric)) {
+      hold_against_printed_time(row, our_reference, study);
+    } else if (const auto printed = printed_row(study, row.solver, row.metric)) {
       hold_against_printed(row, *printed, unit);
     }
   }
@@ -165,7 +167,7 @@ StudyAnova anova(const StudyResults& study, Metric metric, Unit unit) {
 
 std::optional<AnovaTable> comparable_printed_anova(const StudyResults& study, Metric metric, Unit unit) {
   std::set<std::string> ours(study.solvers.begin(), study.solvers.end()), printed;
-  for (const PrintedRow& row : printed_table_3(study.published, metric)) printed.insert(row.algorithm);
+  for (const PrintedRow& row : printed_table_3(study, metric)) printed.insert(row.algorithm);
   return unit == Unit::run && ours == printed ? printed_anova(study.published, metric) : std::nullopt;
 }
 
@@ -189,7 +191,7 @@ Table table_3(const StudyResults& study, Unit unit) {
                           printed ? Cell(row.ratio) : Cell(), verdict(row)});
   }
   add_notes(table, study, unit);
-  if (!study.published.empty()) {
+  if (!printed_table_3(study, Metric::position_error_cm).empty()) {
     table.notes.push_back(fmt::format(
         "Verdict: agrees, Welch's test of our mean against the printed one has p >= {} (for its spread only: their "
         "ratio is nevertheless not within 0.5 to 2); close, their ratio is within 0.5 to 2; differs otherwise. "
@@ -273,8 +275,9 @@ Table status_table(const StudyResults& study) {
   }
   table.notes = status_notes(study);
   table.notes.emplace_back(
-      "A solve counts under the first status that applies: not_finite, claimed_but_wrong, limit_violated, "
-      "tolerance_missed, ok. So ok means: finite, as claimed, inside the joint limits, and within the tolerance where "
+      "A solve counts under the first status that applies: not_finite, claimed_but_wrong, refused, "
+      "limit_violated, tolerance_missed, ok. So ok means: finite, as claimed, inside the joint limits, and within the "
+      "tolerance where "
       "the study has one. outside_limits counts every answer with a joint outside its limits, whatever its status; "
       "worst_outside_deg is how far the worst of them is.");
   if (std::string note = timing_note(study); !note.empty()) table.notes.push_back(std::move(note));
@@ -282,11 +285,13 @@ Table status_table(const StudyResults& study) {
 }
 
 std::vector<Table> paper_tables(const StudyResults& study, Unit unit) {
-  const bool is_published = !printed_table_3(study.published, Metric::position_error_cm).empty();
+  const bool is_published = !printed_table_3(study, Metric::position_error_cm).empty();
   std::vector<Table> tables{table_3(study, unit)};
   if (is_published) tables.push_back(table_3_as_printed(study.published));
   for (const Metric metric : paper_metrics) tables.push_back(anova_table(study, metric, unit));
   if (is_published) tables.push_back(anova_from_printed_table_3(study.published));
+  if (std::optional<Table> table = table_7(study)) tables.push_back(std::move(*table));
+  if (std::optional<Table> table = table_8(study)) tables.push_back(std::move(*table));
   tables.push_back(status_table(study));
   return tables;
 }

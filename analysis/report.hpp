@@ -1,4 +1,4 @@
-// The report of a study: report.md, tables/ (Markdown, CSV, LaTeX) and figures/ in one folder.
+// The report of a study: report.html, report.md, tables/ (Markdown, CSV, LaTeX) and figures/ in one folder.
 #pragma once
 
 #include <filesystem>
@@ -19,9 +19,12 @@ struct ReportRequest {
   Unit unit = Unit::run;
   QuantileType quartiles = QuantileType::type_5;
   RenderOptions figures = {};
+  std::vector<Table> extra_tables = {};    // written and shown with the others (report_content.cpp says where)
+  std::vector<Figure> extra_figures = {};  // likewise
 };
 
 struct Report {
+  std::filesystem::path page;         // report.html
   std::filesystem::path file;         // report.md
   Table results;                      // Table 3
   std::vector<std::string> summary;   // what it says first, sentence by sentence

@@ -18,6 +18,7 @@ namespace {
 constexpr int most_runs = 1'000'000;
 constexpr int most_points = 100'000;
 constexpr std::size_t most_solvers = 1000;
+constexpr std::size_t most_joints = 64;
 constexpr std::int64_t most_solves = 100'000'000;
 
 // A whole number of the definition, at the top or inside one of its parts; 0 where it does not say.
@@ -51,6 +52,11 @@ void check_and_count(StudyResults& study) {
     if (!seen.emplace(solve.solver, solve.run, solve.point).second) {
       throw std::invalid_argument(fmt::format("study '{}', solver '{}': run {}, point {} is there twice; expected once",
                                               study.name, solve.solver, solve.run, solve.point));
+    }
+    if (solve.answer_rad.size() > most_joints) {
+      throw std::invalid_argument(
+          fmt::format("study '{}', solver '{}': run {}, point {} has {} joints; expected at most {}", study.name,
+                      solve.solver, solve.run, solve.point, solve.answer_rad.size(), most_joints));
     }
     if (std::ranges::find(study.solvers, solve.solver) == study.solvers.end()) study.solvers.push_back(solve.solver);
     study.runs = std::max(study.runs, solve.run);
@@ -88,6 +94,7 @@ StudyResults make_study(const StudyEntry& entry, std::vector<SolveRecord> solves
   StudyResults study{.name = entry.name,
                      .runs = defined_number(entry.name, definition, "runs", most_runs),
                      .points = defined_number(entry.name, definition, "points", most_points),
+                     .definition = entry.definition,
                      .solves = std::move(solves)};
   const auto defined_text = [&](const char* key) {
     const bool is_there = definition.is_object() && definition.contains(key) && definition[key].is_string();
@@ -190,6 +197,12 @@ std::vector<std::string> status_notes(const StudyResults& study) {
         fmt::format("The study is incomplete. Runs with missing points: {}; they give no run mean, and only "
                     "complete runs enter the observations.",
                     incomplete_runs));
+  }
+  if (by_status[static_cast<std::size_t>(Status::refused)] > 0) {
+    notes.push_back(
+        "A refused answer leaves the arm where it was: the error that counts is the one it has there, and its "
+        "variation "
+        "is 0.");
   }
   if (by_status[static_cast<std::size_t>(Status::not_finite)] > 0) {
     notes.push_back(

@@ -6,9 +6,11 @@
 #include <array>
 #include <cmath>
 
+#include "analysis/circle.hpp"
 #include "analysis/paper_tables.hpp"
 #include "analysis/published_numbers.hpp"
 #include "analysis/text.hpp"
+#include "analysis/time_assessment.hpp"
 #include "analysis/welch.hpp"
 
 namespace ikbench {
@@ -32,7 +34,7 @@ std::vector<Standing> ranking(const std::vector<Comparison>& rows, Metric metric
 // The printed ranking of those solvers that are in ours.
 std::vector<Standing> printed_ranking(const StudyResults& study, Metric metric, const std::vector<Standing>& ours) {
   std::vector<Standing> standings;
-  for (const PrintedRow& row : printed_table_3(study.published, metric)) {
+  for (const PrintedRow& row : printed_table_3(study, metric)) {
     if (std::ranges::find(ours, row.algorithm, &Standing::solver) == ours.end()) continue;
     standings.push_back({row.algorithm, row.summary.mean});
   }
@@ -197,6 +199,8 @@ std::vector<std::string> summary(const StudyResults& study, Unit unit) {
     if (metric == Metric::position_error_cm) sentences.push_back(limits_sentence(study));
     if (metric == Metric::variation_deg) sentences.push_back(variation_sentence(study, rows, unit));
   }
+  sentences.push_back(real_time_verdict(study));
+  sentences.push_back(printed_angles_verdict(study));
   for (const Metric metric : metrics) sentences.push_back(anova_sentence(study, metric, unit));
   for (std::string& sentence : number_sentences(rows)) sentences.push_back(std::move(sentence));
   sentences.push_back(wrong_claims_sentence(study));

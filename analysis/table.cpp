@@ -23,6 +23,26 @@ struct Overloaded : Visitors... {
 template <class... Visitors>
 Overloaded(Visitors...) -> Overloaded<Visitors...>;  // clang++ 14 wants the guide spelled out
 
+// 1.2e-05 as $1.2 \times 10^{-5}$; a number needs mathematics for its minus sign too.
+std::string latex_cell(const Cell& cell) {
+  const std::string text = readable(cell);
+  if (std::holds_alternative<std::string>(cell) || text.empty() || text == "not defined") return latex_text(text);
+  if (text.starts_with('<')) return "$<10^{-300}$";
+  const std::size_t e = text.find('e');
+  if (e == std::string::npos) return text.starts_with('-') ? "$" + text + "$" : text;
+  return fmt::format("${} \\times 10^{{{}}}$", text.substr(0, e), std::stoi(text.substr(e + 1)));
+}
+
+// "Table 3: errors" as "errors": LaTeX counts tables itself.
+std::string without_number(const std::string& caption) {
+  const std::size_t colon = caption.find(": ");
+  const bool numbered = caption.starts_with("Table ") && colon != std::string::npos &&
+                        caption.find_first_not_of("0123456789", 6) == colon;
+  return numbered ? caption.substr(colon + 2) : caption;
+}
+
+}  // namespace
+
 std::string readable(const Cell& cell) {
   return std::visit(
       Overloaded{
@@ -46,24 +66,6 @@ std::string computable(const Cell& cell) {
       cell);
 }
 
-// 1.2e-05 as $1.2 \times 10^{-5}$; a number needs mathematics for its minus sign too.
-std::string latex_cell(const Cell& cell) {
-  const std::string text = readable(cell);
-  if (std::holds_alternative<std::string>(cell) || text.empty() || text == "not defined") return latex_text(text);
-  if (text.starts_with('<')) return "$<10^{-300}$";
-  const std::size_t e = text.find('e');
-  if (e == std::string::npos) return text.starts_with('-') ? "$" + text + "$" : text;
-  return fmt::format("${} \\times 10^{{{}}}$", text.substr(0, e), std::stoi(text.substr(e + 1)));
-}
-
-// "Table 3: errors" as "errors": LaTeX counts tables itself.
-std::string without_number(const std::string& caption) {
-  const std::size_t colon = caption.find(": ");
-  const bool numbered = caption.starts_with("Table ") && colon != std::string::npos &&
-                        caption.find_first_not_of("0123456789", 6) == colon;
-  return numbered ? caption.substr(colon + 2) : caption;
-}
-
 std::vector<std::size_t> columns_in_use(const Table& table) {
   std::vector<std::size_t> used;
   for (std::size_t c = 0; c < table.columns.size(); ++c) {
@@ -72,8 +74,6 @@ std::vector<std::size_t> columns_in_use(const Table& table) {
   }
   return used;
 }
-
-}  // namespace
 
 std::vector<std::vector<std::string>> readable_cells(const Table& table) {
   const std::vector<std::size_t> used = columns_in_use(table);

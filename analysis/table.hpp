@@ -1,6 +1,7 @@
 // A table as every part of the report makes it, and its three forms: Markdown and LaTeX to read, CSV to compute with.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <variant>
@@ -35,6 +36,12 @@ struct Table {
 std::string to_markdown(const Table& table);
 std::string to_latex(const Table& table);
 std::string to_csv(const Table& table);
+
+// A cell as it is read, and with every digit as CSV has it.
+std::string readable(const Cell& cell);
+std::string computable(const Cell& cell);
+// Those that are not empty in every row.
+std::vector<std::size_t> columns_in_use(const Table& table);
 
 // Heads and cells as Markdown has them, without its escapes: the first row is the head.
 std::vector<std::vector<std::string>> readable_cells(const Table& table);

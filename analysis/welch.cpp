@@ -33,4 +33,29 @@ WelchTest welch(const GroupSummary& a, const GroupSummary& b) {
   return test;
 }
 
+WelchAnova welch_anova(std::span<const GroupSummary> groups) {
+  WelchAnova test;
+  const auto k = static_cast<double>(groups.size());
+  double weights = 0, mean = 0;
+  const auto weight_of = [](const GroupSummary& group) { return group.n / (group.std * group.std); };
+  for (const GroupSummary& group : groups) {
+    if (group.n < 2 || !(group.std > 0) || !std::isfinite(group.mean)) return test;
+    weights += weight_of(group);
+  }
+  if (groups.size() < 2) return test;
+  for (const GroupSummary& group : groups) mean += weight_of(group) / weights * group.mean;
+  double between = 0, lambda = 0;
+  for (const GroupSummary& group : groups) {
+    const double weight = weight_of(group);
+    between += weight * (group.mean - mean) * (group.mean - mean) / (k - 1);
+    lambda += (1 - weight / weights) * (1 - weight / weights) / (group.n - 1);
+  }
+  lambda *= 3 / (k * k - 1);
+  test.F = between / (1 + 2 * (k - 2) * lambda / 3);
+  test.df_between = k - 1;
+  test.df_within = 1 / lambda;
+  test.p = f_upper_tail(test.F, test.df_between, test.df_within);
+  return test;
+}
+
 }  // namespace ikbench

@@ -1,6 +1,7 @@
-// Welch's test: do two groups of unequal variance have the same mean? (Welch, Biometrika 34 (1947) 28)
+// Welch's tests of groups of unequal variance: have two the same mean (Biometrika 34 (1947) 28), or several?
 #pragma once
 
+#include <span>
 #include <string>
 
 #include "analysis/anova.hpp"
@@ -15,5 +16,15 @@ struct WelchTest {
 };
 
 WelchTest welch(const GroupSummary& a, const GroupSummary& b);
+
+// Welch's analysis of variance: do groups of unequal variances have the same mean? (Biometrika 38 (1951) 330)
+struct WelchAnova {
+  double F = not_defined;
+  double df_between = not_defined;
+  double df_within = not_defined;
+  double p = not_defined;  // not defined where a group has fewer than two values or no spread, or is alone
+};
+
+WelchAnova welch_anova(std::span<const GroupSummary> groups);
 
 }  // namespace ikbench

@@ -39,30 +39,35 @@ std::string solver_details(std::string_view name) {
 
 std::string robot_list() {
   Rows rows{{"NAME", "JOINTS", "WHAT"}};
-  for (const Robot& arm : robots()) rows.push_back({arm.name, std::to_string(arm.chain.joints()), arm.summary});
+  for (const Robot& arm : robots()) rows.push_back({arm.name, std::to_string(arm.joints()), arm.summary});
   return aligned(rows);
 }
 
 std::string robot_details(std::string_view name) {
   const Robot arm = robot(name);
-  Rows rows{{"JOINT", "a [m]", "alpha [deg]", "d [m]", "offset [deg]", "from [deg]", "to [deg]"}};
-  for (int j = 0; j < arm.chain.joints(); ++j) {
-    const DhLink& link = arm.chain.links()[static_cast<std::size_t>(j)];
-    std::vector<std::string> row{std::to_string(j + 1)};
-    for (const double value : {link.a, link.alpha / degree, link.d, link.offset / degree, arm.limits.lower[j] / degree,
-                               arm.limits.upper[j] / degree}) {
-      row.push_back(fmt::format("{:g}", value));
+  const Chain* const chain = arm.chain();
+  Rows rows{{"JOINT", "from [deg]", "to [deg]"}};
+  if (chain != nullptr) rows[0].insert(rows[0].end(), {"a [m]", "alpha [deg]", "d [m]", "offset [deg]"});
+  for (int j = 0; j < arm.joints(); ++j) {
+    std::vector<double> numbers{arm.limits.lower[j] / degree, arm.limits.upper[j] / degree};
+    if (chain != nullptr) {
+      const DhLink& link = chain->links()[static_cast<std::size_t>(j)];
+      numbers.insert(numbers.end(), {link.a, link.alpha / degree, link.d, link.offset / degree});
     }
+    std::vector<std::string> row{std::to_string(j + 1)};
+    for (const double number : numbers) row.push_back(fmt::format("{:g}", number));
     rows.push_back(row);
   }
-  return fmt::format("{}: {}\nDenavit-Hartenberg, standard form\n\n{}", arm.name, arm.summary, aligned(rows));
+  return fmt::format("{}: {}\n{}\n\n{}", arm.name, arm.summary,
+                     chain != nullptr ? "Denavit-Hartenberg, standard form" : "a closed form of its own",
+                     aligned(rows));
 }
 
 std::string study_list() {
   Rows rows{{"NAME", "SOLVERS", "RUNS", "POINTS", "WHAT"}};
   for (const Study& study : studies()) {
     rows.push_back({study.name, std::to_string(study.solvers.size()), std::to_string(study.runs),
-                    std::to_string(targets(study.path).size()), study.title});
+                    std::to_string(points(study.path)), study.title});
   }
   return aligned(rows);
 }

@@ -45,18 +45,20 @@ void add_run_options(CLI::App& command, RunArguments& arguments) {
 }
 
 void write_and_announce(const Store& store, const std::string& study, const std::filesystem::path& folder,
-                        const ReportArguments& arguments, const std::vector<std::string>& remarks) {
+                        const ReportArguments& arguments, Additions additions) {
   const Unit unit = arguments.unit == "run" ? Unit::run : Unit::point;
   const Report report = write_report(store, {.study = study,
                                              .folder = folder,
                                              .unit = unit,
                                              .quartiles = quantile_type(arguments.quartiles),
-                                             .figures = {.render = !arguments.without_figures}});
+                                             .figures = {.render = !arguments.without_figures},
+                                             .extra_tables = std::move(additions.tables),
+                                             .extra_figures = std::move(additions.figures)});
   fmt::print("\n{}\n", aligned(readable_cells(report.results)));
   for (const std::string& sentence : report.summary) fmt::print("{}\n", printable(sentence));
-  for (const std::string& remark : remarks) fmt::print("{}\n", printable(remark));
+  for (const std::string& remark : additions.remarks) fmt::print("{}\n", printable(remark));
   for (const std::string& warning : report.warnings) say("warning: " + warning);
-  fmt::print("Report: {}\n", printable(report.file.string()));
+  fmt::print("Report: {}\n", printable(report.page.string()));
 }
 
 StudyEntry chosen_study(const Store& store, const std::string& name) {

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "analysis/figure.hpp"
+#include "analysis/table.hpp"
 #include "experiments/runner.hpp"
 #include "results/store.hpp"
 
@@ -22,10 +24,17 @@ struct ReportArguments {
 
 void add_report_options(CLI::App& command, ReportArguments& arguments);
 
-// Writes tables, figures and report.md into the folder; prints the summary, the remarks and, as the last line, the
-// report's path.
+// What a command adds to the report of a store.
+struct Additions {
+  std::vector<std::string> remarks = {};  // printed after the summary
+  std::vector<Table> tables = {};
+  std::vector<Figure> figures = {};
+};
+
+// Writes tables, figures, report.md and report.html into the folder; prints the summary, the remarks and, as the last
+// line, the path of report.html.
 void write_and_announce(const Store& store, const std::string& study, const std::filesystem::path& folder,
-                        const ReportArguments& arguments, const std::vector<std::string>& remarks = {});
+                        const ReportArguments& arguments, Additions additions = {});
 
 // The study of that name, or the first of the store where the name is empty.
 StudyEntry chosen_study(const Store& store, const std::string& name);

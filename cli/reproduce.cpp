@@ -1,10 +1,15 @@
-// ikbench reproduce: the paper's study and its context, into one store, with one report.
+// ikbench reproduce: every study of the paper into one store, the readings and the audit, with one report.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
+#include <thread>
+#include <utility>
 
+#include "analysis/audit.hpp"
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
+#include "cli/readings.hpp"
 #include "cli/reporting.hpp"
 #include "experiments/study_file.hpp"
 #include "results/fingerprint.hpp"
@@ -19,7 +24,8 @@ std::string compared_with_reference(const Store& store, const std::string& name)
   const std::string_view reference = reference_fingerprint(name);
   const bool is_as_built_in = store.study(name).definition == to_json(load_study(name));
   return fmt::format("Fingerprint of {}: {}, {}", name, ours,
-                     !is_as_built_in     ? "of a study with another seed or number of runs than the reference"
+                     reference.empty()   ? "of a study that has no reference"
+                     : !is_as_built_in   ? "of a study with another seed or number of runs than the reference"
                      : ours == reference ? "the reference numbers"
                                          : fmt::format("not the reference numbers: {}", reference));
 }
@@ -30,40 +36,67 @@ void add_reproduce(CLI::App& app, Invocation& invocation) {
   struct Arguments {
     std::int64_t seed = 1;
     int runs = 20;
+    int seeds = 3;
     RunArguments run;
     ReportArguments report;
   };
   auto arguments = std::make_shared<Arguments>();
-  CLI::App* command =
-      app.add_subcommand("reproduce", "Make the tables and figures of Slim et al. 2023, beside the printed");
+  CLI::App* command = app.add_subcommand(
+      "reproduce", "Make every table and figure of Slim et al. 2023, beside the printed, with audit and readings");
   add_run_options(*command, arguments->run);
   command->add_option("--seed", arguments->seed, "")->check(whole_number())->capture_default_str();
   command->add_option("--runs", arguments->runs, "")
       ->check(whole_number())
       ->check(CLI::Range(1, 1'000'000))
       ->capture_default_str();
+  command
+      ->add_option("--readings", arguments->seeds,
+                   "seeds, 1 to this one, over which the readings are compared; 0: no readings")
+      ->check(whole_number())
+      ->check(CLI::Range(0, 1000))
+      ->capture_default_str();
   add_report_options(*command, arguments->report);
   command->footer(
       "Examples:\n"
       "  ikbench reproduce\n"
       "  ikbench reproduce --seed 2 --out out/seed-2\n"
+      "  ikbench reproduce --readings 0           without the readings: faster\n"
       "  ikbench reproduce --jobs 2               faster; times are marked as not comparable");
   command->callback([arguments, &invocation] {
-    const Overrides overrides{fmt::format("seed={}", arguments->seed), fmt::format("runs={}", arguments->runs)};
     const std::filesystem::path folder =
         arguments->run.out.empty() ? default_folder("slim2023") : std::filesystem::path(arguments->run.out);
-    const std::vector<std::string> names{"slim2023", "slim2023-context"};
-    for (const std::string& name : names) {
+    const std::string seed = fmt::format("seed={}", arguments->seed), runs = fmt::format("runs={}", arguments->runs);
+    const std::vector<std::pair<std::string, Overrides>> studies{
+        {"slim2023", {seed, runs}},                                                                        // Sec. 5.2
+        {"slim2023-context", {seed, runs}}, {"slim2023-limits", {seed, runs}}, {"slim2023-time", {seed}},  // Sec. 5.3.1
+        {"slim2023-dobot", {seed}},                                                                        // Sec. 6
+    };
+    for (const auto& [name, overrides] : studies) {
       if (run_and_tell(load_study(name, overrides), folder,
                        {.jobs = arguments->run.jobs, .command = invocation.command}) == Ended::stopped) {
         invocation.exit_code = 130;
         return;
       }
     }
+    Additions additions;
+    if (arguments->seeds > 0) {
+      const CancelOnSignal signals;
+      const ReadingsPlan plan = plan_readings(one_at_a_time(), arguments->seeds, {runs});
+      // Nothing of the readings is timed: all processors.
+      const int processors = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+      const Read answer = read("slim2023", plan, std::max(arguments->run.jobs, processors), signals.requested());
+      if (!answer.is_complete) {
+        say("Stopped before the report; the studies are kept, and the same command goes on from there.");
+        invocation.exit_code = 130;
+        return;
+      }
+      additions.tables.push_back(answer.report->table);
+      additions.figures.push_back(answer.report->figure);
+    }
+    additions.tables.push_back(audit_table("slim2023"));
     const Store store(store_in(folder), Store::Mode::read);
-    std::vector<std::string> remarks;
-    for (const std::string& name : names) remarks.push_back(compared_with_reference(store, name));
-    write_and_announce(store, names.front(), folder, arguments->report, remarks);
+    for (const auto& [name, overrides] : studies) additions.remarks.push_back(compared_with_reference(store, name));
+    write_and_announce(store, "slim2023", folder, arguments->report, std::move(additions));
   });
 }
 

@@ -29,7 +29,8 @@ struct Arguments {
 // The study that asks for just this; read as a file would be, so that the same ranges hold.
 Study study_of(const Arguments& arguments) {
   solver(arguments.solver);
-  const int joints = robot(arguments.robot).chain.joints();
+  const Robot arm = robot(arguments.robot);
+  const int joints = arm.joints();
   if (!arguments.start_deg.empty() && arguments.start_deg.size() != static_cast<std::size_t>(joints)) {
     throw std::invalid_argument(fmt::format("--start-deg has {} angles; expected {}, the joints of {}",
                                             arguments.start_deg.size(), joints, arguments.robot));
@@ -45,9 +46,9 @@ Study study_of(const Arguments& arguments) {
   for (std::size_t j = 0; j < arguments.start_deg.size(); ++j) {
     study.initial[static_cast<Eigen::Index>(j)] = arguments.start_deg[j] * degree;
   }
-  const std::string search = !arguments.search.empty()                            ? arguments.search
-                             : SphericalWrist::fits(robot(arguments.robot).chain) ? "wrist"
-                                                                                  : "all_joints";
+  const std::string search = !arguments.search.empty()                                      ? arguments.search
+                             : arm.chain() != nullptr && SphericalWrist::fits(*arm.chain()) ? "wrist"
+                                                                                            : "all_joints";
   Overrides overrides{"search=" + search, fmt::format("seed={}", arguments.seed), "runs=1",
                       fmt::format("stop.tolerance_cm={}", arguments.tolerance_cm)};
   for (const std::string& text : arguments.overrides) {

@@ -36,20 +36,26 @@ StopReason recorded(Stopped stopped) {
   return StopReason::not_finite;
 }
 
+// With the entrant's own population, which is told as an option of it.
+std::string options_text(Settings options, const Entrant& entrant) {
+  if (entrant.population > 0) options["population"] = std::to_string(entrant.population);
+  return nlohmann::json(options).dump();
+}
+
 std::vector<double> to_vector(const Configuration& values) { return {values.begin(), values.end()}; }
 
 }  // namespace
 
 Task::Task(const Study& study, const Robot& arm) : study_(study), arm_(arm) {
-  if (study.search == Search::wrist) wrist_.emplace(arm.chain);
+  if (study.search == Search::wrist) wrist_.emplace(*arm.chain());
 }
 
-Problem Task::problem(const Configuration& start) const {
-  const int joints = chain().joints();
+Problem Task::problem(const Configuration& start, int population) const {
+  const int joints = arm().joints();
   return {.start = start.head(joints),
           .lower = arm_.limits.lower.head(joints),
           .upper = arm_.limits.upper.head(joints),
-          .population = study_.population,
+          .population = population,
           .iterations = study_.stop.iterations};
 }
 
@@ -68,17 +74,11 @@ std::size_t Task::chosen(const std::array<Eigen::Vector3d, 2>& branches, const E
     return (angles.array() >= arm_.limits.lower.tail<3>().array()).all() &&
            (angles.array() <= arm_.limits.upper.tail<3>().array()).all();
   };
-  switch (study_.wrist_branch) {
-    case WristBranch::positive:
-      return 0;
-    case WristBranch::negative:
-      return 1;
-    case WristBranch::inside:
-      return !is_inside(branches[nearer]) && is_inside(branches[1 - nearer]) ? 1 - nearer : nearer;
-    case WristBranch::nearest:
-      break;
-  }
-  return nearer;
+  const std::size_t first = study_.wrist_branch == WristBranch::positive   ? 0
+                            : study_.wrist_branch == WristBranch::negative ? 1
+                                                                           : nearer;
+  const bool is_to_be_inside = study_.wrist_branch == WristBranch::inside || study_.limits == Limits::enforced;
+  return is_to_be_inside && !is_inside(branches[first]) && is_inside(branches[1 - first]) ? 1 - first : first;
 }
 
 Contest::Contest(const Study& study, const Entrant& entrant, const Robot& arm)
@@ -91,24 +91,34 @@ Contest::Contest(const Study& study, const Entrant& entrant, const Robot& arm)
       series_{.key = series_key(study, entrant),
               .label = entrant.label,
               .algorithm = entrant.solver,
-              .options = nlohmann::json(options_).dump()} {}
+              .options = options_text(options_, entrant)} {}
 
 SolveRecord Contest::solve(Solver& solver, const Pose& target, const Configuration& start, int run, int point) const {
-  Objective objective(task_.chain(), task_.goal(target));
+  Objective objective(task_.arm(), task_.goal(target));
   Random random(Key(study_.seed)
                     .with(entrant_.label)
                     .with(static_cast<std::uint64_t>(run))
                     .with(static_cast<std::uint64_t>(point)));
-  const Problem problem = task_.problem(start);
+  const Problem problem = task_.problem(start, effective_population(study_, entrant_));
 
   const double thread_started = thread_seconds();
   const auto started = std::chrono::steady_clock::now();
   const Solution solution = ikbench::solve(solver, problem, objective, random, study_.stop, study_.trace);
-  const Configuration answer = task_.completed(solution.best.q, target, start);
+  Configuration answer = task_.completed(solution.best.q, target, start);
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - started;
   const double cpu_seconds = thread_seconds() - thread_started;
 
-  const Verdict verdict = verify(arm_, target, start, answer);
+  Verdict verdict = verify(arm_, target, start, answer);
+  const Status status = solution.stopped == Stopped::not_finite
+                            ? Status::not_finite
+                            : judge(verdict, {.claimed_error = solution.best.error,
+                                              .tolerance = study_.stop.tolerance,
+                                              .orientation_is_exact = study_.search == Search::wrist,
+                                              .limits_are_enforced = study_.limits == Limits::enforced});
+  if (status == Status::refused) {  // the arm stays where it was, and that is what is recorded
+    answer = start;
+    verdict = verify(arm_, target, start, answer);
+  }
   SolveRecord record{.study = study_.name,
                      .robot = arm_.name,
                      .solver = entrant_.label,
@@ -129,14 +139,10 @@ SolveRecord Contest::solve(Solver& solver, const Pose& target, const Configurati
                      .evaluations = solution.evaluations,
                      .iterations = solution.iterations,
                      .stop_reason = recorded(solution.stopped),
+                     .status = status,
                      .seconds = seconds.count(),
                      .cpu_seconds = cpu_seconds,
                      .timing = is_debug_build() ? Timing::debug_build : Timing::clean};
-  record.status = record.stop_reason == StopReason::not_finite
-                      ? Status::not_finite
-                      : judge(verdict, {.claimed_error = solution.best.error,
-                                        .tolerance = study_.stop.tolerance,
-                                        .orientation_is_exact = study_.search == Search::wrist});
   for (const double error : solution.trace) record.trace_cm.push_back(error / centimetre);
   return record;
 }

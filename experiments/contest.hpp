@@ -17,9 +17,9 @@ class Task {
  public:
   Task(const Study& study, const Robot& arm);
 
-  const Chain& chain() const { return wrist_ ? wrist_->arm() : arm_.chain; }
+  const Kinematics& arm() const { return wrist_ ? wrist_->arm() : *arm_.kinematics; }
   Eigen::Vector3d goal(const Pose& target) const { return wrist_ ? wrist_->centre(target) : target.translation(); }
-  Problem problem(const Configuration& start) const;
+  Problem problem(const Configuration& start, int population) const;
   // All joints of the answer: those searched, and the wrist's by the closed form.
   Configuration completed(const Configuration& found, const Pose& target, const Configuration& start) const;
 

@@ -7,7 +7,17 @@
 
 namespace ikbench {
 
-namespace {
+int points(const Path& path) {
+  return std::visit(
+      [](const auto& kind) {
+        if constexpr (requires { kind.points; }) {
+          return kind.points;
+        } else {
+          return static_cast<int>(kind.size());
+        }
+      },
+      path);
+}
 
 std::vector<Pose> along(const Helix& helix) {
   const int intervals = helix.spacing == Spacing::k_over_n ? helix.points : std::max(helix.points - 1, 1);
@@ -27,11 +37,24 @@ std::vector<Pose> along(const Helix& helix) {
   return poses;
 }
 
-}  // namespace
+std::vector<Pose> along(const Circle& circle) {
+  return along(Helix{.centre = circle.centre,
+                     .radius = circle.radius,
+                     .length = 0,
+                     .turns = 1,
+                     .points = circle.points,
+                     .phase = Phase::cos_sin,
+                     .tool = circle.tool});
+}
 
-std::vector<Pose> targets(const Path& path) {
-  if (const auto* helix = std::get_if<Helix>(&path)) return along(*helix);
-  return std::get<std::vector<Pose>>(path);
+std::vector<Pose> random_poses(const Robot& arm, int count, Random& random) {
+  std::vector<Pose> poses;
+  Configuration q(arm.joints());
+  for (int i = 0; i < count; ++i) {
+    for (Eigen::Index j = 0; j < q.size(); ++j) q[j] = random.uniform(arm.limits.lower[j], arm.limits.upper[j]);
+    poses.push_back(arm.kinematics->forward(q));
+  }
+  return poses;
 }
 
 Eigen::Matrix3d rotation(Tool tool) {

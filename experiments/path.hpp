@@ -4,7 +4,8 @@
 #include <variant>
 #include <vector>
 
-#include "robots/chain.hpp"
+#include "robots/robot.hpp"
+#include "solvers/random.hpp"
 
 namespace ikbench {
 
@@ -16,7 +17,7 @@ enum class Phase { sin_cos, cos_sin };
 // Point k of n, k = 0 ... n - 1, lies at the fraction k/n or k/(n - 1) of the path.
 enum class Spacing { k_over_n, k_over_n_minus_1 };
 
-// Slim et al. 2023, Sec. 5.2. A circle is a helix of length 0 with one turn.
+// Slim et al. 2023, Sec. 5.2.
 struct Helix {
   Eigen::Vector3d centre{0.60, 0.0, 0.10};  // of the bottom
   double radius = 0.20;
@@ -29,9 +30,26 @@ struct Helix {
   Tool tool = Tool::down;
 };
 
-using Path = std::variant<Helix, std::vector<Pose>>;
+// Slim et al. 2023, Sec. 6: level, point k of n at centre + radius (cos t, sin t, 0), t = 2 pi k/n.
+struct Circle {
+  Eigen::Vector3d centre{0.16, 0.16, 0.0};
+  double radius = 0.07;
+  int points = 20;
+  Tool tool = Tool::down;
+};
 
-std::vector<Pose> targets(const Path& path);
+// Slim et al. 2023, Table 7: tool poses of configurations drawn anew for every run, so that the arm can reach them.
+struct RandomTargets {
+  int points = 20;
+};
+
+using Path = std::variant<Helix, Circle, RandomTargets, std::vector<Pose>>;
+
+int points(const Path& path);
+std::vector<Pose> along(const Helix& helix);
+std::vector<Pose> along(const Circle& circle);
+// Of joint angles that are uniform within the limits.
+std::vector<Pose> random_poses(const Robot& arm, int count, Random& random);
 Eigen::Matrix3d rotation(Tool tool);
 // The nine elements, row by row.
 std::vector<double> by_rows(const Eigen::Matrix3d& R);

@@ -24,7 +24,7 @@ struct Chained {  // one run of one entrant, and how far it is
 // A study laid out for work. Runs outside, solvers inside: whatever drifts on the machine meanwhile touches all solvers
 // alike.
 struct Plan {
-  explicit Plan(const Study& study) : arm(robot(study.robot)), poses(targets(study.path)) {
+  explicit Plan(const Study& of) : study(of), arm(robot(of.robot)), points(ikbench::points(of.path)) {
     for (const Entrant& entrant : study.solvers) contests.emplace_back(study, entrant, arm);
     chains.reserve(contests.size() * static_cast<std::size_t>(study.runs));
     for (int run = 1; run <= study.runs; ++run) {
@@ -38,22 +38,25 @@ struct Plan {
     return chains[static_cast<std::size_t>(run - 1) * contests.size() + contest];
   }
 
+  const Study& study;
   Robot arm;
-  std::vector<Pose> poses;
+  int points;  // of a run
   std::vector<Contest> contests;
   std::vector<Chained> chains;
 };
 
-// The next point of the chain. The arm is where the answer put it, unless that was no configuration at all.
-void move_on(Chained& chain, const SolveRecord& record) {
+// The next point of the chain. The arm is where the answer put it, unless that was no configuration at all, or where
+// every solve starts.
+void move_on(Chained& chain, const SolveRecord& record, Start start) {
   ++chain.next_point;
-  if (record.status == Status::not_finite) return;
+  if (start == Start::initial || record.status == Status::not_finite) return;
   chain.configuration =
       Eigen::Map<const Eigen::VectorXd>(record.answer_rad.data(), static_cast<Eigen::Index>(record.answer_rad.size()));
 }
 
 // Moves every chain to its first point that the store does not have; says how many it has.
-std::int64_t move_past_stored(Plan& plan, const Study& study, const Store& store) {
+std::int64_t move_past_stored(Plan& plan, const Store& store) {
+  const Study& study = plan.study;
   std::int64_t stored = 0;
   for (std::size_t c = 0; c < plan.contests.size(); ++c) {
     for (const SolveRecord& record : store.series(plan.contests[c].series().key)) {
@@ -64,15 +67,14 @@ std::int64_t move_past_stored(Plan& plan, const Study& study, const Store& store
                         record.point, record.solver, what));
       };
       if (record.run < 1) throw edited("has a run below 1");
-      if (record.point > static_cast<int>(plan.poses.size()))
-        throw edited(fmt::format("is beyond the {} points", plan.poses.size()));
+      if (record.point > plan.points) throw edited(fmt::format("is beyond the {} points", plan.points));
       if (record.answer_rad.size() != static_cast<std::size_t>(study.initial.size())) {
         throw edited(fmt::format("has {} joints instead of {}", record.answer_rad.size(), study.initial.size()));
       }
       Chained& chain = plan.chain(c, record.run);
       if (record.point != chain.next_point)
         throw edited(fmt::format("is there, but not that of point {}", chain.next_point));
-      move_on(chain, record);
+      move_on(chain, record, study.start);
       if (!chain.configuration.allFinite()) throw edited("has an answer that is not finite");
       ++stored;
     }
@@ -87,12 +89,14 @@ void solve_rest(Plan& plan, int jobs, const std::atomic<bool>* cancelled, Desk::
   std::atomic<bool> has_failed{false};
   const auto is_over = [&] { return has_failed || (cancelled != nullptr && *cancelled); };
   const auto work_on = [&](Chained& chain) {
+    if (chain.next_point > plan.points) return;
     const std::unique_ptr<Solver> solver = chain.contest->make_solver();
-    while (chain.next_point <= static_cast<int>(plan.poses.size()) && !is_over()) {
-      SolveRecord record = chain.contest->solve(*solver, plan.poses[static_cast<std::size_t>(chain.next_point - 1)],
+    const std::vector<Pose> poses = targets(plan.study, chain.run);
+    while (chain.next_point <= plan.points && !is_over()) {
+      SolveRecord record = chain.contest->solve(*solver, poses[static_cast<std::size_t>(chain.next_point - 1)],
                                                 chain.configuration, chain.run, chain.next_point);
       if (jobs > 1 && record.timing == Timing::clean) record.timing = Timing::parallel;
-      move_on(chain, record);
+      move_on(chain, record, plan.study.start);
       desk.hand_in(std::move(record));
     }
   };
@@ -117,9 +121,8 @@ StudyEntry entry_of(const Study& study, const std::vector<Contest>& contests) {
 Progress run(const Study& study, Store& store, const RunRequest& request) {
   Plan plan(study);
   store.save_study(entry_of(study, plan.contests));
-  Progress progress{.total =
-                        static_cast<std::int64_t>(plan.chains.size()) * static_cast<std::int64_t>(plan.poses.size())};
-  progress.done = progress.reused = move_past_stored(plan, study, store);
+  Progress progress{.total = static_cast<std::int64_t>(plan.chains.size()) * plan.points};
+  progress.done = progress.reused = move_past_stored(plan, store);
   if (request.progress) request.progress(progress);
   if (progress.done == progress.total) return progress;
 
@@ -138,9 +141,10 @@ Progress run(const Study& study, Store& store, const RunRequest& request) {
   return progress;
 }
 
-void solve_study(const Study& study, int jobs, const std::function<void(SolveRecord)>& take) {
+void solve_study(const Study& study, int jobs, const std::function<void(SolveRecord)>& take,
+                 const std::atomic<bool>* cancelled) {
   Plan plan(study);
-  solve_rest(plan, jobs, nullptr, [&](std::vector<SolveRecord> records) {
+  solve_rest(plan, jobs, cancelled, [&](std::vector<SolveRecord> records) {
     for (SolveRecord& record : records) take(std::move(record));
   });
 }

@@ -24,14 +24,15 @@ struct RunRequest {
 };
 
 // `study` is one that the study file's reader would give: known names, as many initial angles as joints.
-// The points of a run are chained (the arm starts where the previous answer left it), runs are independent. Numbers do
-// not depend on `jobs` (unless a solve ends by its wall time), on the order of solvers, or on what the store already
-// had.
+// The points of a run are chained (the arm starts where the previous answer left it) unless the study starts each at
+// its initial configuration; runs are independent. Numbers do not depend on `jobs` (unless a solve ends by its wall
+// time), on the order of solvers, or on what the store already had.
 Progress run(const Study& study, Store& store, const RunRequest& request);
 
 // All solves of a study, without a store. `take` gets each as soon as it is done, by one thread at a time: those of a
-// run in the order of its points.
-void solve_study(const Study& study, int jobs, const std::function<void(SolveRecord)>& take);
+// run in the order of its points. `cancelled` is looked at before every solve.
+void solve_study(const Study& study, int jobs, const std::function<void(SolveRecord)>& take,
+                 const std::atomic<bool>* cancelled = nullptr);
 
 // One target, by one entrant, with every number that a study would record.
 SolveRecord solve_once(const Study& study, const Entrant& entrant, const Pose& target);

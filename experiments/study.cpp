@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <array>
 #include <optional>
 
 #include "robots/spherical_wrist.hpp"
+#include "robots/units.hpp"
 #include "solvers/registry.hpp"
 
 namespace ikbench {
@@ -30,6 +30,45 @@ Study slim2023() {
   return study;
 }
 
+// Sec. 5.3.3, Table 7: how long IK-BA takes to 0.1 cm with 12, 15, 20 and 30 bats.
+Study slim2023_time() {
+  Study study{.name = "slim2023-time",
+              .title = "Slim et al. 2023: IK-BA to 0.1 cm at random targets, with 12 to 30 bats",
+              .published = "slim2023",
+              .path = RandomTargets{},
+              .start = Start::initial};
+  study.initial = Eigen::VectorXd::Zero(7);
+  study.stop = {.iterations = 1000, .tolerance = 0.1 * centimetre};
+  study.runs = 1;
+  for (const int bats : {12, 15, 20, 30}) study.solvers.push_back({fmt::format("{} bats", bats), "ik_bat", {}, bats});
+  return study;
+}
+
+// Sec. 6, Table 8: a circle drawn by the Dobot Magician.
+Study slim2023_dobot() {
+  Study study{.name = "slim2023-dobot",
+              .title = "Slim et al. 2023: IK-BA on a circle with the Dobot Magician",
+              .published = "slim2023",
+              .robot = "dobot_magician",
+              .path = Circle{},
+              .search = Search::all_joints};
+  study.initial = Eigen::VectorXd::Zero(3);
+  study.stop.iterations = 1000;
+  study.runs = 1;
+  study.trace = Trace::best_error;
+  study.solvers = {{"IK-BA", "ik_bat", {}}};
+  return study;
+}
+
+// What the six come to on an arm that cannot leave its limits.
+Study slim2023_limits() {
+  Study study = slim2023();
+  study.name = "slim2023-limits";
+  study.title = "The helix of Slim et al. 2023 with all joint limits enforced, the wrist's too";
+  study.limits = Limits::enforced;
+  return study;
+}
+
 // What the six are measured against: no skill at all, and what a roboticist would use.
 Study slim2023_context() {
   Study study = slim2023();
@@ -50,42 +89,67 @@ std::string exact(const Values& values) {
 
 }  // namespace
 
-std::vector<Study> studies() { return {slim2023(), slim2023_context()}; }
+std::vector<Study> studies() {
+  return {slim2023(), slim2023_time(), slim2023_dobot(), slim2023_limits(), slim2023_context()};
+}
 
 Settings effective_options(const Study& study, const Entrant& entrant) {
   const SolverInfo info = solver(entrant.solver);
   Settings settings;
-  if (study.bounds != StudyBounds::per_solver && info.options({}).contains("bounds")) {
-    settings["bounds"] = study.bounds == StudyBounds::initial ? "initial" : "clamp";
+  const bool is_clamped = study.bounds == StudyBounds::clamp || study.limits == Limits::enforced;
+  if ((is_clamped || study.bounds == StudyBounds::initial) && info.options({}).contains("bounds")) {
+    settings["bounds"] = is_clamped ? "clamp" : "initial";
   }
   for (const auto& [name, value] : entrant.options) settings[name] = value;
   return info.options(settings);
 }
 
+int effective_population(const Study& study, const Entrant& entrant) {
+  return entrant.population > 0 ? entrant.population : study.population;
+}
+
+std::vector<Pose> targets(const Study& study, int run) {
+  if (const auto* helix = std::get_if<Helix>(&study.path)) return along(*helix);
+  if (const auto* circle = std::get_if<Circle>(&study.path)) return along(*circle);
+  if (const auto* drawn = std::get_if<RandomTargets>(&study.path)) {
+    Random random(Key(study.seed).with("targets").with(static_cast<std::uint64_t>(run)));
+    return random_poses(robot(study.robot), drawn->points, random);
+  }
+  return std::get<std::vector<Pose>>(study.path);
+}
+
 std::string series_key(const Study& study, const Entrant& entrant) {
+  // What is new in a study is said only where it is not as before, so that stores keep the solves they have.
   const Robot arm = robot(study.robot);
   std::string text = fmt::format("numerics {}\nrobot", numerics_version);
-  for (const DhLink& link : arm.chain.links()) text += exact(std::array{link.a, link.alpha, link.d, link.offset});
-  text += exact(arm.chain.tip()) + exact(arm.limits.lower) + exact(arm.limits.upper) + "\ntargets ";
-  for (const Pose& target : targets(study.path)) text += exact(target.matrix().reshaped());
+  text += arm.kinematics->definition() + exact(arm.limits.lower) + exact(arm.limits.upper) + "\ntargets ";
+  if (const auto* drawn = std::get_if<RandomTargets>(&study.path)) {
+    text += fmt::format("random {}", drawn->points);  // from seed and run
+  } else {
+    for (const Pose& target : targets(study, 1)) text += exact(target.matrix().reshaped());
+  }
   text += fmt::format("\ninitial {}\nsearch {} branch {} population {} seed {} trace {}", exact(study.initial),
-                      static_cast<int>(study.search), static_cast<int>(study.wrist_branch), study.population,
-                      study.seed, static_cast<int>(study.trace));
+                      static_cast<int>(study.search), static_cast<int>(study.wrist_branch),
+                      effective_population(study, entrant), study.seed, static_cast<int>(study.trace));
   text += fmt::format("\nstop {} {} {} {}", study.stop.iterations, study.stop.tolerance, study.stop.evaluations,
                       study.stop.seconds);
+  if (study.limits == Limits::enforced) text += "\nlimits enforced";
+  if (study.start == Start::initial) text += "\nstart initial";
   text += fmt::format("\nsolver {} label {}", entrant.solver, entrant.label);
   for (const auto& [name, value] : effective_options(study, entrant)) text += fmt::format("\n{} = {}", name, value);
   return fmt::format("{:016x}", Key(0).with(text).value());
 }
 
 std::vector<Unreachable> unreachable(const Study& study) {
+  if (std::holds_alternative<RandomTargets>(study.path)) return {};
   const Robot arm = robot(study.robot);
   const std::optional<SphericalWrist> wrist =
-      study.search == Search::wrist ? std::optional<SphericalWrist>(arm.chain) : std::nullopt;
-  const Chain::Ball ball = (wrist ? wrist->arm() : arm.chain).reach();
+      study.search == Search::wrist ? std::optional<SphericalWrist>(*arm.chain()) : std::nullopt;
+  const Kinematics& searched = wrist ? wrist->arm() : *arm.kinematics;
+  const Kinematics::Ball ball = searched.reach();
   std::vector<Unreachable> found;
   int point = 0;
-  for (const Pose& target : targets(study.path)) {
+  for (const Pose& target : targets(study, 1)) {
     ++point;
     const Eigen::Vector3d goal = wrist ? wrist->centre(target) : target.translation();
     const double distance = (goal - ball.centre).norm();

@@ -19,16 +19,25 @@ enum class Search { wrist, all_joints };
 
 // Which of the wrist's two branches completes an answer: the one with the smaller move, or that whose middle joint is
 // positive or negative.
-// inside: the nearer of those inside the joint limits, and the nearer of all where none is.
+// inside: the nearer of those inside the joint limits, and the nearer of all where none is. Where limits are enforced a
+// branch outside gives way to one inside in any case.
 enum class WristBranch { nearest, positive, negative, inside };
 
 // Whether the joint limits hold for candidates: as each solver's own option says, or the same for all that have it.
 enum class StudyBounds { per_solver, initial, clamp };
 
+// recorded: an answer outside the joint limits is kept and told. enforced: limits hold for every solver and for the
+// wrist, and an answer outside is refused: the arm stays where it was.
+enum class Limits { recorded, enforced };
+
+// Where the solves of a run begin: where the answer before left the arm, or each at the initial configuration.
+enum class Start { previous, initial };
+
 struct Entrant {
   std::string label;   // unique within the study; its name in tables and figures
   std::string solver;  // registered name
   Settings options;    // those that differ from the solver's defaults
+  int population = 0;  // 0: the study's
 };
 
 struct Study {
@@ -40,6 +49,8 @@ struct Study {
   Search search = Search::wrist;
   StudyBounds bounds = StudyBounds::per_solver;
   WristBranch wrist_branch = WristBranch::nearest;
+  Limits limits = Limits::recorded;
+  Start start = Start::previous;
   Eigen::VectorXd initial;  // [rad], all joints; where the arm is before the first point of a run
   int population = 50;
   StopRule stop;
@@ -55,6 +66,11 @@ std::vector<Study> studies();
 // What each entrant's solver is really made with: the study's bounds applied, its own options over them, defaults
 // filled in.
 Settings effective_options(const Study& study, const Entrant& entrant);
+int effective_population(const Study& study, const Entrant& entrant);
+
+// Where the tool has to go in a run, the same for all entrants. Only random targets differ from run to run; those of
+// one with more points begin with those of one with fewer.
+std::vector<Pose> targets(const Study& study, int run);
 
 // Hash of everything that decides the numbers of one entrant: equal hashes, equal numbers, on one machine and unless a
 // solve ends by its wall time.

@@ -27,26 +27,49 @@ void list_fields(Io& io, StopRule& stop) {
             "wall time after which a solve ends, and numbers depend on the machine; 0: no such rule");
 }
 
+// In the order of the variant.
+inline const Choices<Path> path_kinds{
+    {"helix", Helix{}}, {"circle", Circle{}}, {"random", RandomTargets{}}, {"poses", std::vector<Pose>{}}};
+
+inline const std::string& kind_of(const Path& path) { return path_kinds[path.index()].first; }
+
+constexpr std::pair<std::int64_t, std::int64_t> point_counts{1, 100'000}, populations{1, 100'000};
+
 template <class Io>
-void list_circle_fields(Io& io, Helix& helix) {
+void list_tool(Io& io, Tool& tool) {
+  io.choice("tool", tool, Choices<Tool>{{"down", Tool::down}, {"eq27", Tool::eq27}},
+            "how the tool is held: straight down, or as Eq. 27 prints it (horizontal)");
+}
+
+template <class Io>
+void list_fields(Io& io, Helix& helix) {
+  io.number("length_cm", helix.length, centimetre, {-1e6, 1e6}, "rise along z");
+  io.number("turns", helix.turns, 1, {-1e3, 1e3}, "");
   io.numbers("centre_cm", helix.centre, centimetre, 3, "centre of the bottom");
   io.number("radius_cm", helix.radius, centimetre, {0, 1e6}, "");
   io.number("start_deg", helix.start, degree, {-1e5, 1e5}, "angle t of the first point");
-  io.whole("points", helix.points, {1, 100'000}, "");
+  io.whole("points", helix.points, point_counts, "");
   io.choice("phase", helix.phase, Choices<Phase>{{"sin_cos", Phase::sin_cos}, {"cos_sin", Phase::cos_sin}},
             "(x, y) from the centre: radius (sin t, cos t), or radius (cos t, sin t)");
   io.choice("spacing", helix.spacing,
             Choices<Spacing>{{"k_over_n", Spacing::k_over_n}, {"k_over_n_minus_1", Spacing::k_over_n_minus_1}},
             "point k = 0 ... n - 1 lies at this fraction of the path");
-  io.choice("tool", helix.tool, Choices<Tool>{{"down", Tool::down}, {"eq27", Tool::eq27}},
-            "how the tool is held: straight down, or as Eq. 27 prints it (horizontal)");
+  list_tool(io, helix.tool);
 }
 
 template <class Io>
-void list_helix_fields(Io& io, Helix& helix) {
-  io.number("length_cm", helix.length, centimetre, {-1e6, 1e6}, "rise along z");
-  io.number("turns", helix.turns, 1, {-1e3, 1e3}, "");
-  list_circle_fields(io, helix);
+void list_fields(Io& io, Circle& circle) {
+  io.numbers("centre_cm", circle.centre, centimetre, 3, "");
+  io.number("radius_cm", circle.radius, centimetre, {0, 1e6}, "");
+  io.whole("points", circle.points, point_counts,
+           "point k = 0 ... n - 1 is the centre + radius (cos t, sin t, 0) with t = 360 k/n deg");
+  list_tool(io, circle.tool);
+}
+
+template <class Io>
+void list_fields(Io& io, RandomTargets& drawn) {
+  io.whole("points", drawn.points, point_counts,
+           "each the tool's pose at joint angles uniform within the limits, drawn from seed and run");
 }
 
 template <class Io>
@@ -68,8 +91,14 @@ void list_fields(Io& io, Study& study) {
                                  {"negative", WristBranch::negative},
                                  {"inside", WristBranch::inside}},
             "which of the wrist's two branches completes an answer");
+  io.choice("limits", study.limits, Choices<Limits>{{"recorded", Limits::recorded}, {"enforced", Limits::enforced}},
+            "answers outside the joint limits are kept and told; or candidates are clamped, the wrist takes a branch "
+            "inside, and an answer outside is refused: the arm stays where it was");
+  io.choice("start", study.start, Choices<Start>{{"previous", Start::previous}, {"initial", Start::initial}},
+            "a solve starts where the one before it left the arm, or each at initial_deg");
   io.numbers("initial_deg", study.initial, degree, 0, "configuration before the first point of a run");
-  io.whole("population", study.population, {1, 100'000}, "candidates an iteration");
+  io.whole("population", study.population, populations,
+           "candidates an iteration; an entry of [[solvers]] may have its own");
   io.whole("runs", study.runs, {1, 1'000'000}, "independent repetitions");
   io.whole("seed", study.seed, {0, no_limit}, "");
   io.choice("trace", study.trace, Choices<Trace>{{"none", Trace::none}, {"best_error", Trace::best_error}},

@@ -192,21 +192,17 @@ std::vector<Pose> read_poses(Reader& reader) {
 }
 
 Path read_path(Reader reader) {
-  enum class Kind { helix, circle, poses };
-  Kind kind = Kind::helix;
-  reader.choice("kind", kind, {{"helix", Kind::helix}, {"circle", Kind::circle}, {"poses", Kind::poses}}, "");
   Path path;
-  if (kind == Kind::poses) {
-    path = read_poses(reader);
-  } else if (kind == Kind::circle) {
-    Helix circle{.length = 0, .turns = 1};
-    list_circle_fields(reader, circle);
-    path = circle;
-  } else {
-    Helix helix;
-    list_helix_fields(reader, helix);
-    path = helix;
-  }
+  reader.choice("kind", path, path_kinds, "");
+  std::visit(
+      [&](auto& kind) {
+        if constexpr (requires { list_fields(reader, kind); }) {
+          list_fields(reader, kind);
+        } else {
+          kind = read_poses(reader);
+        }
+      },
+      path);
   reader.refuse_unknown_keys();
   return path;
 }
@@ -228,6 +224,8 @@ Entrant read_entrant(Reader reader) {
     throw std::invalid_argument(reader.where(name->source(), "solver") + error.what());
   }
   if (entrant.label.empty()) reader.fail("label", *reader.find("label"), "a label that is not empty");
+  reader.find("population");
+  reader.nested(reader.table(), entrant.label + ".").whole("population", entrant.population, populations, "");
   if (const toml::table* options = as_table(reader, "options")) {
     const Reader option_reader = reader.nested(*options, entrant.label + ".");
     for (const auto& [key, node] : *options) {
@@ -291,11 +289,11 @@ Study read_study(const toml::table& table, std::string_view source) {
   reader.refuse_unknown_keys();
 
   // What fields ask of each other.
-  const auto at = [&](std::string_view key, std::string_view message) {
-    const toml::node* node = table.get(key);
+  const auto at_node = [&](const toml::node* node, std::string_view key, std::string_view message) {
     return std::invalid_argument(reader.where(node == nullptr ? table.source() : node->source(), key) +
                                  std::string(message));
   };
+  const auto at = [&](std::string_view key, std::string_view message) { return at_node(table.get(key), key, message); };
   const auto papers = published::papers();
   if (!study.published.empty() && std::find(papers.begin(), papers.end(), study.published) == papers.end()) {
     throw at("published", unknown_name("paper", study.published, {papers.begin(), papers.end()}));
@@ -307,26 +305,44 @@ Study read_study(const toml::table& table, std::string_view source) {
       throw at("robot", error.what());
     }
   }();
-  if (study.initial.size() == 0) study.initial = Eigen::VectorXd::Zero(arm.chain.joints());
-  if (study.initial.size() != arm.chain.joints()) {
+  if (study.initial.size() == 0) study.initial = Eigen::VectorXd::Zero(arm.joints());
+  if (study.initial.size() != arm.joints()) {
     throw at("initial_deg", fmt::format("initial_deg has {} angles; expected {}, the joints of {}",
-                                        study.initial.size(), arm.chain.joints(), arm.name));
+                                        study.initial.size(), arm.joints(), arm.name));
   }
   constexpr double most_solves = 1e8;
-  if (static_cast<double>(study.solvers.size()) * study.runs * static_cast<double>(targets(study.path).size()) >
-      most_solves) {
+  if (static_cast<double>(study.solvers.size()) * study.runs * points(study.path) > most_solves) {
     throw at("runs", "solvers, runs and points make more than 100 000 000 solves; expected fewer");
   }
   if (study.trace == Trace::best_error && study.stop.iterations > 1'000'000) {
     throw at("trace", "a trace of more than 1 000 000 iterations was asked for; expected stop.iterations below that");
   }
-  for (const Entrant& entrant : study.solvers) {
-    if (const int least = solver(entrant.solver).least_population; study.population < least) {
-      throw at("population",
-               fmt::format("population is {}, but {} needs at least {}", study.population, entrant.solver, least));
+  const bool is_enforced = study.limits == Limits::enforced;
+  constexpr std::string_view not_enforced =
+      "bounds is \"initial\", but limits is \"enforced\"; expected bounds that keep candidates inside";
+  if (is_enforced && study.bounds == StudyBounds::initial) throw at("bounds", not_enforced);
+  for (std::size_t i = 0; i < study.solvers.size(); ++i) {
+    const Entrant& entrant = study.solvers[i];
+    const auto own = table["solvers"][i];
+    const int population = effective_population(study, entrant);
+    if (const int least = solver(entrant.solver).least_population; population < least) {
+      const std::string message =
+          fmt::format("population is {}, but {} needs at least {}", population, entrant.solver, least);
+      throw entrant.population > 0 ? at_node(own["population"].node(), entrant.label + ".population", message)
+                                   : at("population", message);
+    }
+    const auto bounds = entrant.options.find("bounds");
+    if (is_enforced && bounds != entrant.options.end() && bounds->second == "initial") {
+      throw at_node(own["options"]["bounds"].node(), entrant.label + ".bounds", not_enforced);
     }
   }
-  if (study.search == Search::wrist && !SphericalWrist::fits(arm.chain)) {
+  if (const double outside = arm.limits.violation(study.initial) / degree; is_enforced && outside > 0) {
+    throw at("initial_deg",
+             fmt::format("initial_deg is {:g} deg outside the limits of a joint, but limits is \"enforced\"; see: "
+                         "ikbench list robots {}",
+                         outside, arm.name));
+  }
+  if (study.search == Search::wrist && (arm.chain() == nullptr || !SphericalWrist::fits(*arm.chain()))) {
     throw at("search",
              fmt::format("search is \"wrist\", but {} has no spherical wrist; expected \"all_joints\"", arm.name));
   }

@@ -11,6 +11,7 @@
 #include "experiments/study_fields.hpp"
 #include "experiments/study_file.hpp"
 #include "results/number.hpp"
+#include "robots/dobot_magician.hpp"
 
 namespace ikbench {
 
@@ -112,23 +113,61 @@ nlohmann::ordered_json definition(const Study& study) {
   list_fields(writer, fields);
   list_fields(stop, fields.stop);
   writer.out["stop"] = stop.out;
-  if (auto* helix = std::get_if<Helix>(&fields.path)) {
-    path.out["kind"] = "helix";
-    list_helix_fields(path, *helix);
-  } else {
-    path.out["kind"] = "poses";
-  }
+  path.out["kind"] = kind_of(fields.path);
+  std::visit(
+      [&](auto& kind) {
+        if constexpr (requires { list_fields(path, kind); }) list_fields(path, kind);
+      },
+      fields.path);
   writer.out["path"] = path.out;
   return writer.out;
 }
 
-// The settings in which a study differs from the built-in one that claims to be of the same paper. A name, a title, a
+void write_poses(TomlWriter& writer, const std::vector<Pose>& poses) {
+  writer.out += "poses = [\n";
+  for (const Pose& pose : poses) {
+    const Eigen::VectorXd position = pose.translation();
+    const bool in_cm = is_exact(position, centimetre);
+    writer.out += fmt::format("  {{ {} = {}, rotation = {} }},\n", in_cm ? "position_cm" : "position_m",
+                              numerals(in_unit(position, in_cm ? centimetre : 1)), numerals(by_rows(pose.linear())));
+  }
+  writer.out += "]\n";
+}
+
+// The arm as its kinematics are computed, so that whoever has the store can draw it.
+nlohmann::ordered_json arm_definition(const Robot& arm) {
+  nlohmann::ordered_json json;
+  if (const Chain* const chain = arm.chain()) {
+    json["kind"] = "denavit_hartenberg";
+    for (const DhLink& link : chain->links()) {
+      json["links"].push_back(
+          {{"a_m", link.a}, {"alpha_rad", link.alpha}, {"d_m", link.d}, {"offset_rad", link.offset}});
+    }
+    json["tip_m"] = std::vector<double>(chain->tip().begin(), chain->tip().end());
+  } else {
+    json["kind"] = "dobot_magician";
+    json["upper_arm_m"] = DobotMagician::upper_arm;
+    json["forearm_m"] = DobotMagician::forearm;
+    json["wrist_to_tool_m"] = DobotMagician::wrist_to_tool;
+    json["height_m"] = DobotMagician::height;
+  }
+  json["lower_deg"] = in_unit(arm.limits.lower, degree);
+  json["upper_deg"] = in_unit(arm.limits.upper, degree);
+  return json;
+}
+
+// The settings in which a study differs from the built-in one that claims to be of the same paper and has a path of the
+// same kind, or else from the first that does. A name, a title, a
 // seed and a trace make no difference to that claim; further solvers neither.
 std::vector<std::string> departures(const Study& study) {
   const std::vector<Study> known = studies();
-  const auto original = std::find_if(known.begin(), known.end(), [&](const Study& candidate) {
+  const auto is_of_same_paper = [&](const Study& candidate) {
     return !study.published.empty() && candidate.published == study.published;
+  };
+  auto original = std::find_if(known.begin(), known.end(), [&](const Study& candidate) {
+    return is_of_same_paper(candidate) && candidate.path.index() == study.path.index();
   });
+  if (original == known.end()) original = std::find_if(known.begin(), known.end(), is_of_same_paper);
   std::vector<std::string> found;
   if (original == known.end()) return found;
   const auto ours = definition(study).flatten(), theirs = definition(*original).flatten();
@@ -144,7 +183,7 @@ std::vector<std::string> departures(const Study& study) {
                                    [&](const Entrant& ours_too) { return ours_too.label == entrant.label; });
     if (same == study.solvers.end()) {
       found.push_back("no " + entrant.label);
-    } else if (same->solver != entrant.solver ||
+    } else if (same->solver != entrant.solver || same->population != entrant.population ||
                effective_options(study, *same) != effective_options(*original, entrant)) {
       found.push_back("options of " + entrant.label);
     }
@@ -161,24 +200,24 @@ std::string to_toml(const Study& study) {
   writer.out += "\n[stop]\n";
   list_fields(writer, fields.stop);
   writer.out += "\n[path]\n";
-  if (auto* helix = std::get_if<Helix>(&fields.path)) {
-    writer.line("kind", "\"helix\"", "helix | circle | poses: a list of { position_cm = [...], rpy_deg = [...] }");
-    list_helix_fields(writer, *helix);
-  } else {
-    writer.out += "kind = \"poses\"\nposes = [\n";
-    for (const Pose& pose : std::get<std::vector<Pose>>(fields.path)) {
-      const Eigen::VectorXd position = pose.translation();
-      const bool in_cm = is_exact(position, centimetre);
-      writer.out += fmt::format("  {{ {} = {}, rotation = {} }},\n", in_cm ? "position_cm" : "position_m",
-                                numerals(in_unit(position, in_cm ? centimetre : 1)), numerals(by_rows(pose.linear())));
-    }
-    writer.out += "]\n";
-  }
+  writer.line("kind", toml_string(kind_of(fields.path)),
+              "helix | circle | random | poses: a list of { position_cm = [...], rpy_deg = [...] }");
+  std::visit(
+      [&](auto& kind) {
+        if constexpr (requires { list_fields(writer, kind); }) {
+          list_fields(writer, kind);
+        } else {
+          write_poses(writer, kind);
+        }
+      },
+      fields.path);
   for (const Entrant& entrant : study.solvers) {
     writer.out += "\n[[solvers]]\n";
     writer.line("label", toml_string(entrant.label), "");
     writer.line("solver", toml_string(entrant.solver),
                 "options and their ranges: ikbench list solvers " + entrant.solver);
+    if (entrant.population > 0)
+      writer.line("population", fmt::format("{}", entrant.population), "instead of the study's");
     std::vector<std::string> options;
     for (const auto& [name, value] : entrant.options)
       options.push_back(name + " = " + (number_from(value) ? value : toml_string(value)));
@@ -189,7 +228,8 @@ std::string to_toml(const Study& study) {
 
 std::string to_json(const Study& study) {
   nlohmann::ordered_json json = definition(study);
-  json["points"] = targets(study.path).size();
+  json["points"] = points(study.path);
+  json["arm"] = arm_definition(robot(study.robot));
   json["departures"] = departures(study);
   return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }

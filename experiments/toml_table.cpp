@@ -98,7 +98,7 @@ void override_one(toml::table& study, const std::string& text) {
       const std::string label = (*entrant)["label"].value_or(std::string());
       const std::string name = (*entrant)["solver"].value_or(std::string());
       if (owner == label || owner == name) {
-        insert(subtable(*entrant, "options"), field, value);
+        insert(field == "population" ? *entrant : subtable(*entrant, "options"), field, value);
         found = true;
       }
       for (const std::string& known : {label, name}) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "robots/dobot_magician.hpp"
 #include "robots/functions.hpp"
 
 namespace ikbench {
@@ -45,6 +46,11 @@ Matrix turned_about_x(double angle) {
   return {{{1, 0, 0, 0}, {0, cosine, -sine, 0}, {0, sine, cosine, 0}, {0, 0, 0, 1}}};
 }
 
+Matrix turned_about_y(double angle) {
+  const auto [sine, cosine] = witnessed_sin_cos(angle);
+  return {{{cosine, 0, sine, 0}, {0, 1, 0, 0}, {-sine, 0, cosine, 0}, {0, 0, 0, 1}}};
+}
+
 Matrix moved(double x, double y, double z) {
   Matrix matrix = identity;
   matrix[0][3] = x;
@@ -58,9 +64,7 @@ double largest(const Eigen::VectorXd& values) {
   return values.allFinite() ? std::max(0.0, values.maxCoeff()) : std::numeric_limits<double>::quiet_NaN();
 }
 
-}  // namespace
-
-Eigen::Matrix4d verified_pose(const Chain& chain, const Eigen::VectorXd& q) {
+Matrix pose_of(const Chain& chain, const Eigen::VectorXd& q) {
   Matrix pose = identity;
   Eigen::Index joint = 0;
   for (const DhLink& link : chain.links()) {
@@ -68,7 +72,22 @@ Eigen::Matrix4d verified_pose(const Chain& chain, const Eigen::VectorXd& q) {
     pose = product(pose, moved(link.a, 0, link.d));
     pose = product(pose, turned_about_x(link.alpha));
   }
-  pose = product(pose, moved(chain.tip().x(), chain.tip().y(), chain.tip().z()));
+  return product(pose, moved(chain.tip().x(), chain.tip().y(), chain.tip().z()));
+}
+
+// Every link is turned to where it points, and after it back: that is what the parallelograms do.
+Matrix pose_of(const DobotMagician& arm, const Eigen::VectorXd& q) {
+  Matrix pose = product(moved(0, 0, arm.height), turned_about_z(q[0]));
+  pose = product(product(pose, turned_about_y(q[1])), product(moved(0, 0, arm.upper_arm), turned_about_y(-q[1])));
+  pose = product(product(pose, turned_about_y(q[2])), product(moved(arm.forearm, 0, 0), turned_about_y(-q[2])));
+  return product(pose, moved(arm.wrist_to_tool, 0, 0));
+}
+
+}  // namespace
+
+Eigen::Matrix4d verified_pose(const Kinematics& arm, const Eigen::VectorXd& q) {
+  const auto* const chain = dynamic_cast<const Chain*>(&arm);
+  const Matrix pose = chain != nullptr ? pose_of(*chain, q) : pose_of(dynamic_cast<const DobotMagician&>(arm), q);
   Eigen::Matrix4d result;
   for (int row = 0; row < 4; ++row) {
     for (int column = 0; column < 4; ++column) {
@@ -79,7 +98,7 @@ Eigen::Matrix4d verified_pose(const Chain& chain, const Eigen::VectorXd& q) {
 }
 
 Verdict verify(const Robot& robot, const Pose& target, const Eigen::VectorXd& start, const Eigen::VectorXd& answer) {
-  const Eigen::Matrix4d reached = verified_pose(robot.chain, answer);
+  const Eigen::Matrix4d reached = verified_pose(*robot.kinematics, answer);
   const Eigen::Matrix4d wanted = target.matrix();
   const Eigen::Matrix3d R = reached.topLeftCorner<3, 3>(), R_wanted = wanted.topLeftCorner<3, 3>();
   const Eigen::VectorXd move = answer - start;
@@ -99,7 +118,7 @@ Status judge(const Verdict& verdict, const Requirement& requirement) {
   const bool claim_holds = std::abs(verdict.position_error - requirement.claimed_error) <= rounding;  // not for NaN
   const bool turned_wrong = requirement.orientation_is_exact && verdict.orientation_error > rounding;
   if (!claim_holds || turned_wrong) return Status::claimed_but_wrong;
-  if (verdict.limit_violation > 0) return Status::limit_violated;
+  if (verdict.limit_violation > 0) return requirement.limits_are_enforced ? Status::refused : Status::limit_violated;
   if (requirement.tolerance > 0 && verdict.position_error > requirement.tolerance + rounding)
     return Status::tolerance_missed;
   return Status::ok;

@@ -1,5 +1,5 @@
 // The independent verifier: looks at an answer after the clock has stopped, by a forward kinematics of its own
-// (plain 4x4 products of elementary transforms, no code shared with robots/chain.cpp).
+// (plain 4x4 products of elementary transforms, no code shared with robots/ but sine and cosine).
 #pragma once
 
 #include "results/record.hpp"
@@ -16,8 +16,8 @@ struct Verdict {
   double limit_violation = 0;                         // [rad], of the worst joint; 0 inside, and up to 1e-9
 };
 
-// Tool pose of a configuration by the verifier's own route.
-Eigen::Matrix4d verified_pose(const Chain& chain, const Eigen::VectorXd& q);
+// Tool pose of a configuration by the verifier's own route, of which there is one for every kind of arm.
+Eigen::Matrix4d verified_pose(const Kinematics& arm, const Eigen::VectorXd& q);
 
 // `answer` and `start` have all joints of the robot. A non-finite answer gives non-finite errors.
 Verdict verify(const Robot& robot, const Pose& target, const Eigen::VectorXd& start, const Eigen::VectorXd& answer);
@@ -27,6 +27,7 @@ struct Requirement {
   double claimed_error = 0;           // [m], the solver's own word
   double tolerance = 0;               // [m]; 0: none
   bool orientation_is_exact = false;  // the wrist's closed form took care of it
+  bool limits_are_enforced = false;   // else a violation is told, and the answer is one
 };
 
 // The most severe thing that is wrong with an answer, in the order of Status' description (results/record.hpp).

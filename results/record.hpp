@@ -14,16 +14,17 @@ namespace ikbench {
 enum class StopReason { iterations, tolerance, evaluations, time, not_finite };
 
 // What the verifier says of an answer; the first that applies, in the order of severity
-// not_finite, claimed_but_wrong, limit_violated, tolerance_missed, ok.
-enum class Status { ok, tolerance_missed, limit_violated, claimed_but_wrong, not_finite };
+// not_finite, claimed_but_wrong, refused, limit_violated, tolerance_missed, ok. Where a study enforces the joint
+// limits, an answer that violates them is refused: the arm stays where it was, and the record's answer is that.
+enum class Status { ok, tolerance_missed, limit_violated, refused, claimed_but_wrong, not_finite };
 
 // Under what circumstances the times were taken; only `clean` times are comparable.
 enum class Timing { clean, parallel, debug_build };
 
 constexpr std::array<std::string_view, 5> stop_reason_names{"iterations", "tolerance", "evaluations", "time",
                                                             "not_finite"};
-constexpr std::array<std::string_view, 5> status_names{"ok", "tolerance_missed", "limit_violated", "claimed_but_wrong",
-                                                       "not_finite"};
+constexpr std::array<std::string_view, 6> status_names{"ok",      "tolerance_missed",  "limit_violated",
+                                                       "refused", "claimed_but_wrong", "not_finite"};
 constexpr std::array<std::string_view, 3> timing_names{"clean", "parallel", "debug_build"};
 
 constexpr const auto& names_of(StopReason) { return stop_reason_names; }
@@ -92,7 +93,10 @@ void for_each_column(Visit&& visit) {
   visit("iterations", &SolveRecord::iterations, "iterations done");
   visit("stop_reason", &SolveRecord::stop_reason,
         "why the solve ended: iterations, tolerance, evaluations, time, not_finite");
-  visit("status", &SolveRecord::status, "ok, tolerance_missed, limit_violated, claimed_but_wrong, not_finite");
+  visit(
+      "status", &SolveRecord::status,
+      "ok, tolerance_missed, limit_violated, refused (outside limits that the study enforces: the arm stayed where it "
+      "was), claimed_but_wrong, not_finite");
   visit("seconds", &SolveRecord::seconds, "wall time of the solve [s]");
   visit("cpu_seconds", &SolveRecord::cpu_seconds, "CPU time of the solving thread [s]");
   visit("timing", &SolveRecord::timing,

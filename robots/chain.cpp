@@ -81,8 +81,6 @@ Pose Chain::forward(const ConfigurationRef& q) const {
   return follow(q, [](int, const Eigen::Matrix3d&, const Eigen::Vector3d&) {});
 }
 
-Eigen::Vector3d Chain::position(const ConfigurationRef& q) const { return forward(q).translation(); }
-
 Eigen::Vector3d Chain::linearize(const ConfigurationRef& q, Eigen::Ref<Eigen::Matrix3Xd> jacobian) const {
   Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, most_joints> origins(3, joints());
   const Pose T_base_tool = follow(q, [&](int j, const Eigen::Matrix3d& R, const Eigen::Vector3d& p) {
@@ -107,7 +105,7 @@ void Chain::position_errors(const CandidatesRef& q, const Eigen::Vector3d& targe
   robot_kernels().position_errors(chain, target.data(), q.data(), q.outerStride(), q.cols(), errors.data());
 }
 
-Chain::Ball Chain::reach() const {
+Kinematics::Ball Chain::reach() const {
   Ball ball{Eigen::Vector3d::Zero(), tip_.norm()};
   for (const DhLink& link : links_) ball.radius += std::sqrt(link.a * link.a + link.d * link.d);
   if (!links_.empty()) {  // the first link's d lies along the base's axis and moves nothing
@@ -116,6 +114,12 @@ Chain::Ball Chain::reach() const {
     ball.radius += std::abs(first.a) - std::sqrt(first.a * first.a + first.d * first.d);
   }
   return ball;
+}
+
+std::string Chain::definition() const {
+  std::string text;
+  for (const DhLink& link : links_) text += fmt::format("{} {} {} {} ", link.a, link.alpha, link.d, link.offset);
+  return text + fmt::format("{} {} {} ", tip_.x(), tip_.y(), tip_.z());
 }
 
 }  // namespace ikbench

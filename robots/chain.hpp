@@ -1,23 +1,11 @@
 // A serial chain of revolute joints in standard Denavit-Hartenberg form, and its forward kinematics.
-// Metres and radians throughout.
 #pragma once
 
-#include <Eigen/Geometry>
 #include <vector>
 
-#include "robots/kernels.hpp"
+#include "robots/kinematics.hpp"
 
 namespace ikbench {
-
-using Pose = Eigen::Isometry3d;
-
-// Candidates as columns, joint-contiguous: row j holds joint j of every candidate.
-using Candidates = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-using CandidatesRef = Eigen::Ref<const Candidates, 0, Eigen::OuterStride<>>;
-// One configuration, an element a joint; it takes no memory from the heap.
-using Configuration = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, most_joints, 1>;
-// A Configuration, another vector, or a column of Candidates without a copy.
-using ConfigurationRef = Eigen::Ref<const Eigen::VectorXd, 0, Eigen::InnerStride<>>;
 
 struct DhLink {
   double a = 0;       // [m] along x
@@ -26,30 +14,23 @@ struct DhLink {
   double offset = 0;  // [rad] added to the joint's angle
 };
 
-class Chain {
+class Chain final : public Kinematics {
  public:
   // `tip` is the tool point in the frame of the last link. std::invalid_argument for more than 64 links.
   explicit Chain(std::vector<DhLink> links, Eigen::Vector3d tip = Eigen::Vector3d::Zero());
 
-  int joints() const { return static_cast<int>(links_.size()); }
   const std::vector<DhLink>& links() const { return links_; }
   const Eigen::Vector3d& tip() const { return tip_; }
 
-  // T_base_tool: the product of the link transforms, Eqs. 18 and 26.
-  Pose forward(const ConfigurationRef& q) const;
-  // Position of the tool point alone: forward(q).translation().
-  Eigen::Vector3d position(const ConfigurationRef& q) const;
-  // The position, and d position / d q into `jacobian`, 3 x joints.
-  Eigen::Vector3d linearize(const ConfigurationRef& q, Eigen::Ref<Eigen::Matrix3Xd> jacobian) const;
-  // Distance of each candidate's tool point to the target, Eq. 1; `errors` has one element a candidate. It is not a
-  // finite number where an angle or the target is none, or an angle is 2^51 quarter turns (3.5e15 rad) or more.
-  void position_errors(const CandidatesRef& q, const Eigen::Vector3d& target, Eigen::Ref<Eigen::VectorXd> errors) const;
-  // Every reachable tool point lies in this ball, about the shoulder (the base's axis at the first link's height).
-  struct Ball {
-    Eigen::Vector3d centre;
-    double radius;
-  };
-  Ball reach() const;
+  int joints() const override { return static_cast<int>(links_.size()); }
+  // The product of the link transforms, Eqs. 18 and 26.
+  Pose forward(const ConfigurationRef& q) const override;
+  Eigen::Vector3d linearize(const ConfigurationRef& q, Eigen::Ref<Eigen::Matrix3Xd> jacobian) const override;
+  void position_errors(const CandidatesRef& q, const Eigen::Vector3d& target,
+                       Eigen::Ref<Eigen::VectorXd> errors) const override;
+  // About the shoulder: the base's axis at the first link's height.
+  Ball reach() const override;
+  std::string definition() const override;
 
  private:
   struct Twist {

@@ -1,6 +1,7 @@
-// An arm by name: its chain and its joint limits.
+// An arm by name: its kinematics and its joint limits.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -19,8 +20,12 @@ struct JointLimits {
 struct Robot {
   std::string name;
   std::string summary;
-  Chain chain;
+  std::shared_ptr<const Kinematics> kinematics;
   JointLimits limits;
+
+  int joints() const { return kinematics->joints(); }
+  // Null where the arm is no Denavit-Hartenberg chain.
+  const Chain* chain() const { return dynamic_cast<const Chain*>(kinematics.get()); }
 };
 
 std::vector<Robot> robots();

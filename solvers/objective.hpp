@@ -4,13 +4,13 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "robots/chain.hpp"
+#include "robots/kinematics.hpp"
 
 namespace ikbench {
 
 class Objective {
  public:
-  Objective(const Chain& chain, Eigen::Vector3d target) : chain_(chain), target_(std::move(target)) {}
+  Objective(const Kinematics& arm, Eigen::Vector3d target) : arm_(arm), target_(std::move(target)) {}
   virtual ~Objective() = default;
 
   // Position error [m] of every candidate (a column of q) into `errors`; counts one evaluation a candidate.
@@ -59,18 +59,18 @@ class Objective {
 
  protected:
   // With 1 candidate to look ahead at most, one_by_one is that loop as it is written.
-  Objective(const Chain& chain, Eigen::Vector3d target, Eigen::Index furthest_ahead)
-      : chain_(chain), target_(std::move(target)), look_ahead_(furthest_ahead), furthest_ahead_(furthest_ahead) {}
+  Objective(const Kinematics& arm, Eigen::Vector3d target, Eigen::Index furthest_ahead)
+      : arm_(arm), target_(std::move(target)), look_ahead_(furthest_ahead), furthest_ahead_(furthest_ahead) {}
 
   virtual void evaluate(const CandidatesRef& q, Eigen::Ref<Eigen::VectorXd> errors) {
-    chain_.position_errors(q, target_, errors);
+    arm_.position_errors(q, target_, errors);
   }
   virtual Eigen::Vector3d evaluate_linear(const ConfigurationRef& q, Eigen::Ref<Eigen::Matrix3Xd> jacobian) {
-    return target_ - chain_.linearize(q, jacobian);
+    return target_ - arm_.linearize(q, jacobian);
   }
 
  private:
-  const Chain& chain_;
+  const Kinematics& arm_;
   Eigen::Vector3d target_;
   Eigen::Index look_ahead_ = 64, furthest_ahead_ = 64;  // candidates
   std::int64_t evaluations_ = 0;

@@ -6,7 +6,6 @@
 #include <cstdint>
 #include <string_view>
 
-#include "robots/chain.hpp"
 #include "solvers/kernels.hpp"
 
 namespace ikbench {

@@ -44,9 +44,9 @@ int run(int argc, char** argv) {
 
 Reach wrist_reach(int population) {
   const Robot iiwa = robot("kuka_iiwa14");
-  const SphericalWrist wrist(iiwa.chain);
+  const SphericalWrist wrist(*iiwa.chain());
   return {wrist.arm(),
-          wrist.centre(targets(Helix{}).front()),
+          wrist.centre(along(Helix{}).front()),
           {.start = Eigen::VectorXd::Zero(4),
            .lower = iiwa.limits.lower.head(4),
            .upper = iiwa.limits.upper.head(4),
@@ -55,8 +55,8 @@ Reach wrist_reach(int population) {
 
 Reach flange_reach(int population) {
   const Robot iiwa = robot("kuka_iiwa14");
-  return {iiwa.chain,
-          targets(Helix{}).front().translation(),
+  return {*iiwa.chain(),
+          along(Helix{}).front().translation(),
           {.start = Eigen::VectorXd::Zero(7),
            .lower = iiwa.limits.lower,
            .upper = iiwa.limits.upper,

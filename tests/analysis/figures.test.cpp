@@ -139,6 +139,18 @@ TEST_CASE("figures are drawn where values are zero, not finite, or all the same"
   }
 }
 
+TEST_CASE("random targets are not joined by a line", "[figure]") {
+  const auto solves = synthetic::solves({.solvers = {"IK-BA"}, .runs = 1});
+  const auto path_of = [&](const char* definition) {
+    return path_figure(make_study(StudyEntry{.name = "s", .definition = definition, .series = {}}, solves));
+  };
+  CHECK(contains(path_of(R"({"path": {"kind": "helix"}})").plot, "with lines"));
+  const Figure random = path_of(R"({"path": {"kind": "random"}})");
+  CHECK(!contains(random.plot, "with lines"));
+  CHECK(!contains(random.plot, "start"));
+  CHECK(random.caption.starts_with("The targets (dots)"));
+}
+
 TEST_CASE("a study of which nothing is solved has no figures", "[figure]") { CHECK(figures_of({}).empty()); }
 
 TEST_CASE("the data file of a box plot has the numbers of the box", "[figure]") {

@@ -230,18 +230,23 @@ TEST_CASE("an answer that is not finite is never dropped", "[paper]") {
 }
 
 TEST_CASE("the status table has every solve, every status, and how far answers leave the limits", "[paper]") {
-  std::vector<SolveRecord> solves = synthetic::solves({.solvers = {"IK-BA"}, .runs = 1, .points = 3});
+  std::vector<SolveRecord> solves = synthetic::solves({.solvers = {"IK-BA"}, .runs = 1, .points = 4});
   solves[0].status = Status::limit_violated;
   solves[0].limit_violation_deg = 12.5;
   solves[1].status = Status::claimed_but_wrong;
   solves[1].limit_violation_deg = 3;
   solves[2].timing = Timing::parallel;
+  solves[3].status = Status::refused;
   const Table table = status_table(make_study("s", solves));
-  CHECK(to_csv(table) ==
-        "algorithm,ok,tolerance_missed,limit_violated,claimed_but_wrong,not_finite,solves,expected,complete_runs,"
-        "incomplete_runs,outside_limits,worst_outside_deg,timing_clean,timing_parallel,timing_debug_build\n"
-        "IK-BA,1,0,1,1,0,3,3,1,0,2,12.5,2,1,0\n");
-  CHECK(contains(table.notes, "Times are not comparable: of 3 solves, 1 were timed while others ran in parallel"));
+  CHECK(
+      to_csv(table) ==
+      "algorithm,ok,tolerance_missed,limit_violated,refused,claimed_but_wrong,not_finite,solves,expected,complete_runs,"
+      "incomplete_runs,outside_limits,worst_outside_deg,timing_clean,timing_parallel,timing_debug_build\n"
+      "IK-BA,1,0,1,1,1,0,4,4,1,0,2,12.5,3,1,0\n");
+  CHECK(contains(table.notes, "Times are not comparable: of 4 solves, 1 were timed while others ran in parallel"));
+  CHECK(contains(table.notes, "A refused answer leaves the arm where it was"));
+  solves[3].status = Status::ok;
+  CHECK_FALSE(contains(status_table(make_study("s", solves)).notes, "refused answer leaves"));
 }
 
 TEST_CASE("every shape of study has its tables and not one cell of NaN", "[paper]") {

@@ -54,6 +54,8 @@ TEST_CASE("a report has its tables, figures and report.md", "[report]") {
   save(store, {});
   const Report report = write_report(store, {.study = "slim2023", .folder = folder.path() / "out"});
   CHECK(report.file == folder.path() / "out" / "report.md");
+  CHECK(report.page == folder.path() / "out" / "report.html");
+  CHECK(std::filesystem::file_size(report.page) < 4'000'000);
   CHECK(report.warnings.empty());
   const auto files = files_in(folder.path() / "out");
   for (const char* name : {"definition", "options", "environment", "status", "table-3", "table-4", "table-5", "table-6",
@@ -63,9 +65,10 @@ TEST_CASE("a report has its tables, figures and report.md", "[report]") {
   CHECK(files.contains("figures/figure-10.pdf"));
   const std::string text = text_of_file(report.file);
   for (const char* words :
-       {"Report of the study slim2023", "## Summary", "    ikbench run slim2023 --out out", "| path.kind | helix |",
-        "| IK-BA | algorithm | alpha | 0.97 |", "a &lt;fast&gt; one", "](figures/figure-9-f.png)",
-        "Table 6: one-way ANOVA", "IK-BA is first in the paper, and here too"}) {
+       {"Report of the study slim2023", "## Verdict", "| IK-BA is the most accurate | holds | holds | ", "## Summary",
+        "    ikbench run slim2023 --out out", "| path.kind | helix |", "| IK-BA | algorithm | alpha | 0.97 |",
+        "a &lt;fast&gt; one", "](figures/figure-9-f.png)", "Table 6: one-way ANOVA",
+        "IK-BA is first in the paper, and here too"}) {
     CAPTURE(words);
     CHECK(contains(text, words));
   }
@@ -85,6 +88,17 @@ TEST_CASE("every link of a report leads to a file", "[report]") {
     ++links;
   }
   CHECK(links == 13 * 5);  // 13 figures, each as picture, SVG, PDF, script and data
+
+  const std::string page = text_of_file(folder.path() / "report.html");
+  links = 0;
+  for (std::size_t at = page.find("href=\""); at != std::string::npos; at = page.find("href=\"", at + 1)) {
+    const std::string target = page.substr(at + 6, page.find('"', at + 6) - at - 6);
+    if (target.starts_with('#')) continue;
+    CAPTURE(target);
+    CHECK(std::filesystem::exists(folder.path() / target));
+    ++links;
+  }
+  CHECK(links == 13 * 4 + 10 * 3);  // of the figures PDF, SVG, script and data; of 10 tables three files each
 }
 
 TEST_CASE("a study with the same targets is shown in perspective, one with others is not", "[report]") {
@@ -95,9 +109,13 @@ TEST_CASE("a study with the same targets is shown in perspective, one with other
   save(
       store,
       {.name = "shorter", .definition = R"({"runs": 2})", .shape = {.solvers = {"elsewhere"}, .runs = 2, .points = 5}});
+  save(store, {.name = "inside",
+               .definition = R"({"runs": 2, "limits": "enforced"})",
+               .shape = {.solvers = {"not beside the others"}, .runs = 2}});
   const Report report =
       write_report(store, {.study = "slim2023", .folder = folder.path() / "out", .figures = {.render = false}});
   CHECK(contains(text_of_file(report.file), "## Perspective"));
+  CHECK(!contains(text_of_file(report.file), "not beside the others"));
   const std::string csv = text_of_file(folder.path() / "out/tables/perspective.csv");
   CHECK(contains(csv, "\ncontext,random search,2,0,"));
   CHECK(contains(csv, "\nslim2023,MO-PSO,2,0,"));
@@ -139,6 +157,10 @@ TEST_CASE("names of a study and its solvers show as text in the report", "[repor
     CHECK(!contains(text, "\n# z"));
     CHECK(!contains(text, "![](x)"));
   }
+  const std::string page = text_of_file(report.page);
+  CHECK(!contains(page, "<script>alert"));
+  CHECK(!contains(page, "<b>"));
+  CHECK(contains(page, "&lt;script&gt;alert(1)&lt;/script&gt;`|"));
   CHECK(contains(text_of_file(report.file),
                  "Report of the study &lt;script&gt;alert(1)&lt;/script&gt;&#96;&#124; \\# x"));
 }

@@ -68,4 +68,44 @@ inline std::vector<SolveRecord> solves(const Shape& shape) {
   return records;
 }
 
+// The Dobot Magician on Table 8's circle, as the store has the study.
+inline const char* const dobot_definition =
+    R"({"name": "slim2023-dobot", "published": "slim2023", "robot": "dobot_magician", "runs": 1, "points": 20,
+        "path": {"kind": "circle", "centre_cm": [16, 16, 0], "radius_cm": 7, "points": 20},
+        "arm": {"kind": "dobot_magician", "upper_arm_m": 0.135, "forearm_m": 0.147, "wrist_to_tool_m": 0.061,
+                "height_m": 0.058, "lower_deg": [-90, 0, -10], "upper_deg": [90, 85, 95]}})";
+
+// One run on that circle. The angles are those that reach the points: in the arm's plane the two links are a triangle.
+inline std::vector<SolveRecord> dobot_solves(int points = 20) {
+  Noise noise;
+  std::vector<SolveRecord> records;
+  for (int point = 1; point <= points; ++point) {
+    const double t = std::numbers::pi / 10 * (point - 1);
+    const double x = 0.16 + 0.07 * std::cos(t), y = 0.16 + 0.07 * std::sin(t);
+    const double level = std::hypot(x, y) - 0.061, rise = -0.058, far = std::hypot(level, rise);
+    const double lean = std::acos((0.135 * 0.135 + far * far - 0.147 * 0.147) / (2 * 0.135 * far));
+    const double theta2 = std::atan2(level, rise) - lean;
+    SolveRecord r;
+    r.study = "slim2023-dobot";
+    r.robot = "dobot_magician";
+    r.solver = "IK-BA";
+    r.series = "dobot-series";
+    r.point = point;
+    r.target_position_m = r.reached_position_m = {x, y, 0};
+    r.target_rotation = {1, 0, 0, 0, 1, 0, 0, 0, 1};
+    r.start_rad = {0, 0, 0};
+    r.answer_rad = {std::atan2(y, x), theta2,
+                    std::atan2(0.135 * std::cos(theta2) - rise, level - 0.135 * std::sin(theta2))};
+    r.position_error_cm = 4e-14 * noise.next();
+    r.seconds = r.cpu_seconds = 0.004;
+    r.iterations = 1000;
+    r.session = 1;
+    for (int i = 1; i <= 1000; ++i) {
+      r.trace_cm.push_back(r.position_error_cm + std::exp(-0.0305 * i) * (10 + noise.next()));
+    }
+    records.push_back(std::move(r));
+  }
+  return records;
+}
+
 }  // namespace ikbench::synthetic

@@ -14,6 +14,34 @@ TEST_CASE("Welch's test of Student's sleep data is that of R", "[welch]") {
   CHECK(test.p == Approx(0.07939).epsilon(1e-3));
 }
 
+TEST_CASE("Welch's analysis of variance of PlantGrowth is that of R", "[welch]") {
+  // R 4.2.2, oneway.test(weight ~ group, PlantGrowth): F 5.181, df 2 and 17.128, p 0.01739; means and standard
+  // deviations of the groups of ten.
+  const std::vector<GroupSummary> groups{{5.032, 0.5830914, 10}, {4.661, 0.7936757, 10}, {5.526, 0.4425733, 10}};
+  const WelchAnova test = welch_anova(groups);
+  CHECK(test.F == Approx(5.1809724).epsilon(1e-6));
+  CHECK(test.df_between == 2);
+  CHECK(test.df_within == Approx(17.1284186).epsilon(1e-6));
+  CHECK(test.p == Approx(0.0173928).epsilon(1e-5));
+}
+
+TEST_CASE("Welch's analysis of two groups is the square of his t", "[welch]") {
+  const GroupSummary a{0.75, 1.789010, 10}, b{2.33, 2.002249, 10};
+  const WelchTest t = welch(a, b);
+  const WelchAnova test = welch_anova(std::vector<GroupSummary>{a, b});
+  CHECK(test.F == Approx(t.t * t.t));
+  CHECK(test.df_within == Approx(t.df));
+  CHECK(test.p == Approx(t.p));
+}
+
+TEST_CASE("Welch's analysis of variance needs two groups with spread", "[welch]") {
+  const GroupSummary a{1, 1, 5};
+  CHECK(std::isnan(welch_anova({}).p));
+  CHECK(std::isnan(welch_anova(std::vector<GroupSummary>{a}).p));
+  CHECK(std::isnan(welch_anova(std::vector<GroupSummary>{a, {1, 0, 5}}).p));
+  CHECK(std::isnan(welch_anova(std::vector<GroupSummary>{a, {1, 1, 1}}).p));
+}
+
 TEST_CASE("equal groups have p = 1", "[welch]") {
   CHECK(welch({.mean = 1, .std = 1, .n = 5}, {.mean = 1, .std = 1, .n = 5}).p == Approx(1));
 }

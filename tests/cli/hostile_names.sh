@@ -27,6 +27,8 @@ mkdir here
   folder=$(realpath out/*)
   [[ $(basename "$folder") =~ ^[A-Za-z0-9._-]+$ ]] || fail "the folder is named $(basename "$folder")"
   [ -s "$folder/report.md" ] || fail "no report"
+  # The page has scripts of its own, on lines that begin with them.
+  ! sed 's/^<script>//' "$folder/report.html" | grep -q '<script>\|<b>\|<img' || fail "the page has HTML of the user's making"
   ! grep -q '<script>\|<b>\|<img' "$folder/report.md" || fail "the report has HTML of the user's making"
   if command -v gnuplot >/dev/null; then
     has_no "$err" "figure"

@@ -42,10 +42,17 @@ for column in $(head -n 1 .out | tr , '\n' | sed -E 's/_[0-9]+$//' | sort -u); d
 done
 
 # A listed study is a study file.
-for study in slim2023 slim2023-context; do
+for study in slim2023 slim2023-time slim2023-dobot slim2023-limits slim2023-context; do
   succeeds list studies $study
   cp .out $study.toml
   succeeds run $study.toml "${small[@]}" --no-report --out "from-$study"
   succeeds list studies $study.toml
   cmp .out $study.toml || fail "the listed study, listed again, is another"
+done
+
+# Keys come with their meaning, an entrant's own population too.
+succeeds list studies slim2023-time
+for line in "start = 'initial'  # previous | initial: a solve starts" "limits = 'recorded'  # recorded | enforced: " \
+  "kind = 'random'  # helix | circle | random | poses" "population = 12  # instead of the study's"; do
+  has "$out" $'\n'"$line"
 done

@@ -43,6 +43,16 @@ refused '--set IK-BA.alpha: option alpha is "7"; expected a number from 0 to 1' 
 refused 'did you mean "IK-BA"?' run slim2023 --set IKBA.alpha=0.5
 refused '--set path.tool:' run slim2023 --set path.tool=sideways
 refused '--set name:' run slim2023 --set $'name=a\nb'
+refused '--set path.points: path.points is 0; expected a whole number from 1 to 100000' run slim2023-time --set path.points=0
+refused '--set path.points: path.points is 1000000000' run slim2023-dobot --set path.points=1000000000
+refused '--set path.radius_cm: path.radius_cm is nan' run slim2023-dobot --set path.radius_cm=nan
+refused '--set 12 bats.population: 12 bats.population is 0; expected a whole number from 1' \
+  run slim2023-time --set '12 bats.population=0'
+refused '12 bats.population is 1000000000' run slim2023-time --set '12 bats.population=1000000000'
+refused 'did you mean "12 bats"?' run slim2023-time --set '12bats.population=16'
+refused '--set bounds: bounds is "initial", but limits is "enforced"' run slim2023-limits --set bounds=initial
+refused '--set IK-BA.bounds: bounds is "initial", but limits is "enforced"' run slim2023-limits --set IK-BA.bounds=initial
+refused 'dobot_magician has no spherical wrist' run slim2023-dobot --set search=wrist
 
 # Study files.
 refused 'no such file' run none.toml

@@ -9,8 +9,8 @@ for set in $("$program" list instruction-sets | tail -n +2 | cut -d' ' -f1); do
   succeeds list instruction-sets
   has "$(tr -s ' ' <.out)" "$set yes"
   for jobs in 1 2 4; do
-    succeeds reproduce --jobs $jobs --no-figures --out "$set-$jobs"
-    for study in slim2023 slim2023-context; do
+    succeeds reproduce --jobs $jobs --readings 0 --no-figures --out "$set-$jobs"
+    for study in slim2023 slim2023-context slim2023-limits slim2023-time slim2023-dobot; do
       has "$out" "Fingerprint of $study: $(grep "\"$study\"" "$references" | cut -d'"' -f4), the reference numbers"
     done
   done

@@ -4,9 +4,9 @@ source "$(dirname "$0")/common.sh"
 
 succeeds run slim2023 "${small[@]}" --out made
 has "$out" "36 solves in made/store.sqlite"
-[ "$(tail -n 1 .out)" = "Report: made/report.md" ] || fail "the last line is: $(tail -n 1 .out)"
+[ "$(tail -n 1 .out)" = "Report: made/report.html" ] || fail "the last line is: $(tail -n 1 .out)"
 quiet
-for file in made/report.md made/tables/table-3.csv made/tables/table-3.md made/tables/table-3.tex; do
+for file in made/report.md made/report.html made/tables/table-3.csv made/tables/table-3.md made/tables/table-3.tex; do
   [ -s "$file" ] || fail "no $file"
 done
 if command -v gnuplot >/dev/null; then
@@ -24,7 +24,7 @@ succeeds report copy/theirs.sqlite --no-figures
 cmp copy/tables/table-3.csv made/tables/table-3.csv || fail "the copy gives another Table 3"
 succeeds report copy/theirs.sqlite --no-figures --out elsewhere/deep
 [ -s elsewhere/deep/report.md ] || fail "no report in --out"
-[ "$(ls copy | sort | tr '\n' ' ')" = "figures report.md tables theirs.sqlite " ] || fail "copy/ has: $(ls copy)"
+[ "$(ls copy | sort | tr '\n' ' ')" = "figures report.html report.md tables theirs.sqlite " ] || fail "copy/ has: $(ls copy)"
 
 # By its bare name in the folder it is in.
 (cd copy && "$program" report theirs.sqlite --no-figures >/dev/null 2>&1) || fail "cannot report on a store in ."

@@ -8,8 +8,8 @@ using namespace ikbench;
 
 namespace {
 
-std::vector<std::string> departures(const Overrides& overrides) {
-  const auto definition = nlohmann::json::parse(to_json(load_study("slim2023", overrides)));
+std::vector<std::string> departures(const Overrides& overrides, const std::string& name = "slim2023") {
+  const auto definition = nlohmann::json::parse(to_json(load_study(name, overrides)));
   return definition["departures"].get<std::vector<std::string>>();
 }
 
@@ -25,6 +25,19 @@ TEST_CASE("every other change of the paper's study is a departure, by its key", 
   CHECK(departures({"path.tool=eq27", "bounds=clamp"}) ==
         std::vector<std::string>{"bounds", "path.tool", "options of IK-BA"});
   CHECK(departures({"DE.weight=0.5"}) == std::vector<std::string>{"options of DE"});
+}
+
+TEST_CASE("the paper's other studies depart from none, and are held against themselves", "[study]") {
+  CHECK(departures({}, "slim2023-time").empty());
+  CHECK(departures({}, "slim2023-dobot").empty());
+  CHECK(departures({"path.points=2000"}, "slim2023-time") == std::vector<std::string>{"path.points"});
+  CHECK(departures({"12 bats.population=16"}, "slim2023-time") == std::vector<std::string>{"options of 12 bats"});
+  CHECK(departures({"path.radius_cm=6"}, "slim2023-dobot") == std::vector<std::string>{"path.radius_cm"});
+}
+
+TEST_CASE("a reading of the paper with limits departs from it in what it enforces", "[study]") {
+  CHECK(departures({}, "slim2023-limits") == std::vector<std::string>{"limits", "options of IK-BA"});
+  CHECK(departures({"limits=enforced"}) == departures({}, "slim2023-limits"));
 }
 
 TEST_CASE("a study that claims no paper departs from none", "[study]") {

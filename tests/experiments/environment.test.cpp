@@ -7,8 +7,8 @@ using namespace ikbench;
 
 TEST_CASE("the environment says something for each of its keys", "[environment]") {
   const std::map<std::string, std::string> noted = environment();
-  for (const char* key :
-       {"build_type", "commit", "compiler", "cpu", "cpus", "date", "eigen", "flags", "instruction_set", "os", "sanitizers", "version"}) {
+  for (const char* key : {"build_type", "commit", "compiler", "cpu", "cpus", "date", "eigen", "flags",
+                          "instruction_set", "os", "sanitizers", "version"}) {
     INFO(key);
     CHECK(noted.contains(key));
   }

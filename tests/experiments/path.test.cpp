@@ -13,14 +13,14 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-Eigen::Vector3d point(const Helix& helix, std::size_t k) { return targets(helix).at(k).translation(); }
+Eigen::Vector3d point(const Helix& helix, std::size_t k) { return along(helix).at(k).translation(); }
 
 bool near(const Eigen::Vector3d& a, const Eigen::Vector3d& b) { return (a - b).norm() < 1e-15; }
 
 }  // namespace
 
 TEST_CASE("the paper's helix is the default: 20 points, a fifth of a turn and 2.5 cm of rise apart", "[path][paper]") {
-  const std::vector<Pose> helix = targets(Helix{});
+  const std::vector<Pose> helix = along(Helix{});
   REQUIRE(helix.size() == 20);
   // t = 0, pi, 2 pi, 3 pi: (sin t, cos t) is (0, 1), (0, -1), ...; z = 10 + 50 k/20 cm
   CHECK(near(helix[0].translation(), {0.60, 0.20, 0.10}));
@@ -37,7 +37,7 @@ TEST_CASE("with the spacing k/(n - 1) the last point is the end of the helix", "
   const Helix helix{.spacing = Spacing::k_over_n_minus_1};
   CHECK(near(point(helix, 0), {0.60, 0.20, 0.10}));
   CHECK(near(point(helix, 19), {0.60, 0.20, 0.60}));  // t = 4 pi
-  CHECK(targets(helix).size() == 20);
+  CHECK(along(helix).size() == 20);
 }
 
 TEST_CASE("the phase cos_sin starts on the x axis and turns towards y", "[path]") {
@@ -52,30 +52,57 @@ TEST_CASE("a start of a quarter turn moves the first point by a quarter of the c
   CHECK(near(point({.start = pi / 2, .phase = Phase::cos_sin}, 0), {0.60, 0.20, 0.10}));  // (cos, sin) of 90 deg
 }
 
-TEST_CASE("a circle is a helix of length 0 and one turn: all points at the radius, in one plane", "[path]") {
-  // The Dobot's circle, paper-notes 2.10: centre (16, 16, 0) cm, radius 7 cm, 20 points 18 deg apart.
-  const Helix circle{.centre = {0.16, 0.16, 0.0}, .radius = 0.07, .length = 0, .turns = 1, .phase = Phase::cos_sin};
+TEST_CASE("the Dobot's circle is level, its 20 points 18 degrees apart from the x axis towards y", "[path][paper]") {
+  const std::vector<Pose> circle = along(Circle{});  // Sec. 6: centre (16, 16, 0) cm, radius 7 cm
+  REQUIRE(circle.size() == 20);
   for (std::size_t k = 0; k < 20; ++k) {
     const double t = 18 * pi / 180 * static_cast<double>(k);
-    CHECK(near(point(circle, k), {0.16 + 0.07 * std::cos(t), 0.16 + 0.07 * std::sin(t), 0.0}));
+    CHECK(near(circle[k].translation(), {0.16 + 0.07 * std::cos(t), 0.16 + 0.07 * std::sin(t), 0.0}));
+    CHECK(circle[k].linear() == rotation(Tool::down));
   }
+}
+
+TEST_CASE("a circle has its own centre, radius, points and tool", "[path]") {
+  const std::vector<Pose> circle =
+      along(Circle{.centre = {0.1, -0.2, 0.3}, .radius = 0.5, .points = 4, .tool = Tool::eq27});
+  REQUIRE(circle.size() == 4);
+  CHECK(near(circle[1].translation(), {0.1, 0.3, 0.3}));
+  CHECK(near(circle[2].translation(), {-0.4, -0.2, 0.3}));
+  CHECK(circle[3].linear() == rotation(Tool::eq27));
+}
+
+TEST_CASE("random targets are tool poses of configurations within the limits, on every arm", "[path]") {
+  for (const Robot& arm : robots()) {
+    INFO(arm.name);
+    Random random(Key(1)), again(Key(1));
+    const std::vector<Pose> poses = random_poses(arm, 200, random);
+    REQUIRE(poses.size() == 200);
+    Configuration lowest = arm.limits.upper, highest = arm.limits.lower;
+    for (const Pose& pose : poses) {
+      Configuration q(arm.joints());
+      for (Eigen::Index j = 0; j < q.size(); ++j) q[j] = again.uniform(arm.limits.lower[j], arm.limits.upper[j]);
+      CHECK(pose.matrix() == arm.kinematics->forward(q).matrix());
+      lowest = lowest.cwiseMin(q);
+      highest = highest.cwiseMax(q);
+    }
+    const Configuration range = arm.limits.upper - arm.limits.lower;  // of which 200 draws leave little at either end
+    CHECK(((highest - lowest).array() > 0.9 * range.array()).all());
+  }
+}
+
+TEST_CASE("every kind of path says how many points it has", "[path]") {
+  CHECK(points(Helix{.points = 3}) == 3);
+  CHECK(points(Circle{.points = 4}) == 4);
+  CHECK(points(RandomTargets{.points = 5}) == 5);
+  CHECK(points(std::vector<Pose>(6, Pose::Identity())) == 6);
 }
 
 TEST_CASE("a path of one point is its start, with either spacing", "[path]") {
   for (const Spacing spacing : {Spacing::k_over_n, Spacing::k_over_n_minus_1}) {
     const Helix helix{.points = 1, .spacing = spacing};
-    REQUIRE(targets(helix).size() == 1);
+    REQUIRE(along(helix).size() == 1);
     CHECK(near(point(helix, 0), {0.60, 0.20, 0.10}));
   }
-}
-
-TEST_CASE("a list of poses is its own path", "[path]") {
-  Pose pose = Pose::Identity();
-  pose.translation() << 0.1, 0.2, 0.3;
-  const std::vector<Pose> poses = targets(Path(std::vector<Pose>{pose, Pose::Identity()}));
-  REQUIRE(poses.size() == 2);
-  CHECK(poses[0].isApprox(pose, 0));
-  CHECK(poses[1].isApprox(Pose::Identity(), 0));
 }
 
 TEST_CASE("tool down is diag(-1, 1, -1): the tool's z axis points to the floor", "[path][paper]") {
@@ -91,7 +118,7 @@ TEST_CASE("both tools are rotations, and every point of a path has its tool's", 
     const Eigen::Matrix3d R = rotation(tool);
     CHECK(R * R.transpose() == Eigen::Matrix3d::Identity());
     CHECK(R.determinant() == 1);
-    for (const Pose& pose : targets(Helix{.tool = tool})) CHECK(pose.linear() == R);
+    for (const Pose& pose : along(Helix{.tool = tool})) CHECK(pose.linear() == R);
   }
 }
 

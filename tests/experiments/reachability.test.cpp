@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numbers>
 
-#include "experiments/study.hpp"
+#include "experiments/study_file.hpp"
 #include "robots/spherical_wrist.hpp"
 #include "tests/catch.hpp"
 
@@ -22,7 +22,7 @@ Study with_path(const Path& path) {
 // Largest shoulder-to-wrist distance along the path [cm], from the lengths alone.
 double largest_distance_cm(const Helix& helix) {
   double largest = 0;
-  for (const Pose& target : targets(helix)) {
+  for (const Pose& target : along(helix)) {
     const Eigen::Vector3d wrist = target.translation() - 0.126 * target.linear().col(2);
     largest = std::max(largest, (wrist - Eigen::Vector3d(0, 0, 0.360)).norm() * 100);
   }
@@ -99,9 +99,18 @@ TEST_CASE("two links of half a metre reach one metre and no further", "[reachabi
   Study study;
   study.robot = "planar_2";
   study.search = Search::all_joints;
-  study.path = Helix{.centre = {0, 0, 0}, .radius = 1.0, .length = 0, .turns = 1};
-  std::get<Helix>(study.path).radius = 0.9999;
+  study.path = Circle{.centre = {0, 0, 0}, .radius = 0.9999};
   CHECK(unreachable(study).empty());
-  std::get<Helix>(study.path).radius = 1.0001;
+  study.path = Circle{.centre = {0, 0, 0}, .radius = 1.0001};
   CHECK(unreachable(study).size() == 20);
+}
+
+TEST_CASE("the Dobot reaches the paper's circle, and random targets are reachable by the way they are made",
+          "[reachability][paper]") {
+  CHECK(unreachable(load_study("slim2023-dobot")).empty());
+  CHECK(unreachable(load_study("slim2023-time")).empty());
+  // Shoulder at 5.8 cm, reach 13.5 + 14.7 + 6.1 = 34.3 cm: 33.8 cm from the base's axis at z = 0. The centre is 22.6 cm
+  // from it, at 45 deg; with 12 cm the points at 36 and 54 deg are 34.5 cm away, those at 18 and 72 deg 33.76 cm.
+  CHECK(unreachable(load_study("slim2023-dobot", {"path.radius_cm=11"})).empty());
+  CHECK(unreachable(load_study("slim2023-dobot", {"path.radius_cm=12"})).size() == 2);
 }

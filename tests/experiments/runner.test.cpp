@@ -12,7 +12,9 @@
 #include <numbers>
 
 #include "experiments/environment.hpp"
+#include "experiments/study_file.hpp"
 #include "experiments/verifier.hpp"
+#include "results/published.hpp"
 #include "solvers/registry.hpp"
 #include "tests/catch.hpp"
 #include "tests/experiments/samples.hpp"
@@ -41,6 +43,12 @@ Study study_of_every_solver() {
   Study study = small_study();
   study.solvers.clear();
   for (const SolverInfo& info : solvers()) study.solvers.push_back({info.name, info.name, {}});
+  return study;
+}
+
+Study small_random_study() {
+  Study study = small_study();
+  study.path = RandomTargets{.points = 4};
   return study;
 }
 
@@ -333,7 +341,7 @@ TEST_CASE("runs are independent: each starts anew, and they differ", "[runner]")
 }
 
 TEST_CASE("the targets of all solvers and runs are those of the path", "[runner]") {
-  const std::vector<Pose> poses = targets(small_study().path);
+  const std::vector<Pose> poses = targets(small_study(), 1);
   for (const SolveRecord& record : solves_of(small_study())) {
     const Pose& pose = poses[static_cast<std::size_t>(record.point - 1)];
     CHECK(Eigen::Vector3d(record.target_position_m.data()) == pose.translation());
@@ -353,7 +361,154 @@ TEST_CASE("the rotation of a target is recorded row by row", "[runner]") {
 TEST_CASE("solve_once is the first point of the first run", "[runner]") {
   const Study study = small_study();
   const SolveRecord first = solves_of(study).front();
-  CHECK(same(without_times(solve_once(study, study.solvers[0], targets(study.path)[0])), without_times(first)));
+  CHECK(same(without_times(solve_once(study, study.solvers[0], targets(study, 1)[0])), without_times(first)));
+}
+
+TEST_CASE("random targets are those of the run: the same for all solvers, others in another run", "[runner]") {
+  Study study = small_random_study();
+  std::map<std::pair<int, int>, std::vector<double>> seen;
+  const std::vector<SolveRecord> records = solves_of(study, 2);
+  REQUIRE(records.size() == 24);
+  for (const SolveRecord& record : records) {
+    std::vector<double> target = record.target_position_m;
+    target.insert(target.end(), record.target_rotation.begin(), record.target_rotation.end());
+    CHECK(seen.try_emplace({record.run, record.point}, target).first->second == target);
+    const Pose expected = targets(study, record.run)[static_cast<std::size_t>(record.point - 1)];
+    CHECK(Eigen::Vector3d(record.target_position_m.data()) == expected.translation());
+  }
+  CHECK(seen.size() == 8);
+  CHECK(seen.at({1, 1}) != seen.at({2, 1}));
+
+  study.path = RandomTargets{.points = 6};  // begins with the same four
+  CHECK(targets(study, 2)[3].matrix() == targets(small_random_study(), 2)[3].matrix());
+  study.seed = 2;
+  CHECK(targets(study, 2)[3].matrix() != targets(small_random_study(), 2)[3].matrix());
+}
+
+TEST_CASE("a study with random targets that is stopped and continued gives the same numbers", "[runner]") {
+  ScratchStore scratch;
+  for (int i = 1; i <= 24; ++i) run_for(small_random_study(), scratch.store, 1);
+  CHECK(same_numbers(scratch.store.solves("small"), solves_of(small_random_study())));
+}
+
+TEST_CASE("a study may start every solve at its initial configuration, also after an interruption", "[runner]") {
+  Study study = study_of_every_solver();
+  study.start = Start::initial;
+  study.initial << 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7;
+  ScratchStore scratch;
+  run_for(study, scratch.store, 7);
+  run(study, scratch.store, {.jobs = 2});
+  const std::vector<SolveRecord> records = scratch.store.solves("small");
+  for (const SolveRecord& record : records) CHECK(same(record.start_rad, {0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7}));
+  CHECK(same_numbers(records, solves_of(study)));
+}
+
+TEST_CASE("an entrant's own population is the number of its candidates, and an option in the store", "[runner]") {
+  Study study = small_study();
+  study.solvers = {{"6 bats", "ik_bat", {}}, {"9 bats", "ik_bat", {}, 9}};
+  ScratchStore scratch;
+  run(study, scratch.store, {});
+  for (const SolveRecord& record : scratch.store.solves("small")) {
+    CHECK(record.evaluations == (record.solver == "9 bats" ? 9 : 6) * (1 + study.stop.iterations));
+  }
+  const std::vector<Series> series = scratch.store.study("small").series;
+  CHECK_FALSE(nlohmann::json::parse(series[0].options).contains("population"));
+  CHECK(nlohmann::json::parse(series[1].options)["population"] == "9");
+}
+
+// ---- limits, enforced ---------------------------------------------------------------------------------------------
+
+TEST_CASE("where limits are enforced no solver takes any joint of the arm outside them", "[runner][solvers]") {
+  for (const WristBranch branch : {WristBranch::nearest, WristBranch::positive, WristBranch::negative}) {
+    Study study = study_of_every_solver();
+    study.limits = Limits::enforced;
+    study.wrist_branch = branch;
+    const JointLimits limits = robot(study.robot).limits;
+    for (const SolveRecord& record : solves_of(study)) {
+      INFO(record.solver);
+      CHECK(limits.violation(Eigen::VectorXd::Map(record.answer_rad.data(), 7)) < 1e-9);
+      CHECK(record.limit_violation_deg == 0);
+      CHECK((record.status == Status::ok || record.status == Status::refused));
+    }
+  }
+}
+
+TEST_CASE("a refused answer leaves the arm where it was, and the record tells of that", "[runner]") {
+  Study study = studies().front();  // with the wrist's limits, some of its points are out of reach for some arms
+  study.limits = Limits::enforced;
+  study.solvers = {{"BA", "bat", {}}, {"DE", "differential_evolution", {}}};
+  study.stop.iterations = 20;
+  study.runs = 3;
+  const Robot arm = robot(study.robot);
+  const std::vector<Pose> poses = targets(study, 1);
+  int refused = 0;
+  const std::vector<SolveRecord> records = solves_of(study);
+  for (std::size_t i = 0; i < records.size(); ++i) {
+    const SolveRecord& record = records[i];
+    if (record.point > 1) CHECK(same(record.start_rad, records[i - 1].answer_rad));
+    if (record.status != Status::refused) continue;
+    ++refused;
+    CHECK(same(record.answer_rad, record.start_rad));
+    CHECK(record.variation_deg == 0);
+    const Eigen::Vector3d tool = arm.kinematics->position(Eigen::VectorXd::Map(record.start_rad.data(), 7));
+    const double away = (tool - poses[static_cast<std::size_t>(record.point - 1)].translation()).norm();
+    CHECK(record.position_error_cm == Approx(away * 100));
+    CHECK(record.claimed_error_cm < record.position_error_cm);  // what the solver found for the joints it knows
+  }
+  CHECK(refused > 0);
+  CHECK(refused < static_cast<int>(records.size()));
+
+  ScratchStore scratch;  // a chain goes on behind a refusal as if it had not been stopped
+  for (int more = 1; more <= 5; ++more) run_for(study, scratch.store, 17);
+  run(study, scratch.store, {});
+  CHECK(same_numbers(scratch.store.solves(study.name), records));
+}
+
+TEST_CASE("where limits are enforced the wrist takes the branch inside, whichever was asked for", "[runner]") {
+  Study study = small_study();
+  study.solvers = {{"DLS", "damped_least_squares", {}}};
+  study.stop = {.iterations = 200, .tolerance = 1e-6};
+  const Robot arm = robot(study.robot);
+  const auto status = [&](const Pose& target, Limits limits, WristBranch branch) {
+    study.limits = limits;
+    study.wrist_branch = branch;
+    return solve_once(study, study.solvers[0], target).status;
+  };
+  int by_turning = 0, by_no_means = 0;
+  study.path = RandomTargets{.points = 60};
+  for (const Pose& target : targets(study, 1)) {
+    const Status positive = status(target, Limits::recorded, WristBranch::positive);
+    const Status negative = status(target, Limits::recorded, WristBranch::negative);
+    const bool one_is_inside = positive == Status::ok || negative == Status::ok;
+    const Status expected = one_is_inside ? Status::ok : Status::refused;
+    for (const WristBranch branch :
+         {WristBranch::nearest, WristBranch::positive, WristBranch::negative, WristBranch::inside}) {
+      CHECK(status(target, Limits::enforced, branch) == expected);
+    }
+    by_turning += one_is_inside && positive != negative ? 1 : 0;
+    by_no_means += one_is_inside ? 0 : 1;
+  }
+  CHECK(by_turning > 0);
+  CHECK(by_no_means > 0);
+}
+
+// ---- the Dobot's circle -------------------------------------------------------------------------------------------
+
+TEST_CASE("IK-BA draws the Dobot's circle with the angles of Table 8, to errors of its size",
+          "[runner][dobot][paper]") {
+  const CsvTable printed = published::table("slim2023", "table-8");
+  const std::vector<SolveRecord> records = solves_of(load_study("slim2023-dobot"));
+  REQUIRE(records.size() == 20);
+  for (std::size_t i = 0; i < 20; ++i) {
+    INFO("point " << i + 1);
+    CHECK(records[i].status == Status::ok);
+    CHECK(records[i].position_error_cm < 1e-13);  // printed: 1.1e-14 to 9.6e-14
+    CHECK(records[i].trace_cm.size() == 1000);    // Figure 18
+    for (std::size_t j = 0; j < 3; ++j) {
+      const double angle = printed.number(i, "theta" + std::to_string(j + 1) + "_deg");
+      CHECK(std::abs(records[i].answer_rad[j] / degree - angle) <= 0.05 + 1e-9);  // as printed, to 0.1 deg
+    }
+  }
 }
 
 // ---- answers, judged ----------------------------------------------------------------------------------------------
@@ -376,7 +531,7 @@ TEST_CASE("the verified error of every solver is the one it claims on the planar
     Study study = study_of_every_solver();
     study.robot = name;
     study.search = Search::all_joints;
-    study.initial = Eigen::VectorXd::Zero(robot(name).chain.joints());
+    study.initial = Eigen::VectorXd::Zero(robot(name).joints());
     study.path = Helix{.centre = {0.3, 0.3, 0}, .length = 0, .turns = 1, .points = 4};
     for (const SolveRecord& record : solves_of(study)) {
       INFO(record.solver);
@@ -389,7 +544,7 @@ TEST_CASE("the verified error of every solver is the one it claims on the planar
 TEST_CASE("the columns of a record are what the verifier says of its answer", "[runner]") {
   const Study study = small_study();
   const Robot arm = robot(study.robot);
-  const std::vector<Pose> poses = targets(study.path);
+  const std::vector<Pose> poses = targets(study, 1);
   for (const SolveRecord& record : solves_of(study)) {
     const Eigen::VectorXd start = Eigen::Map<const Eigen::VectorXd>(record.start_rad.data(), 7);
     const Eigen::VectorXd answer = Eigen::Map<const Eigen::VectorXd>(record.answer_rad.data(), 7);
@@ -418,7 +573,7 @@ TEST_CASE("with the wrist in closed form the orientation is exact on either bran
 TEST_CASE("the nearest branch moves the wrist no further than either of the two", "[runner]") {
   Study study = small_study();
   study.initial << 0.1, 0.5, 0.2, -0.9, 0.3, -0.8, 0.4;
-  const Pose target = targets(study.path)[0];
+  const Pose target = targets(study, 1)[0];
   const auto wrist_move = [&](WristBranch branch) {
     study.wrist_branch = branch;
     const SolveRecord record = solve_once(study, study.solvers[0], target);

@@ -44,6 +44,16 @@ TEST_CASE("everything that decides numbers decides the series", "[series]") {
       {"label", changed([](Study& study) { study.solvers[0].label = "IK-BA 2"; })},
       {"solver", changed([](Study& study) { study.solvers[0].solver = "bat"; })},
       {"bounds", changed([](Study& study) { study.bounds = StudyBounds::clamp; })},
+      {"limits", changed([](Study& study) { study.limits = Limits::enforced; })},
+      {"start", changed([](Study& study) { study.start = Start::initial; })},
+      {"own population", changed([](Study& study) { study.solvers[0].population = 8; })},
+      {"circle", changed([](Study& study) { study.path = Circle{.points = 4}; })},
+      {"random", changed([](Study& study) { study.path = RandomTargets{.points = 4}; })},
+      {"more at random", changed([](Study& study) { study.path = RandomTargets{.points = 5}; })},
+      {"other at random", changed([](Study& study) {
+         study.path = RandomTargets{.points = 4};
+         study.seed = 2;
+       })},
       {"robot", changed([](Study& study) {
          study.robot = "planar_2";
          study.search = Search::all_joints;
@@ -59,6 +69,14 @@ TEST_CASE("everything that decides numbers decides the series", "[series]") {
     INFO(what);
     CHECK(keys.insert(key_of(study)).second);
   }
+}
+
+TEST_CASE("the paper's study keeps its series, so that stores keep their solves", "[series][paper]") {
+  const Study study = studies().front();
+  std::vector<std::string> keys;
+  for (const Entrant& entrant : study.solvers) keys.push_back(series_key(study, entrant));
+  CHECK(keys == std::vector<std::string>{"00c779aa319e4f85", "c92c42fd53421031", "e1cebae5a59075c8", "bdf1079f28571d29",
+                                         "1aa9f79d66899922", "0413d49a464315ff"});  // of numerics 2
 }
 
 TEST_CASE("every option of every solver decides the series", "[series]") {
@@ -83,6 +101,7 @@ TEST_CASE("every option of every solver decides the series", "[series]") {
 TEST_CASE("a default that is written down is the same series", "[series]") {
   const Study written = changed([](Study& study) { study.solvers[0].options["alpha"] = "0.97"; });  // Table 1
   CHECK(key_of(written) == key_of(small_study()));
+  CHECK(key_of(changed([](Study& study) { study.solvers[0].population = study.population; })) == key_of(small_study()));
   // So is the reading of bounds that a solver has anyway.
   CHECK(key_of(changed([](Study& study) { study.bounds = StudyBounds::initial; })) == key_of(small_study()));
 }
@@ -97,6 +116,26 @@ TEST_CASE("name, title, printed tables, runs and the other entrants decide no se
   Study reordered = small_study();
   std::swap(reordered.solvers[0], reordered.solvers[2]);
   CHECK(key == series_key(reordered, reordered.solvers[2]));
+}
+
+TEST_CASE("the study's population decides no series of an entrant that has its own", "[series]") {
+  Study study = changed([](Study& plain) { plain.solvers[0].population = 8; });
+  const std::string key = key_of(study), other = series_key(study, study.solvers[1]);
+  study.population = 9;
+  CHECK(key_of(study) == key);
+  CHECK(series_key(study, study.solvers[1]) != other);
+}
+
+TEST_CASE("where limits are enforced every solver that has bounds keeps inside, by its own way if it has one",
+          "[series]") {
+  Study study = small_study();
+  study.limits = Limits::enforced;
+  for (const SolverInfo& info : solvers()) {
+    INFO(info.name);
+    const Settings options = effective_options(study, {"A", info.name, {}});
+    if (options.contains("bounds")) CHECK(options.at("bounds") == "clamp");
+  }
+  CHECK(effective_options(study, {"A", "differential_evolution", {{"bounds", "reflect"}}}).at("bounds") == "reflect");
 }
 
 TEST_CASE("a series is 16 hexadecimal digits", "[series]") {

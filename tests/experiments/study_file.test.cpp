@@ -78,7 +78,7 @@ TEST_CASE("the study of the paper has its numbers: 50 bats, 200 iterations, 20 r
   CHECK(study.population == 50);
   CHECK(study.stop.iterations == 200);
   CHECK(study.runs == 20);
-  CHECK(targets(study.path).size() == 20);
+  CHECK(points(study.path) == 20);
   CHECK(study.robot == "kuka_iiwa14");
   std::vector<std::string> labels;
   for (const Entrant& one : study.solvers) labels.push_back(one.label);
@@ -94,6 +94,8 @@ TEST_CASE("a study in which nothing is as by default comes back the same", "[stu
   study.search = Search::all_joints;
   study.bounds = StudyBounds::clamp;
   study.wrist_branch = WristBranch::negative;
+  study.limits = Limits::enforced;
+  study.start = Start::initial;
   study.initial = Eigen::Vector3d(10, -20.5, 1.0 / 3) * (std::numbers::pi / 180);
   study.population = 7;
   study.stop = {.iterations = 13, .tolerance = 0.001, .evaluations = 9'000'000'000'000, .seconds = 0.25};
@@ -111,7 +113,7 @@ TEST_CASE("a study in which nothing is as by default comes back the same", "[stu
                      .tool = Tool::eq27};
   study.solvers = {
       {"a \"label\" with 'quotes' = [x] . # \\", "ik_bat", {{"acceptance", "yang2020"}, {"alpha", "0.25"}}},
-      {"плечо", "bat", {}}};
+      {"плечо", "bat", {}, 12}};
   const Study again = read(to_toml(study));
   CHECK(to_toml(again) == to_toml(study));
   CHECK(keys_of(again) == keys_of(study));
@@ -120,6 +122,43 @@ TEST_CASE("a study in which nothing is as by default comes back the same", "[stu
   CHECK(again.stop.evaluations == study.stop.evaluations);
   CHECK(again.solvers[0].label == study.solvers[0].label);
   CHECK(again.solvers[0].options == study.solvers[0].options);
+  CHECK(again.solvers[0].population == 0);
+  CHECK(again.solvers[1].population == 12);
+}
+
+TEST_CASE("a path of any kind comes back as it was", "[study]") {
+  const std::vector<Path> paths{Helix{.points = 3},
+                                Circle{.centre = {0.1, 0.2, 1.0 / 3}, .radius = 0.07, .points = 9, .tool = Tool::eq27},
+                                RandomTargets{.points = 7}, std::vector<Pose>{Pose::Identity()}};
+  for (const Path& path : paths) {
+    Study study = small_study();
+    study.path = path;
+    INFO(to_toml(study));
+    const Study again = read(to_toml(study));
+    CHECK(again.path.index() == path.index());
+    CHECK(points(again.path) == points(path));
+    CHECK(to_toml(again) == to_toml(study));
+    CHECK(keys_of(again) == keys_of(study));
+    const nlohmann::json json = nlohmann::json::parse(to_json(study));
+    CHECK(json["points"] == points(path));
+    CHECK(json["path"]["kind"] == std::vector<std::string>{"helix", "circle", "random", "poses"}[path.index()]);
+  }
+}
+
+TEST_CASE("the study of Table 7: 12 to 30 bats to 0.1 cm at 20 random targets, each from the start", "[study][paper]") {
+  const Study study = load_study("slim2023-time");
+  std::vector<int> bats;
+  for (const Entrant& one : study.solvers) {
+    CHECK(one.solver == "ik_bat");
+    CHECK(one.label == std::to_string(one.population) + " bats");
+    bats.push_back(effective_population(study, one));
+  }
+  CHECK(bats == std::vector<int>{12, 15, 20, 30});
+  CHECK(study.stop.tolerance == 0.001);
+  CHECK(study.stop.iterations == 1000);
+  CHECK(study.start == Start::initial);
+  CHECK(std::get<RandomTargets>(study.path).points == 20);
+  CHECK(study.search == Search::wrist);
 }
 
 TEST_CASE("poses come back bit for bit, also minus zero and what no number of centimetres gives", "[study]") {
@@ -138,7 +177,7 @@ TEST_CASE("poses come back bit for bit, also minus zero and what no number of ce
   poses.push_back(minus_zero);
   Study study = small_study();
   study.path = poses;
-  const std::vector<Pose> again = targets(read(to_toml(study)).path);
+  const std::vector<Pose> again = targets(read(to_toml(study)), 1);
   REQUIRE(again.size() == poses.size());
   int different = 0;
   for (std::size_t i = 0; i < poses.size(); ++i) {
@@ -156,8 +195,8 @@ TEST_CASE("a pose may say its turn as roll, pitch and yaw, as a matrix, or not a
                    "  { position_cm = [60, 0, 35], rpy_deg = [180, 0, 180] },\n"
                    "  { position_cm = [1, 2, 3], rotation = [0, -1, 0, 1, 0, 0, 0, 0, 1] },\n"
                    "  { position_m = [0.01, 0.02, 0.03] }]\n" +
-                   entrant)
-                  .path);
+                   entrant),
+              1);
   REQUIRE(poses.size() == 3);
   CHECK(poses[0].linear().isApprox(rotation(Tool::down), 1e-15));
   CHECK(poses[0].translation().isApprox(Eigen::Vector3d(0.60, 0, 0.35), 1e-15));
@@ -177,11 +216,17 @@ TEST_CASE("a file that names only a solver is the paper's path and numbers with 
   CHECK(keys_of(study) == keys_of(paper));
 }
 
-TEST_CASE("a circle is one turn without rise", "[study]") {
-  const Study study = read("[path]\nkind = \"circle\"\nradius_cm = 7\n" + entrant);
-  CHECK(std::get<Helix>(study.path).length == 0);
-  CHECK(std::get<Helix>(study.path).turns == 1);
-  CHECK(std::get<Helix>(study.path).radius == Approx(0.07));
+TEST_CASE("a path needs no more than its kind, and the rest is the paper's", "[study]") {
+  const Circle circle = std::get<Circle>(read("[path]\nkind = \"circle\"\nradius_cm = 8\n" + entrant).path);
+  CHECK(circle.radius == 0.08);
+  CHECK(circle.centre == Eigen::Vector3d(0.16, 0.16, 0));                   // Sec. 6
+  CHECK(points(read("[path]\nkind = \"random\"\n" + entrant).path) == 20);  // Table 7
+}
+
+TEST_CASE("an entrant's population is its own, and the others keep the study's", "[study]") {
+  const Study study = read("population = 40\n" + entrant + "population = 12\n" + entrant + "label = \"B\"\n");
+  CHECK(effective_population(study, study.solvers[0]) == 12);
+  CHECK(effective_population(study, study.solvers[1]) == 40);
 }
 
 TEST_CASE("options may be written as numbers or as texts", "[study]") {
@@ -203,6 +248,27 @@ TEST_CASE("as JSON a study says its fields and its number of points", "[study]")
   CHECK(json["stop"]["iterations"] == 200);
 }
 
+TEST_CASE("as JSON a study says what its arm is made of", "[study]") {
+  const nlohmann::json chain = nlohmann::json::parse(to_json(load_study("slim2023")))["arm"];
+  CHECK(chain["kind"] == "denavit_hartenberg");
+  REQUIRE(chain["links"].size() == 7);
+  CHECK(chain["links"][2] ==
+        nlohmann::json{{"a_m", 0.0}, {"alpha_rad", std::numbers::pi / 2}, {"d_m", 0.42}, {"offset_rad", 0.0}});
+  CHECK(chain["tip_m"] == std::vector<double>{0, 0, 0});
+  CHECK(chain["lower_deg"] == std::vector<double>{-170, -120, -170, -120, -170, -120, -175});  // Table 2
+  CHECK(chain["upper_deg"] == std::vector<double>{170, 120, 170, 120, 170, 120, 175});
+
+  const nlohmann::json dobot =
+      nlohmann::json::parse(to_json(read("robot = \"dobot_magician\"\nsearch = \"all_joints\"\n" + entrant)))["arm"];
+  CHECK(dobot == nlohmann::json{{"kind", "dobot_magician"},  // robots/dobot_magician.hpp
+                                {"upper_arm_m", 0.135},
+                                {"forearm_m", 0.147},
+                                {"wrist_to_tool_m", 0.061},
+                                {"height_m", 0.058},
+                                {"lower_deg", {-90.0, 0.0, -10.0}},
+                                {"upper_deg", {90.0, 85.0, 95.0}}});
+}
+
 // ---- mistakes -----------------------------------------------------------------------------------------------------
 
 TEST_CASE("an unknown key is named with its place and the nearest known, at every level", "[study][mistakes]") {
@@ -213,7 +279,7 @@ TEST_CASE("an unknown key is named with its place and the nearest known, at ever
        {"[path]\nkind = \"circle\"\nturns = 3\n" + entrant, "my.toml:3:1: ", {"\"turns\"", "radius_cm"}},
        {entrant + "labell = \"x\"\n",
         "my.toml:3:1: ",
-        {"did you mean \"label\"?", "(there are: solver, label, options)"}},
+        {"did you mean \"label\"?", "(there are: solver, label, population, options)"}},
        {entrant + "options = { alhpa = 0.5 }\n", "my.toml:3:", {"unknown option \"alhpa\"", "did you mean \"alpha\"?"}},
        {"[path]\nkind = \"poses\"\nposes = [{ position_cm = [1, 2, 3], rpy_dg = [0, 0, 0] }]\n" + entrant,
         "my.toml:3:37: ",
@@ -242,13 +308,49 @@ TEST_CASE("a value of another type is shown with its place and what was expected
           {"path.centre_cm is [ 1, 2 ]", "a list of 3 numbers"}},
          {"[path]\nkind = \"spiral\"\n" + entrant,
           "my.toml:2:8: ",
-          {"path.kind is \"spiral\"", "\"helix\", \"circle\", \"poses\""}},
+          {"path.kind is \"spiral\"", "\"helix\", \"circle\", \"random\", \"poses\""}},
          {entrant + "options = 3\n", "my.toml:3:11: ", {"options is 3", "expected a table"}},
          {entrant + "options = { alpha = true }\n",
           "my.toml:3:21: ",
           {"ik_bat.alpha is true", "a number or a text in quotes"}},
          {entrant + "label = 3\n", "my.toml:3:9: ", {"label is 3", "a text in quotes"}},
          {"[[solvers]]\nsolver = 3\n", "my.toml:2:10: ", {"solver is 3", "a text in quotes"}}});
+}
+
+TEST_CASE("what a circle, random targets and an entrant's population cannot be is told", "[study][mistakes]") {
+  const std::string circle = "[path]\nkind = \"circle\"\n", random = "[path]\nkind = \"random\"\n";
+  check({{circle + "points = 0\n" + entrant, "my.toml:3:10: ", {"path.points is 0", "from 1 to 100000"}},
+         {circle + "points = 1000000000\n" + entrant, "my.toml:3:10: ", {"path.points is 1000000000"}},
+         {circle + "radius_cm = nan\n" + entrant, "my.toml:3:13: ", {"path.radius_cm is nan", "from 0 to 1000000"}},
+         {circle + "radius_cm = -1\n" + entrant, "my.toml:3:13: ", {"path.radius_cm is -1"}},
+         {circle + "centre_cm = [0, inf, 0]\n" + entrant, "my.toml:3:17: ", {"path.centre_cm is inf"}},
+         {circle + "phase = \"cos_sin\"\n" + entrant, "my.toml:3:1: ", {"unknown key \"phase\"", "centre_cm"}},
+         {random + "points = 0\n" + entrant, "my.toml:3:10: ", {"path.points is 0", "from 1 to 100000"}},
+         {random + "points = 1e9\n" + entrant, "my.toml:3:10: ", {"path.points is 1000000000.0", "a whole number"}},
+         {random + "radius_cm = 7\n" + entrant, "my.toml:3:1: ", {"unknown key \"radius_cm\"", "points"}},
+         {"runs = 1000000\n" + random + "points = 100000\n" + entrant, "my.toml:1:8: ", {"100 000 000 solves"}},
+         {entrant + "population = 0\n", "my.toml:3:14: ", {"ik_bat.population is 0", "from 1 to 100000"}},
+         {entrant + "population = 1000000000\n", "my.toml:3:14: ", {"ik_bat.population is 1000000000"}},
+         {entrant + "population = nan\n", "my.toml:3:14: ", {"ik_bat.population is nan", "a whole number"}},
+         {entrant + "population = \"12\"\n", "my.toml:3:14: ", {"ik_bat.population is \"12\""}},
+         {"[[solvers]]\nsolver = \"differential_evolution\"\npopulation = 3\n",
+          "my.toml:3:14: ",
+          {"population is 3, but differential_evolution needs at least 4"}},
+         {"population = 3\n[[solvers]]\nsolver = \"differential_evolution\"\n",
+          "my.toml:1:14: ",
+          {"population is 3, but differential_evolution needs at least 4"}}});
+}
+
+TEST_CASE("a study that enforces the limits asks nothing that breaks them", "[study][mistakes]") {
+  const std::string enforced = "limits = \"enforced\"\n";
+  check({{enforced + "bounds = \"initial\"\n" + entrant, "my.toml:2:10: ", {"limits is \"enforced\""}},
+         {enforced + entrant + "options = { bounds = \"initial\" }\n", "my.toml:4:22: ", {"limits is \"enforced\""}},
+         {enforced + "initial_deg = [0, 120.5, 0, 0, 0, 0, 0]\n" + entrant,
+          "my.toml:2:15: ",
+          {"0.5 deg outside the limits", "ikbench list robots kuka_iiwa14"}},
+         {"limits = \"strict\"\n" + entrant, "my.toml:1:10: ", {"\"recorded\", \"enforced\""}},
+         {"start = \"zero\"\n" + entrant, "my.toml:1:9: ", {"\"previous\", \"initial\""}}});
+  CHECK(read(enforced + "initial_deg = [0, 120, 0, -120, 0, 0, 175]\n" + entrant).limits == Limits::enforced);
 }
 
 TEST_CASE("a number out of its range is shown with the range", "[study][mistakes]") {
@@ -427,7 +529,7 @@ TEST_CASE("an override sets a field of the study, of its path or of its stop rul
                                               "search=\"all_joints\"", "initial_deg=[1, 2, 3, 4, 5, 6, 7]"});
   CHECK(study.runs == 5);
   CHECK(std::get<Helix>(study.path).tool == Tool::eq27);
-  CHECK(targets(study.path).size() == 7);
+  CHECK(points(study.path) == 7);
   CHECK(study.stop.tolerance == Approx(0.001));
   CHECK(study.search == Search::all_joints);
   CHECK(study.initial[6] == Approx(7 * std::numbers::pi / 180));
@@ -435,7 +537,7 @@ TEST_CASE("an override sets a field of the study, of its path or of its stop rul
 
 TEST_CASE("an override reaches tables that the file does not have", "[study][set]") {
   CHECK(read(entrant, {"stop.iterations=3"}).stop.iterations == 3);
-  CHECK(targets(read(entrant, {"path.points=3"}).path).size() == 3);
+  CHECK(points(read(entrant, {"path.points=3"}).path) == 3);
 }
 
 TEST_CASE("an override sets an option of the entrants with that label or that solver", "[study][set]") {
@@ -448,6 +550,24 @@ TEST_CASE("an override sets an option of the entrants with that label or that so
   CHECK(study.solvers[1].options == Settings{{"alpha", "0.25"}, {"gamma", "0.5"}});
   study = read(two, {"B v1.0.gamma=0.75"});  // a label with a dot and a space
   CHECK(study.solvers[1].options == Settings{{"gamma", "0.75"}});
+}
+
+TEST_CASE("an override sets an entrant's population, by its label or its solver's name", "[study][set]") {
+  const auto populations_of = [](const Overrides& overrides) {
+    std::vector<int> found;
+    for (const Entrant& one : load_study("slim2023-time", overrides).solvers) found.push_back(one.population);
+    return found;
+  };
+  CHECK(populations_of({"12 bats.population=16"}) == std::vector<int>{16, 15, 20, 30});
+  CHECK(populations_of({"ik_bat.population=16"}) == std::vector<int>{16, 16, 16, 16});
+  CHECK(said_of(entrant, {"ik_bat.population=0"})
+            .starts_with("--set ik_bat.population: ik_bat.population is 0; expected a whole number from 1 to 100000"));
+  CHECK(said_of(entrant, {"ik_bat.population=1000000000"}).starts_with("--set ik_bat.population: "));
+}
+
+TEST_CASE("a kind of path in an override has that kind's keys", "[study][set]") {
+  CHECK(points(read(entrant, {"path.kind=random", "path.points=3"}).path) == 3);
+  CHECK(said_of(entrant, {"path.kind=random", "path.tool=down"}).starts_with("--set path.tool: unknown key \"tool\""));
 }
 
 TEST_CASE("of two overrides of one field the later holds", "[study][set]") {

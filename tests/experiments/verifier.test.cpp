@@ -34,9 +34,10 @@ TEST_CASE("the verifier's forward kinematics agrees with the chain's to 1e-12", 
     INFO(arm.name);
     double largest = 0;
     for (int i = 0; i < 10'000; ++i) {
-      Eigen::VectorXd q(arm.chain.joints());
+      Eigen::VectorXd q(arm.kinematics->joints());
       for (double& joint : q) joint = angle(random);
-      largest = std::max(largest, (verified_pose(arm.chain, q) - arm.chain.forward(q).matrix()).cwiseAbs().maxCoeff());
+      largest = std::max(
+          largest, (verified_pose(*arm.kinematics, q) - arm.kinematics->forward(q).matrix()).cwiseAbs().maxCoeff());
     }
     CHECK(largest <= 1e-12);
   }
@@ -56,14 +57,14 @@ TEST_CASE("offsets, twists, lengths and a tip off the axis are all in both forwa
 }
 
 TEST_CASE("the iiwa at zeros stands upright: 36 + 42 + 40 + 12.6 cm above the base", "[verifier]") {
-  const Eigen::Matrix4d pose = verified_pose(robot("kuka_iiwa14").chain, Eigen::VectorXd::Zero(7));
+  const Eigen::Matrix4d pose = verified_pose(*robot("kuka_iiwa14").chain(), Eigen::VectorXd::Zero(7));
   Eigen::Matrix4d expected = Eigen::Matrix4d::Identity();
   expected(2, 3) = 1.306;
   CHECK(pose.isApprox(expected, 1e-15));
 }
 
 TEST_CASE("the iiwa with 90 degrees at the second joint points along x", "[verifier]") {
-  const Eigen::Matrix4d pose = verified_pose(robot("kuka_iiwa14").chain, angles({0, pi / 2, 0, 0, 0, 0, 0}));
+  const Eigen::Matrix4d pose = verified_pose(*robot("kuka_iiwa14").chain(), angles({0, pi / 2, 0, 0, 0, 0, 0}));
   CHECK((pose.col(3).head<3>() - Eigen::Vector3d(0.946, 0, 0.360)).norm() < 1e-15);
   CHECK((pose.col(2).head<3>() - Eigen::Vector3d::UnitX()).norm() < 1e-15);  // the tool's axis too
 }
@@ -153,6 +154,13 @@ TEST_CASE("a joint outside its limits by more than rounding is a violation", "[v
   CHECK(violated(0.5e-9) == 0);
   CHECK(judge({.limit_violation = 2e-9}, any) == Status::limit_violated);
   CHECK(judge({.limit_violation = 0}, any) == Status::ok);
+}
+
+TEST_CASE("where limits are enforced a joint outside them is no answer", "[verifier]") {
+  const Requirement enforced{.claimed_error = 0, .limits_are_enforced = true};
+  CHECK(judge({.limit_violation = 2e-9}, enforced) == Status::refused);
+  CHECK(judge({.limit_violation = 0}, enforced) == Status::ok);
+  CHECK(judge({.position_error = 1, .limit_violation = 2e-9}, enforced) == Status::claimed_but_wrong);
 }
 
 TEST_CASE("a claim that differs from the verified error in either direction is wrong", "[verifier]") {

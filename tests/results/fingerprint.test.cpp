@@ -84,7 +84,8 @@ TEST_CASE("what is in one text or list counts as no other's", "[fingerprint]") {
   CHECK(fingerprint({record}) != lists);
 }
 
-TEST_CASE("every NaN is the same, and the sign of zero counts in a list and not in a number of its own", "[fingerprint]") {
+TEST_CASE("every NaN is the same, and the sign of zero counts in a list and not in a number of its own",
+          "[fingerprint]") {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   const auto with = [](double number, double listed) {
     SolveRecord record = sample_record();

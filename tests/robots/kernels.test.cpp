@@ -185,8 +185,8 @@ TEST_CASE("the errors of the iiwa are within 1e-13 cm of 4x4 products in long do
   Dice dice;
   const Robot iiwa = robot("kuka_iiwa14");
   for (const Eigen::Vector3d& tip : {Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(0.01, -0.02, 0.15)}) {
-    const Chain chain(iiwa.chain.links(), tip);
-    const Arm arm(iiwa.chain.links(), tip);
+    const Chain chain((*iiwa.chain()).links(), tip);
+    const Arm arm((*iiwa.chain()).links(), tip);
     for (int trial = 0; trial < 10000; ++trial) {
       const Eigen::VectorXd q = random(iiwa.limits);
       const Eigen::Vector3d target = random_target(dice);
@@ -225,7 +225,7 @@ TEST_CASE("the errors of any arm are within 1e-9 m of long double for angles up 
 
 TEST_CASE("an angle that is none spoils its own candidate, in whatever joint, and no other", "[kernels]") {
   Dice dice;
-  const std::vector<DhLink> iiwa = robot("kuka_iiwa14").chain.links();
+  const std::vector<DhLink> iiwa = robot("kuka_iiwa14").chain()->links();
   Arm arm(iiwa, Eigen::Vector3d::Zero());
   arm.links.back().turns = false;
   constexpr ptrdiff_t count = 19;
@@ -254,7 +254,7 @@ TEST_CASE("an angle that is none spoils its own candidate, in whatever joint, an
 
 TEST_CASE("a target that is none, or a link beyond all squares, gives no finite error", "[kernels]") {
   const Robot iiwa = robot("kuka_iiwa14");
-  const Arm arm(iiwa.chain.links(), Eigen::Vector3d::Zero());
+  const Arm arm((*iiwa.chain()).links(), Eigen::Vector3d::Zero());
   const std::vector<double> q(7 * 11, 0.3);
   std::vector<double> errors(11);
   for (const InstructionSet set : instruction_sets()) {

@@ -1,0 +1,187 @@
+#include "analysis/limits_table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <string>
+
+#include "analysis/definition.hpp"
+#include "analysis/descriptive.hpp"
+#include "analysis/text.hpp"
+#include "analysis/welch.hpp"
+
+namespace ikbench {
+namespace {
+
+bool is_enforced(const StudyResults& study) { return Definition(study.definition).text("/limits") == "enforced"; }
+
+// What one study says of one solver.
+struct Side {
+  std::string solver;
+  Description error_cm;
+  Description variation_deg;
+  // Means over the answers that were not refused. A refused one leaves the arm where it stood: its variation is 0.
+  double accepted_error_cm = not_defined;
+  double accepted_variation_deg = not_defined;
+  Description accepted_variation_of_runs;  // the same of every run that has such an answer
+  SolverCounts counts;
+  int error_rank = 0;  // 1 is the smallest mean among the solvers of both studies; 0 where there is no mean
+  int variation_rank = 0;
+};
+
+bool has_solver(const StudyResults& study, const std::string& solver) {
+  return std::ranges::find(study.solvers, solver) != study.solvers.end();
+}
+
+template <class Mean>
+int rank_of(const Side& side, const std::vector<Side>& sides, Mean&& mean_of) {
+  if (!std::isfinite(mean_of(side))) return 0;
+  return 1 + static_cast<int>(
+                 std::ranges::count_if(sides, [&](const Side& other) { return mean_of(other) < mean_of(side); }));
+}
+
+std::vector<Side> sides_of(const StudyResults& study, const StudyResults& other, Unit unit) {
+  const std::vector<Sample> errors = samples(study, Metric::position_error_cm, unit);
+  const std::vector<Sample> variations = samples(study, Metric::variation_deg, unit);
+  const std::vector<SolverCounts> all_counts = counts(study);
+  std::vector<Side> sides;
+  for (std::size_t i = 0; i < study.solvers.size(); ++i) {
+    if (!has_solver(other, study.solvers[i])) continue;
+    std::vector<double> accepted_errors, accepted_variations, means_of_runs;
+    std::map<int, std::vector<double>> variations_of_run;
+    for (const SolveRecord& solve : study.solves) {
+      if (solve.solver != study.solvers[i] || solve.status == Status::refused) continue;
+      accepted_errors.push_back(solve.position_error_cm);
+      accepted_variations.push_back(solve.variation_deg);
+      variations_of_run[solve.run].push_back(solve.variation_deg);
+    }
+    for (const auto& [run, values] : variations_of_run) means_of_runs.push_back(mean(values));
+    sides.push_back({.solver = study.solvers[i],
+                     .error_cm = describe(errors[i].values),
+                     .variation_deg = describe(variations[i].values),
+                     .accepted_error_cm = describe(accepted_errors).mean,
+                     .accepted_variation_deg = describe(accepted_variations).mean,
+                     .accepted_variation_of_runs = describe(means_of_runs),
+                     .counts = all_counts[i]});
+  }
+  for (Side& side : sides) {
+    side.error_rank = rank_of(side, sides, [](const Side& of) { return of.error_cm.mean; });
+    side.variation_rank = rank_of(side, sides, [](const Side& of) { return of.accepted_variation_deg; });
+  }
+  return sides;
+}
+
+std::string number(double value) { return std::isfinite(value) ? rounded_number(value, 3) : "not defined"; }
+
+// 0.0017 -> 0.071 cm (42 x)
+std::string change(double before, double after, std::string_view unit) {
+  const double ratio = after / before;
+  return fmt::format("{} -> {} {}{}", number(before), number(after), unit,
+                     std::isfinite(ratio) ? fmt::format(" ({} x)", rounded_number(ratio, 3)) : "");
+}
+
+std::string place(int before, int after, std::size_t of, std::string_view measure, const std::string& overtaken) {
+  const std::string where = fmt::format("in {} place {} -> {} of {}", measure, before, after, of);
+  if (before == 0 || after == 0) return fmt::format("in {} not in both rankings", measure);
+  if (before == after) return where + (before == 1 ? ", still the first" : ", as before");
+  return where + (before == 1 ? ", no longer the first" + overtaken : after == 1 ? ", now the first" : "");
+}
+
+// Who is first now, and whether that may be chance. Points of a run depend on each other, so it is asked of runs alone.
+std::string overtaken(const Side& side, const std::vector<Side>& sides, int Side::*rank, Description Side::*measure,
+                      Unit unit) {
+  const auto first = std::ranges::find(sides, 1, rank);
+  if (unit == Unit::point || first == sides.end()) return "";
+  const auto summary = [](const Description& of) { return GroupSummary{.mean = of.mean, .std = of.std, .n = of.n}; };
+  const double p = welch(summary(side.*measure), summary((*first).*measure)).p;
+  return std::isfinite(p) ? fmt::format(" (that is {}; Welch's test, p = {})", first->solver, rounded_number(p, 2))
+                          : "";
+}
+
+std::string sentence(const Side& free, const Side& enforced, const std::vector<Side>& after, Unit unit) {
+  const std::size_t solvers = after.size();
+  return fmt::format(
+      "{}: position error {}, {} cm over the answers that are not refused; variation of such answers {}; answers "
+      "outside the limits {} "
+      "of {} -> refused {} of {}; {}; {}.",
+      free.solver, change(free.error_cm.mean, enforced.error_cm.mean, "cm"), number(enforced.accepted_error_cm),
+      change(free.accepted_variation_deg, enforced.accepted_variation_deg, "deg"), free.counts.outside_limits,
+      free.counts.solves, enforced.counts.of(Status::refused), enforced.counts.solves,
+      place(free.error_rank, enforced.error_rank, solvers, "error",
+            overtaken(enforced, after, &Side::error_rank, &Side::error_cm, unit)),
+      place(free.variation_rank, enforced.variation_rank, solvers, "variation",
+            overtaken(enforced, after, &Side::variation_rank, &Side::accepted_variation_of_runs, unit)));
+}
+
+Table table_of(const StudyResults& free, const StudyResults& enforced, Unit unit) {
+  Table table{.name = "limits",
+              .caption = "What is left where the joint limits are enforced",
+              .columns = {{"algorithm", Align::left},
+                          {"study", Align::left},
+                          {"limits", Align::left},
+                          {"observations"},
+                          {"mean_position_error_cm"},
+                          {"median_position_error_cm"},
+                          {"mean_accepted_error_cm"},
+                          {"mean_variation_deg"},
+                          {"mean_accepted_variation_deg"},
+                          {"rank_error"},
+                          {"rank_variation"},
+                          {"outside_limits"}}};
+  for (const std::string_view status : status_names) table.columns.push_back({std::string(status)});
+  const std::vector<Side> before = sides_of(free, enforced, unit), after = sides_of(enforced, free, unit);
+  const auto add_row = [&](const Side& side, const StudyResults& study, const char* limits) {
+    const auto rank = [](int place) { return place == 0 ? Cell(not_defined) : Cell(std::int64_t{place}); };
+    std::vector<Cell> row{side.solver,
+                          study.name,
+                          std::string(limits),
+                          std::int64_t{side.error_cm.n},
+                          side.error_cm.mean,
+                          side.error_cm.median,
+                          side.accepted_error_cm,
+                          side.variation_deg.mean,
+                          side.accepted_variation_deg,
+                          rank(side.error_rank),
+                          rank(side.variation_rank),
+                          std::int64_t{side.counts.outside_limits}};
+    for (const int number_of : side.counts.by_status) row.emplace_back(std::int64_t{number_of});
+    table.rows.push_back(std::move(row));
+  };
+  for (const Side& side : before) {
+    const Side& other = *std::ranges::find(after, side.solver, &Side::solver);
+    add_row(side, free, "recorded");
+    add_row(other, enforced, "enforced");
+    table.notes.push_back(sentence(side, other, after, unit));
+  }
+  table.notes.emplace_back(
+      "Both studies have the same targets. recorded: answers outside the joint limits are kept and counted; enforced: "
+      "they are refused. Places are by means, 1 the smallest, among the solvers of both studies.");
+  table.notes.emplace_back(
+      "A refused answer leaves the arm where it stood: a variation of 0 deg that no solver should gain by. So places "
+      "in "
+      "variation are by mean_accepted_variation_deg, over the answers that are not refused; mean_variation_deg is over "
+      "all. The tests of variation compare the runs' means over such answers.");
+  for (const StudyResults* const study : {&free, &enforced}) {
+    for (const std::string& note : status_notes(*study)) table.notes.push_back(study->name + ": " + note);
+  }
+  return table;
+}
+
+}  // namespace
+
+std::optional<Table> limits_table(const std::vector<StudyResults>& studies, Unit unit) {
+  if (studies.empty()) return std::nullopt;
+  const StudyResults& reported = studies.front();
+  for (const StudyResults& other : studies) {
+    const bool in_common =
+        std::ranges::any_of(reported.solvers, [&](const std::string& solver) { return has_solver(other, solver); });
+    if (is_enforced(other) == is_enforced(reported) || !in_common) continue;
+    return is_enforced(other) ? table_of(reported, other, unit) : table_of(other, reported, unit);
+  }
+  return std::nullopt;
+}
+
+}  // namespace ikbench

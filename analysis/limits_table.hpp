@@ -1,0 +1,16 @@
+// What is left of a study's findings where the joint limits are enforced: a study beside the one that enforces them.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "analysis/study.hpp"
+#include "analysis/table.hpp"
+
+namespace ikbench {
+
+// Of studies with the same targets, the reported one first: it and the first other with which it makes a pair, one of
+// them with limits enforced and one without, that have a solver in common. Nothing where there is none.
+std::optional<Table> limits_table(const std::vector<StudyResults>& studies, Unit unit);
+
+}  // namespace ikbench

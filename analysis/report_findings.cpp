@@ -1,0 +1,402 @@
+#include "analysis/report_findings.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "analysis/circle.hpp"
+#include "analysis/definition.hpp"
+#include "analysis/descriptive.hpp"
+#include "analysis/paper_tables.hpp"
+#include "analysis/provenance.hpp"
+#include "analysis/published_numbers.hpp"
+#include "analysis/text.hpp"
+#include "analysis/time_assessment.hpp"
+#include "analysis/welch.hpp"
+#include "results/published.hpp"
+
+namespace ikbench {
+namespace {
+
+// A solver with observations here and a printed row.
+struct Pair {
+  std::string solver;
+  Description ours;
+  GroupSummary printed;
+};
+
+double printed_mean(const Pair& pair) { return pair.printed.mean; }
+
+// In the printed order, the smallest first.
+std::vector<Pair> pairs(const StudyResults& study, const std::vector<Comparison>& rows, Metric metric) {
+  std::vector<Pair> result;
+  for (const Comparison& row : rows) {
+    const std::optional<PrintedRow> printed = printed_row(study, row.solver, metric);
+    if (row.metric != metric || !printed || row.ours.n == 0) continue;
+    result.push_back({row.solver, row.ours, printed->summary});
+  }
+  std::ranges::stable_sort(result, {}, printed_mean);
+  return result;
+}
+
+// A mean that is not defined, for an answer that is not finite, ranks as the worst.
+double rank_of(const Pair& pair) {
+  return std::isfinite(pair.ours.mean) ? pair.ours.mean : std::numeric_limits<double>::infinity();
+}
+
+std::string short_number(double value) { return std::isfinite(value) ? rounded_number(value, 3) : "not defined"; }
+
+GroupSummary summary_of(const Description& of) { return {.mean = of.mean, .std = of.std, .n = of.n}; }
+
+// Whether one mean is smaller than another, by Welch's test, since two means always differ.
+struct Smaller {
+  Verdict verdict;
+  double p;  // not defined where there is no test
+};
+Smaller smaller(const GroupSummary& a, const GroupSummary& b) {
+  const double p = welch(a, b).p;
+  if (!std::isfinite(p) || p >= significance) return {Verdict::undecided, p};
+  return {a.mean < b.mean ? Verdict::holds : Verdict::does_not_hold, p};
+}
+
+// Of our observations: points of one run depend on each other, so runs alone are tested. A mean that is not defined is
+// the larger.
+Smaller smaller(const Description& a, const Description& b, Unit unit) {
+  if (std::isfinite(a.mean) != std::isfinite(b.mean)) {
+    return {std::isfinite(a.mean) ? Verdict::holds : Verdict::does_not_hold, not_defined};
+  }
+  return unit == Unit::run ? smaller(summary_of(a), summary_of(b)) : Smaller{Verdict::undecided, not_defined};
+}
+
+// " (p = 0.01)"
+std::string in_brackets(double p) { return std::isfinite(p) ? fmt::format(" (p = {})", rounded_number(p, 2)) : ""; }
+
+std::string_view how_tested(Unit unit) {
+  return unit == Unit::run ? " p by Welch's test, here over run means."
+                           : " Points of one run depend on each other: no test here; printed, p by Welch's test.";
+}
+
+// The printed ranking against ours: holds when all stand in the same order, in part when the first is the same or most
+// pairs stand. On the printed numbers: holds when all pairs differ, in part when the first two do.
+std::optional<Finding> ranking(const StudyResults& study, const std::vector<Comparison>& rows, Metric metric,
+                               std::string_view what, std::string_view unit) {
+  const std::vector<Pair> printed = pairs(study, rows, metric);
+  if (printed.size() < 2) return std::nullopt;
+  std::vector<Pair> ours = printed;
+  std::ranges::stable_sort(ours, {}, rank_of);
+  int all = 0, in_order = 0, differ = 0;
+  for (std::size_t i = 0; i < printed.size(); ++i) {
+    for (std::size_t j = i + 1; j < printed.size(); ++j) {
+      ++all;
+      if (rank_of(printed[i]) < rank_of(printed[j])) ++in_order;
+      if (smaller(printed[i].printed, printed[j].printed).verdict == Verdict::holds) ++differ;
+    }
+  }
+  std::string order, list;
+  for (const Pair& pair : printed) order += (order.empty() ? "" : " < ") + pair.solver;
+  for (const Pair& pair : ours) {
+    list += fmt::format("{}{} {} {}", list.empty() ? "" : ", ", pair.solver, short_number(pair.ours.mean), unit);
+  }
+  const bool same_first = ours.front().solver == printed.front().solver;
+  const Smaller first_two = smaller(printed[0].printed, printed[1].printed);
+  return Finding{
+      .claim = fmt::format("{}: {}", what, order),
+      .verdict = in_order == all                    ? Verdict::holds
+                 : same_first || 2 * in_order > all ? Verdict::in_part
+                                                    : Verdict::does_not_hold,
+      .evidence = fmt::format("Here: {}. {} of {} pairs stand in the printed order; first is {}{}. Printed: {} of {} "
+                              "pairs differ by Welch's test, {} and {} {}{}.",
+                              list, in_order, all, ours.front().solver, same_first ? ", as printed" : "", differ, all,
+                              printed[0].solver, printed[1].solver,
+                              first_two.verdict == Verdict::holds ? "among them" : "do not", in_brackets(first_two.p)),
+      .table = "table-3",
+      .printed = differ == all                         ? Verdict::holds
+                 : first_two.verdict == Verdict::holds ? Verdict::in_part
+                                                       : Verdict::undecided};
+}
+
+std::optional<Finding> computing_time(const StudyResults& study, const std::vector<Comparison>& rows) {
+  std::optional<Finding> finding = ranking(study, rows, Metric::seconds, "Computing time", "s");
+  if (finding) finding->evidence += " The implementation decides it: the paper timed MATLAB, here it is C++.";
+  return finding;
+}
+
+std::optional<Finding> most_accurate(const StudyResults& study, const std::vector<Comparison>& rows, Unit unit) {
+  std::vector<Pair> all = pairs(study, rows, Metric::position_error_cm);
+  if (all.size() < 2 || all[0].solver != time_reference) return std::nullopt;
+  const Pair first = all[0], printed_second = all[1];
+  std::ranges::stable_sort(all, {}, rank_of);
+  const Pair& other = all[0].solver == first.solver ? all[1] : all[0];
+  const Smaller here = smaller(first.ours, other.ours, unit);
+  const Smaller printed = smaller(first.printed, printed_second.printed);
+  return Finding{
+      .claim = fmt::format("{} is the most accurate", first.solver),
+      .verdict = here.verdict,
+      .evidence = fmt::format("Mean position error {} cm; {} comes to {} cm, {} times as much{}. Printed: {} cm; {} {} "
+                              "cm{}.{}",
+                              short_number(first.ours.mean), other.solver, short_number(other.ours.mean),
+                              short_number(other.ours.mean / first.ours.mean), in_brackets(here.p),
+                              short_number(first.printed.mean), printed_second.solver,
+                              short_number(printed_second.printed.mean), in_brackets(printed.p), how_tested(unit)),
+      .table = "table-3",
+      .printed = printed.verdict};
+}
+
+// The paper's solver moves the joints less than those others: as much as is true of each of them.
+Finding moves_less(const Pair& reference, const std::vector<Pair>& others, const std::string& whom, Unit unit) {
+  Verdict here = Verdict::holds, printed = Verdict::holds;
+  std::string our_list, printed_list;
+  for (const Pair& other : others) {
+    const Smaller ours = smaller(reference.ours, other.ours, unit), theirs = smaller(reference.printed, other.printed);
+    here = std::max(here, ours.verdict);
+    printed = std::max(printed, theirs.verdict);
+    our_list += fmt::format(", {} by {}{}", other.solver, short_number(other.ours.mean), in_brackets(ours.p));
+    printed_list += fmt::format(", {} {}{}", other.solver, short_number(other.printed.mean), in_brackets(theirs.p));
+  }
+  return {.claim = fmt::format("{} moves the joints less than {}", reference.solver, whom),
+          .verdict = here,
+          .evidence = fmt::format("{} moves the joints by {} deg a point{}. Printed: {} {}{}.{}", reference.solver,
+                                  short_number(reference.ours.mean), our_list, reference.solver,
+                                  short_number(reference.printed.mean), printed_list, how_tested(unit)),
+          .table = "table-3",
+          .printed = printed};
+}
+
+std::vector<Finding> variation(const StudyResults& study, const std::vector<Comparison>& rows, Unit unit) {
+  const std::vector<Pair> all = pairs(study, rows, Metric::variation_deg);
+  if (all.size() < 2 || all.front().solver != time_reference) return {};
+  std::vector<Finding> result{moves_less(all[0], {all[1]}, all[1].solver, unit)};
+  if (all.size() > 2) result.push_back(moves_less(all[0], {all.begin() + 2, all.end()}, "the other solvers", unit));
+  return result;
+}
+
+std::optional<Finding> solvers_differ(const StudyResults& study, Unit unit) {
+  constexpr std::array<Metric, 3> metrics{Metric::position_error_cm, Metric::variation_deg, Metric::seconds};
+  std::string list;
+  int alike = 0, printed_alike = 0;
+  const auto verdict_of = [](int number_alike) {
+    return number_alike == 0 ? Verdict::holds : number_alike == 3 ? Verdict::does_not_hold : Verdict::in_part;
+  };
+  for (const Metric metric : metrics) {
+    const std::optional<AnovaTable> printed = comparable_printed_anova(study, metric, unit);
+    if (!printed) return std::nullopt;
+    const AnovaTable table = anova(study, metric, unit).table;
+    if (!std::isfinite(table.p)) return std::nullopt;
+    if (table.p >= significance) ++alike;
+    if (printed->p >= significance) ++printed_alike;
+    list += fmt::format("{}{} F = {}, p = {}", list.empty() ? "" : "; ", name_of(metric), short_number(table.F),
+                        rounded_number(table.p, 2));
+  }
+  return Finding{.claim = "The solvers differ in error, variation and time (ANOVA)",
+                 .verdict = verdict_of(alike),
+                 .evidence = list + ".",
+                 .table = "table-4",
+                 .printed = verdict_of(printed_alike)};
+}
+
+std::optional<Finding> inside_limits(const StudyResults& study) {
+  for (const SolverCounts& count : counts(study)) {
+    if (count.solver != time_reference || count.solves == 0) continue;
+    return Finding{.claim = fmt::format("{}'s answers are inside the joint limits (Eq. 4)", count.solver),
+                   .verdict = count.outside_limits == 0 ? Verdict::holds : Verdict::does_not_hold,
+                   .evidence = count.outside_limits == 0
+                                   ? fmt::format("All of {} are.", count.solves)
+                                   : fmt::format("{} of {} are not, the worst joint by {} deg.", count.outside_limits,
+                                                 count.solves, short_number(count.worst_outside_deg)),
+                   .table = "status"};
+  }
+  return std::nullopt;
+}
+
+bool has_table(const StudyResults& study, std::string_view name) {
+  const auto tables = published::tables(study.published);
+  return std::ranges::find(tables, name) != tables.end();
+}
+
+// Table 7's first row, as time_assessment judges it.
+std::optional<Finding> real_time(const StudyResults& study) {
+  if (!has_table(study, "table-7") || !std::isfinite(tolerance_cm(study))) return std::nullopt;
+  const PrintedTime printed = printed_table_7(study.published).front();
+  const std::vector<TimeAssessment> rows = assess_times(study);
+  const auto row = std::ranges::find(rows, fmt::format("{} bats", printed.bats), &TimeAssessment::solver);
+  if (row == rows.end() || row->solves == 0) return std::nullopt;
+  return Finding{.claim = fmt::format("With {} bats IK-BA answers in real time", printed.bats),
+                 .verdict = row->in_time == row->solves        ? Verdict::holds
+                            : row->time_ms.max >= real_time_ms ? Verdict::does_not_hold
+                                                               : Verdict::in_part,
+                 .evidence = fmt::format("This program on the machine of the run, not MATLAB: {} of {} targets within "
+                                         "{} cm in less than {} ms; mean {} "
+                                         "ms, the slowest {} ms. Printed, of MATLAB on another machine, {}.",
+                                         row->in_time, row->solves, tolerance_cm(study), real_time_ms,
+                                         short_number(row->time_ms.mean), short_number(row->time_ms.max),
+                                         printed_real_time(printed)),
+                 .table = "table-7",
+                 .printed = printed.max_ms < real_time_ms    ? Verdict::holds
+                            : printed.mean_ms < real_time_ms ? Verdict::in_part
+                                                             : Verdict::does_not_hold};
+}
+
+// Table 8: errors of the order of rounding, which is a double's step times the length that is computed.
+std::optional<Finding> circle(const StudyResults& study) {
+  constexpr double step = std::numeric_limits<double>::epsilon(), order = 10, cm_in_m = 100;
+  const std::vector<PrintedPosture> postures = printed_table_8(study.published);
+  if (!is_circle(study) || study.solves.empty() || postures.empty()) return std::nullopt;
+  std::vector<double> printed, ours;
+  double farthest_cm = 0;
+  for (const PrintedPosture& posture : postures) printed.push_back(posture.error_cm);
+  for (const SolveRecord& solve : study.solves) {
+    if (solve.solver != study.solvers.front()) continue;
+    ours.push_back(solve.position_error_cm);
+    double square = 0;
+    for (const double coordinate : solve.target_position_m) square += coordinate * coordinate;
+    farthest_cm = std::max(farthest_cm, cm_in_m * std::sqrt(square));
+  }
+  if (ours.empty()) return std::nullopt;
+  const double rounding = step * farthest_cm;
+  const auto verdict_of = [&](double error) {
+    return error <= order * rounding ? Verdict::holds : Verdict::does_not_hold;
+  };
+  return Finding{.claim = "IK-BA leads the Dobot Magician along a circle to rounding error",
+                 .verdict = verdict_of(mean(ours)),
+                 .evidence = fmt::format("Mean error {} cm over {} points; printed {} cm. Rounding is {} cm (2^-52 of "
+                                         "{} cm, the farthest target); up to {} times that counts as rounding.",
+                                         short_number(mean(ours)), ours.size(), short_number(mean(printed)),
+                                         short_number(rounding), short_number(farthest_cm), order),
+                 .table = "table-8",
+                 .printed = verdict_of(mean(printed))};
+}
+
+// One solver of a study; none where it has no observations.
+std::optional<Description> description(const StudyResults& study, std::string_view solver, Metric metric, Unit unit) {
+  for (const Sample& sample : samples(study, metric, unit)) {
+    if (sample.solver == solver && !sample.values.empty()) return describe(sample.values);
+  }
+  return std::nullopt;
+}
+
+// The study with limits enforced.
+std::optional<Finding> accurate_inside_limits(const StudyResults& study, const StudyResults& limits, Unit unit) {
+  const auto are_enforced = [](const StudyResults& of) {
+    return Definition(of.definition).text("/limits") == "enforced";
+  };
+  if (!are_enforced(limits) || are_enforced(study) || !same_targets(study, limits)) return std::nullopt;
+  const auto ours = description(limits, time_reference, Metric::position_error_cm, unit);
+  const auto before = description(study, time_reference, Metric::position_error_cm, unit);
+  std::optional<Description> best;
+  std::string best_solver, refused;
+  for (const SolverCounts& count : counts(limits)) {
+    refused += fmt::format("{}{} {} of {}", refused.empty() ? "" : ", ", count.solver, count.of(Status::refused),
+                           count.solves);
+    const auto other = description(limits, count.solver, Metric::position_error_cm, unit);
+    if (count.solver == time_reference || !other || !std::isfinite(other->mean)) continue;
+    if (best && best->mean <= other->mean) continue;
+    best = other;
+    best_solver = count.solver;
+  }
+  if (!ours || !before || !best) return std::nullopt;
+  const Smaller here = smaller(*ours, *best, unit);
+  return Finding{
+      .claim = fmt::format("With the joint limits enforced {} stays the most accurate", time_reference),
+      .verdict = here.verdict,
+      .evidence = fmt::format("Mean position error {} cm ({} cm without); {} comes to {} cm, {} times as much{}.{} "
+                              "Refused answers: {}.",
+                              short_number(ours->mean), short_number(before->mean), best_solver,
+                              short_number(best->mean), short_number(best->mean / ours->mean), in_brackets(here.p),
+                              unit == Unit::run ? " p by Welch's test over run means." : "", refused),
+      .table = "limits"};
+}
+
+// A solver of the textbooks on the same targets, in error, variation and evaluations.
+std::optional<Finding> better_than_classical(const StudyResults& study, const StudyResults& context, Unit unit) {
+  constexpr std::string_view classical = "DLS";  // damped least squares
+  constexpr std::array<Metric, 3> metrics{Metric::position_error_cm, Metric::variation_deg, Metric::evaluations};
+  constexpr std::array<std::string_view, 3> words{"cm of mean position error", "deg of variation", "evaluations"};
+  if (!same_targets(study, context)) return std::nullopt;
+  int better = 0, worse = 0;
+  std::string list;
+  for (std::size_t i = 0; i < metrics.size(); ++i) {
+    const auto ours = description(study, time_reference, metrics[i], unit);
+    const auto other = description(context, classical, metrics[i], unit);
+    if (!ours || !other) return std::nullopt;
+    Smaller here = smaller(*ours, *other, unit);
+    if (metrics[i] == Metric::evaluations && ours->mean != other->mean) {  // counted, not measured
+      here = {ours->mean < other->mean ? Verdict::holds : Verdict::does_not_hold, not_defined};
+    }
+    if (here.verdict == Verdict::holds) ++better;
+    if (here.verdict == Verdict::does_not_hold) ++worse;
+    list += fmt::format("{}{} against {} {}{}", list.empty() ? "" : ", ", short_number(ours->mean),
+                        short_number(other->mean), words[i], in_brackets(here.p));
+  }
+  return Finding{.claim = fmt::format("{} is better than a classical solver (damped least squares)", time_reference),
+                 .verdict = better == static_cast<int>(metrics.size()) ? Verdict::holds
+                            : better > 0                               ? Verdict::in_part
+                            : worse > 0                                ? Verdict::does_not_hold
+                                                                       : Verdict::undecided,
+                 .evidence = fmt::format("{} against {}, a point: {}.{}", time_reference, classical, list,
+                                         unit == Unit::run ? " p by Welch's test over run means." : ""),
+                 .table = "perspective"};
+}
+
+// Times that were taken among other work decide nothing.
+std::optional<Finding> comparable_times(const StudyResults& study, std::optional<Finding> finding) {
+  const std::string note = timing_note(study);
+  if (!finding || note.empty()) return finding;
+  finding->verdict = Verdict::undecided;
+  finding->evidence += ' ' + note;
+  return finding;
+}
+
+}  // namespace
+
+std::string_view name_of(Verdict verdict) {
+  constexpr std::array<std::string_view, 4> names{"holds", "in part", "undecided", "does not hold"};
+  return names[static_cast<std::size_t>(verdict)];
+}
+
+std::string tally(const std::vector<Finding>& findings) {
+  const auto count = [&](Verdict verdict) { return std::ranges::count(findings, verdict, &Finding::verdict); };
+  std::string text = fmt::format("Of {} findings {} hold here", findings.size(), count(Verdict::holds));
+  if (count(Verdict::in_part) > 0) text += fmt::format(", {} in part", count(Verdict::in_part));
+  if (count(Verdict::does_not_hold) > 0) text += fmt::format(", {} not", count(Verdict::does_not_hold));
+  if (count(Verdict::undecided) > 0) text += fmt::format("; {} cannot be decided", count(Verdict::undecided));
+  const auto is_printed = [](const Finding& finding) { return finding.printed.has_value(); };
+  if (const auto printed = std::ranges::count_if(findings, is_printed); printed > 0) {
+    text += fmt::format(". On the printed numbers {} of {} hold",
+                        std::ranges::count(findings, Verdict::holds, &Finding::printed), printed);
+  }
+  return text + '.';
+}
+
+std::vector<Finding> findings(const StudyResults& study, const std::vector<StudyResults>& companions, Unit unit) {
+  std::vector<Finding> result;
+  const auto add = [&](std::optional<Finding> finding) {
+    if (finding) result.push_back(std::move(*finding));
+  };
+  const std::vector<Comparison> rows = compare(study, unit);
+  const auto is_printed = [](const Comparison& row) { return std::isfinite(row.paper_mean); };
+  if (std::ranges::any_of(rows, is_printed)) {
+    add(most_accurate(study, rows, unit));
+    add(ranking(study, rows, Metric::position_error_cm, "Accuracy", "cm"));
+    for (Finding& finding : variation(study, rows, unit)) result.push_back(std::move(finding));
+    add(comparable_times(study, computing_time(study, rows)));
+    add(solvers_differ(study, unit));
+    add(inside_limits(study));
+    for (const StudyResults& companion : companions) {
+      if (companion.name == study.name + "-limits") add(accurate_inside_limits(study, companion, unit));
+      if (companion.name == study.name + "-context") add(better_than_classical(study, companion, unit));
+    }
+  }
+  add(comparable_times(study, real_time(study)));
+  add(circle(study));
+  for (const StudyResults& companion : companions) {
+    add(comparable_times(companion, real_time(companion)));
+    add(circle(companion));
+  }
+  return result;
+}
+
+}  // namespace ikbench

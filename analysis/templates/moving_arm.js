@@ -1,0 +1,260 @@
+// The arm following the path, two solvers side by side: the data of #motion-data drawn by three.js.
+'use strict';
+(() => {
+  const data = JSON.parse(document.getElementById('motion-data').textContent);
+  const stage = document.getElementById('stage');
+  const arm = data.arm;
+  const degree = Math.PI / 180;
+  const still = matchMedia('(prefers-reduced-motion: reduce)').matches;
+  const metal = 0x8a94a3, joint = 0x0072b2, outside = 0xd62728, way = 0xe69f00, goal = 0x009e73;
+
+  // Forward kinematics: the corners of the arm from the base to the tool, each with the joint that turns there (or -1).
+  const forward = {
+    denavit_hartenberg(q) {
+      const frame = new THREE.Matrix4(), corners = [];
+      const here = turning => corners.push({ at: new THREE.Vector3().setFromMatrixPosition(frame), turning });
+      arm.links.forEach((link, i) => {
+        here(i);
+        frame.multiply(new THREE.Matrix4().makeRotationZ(q[i] + link.offset_rad));
+        frame.multiply(new THREE.Matrix4().makeTranslation(0, 0, link.d_m));
+        if (link.a_m !== 0) {
+          here(-1);
+          frame.multiply(new THREE.Matrix4().makeTranslation(link.a_m, 0, 0));
+        }
+        frame.multiply(new THREE.Matrix4().makeRotationX(link.alpha_rad));
+      });
+      here(-1);
+      if (arm.tip_m.some(x => x !== 0)) {
+        corners.push({ at: new THREE.Vector3(...arm.tip_m).applyMatrix4(frame), turning: -1 });
+      }
+      return corners;
+    },
+    dobot_magician(q) {
+      const at = (radius, height) => new THREE.Vector3(radius * Math.cos(q[0]), radius * Math.sin(q[0]), height);
+      const elbow = arm.upper_arm_m * Math.sin(q[1]), elbowHeight = arm.height_m + arm.upper_arm_m * Math.cos(q[1]);
+      const wrist = elbow + arm.forearm_m * Math.cos(q[2]), wristHeight = elbowHeight - arm.forearm_m * Math.sin(q[2]);
+      return [{ at: at(0, 0), turning: 0 }, { at: at(0, arm.height_m), turning: 1 },
+              { at: at(elbow, elbowHeight), turning: 2 }, { at: at(wrist, wristHeight), turning: -1 },
+              { at: at(wrist + arm.wrist_to_tool_m, wristHeight), turning: -1 }];
+    },
+  }[arm.kind];
+  if (!forward || !document.createElement('canvas').getContext('webgl')) return;  // the figure stays
+
+  const known = list => Array.isArray(list) && list.every(Number.isFinite);
+  const violation = (q, i) => Math.max(0, q[i] / degree - arm.upper_deg[i], arm.lower_deg[i] - q[i] / degree) || 0;
+
+  // A solver's configurations: from where each step starts to what it came to; an answer that is none stays.
+  function movesOf(solver) {
+    let last = null;
+    return solver.steps.map(step => {
+      const start = known(step.start) ? step.start : last ?? step.answer;
+      const answer = known(step.answer) ? step.answer : start;
+      last = answer;
+      return { ...step, start, end: answer };
+    });
+  }
+  const between = (move, share) => move.start.map((x, i) => x + (move.end[i] - x) * share);
+
+  // One time for both views: whole numbers are answers, the place between k - 1 and k is the way to answer k.
+  const longest = Math.max(...data.solvers.map(solver => solver.steps.length));
+  let time = 0, playing = false, before = 0;
+  const stateAt = moves => {
+    const index = Math.min(Math.max(Math.ceil(time), 1), moves.length);
+    const share = time >= moves.length ? 1 : Math.max(0, time - (index - 1));
+    const eased = share * share * (3 - 2 * share);
+    return { index, move: moves[index - 1], q: between(moves[index - 1], still ? Math.round(share) : eased) };
+  };
+
+  const samples = 16;  // of the tool's way per step
+  const up = new THREE.Vector3(0, 1, 0);
+
+  // All of every solver is seen, at rest and on its way, and both views look from the same place.
+  const room = new THREE.Box3();
+  for (const solver of data.solvers) {
+    for (const move of movesOf(solver)) {
+      for (const q of [move.start, move.end]) for (const corner of forward(q)) room.expandByPoint(corner.at);
+      if (known(move.target)) room.expandByPoint(new THREE.Vector3(...move.target));
+    }
+  }
+  const size = Math.max(room.getSize(new THREE.Vector3()).length(), 0.1);
+  const centre = room.getCenter(new THREE.Vector3());
+
+  class View {
+    constructor(place, chosen) {
+      this.root = document.createElement('div');
+      this.root.className = 'view';
+      const label = document.createElement('label');
+      const select = document.createElement('select');
+      select.setAttribute('aria-label', `Solver of view ${place + 1}`);
+      data.solvers.forEach((solver, i) => select.add(new Option(solver.name, i, false, i === chosen)));
+      label.append(select);
+      this.canvas = document.createElement('canvas');
+      this.canvas.tabIndex = 0;
+      this.canvas.setAttribute('role', 'img');
+      this.text = document.createElement('p');
+      this.root.append(label, this.canvas, this.text);
+
+      this.renderer = new THREE.WebGLRenderer({ canvas: this.canvas, antialias: true, alpha: true });
+      this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
+      this.scene = new THREE.Scene();
+      this.camera = new THREE.PerspectiveCamera(40, 1, 0.01, 100);
+      this.camera.up.set(0, 0, 1);
+      this.scene.add(new THREE.HemisphereLight(0xffffff, 0x666677, 0.9));
+      const light = new THREE.DirectionalLight(0xffffff, 0.6);
+      light.position.set(1, -1, 2);
+      this.scene.add(light);
+      this.controls = new THREE.OrbitControls(this.camera, this.canvas);
+      this.controls.enableKeys = false;
+      this.controls.target.copy(centre);
+      this.camera.position.copy(centre).add(new THREE.Vector3(0.75, -1.05, 0.45).multiplyScalar(1.05 * size));
+      this.controls.update();
+      this.moving = new THREE.Group();
+      this.fixed = new THREE.Group();
+      this.scene.add(this.fixed, this.moving);
+      this.choose(chosen);
+      select.addEventListener('change', () => { this.choose(Number(select.value)); this.draw(); });
+    }
+
+    choose(index) {
+      this.solver = data.solvers[index];
+      this.moves = movesOf(this.solver);
+      this.canvas.setAttribute('aria-label', `The arm, moved by ${this.solver.name}`);
+      const targets = this.moves.filter(move => known(move.target)).map(move => new THREE.Vector3(...move.target));
+      this.fixed.remove(...this.fixed.children);
+      const grid = new THREE.GridHelper(size, 10, 0x888888, 0x888888);
+      grid.material.transparent = true;
+      grid.material.opacity = 0.35;
+      grid.rotation.x = Math.PI / 2;
+      this.fixed.add(grid);
+      for (const target of targets) this.fixed.add(this.ball(target, 0.011, goal));
+      const path = new THREE.BufferGeometry().setFromPoints(targets);
+      this.fixed.add(new THREE.Line(path, new THREE.LineBasicMaterial({ color: goal })));
+
+      const tools = [];
+      for (const move of this.moves) {
+        for (let i = 0; i <= samples; ++i) tools.push(forward(between(move, i / samples)).pop().at);
+      }
+      this.way = new THREE.Line(new THREE.BufferGeometry().setFromPoints(tools),
+                                new THREE.LineBasicMaterial({ color: way, transparent: true, opacity: 0.9 }));
+      this.way.frustumCulled = false;
+      this.fixed.add(this.way);
+    }
+
+    ball(at, radius, color) {
+      const mesh = new THREE.Mesh(new THREE.SphereBufferGeometry(radius * size, 16, 12),
+                                  new THREE.MeshLambertMaterial({ color }));
+      mesh.position.copy(at);
+      return mesh;
+    }
+
+    bar(from, to) {
+      const along = new THREE.Vector3().subVectors(to, from), length = along.length();
+      const mesh = new THREE.Mesh(new THREE.CylinderBufferGeometry(0.014 * size, 0.014 * size, length, 16),
+                                  new THREE.MeshLambertMaterial({ color: metal }));
+      mesh.position.addVectors(from, to).multiplyScalar(0.5);
+      mesh.quaternion.setFromUnitVectors(up, along.normalize());
+      return mesh;
+    }
+
+    draw() {
+      const side = this.canvas.clientWidth;
+      if (side !== this.side) this.renderer.setSize(this.side = side, side, false);
+      const { index, move, q } = stateAt(this.moves);
+      for (const old of this.moving.children) {
+        old.geometry.dispose();
+        old.material.dispose();
+      }
+      this.moving.remove(...this.moving.children);
+      const corners = forward(q);
+      corners.forEach((corner, i) => {
+        const wrong = corner.turning >= 0 && violation(q, corner.turning) > 0;
+        const last = i === corners.length - 1;
+        this.moving.add(this.ball(corner.at, wrong ? 0.03 : last ? 0.012 : 0.021, wrong ? outside : last ? way : joint));
+        if (i > 0 && corners[i - 1].at.distanceTo(corner.at) > 1e-6) this.moving.add(this.bar(corners[i - 1].at, corner.at));
+      });
+      const done = Math.min(time, this.moves.length);
+      this.way.geometry.setDrawRange(0, done <= 0 ? 0 : Math.floor((index - 1) * (samples + 1) + (done - index + 1) * samples) + 1);
+      this.renderer.render(this.scene, this.camera);
+      this.tell(index, move);
+    }
+
+    tell(index, move) {
+      const digits = (value, count) => value === null ? 'not finite' : Number(value.toPrecision(count)).toString();
+      const joints = [...move.end.keys()].filter(i => violation(move.end, i) > 0)
+        .map(i => `joint ${i + 1} by ${digits(violation(move.end, i), 2)}\u00b0`);
+      const words = `Point ${move.point}: joints move ${digits(move.variation_deg, 3)}\u00b0, error ${digits(move.error_cm, 2)} cm.`;
+      if (this.told === index + words) return;
+      this.told = index + words;
+      this.text.textContent = words;
+      if (joints.length === 0) return;
+      const warning = document.createElement('span');
+      warning.className = 'outside';
+      warning.textContent = ` Outside its limits: ${joints.join(', ')}.`;
+      this.text.append(warning);
+    }
+  }
+
+  const second = data.solvers.findIndex((solver, i) => i > 0 && solver.name !== data.solvers[0].name);
+  const views = (second < 0 ? [0] : [0, second]).map((chosen, place) => new View(place, chosen));
+
+  const play = document.getElementById('play'), place = document.getElementById('place');
+  const placeText = document.getElementById('place-text'), speed = document.getElementById('speed');
+  place.max = longest;
+  let frame = 0;
+  function show() {
+    place.value = time;
+    placeText.value = `${Math.min(Math.ceil(time), longest)} of ${longest}`;
+    for (const view of views) view.draw();
+  }
+  function advance(now) {
+    time = Math.min(longest, time + Math.min(0.1, (now - before) / 1000) * Number(speed.value));
+    before = now;
+    if (time >= longest) {
+      run(false);
+    } else {
+      show();
+      frame = requestAnimationFrame(advance);
+    }
+  }
+  function run(on) {
+    cancelAnimationFrame(frame);
+    playing = on;
+    play.textContent = on ? 'Pause' : 'Play';
+    if (on && time >= longest) time = 0;
+    before = performance.now();
+    show();
+    if (on) frame = requestAnimationFrame(advance);
+  }
+  function go(to) {
+    time = Math.min(Math.max(to, 0), longest);
+    run(false);
+  }
+  const forth = () => go(Math.floor(time) + 1), back = () => go(Math.ceil(time) - 1);
+  play.addEventListener('click', () => run(!playing));
+  document.getElementById('forth').addEventListener('click', forth);
+  document.getElementById('back').addEventListener('click', back);
+  place.addEventListener('input', () => go(Number(place.value)));
+  const keys = { ' ': () => run(!playing), ArrowRight: forth, ArrowLeft: back };
+  for (const view of views) {
+    view.canvas.addEventListener('keydown', event => {
+      if (!keys[event.key]) return;
+      event.preventDefault();
+      keys[event.key]();
+    });
+    // Both are looked at from the same side.
+    view.controls.addEventListener('change', () => {
+      for (const other of views) {
+        if (other === view) continue;
+        other.camera.position.copy(view.camera.position);
+        other.camera.quaternion.copy(view.camera.quaternion);
+        other.controls.target.copy(view.controls.target);
+      }
+      if (!playing) show();
+    });
+  }
+  stage.querySelector('.views').append(...views.map(view => view.root));
+  document.getElementById('still').hidden = true;
+  stage.hidden = false;
+  addEventListener('resize', show);
+  show();
+})();

@@ -1,0 +1,72 @@
+// ikbench audit: what a paper's printed numbers say about each other; nothing is solved.
+#include "analysis/audit.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+
+#include "analysis/report.hpp"
+#include "cli/commands.hpp"
+#include "cli/console.hpp"
+
+namespace ikbench::cli {
+
+namespace {
+
+// Each check in a line, and why below it.
+std::string shown(const std::vector<AuditItem>& items) {
+  std::vector<std::vector<std::string>> rows{{"ID", "VERDICT", "WHERE", "PRINTED", "FOLLOWS"}};
+  for (const AuditItem& item : items) {
+    rows.push_back({item.id, std::string(name_of(item.verdict)), item.where, item.printed, item.follows});
+  }
+  const std::string lines = aligned(rows);
+  std::string text;
+  std::size_t row = 0, begin = 0;
+  for (std::size_t end = lines.find('\n'); end != std::string::npos; end = lines.find('\n', begin)) {
+    text += lines.substr(begin, end + 1 - begin);
+    if (row > 0) text += fmt::format("      {}\n", printable(items[row - 1].sentence));
+    begin = end + 1;
+    ++row;
+  }
+  return text;
+}
+
+std::string counted(const std::vector<AuditItem>& items) {
+  std::string text = fmt::format("{} checks:", items.size());
+  for (const AuditVerdict verdict :
+       {AuditVerdict::consistent, AuditVerdict::rounding, AuditVerdict::misprint, AuditVerdict::contradiction}) {
+    const auto count = std::ranges::count(items, verdict, &AuditItem::verdict);
+    text += fmt::format("{} {} {}", verdict == AuditVerdict::consistent ? "" : ",", count, name_of(verdict));
+  }
+  return text;
+}
+
+}  // namespace
+
+void add_audit(CLI::App& app) {
+  struct Arguments {
+    std::string paper, out;
+  };
+  auto arguments = std::make_shared<Arguments>();
+  CLI::App* command =
+      app.add_subcommand("audit", "What a paper's printed numbers say about each other; nothing is solved");
+  command->add_option("PAPER", arguments->paper, "a paper whose tables are in the program: slim2023")->required();
+  command->add_option("--out", arguments->out, "folder; tables/audit.md, .csv and .tex are written there");
+  command->footer(
+      "Examples:\n"
+      "  ikbench audit slim2023\n"
+      "  ikbench audit slim2023 --out out/audit\n\n"
+      "Verdicts: consistent, to the last printed digit; rounding, within what the rounding of the printed numbers\n"
+      "allows; misprint, others of the paper's numbers show what is meant; contradiction, two things that cannot both\n"
+      "hold, or a claim that the numbers do not carry.");
+  command->callback([arguments] {
+    const std::vector<AuditItem> items = audit(arguments->paper);
+    if (!arguments->out.empty()) {
+      write_table(audit_table(arguments->paper), std::filesystem::path(arguments->out) / "tables");
+    }
+    fmt::print("{}\n{}\n", shown(items), counted(items));
+  });
+}
+
+}  // namespace ikbench::cli

@@ -1,0 +1,174 @@
+// ikbench readings: each reading of the paper against the default, over several seeds.
+#include "cli/readings.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <memory>
+
+#include "analysis/report.hpp"
+#include "analysis/study.hpp"
+#include "cli/commands.hpp"
+#include "cli/console.hpp"
+#include "cli/reporting.hpp"
+#include "experiments/runner.hpp"
+
+namespace ikbench::cli {
+
+namespace {
+
+struct Arguments {
+  std::string study, out;
+  std::vector<std::string> grid;
+  Overrides overrides;
+  int seeds = 3, jobs = 1;
+  bool list = false, without_figures = false;
+};
+
+// What a part of the plan came to: the runs' means.
+struct RunMeans {
+  std::vector<double> error_cm, variation_deg;
+};
+
+RunMeans run_means(const std::string& name, std::vector<SolveRecord> solves) {
+  const StudyResults results = make_study(name, std::move(solves));
+  return {samples(results, Metric::position_error_cm, Unit::run).front().values,
+          samples(results, Metric::variation_deg, Unit::run).front().values};
+}
+
+// Solves the parts one after the other; after Ctrl-C those that were finished.
+std::vector<RunMeans> solved(const ReadingsPlan& plan, int jobs, const std::atomic<bool>& cancelled) {
+  Progress progress;
+  for (const Study& part : plan.parts) {
+    progress.total += std::int64_t{part.runs} * static_cast<std::int64_t>(targets(part, 1).size());
+  }
+  ProgressBar bar("readings");
+  std::vector<RunMeans> means;
+  for (const Study& part : plan.parts) {
+    std::vector<SolveRecord> solves;
+    solve_study(
+        part, jobs,
+        [&](SolveRecord record) {
+          solves.push_back(std::move(record));
+          ++progress.done;
+          bar.show(progress);
+        },
+        &cancelled);
+    if (solves.size() < static_cast<std::size_t>(part.runs) * targets(part, 1).size()) break;
+    means.push_back(run_means(part.name, std::move(solves)));
+  }
+  return means;
+}
+
+std::string name_of(const Combination& combination) {
+  if (combination.empty()) return "default";
+  std::string name;
+  for (const Reading& reading : combination) name += fmt::format("{}{}", name.empty() ? "" : " + ", reading.set);
+  return name;
+}
+
+// The rows of which all parts are there.
+std::vector<ReadingResults> results_of(const ReadingsPlan& plan, const std::vector<RunMeans>& means) {
+  std::vector<ReadingResults> results;
+  for (const ReadingsPlan::Row& row : plan.rows) {
+    const auto is_there = [&](const auto& seeds) { return std::ranges::max(seeds) < means.size(); };
+    if (!std::ranges::all_of(row.parts, is_there)) continue;
+    ReadingResults& result = results.emplace_back();
+    result.name = name_of(row.readings);
+    result.out_of_reach = row.out_of_reach;
+    if (row.readings.size() == 1) {
+      result.section = row.readings.front().section;
+      result.sentence = row.readings.front().sentence;
+    }
+    for (std::size_t s = 0; s < plan.solvers.size(); ++s) {
+      ReadSolver& solver = result.solvers.emplace_back();
+      solver.label = plan.solvers[s];
+      solver.is_moved = row.parts[s] != plan.rows.front().parts[s];
+      for (const std::size_t part : row.parts[s]) {
+        solver.error_cm.push_back(means[part].error_cm);
+        solver.variation_deg.push_back(means[part].variation_deg);
+      }
+    }
+  }
+  return results;
+}
+
+std::string reading_list() {
+  std::vector<std::vector<std::string>> rows{{"READING", "NOTES", "MEANING"}};
+  for (const Reading& reading : readings()) rows.push_back({reading.set, reading.section, reading.sentence});
+  return aligned(rows);
+}
+
+void write_and_tell(const ReadingsReport& report, const Arguments& arguments) {
+  fmt::print("{}\n", aligned(readable_cells(report.table)));
+  for (const std::string& note : report.table.notes) fmt::print("{}\n", printable(note));
+  if (arguments.out.empty()) return;
+  const std::filesystem::path folder = arguments.out;
+  write_table(report.table, folder / "tables");
+  const auto outcomes =
+      write_figures({report.figure}, folder / "figures", {.render = !arguments.without_figures, .jobs = 1});
+  for (const FigureOutcome& outcome : outcomes) {
+    if (!outcome.error.empty()) say(fmt::format("warning: not drawn: {}: {}", outcome.name, outcome.error));
+  }
+  fmt::print("Table: {}\nFigure: {}\n", printable((folder / "tables" / "readings.md").string()),
+             printable((folder / "figures" / (arguments.without_figures ? "readings.gp" : "readings.png")).string()));
+}
+
+}  // namespace
+
+Read read(const std::string& paper, const ReadingsPlan& plan, int jobs, const std::atomic<bool>& cancelled) {
+  const std::vector<RunMeans> means = solved(plan, jobs, cancelled);
+  const std::vector<ReadingResults> results = results_of(plan, means);
+  Read answer{.done = results.size(), .is_complete = means.size() == plan.parts.size()};
+  if (!results.empty()) answer.report = readings_report(paper, results);
+  return answer;
+}
+
+void add_readings(CLI::App& app, Invocation& invocation) {
+  auto arguments = std::make_shared<Arguments>();
+  CLI::App* command = app.add_subcommand(
+      "readings", "Each reading of the paper against the default: which one moves which number of Table 3");
+  command->add_option("STUDY", arguments->study, "the study whose readings they are: slim2023")
+      ->required()
+      ->check(CLI::IsMember({"slim2023"}));
+  command->add_flag("--list", arguments->list, "the readings and what they mean; nothing is solved");
+  command->add_option("--grid", arguments->grid, "all combinations of these readings, instead of one at a time")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  command->add_option("--seeds", arguments->seeds, "how many: 1 to this one")
+      ->check(whole_number())
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
+  command->add_option("--jobs", arguments->jobs, "solves at once; the same numbers")
+      ->check(whole_number())
+      ->check(CLI::Range(1, 1024))
+      ->capture_default_str();
+  command
+      ->add_option("--set", arguments->overrides, "key=value over the default and every reading: runs=5, population=20")
+      ->allow_extra_args(false);
+  command->add_option("--out", arguments->out, "folder; tables/readings and figures/readings are written there");
+  command->add_flag("--no-figures", arguments->without_figures, "write the figure's script and data, do not draw it");
+  command->footer(
+      "Examples:\n"
+      "  ikbench readings slim2023 --jobs 2 --out out/readings\n"
+      "  ikbench readings slim2023 --list\n"
+      "  ikbench readings slim2023 --grid search=all_joints,IK-BA.step_factor=1,IK-BA.epsilon=truncated\n\n"
+      "A solver that a reading does not move is not solved again. Ctrl-C shows the readings that are done.");
+  command->callback([arguments, &invocation] {
+    if (arguments->list) {
+      fmt::print("{}", reading_list());
+      return;
+    }
+    const CancelOnSignal signals;
+    const ReadingsPlan plan = plan_readings(arguments->grid.empty() ? one_at_a_time() : full_grid(arguments->grid),
+                                            arguments->seeds, arguments->overrides);
+    const Read answer = read(arguments->study, plan, arguments->jobs, signals.requested());
+    if (answer.report) write_and_tell(*answer.report, *arguments);
+    if (answer.is_complete) return;
+    say(fmt::format("Stopped: {} of {} readings are done, counting the default.", answer.done, plan.rows.size()));
+    invocation.exit_code = 130;
+  });
+}
+
+}  // namespace ikbench::cli

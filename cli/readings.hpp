@@ -1,0 +1,22 @@
+// Solves the readings of a paper's study, for `ikbench readings` and for the report of `ikbench reproduce`.
+#pragma once
+
+#include <atomic>
+#include <optional>
+#include <string>
+
+#include "analysis/readings.hpp"
+#include "experiments/readings.hpp"
+
+namespace ikbench::cli {
+
+struct Read {
+  std::optional<ReadingsReport> report = {};  // none where not even the default was finished
+  std::size_t done = 0;                       // combinations, counting the default
+  bool is_complete = false;                   // else it was cancelled
+};
+
+// With progress, on `jobs` threads.
+Read read(const std::string& paper, const ReadingsPlan& plan, int jobs, const std::atomic<bool>& cancelled);
+
+}  // namespace ikbench::cli

@@ -1,0 +1,48 @@
+// The readings of a paper that says less than a program needs: the alternatives to what its study takes by default, and
+// what has to be solved to compare them.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "experiments/study_file.hpp"
+
+namespace ikbench {
+
+// One alternative, known by what --set takes: "path.tool=eq27".
+struct Reading {
+  std::string set;
+  std::string section;  // of docs/paper-notes.md
+  std::string sentence;
+};
+
+// Those of slim2023, in the order of the notes.
+const std::vector<Reading>& readings();
+
+// Readings that are tried together; none of them is the default.
+using Combination = std::vector<Reading>;
+
+// The default, then each reading by itself.
+std::vector<Combination> one_at_a_time();
+// Every combination of the named readings, the default first; of readings that set the same thing at most one. An
+// unknown or repeated name, and more than 256 combinations, are std::invalid_argument.
+std::vector<Combination> full_grid(const std::vector<std::string>& names);
+
+// Every combination over several seeds. The numbers of a solver are decided by its series key, so each is solved once,
+// whatever combinations it is part of.
+struct ReadingsPlan {
+  struct Row {
+    Combination readings;
+    int out_of_reach = 0;                         // targets that no configuration reaches
+    std::vector<std::vector<std::size_t>> parts;  // by solver, by seed; indices of `parts` below
+  };
+  std::vector<std::string> solvers;
+  std::vector<Row> rows;
+  std::vector<Study> parts;  // one solver, one seed each, in the order in which rows need them
+};
+
+// `overrides` hold for the default and all combinations; the seeds are 1 to `seeds`.
+ReadingsPlan plan_readings(const std::vector<Combination>& combinations, int seeds, const Overrides& overrides = {});
+
+}  // namespace ikbench

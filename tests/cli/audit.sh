@@ -1,0 +1,20 @@
+#!/usr/bin/env bash
+# The audit of the paper: printed without a solve, and written where asked.
+source "$(dirname "$0")/common.sh"
+
+succeeds audit slim2023
+quiet
+has "$out" "Table 7, 20 bats"
+has "$out" "the mean exceeds the maximum"
+[[ $out =~ [0-9]+\ checks:\ [0-9]+\ consistent,\ [0-9]+\ rounding,\ [0-9]+\ misprint,\ [0-9]+\ contradiction$ ]] ||
+  fail "the last line is: ${out##*$'\n'}"
+[ -z "$(ls)" ] || fail "it wrote something: $(ls)"
+
+succeeds audit slim2023 --out folder
+for type in md csv tex; do [ -s "folder/tables/audit.$type" ] || fail "no audit.$type"; done
+[ "$(head -1 folder/tables/audit.csv)" = "id,where,printed,follows,verdict,why" ] || fail "$(head -1 folder/tables/audit.csv)"
+
+refused "no published paper 'nobody1999', expected one of: slim2023" audit nobody1999
+refused 'PAPER' audit
+echo "a file" >file
+refused 'file' audit slim2023 --out file

@@ -1,0 +1,143 @@
+#!/usr/bin/env bash
+# The report as a browser has it: opened from disk, its names are text, its tables sort, its arm is drawn, and nothing
+# goes wrong in silence. Skipped where there is no chromium (./setup --with-browser dev installs it).
+source "$(dirname "$0")/common.sh"
+
+browser=
+for name in chromium chromium-browser google-chrome; do
+  if command -v "$name" >/dev/null; then browser=$name && break; fi
+done
+[ -n "$browser" ] || exit 77
+
+hostile=('<script>alert(1)</script>' '</svg><script>alert(2)</script>' '"><img src=x onerror=alert(3)>' '{{{title}}} &amp; "')
+{
+  printf 'name = "<script>alert(0)</script>"\ntitle = "<b>title</b>"\nruns = 2\npopulation = 6\n'
+  printf '[stop]\niterations = 5\n[path]\npoints = 3\n'
+  for label in "${hostile[@]}"; do
+    printf '[[solvers]]\nsolver = "bat"\nlabel = "%s"\n' "${label//\"/\\\"}"
+  done
+} >hostile.toml
+succeeds run hostile.toml --out hostile
+succeeds run slim2023 "${small[@]}" --out plain
+for page in hostile/report.html plain/report.html; do
+  [ -s "$page" ] || fail "no $page"
+  [ "$(wc -c <"$page")" -lt 4000000 ] || fail "$page has $(wc -c <"$page") bytes"
+done
+
+# browse PAGE OPTIONS...: what the browser prints in $out and says in $err.
+browse() {
+  local page=$1 sandbox=()
+  shift
+  [ "$(id -u)" != 0 ] || sandbox=(--no-sandbox)
+  HOME=$work timeout 100 "$browser" --headless=new "${sandbox[@]}" --user-data-dir="$work/.profile" --disable-gpu \
+    --use-angle=swiftshader --enable-unsafe-swiftshader --enable-logging=stderr --hide-scrollbars \
+    --virtual-time-budget=3000 "$@" "file://$work/$page" >"$work/.out" 2>"$work/.err" </dev/null ||
+    fail "$browser failed on $page: $(tail -n 5 "$work/.err")"
+  out=$(<"$work/.out") err=$(<"$work/.err")
+}
+
+# probe PAGE SCRIPT: a copy with one more script, which its policy is told of; what it finds is in $found.
+probe() {
+  local hash
+  hash=$(printf "$(sha256sum <"$2" | cut -c 1-64 | sed 's/../\\x&/g')" | base64)
+  awk -v hash="'sha256-$hash'" -v file="$2" '
+    /Content-Security-Policy/ { sub(/script-src /, "script-src " hash " ") }
+    /^<\/body>/ {
+      printf "<script>"
+      while ((getline line < file) > 0) printf "%s\n", line
+      printf "</script>\n"
+    }
+    { print }' "$1" >"${1%.html}-probed.html"
+  browse "${1%.html}-probed.html" --dump-dom
+  # What a graphics driver says of its speed is no fault of the page.
+  ! grep ':CONSOLE' "$work/.err" | grep -v 'GL Driver Message' || fail "$1: the console has the above"
+  found=$(sed -n 's/.*<meta name="found" content="\([^"]*\)".*/\1/p' "$work/.out")
+}
+
+# Names are text, in tables, figures and headings: no element of their making.
+cat >names.js <<'E2'
+const cells = new Set([...document.querySelectorAll('#table-3 td')].map(cell => cell.textContent));
+const names = ['<script>alert(1)<\/script>', '</svg><script>alert(2)<\/script>', '"><img src=x onerror=alert(3)>', '{{{title}}} &amp; "'];
+const meta = document.createElement('meta');
+meta.name = 'found';
+meta.content = [names.filter(name => cells.has(name)).length, document.images.length,
+  document.querySelectorAll('svg script, svg a, svg style, h1 b').length, document.querySelector('h1').textContent.length].join(' ');
+document.head.append(meta);
+E2
+probe hostile/report.html names.js
+[ "$found" = "4 0 0 12" ] || fail "names in the table, images, strange elements, letters of the title: $found, expected 4 0 0 12"
+
+# What is not of the page does not run, and the console says so: the check above can see something.
+sed 's|^</body>|<script>document.title = "run"</script></body>|' plain/report.html >plain/other.html
+browse plain/other.html --dump-dom
+has "$err" "CONSOLE"
+has_no "$out" "<title>run</title>"
+
+# A table sorts by all digits, up and down, and says so.
+cat >sort.js <<'E2'
+const head = document.querySelectorAll('#table-3 th')[2];
+const values = () => [...document.querySelectorAll('#table-3 tbody tr')].map(row => Number(row.cells[2].dataset.value));
+const ordered = (list, sign) => list.every((x, i) => i === 0 || sign * (x - list[i - 1]) >= 0);
+const words = [values().length, ordered(values(), 1)];
+head.querySelector('button').click();
+words.push(head.getAttribute('aria-sort'), ordered(values(), 1));
+head.querySelector('button').click();
+words.push(head.getAttribute('aria-sort'), ordered(values(), -1));
+const meta = document.createElement('meta');
+meta.name = 'found';
+meta.content = words.join(' ');
+document.head.append(meta);
+E2
+probe plain/report.html sort.js
+[ "$found" = "18 false ascending true descending true" ] || fail "sorting: $found"
+
+# Ids are there once, every link inside the page leads somewhere, and it is no wider than a phone.
+cat >links.js <<'E2'
+const ids = [...document.querySelectorAll('[id]')].map(element => element.id);
+const links = [...document.querySelectorAll('a[href^="#"]')].filter(link => !document.getElementById(link.hash.slice(1)));
+const uses = [...document.querySelectorAll('use')].filter(use => !document.getElementById(use.getAttribute('href').slice(1)));
+const meta = document.createElement('meta');
+meta.name = 'found';
+meta.content = [ids.length - new Set(ids).size, links.length, uses.length,
+  document.documentElement.scrollWidth <= document.documentElement.clientWidth].join(' ');
+document.head.append(meta);
+E2
+probe plain/report.html links.js
+[ "$found" = "0 0 0 true" ] || fail "ids twice, links to nowhere, markers missing, fits: $found"
+
+# The arm moves: a point on, another solver, on its own.
+if grep -q 'id="motion-data"' plain/report.html; then
+  cat >motion.js <<'E2'
+const meta = document.createElement('meta');
+meta.name = 'found';
+const texts = () => [...document.querySelectorAll('.view p')].map(text => text.textContent.slice(0, 8)).join(' ');
+const forth = document.getElementById('forth');
+forth.click();
+const words = [document.querySelectorAll('#stage canvas').length, document.getElementById('stage').hidden, texts()];
+forth.click();
+words.push(texts());
+const select = document.querySelector('.view select');
+select.value = 2;
+select.dispatchEvent(new Event('change'));
+words.push(document.querySelector('#stage canvas').getAttribute('aria-label'));
+document.getElementById('play').click();
+words.push(document.getElementById('play').textContent);
+meta.content = words.join('; ');
+document.head.append(meta);
+E2
+  probe plain/report.html motion.js
+  [ "$found" = "2; false; Point 1: Point 1:; Point 2: Point 2:; The arm, moved by DE; Pause" ] || fail "the moving arm: $found"
+fi
+
+# It can be printed.
+browse plain/report.html --print-to-pdf="$work/plain.pdf"
+[ "$(head -c 5 plain.pdf)" = "%PDF-" ] || fail "cannot be printed"
+
+# Pictures to be looked at, where a folder for them is named.
+if [ -n "${IKBENCH_SCREENSHOTS:-}" ]; then
+  browse plain/report.html --window-size=1400,5000 --screenshot="$IKBENCH_SCREENSHOTS/light.png"
+  browse plain/report.html --window-size=1400,5000 --screenshot="$IKBENCH_SCREENSHOTS/dark.png" \
+    --blink-settings=preferredColorScheme=0
+  browse plain/report.html --window-size=390,5000 --screenshot="$IKBENCH_SCREENSHOTS/phone.png"
+  cp plain.pdf "$IKBENCH_SCREENSHOTS/"
+fi

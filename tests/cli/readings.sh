@@ -1,0 +1,39 @@
+#!/usr/bin/env bash
+# Readings one at a time and in a grid; Ctrl-C shows what is done.
+source "$(dirname "$0")/common.sh"
+
+succeeds readings slim2023 --list
+has "$out" "path.tool=eq27"
+has "$out" "DE.bounds=reflect"
+
+succeeds readings slim2023 "${small[@]}" --seeds 2 --jobs 2 --out folder
+quiet
+has "$out" "The printed error of IK-BA: the default"
+for type in md csv tex; do [ -s "folder/tables/readings.$type" ] || fail "no readings.$type"; done
+for type in gp dat; do [ -s "folder/figures/readings.$type" ] || fail "no readings.$type"; done
+! command -v gnuplot >/dev/null || [ -s folder/figures/readings.png ] || fail "no picture"
+cp folder/tables/readings.csv first.csv
+succeeds readings slim2023 "${small[@]}" --seeds 2 --out folder --no-figures
+cmp folder/tables/readings.csv first.csv || fail "other numbers with one job"
+[ ! -e folder/figures/readings.png ] || fail "a picture of before was left"
+
+succeeds readings slim2023 "${small[@]}" --seeds 1 --grid search=all_joints,DE.bounds=reflect
+has "$out" "search=all_joints + DE.bounds=reflect"
+[ "$(grep -c ' all ' <<<"$out")" -ge 4 ] || fail "not four combinations: $out"
+
+refused 'unknown reading "search=x"' readings slim2023 --grid search=x
+refused 'stands twice' readings slim2023 --grid search=all_joints,search=all_joints
+refused '--seeds' readings slim2023 --seeds 0
+refused 'STUDY' readings slim2024
+refused '--set runs' readings slim2023 --set runs=0
+refused 'seeds 1 to --seeds' readings slim2023 --set seed=77
+
+# Far too much to be done; stopped after a second.
+"$program" readings slim2023 --set runs=5000 --set population=200 >stopped.out 2>stopped.err &
+process=$!
+sleep 1
+kill -INT $process || fail "it had ended before it could be stopped: $(<stopped.err)"
+wait $process
+code=$?
+[ "$code" = 130 ] || fail "exit code $code after SIGINT, expected 130: $(<stopped.err)"
+has "$(<stopped.err)" "Stopped: "

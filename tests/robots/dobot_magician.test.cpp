@@ -1,0 +1,68 @@
+// The Dobot Magician: its closed form against the angles that the paper prints, and its Jacobian.
+#include "robots/dobot_magician.hpp"
+
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "robots/robot.hpp"
+#include "robots/units.hpp"
+#include "tests/catch.hpp"
+#include "tests/robots/random_configuration.hpp"
+
+using namespace ikbench;
+
+namespace {
+
+// Slim et al. 2023, Table 8: theta1, theta2, theta3 [deg], printed with one decimal.
+constexpr std::array<std::array<double, 3>, 20> table_8{{
+    {34.8, 66.5, 49.5}, {38.7, 69.6, 45.6}, {42.9, 71.4, 43.5}, {47.1, 71.4, 43.5}, {51.3, 69.6, 45.6},
+    {55.2, 66.5, 49.5}, {58.6, 62.6, 54.8}, {61.2, 58.4, 61.1}, {62.8, 54.6, 68.0}, {62.8, 51.5, 75.2},
+    {60.6, 49.5, 82.2}, {56.0, 48.8, 88.3}, {49.0, 48.8, 92.0}, {41.0, 48.8, 92.0}, {34.0, 48.8, 88.3},
+    {29.4, 49.5, 82.2}, {27.2, 51.5, 75.2}, {27.2, 54.6, 68.0}, {28.8, 58.4, 61.1}, {31.4, 62.6, 54.8},
+}};
+
+}  // namespace
+
+TEST_CASE("the Dobot's printed angles lie on the printed circle, to what a tenth of a degree moves", "[dobot][paper]") {
+  const DobotMagician dobot;
+  for (std::size_t k = 0; k < table_8.size(); ++k) {
+    const double turn = 2 * std::numbers::pi * static_cast<double>(k) / 20;
+    const Eigen::Vector3d on_circle(0.16 + 0.07 * std::cos(turn), 0.16 + 0.07 * std::sin(turn), 0);  // Sec. 6
+    const Eigen::Vector3d q(table_8[k][0], table_8[k][1], table_8[k][2]);
+    CAPTURE(k);
+    // Half a tenth of a degree in each joint: 0.33 m, 0.135 m and 0.147 m off the axes.
+    CHECK((dobot.position(q * degree) - on_circle).norm() < 0.05 * degree * (0.33 + 0.135 + 0.147));
+  }
+}
+
+TEST_CASE("the Dobot stands upright where its links add up", "[dobot]") {
+  const DobotMagician dobot;
+  CHECK((dobot.position(Eigen::Vector3d(0, 0, 0)) - Eigen::Vector3d(0.147 + 0.061, 0, 0.135 + 0.058)).norm() < 1e-15);
+  const double quarter = std::numbers::pi / 2;
+  CHECK((dobot.position(Eigen::Vector3d(quarter, quarter, 0)) - Eigen::Vector3d(0, 0.343, 0.058)).norm() < 1e-15);
+}
+
+TEST_CASE("the Dobot's errors, positions and Jacobian agree", "[dobot]") {
+  const Robot arm = robot("dobot_magician");
+  RandomConfigurations random;
+  const Eigen::Vector3d target(0.2, 0.05, 0.01);
+  Candidates q(3, 100);
+  for (double& angle : q.reshaped()) angle = random.between(-3, 3);
+  Eigen::VectorXd errors(100);
+  arm.kinematics->position_errors(q, target, errors);
+  Eigen::Matrix3Xd jacobian(3, 3);
+  for (Eigen::Index i = 0; i < 100; ++i) {
+    CHECK(errors[i] == Approx((arm.kinematics->position(q.col(i)) - target).norm()).epsilon(1e-14));
+    arm.kinematics->linearize(q.col(i), jacobian);
+    for (int j = 0; j < 3; ++j) {
+      const Eigen::VectorXd step = 1e-6 * Eigen::Vector3d::Unit(j), at = q.col(i);
+      const Eigen::Vector3d slope = (arm.kinematics->position(at + step) - arm.kinematics->position(at - step)) / 2e-6;
+      CHECK((jacobian.col(j) - slope).norm() < 1e-9);
+    }
+  }
+  q(1, 7) = std::nan("");
+  arm.kinematics->position_errors(q, target, errors);
+  CHECK(std::isnan(errors[7]));
+  CHECK(std::isfinite(errors[8]));
+}
