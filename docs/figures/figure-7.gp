@@ -3,7 +3,7 @@ width_cm = 8.5
 height_cm = 7.42
 load 'style.gp'
 
-set yrange [0:373.616091410574]
+set yrange [0:380.0382151260764]
 shown(y) = y * 1
 set ylabel 'angles variation [deg]'
 set xlabel 'point'
