@@ -30,6 +30,8 @@ const std::string& Statements::cell(std::string_view name, std::string_view colu
   throw std::logic_error(fmt::format("no statement '{}'", name));
 }
 
+AuditVerdict unless(bool holds, AuditVerdict otherwise) { return holds ? AuditVerdict::consistent : otherwise; }
+
 AuditVerdict judged(const std::string& printed, double follows, double slack, AuditVerdict otherwise) {
   const double half = half_unit(printed);
   const double distance = std::abs(number_from(printed).value() - follows);

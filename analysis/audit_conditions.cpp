@@ -11,8 +11,6 @@
 namespace ikbench {
 namespace {
 
-AuditVerdict unless(bool holds, AuditVerdict otherwise) { return holds ? AuditVerdict::consistent : otherwise; }
-
 // Whether a particle's mean position converges (Trelea, Information Processing Letters 85 (2003) 317).
 bool is_stable(double w, double c1, double c2) { return w < 1 && c1 + c2 > 0 && (c1 + c2) / 2 < 2 * (1 + w); }
 

@@ -72,8 +72,6 @@ std::pair<double, Helix27> nearest_helix(const Statements& statements, int step_
   return nearest;
 }
 
-AuditVerdict unless(bool holds, AuditVerdict otherwise) { return holds ? AuditVerdict::consistent : otherwise; }
-
 }  // namespace
 
 AuditItems circle_items(std::string_view paper) {

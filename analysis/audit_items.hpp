@@ -26,6 +26,9 @@ class Statements {
 AuditVerdict judged(const std::string& printed, double follows, double slack,
                     AuditVerdict otherwise = AuditVerdict::contradiction);
 
+// consistent where it holds.
+AuditVerdict unless(bool holds, AuditVerdict otherwise);
+
 using AuditItems = std::vector<AuditItem>;
 AuditItems anova_items(std::string_view paper);      // 3.1: Tables 4-6 from Table 3
 AuditItems variance_items(std::string_view paper);   // 3.2: what equal variances would ask

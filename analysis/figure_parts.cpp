@@ -24,6 +24,12 @@ std::string capitalised(std::string_view text) {
   return result;
 }
 
+std::string tick_label(std::string_view text) {
+  std::string doubled;
+  for (const char c : text) doubled.append(c == '%' ? 2 : 1, c);
+  return gnuplot_string(doubled);
+}
+
 std::string data_number(double value) { return std::isfinite(value) ? text_of(value) : "NaN"; }
 
 std::string with_notes(std::string caption, const StudyResults& study, Metric metric, const Axis& axis) {

@@ -20,6 +20,8 @@ std::string_view quantity(Metric metric);  // with its unit
 std::string capitalised(std::string_view text);
 std::string data_number(double value);  // as a data file has it
 
+std::string tick_label(std::string_view text);  // a label is a format to gnuplot: %% is %
+
 // Says what a reader of the picture must know.
 std::string with_notes(std::string caption, const StudyResults& study, Metric metric, const Axis& axis);
 // The legend below the plot, in as many columns as fit, and the room that it takes.

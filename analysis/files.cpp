@@ -5,6 +5,7 @@
 
 #include <cerrno>
 #include <fstream>
+#include <sstream>
 #include <stdexcept>
 #include <system_error>
 
@@ -30,6 +31,13 @@ void write_file(const std::filesystem::path& file, std::string_view text) {
   std::error_code ignored;
   std::filesystem::remove(half, ignored);
   fail(error);
+}
+
+std::optional<std::string> read_file(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  std::ostringstream text;
+  if (!stream || !(text << stream.rdbuf())) return std::nullopt;
+  return text.str();
 }
 
 }  // namespace ikbench

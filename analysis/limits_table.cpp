@@ -74,12 +74,10 @@ std::vector<Side> sides_of(const StudyResults& study, const StudyResults& other,
   return sides;
 }
 
-std::string number(double value) { return std::isfinite(value) ? rounded_number(value, 3) : "not defined"; }
-
 // 0.0017 -> 0.071 cm (42 x)
 std::string change(double before, double after, std::string_view unit) {
   const double ratio = after / before;
-  return fmt::format("{} -> {} {}{}", number(before), number(after), unit,
+  return fmt::format("{} -> {} {}{}", short_number(before), short_number(after), unit,
                      std::isfinite(ratio) ? fmt::format(" ({} x)", rounded_number(ratio, 3)) : "");
 }
 
@@ -107,7 +105,7 @@ std::string sentence(const Side& free, const Side& enforced, const std::vector<S
       "{}: position error {}, {} cm over the answers that are not refused; variation of such answers {}; answers "
       "outside the limits {} "
       "of {} -> refused {} of {}; {}; {}.",
-      free.solver, change(free.error_cm.mean, enforced.error_cm.mean, "cm"), number(enforced.accepted_error_cm),
+      free.solver, change(free.error_cm.mean, enforced.error_cm.mean, "cm"), short_number(enforced.accepted_error_cm),
       change(free.accepted_variation_deg, enforced.accepted_variation_deg, "deg"), free.counts.outside_limits,
       free.counts.solves, enforced.counts.of(Status::refused), enforced.counts.solves,
       place(free.error_rank, enforced.error_rank, solvers, "error",

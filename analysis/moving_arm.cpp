@@ -4,12 +4,11 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <initializer_list>
 #include <map>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
+#include "analysis/files.hpp"
 #include "analysis/text.hpp"
 
 namespace ikbench {
@@ -93,13 +92,6 @@ bool can_be_drawn(const SolveRecord& solve, std::size_t joints) {
          std::ranges::all_of(solve.target_position_m, is_near);
 }
 
-std::optional<std::string> text_of_file(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  std::ostringstream text;
-  if (!stream || !(text << stream.rdbuf())) return std::nullopt;
-  return text.str();
-}
-
 }  // namespace
 
 std::optional<std::string> moving_arm(const StudyEntry& entry, const StudyResults& study) {
@@ -126,7 +118,7 @@ std::optional<std::string> drawing_library() {
   for (const std::filesystem::path folder : {"/usr/share/javascript/three", "/usr/share/nodejs/three"}) {
     std::string library;
     for (const char* name : {"build/three.min.js", "examples/js/controls/OrbitControls.js"}) {
-      const auto text = text_of_file(folder / name);
+      const auto text = read_file(folder / name);
       const bool is_safe =
           text && text->find("</script") == std::string::npos && text->find("<!--") == std::string::npos;
       if (!is_safe) break;

@@ -23,13 +23,6 @@ namespace {
 
 constexpr double two_columns_cm = 17.0;
 
-// A tick's label is a format to gnuplot: %% is %.
-std::string doubled_percent(std::string_view label) {
-  std::string result;
-  for (const char c : label) result.append(c == '%' ? 2 : 1, c);
-  return result;
-}
-
 // 0 is a, 25 z, 26 aa.
 std::string letters(std::size_t index) {
   std::string text(1, static_cast<char>('a' + index % 26));
@@ -200,7 +193,7 @@ Figure box_figure(const StudyResults& study, const BoxRequest& request) {
     const Box& b = boxes[i];
     const std::string label = shortened(study.solvers[i], longest_label);
     longest = std::max(longest, character_count(label));
-    ticks += fmt::format("{}{} {}", i == 0 ? "" : ", ", gnuplot_string(doubled_percent(label)), i + 1);
+    ticks += fmt::format("{}{} {}", i == 0 ? "" : ", ", tick_label(label), i + 1);
     figure.data += fmt::format("# {}\n{} {} {} {} {} {} {} {}\n", one_line(study.solvers[i]), i + 1,
                                data_number(b.whisker_low), data_number(b.q1), data_number(b.median), data_number(b.q3),
                                data_number(b.whisker_high), b.n, b.not_finite);

@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "analysis/descriptive.hpp"
+#include "analysis/figure_parts.hpp"
 #include "analysis/published_numbers.hpp"
 #include "analysis/text.hpp"
 #include "results/number.hpp"
@@ -211,18 +212,9 @@ std::string ticks_of(const Panel& panel) {
   return fmt::format("{}", fmt::join(ticks, ", "));
 }
 
-std::string number(double value) { return std::isfinite(value) ? text_of(value) : "NaN"; }
-
-// A tick's label is a format to gnuplot: %% is %.
-std::string tick_label(std::string_view text) {
-  std::string doubled;
-  for (const char c : text) doubled.append(c == '%' ? 2 : 1, c);
-  return gnuplot_string(doubled);
-}
-
 Figure figure_of(std::span<const ReadingResults> readings, const Scores& scores) {
   constexpr double row_cm = 0.42;
-  constexpr std::size_t longest_label = 60;
+  constexpr std::size_t longest_reading = 60;
   Figure figure{.name = "readings",
                 .caption =
                     "Readings: our mean by the printed one of Table 3, left of the position error, right of the "
@@ -237,8 +229,8 @@ Figure figure_of(std::span<const ReadingResults> readings, const Scores& scores)
 
   std::vector<std::string> labels;
   for (std::size_t r = 0; r < readings.size(); ++r) {
-    labels.push_back(
-        fmt::format("{} {}", tick_label(shortened(readings[r].name, longest_label)), text_of(-static_cast<double>(r))));
+    labels.push_back(fmt::format("{} {}", tick_label(shortened(readings[r].name, longest_reading)),
+                                 text_of(-static_cast<double>(r))));
   }
   figure.settings = fmt::format(
       "set xrange [0:{}]\nset yrange [{}:0.6]\nset xtics ({}, {})\nset ytics noenhanced font ',7' ({})\n"
@@ -272,7 +264,7 @@ Figure figure_of(std::span<const ReadingResults> readings, const Scores& scores)
       for (std::size_t m = 0; m < panels.size(); ++m) {
         const Score& each = scores[r][m][s];
         for (const double value : {each.log_ratio, each.lowest, each.highest}) {
-          figure.data += ' ' + number(is_drawn ? value : not_defined);
+          figure.data += ' ' + data_number(is_drawn ? value : not_defined);
         }
       }
       figure.data += fmt::format(" # {}\n", one_line(readings[r].name));

@@ -60,11 +60,10 @@ Section section(const Plan& plan, std::vector<Piece>& pieces) {
 
 }  // namespace
 
-std::string title_of(const Figure& figure) {
-  std::string title = figure.name;
-  std::ranges::replace(title, '-', ' ');
-  title[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(title[0])));
-  return title;
+std::string title_of(std::string name) {
+  std::ranges::replace(name, '-', ' ');
+  name[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(name[0])));
+  return name;
 }
 
 const std::string& name_of(const Piece& piece) {

@@ -15,7 +15,7 @@ struct ReportFigure {
   Figure figure;
   bool drawn = false;  // else there are only its script and its data
 };
-std::string title_of(const Figure& figure);  // figure-9-a is Figure 9 a
+std::string title_of(std::string name);  // figure-9-a is Figure 9 a
 
 using Piece = std::variant<Table, ReportFigure>;
 const std::string& name_of(const Piece& piece);

@@ -48,8 +48,6 @@ double rank_of(const Pair& pair) {
   return std::isfinite(pair.ours.mean) ? pair.ours.mean : std::numeric_limits<double>::infinity();
 }
 
-std::string short_number(double value) { return std::isfinite(value) ? rounded_number(value, 3) : "not defined"; }
-
 GroupSummary summary_of(const Description& of) { return {.mean = of.mean, .std = of.std, .n = of.n}; }
 
 // Whether one mean is smaller than another, by Welch's test, since two means always differ.

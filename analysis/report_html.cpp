@@ -4,11 +4,10 @@
 
 #include <algorithm>
 #include <cctype>
-#include <fstream>
 #include <kainjow/mustache.hpp>
-#include <sstream>
 #include <string_view>
 
+#include "analysis/files.hpp"
 #include "analysis/report_svg.hpp"
 #include "analysis/sha256.hpp"
 #include "analysis/text.hpp"
@@ -93,13 +92,6 @@ Data table_data(const Table& table) {
   return data;
 }
 
-std::optional<std::string> file_text(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  std::ostringstream content;
-  if (!stream || !(content << stream.rdbuf())) return std::nullopt;
-  return content.str();
-}
-
 // The tables and figures of a page, and the ids that only one of them may have.
 class Pieces {
  public:
@@ -116,7 +108,7 @@ class Pieces {
   }
 
   std::optional<std::string> picture(const Figure& figure, std::string_view prefix) {
-    const auto file = file_text(extras_.figures / (figure.name + ".svg"));
+    const auto file = read_file(extras_.figures / (figure.name + ".svg"));
     if (!file || file->size() > largest_svg) return std::nullopt;
     std::optional<std::string> svg = inline_svg(*file, prefix);
     if (!svg || sum_ + svg->size() > largest_sum) return std::nullopt;
@@ -129,7 +121,7 @@ class Pieces {
     Data data;
     data.set("id", Data(id_of(piece.figure.name)));
     data.set("name", text(piece.figure.name));
-    data.set("title", text(title_of(piece.figure)));
+    data.set("title", text(title_of(piece.figure.name)));
     data.set("caption", text(piece.figure.caption));
     data.set("wide", piece.figure.width_cm > 12);
     data.set("drawn", piece.drawn);
@@ -155,13 +147,6 @@ const Piece* piece_named(const ReportContent& content, std::string_view name) {
   return nullptr;
 }
 
-// table-3 is Table 3.
-std::string titled(std::string name) {
-  std::ranges::replace(name, '-', ' ');
-  name[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(name[0])));
-  return name;
-}
-
 // "does not hold" is the class does-not-hold.
 std::string kind_of(Verdict verdict) {
   std::string kind(name_of(verdict));
@@ -183,7 +168,7 @@ Data findings_data(const ReportContent& content) {
     data.set("evidence", text(finding.evidence));
     if (piece_named(content, finding.table)) {
       data.set("table", Data(finding.table));
-      data.set("link", Data(titled(finding.table)));
+      data.set("link", Data(title_of(finding.table)));
     }
     list.push_back(data);
   }

@@ -17,7 +17,7 @@ std::string markdown(const ReportFigure& piece) {
   const Figure& figure = piece.figure;
   const std::string caption = markdown_text(figure.caption);
   const auto link = [&](std::string_view type) { return fmt::format("[{0}](figures/{1}.{0})", type, figure.name); };
-  const std::string title = fmt::format("**{}**\n\n", markdown_text(title_of(figure)));
+  const std::string title = fmt::format("**{}**\n\n", markdown_text(title_of(figure.name)));
   if (!piece.drawn) {
     return title + fmt::format("{} Not drawn; gnuplot draws it from {} and {}.\n\n", caption, link("gp"), link("dat"));
   }

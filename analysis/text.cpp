@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 namespace ikbench {
 namespace {
 
@@ -191,5 +193,7 @@ std::string gnuplot_string(std::string_view text) {
 std::string rounded_number(double value, int significant_digits) {
   return fmt::format("{:.{}g}", value, significant_digits);
 }
+
+std::string short_number(double value) { return std::isfinite(value) ? rounded_number(value, 3) : "not defined"; }
 
 }  // namespace ikbench

@@ -22,5 +22,6 @@ std::string latex_text(std::string_view text);
 std::string gnuplot_string(std::string_view text);
 
 std::string rounded_number(double value, int significant_digits);
+std::string short_number(double value);  // three digits, or "not defined"
 
 }  // namespace ikbench
