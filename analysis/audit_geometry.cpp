@@ -9,8 +9,8 @@
 #include <utility>
 
 #include "analysis/audit_items.hpp"
-#include "analysis/descriptive.hpp"
 #include "analysis/published_numbers.hpp"
+#include "analysis/statistics/descriptive.hpp"
 #include "analysis/text.hpp"
 #include "results/published.hpp"
 

@@ -7,8 +7,8 @@
 
 #include "analysis/audit_items.hpp"
 #include "analysis/published_numbers.hpp"
+#include "analysis/statistics/welch.hpp"
 #include "analysis/text.hpp"
-#include "analysis/welch.hpp"
 #include "results/published.hpp"
 
 namespace ikbench {

@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "analysis/definition.hpp"
-#include "analysis/descriptive.hpp"
 #include "analysis/figure_parts.hpp"
 #include "analysis/published_numbers.hpp"
+#include "analysis/statistics/descriptive.hpp"
 #include "analysis/text.hpp"
 
 namespace ikbench {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "analysis/descriptive.hpp"
+#include "analysis/statistics/descriptive.hpp"
 
 namespace ikbench {
 

@@ -6,7 +6,7 @@
 #include <cctype>
 #include <cmath>
 
-#include "analysis/descriptive.hpp"
+#include "analysis/statistics/descriptive.hpp"
 #include "analysis/text.hpp"
 #include "results/number.hpp"
 

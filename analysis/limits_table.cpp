@@ -9,9 +9,9 @@
 #include <string>
 
 #include "analysis/definition.hpp"
-#include "analysis/descriptive.hpp"
+#include "analysis/statistics/descriptive.hpp"
+#include "analysis/statistics/welch.hpp"
 #include "analysis/text.hpp"
-#include "analysis/welch.hpp"
 
 namespace ikbench {
 namespace {

@@ -12,9 +12,9 @@
 #include "analysis/axis.hpp"
 #include "analysis/circle_figures.hpp"
 #include "analysis/definition.hpp"
-#include "analysis/descriptive.hpp"
 #include "analysis/figure_parts.hpp"
 #include "analysis/published_numbers.hpp"
+#include "analysis/statistics/descriptive.hpp"
 #include "analysis/text.hpp"
 #include "results/number.hpp"
 

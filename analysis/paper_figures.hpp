@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "analysis/figure.hpp"
-#include "analysis/quantile.hpp"
+#include "analysis/statistics/quantile.hpp"
 #include "analysis/study.hpp"
 
 namespace ikbench {

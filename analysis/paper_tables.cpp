@@ -10,8 +10,8 @@
 
 #include "analysis/circle.hpp"
 #include "analysis/published_numbers.hpp"
+#include "analysis/statistics/welch.hpp"
 #include "analysis/time_assessment.hpp"
-#include "analysis/welch.hpp"
 #include "results/published.hpp"
 
 namespace ikbench {

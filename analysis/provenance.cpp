@@ -8,7 +8,7 @@
 #include <set>
 #include <utility>
 
-#include "analysis/descriptive.hpp"
+#include "analysis/statistics/descriptive.hpp"
 
 namespace ikbench {
 namespace {

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "analysis/anova.hpp"
+#include "analysis/statistics/anova.hpp"
 #include "analysis/study.hpp"
 
 namespace ikbench {

@@ -8,9 +8,9 @@
 #include <cstdint>
 #include <stdexcept>
 
-#include "analysis/descriptive.hpp"
 #include "analysis/figure_parts.hpp"
 #include "analysis/published_numbers.hpp"
+#include "analysis/statistics/descriptive.hpp"
 #include "analysis/text.hpp"
 #include "results/number.hpp"
 #include "results/published.hpp"

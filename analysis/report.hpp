@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "analysis/figure.hpp"
-#include "analysis/quantile.hpp"
+#include "analysis/statistics/quantile.hpp"
 #include "analysis/study.hpp"
 #include "analysis/table.hpp"
 #include "results/store.hpp"

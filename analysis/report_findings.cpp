@@ -10,13 +10,13 @@
 
 #include "analysis/circle.hpp"
 #include "analysis/definition.hpp"
-#include "analysis/descriptive.hpp"
 #include "analysis/paper_tables.hpp"
 #include "analysis/provenance.hpp"
 #include "analysis/published_numbers.hpp"
+#include "analysis/statistics/descriptive.hpp"
+#include "analysis/statistics/welch.hpp"
 #include "analysis/text.hpp"
 #include "analysis/time_assessment.hpp"
-#include "analysis/welch.hpp"
 #include "results/published.hpp"
 
 namespace ikbench {

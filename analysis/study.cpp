@@ -10,7 +10,7 @@
 #include <stdexcept>
 #include <tuple>
 
-#include "analysis/descriptive.hpp"
+#include "analysis/statistics/descriptive.hpp"
 
 namespace ikbench {
 namespace {

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "results/analysis_plan.hpp"
 #include "results/record.hpp"
 #include "results/store.hpp"
 
@@ -31,8 +32,6 @@ struct StudyResults {
 StudyResults make_study(const StudyEntry& entry, std::vector<SolveRecord> solves);
 // Without a definition (a CSV of solves): solvers in the order of their first solve.
 StudyResults make_study(std::string name, std::vector<SolveRecord> solves);
-
-enum class Unit { run, point };
 
 enum class Metric { position_error_cm, variation_deg, seconds, evaluations };
 std::string_view name_of(Metric metric);  // the column's name

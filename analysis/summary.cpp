@@ -9,9 +9,9 @@
 #include "analysis/circle.hpp"
 #include "analysis/paper_tables.hpp"
 #include "analysis/published_numbers.hpp"
+#include "analysis/statistics/welch.hpp"
 #include "analysis/text.hpp"
 #include "analysis/time_assessment.hpp"
-#include "analysis/welch.hpp"
 
 namespace ikbench {
 namespace {

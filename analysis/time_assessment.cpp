@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "analysis/definition.hpp"
-#include "analysis/descriptive.hpp"
 #include "analysis/published_numbers.hpp"
+#include "analysis/statistics/descriptive.hpp"
 #include "analysis/text.hpp"
 #include "results/published.hpp"
 

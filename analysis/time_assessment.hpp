@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "analysis/descriptive.hpp"
 #include "analysis/published_numbers.hpp"
+#include "analysis/statistics/descriptive.hpp"
 #include "analysis/study.hpp"
 #include "analysis/table.hpp"
 

@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "analysis/descriptive.hpp"
 #include "analysis/moving_arm.hpp"
 #include "analysis/report_content.hpp"
 #include "analysis/report_findings.hpp"
@@ -10,6 +9,7 @@
 #include "analysis/report_markdown.hpp"
 #include "analysis/report_svg.hpp"
 #include "analysis/sha256.hpp"
+#include "analysis/statistics/descriptive.hpp"
 #include "tests/analysis/folder.hpp"
 #include "tests/analysis/synthetic.hpp"
 #include "tests/catch.hpp"

@@ -1,4 +1,4 @@
-#include "analysis/anova.hpp"
+#include "analysis/statistics/anova.hpp"
 
 #include <fmt/format.h>
 

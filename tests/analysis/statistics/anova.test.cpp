@@ -1,4 +1,4 @@
-#include "analysis/anova.hpp"
+#include "analysis/statistics/anova.hpp"
 
 #include <cmath>
 #include <fstream>

@@ -4,7 +4,7 @@
 #include <span>
 #include <string>
 
-#include "analysis/anova.hpp"
+#include "analysis/statistics/anova.hpp"
 
 namespace ikbench {
 

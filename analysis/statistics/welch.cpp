@@ -1,4 +1,4 @@
-#include "analysis/welch.hpp"
+#include "analysis/statistics/welch.hpp"
 
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>

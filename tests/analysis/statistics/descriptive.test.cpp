@@ -1,10 +1,10 @@
-#include "analysis/descriptive.hpp"
+#include "analysis/statistics/descriptive.hpp"
 
 #include <cmath>
 #include <stdexcept>
 #include <vector>
 
-#include "analysis/quantile.hpp"
+#include "analysis/statistics/quantile.hpp"
 #include "tests/catch.hpp"
 
 using namespace ikbench;

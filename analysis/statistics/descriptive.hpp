@@ -23,6 +23,16 @@ struct Description {
 
 Description describe(std::span<const double> values);
 
+// What a paper prints of a group.
+struct GroupSummary {
+  double mean = not_defined;
+  double std = not_defined;  // sample standard deviation; of no account where n is 1
+  int n = 0;
+};
+
+// NaN where a value is not finite.
+GroupSummary summarise(std::span<const double> values);
+
 // Two passes, shifted by the first value, so that many equal leading digits cost nothing.
 double mean(std::span<const double> values);
 // Sum of squared deviations from the mean.

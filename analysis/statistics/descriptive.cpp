@@ -1,9 +1,9 @@
-#include "analysis/descriptive.hpp"
+#include "analysis/statistics/descriptive.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "analysis/quantile.hpp"
+#include "analysis/statistics/quantile.hpp"
 
 namespace ikbench {
 
@@ -44,6 +44,11 @@ Description describe(std::span<const double> values) {
   result.mean = mean(values);
   if (result.n > 1) result.std = std::sqrt(sum_of_squares(values) / (result.n - 1));
   return result;
+}
+
+GroupSummary summarise(std::span<const double> values) {
+  const Description described = describe(values);
+  return {.mean = described.mean, .std = described.std, .n = described.n};
 }
 
 }  // namespace ikbench

@@ -5,16 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "analysis/descriptive.hpp"
+#include "analysis/statistics/descriptive.hpp"
 
 namespace ikbench {
-
-// What a paper prints of a group.
-struct GroupSummary {
-  double mean = not_defined;
-  double std = not_defined;  // sample standard deviation; of no account where n is 1
-  int n = 0;
-};
 
 struct AnovaTable {
   double ss_between = not_defined;

@@ -1,0 +1,45 @@
+// What a study says before its data are seen about how they will be judged. It decides no number of a solve; it is kept
+// with the study and with every session, so that a later change shows.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace ikbench {
+
+// Which test decides. by_design: Friedman where the same targets are given to all (blocks), else Welch; the data have
+// no say in it. The others are computed beside it all the same.
+enum class DecidingTest { by_design, anova, welch, kruskal_wallis, friedman };
+
+// How p-values of several contrasts are corrected for being several, where the method does not do so itself
+// (Tukey's and Games-Howell's do).
+enum class Adjustment { holm, hochberg, bonferroni, benjamini_hochberg };
+
+// What one observation is: a run's mean over its points, or a single solve. Points of one run depend on each other.
+enum class Unit { run, point };
+
+constexpr std::array<std::string_view, 5> deciding_test_names{"by_design", "anova", "welch", "kruskal_wallis",
+                                                              "friedman"};
+constexpr std::array<std::string_view, 4> adjustment_names{"holm", "hochberg", "bonferroni", "benjamini_hochberg"};
+constexpr std::array<std::string_view, 2> unit_names{"run", "point"};
+
+constexpr std::string_view name_of(DecidingTest test) { return deciding_test_names[static_cast<std::size_t>(test)]; }
+constexpr std::string_view name_of(Adjustment adjustment) {
+  return adjustment_names[static_cast<std::size_t>(adjustment)];
+}
+constexpr std::string_view name_of(Unit unit) { return unit_names[static_cast<std::size_t>(unit)]; }
+
+struct AnalysisPlan {
+  DecidingTest test = DecidingTest::by_design;
+  Adjustment adjustment = Adjustment::holm;
+  std::string control;         // label that the others are held against; empty: every pair is compared
+  double significance = 0.05;  // of a test; intervals have the level 1 - significance
+  double margin = 0.05;        // relative difference that matters: below it two solvers count as the same
+  double power = 0.8;          // with which a difference of that size should be found
+  int quartiles = 5;           // Hyndman-Fan type; 5 is MATLAB's
+  Unit unit = Unit::run;
+};
+
+}  // namespace ikbench
