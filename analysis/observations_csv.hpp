@@ -1,0 +1,44 @@
+// Observations and published summaries from a user's CSV, as pandas, R and spreadsheets write it.
+// Every mistake in a file is std::invalid_argument: one sentence with the file, the row and what was expected.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+#include "analysis/observations.hpp"
+
+namespace ikbench {
+
+constexpr std::size_t max_groups = 1000;
+
+enum class Layout {
+  one_row_a_value,    // "long": a column of values, a column of groups
+  one_column_a_group  // "wide": every column is a group
+};
+enum class RowsOf { no_block, one_block };  // of the wide layout: whether the values of a row belong together
+enum class Replicates { checked, as_given };
+
+// Columns by name; empty where there is none or it is to be found.
+struct CsvRequest {
+  Layout layout = Layout::one_row_a_value;
+  std::string value = {};  // in the wide layout: what the numbers are
+  std::string group = {};  // left empty: the column group, solver or algorithm
+  std::string block = {};  // what every group was given alike: a problem, a target
+  std::string run = {};    // rows of one group (and block) with the same run are averaged
+  RowsOf rows = RowsOf::no_block;
+  Better better = Better::smaller;
+  Replicates replicates = Replicates::checked;
+};
+
+// Groups and blocks in the order of their first row. Missing values (NA, NaN, empty) are left out and counted in the
+// notes; Inf is a value. A run with a missing row is left out whole: its mean would be over other points than those of
+// the others. Blocks without a value of every group are left out and counted.
+// Rows that repeat a group's run, trial, seed, repetition or replicate are no replicates: refused unless they are
+// averaged (`run`) or taken as given, which Observations::flaw then says.
+Observations read_observations(std::string_view text, std::string_view source, const CsvRequest& request);
+
+// Columns, in any case: name (or group, solver, algorithm), mean, sd (or std, stddev), n (or count).
+Summaries read_summaries(std::string_view text, std::string_view source);
+
+}  // namespace ikbench

@@ -1,0 +1,63 @@
+// Published means and standard deviations from a user's CSV.
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <set>
+#include <string_view>
+
+#include "analysis/csv_cells.hpp"
+#include "analysis/observations_csv.hpp"
+
+namespace ikbench {
+namespace {
+
+constexpr std::array<std::string_view, 4> name_titles{"name", "group", "solver", "algorithm"};
+constexpr std::array<std::string_view, 1> mean_titles{"mean"};
+constexpr std::array<std::string_view, 3> std_titles{"sd", "std", "stddev"};
+constexpr std::array<std::string_view, 2> n_titles{"n", "count"};
+
+std::size_t expect_column(const CsvFile& file, std::span<const std::string_view> titles) {
+  if (const auto column = file.column_like(titles)) return *column;
+  file.refuse(fmt::format("no column {}, found: {}", fmt::join(titles, " or "),
+                          quoted(fmt::format("{}", fmt::join(file.table.header, ", ")))));
+}
+
+}  // namespace
+
+Summaries read_summaries(std::string_view text, std::string_view source) {
+  const CsvFile file = open_csv(text, source);
+  const std::size_t name = expect_column(file, name_titles);
+  const std::size_t mean = expect_column(file, mean_titles);
+  const std::size_t std = expect_column(file, std_titles);
+  const std::size_t n = expect_column(file, n_titles);
+
+  Summaries summaries{.name = "value", .quantity = "value"};
+  std::set<std::string> names;
+  for (std::size_t row = 0; row < file.table.rows.size(); ++row) {
+    if (file.is_blank(row)) continue;
+    SummaryGroup group{.name = file.table.rows[row][name], .summary = {}};
+    if (group.name.empty()) group.name = "(empty)";
+    if (!names.insert(group.name).second) file.refuse_cell(row, name, "twice, expected each group once");
+    if (names.size() > max_groups) file.refuse(fmt::format("expected at most {} groups", max_groups));
+
+    const double count = file.number(row, n).value_or(not_defined);
+    if (!(count >= 1 && count <= std::numeric_limits<int>::max() && count == std::floor(count))) {
+      file.refuse_cell(row, n, "expected how many observations, a whole number from 1");
+    }
+    group.summary.n = static_cast<int>(count);
+    group.summary.mean = file.number(row, mean).value_or(not_defined);
+    if (!std::isfinite(group.summary.mean)) file.refuse_cell(row, mean, "expected a finite number");
+    group.summary.std = file.number(row, std).value_or(not_defined);
+    const bool single = group.summary.n == 1 && std::isnan(group.summary.std);  // one value has no spread
+    if (!single && !(group.summary.std >= 0 && std::isfinite(group.summary.std))) {
+      file.refuse_cell(row, std, "expected a standard deviation, a finite number from 0");
+    }
+    summaries.groups.push_back(std::move(group));
+  }
+  if (summaries.groups.empty()) file.refuse("no rows below the header, expected at least one");
+  return summaries;
+}
+
+}  // namespace ikbench

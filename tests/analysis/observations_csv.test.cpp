@@ -1,0 +1,289 @@
+#include "analysis/observations_csv.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "results/export.hpp"
+#include "tests/analysis/synthetic.hpp"
+#include "tests/catch.hpp"
+
+using namespace ikbench;
+using Values = std::vector<double>;
+using Texts = std::vector<std::string>;
+
+namespace {
+
+const CsvRequest by_solver{.value = "error", .group = "solver"};
+const CsvRequest wide{.layout = Layout::one_column_a_group};
+
+Observations read(std::string_view text, const CsvRequest& request = by_solver) {
+  return read_observations(text, "a/folder/file.csv", request);
+}
+
+std::string refusal(std::string_view text, const CsvRequest& request = by_solver) {
+  try {
+    read(text, request);
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "not refused";
+}
+
+std::string summary_refusal(std::string_view text) {
+  try {
+    read_summaries(text, "file.csv");
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "not refused";
+}
+
+bool says(const std::string& text, const Texts& words) {
+  UNSCOPED_INFO(text);
+  return std::ranges::all_of(words, [&](const std::string& word) { return text.find(word) != std::string::npos; });
+}
+
+Texts names_of(const Observations& observations) {
+  Texts names;
+  for (const Group& group : observations.groups) names.push_back(group.name);
+  return names;
+}
+
+}  // namespace
+
+TEST_CASE("pandas' to_csv with its index column is one observation a row", "[csv]") {
+  const Observations seen = read(",solver,error\n0,IK-BA,0.1\n1,BA,0.2\n2,IK-BA,0.3\n");
+  CHECK(names_of(seen) == Texts{"IK-BA", "BA"});
+  CHECK(seen.groups[0].values == Values{0.1, 0.3});
+  CHECK(seen.groups[1].values == Values{0.2});
+  CHECK(seen.replicate == "a row of file.csv");
+  CHECK(seen.quantity == "error");
+  CHECK(seen.blocks.empty());
+  CHECK(seen.notes.empty());
+  CHECK(seen.flaw.empty());
+}
+
+TEST_CASE("R's write.csv with quoted texts and row names reads the same", "[csv]") {
+  const Observations seen = read("\"\",\"solver\",\"error\"\n\"1\",\"IK-BA\",1e-05\n\"2\",\"BA\",NA\n\"3\",\"BA\",2\n");
+  CHECK(seen.groups[0].values == Values{1e-5});
+  CHECK(seen.groups[1].values == Values{2});
+  CHECK(seen.notes == Texts{"left out because missing: values, 1 of 2 of BA"});
+}
+
+TEST_CASE("a spreadsheet's byte-order mark, CRLF and empty rows below the table mean nothing", "[csv]") {
+  const Observations seen = read("\xEF\xBB\xBFsolver,error\r\nA,1\r\nA,2\r\n,\r\n,\r\n");
+  CHECK(names_of(seen) == Texts{"A"});
+  CHECK(seen.groups[0].values == Values{1, 2});
+  CHECK(seen.notes.empty());
+}
+
+TEST_CASE("every spelling of a missing value is left out and counted by group, infinities are values", "[csv]") {
+  const Observations seen = read(
+      "solver,error\nA,\nA,NA\nA,NaN\nA,nan\nA,null\nA,<NA>\nA,None\nA,N/A\nA,-nan\nA,1\nB,Inf\nB,-inf\nB,2\nC, NA \n");
+  CHECK(seen.groups[0].values == Values{1});
+  CHECK(seen.groups[1].values == Values{HUGE_VAL, -HUGE_VAL, 2});
+  CHECK(seen.groups[2].values.empty());  // a group that has nothing is still there
+  CHECK(seen.notes == Texts{"left out because missing: values, 9 of 10 of A, 1 of 1 of C"});
+}
+
+TEST_CASE("a number of another language is refused with what to write", "[csv]") {
+  CHECK(refusal("solver,error\nA,1\nB,\"1,5\"\n") ==
+        "a/folder/file.csv: row 2 below the header, column 'error': '1,5', a decimal comma; write 1.5");
+  CHECK(says(refusal("solver,error\nA,\"1,234.5\"\n"), {"commas between the digits; write 1234.5"}));
+  CHECK(says(refusal("solver,error\nA,3 cm\n"), {"row 1 below the header, column 'error': '3 cm', expected a"}));
+  CHECK(says(refusal("solver,error\nA,1e999\n"), {"'1e999', expected a number within the range of a double"}));
+}
+
+TEST_CASE("semicolons and tabs between the columns are refused by name, in quotes they are text", "[csv]") {
+  CHECK(refusal("solver;error\nA;1,5\n") ==
+        "a/folder/file.csv:1: semicolons between the columns; expected commas (and a point, not a comma, in a number)");
+  CHECK(says(refusal("solver\terror\nA\t1\n"), {":1: tabs between the columns; expected commas"}));
+  CHECK(says(refusal(std::string_view("\xFF\xFEs\0", 4)), {"UTF-16, expected UTF-8"}));
+  CHECK(read("\"solver\",\"error; squared\"\nA,1\n", {.value = "error; squared", .group = "solver"}).name ==
+        "error-squared");
+  CHECK(read("\"a;b\"\n1\n", wide).groups[0].name == "a;b");
+}
+
+TEST_CASE("what is not in the file is refused with what is", "[csv]") {
+  CHECK(says(refusal("solver,err\nA,1\n"), {"no column 'error', expected one of: solver, err"}));
+  CHECK(says(refusal("method,error\nA,1\n", {.value = "error"}), {"--group", "method, error"}));
+  CHECK(says(refusal("solver,error\nA,1\n", {.group = "solver"}), {"--value", "solver, error"}));
+  CHECK(says(refusal("solver,error\n"), {"no rows below the header"}));
+  CHECK(says(refusal("solver,error\nA,NA\n"), {"every value is missing"}));
+  CHECK(says(refusal(""), {"nothing there"}));
+  CHECK(names_of(read("Algorithm,error\nA,1\n", {.value = "error"})) == Texts{"A"});  // found without being named
+}
+
+TEST_CASE("names with commas, quotes, line ends and of any script are kept", "[csv]") {
+  const Observations seen = read("solver,error\n\"a,b\",1\n\"say \"\"hi\"\"\",2\n\"two\nlines\",3\nΔ 蝙蝠,4\n,5\n");
+  CHECK(names_of(seen) == Texts{"a,b", "say \"hi\"", "two\nlines", "Δ 蝙蝠", "(empty)"});
+}
+
+TEST_CASE("rows that share a run are not replicates", "[csv]") {
+  const std::string text = "solver,run,point,error\nA,1,1,1\nA,1,2,3\nA,2,1,5\nA,2,2,7\nB,1,1,2\nB,1,2,4\n";
+  CHECK(refusal(text) ==
+        "a/folder/file.csv: 2 rows share run 1 of A; points of one run depend on each other and are not replicates; "
+        "average them with --run run, or insist with --force");
+
+  const Observations means = read(text, {.value = "error", .group = "solver", .run = "run"});
+  CHECK(means.groups[0].values == Values{2, 6});
+  CHECK(means.groups[1].values == Values{3});
+  CHECK(means.replicate == "a run's mean over its 2 rows of file.csv");
+  CHECK(means.notes == Texts{"each observation is the mean over the 2 rows of a run (column 'run')"});
+  CHECK(means.flaw.empty());
+
+  CsvRequest forced = by_solver;
+  forced.replicates = Replicates::as_given;
+  CHECK(read(text, forced).groups[0].values == Values{1, 3, 5, 7});
+  CHECK(says(read(text, forced).flaw, {"2 rows share run 1 of A", "all the same"}));
+}
+
+TEST_CASE("the solves that the program exports are refused as replicates and averaged by run", "[csv]") {
+  const std::string text = to_csv(synthetic::solves({.solvers = {"IK-BA", "BA"}, .runs = 3, .points = 5}));
+  const CsvRequest errors{.value = "position_error_cm", .group = "solver"};
+  CHECK(says(refusal(text, errors), {"5 rows share run 1 of IK-BA"}));
+  CsvRequest by_run = errors;
+  by_run.run = "run";
+  CHECK(read(text, by_run).groups[1].values.size() == 3);
+}
+
+TEST_CASE("columns that number repetitions are known by their names", "[csv]") {
+  for (const char* title : {"Run", "seed", "trial_id", "Repetition", "rep", "repeat", "REPLICATE", "run number"}) {
+    CAPTURE(title);
+    CHECK(says(refusal(fmt::format("solver,{},error\nA,1,1\nA,1,2\n", title)), {"2 rows share"}));
+    CHECK(refusal(fmt::format("solver,{},error\nA,1,1\nA,2,2\nB,1,3\n", title)) == "not refused");
+    CHECK(refusal(fmt::format("solver,{},error\nA,,1\nA,,2\n", title)) == "not refused");  // not known
+  }
+  for (const char* title : {"fold", "running time", "trials", "id", "problem"}) {
+    CAPTURE(title);
+    CHECK(refusal(fmt::format("solver,{},error\nA,1,1\nA,1,2\n", title)) == "not refused");
+  }
+}
+
+TEST_CASE("a run with a missing row has no mean and is left out", "[csv]") {
+  const Observations seen = read("solver,run,error\nA,1,1\nA,1,NA\nA,2,2\nA,2,4\nA,3,Inf\nA,3,1\n",
+                                 {.value = "error", .group = "solver", .run = "run"});
+  CHECK(seen.groups[0].values == Values{3, HUGE_VAL});
+  CHECK(seen.notes.back() == "left out because missing: runs with a missing value, 1 of 3 of A");
+  CHECK(says(refusal("solver,run,error\nA,,1\nA,2,1\n", {.value = "error", .group = "solver", .run = "run"}),
+             {"row 1 below the header, column 'run': '', expected which one it is"}));
+}
+
+TEST_CASE("the mean of huge values does not overflow", "[csv]") {
+  const Observations seen = read("solver,run,error\nA,1,1e308\nA,1,1.5e308\nA,2,1e308\nA,2,-1e308\n",
+                                 {.value = "error", .group = "solver", .run = "run"});
+  CHECK(seen.groups[0].values[0] == Approx(1.25e308));
+  CHECK(seen.groups[0].values[1] == 0);
+}
+
+TEST_CASE("blocks are aligned over the groups, incomplete ones left out and counted", "[csv]") {
+  const CsvRequest request{.value = "error", .group = "solver", .block = "problem"};
+  const Observations seen =
+      read("problem,solver,error\np1,A,1\np1,B,2\np2,B,4\np2,A,3\np3,A,5\np4,A,NA\np4,B,6\n", request);
+  CHECK(seen.blocks == Texts{"p1", "p2"});
+  CHECK(seen.groups[0].values == Values{1, 3});
+  CHECK(seen.groups[1].values == Values{2, 4});
+  CHECK(seen.block == "a value of 'problem' in file.csv");
+  CHECK(seen.notes == Texts{"left out because missing: values, 1 of 4 of A",
+                            "left out because incomplete: 2 of 4 blocks ('p3' has no value of 'B')"});
+  CHECK(says(refusal("problem,solver,error\np1,A,1\np2,B,1\n", request), {"no block has a value of every group"}));
+  CHECK(says(refusal("problem,solver,error\n,A,1\n", request), {"column 'problem': '', expected which one"}));
+}
+
+TEST_CASE("runs of a block are averaged where the runs are named", "[csv]") {
+  const std::string text =
+      "problem,solver,run,error\np,A,1,1\np,A,2,3\np,B,1,10\np,B,2,20\nq,A,1,5\nq,A,2,NA\nq,B,1,2\nq,B,2,4\n";
+  CsvRequest request{.value = "error", .group = "solver", .block = "problem"};
+  CHECK(
+      refusal(text, request) ==
+      "a/folder/file.csv: 2 rows of 'A' in block 'p', expected one; average the rows of a run and the runs of a block "
+      "with --run run, or average the rows as they are with --force");
+  request.run = "run";
+  const Observations seen = read(text, request);
+  CHECK(seen.groups[0].values == Values{2, 5});  // of the run that has its value
+  CHECK(seen.groups[1].values == Values{15, 3});
+  CHECK(seen.replicate == "the mean over the 2 runs of a block in file.csv");
+}
+
+TEST_CASE("a run that is the block gives one mean a run and group", "[csv]") {
+  const Observations seen = read("solver,run,error\nA,1,1\nA,1,3\nA,2,5\nA,2,7\nB,1,0\nB,1,0\nB,2,1\nB,2,1\n",
+                                 {.value = "error", .group = "solver", .block = "run", .run = "run"});
+  CHECK(seen.blocks == Texts{"1", "2"});
+  CHECK(seen.groups[0].values == Values{2, 6});
+  CHECK(seen.groups[1].values == Values{0, 1});
+}
+
+TEST_CASE("wide columns are groups, of unequal size where cells are empty", "[csv]") {
+  const Observations seen = read(",A,B\n0,1,2\n1,3,\n2,5,\n", wide);
+  CHECK(names_of(seen) == Texts{"A", "B"});
+  CHECK(seen.groups[0].values == Values{1, 3, 5});
+  CHECK(seen.groups[1].values == Values{2});
+  CHECK(seen.blocks.empty());
+  CHECK(seen.notes == Texts{"left out because missing: values, 2 of 3 of B"});
+}
+
+TEST_CASE("rows of the wide layout are blocks where that is asked", "[csv]") {
+  const Observations rows =
+      read("A,B\n1,2\n3,\n5,6\n", {.layout = Layout::one_column_a_group, .rows = RowsOf::one_block});
+  CHECK(rows.blocks == Texts{"1", "3"});
+  CHECK(rows.groups[1].values == Values{2, 6});
+  const Observations named =
+      read("problem,A,B\nx,1,2\ny,3,4\n", {.layout = Layout::one_column_a_group, .block = "problem"});
+  CHECK(named.blocks == Texts{"x", "y"});
+  CHECK(names_of(named) == Texts{"A", "B"});
+}
+
+TEST_CASE("a wide column that is no group is refused or known", "[csv]") {
+  CHECK(says(refusal("problem,A\nx,1\n", wide), {"row 1 below the header, column 'problem': 'x', expected"}));
+  CHECK(says(refusal("A,A\n1,2\n", wide), {"two columns 'A'"}));
+  CHECK(says(refusal("run,A\n1,2\n1,3\n", wide), {"2 rows share run 1 of A"}));
+  CHECK(says(refusal("A\n1\n", {.layout = Layout::one_column_a_group, .group = "A"}), {"--group 'A'"}));
+  const Observations seen = read("run,A\n1,2\n2,3\n", wide);
+  CHECK(names_of(seen) == Texts{"A"});
+  CHECK(seen.notes == Texts{"column 'run' numbers the repetitions and is no group"});
+}
+
+TEST_CASE("200 groups are read, more than 1000 refused", "[csv]") {
+  const auto text_with = [](int groups) {
+    std::string text = "solver,error\n";
+    for (int i = 0; i < groups; ++i) text += fmt::format("s{},1\n", i);
+    return text;
+  };
+  CHECK(read(text_with(200)).groups.size() == 200);
+  CHECK(read(text_with(1000)).groups.size() == 1000);
+  CHECK(says(refusal(text_with(1001)), {"more than 1000 groups, the last 's1000'"}));
+}
+
+TEST_CASE("a name for files and anchors is made of any column's name", "[csv]") {
+  const auto name = [](const std::string& column) {
+    return read("solver,\"" + column + "\"\nA,1\n", {.value = column, .group = "solver"}).name;
+  };
+  CHECK(name("Position error [cm]") == "position-error-cm");
+  CHECK(name("../../etc") == "etc");
+  CHECK(name("誤差") == "value");
+}
+
+TEST_CASE("published summaries are read under their usual names", "[csv]") {
+  const Summaries seen = read_summaries("Solver,Mean,STD,count,median\nIK-BA,1.5,0.5,20,1\nBA,2,,1,2\n", "file.csv");
+  REQUIRE(seen.groups.size() == 2);
+  CHECK(seen.groups[0].name == "IK-BA");
+  CHECK(seen.groups[0].summary.mean == 1.5);
+  CHECK(seen.groups[0].summary.std == 0.5);
+  CHECK(seen.groups[0].summary.n == 20);
+  CHECK(std::isnan(seen.groups[1].summary.std));  // one value has no spread
+}
+
+TEST_CASE("summaries that cannot be are refused", "[csv]") {
+  CHECK(says(summary_refusal("name,mean,n\nA,1,2\n"), {"no column sd or std or stddev"}));
+  CHECK(says(summary_refusal("name,mean,sd,n\nA,1,-1,2\n"), {"'-1', expected a standard deviation"}));
+  CHECK(says(summary_refusal("name,mean,sd,n\nA,1,,2\n"), {"'', expected a standard deviation"}));
+  CHECK(says(summary_refusal("name,mean,sd,n\nA,1,1,2.5\n"), {"'2.5', expected how many observations"}));
+  CHECK(says(summary_refusal("name,mean,sd,n\nA,1,1,0\n"), {"'0', expected how many observations"}));
+  CHECK(says(summary_refusal("name,mean,sd,n\nA,1,1,1e12\n"), {"expected how many observations"}));
+  CHECK(says(summary_refusal("name,mean,sd,n\nA,Inf,1,2\n"), {"'Inf', expected a finite number"}));
+  CHECK(says(summary_refusal("name,mean,sd,n\nA,1,1,2\nA,1,1,2\n"), {"'A', twice"}));
+  CHECK(says(summary_refusal("name,mean,sd,n\n"), {"no rows below the header"}));
+}
