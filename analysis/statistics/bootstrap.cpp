@@ -21,7 +21,7 @@ namespace {
 using Picks = std::vector<std::vector<std::size_t>>;
 using PickStatistic = std::function<double(const Picks&)>;
 
-constexpr std::size_t most_left_out = 1000;  // blocks of a sample that the acceleration leaves out in turn
+constexpr std::size_t most_left_out = 1000;  // values of a sample that the acceleration leaves out in turn
 constexpr std::size_t most_exhaustive = 7;   // 7^7 = 823543
 
 std::vector<double> picked(std::span<const double> values, const std::vector<std::size_t>& picks) {
@@ -56,27 +56,27 @@ std::size_t draw(std::mt19937_64& engine, std::uint64_t bound) {
 }
 
 // Efron's acceleration from the statistic without each value in turn, of several samples as Davison and Hinkley (5.27).
-// Of a large sample blocks are left out, so that the work grows with its size and not with the square.
+// Of a large sample a thousand values, evenly spaced, stand for all, so that the work does not grow with the square.
 double acceleration(std::span<const std::size_t> sizes, const PickStatistic& statistic) {
-  const Picks all = everything(sizes);
+  Picks picks = everything(sizes);
   double squares = 0, cubes = 0;
   for (std::size_t s = 0; s < sizes.size(); ++s) {
-    const std::size_t blocks = std::min(sizes[s], most_left_out);
+    const std::size_t left_out = std::min(sizes[s], most_left_out);
+    const std::vector<std::size_t> all = picks[s];
     std::vector<double> without;
-    for (std::size_t block = 0; block < blocks; ++block) {
-      Picks picks = all;
-      const auto at = [&](std::size_t b) {
-        return picks[s].begin() + static_cast<std::ptrdiff_t>(b * sizes[s] / blocks);
-      };
-      picks[s].erase(at(block), at(block + 1));
+    for (std::size_t i = 0; i < left_out; ++i) {
+      picks[s] = all;
+      picks[s].erase(picks[s].begin() + static_cast<std::ptrdiff_t>(i * sizes[s] / left_out));
       without.push_back(statistic(picks));
     }
+    picks[s] = all;
     const double centre = mean(without);
-    const auto n = static_cast<double>(blocks);
+    const auto n = static_cast<double>(sizes[s]);
+    const double stands_for = n / static_cast<double>(left_out);
     for (const double value : without) {
       const double influence = (n - 1) / n * (centre - value);
-      squares += influence * influence;
-      cubes += influence * influence * influence;
+      squares += stands_for * influence * influence;
+      cubes += stands_for * influence * influence * influence;
     }
   }
   return cubes / (6 * squares * std::sqrt(squares));

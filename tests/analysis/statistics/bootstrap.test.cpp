@@ -1,0 +1,158 @@
+#include "analysis/statistics/bootstrap.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <stdexcept>
+#include <vector>
+
+#include "tests/analysis/statistics/samples.hpp"
+#include "tests/catch.hpp"
+
+using namespace ikbench;
+using namespace ikbench::samples;
+
+using Sample = std::vector<double>;
+using Values = std::span<const double>;
+
+namespace {
+
+const Sample sample{1.2, 3.4, 0.7, 5.9, 2.2};
+
+double mean_of(Values values) { return mean(values); }
+double difference(Values first, Values second) { return mean(first) - mean(second); }
+double ratio(Values first, Values second) { return mean(first) / mean(second); }
+
+}  // namespace
+
+TEST_CASE("all 3125 resamples of five values, gone through", "[bootstrap]") {
+  const BootstrapInterval interval = bootstrap_exhaustive(sample, mean_of);
+  CHECK(interval.estimate == Approx(2.68));
+  CHECK(interval.low == Approx(1.2));  // R 4.2.2, quantile type 7 of all 3125 means
+  CHECK(interval.high == Approx(4.42));
+  CHECK(interval.z0 == Approx(0.00441168007401).epsilon(1e-10));           // qnorm(1568 / 3125)
+  CHECK(interval.acceleration == Approx(0.0527792737555).epsilon(1e-10));  // sum d^3 / (6 (sum d^2)^1.5)
+  CHECK(interval.bca_low == Approx(1.3));  // the same means at pnorm(z0 + (z0 + z) / (1 - a (z0 + z))), by a script
+  CHECK(interval.bca_high == Approx(4.66));
+  CHECK(interval.standard_error == Approx(0.8302653726300225).epsilon(1e-12));  // sqrt(17.228 / 25 * 3125 / 3124)
+}
+
+TEST_CASE("ten thousand resamples come close to all of them", "[bootstrap]") {
+  const BootstrapInterval some = bootstrap(sample, mean_of), all = bootstrap_exhaustive(sample, mean_of);
+  CHECK(some.low == Approx(all.low).margin(0.08));
+  CHECK(some.high == Approx(all.high).margin(0.08));
+  CHECK(some.bca_low == Approx(all.bca_low).margin(0.08));
+  CHECK(some.bca_high == Approx(all.bca_high).margin(0.08));
+  CHECK(some.standard_error == Approx(all.standard_error).epsilon(0.03));
+  CHECK(some.acceleration == all.acceleration);
+}
+
+TEST_CASE("the resamples are those of mt19937_64 modulo n, on every machine", "[bootstrap]") {
+  // Twenty resamples with seed 2024, by a script in another language: Nishimura and Matsumoto's generator, pick = x
+  // mod 5.
+  const BootstrapInterval interval = bootstrap(sample, mean_of, {.resamples = 20, .seed = 2024});
+  CHECK(interval.low == Approx(1.4565).epsilon(1e-12));
+  CHECK(interval.high == Approx(3.8915).epsilon(1e-12));
+}
+
+TEST_CASE("one seed has one answer, another seed another", "[bootstrap]") {
+  const BootstrapInterval one = bootstrap(sample, mean_of, {.seed = 7});
+  const BootstrapInterval again = bootstrap(sample, mean_of, {.seed = 7});
+  const BootstrapInterval other = bootstrap(sample, mean_of, {.seed = 8});
+  CHECK(one.standard_error == again.standard_error);
+  CHECK(one.bca_low == again.bca_low);
+  CHECK(one.standard_error != other.standard_error);
+}
+
+TEST_CASE("the difference of two means has the standard error of a formula", "[bootstrap]") {
+  // sqrt(sum of the variances by n, by n): PlantGrowth, ctrl and trt2 of ten each.
+  const Sample &a = plant_growth[2], &b = plant_growth[0];
+  const BootstrapInterval interval = bootstrap_two(a, b, difference);
+  CHECK(interval.estimate == Approx(0.494));
+  CHECK(interval.standard_error == Approx(std::sqrt(sum_of_squares(a) / 100 + sum_of_squares(b) / 100)).epsilon(0.03));
+  CHECK(interval.low < interval.estimate);
+  CHECK(interval.high > interval.estimate);
+}
+
+TEST_CASE("against a constant the acceleration is that of the one sample, and turns with its sign", "[bootstrap]") {
+  const Sample constant{1, 1, 1};
+  const double alone = bootstrap(sample, mean_of).acceleration;
+  CHECK(bootstrap_two(sample, constant, difference).acceleration == Approx(alone).epsilon(1e-10));
+  CHECK(bootstrap_two(constant, sample, difference).acceleration == Approx(-alone).epsilon(1e-10));
+}
+
+TEST_CASE("of two samples of one shape the accelerations of the difference of the means cancel", "[bootstrap]") {
+  CHECK(bootstrap_two(sample, sample, difference).acceleration == Approx(0).margin(1e-14));
+}
+
+TEST_CASE("pairs stay together", "[bootstrap]") {
+  Sample twice = sample;
+  for (double& value : twice) value *= 2;
+  const BootstrapInterval paired = bootstrap_pairs(twice, sample, ratio);
+  CHECK(paired.low == Approx(2).epsilon(1e-14));
+  CHECK(paired.high == Approx(2).epsilon(1e-14));
+  const BootstrapInterval apart = bootstrap_two(twice, sample, ratio);
+  CHECK(apart.low < 1.5);
+  CHECK(apart.high > 3);
+}
+
+TEST_CASE("the acceleration of a large sample is that of a thousand of its values", "[bootstrap]") {
+  Sample large;  // exponential quantiles, in order
+  for (int i = 0; i < 5000; ++i) large.push_back(-std::log(1 - (i + 0.5) / 5000));
+  double cubes = 0;
+  for (const double value : large) cubes += std::pow(value - mean(large), 3);
+  const double exact = cubes / (6 * std::pow(sum_of_squares(large), 1.5));
+  CHECK(bootstrap(large, mean_of, {.resamples = 2}).acceleration == Approx(exact).epsilon(0.05));
+}
+
+TEST_CASE("BCa intervals of a skewed mean miss less often than percentiles", "[bootstrap][coverage]") {
+  // Squares of normals, n = 20, 300 samples from fixed seeds: the percentile interval covers some 0.88 to 0.90 of 0.95.
+  std::mt19937_64 engine(3);
+  int percentile = 0, bca = 0;
+  constexpr int samples_drawn = 300;
+  for (int s = 0; s < samples_drawn; ++s) {
+    Sample drawn;
+    for (int i = 0; i < 20; ++i) {  // Box and Muller
+      const double u = (static_cast<double>(engine() >> 11) + 1) * 0x1p-53,
+                   v = static_cast<double>(engine() >> 11) * 0x1p-53;
+      drawn.push_back(-2 * std::log(u) * std::pow(std::cos(2 * std::acos(-1.0) * v), 2));
+    }
+    const BootstrapInterval interval = bootstrap(drawn, mean_of, {.resamples = 400, .seed = engine()});
+    percentile += interval.low <= 1 && 1 <= interval.high ? 1 : 0;
+    bca += interval.bca_low <= 1 && 1 <= interval.bca_high ? 1 : 0;
+  }
+  CHECK(percentile > 0.83 * samples_drawn);
+  CHECK(bca >= percentile);
+  CHECK(bca < 0.98 * samples_drawn);
+}
+
+TEST_CASE("a constant sample has percentiles at its value and no BCa interval", "[bootstrap]") {
+  const BootstrapInterval interval = bootstrap(Sample{3, 3, 3}, mean_of, {.resamples = 50});
+  CHECK(interval.low == 3);
+  CHECK(interval.high == 3);
+  CHECK(interval.standard_error == 0);
+  CHECK(says(interval.bca_undefined, "same on every resample"));
+  CHECK(std::isnan(interval.bca_low));
+}
+
+TEST_CASE("the largest value lies at the end of its resamples, so that it has no BCa interval", "[bootstrap]") {
+  const Statistic largest = [](Values values) { return std::ranges::max(values); };
+  const Statistic smallest = [](Values values) { return std::ranges::min(values); };
+  CHECK(bootstrap(sample, largest).bca_undefined.empty());  // some resamples are below it
+  CHECK(says(bootstrap(sample, smallest).bca_undefined, "one side"));
+}
+
+TEST_CASE("where there is no bootstrap it says why", "[bootstrap]") {
+  CHECK(says(bootstrap({}, mean_of).undefined, "no values"));
+  CHECK(says(bootstrap(Sample{1}, mean_of).undefined, "one value"));
+  CHECK(says(bootstrap_two(sample, {}, difference).undefined, "no values"));
+  CHECK(says(bootstrap_pairs(sample, Sample{1, 2}, difference).undefined, "not pairs"));
+  CHECK(says(bootstrap(Sample{1, NAN}, mean_of).undefined, "not finite"));
+  CHECK(says(bootstrap(Sample{1, HUGE_VAL, 2}, mean_of).undefined, "not finite"));
+  CHECK(says(bootstrap_two(sample, Sample{0, 0, 1}, ratio).undefined, "on some resamples"));
+  CHECK(says(bootstrap_exhaustive(Sample(8, 1.0), mean_of).undefined, "too many"));
+  CHECK(std::isnan(bootstrap(Sample{1}, mean_of).low));
+  CHECK(!bootstrap(Sample{1}, mean_of).bca_undefined.empty());
+  CHECK_THROWS_AS(bootstrap(sample, mean_of, {.resamples = 1}), std::invalid_argument);
+  CHECK_THROWS_AS(bootstrap(sample, mean_of, {.level = 1}), std::invalid_argument);
+}

@@ -1,0 +1,96 @@
+#include "analysis/statistics/kruskal_wallis.hpp"
+
+#include <cmath>
+#include <stdexcept>
+
+#include "tests/analysis/statistics/samples.hpp"
+#include "tests/catch.hpp"
+
+using namespace ikbench;
+using namespace ikbench::samples;
+
+TEST_CASE("the Kruskal-Wallis test of PlantGrowth is that of R, ties and all", "[kruskal_wallis]") {
+  const KruskalWallis test = kruskal_wallis(plant_growth);
+  CHECK(test.H == Approx(7.9882287494437).epsilon(1e-13));  // R 4.2.2, kruskal.test
+  CHECK(test.p == Approx(0.01842375573147).epsilon(1e-12));
+  CHECK(test.df == 2);
+  CHECK(test.epsilon_squared == Approx(7.9882287494437 / 29));  // H / (n - 1)
+}
+
+TEST_CASE("the Kruskal-Wallis test of the mucociliary data is that of R", "[kruskal_wallis]") {
+  // R's help page of kruskal.test (Hollander and Wolfe 1973, p. 116): 0.77143, df 2, p 0.68.
+  const Groups groups{{2.9, 3.0, 2.5, 2.6, 3.2}, {3.8, 2.7, 4.0, 2.4}, {2.8, 3.4, 3.7, 2.2, 2.0}};
+  const KruskalWallis test = kruskal_wallis(groups);
+  CHECK(test.H == Approx(0.77142857142857).epsilon(1e-12));  // 12 / (14 * 15) sum R_i^2 / n_i - 3 * 15, by hand
+  CHECK(test.p == Approx(std::exp(-0.77142857142857 / 2)).epsilon(1e-12));
+}
+
+TEST_CASE("groups that do not overlap at all have the largest H there is", "[kruskal_wallis]") {
+  // Mean ranks 2, 5, 8 of 9: H = 12 / 90 * 3 * (9 + 0 + 9) = 7.2.
+  const KruskalWallis test = kruskal_wallis(Groups{{1, 2, 3}, {4, 5, 6}, {7, 8, HUGE_VAL}});
+  CHECK(test.H == Approx(7.2));
+  CHECK(test.mean_ranks == std::vector<double>{2, 5, 8});
+  CHECK(test.epsilon_squared == Approx(0.9));
+}
+
+TEST_CASE("Dunn's z of PlantGrowth are R's, and their p times Holm's factors", "[dunn]") {
+  // R 4.2.2, rstatix::dunn_test (second - first there): z -1.117725454 1.689289607 2.807015062;
+  // Holm 0.26368426789 0.09116394405 0.00500029037, the raw p times 1, 2 and 3.
+  const auto pairs = dunn(plant_growth);
+  REQUIRE(pairs.size() == 3);
+  CHECK(pairs[0].z == Approx(1.117725454).epsilon(1e-9));  // ctrl - trt1
+  CHECK(pairs[1].z == Approx(-1.689289607).epsilon(1e-9));
+  CHECK(pairs[2].z == Approx(-2.807015062).epsilon(1e-9));
+  CHECK(pairs[0].p == Approx(0.26368426789).epsilon(1e-9));
+  CHECK(2 * pairs[1].p == Approx(0.09116394405).epsilon(1e-9));
+  CHECK(3 * pairs[2].p == Approx(0.00500029037).epsilon(1e-8));
+}
+
+TEST_CASE("against a control Dunn's z are the same, each group less the control", "[dunn]") {
+  const auto pairs = dunn(plant_growth, 1);
+  REQUIRE(pairs.size() == 2);
+  CHECK(pairs[0].z == dunn(plant_growth)[0].z);
+  CHECK(pairs[1].z == -dunn(plant_growth)[2].z);
+  CHECK_THROWS_AS(dunn(plant_growth, 3), std::invalid_argument);
+}
+
+TEST_CASE("Dunn's z of two groups is the root of H", "[dunn]") {
+  const Groups groups{{1, 5, 5, 9}, {2, 5, 10, 11, 12}};
+  CHECK(std::pow(dunn(groups)[0].z, 2) == Approx(kruskal_wallis(groups).H));
+  CHECK(dunn(groups)[0].p == Approx(kruskal_wallis(groups).p));
+}
+
+TEST_CASE("only the order of the values counts", "[kruskal_wallis]") {
+  Groups cubes = plant_growth;
+  for (auto& group : cubes) {
+    for (double& value : group) value = std::exp(value * value);
+  }
+  CHECK(kruskal_wallis(cubes).H == kruskal_wallis(plant_growth).H);
+}
+
+TEST_CASE("where there is no H the test says why", "[kruskal_wallis]") {
+  const auto [groups, reason] =
+      GENERATE_COPY(table<Groups, std::string>({{Groups{}, "no group"},
+                                                {Groups{{1, 2}}, "one group"},
+                                                {Groups{{1, 2}, {}}, "group 2 has no values"},
+                                                {Groups{{1, 2}, {1, NAN}}, "not a number"},
+                                                {Groups{{3, 3}, {3}}, "all values are equal"},
+                                                {Groups{{HUGE_VAL}, {HUGE_VAL}}, "all values are equal"}}));
+  CAPTURE(reason);
+  const KruskalWallis test = kruskal_wallis(groups);
+  CHECK(says(test.undefined, reason));
+  CHECK(std::isnan(test.H));
+  CHECK(std::isnan(test.p));
+  for (const RankComparison& pair : dunn(groups)) {
+    CHECK(says(pair.undefined, reason));
+    CHECK(std::isnan(pair.p));
+  }
+}
+
+TEST_CASE("two groups of one value each have H = 1, two hundred are no trouble", "[kruskal_wallis]") {
+  CHECK(kruskal_wallis(Groups{{1}, {2}}).H == Approx(1));  // 12 / 6 * (0.25 + 0.25)
+  Groups many(200);
+  for (std::size_t i = 0; i < many.size(); ++i) many[i] = {static_cast<double>(i), static_cast<double>(i) + 0.5};
+  CHECK(kruskal_wallis(many).p < 1e-10);
+  CHECK(dunn(many).size() == 19900);
+}

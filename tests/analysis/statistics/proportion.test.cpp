@@ -1,0 +1,87 @@
+#include "analysis/statistics/proportion.hpp"
+
+#include <cmath>
+#include <stdexcept>
+
+#include "tests/analysis/statistics/samples.hpp"
+#include "tests/catch.hpp"
+
+using namespace ikbench;
+using namespace ikbench::samples;
+
+TEST_CASE("18 of 20: Wilson's interval and Clopper and Pearson's", "[proportion]") {
+  // R 4.2.2, prop.test(18, 20, correct = FALSE) and binom.test(18, 20)
+  CHECK(wilson({18, 20}).estimate == 0.9);
+  CHECK(wilson({18, 20}).low == Approx(0.6989663548).epsilon(1e-9));
+  CHECK(wilson({18, 20}).high == Approx(0.9721335188).epsilon(1e-9));
+  CHECK(clopper_pearson({18, 20}).low == Approx(0.6830172860).epsilon(1e-9));
+  CHECK(clopper_pearson({18, 20}).high == Approx(0.9876514728).epsilon(1e-9));
+}
+
+TEST_CASE("none or all of n have an interval that ends at 0 or 1", "[proportion]") {
+  const double z2 = 1.959963984540054 * 1.959963984540054;
+  CHECK(wilson({0, 20}).low == 0);
+  CHECK(wilson({0, 20}).high == Approx(z2 / (20 + z2)));  // Wilson's equation at p = 0
+  CHECK(wilson({20, 20}).low == Approx(20 / (20 + z2)));
+  CHECK(wilson({20, 20}).high == 1);
+  CHECK(clopper_pearson({0, 20}).low == 0);
+  CHECK(clopper_pearson({0, 20}).high == Approx(1 - std::pow(0.025, 1.0 / 20)));  // (1 - p)^20 = 0.025
+  CHECK(clopper_pearson({20, 20}).low == Approx(std::pow(0.025, 1.0 / 20)));
+  CHECK(clopper_pearson({20, 20}).high == 1);
+}
+
+TEST_CASE("Clopper and Pearson's bounds are where the binomial tails are half of what lies outside", "[proportion]") {
+  // 2 of 3 at 0.9: P(X >= 2) = 3 p^2 - 2 p^3 = 0.05 at the low end, P(X <= 2) = 1 - p^3 = 0.05 at the high end.
+  const Proportion interval = clopper_pearson({2, 3}, 0.9);
+  CHECK(3 * std::pow(interval.low, 2) - 2 * std::pow(interval.low, 3) == Approx(0.05).epsilon(1e-10));
+  CHECK(interval.high == Approx(std::cbrt(0.95)).epsilon(1e-12));
+}
+
+TEST_CASE("Newcombe's own examples of a difference", "[proportion]") {
+  // Newcombe 1998, Table II, method 10: 56/70 - 48/80 is 0.0524 .. 0.3339; 9/10 - 3/10 is 0.1705 .. 0.8090.
+  CHECK(newcombe({56, 70}, {48, 80}).estimate == Approx(0.2));
+  CHECK(newcombe({56, 70}, {48, 80}).low == Approx(0.0524).margin(5e-5));
+  CHECK(newcombe({56, 70}, {48, 80}).high == Approx(0.3339).margin(5e-5));
+  CHECK(newcombe({9, 10}, {3, 10}).low == Approx(0.1705).margin(5e-5));
+  CHECK(newcombe({9, 10}, {3, 10}).high == Approx(0.8090).margin(5e-5));
+  CHECK(newcombe({10, 10}, {0, 20}).low == Approx(0.6791).margin(5e-5));
+  CHECK(newcombe({10, 10}, {0, 20}).high == 1);
+}
+
+TEST_CASE("Fisher's exact test: the tea, the convictions", "[proportion]") {
+  // R's help page of fisher.test. Tea 3/4 and 1/4: tables of weights 1 16 36 16 1, two-sided (16 + 1) * 2 / 70.
+  CHECK(fisher_exact({3, 4}, {1, 4}).p == Approx(34.0 / 70));
+  CHECK(fisher_exact({3, 4}, {1, 4}).odds_ratio == 9);
+  // Convictions of twins, 2/12 and 15/18: p 0.0005367.
+  CHECK(fisher_exact({2, 12}, {15, 18}).p == Approx(0.0005367241191434358).epsilon(1e-11));  // sums of binomials
+  CHECK(fisher_exact({10, 13}, {2, 17}).p == Approx(0.0005367241191434358).epsilon(1e-11));  // columns for rows
+}
+
+TEST_CASE("Fisher's exact test of hundreds and of a thousand million trials", "[proportion]") {
+  CHECK(fisher_exact({180, 200}, {150, 200}).p == Approx(0.00011278172795779367).epsilon(1e-10));  // sums of integers
+  const FisherExact large = fisher_exact({500'000'000, 1'000'000'000}, {500'010'000, 1'000'000'000});
+  const double z = 10000 / std::sqrt(2e9 * 0.25);  // the normal limit
+  CHECK(large.p == Approx(std::erfc(z / std::sqrt(2.0))).epsilon(0.01));
+  CHECK(fisher_exact({0, 1000}, {1000, 1000}).p < 1e-300);
+}
+
+TEST_CASE("where there is only one table Fisher's p is 1", "[proportion]") {
+  CHECK(fisher_exact({0, 10}, {0, 20}).p == 1);
+  CHECK(fisher_exact({10, 10}, {20, 20}).p == 1);
+  CHECK(std::isnan(fisher_exact({0, 10}, {0, 20}).odds_ratio));
+  CHECK(std::isinf(fisher_exact({10, 10}, {1, 20}).odds_ratio));
+  CHECK(fisher_exact({1, 1}, {0, 1}).p == 1);
+}
+
+TEST_CASE("counts that cannot be have no interval and no p", "[proportion]") {
+  CHECK(says(wilson({0, 0}).undefined, "no trials"));
+  CHECK(says(wilson({3, 2}).undefined, "3 successes in 2 trials"));
+  CHECK(says(wilson({-1, 2}).undefined, "cannot be"));
+  CHECK(says(clopper_pearson({0, -1}).undefined, "cannot be"));
+  CHECK(says(newcombe({1, 2}, {0, 0}).undefined, "no trials"));
+  CHECK(says(fisher_exact({1, 2}, {0, 0}).undefined, "no trials"));
+  CHECK(std::isnan(wilson({0, 0}).low));
+  CHECK(std::isnan(newcombe({1, 2}, {0, 0}).estimate));
+  CHECK_THROWS_AS(wilson({1, 2}, 95), std::invalid_argument);
+  CHECK_THROWS_AS(clopper_pearson({1, 2}, 0), std::invalid_argument);
+}

@@ -1,0 +1,19 @@
+// Data that several tests of the statistical methods share.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace ikbench::samples {
+
+// R's data set PlantGrowth: ctrl, trt1, trt2.
+inline const std::vector<std::vector<double>> plant_growth{
+    {4.17, 5.58, 5.18, 6.11, 4.50, 4.61, 5.17, 4.53, 5.33, 5.14},
+    {4.81, 4.17, 4.41, 3.59, 5.87, 3.83, 6.03, 4.89, 4.32, 4.69},
+    {6.31, 5.12, 5.54, 5.50, 5.37, 5.29, 4.92, 6.15, 5.80, 5.26}};
+
+using Groups = std::vector<std::vector<double>>;
+
+inline bool says(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+}  // namespace ikbench::samples
