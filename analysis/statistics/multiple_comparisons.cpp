@@ -1,0 +1,126 @@
+#include "analysis/statistics/multiple_comparisons.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <boost/math/constants/constants.hpp>
+#include <cmath>
+#include <stdexcept>
+
+#include "analysis/statistics/studentized_range.hpp"
+
+namespace ikbench {
+namespace {
+
+constexpr double root_two = boost::math::constants::root_two<double>();
+
+std::vector<MeanDifference> differences(std::span<const GroupSummary> groups, std::optional<std::size_t> only_with) {
+  if (only_with && *only_with >= groups.size()) {
+    throw std::invalid_argument(
+        fmt::format("comparisons with group {}: there are {} groups", *only_with, groups.size()));
+  }
+  std::vector<MeanDifference> pairs;
+  for (std::size_t first = 0; first < groups.size(); ++first) {
+    for (std::size_t second = first + 1; second < groups.size(); ++second) {
+      if (only_with && first != *only_with && second != *only_with) continue;
+      pairs.push_back({.first = first, .second = second, .difference = groups[first].mean - groups[second].mean});
+    }
+  }
+  return pairs;
+}
+
+double checked(double level) {
+  if (!(level > 0 && level < 1))
+    throw std::invalid_argument(fmt::format("level {}: expected 0 to 1, without either", level));
+  return level;
+}
+
+// Why a group can have no part in a comparison; empty where it can.
+std::string obstacle(const GroupSummary& group, std::size_t index) {
+  if (group.n < 1) return fmt::format("group {} has no values", index + 1);
+  if (!std::isfinite(group.mean)) return fmt::format("group {} has values that are not finite", index + 1);
+  if (group.n > 1 && !(group.std >= 0 && std::isfinite(group.std))) {
+    return fmt::format("the spread of group {} is not defined", index + 1);
+  }
+  return {};
+}
+
+std::string too_many(std::size_t groups) {
+  return groups > 1000 ? fmt::format("{} groups: the studentized range is computed for 1000 at most", groups) : "";
+}
+
+// q, p and interval of a pair whose standard error and df are known.
+void judge(MeanDifference& pair, const StudentizedRange& range, double critical) {
+  pair.q = std::abs(pair.difference) / pair.standard_error * root_two;
+  pair.p = range.upper_tail(pair.q, pair.df);
+  const double reach = critical / root_two * pair.standard_error;
+  pair.low = pair.difference - reach;
+  pair.high = pair.difference + reach;
+  if (std::isfinite(pair.q) && std::isfinite(pair.p) && std::isfinite(pair.low) && std::isfinite(pair.high)) return;
+  pair.q = pair.p = pair.low = pair.high = not_defined;
+  pair.undefined = "the difference or its spread is too large for double precision";
+}
+
+}  // namespace
+
+std::vector<MeanDifference> tukey(std::span<const GroupSummary> groups, double level,
+                                  std::optional<std::size_t> only_with) {
+  checked(level);
+  std::vector<MeanDifference> pairs = differences(groups, only_with);
+  std::string undefined = too_many(groups.size());
+  double df = 0, largest = 0;
+  for (std::size_t i = 0; i < groups.size(); ++i) {
+    if (undefined.empty()) undefined = obstacle(groups[i], i);
+    df += groups[i].n - 1;
+    if (groups[i].n > 1) largest = std::max(largest, groups[i].std);
+  }
+  if (undefined.empty() && df < 1) undefined = "every group has a single value, so there is no spread to compare with";
+  if (undefined.empty() && !(largest > 0)) undefined = "every group is constant, so there is no spread to compare with";
+  if (!undefined.empty()) {
+    for (MeanDifference& pair : pairs) pair.undefined = undefined;
+    return pairs;
+  }
+  double squares = 0;  // in units of the largest standard deviation, so that no square overflows or vanishes
+  for (const GroupSummary& group : groups) {
+    if (group.n > 1) squares += (group.n - 1) * (group.std / largest) * (group.std / largest);
+  }
+  const double pooled = largest * std::sqrt(squares / df);
+  const StudentizedRange range(static_cast<double>(groups.size()));
+  const double critical = range.quantile(level, df);
+  for (MeanDifference& pair : pairs) {
+    pair.standard_error = pooled * std::sqrt(1.0 / groups[pair.first].n + 1.0 / groups[pair.second].n);
+    pair.df = df;
+    judge(pair, range, critical);
+  }
+  return pairs;
+}
+
+std::vector<MeanDifference> games_howell(std::span<const GroupSummary> groups, double level,
+                                         std::optional<std::size_t> only_with) {
+  checked(level);
+  std::vector<MeanDifference> pairs = differences(groups, only_with);
+  const StudentizedRange range(static_cast<double>(groups.size()));
+  for (MeanDifference& pair : pairs) {
+    const GroupSummary& a = groups[pair.first];
+    const GroupSummary& b = groups[pair.second];
+    pair.undefined = too_many(groups.size());
+    for (const std::size_t index : {pair.first, pair.second}) {
+      if (pair.undefined.empty()) pair.undefined = obstacle(groups[index], index);
+      if (pair.undefined.empty() && groups[index].n < 2) {
+        pair.undefined = fmt::format("group {} has a single value, so it has no spread", index + 1);
+      }
+    }
+    if (pair.undefined.empty() && a.std == 0 && b.std == 0) pair.undefined = "both groups are constant";
+    if (!pair.undefined.empty()) continue;
+    const double a_error = a.std / std::sqrt(a.n);
+    const double b_error = b.std / std::sqrt(b.n);
+    pair.standard_error = std::hypot(a_error, b_error);
+    const double a_part = std::pow(a_error / pair.standard_error, 4);
+    const double b_part = std::pow(b_error / pair.standard_error, 4);
+    pair.df = 1 / (a_part / (a.n - 1) + b_part / (b.n - 1));
+    judge(pair, range, range.quantile(level, pair.df));
+  }
+  return pairs;
+}
+
+}  // namespace ikbench

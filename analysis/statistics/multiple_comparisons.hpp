@@ -1,0 +1,38 @@
+// All pairs of means compared at one level for the whole family: Tukey-Kramer (Kramer, Biometrics 12 (1956) 307), which
+// pools the variances, and Games-Howell (J. Educational Statistics 1 (1976) 113), which does not.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "analysis/statistics/descriptive.hpp"
+
+namespace ikbench {
+
+struct MeanDifference {
+  std::size_t first = 0;  // groups as they were given, from 0
+  std::size_t second = 0;
+  double difference = not_defined;      // mean of the first less mean of the second
+  double standard_error = not_defined;  // of that difference
+  double df = not_defined;
+  double q = not_defined;  // studentized: |difference| sqrt(2) / standard error
+  double p = not_defined;  // corrected for all pairs of all groups
+  double low = not_defined;
+  double high = not_defined;  // simultaneous interval of the difference
+  std::string undefined;      // why there is no p; empty where there is
+};
+
+// Pairs first < second in order; with `only_with`, those that group takes part in, still corrected for all pairs. Up to
+// 1000 groups. std::invalid_argument where `level` is not between 0 and 1 or there is no such group.
+//
+// Tukey: a group of one value takes part with the variance of the others; a group whose mean or spread is not defined
+// leaves no pair defined. Games-Howell: each pair stands for itself, so only the pairs of such groups are not defined.
+std::vector<MeanDifference> tukey(std::span<const GroupSummary> groups, double level,
+                                  std::optional<std::size_t> only_with = std::nullopt);
+std::vector<MeanDifference> games_howell(std::span<const GroupSummary> groups, double level,
+                                         std::optional<std::size_t> only_with = std::nullopt);
+
+}  // namespace ikbench

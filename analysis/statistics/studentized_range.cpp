@@ -1,0 +1,179 @@
+#include "analysis/statistics/studentized_range.hpp"
+
+#include <algorithm>
+#include <boost/math/constants/constants.hpp>
+#include <boost/math/distributions/normal.hpp>
+#include <boost/math/distributions/students_t.hpp>
+#include <boost/math/special_functions/gamma.hpp>
+#include <boost/math/special_functions/log1p.hpp>
+#include <boost/math/tools/toms748_solve.hpp>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+#include "analysis/statistics/descriptive.hpp"
+
+namespace ikbench {
+namespace {
+
+constexpr double largest_range = 50;  // beyond it the tail of the range is below 1e-265
+constexpr double largest_k = 1000;
+
+bool valid(double k, double df) { return k >= 2 && k <= largest_k && k == std::floor(k) && df >= 1; }
+
+// Trapezoidal sum of a function of one peak over the whole line, outward from `start` until the terms vanish. For
+// analytic functions that die out on both sides its error falls exponentially (Trefethen and Weideman, SIAM Review 56
+// (2014) 385).
+template <class Term>
+double sum_over_the_line(double start, double step, Term term) {
+  constexpr double negligible = 1e-15;
+  double sum = term(start);
+  for (const double direction : {step, -step}) {
+    double previous = 0;
+    for (int i = 1;; ++i) {
+      const double value = term(start + i * direction);
+      sum += value;
+      if (value <= previous && value <= negligible * sum * std::min(1.0, step)) break;
+      if (sum == 0 && i * step > 1) break;  // underflow
+      previous = value;
+    }
+  }
+  return step * sum;
+}
+
+double normal_cdf(double z) { return 0.5 * std::erfc(-z * boost::math::constants::one_div_root_two<double>()); }
+
+// 1 - (1 - r)^n, by u(a + b) = u(a) + u(b) (1 - u(a)): nothing cancels where r is small.
+double at_least_one(double r, int n) {
+  double result = 0;
+  for (double power = r; n > 0; n /= 2) {
+    if (n % 2 == 1) result += power * (1 - result);
+    power *= 2 - power;
+  }
+  return result;
+}
+
+// The range of k independent standard normal variables: P(range > w) = sum over the largest, z, of the chance that one
+// of the others, all below z, is below z - w.
+class NormalRange {
+ public:
+  explicit NormalRange(double k) : others_(static_cast<int>(k) - 1), step_(0.8 / (1 + std::log(k))) {
+    usual_largest_ = boost::math::quantile(boost::math::normal(), 1 - 1 / k);
+  }
+
+  double tail(double w) const {
+    if (w <= 0) return 1;
+    if (w > largest_range) return 0;
+    const double scale = (others_ + 1) * boost::math::constants::one_div_root_two_pi<double>();
+    const double sum = sum_over_the_line(std::max(usual_largest_, w / 2), step_, [&](double z) {
+      const double below = normal_cdf(z);
+      if (below == 0) return 0.0;
+      return std::exp(-z * z / 2) * std::pow(below, others_) *
+             at_least_one(std::min(1.0, normal_cdf(z - w) / below), others_);
+    });
+    return std::min(1.0, scale * sum);
+  }
+
+ private:
+  int others_;
+  double step_;  // the more groups, the sharper is the largest
+  double usual_largest_ = 0;
+};
+
+// x - (e^2x - 1) / 2, to full relative precision where it is small.
+double log_density_shape(double x) {
+  if (std::abs(x) < 0.1) return boost::math::log1pmx(std::expm1(2 * x)) / 2;
+  return x - std::expm1(2 * x) / 2;
+}
+
+// The average of range_tail(q s) over s, the square root of chi-squared / df, summed over x = ln s.
+template <class RangeTail>
+double averaged(double q, double k, double df, RangeTail range_tail) {
+  if (q <= 0) return 1;
+  constexpr double as_good_as_infinite = 1e15;
+  if (df > as_good_as_infinite) return range_tail(q);
+  if (std::isinf(q)) return 0;
+  const double half = df / 2;
+  const double scale = df * boost::math::gamma_p_derivative(half, half);
+  const double step = std::min(0.16, 0.5 / (1 + std::log(k))) / std::sqrt(1 + 2 * df / 9);
+  const double start =
+      -std::log(std::hypot(1.0, q / std::sqrt(df) * boost::math::constants::one_div_root_two<double>()));
+  const double sum = sum_over_the_line(
+      start, step, [&](double x) { return std::exp(df * log_density_shape(x)) * range_tail(q * std::exp(x)); });
+  return std::min(1.0, scale * sum);
+}
+
+// Pieces of equal width in y, w = 4 sinh y: the tail of the range is the smoother the farther out.
+constexpr int pieces = 9;
+double piece_width() { return std::asinh(largest_range / 4) / pieces; }
+
+}  // namespace
+
+StudentizedRange::StudentizedRange(double k) : k_(k) {
+  if (!valid(k, 1)) return;
+  const NormalRange range(k);
+  const double pi = boost::math::constants::pi<double>();
+  const double n = static_cast<double>(terms);
+  for (int piece = 0; piece < pieces; ++piece) {
+    Piece& coefficients = pieces_.emplace_back();
+    for (std::size_t i = 0; i < terms; ++i) {
+      const double angle = pi * (static_cast<double>(i) + 0.5) / n;
+      const double w = 4 * std::sinh((piece + 0.5 + 0.5 * std::cos(angle)) * piece_width());
+      const double value = std::log(range.tail(w));
+      for (std::size_t j = 0; j < terms; ++j) {
+        coefficients[j] += (j == 0 ? 1 : 2) / n * value * std::cos(static_cast<double>(j) * angle);
+      }
+    }
+  }
+}
+
+double StudentizedRange::range_tail(double w) const {
+  if (w > largest_range) return 0;
+  const double position = std::asinh(w / 4) / piece_width();
+  const double piece = std::min(std::floor(position), pieces - 1.0);
+  const double x = 2 * (position - piece) - 1;
+  const Piece& coefficients = pieces_[static_cast<std::size_t>(piece)];
+  double b1 = 0, b2 = 0;  // Clenshaw's recurrence
+  for (std::size_t j = terms - 1; j > 0; --j) {
+    const double b = 2 * x * b1 - b2 + coefficients[j];
+    b2 = b1;
+    b1 = b;
+  }
+  return std::exp(std::min(0.0, x * b1 - b2 + coefficients[0]));
+}
+
+double StudentizedRange::upper_tail(double q, double df) const {
+  if (!valid(k_, df) || std::isnan(q)) return not_defined;
+  return averaged(q, k_, df, [this](double w) { return range_tail(w); });
+}
+
+double StudentizedRange::quantile(double p, double df) const {
+  if (!valid(k_, df) || !(p >= 0 && p <= 1)) return not_defined;
+  if (p == 0) return 0;
+  if (p == 1) return std::numeric_limits<double>::infinity();
+  constexpr double least = 1e-300;
+  const auto surprise =
+      [&](double q) {  // falls with q; the logarithm of the smaller side is nearest to a straight line
+        const double tail = upper_tail(q, df);
+        if (p > 0.5) return std::log(std::max(tail, least) / (1 - p));
+        return std::log(p / std::max(1 - tail, least));
+      };
+  // Bonferroni's bound on k (k - 1) / 2 t-tests, from above.
+  const double bound =
+      boost::math::quantile(boost::math::complement(boost::math::students_t(df), (1 - p) / (k_ * (k_ - 1))));
+  std::uintmax_t evaluations = 100;
+  const auto [low, high] = boost::math::tools::bracket_and_solve_root(
+      surprise, std::max(bound * boost::math::constants::root_two<double>(), 1e-6), 1.25, false,
+      boost::math::tools::eps_tolerance<double>(48), evaluations);
+  return (low + high) / 2;
+}
+
+double studentized_range_upper_tail(double q, double k, double df) {
+  if (!valid(k, df) || std::isnan(q)) return not_defined;
+  const NormalRange range(k);
+  return averaged(q, k, df, [&](double w) { return range.tail(w); });
+}
+
+double studentized_range_quantile(double p, double k, double df) { return StudentizedRange(k).quantile(p, df); }
+
+}  // namespace ikbench
