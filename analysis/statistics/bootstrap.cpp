@@ -66,7 +66,7 @@ double acceleration(std::span<const std::size_t> sizes, const PickStatistic& sta
     std::vector<double> without;
     for (std::size_t i = 0; i < left_out; ++i) {
       picks[s] = all;
-      picks[s].erase(picks[s].begin() + static_cast<std::ptrdiff_t>(i * sizes[s] / left_out));
+      picks[s].erase(picks[s].begin() + static_cast<std::ptrdiff_t>((2 * i + 1) * sizes[s] / (2 * left_out)));
       without.push_back(statistic(picks));
     }
     picks[s] = all;
