@@ -150,6 +150,7 @@ TEST_CASE("where there is no bootstrap it says why", "[bootstrap]") {
   CHECK(says(bootstrap(Sample{1, NAN}, mean_of).undefined, "not finite"));
   CHECK(says(bootstrap(Sample{1, HUGE_VAL, 2}, mean_of).undefined, "not finite"));
   CHECK(says(bootstrap_two(sample, Sample{0, 0, 1}, ratio).undefined, "on some resamples"));
+  CHECK(says(bootstrap(Sample{1e300, -1e300, 1}, mean_of).undefined, "too large"));
   CHECK(says(bootstrap_exhaustive(Sample(8, 1.0), mean_of).undefined, "too many"));
   CHECK(std::isnan(bootstrap(Sample{1}, mean_of).low));
   CHECK(!bootstrap(Sample{1}, mean_of).bca_undefined.empty());
