@@ -45,36 +45,47 @@ std::optional<Figure> convergence_figure(const StudyResults& study, const std::v
   for (std::size_t i = 0; i < courses.size(); ++i) {
     const std::vector<Band> bands = error_bands(courses[i], positions);
     if (std::ranges::all_of(bands, [](const Band& band) { return band.median == never; })) {
-      lines.push_back(legend_entry(i, study.solvers[i]));
+      add_missing_curve(lines, i, study.solvers[i]);
       continue;
     }
+    double last = 0;
+    for (const SolveRecord* solve : courses[i]) last = std::max(last, total_cost(*solve, Cost::evaluations));
     figure.data += fmt::format("{}# {}\n", block == 0 ? "" : "\n\n", one_line(study.solvers[i]));
-    for (std::size_t k = 0; k < positions.size(); ++k) {
+    std::size_t rows = 0, rows_before_band = 0;
+    for (std::size_t k = 0; k < positions.size() && (k == 0 || positions[k - 1] < last); ++k) {
       const auto& [low, median, high] = bands[k];
       if (median == never) continue;
       figure.data +=
           fmt::format("{} {} {} {}\n", text_of(positions[k]), data_number(low), data_number(median), data_number(high));
+      ++rows;
+      if (high == never) rows_before_band = rows;
       all.push_back(median);
       if (has_bands) all.insert(all.end(), {low, high});
     }
-    fills.push_back(
-        fmt::format("'{}.dat' index {} using 1:(shown($2)):(shown($4)) with filledcurves ls {} fillstyle "
-                    "transparent solid 0.15 noborder notitle",
-                    figure.name, block, i + 1));
-    lines.push_back(
-        fmt::format("'{}.dat' index {} using 1:(shown($3)) with linespoints ls {} pointinterval 24 title {}",
-                    figure.name, block, i + 1, gnuplot_string(shortened(study.solvers[i], longest_label))));
+    if (rows_before_band < rows) {
+      fills.push_back(
+          fmt::format("'{}.dat' index {} every ::{} using 1:(shown($2)):(shown($4)) with filledcurves ls {} fillstyle "
+                      "transparent solid 0.15 noborder notitle",
+                      figure.name, block, rows_before_band, i + 1));
+    }
+    add_curve(lines, {.source = fmt::format("'{}.dat' index {} using 1:(shown($3))", figure.name, block),
+                      .rows = rows,
+                      .solver = i,
+                      .label = study.solvers[i]});
     ++block;
   }
   figure.caption = fmt::format(
       "Best position error [cm] against evaluations, over all solves: median{}. Iteration i of n stands for "
-      "i/n of a solve's evaluations; a solve that has ended keeps its last error; an answer that is not "
-      "finite, refused or not as good as claimed ranks as worse than every number.{}{}",
+      "i/n of a solve's evaluations; a solve that has ended keeps its last error, and a curve ends with the longest "
+      "solve; an answer that is not "
+      "finite, refused or not as good as claimed ranks as worse than every number, and where half of the solves have "
+      "none there is no line.{}{}",
       has_bands ? ", and the quartiles as a band" : " (the quartiles are in the data file)", dependence(study),
       without_course(study));
   const Axis axis = value_axis(all, quantity(Metric::position_error_cm), Scale::logarithmic);
   figure.caption = with_notes(figure.caption, study, Metric::position_error_cm, axis);
-  figure.settings = axis.settings + horizontal_axis(positions.front(), positions.back()) + "set xlabel 'evaluations'\n";
+  figure.settings =
+      axis.settings + cost_axis(positions.front(), positions.back()).settings + "set xlabel 'evaluations'\n";
   add_legend(figure, study.solvers);
   std::vector<std::string> clauses{"NaN notitle"};
   if (has_bands) clauses.insert(clauses.end(), fills.begin(), fills.end());

@@ -1,4 +1,5 @@
-// Curves that rise in stairs from 0 to 1: distribution functions and performance profiles, one a solver.
+// Curves over a logarithmic axis of costs, one a solver; those that rise in stairs from 0 to 1: distribution functions
+// and performance profiles.
 #pragma once
 
 #include <cstddef>
@@ -11,23 +12,38 @@
 
 namespace ikbench {
 
-// What the curve of each solver goes over, and how the axis below shows it.
+// The axis below; what lies outside is drawn at its edges.
+struct CostAxis {
+  double left = 1;
+  double right = 10;
+  std::string settings = {};  // range, ticks and the function shown_x(x): where x is drawn
+};
+// Logarithmic, or linear where the largest is less than four times the smallest. No ticks where they are no positive
+// numbers.
+CostAxis cost_axis(double smallest, double largest);
+// From 1 on, in powers of 2.
+CostAxis ratio_axis(double largest);
+
+// A curve in the data file of a figure.
+struct DrawnCurve {
+  std::string source;      // "'NAME.dat' index 0 using 1:2"
+  std::size_t rows = 0;    // of the data
+  std::size_t solver = 0;  // from 0: its colour, dashes and marker, and where the markers begin
+  std::string label = {};  // of the solver
+};
+// A line with nine markers or so, which do not begin where those of the next solver do.
+void add_curve(std::vector<std::string>& clauses, const DrawnCurve& curve);
+// In the legend all the same.
+void add_missing_curve(std::vector<std::string>& clauses, std::size_t solver, const std::string& label);
+
+// What the curve of each solver goes over, and what the axes say.
 struct ShareCurves {
   std::vector<std::vector<Share>> curves;  // of the solvers; empty where there is nothing to show
   std::string label;                       // of the axis below
   std::string share_of;                    // of the axis at the left
-  bool is_ratio = false;                   // to a smallest, from 1 on, in powers of 2; else powers of 10
+  bool is_ratio = false;                   // to a smallest: from 1 on
 };
-
-// Settings, data and plot of the figure, of which the name and width must stand. Values of zero are drawn at the left
-// edge.
+// Settings, data and plot of the figure, of which the name and width must stand.
 void draw_shares(Figure& figure, const StudyResults& study, const ShareCurves& shares);
-
-// A logarithmic axis below, and left_edge for what lies before it. Ticks at powers of ten, or between them too where
-// there are few.
-std::string horizontal_axis(double smallest, double largest);
-
-// A solver without a curve stands in the legend all the same.
-std::string legend_entry(std::size_t solver, const std::string& name);
 
 }  // namespace ikbench
