@@ -1,0 +1,51 @@
+// Intervals of any statistic by resampling: percentile, and BCa (bias-corrected, accelerated). Efron, JASA 82 (1987)
+// 171; Davison and Hinkley, Bootstrap Methods and their Application (1997), chapter 5.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <string>
+
+#include "analysis/statistics/descriptive.hpp"
+
+namespace ikbench {
+
+// The same settings and samples give the same numbers on every machine: std::mt19937_64, whose sequence the standard
+// fixes, with a bounded draw of our own.
+struct Resampling {
+  int resamples = 10000;
+  std::uint64_t seed = 1;
+  double level = 0.95;
+};
+
+struct BootstrapInterval {
+  double estimate = not_defined;        // of the samples themselves
+  double standard_error = not_defined;  // standard deviation over the resamples
+  double low = not_defined;             // percentiles (type 7) of the resamples
+  double high = not_defined;
+  double bca_low = not_defined;
+  double bca_high = not_defined;
+  double z0 = not_defined;  // bias correction: the normal quantile of the share of resamples below the estimate
+  double acceleration = not_defined;
+  std::string undefined;      // why there are no percentiles; empty where there are
+  std::string bca_undefined;  // why there is no BCa interval; empty where there is
+};
+
+using Statistic = std::function<double(std::span<const double>)>;
+using TwoSampleStatistic = std::function<double(std::span<const double>, std::span<const double>)>;
+
+// A statistic that is not finite on the samples or on a resample (a ratio to a mean of zero) has no interval.
+// Fewer than two resamples or a level outside (0, 1) is std::invalid_argument.
+BootstrapInterval bootstrap(std::span<const double> sample, const Statistic& statistic, const Resampling& = {});
+
+// Of two independent samples, each resampled by itself; or of pairs, resampled together.
+BootstrapInterval bootstrap_two(std::span<const double> first, std::span<const double> second,
+                                const TwoSampleStatistic& statistic, const Resampling& = {});
+BootstrapInterval bootstrap_pairs(std::span<const double> first, std::span<const double> second,
+                                  const TwoSampleStatistic& statistic, const Resampling& = {});
+
+// All n^n resamples of at most seven values.
+BootstrapInterval bootstrap_exhaustive(std::span<const double> sample, const Statistic& statistic, double level = 0.95);
+
+}  // namespace ikbench

@@ -1,0 +1,68 @@
+#include "analysis/statistics/equal_variances.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include "analysis/statistics/anova.hpp"
+#include "analysis/statistics/tails.hpp"
+
+namespace ikbench {
+
+Bartlett bartlett_from_summaries(std::span<const GroupSummary> groups) {
+  Bartlett test;
+  if (groups.size() < 2) {
+    test.undefined = fmt::format("{} to compare; two or more are needed", groups.empty() ? "no group" : "one group");
+    return test;
+  }
+  double largest = 0;
+  for (std::size_t i = 0; i < groups.size(); ++i) {
+    if (groups[i].n < 2) {
+      test.undefined = fmt::format("group {} has fewer than two values, so no variance", i + 1);
+    } else if (!std::isfinite(groups[i].std) || groups[i].std < 0) {
+      test.undefined = fmt::format("the standard deviation of group {} is not defined", i + 1);
+    } else if (groups[i].std == 0) {
+      test.undefined = fmt::format("group {} is constant", i + 1);
+    }
+    if (!test.undefined.empty()) return test;
+    largest = std::max(largest, groups[i].std);
+  }
+  double df = 0, pooled = 0, logs = 0, inverses = 0;
+  for (const GroupSummary& group : groups) {
+    const double own = group.n - 1;
+    const double std = group.std / largest;  // the statistic has no unit
+    df += own;
+    pooled += own * std * std;
+    logs += own * 2 * (std::log(group.std) - std::log(largest));
+    inverses += 1 / own;
+  }
+  const auto k = static_cast<double>(groups.size());
+  const double statistic = df * std::log(pooled / df) - logs;
+  test.df = static_cast<int>(groups.size()) - 1;
+  test.chi_squared = std::max(0.0, statistic) / (1 + (inverses - 1 / df) / (3 * (k - 1)));
+  test.p = chi_squared_upper_tail(test.chi_squared, test.df);
+  return test;
+}
+
+Bartlett bartlett(std::span<const std::vector<double>> groups) {
+  std::vector<GroupSummary> summaries;
+  for (const auto& group : groups) summaries.push_back(summarise(group));
+  return bartlett_from_summaries(summaries);
+}
+
+BrownForsythe brown_forsythe(std::span<const std::vector<double>> groups) {
+  std::vector<std::vector<double>> deviations;
+  for (const auto& group : groups) {
+    const double median = describe(group).median;
+    std::vector<double>& own = deviations.emplace_back();
+    for (const double value : group) own.push_back(std::abs(value - median));
+  }
+  const AnovaTable table = anova(deviations);
+  BrownForsythe test{.F = table.F, .df_between = table.df_between, .df_within = table.df_within, .p = table.p};
+  if (!table.undefined.empty()) test.undefined = "of the deviations from the medians: " + table.undefined;
+  return test;
+}
+
+}  // namespace ikbench

@@ -1,0 +1,137 @@
+#include "analysis/statistics/friedman.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "analysis/statistics/anova.hpp"
+#include "analysis/statistics/tails.hpp"
+
+namespace ikbench {
+namespace {
+
+constexpr double rounding = 1e-10;  // of W, which is built from sums of ranks
+
+double standard_error(std::size_t groups, std::size_t blocks) {
+  const auto k = static_cast<double>(groups);
+  return std::sqrt(k * (k + 1) / (6 * static_cast<double>(blocks)));
+}
+
+std::string too_few(std::size_t groups, std::size_t blocks) {
+  if (groups < 2) return fmt::format("{} to compare; two or more are needed", groups == 0 ? "no group" : "one group");
+  if (blocks < 2) return fmt::format("{}; two or more are needed", blocks == 0 ? "no block" : "one block");
+  return {};
+}
+
+// By chance all blocks agree with the first: one of the k! / prod t! ways to order a block, blocks - 1 times over.
+double chance_of_agreement(const Friedman& test) {
+  double log_ways = std::lgamma(static_cast<double>(test.average_ranks.size()) + 1);
+  for (const std::size_t tie : midranks(test.average_ranks).ties) log_ways -= std::lgamma(static_cast<double>(tie) + 1);
+  return std::exp(-log_ways * static_cast<double>(test.blocks - 1));
+}
+
+// The numbers that follow from average ranks, given the mean over the blocks of the variance of a block's ranks.
+void judge(Friedman& test, double rank_variance) {
+  const auto k = static_cast<double>(test.average_ranks.size());
+  const auto n = static_cast<double>(test.blocks);
+  double between = 0;
+  for (const double rank : test.average_ranks) between += (rank - (k + 1) / 2) * (rank - (k + 1) / 2) / (k - 1);
+  const double agreement = between / rank_variance;
+  if (agreement > 1 + rounding) {
+    test.undefined = "no ranking has such average ranks";
+    return;
+  }
+  test.kendall_w = std::min(1.0, agreement);
+  test.df = static_cast<int>(test.average_ranks.size()) - 1;
+  test.chi_squared = n * (k - 1) * test.kendall_w;
+  test.p = chi_squared_upper_tail(test.chi_squared, test.df);
+  test.F_df_between = test.df;
+  test.F_df_within = (k - 1) * (n - 1);
+  if (test.kendall_w >= 1 - rounding) {
+    test.F = std::numeric_limits<double>::infinity();
+    test.F_p = chance_of_agreement(test);  // Conover, Practical Nonparametric Statistics (1999), section 5.8
+  } else {
+    test.F = (n - 1) * test.kendall_w / (1 - test.kendall_w);
+    test.F_p = f_upper_tail(test.F, test.F_df_between, test.F_df_within);
+  }
+}
+
+std::vector<RankComparison> compared(const Friedman& test, std::vector<RankComparison> pairs) {
+  for (RankComparison& pair : pairs) {
+    pair.undefined = test.undefined;
+    if (!test.undefined.empty()) continue;
+    pair.z = (test.average_ranks[pair.first] - test.average_ranks[pair.second]) /
+             standard_error(test.average_ranks.size(), test.blocks);
+    pair.p = normal_two_sided(pair.z);
+  }
+  return pairs;
+}
+
+}  // namespace
+
+Friedman friedman(std::span<const std::vector<double>> groups) {
+  Friedman test;
+  for (std::size_t i = 1; i < groups.size(); ++i) {
+    if (groups[i].size() == groups[0].size()) continue;
+    test.undefined = fmt::format("group {} has {} values and group 1 has {}; each needs one a block", i + 1,
+                                 groups[i].size(), groups[0].size());
+    return test;
+  }
+  test.blocks = groups.empty() ? 0 : groups[0].size();
+  test.undefined = too_few(groups.size(), test.blocks);
+  if (!test.undefined.empty()) return test;
+
+  const auto k = static_cast<double>(groups.size());
+  const auto n = static_cast<double>(test.blocks);
+  std::vector<double> rank_sums(groups.size(), 0.0), block(groups.size());
+  double tie_sum = 0;
+  for (std::size_t b = 0; b < test.blocks; ++b) {
+    for (std::size_t i = 0; i < groups.size(); ++i) block[i] = groups[i][b];
+    const Ranking ranking = midranks(block);
+    if (!ranking.undefined.empty()) {
+      test.undefined = fmt::format("block {}: {}", b + 1, ranking.undefined);
+      return test;
+    }
+    for (std::size_t i = 0; i < groups.size(); ++i) rank_sums[i] += ranking.ranks[i];
+    tie_sum += ranking.tie_sum();
+  }
+  for (const double sum : rank_sums) test.average_ranks.push_back(sum / n);
+  if (tie_sum >= n * (k * k * k - k)) {
+    test.undefined = "in every block all values are equal";
+    return test;
+  }
+  judge(test, k * (k + 1) / 12 - tie_sum / (12 * n * (k - 1)));
+  return test;
+}
+
+Friedman friedman_from_ranks(std::span<const double> average_ranks, std::size_t blocks) {
+  Friedman test{.blocks = blocks, .average_ranks = {average_ranks.begin(), average_ranks.end()}};
+  test.undefined = too_few(average_ranks.size(), blocks);
+  if (!test.undefined.empty()) return test;
+  const auto k = static_cast<double>(average_ranks.size());
+  double sum = 0;
+  for (const double rank : average_ranks) sum += rank;
+  if (!(std::abs(sum - k * (k + 1) / 2) <= 0.01 * k)) {
+    test.undefined = fmt::format("the average ranks of {} groups add up to {}, not to {}", k, sum, k * (k + 1) / 2);
+    return test;
+  }
+  judge(test, k * (k + 1) / 12);
+  return test;
+}
+
+std::vector<RankComparison> compare_average_ranks(const Friedman& test) {
+  return compared(test, all_pairs(test.average_ranks.size()));
+}
+
+std::vector<RankComparison> compare_average_ranks(const Friedman& test, std::size_t control) {
+  return compared(test, pairs_with(control, test.average_ranks.size()));
+}
+
+double critical_difference(double q_alpha, std::size_t groups, std::size_t blocks) {
+  return groups < 2 || blocks == 0 ? not_defined : q_alpha * standard_error(groups, blocks);
+}
+
+}  // namespace ikbench

@@ -1,0 +1,44 @@
+// Do several groups differ, each measured on the same blocks? Friedman, JASA 32 (1937) 675; the F of Iman and
+// Davenport, Communications in Statistics A9 (1980) 571; Kendall's W; and the comparisons of Demsar, JMLR 7 (2006) 1.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "analysis/statistics/ranks.hpp"
+
+namespace ikbench {
+
+struct Friedman {
+  std::size_t blocks = 0;
+  std::vector<double> average_ranks;  // of the groups in their order; 1 is the smallest value of a block
+  double chi_squared = not_defined;   // corrected for ties
+  int df = 0;
+  double p = not_defined;          // upper tail of chi-square
+  double F = not_defined;          // Iman and Davenport; infinite where all blocks agree
+  double F_df_between = 0;         // k - 1
+  double F_df_within = 0;          // (k - 1) (blocks - 1)
+  double F_p = not_defined;        // upper tail; where all blocks agree, the chance of that
+  double kendall_w = not_defined;  // 0 (blocks disagree) to 1 (all rank alike)
+  std::string undefined;           // why there is no chi_squared; empty where there is
+};
+
+// One vector a group, of one value a block. The smallest value of a block has rank 1: where larger is better, negate.
+Friedman friedman(std::span<const std::vector<double>> groups);
+
+// From published average ranks, which may be rounded to two decimals; ties within blocks are not known then.
+Friedman friedman_from_ranks(std::span<const double> average_ranks, std::size_t blocks);
+
+// z = (R_first - R_second) / sqrt(k (k + 1) / (6 blocks)) and its raw p, for every pair first < second, or for each
+// group against the control.
+std::vector<RankComparison> compare_average_ranks(const Friedman& test);
+std::vector<RankComparison> compare_average_ranks(const Friedman& test, std::size_t control);
+
+// Average ranks further apart differ. q_alpha: for all pairs (Nemenyi) the studentized range's quantile at infinite
+// degrees of freedom by sqrt 2; against a control (Bonferroni-Dunn) the normal quantile at 1 - alpha / (2 (k - 1)). NaN
+// where there are fewer than two groups or no blocks.
+double critical_difference(double q_alpha, std::size_t groups, std::size_t blocks);
+
+}  // namespace ikbench

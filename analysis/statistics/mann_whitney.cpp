@@ -1,0 +1,80 @@
+#include "analysis/statistics/mann_whitney.hpp"
+
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+#include "analysis/statistics/ranks.hpp"
+#include "analysis/statistics/tails.hpp"
+
+namespace ikbench {
+namespace {
+
+constexpr std::size_t exact_below = 50;
+
+// Of U for n1 and n2 different values, by whether the largest of all is in the first sample or in the second:
+// (n1 + n2) P(n1, n2, u) = n1 P(n1 - 1, n2, u - n2) + n2 P(n1, n2 - 1, u).
+std::vector<double> probabilities(std::size_t n1, std::size_t n2) {
+  std::vector<std::vector<double>> by_first(n1 + 1, std::vector<double>(n1 * n2 + 1, 0.0));  // for n2 = 0 as yet
+  for (auto& distribution : by_first) distribution[0] = 1;
+  for (std::size_t b = 1; b <= n2; ++b) {
+    for (std::size_t a = 1; a <= n1; ++a) {
+      const double in_first = static_cast<double>(a) / static_cast<double>(a + b);
+      for (std::size_t u = 0; u <= a * b; ++u) {
+        const double with_first = u >= b ? in_first * by_first[a - 1][u - b] : 0.0;
+        by_first[a][u] = with_first + (1 - in_first) * by_first[a][u];
+      }
+    }
+  }
+  return by_first[n1];
+}
+
+// Two equal infinite values differ by nothing.
+double difference(double a, double b) { return a == b ? 0.0 : a - b; }
+
+}  // namespace
+
+MannWhitney mann_whitney(std::span<const double> first, std::span<const double> second, double level) {
+  check_level(level);
+  MannWhitney test;
+  if (first.empty() || second.empty()) {
+    test.undefined = "a sample has no values";
+    return test;
+  }
+  std::vector<double> all(first.begin(), first.end());
+  all.insert(all.end(), second.begin(), second.end());
+  const Ranking ranking = midranks(all);
+  test.undefined = ranking.undefined;
+  if (!test.undefined.empty()) return test;
+
+  const auto n1 = static_cast<double>(first.size());
+  const auto n2 = static_cast<double>(second.size());
+  const double n = n1 + n2;
+  double rank_sum = 0;
+  for (std::size_t i = 0; i < first.size(); ++i) rank_sum += ranking.ranks[i];
+  test.U = rank_sum - n1 * (n1 + 1) / 2;
+  if (ranking.ties.size() == 1 && ranking.ties.front() == all.size()) {
+    test.undefined = "all values are equal";
+    return test;
+  }
+  RankDistribution distribution{.mean = n1 * n2 / 2};
+  if (ranking.ties.empty() && first.size() < exact_below && second.size() < exact_below) {
+    distribution.probabilities = probabilities(first.size(), second.size());
+  } else {
+    distribution.standard_deviation = std::sqrt(n1 * n2 / 12 * (n + 1 - ranking.tie_sum() / (n * (n - 1))));
+  }
+  test.p = distribution.two_sided(test.U);
+  test.method = distribution.method();
+
+  if (n1 * n2 > static_cast<double>(most_differences)) return test;
+  std::vector<double> differences;
+  differences.reserve(first.size() * second.size());
+  for (const double a : first) {
+    for (const double b : second) differences.push_back(difference(a, b));
+  }
+  test.shift = shift_of(std::move(differences), distribution.interval_rank(level));
+  return test;
+}
+
+}  // namespace ikbench

@@ -1,0 +1,24 @@
+// Do two independent samples come from one distribution, or is one larger? Mann and Whitney, Annals of Mathematical
+// Statistics 18 (1947) 50.
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "analysis/statistics/rank_statistic.hpp"
+
+namespace ikbench {
+
+struct MannWhitney {
+  double U = not_defined;  // pairs in which the value of `first` is the larger, an equal pair counted half (R's W)
+  double p = not_defined;  // two-sided
+  std::string method;      // "exact": both samples have fewer than 50 values and no two values are equal; else
+                           // "normal approximation", corrected for ties and continuity
+  Shift shift;             // of first - second, with an interval of at least the level (about it, where not exact);
+                           // not defined for more than a million pairs; infinite values may make it infinite
+  std::string undefined;   // why there is no p; empty where there is
+};
+
+MannWhitney mann_whitney(std::span<const double> first, std::span<const double> second, double level = 0.95);
+
+}  // namespace ikbench

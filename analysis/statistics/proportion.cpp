@@ -1,0 +1,101 @@
+#include "analysis/statistics/proportion.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <boost/math/distributions/beta.hpp>
+#include <cmath>
+
+#include "analysis/statistics/tails.hpp"
+
+namespace ikbench {
+namespace {
+
+std::string wrong_with(Successes count) {
+  if (count.trials == 0) return "there are no trials";
+  if (count.trials > 0 && count.successes >= 0 && count.successes <= count.trials) return {};
+  return fmt::format("{} successes in {} trials cannot be", count.successes, count.trials);
+}
+
+double share(Successes count) { return static_cast<double>(count.successes) / count.trials; }
+
+}  // namespace
+
+Proportion wilson(Successes count, double level) {
+  const double z = normal_critical(level);
+  Proportion result{.undefined = wrong_with(count)};
+  if (!result.undefined.empty()) return result;
+  const double n = count.trials;
+  const double p = share(count);
+  const double centre = p + z * z / (2 * n);
+  const double reach = z * std::sqrt(p * (1 - p) / n + z * z / (4 * n * n));
+  const double width = 1 + z * z / n;
+  result.estimate = p;
+  result.low = count.successes == 0 ? 0.0 : std::max(0.0, (centre - reach) / width);
+  result.high = count.successes == count.trials ? 1.0 : std::min(1.0, (centre + reach) / width);
+  return result;
+}
+
+Proportion clopper_pearson(Successes count, double level) {
+  check_level(level);
+  Proportion result{.undefined = wrong_with(count)};
+  if (!result.undefined.empty()) return result;
+  const double outside = (1 - level) / 2;
+  const double x = count.successes;
+  const double n = count.trials;
+  using boost::math::beta_distribution;
+  result.estimate = share(count);
+  result.low = x == 0 ? 0.0 : boost::math::quantile(beta_distribution<>(x, n - x + 1), outside);
+  result.high =
+      x == n ? 1.0 : boost::math::quantile(boost::math::complement(beta_distribution<>(x + 1, n - x), outside));
+  return result;
+}
+
+Proportion newcombe(Successes first, Successes second, double level) {
+  const Proportion a = wilson(first, level);
+  const Proportion b = wilson(second, level);
+  Proportion result{.undefined = a.undefined.empty() ? b.undefined : a.undefined};
+  if (!result.undefined.empty()) return result;
+  result.estimate = a.estimate - b.estimate;
+  result.low = result.estimate - std::hypot(a.estimate - a.low, b.high - b.estimate);
+  result.high = result.estimate + std::hypot(a.high - a.estimate, b.estimate - b.low);
+  return result;
+}
+
+FisherExact fisher_exact(Successes first, Successes second) {
+  FisherExact test{.undefined = wrong_with(first)};
+  if (test.undefined.empty()) test.undefined = wrong_with(second);
+  if (!test.undefined.empty()) return test;
+  const double n1 = first.trials, n2 = second.trials;
+  const double seen = first.successes;
+  const double successes = seen + second.successes;
+  test.odds_ratio = seen * (n2 - second.successes) / ((n1 - seen) * second.successes);
+
+  // Successes of the first, given all: their weights relative to the most probable number, going out from it until they
+  // vanish, each from its neighbour.
+  const double least = std::max(0.0, successes - n2), most = std::min(n1, successes);
+  const double mode = std::clamp(std::floor((n1 + 1) * (successes + 1) / (n1 + n2 + 2)), least, most);
+  const auto odds_of_next = [&](double x) { return (n1 - x) * (successes - x) / ((x + 1) * (n2 - successes + x + 1)); };
+  const auto for_each_weight = [&](const auto& use) {
+    double weight = 1;
+    for (double x = mode; x <= most && weight > 0; weight *= odds_of_next(x++)) use(x, weight);
+    weight = 1;
+    for (double x = mode; x > least;) {
+      weight /= odds_of_next(--x);
+      if (!(weight > 0)) break;
+      use(x, weight);
+    }
+  };
+  double total = 0, seen_weight = 0, as_rare = 0;
+  for_each_weight([&](double x, double weight) {
+    total += weight;
+    if (x == seen) seen_weight = weight;
+  });
+  for_each_weight([&](double, double weight) {
+    if (weight <= seen_weight * (1 + 1e-7)) as_rare += weight;  // equal but for rounding, as R has it
+  });
+  test.p = std::min(1.0, as_rare / total);
+  return test;
+}
+
+}  // namespace ikbench

@@ -1,0 +1,39 @@
+// Shares of trials that succeeded: intervals of one and of a difference, and Fisher's exact test of two.
+#pragma once
+
+#include <string>
+
+#include "analysis/statistics/descriptive.hpp"
+
+namespace ikbench {
+
+// So many of so many; neither negative nor more successes than trials, and at least one trial, or nothing is defined.
+struct Successes {
+  int successes = 0;
+  int trials = 0;
+};
+
+struct Proportion {
+  double estimate = not_defined;
+  double low = not_defined;
+  double high = not_defined;
+  std::string undefined;  // why there is no estimate; empty where there is
+};
+
+// Wilson's score interval (JASA 22 (1927) 209): near the level on average.
+Proportion wilson(Successes count, double level = 0.95);
+// Clopper and Pearson's (Biometrika 26 (1934) 404): never less than the level.
+Proportion clopper_pearson(Successes count, double level = 0.95);
+// The share of `first` less that of `second`, by Newcombe's method 10 (Statistics in Medicine 17 (1998) 873).
+Proportion newcombe(Successes first, Successes second, double level = 0.95);
+
+// Have two the same chance? Conditional on the totals; two-sided: all tables no more probable than the one seen.
+struct FisherExact {
+  double odds_ratio = not_defined;  // of the table itself; infinite or not defined where a cell is zero
+  double p = not_defined;
+  std::string undefined;  // why there is no p; empty where there is
+};
+
+FisherExact fisher_exact(Successes first, Successes second);
+
+}  // namespace ikbench

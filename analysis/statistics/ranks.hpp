@@ -1,0 +1,41 @@
+// Ranks of a pooled sample, equal values sharing the mean of theirs (midranks), and pairs of groups compared by rank.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "analysis/statistics/descriptive.hpp"
+
+namespace ikbench {
+
+struct Ranking {
+  std::vector<double> ranks;      // of the values in their order; 1 is the smallest
+  std::vector<std::size_t> ties;  // how many are equal, for each value that occurs more than once, ascending by value
+  std::string undefined;          // why there are no ranks; empty where there are
+
+  double tie_sum() const;  // of t^3 - t over the ties: what the variance of a rank statistic loses by them
+};
+
+// Infinite values are ranked as any other; NaN has no rank, and then no value has.
+Ranking midranks(std::span<const double> values);
+
+// The values of all groups, one group after the other.
+std::vector<double> pooled(std::span<const std::vector<double>> groups);
+
+// Two groups compared by their mean ranks: z is positive where `first` ranks higher, that is, has the larger values.
+struct RankComparison {
+  std::size_t first = 0;
+  std::size_t second = 0;
+  double z = not_defined;
+  double p = not_defined;  // two-sided, not adjusted for the number of comparisons
+  std::string undefined;   // why there is no p; empty where there is
+};
+
+// Every pair first < second; or each other group as `first` with the control as `second`.
+std::vector<RankComparison> all_pairs(std::size_t groups);
+std::vector<RankComparison> pairs_with(std::size_t control,
+                                       std::size_t groups);  // std::invalid_argument: no such group
+
+}  // namespace ikbench

@@ -1,0 +1,20 @@
+// Is a sample normal? Shapiro and Wilk, Biometrika 52 (1965) 591, with Royston's approximations for 3 to 5000 values
+// (Applied Statistics 44 (1995) 547, algorithm AS R94; Statistics and Computing 2 (1992) 117).
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "analysis/statistics/descriptive.hpp"
+
+namespace ikbench {
+
+struct ShapiroWilk {
+  double W = not_defined;
+  double p = not_defined;  // small where the sample is not normal
+  std::string undefined;   // why there is no W; empty where there is
+};
+
+ShapiroWilk shapiro_wilk(std::span<const double> values);
+
+}  // namespace ikbench

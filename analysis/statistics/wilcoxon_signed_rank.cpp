@@ -1,0 +1,102 @@
+#include "analysis/statistics/wilcoxon_signed_rank.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+#include "analysis/statistics/ranks.hpp"
+#include "analysis/statistics/tails.hpp"
+
+namespace ikbench {
+namespace {
+
+constexpr int exact_below = 50;
+
+// Of V: each rank is in the sum or not, with equal chances.
+std::vector<double> probabilities(int n) {
+  std::vector<double> distribution{1};
+  for (int rank = 1; rank <= n; ++rank) {
+    std::vector<double> next(distribution.size() + static_cast<std::size_t>(rank), 0.0);
+    for (std::size_t v = 0; v < distribution.size(); ++v) {
+      next[v] += distribution[v] / 2;
+      next[v + static_cast<std::size_t>(rank)] += distribution[v] / 2;
+    }
+    distribution = std::move(next);
+  }
+  return distribution;
+}
+
+std::vector<double> pair_means(std::span<const double> differences) {
+  const std::size_t n = differences.size();
+  std::vector<double> means;
+  if (n > 2 * most_differences || n * (n + 1) / 2 > most_differences) return means;
+  means.reserve(n * (n + 1) / 2);
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t j = i; j < n; ++j) {
+      const double a = differences[i], b = differences[j];
+      means.push_back(a == -b ? 0.0 : a / 2 + b / 2);  // opposite infinite values cancel too
+    }
+  }
+  return means;
+}
+
+}  // namespace
+
+WilcoxonSignedRank wilcoxon_signed_rank(std::span<const double> differences, double level) {
+  check_level(level);
+  WilcoxonSignedRank test;
+  std::vector<double> sizes;
+  std::vector<bool> positive;
+  for (const double difference : differences) {
+    if (difference == 0) {
+      ++test.zeros;
+      continue;
+    }
+    sizes.push_back(std::abs(difference));
+    positive.push_back(difference > 0);
+  }
+  test.n = static_cast<int>(sizes.size());
+  const Ranking ranking = midranks(sizes);
+  test.undefined = ranking.undefined;
+  if (sizes.empty()) test.undefined = differences.empty() ? "there are no differences" : "all differences are zero";
+  if (!test.undefined.empty()) return test;
+
+  test.V = 0;
+  for (std::size_t i = 0; i < sizes.size(); ++i) {
+    if (positive[i]) test.V += ranking.ranks[i];
+  }
+  const auto n = static_cast<double>(test.n);
+  RankDistribution distribution{.mean = n * (n + 1) / 4};
+  if (test.n < exact_below && test.zeros == 0 && ranking.ties.empty()) {
+    distribution.probabilities = probabilities(test.n);
+  } else {
+    distribution.standard_deviation = std::sqrt(n * (n + 1) * (2 * n + 1) / 24 - ranking.tie_sum() / 48);
+  }
+  test.p = distribution.two_sided(test.V);
+  test.method = distribution.method();
+
+  if (test.zeros > 0) {  // the interval is of all differences, so its rank is that of a sum over all of them
+    const auto all = static_cast<double>(differences.size());
+    distribution.mean = all * (all + 1) / 4;
+    distribution.standard_deviation = std::sqrt(all * (all + 1) * (2 * all + 1) / 24);
+  }
+  test.shift = shift_of(pair_means(differences), distribution.interval_rank(level));
+  return test;
+}
+
+WilcoxonSignedRank wilcoxon_signed_rank(std::span<const double> first, std::span<const double> second, double level) {
+  check_level(level);
+  if (first.size() != second.size()) {
+    return {.undefined = fmt::format("{} and {} values are not pairs", first.size(), second.size())};
+  }
+  std::vector<double> differences;
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    differences.push_back(first[i] == second[i] ? 0.0 : first[i] - second[i]);
+  }
+  return wilcoxon_signed_rank(differences, level);
+}
+
+}  // namespace ikbench

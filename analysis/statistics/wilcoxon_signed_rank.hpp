@@ -1,0 +1,30 @@
+// Are differences symmetric about zero? Wilcoxon's signed-rank test, Biometrics 1 (1945) 80.
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "analysis/statistics/rank_statistic.hpp"
+
+namespace ikbench {
+
+struct WilcoxonSignedRank {
+  int n = 0;               // differences that are not zero: those that are ranked
+  int zeros = 0;           // differences left out of V, as Wilcoxon did
+  double V = not_defined;  // the sum of the ranks, by size, of the positive differences
+  double p = not_defined;  // two-sided
+  std::string method;      // "exact": n < 50, no zeros, no two differences of one size; else "normal approximation",
+                           // corrected for ties and continuity
+  Shift shift;             // the pseudo-median: of the means of all pairs of differences, zeros too, with an interval;
+                           // not defined for more than a million pairs; infinite differences may make it infinite
+  std::string undefined;   // why there is no p; empty where there is
+};
+
+WilcoxonSignedRank wilcoxon_signed_rank(std::span<const double> differences, double level = 0.95);
+
+// Of first - second, pair by pair. Equal values differ by zero, two infinite ones too. Samples of different sizes have
+// no p.
+WilcoxonSignedRank wilcoxon_signed_rank(std::span<const double> first, std::span<const double> second,
+                                        double level = 0.95);
+
+}  // namespace ikbench
