@@ -50,9 +50,12 @@ CostAxis cost_axis(double smallest, double largest) {
     return axis_between(smallest / room, largest * room, "set logscale x\n" + round_ticks(smallest, largest));
   }
   const int step = 1 + static_cast<int>(decades / 8);
-  return axis_between(smallest / room, largest * room,
-                      fmt::format("set logscale x\nset xtics enhanced 1e{}\nset format x '10^{{%T}}'\nset mxtics {}\n",
-                                  step, step == 1 ? 10 : 1));
+  // From a decade below the axis on: gnuplot 5.4 counts ticks without a start from the wrong place.
+  const int first = step * static_cast<int>(std::floor((std::log10(smallest) - 1) / step));
+  return axis_between(
+      smallest / room, largest * room,
+      fmt::format("set logscale x\nset xtics enhanced 1e{}, 1e{}\nset format x '10^{{%T}}'\nset mxtics {}\n", first,
+                  step, step == 1 ? 10 : 1));
 }
 
 CostAxis ratio_axis(double largest) {
