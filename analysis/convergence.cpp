@@ -6,6 +6,7 @@
 #include <string_view>
 #include <utility>
 
+#include "analysis/definition.hpp"
 #include "analysis/statistics/quantile.hpp"
 #include "analysis/time_assessment.hpp"
 
@@ -61,6 +62,10 @@ std::vector<Solves> solves_by_solver(const StudyResults& study) {
     if (const auto found = index.find(solve.solver); found != index.end()) result[found->second].push_back(&solve);
   }
   return result;
+}
+
+bool is_chained(const StudyResults& study) {
+  return study.points > 1 && Definition(study.definition).text("/start") != "initial";
 }
 
 bool has_course(const SolveRecord& solve) { return !solve.trace_cm.empty() || solve.iterations == 0; }
@@ -131,20 +136,23 @@ std::vector<Share> shares_within(std::vector<double> values) {
   std::ranges::sort(values);
   const double all = static_cast<double>(values.size());
   values.erase(std::ranges::lower_bound(values, never), values.end());
-  const auto share_at = [&](double at) {
-    return static_cast<double>(std::ranges::upper_bound(values, at) - values.begin()) / all;
-  };
-  std::vector<double> positions = values;
-  positions.erase(std::ranges::unique(positions).begin(), positions.end());
-  if (positions.size() > most_positions) {
-    const bool has_zero = !(positions.front() > 0);
-    const double smallest = *std::ranges::upper_bound(positions, 0.0), largest = positions.back();
-    positions = log_spaced(smallest, largest, most_positions - (has_zero ? 1 : 0));
-    if (has_zero) positions.insert(positions.begin(), 0.0);
-  }
   std::vector<Share> shares;
-  for (const double at : positions) shares.push_back({.at = at, .share = share_at(at)});
-  return shares;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (i + 1 < values.size() && values[i + 1] == values[i]) continue;
+    shares.push_back({.at = values[i], .share = static_cast<double>(i + 1) / all});
+  }
+  return thinned(shares);
+}
+
+std::vector<Share> thinned(const std::vector<Share>& stairs) {
+  if (stairs.size() <= most_positions) return stairs;
+  std::vector<Share> kept;
+  const auto positive = std::ranges::upper_bound(stairs, 0.0, {}, &Share::at);
+  if (positive != stairs.begin()) kept.push_back(*(positive - 1));
+  for (const double at : log_spaced(positive->at, stairs.back().at, most_positions - kept.size())) {
+    kept.push_back({.at = at, .share = (std::ranges::upper_bound(stairs, at, {}, &Share::at) - 1)->share});
+  }
+  return kept;
 }
 
 Profile performance_profile(const StudyResults& study, const CostOf& cost_of) {

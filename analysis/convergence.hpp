@@ -24,6 +24,9 @@ double total_cost(const SolveRecord& solve, Cost cost);  // never where it is no
 using Solves = std::vector<const SolveRecord*>;
 std::vector<Solves> solves_by_solver(const StudyResults& study);  // in the order of study.solvers
 
+// Whether solves of a run depend on each other, as where each starts at the answer of the one before, or may do so.
+bool is_chained(const StudyResults& study);
+
 // Whether it is known how the solve went: it has a trace, or it ended before its first iteration.
 bool has_course(const SolveRecord& solve);
 std::vector<Solves> courses_by_solver(const StudyResults& study);  // those alone
@@ -62,6 +65,8 @@ struct Share {
 // The empirical distribution function, at every value or at most_positions log-spaced ones. Values of never count in
 // the whole and nowhere else.
 std::vector<Share> shares_within(std::vector<double> values);
+// Stairs, ascending and not negative in `at`, at no more than most_positions.
+std::vector<Share> thinned(const std::vector<Share>& stairs);
 
 // By how much the cost of each solver exceeds the smallest of all solvers at the same problem, which is a point of a
 // run. Solvers without solves take no part and have no ratios.

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "analysis/convergence.hpp"
+#include "analysis/cost_tables.hpp"
 #include "analysis/definition.hpp"
 #include "analysis/figure_parts.hpp"
 #include "analysis/share_curves.hpp"
@@ -21,11 +22,10 @@ namespace {
 constexpr std::size_t most_bands = 6;  // more lie on top of each other
 
 std::string dependence(const StudyResults& study) {
-  const Definition definition(study.definition);
-  const bool is_chained = definition.text("/start") != "initial" && study.points > 1;
-  return is_chained ? " The solves of a run depend on each other, so the curves describe them and no interval is "
-                      "claimed."
-                    : " The curves describe the solves; no interval is claimed.";
+  return is_chained(study)
+             ? " The solves of a run depend on each other, so the curves describe them and no interval is "
+               "claimed."
+             : " The curves describe the solves; no interval is claimed.";
 }
 
 std::string without_course(const StudyResults& study) {
@@ -39,13 +39,13 @@ std::optional<Figure> convergence_figure(const StudyResults& study, const std::v
   Figure figure{.name = "statistics-convergence"};
   figure.data = "# evaluations; 25, 50 and 75 % quantiles over the solves of the best position error [cm]\n";
   const bool has_bands = study.solvers.size() <= most_bands;
-  std::vector<std::string> fills, lines;
+  std::vector<std::string> fills, lines, labels = study.solvers;
   std::vector<double> all;
   int block = 0;
   for (std::size_t i = 0; i < courses.size(); ++i) {
     const std::vector<Band> bands = error_bands(courses[i], positions);
     if (std::ranges::all_of(bands, [](const Band& band) { return band.median == never; })) {
-      add_missing_curve(lines, i, study.solvers[i]);
+      labels[i] = add_missing_curve(lines, i, study.solvers[i]);
       continue;
     }
     double last = 0;
@@ -86,7 +86,7 @@ std::optional<Figure> convergence_figure(const StudyResults& study, const std::v
   figure.caption = with_notes(figure.caption, study, Metric::position_error_cm, axis);
   figure.settings =
       axis.settings + cost_axis(positions.front(), positions.back()).settings + "set xlabel 'evaluations'\n";
-  add_legend(figure, study.solvers);
+  add_legend(figure, labels);
   std::vector<std::string> clauses{"NaN notitle"};
   if (has_bands) clauses.insert(clauses.end(), fills.begin(), fills.end());
   clauses.insert(clauses.end(), lines.begin(), lines.end());
@@ -214,6 +214,7 @@ std::vector<Figure> convergence_figures(const StudyResults& study) {
   if (std::isfinite(tolerance_cm(study))) {
     add(profile_figure(study, ProfileOf::evaluations));
     if (has_clean_times) add(profile_figure(study, ProfileOf::seconds));
+    add(survival_figure(study));
   } else {
     add(profile_figure(study, ProfileOf::error));
   }

@@ -12,6 +12,7 @@ namespace ikbench {
 // "statistics-ecdf-error", and where the study has what they need
 // - traces: "statistics-convergence", "statistics-ecdf-evaluations", and with comparable times
 // "statistics-ecdf-seconds";
+// - a tolerance: "statistics-survival-evaluations";
 // - two solvers: "statistics-profile-evaluations" and with comparable times "-seconds" where there is a tolerance, else
 //   "statistics-profile-error".
 // None where there are no solves.

@@ -76,9 +76,10 @@ void add_curve(std::vector<std::string>& clauses, const DrawnCurve& curve) {
                                 gnuplot_string(shortened(curve.label, longest_label))));
 }
 
-void add_missing_curve(std::vector<std::string>& clauses, std::size_t solver, const std::string& label) {
-  clauses.push_back(fmt::format("keyentry with linespoints ls {} title {}", solver + 1,
-                                gnuplot_string(shortened(label, longest_label) + " (nothing to show)")));
+std::string add_missing_curve(std::vector<std::string>& clauses, std::size_t solver, const std::string& label) {
+  const std::string entry = shortened(label, longest_label) + " (nothing to show)";
+  clauses.push_back(fmt::format("keyentry with linespoints ls {} title {}", solver + 1, gnuplot_string(entry)));
+  return entry;
 }
 
 void draw_shares(Figure& figure, const StudyResults& study, const ShareCurves& shares) {
@@ -94,28 +95,35 @@ void draw_shares(Figure& figure, const StudyResults& study, const ShareCurves& s
       axis.settings + fmt::format("set xlabel {}\nset ylabel {}\nset yrange [-0.02:1.02]\nset ytics 0.2\n",
                                   gnuplot_string(shares.label), gnuplot_string(shares.share_of));
   std::vector<std::string> clauses{"NaN notitle"};
+  std::vector<std::string> labels = study.solvers;
   int block = 0;
   for (std::size_t i = 0; i < shares.curves.size(); ++i) {
     const std::vector<Share>& curve = shares.curves[i];
     if (curve.empty()) {
-      add_missing_curve(clauses, i, study.solvers[i]);
+      labels[i] = add_missing_curve(clauses, i, study.solvers[i]);
       continue;
     }
     figure.data += fmt::format("{}# {}\n# {}, {}: corners of the stairs\n", block == 0 ? "" : "\n\n",
                                one_line(study.solvers[i]), shares.label, shares.share_of);
-    figure.data += fmt::format("{} 0\n", text_of(std::min(axis.left, curve.front().at)));
-    double before = 0;
+    double before = shares.start;
+    std::size_t rows = 0;
+    const auto corner = [&](double at, double share) {
+      figure.data += fmt::format("{} {}\n", text_of(at), text_of(share));
+      ++rows;
+    };
+    corner(std::min(axis.left, curve.front().at), before);
     for (const auto& [at, share] : curve) {
-      figure.data += fmt::format("{0} {1}\n{0} {2}\n", text_of(at), text_of(before), text_of(share));
+      corner(at, before);
+      if (share != before) corner(at, share);
       before = share;
     }
-    figure.data += fmt::format("{} {}\n", text_of(axis.right), text_of(before));
+    if (!shares.ends_with_last) corner(axis.right, before);
     add_curve(clauses, {.source = fmt::format("'{}.dat' index {} using (shown_x($1)):2", figure.name, block++),
-                        .rows = 2 * curve.size() + 2,
+                        .rows = rows,
                         .solver = i,
                         .label = study.solvers[i]});
   }
-  add_legend(figure, study.solvers);
+  add_legend(figure, labels);
   figure.plot = plot_command(clauses);
 }
 

@@ -1,5 +1,5 @@
-// Curves over a logarithmic axis of costs, one a solver; those that rise in stairs from 0 to 1: distribution functions
-// and performance profiles.
+// Curves over a logarithmic axis of costs, one a solver; those in stairs between 0 and 1: distribution functions,
+// performance profiles and survival curves.
 #pragma once
 
 #include <cstddef>
@@ -33,8 +33,8 @@ struct DrawnCurve {
 };
 // A line with nine markers or so, which do not begin where those of the next solver do.
 void add_curve(std::vector<std::string>& clauses, const DrawnCurve& curve);
-// In the legend all the same.
-void add_missing_curve(std::vector<std::string>& clauses, std::size_t solver, const std::string& label);
+// In the legend all the same; the entry as it stands there.
+std::string add_missing_curve(std::vector<std::string>& clauses, std::size_t solver, const std::string& label);
 
 // What the curve of each solver goes over, and what the axes say.
 struct ShareCurves {
@@ -42,6 +42,8 @@ struct ShareCurves {
   std::string label;                       // of the axis below
   std::string share_of;                    // of the axis at the left
   bool is_ratio = false;                   // to a smallest: from 1 on
+  double start = 0;                        // the share before the first step
+  bool ends_with_last = false;             // else a curve goes on to the right edge
 };
 // Settings, data and plot of the figure, of which the name and width must stand.
 void draw_shares(Figure& figure, const StudyResults& study, const ShareCurves& shares);

@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "analysis/convergence_figures.hpp"
+#include "analysis/share_curves.hpp"
 #include "tests/analysis/folder.hpp"
 #include "tests/analysis/synthetic.hpp"
 #include "tests/catch.hpp"
@@ -272,14 +273,17 @@ TEST_CASE("the figures of convergence are those that a study has the data for", 
   CHECK(names(synthetic::solves(one), "") == Names{"statistics-ecdf-error"});
   CHECK(names(synthetic::solves(two), "") == Names{"statistics-ecdf-error", "statistics-profile-error"});
   CHECK(names(synthetic::solves(two), with_tolerance) ==
-        Names{"statistics-ecdf-error", "statistics-profile-evaluations", "statistics-profile-seconds"});
+        Names{"statistics-ecdf-error", "statistics-profile-evaluations", "statistics-profile-seconds",
+              "statistics-survival-evaluations"});
   CHECK(names(solves_with_traces(two), with_tolerance) ==
         Names{"statistics-convergence", "statistics-ecdf-evaluations", "statistics-ecdf-seconds",
-              "statistics-ecdf-error", "statistics-profile-evaluations", "statistics-profile-seconds"});
+              "statistics-ecdf-error", "statistics-profile-evaluations", "statistics-profile-seconds",
+              "statistics-survival-evaluations"});
   std::vector<SolveRecord> parallel = solves_with_traces(two);
   parallel.front().timing = Timing::parallel;
   CHECK(names(parallel, with_tolerance) == Names{"statistics-convergence", "statistics-ecdf-evaluations",
-                                                 "statistics-ecdf-error", "statistics-profile-evaluations"});
+                                                 "statistics-ecdf-error", "statistics-profile-evaluations",
+                                                 "statistics-survival-evaluations"});
 }
 
 TEST_CASE("a caption says what a problem is and what the solves depend on", "[convergence]") {
@@ -336,4 +340,28 @@ TEST_CASE("figures of convergence are drawn of few, odd and hostile data too", "
     CAPTURE(value);
     CHECK(drawn(solves));
   }
+}
+
+TEST_CASE("an axis of costs is wider than its values, logarithmic where they differ, and has ticks", "[convergence]") {
+  const CostAxis wide = cost_axis(44, 22000);
+  CHECK(wide.left < 44);
+  CHECK(wide.right > 22000);
+  CHECK(contains(wide.settings, "set logscale x"));
+  CHECK(contains(wide.settings, "set xtics enhanced 1e0, 1e1"));  // from a whole power of ten below
+  CHECK(contains(cost_axis(3e-12, 0.02).settings, "set xtics enhanced 1e-14, 1e2"));
+  CHECK(contains(cost_axis(300, 5000).settings, "1e3, 2e3, 5e3"));
+  CHECK(!contains(cost_axis(1000, 1100).settings, "logscale"));
+  CHECK(cost_axis(50, 50).left == 25);
+  CHECK(contains(cost_axis(never, 0).settings, "unset xtics"));
+  CHECK(ratio_axis(9).right == 16);
+  CHECK(ratio_axis(0).right == 2);  // nobody solves anything
+}
+
+TEST_CASE("thinned stairs keep the share at each position that is left", "[convergence]") {
+  std::vector<Share> stairs;
+  for (int i = 1; i <= 1000; ++i) stairs.push_back({.at = static_cast<double>(i), .share = 1 - i / 1000.0});
+  const std::vector<Share> few = thinned(stairs);
+  CHECK(few.size() == most_positions);
+  CHECK(few.back().share == 0);
+  for (const Share& share : few) CHECK(share.share == Approx(1 - std::floor(share.at) / 1000).margin(1e-12));
 }
