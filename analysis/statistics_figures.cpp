@@ -38,7 +38,7 @@ Figure differences_figure(const std::vector<DifferenceRow>& rows, const Differen
   const RowAxis axis = row_axis(all, words.quantity, Scale::linear);
   const bool room_at_right = axis.high > -axis.low;
   figure.settings += axis.settings;
-  figure.settings += "set arrow from 0, graph 0 to 0, graph 1 nohead back lw 0.8 lc rgb '#888888' dt 2\n";
+  if (n > 0) figure.settings += "set arrow from 0, graph 0 to 0, graph 1 nohead back lw 0.8 lc rgb '#888888' dt 2\n";
   figure.data = "# row, difference, low, high, whether the interval excludes zero\n";
   bool unknown = false;
   for (std::size_t i = 0; i < n; ++i) {
