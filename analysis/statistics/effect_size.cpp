@@ -119,9 +119,10 @@ EffectSize cohen_d(const GroupSummary& a, const GroupSummary& b, double level) {
   effect.high = shift_of((1 + level) / 2, t, df) * scale;
   if (std::isnan(effect.value)) {
     effect.undefined = "the difference is too large for double precision";
-  } else if (std::isnan(effect.low) || std::isnan(effect.high)) {
+  } else if (!std::isfinite(effect.low) || !std::isfinite(effect.high)) {
     effect.low = effect.high = not_defined;
-    effect.undefined = "the interval was not found: the noncentral t distribution did not converge";
+    effect.undefined =
+        "the interval was not found: the difference is too large, or the noncentral t distribution did not converge";
   }
   return effect;
 }
