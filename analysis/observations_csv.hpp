@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "analysis/observations.hpp"
 
@@ -38,7 +39,8 @@ struct CsvRequest {
 // averaged (`run`) or taken as given, which Observations::flaw then says.
 Observations read_observations(std::string_view text, std::string_view source, const CsvRequest& request);
 
-// Columns, in any case: name (or group, solver, algorithm), mean, sd (or std, stddev), n (or count).
-Summaries read_summaries(std::string_view text, std::string_view source);
+// Columns, in any case: name (or group, solver, algorithm), mean, sd (or std, stddev), n (or count); and where several
+// quantities are in the file, metric (or quantity, variable). One for each of them, in the order of their first row.
+std::vector<Summaries> read_summaries(std::string_view text, std::string_view source);
 
 }  // namespace ikbench

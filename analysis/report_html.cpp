@@ -223,6 +223,10 @@ std::string to_html(const ReportContent& content, const HtmlExtras& extras) {
       data.set("id", Data("section-" + id_of(section.heading)));
       data.set("heading", text(section.heading));
       if (!section.paragraph.empty()) data.set("paragraph", text(section.paragraph));
+      if (!section.sentences.empty()) {
+        data.set("has_sentences", true);
+        data.set("sentences", list_of(section.sentences));
+      }
       data.set("items", items);
       sections.push_back(data);
     }

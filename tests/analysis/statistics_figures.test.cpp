@@ -220,9 +220,8 @@ TEST_CASE("effects out of 0 to 1 or missing are not defined, and 20 groups are s
   CHECK(lines_below(figure.data, "# not defined").size() == 7);
   CHECK(contains(figure.caption, "n.d.: not defined"));
   CHECK(contains(figure.caption, "which is worse"));
-  const EffectMatrix large{.name = "effects", .better = Better::larger, .labels = Texts(30, "s")};
+  const EffectMatrix large{.name = "effects", .labels = Texts(30, "s")};
   CHECK(contains(effect_matrix_figure(large).caption, "the first 20 of 30 groups"));
-  CHECK(contains(effect_matrix_figure(large).caption, "which is better"));
 }
 
 TEST_CASE("figures of a statistical analysis are drawn whatever the names and numbers", "[figure]") {
