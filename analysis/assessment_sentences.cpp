@@ -17,6 +17,12 @@ namespace {
 constexpr std::size_t most_named = 8;    // in one sentence
 constexpr double unequal_variances = 4;  // largest by smallest, from which a pooled variance is named as a danger
 
+// Three digits, and all digits before the point.
+std::string number(double value) {
+  const double size = std::abs(value);
+  return size >= 1000 && size < 1e7 ? fmt::format("{:.0f}", value) : rounded_number(value, 3);
+}
+
 std::string p_words(double p) { return p < 1e-300 ? "p < 1e-300" : fmt::format("p = {}", rounded_number(p, 3)); }
 
 std::string percent(double share) { return rounded_number(100 * share, 3) + " %"; }
@@ -100,7 +106,7 @@ std::string assumptions(const Evidence& evidence) {
   text += variances_differ(evidence) ? "equal variances do not hold" : "equal variances are not refuted";
   if (std::isfinite(evidence.variance_ratio)) {
     text += fmt::format("; that of {} is {} times that of {}", name(evidence, evidence.most_variable),
-                        rounded_number(evidence.variance_ratio, 3), name(evidence, evidence.least_variable));
+                        number(evidence.variance_ratio), name(evidence, evidence.least_variable));
   }
   text += fmt::format(" ({}).", fmt::join(tests, "; "));
   if (evidence.from_summaries) return text + " Whether the values are normal cannot be told from summaries.";
@@ -141,14 +147,14 @@ std::string analyses(const Evidence& evidence, Role role, std::string_view headi
 std::string better_words(const Evidence& evidence, const Contrast& contrast) {
   const bool first = contrast.relation == Relation::first_better;
   const std::size_t winner = first ? contrast.first : contrast.second, loser = first ? contrast.second : contrast.first;
-  const auto mean_of = [&](std::size_t i) { return rounded_number(evidence.groups[i].described.mean, 3); };
+  const auto mean_of = [&](std::size_t i) { return number(evidence.groups[i].described.mean); };
   std::string text = fmt::format("{} is better than {}: {} against {}", name(evidence, winner), name(evidence, loser),
                                  mean_of(winner), mean_of(loser));
   if (std::isfinite(contrast.difference.low)) {
     const double low = std::min(std::abs(contrast.difference.low), std::abs(contrast.difference.high));
     const double high = std::max(std::abs(contrast.difference.low), std::abs(contrast.difference.high));
     const bool one_side = contrast.difference.low * contrast.difference.high >= 0;
-    text += one_side ? fmt::format(", by {} to {}", rounded_number(low, 3), rounded_number(high, 3))
+    text += one_side ? fmt::format(", by {} to {}", number(low), number(high))
                      : ", by means whose interval includes none";
   }
   if (std::isfinite(contrast.p)) text += ", " + p_words(contrast.p);
@@ -187,8 +193,8 @@ std::vector<std::string> who_differs(const Evidence& evidence) {
       others_open.push_back(fmt::format(
           "{} ({}{})", pair_words(evidence, contrast), p_words(contrast.p),
           std::isfinite(contrast.difference.low)
-              ? fmt::format("; the difference is between {} and {}", rounded_number(contrast.difference.low, 2),
-                            rounded_number(contrast.difference.high, 2))
+              ? fmt::format("; the difference is between {} and {}", number(contrast.difference.low),
+                            number(contrast.difference.high))
               : ""));
     }
     if (contrast.relation == Relation::equivalent) same.push_back(pair_words(evidence, contrast));
@@ -248,7 +254,7 @@ std::string disagreements(const Evidence& evidence) {
     text += fmt::format(
         " Tukey's one variance is dominated by {}, whose own is {} times that of {}: where variances are so unequal, "
         "Games-Howell is the one to believe.",
-        name(evidence, evidence.most_variable), rounded_number(evidence.variance_ratio, 3),
+        name(evidence, evidence.most_variable), number(evidence.variance_ratio),
         name(evidence, evidence.least_variable));
   }
   return text;
@@ -348,7 +354,7 @@ std::vector<std::string> headlines_of(const Evidence& evidence) {
   }
   return {fmt::format("{}: {}; {} of {} pairs differ by {}.{}", capitalised(evidence.quantity), fmt::join(parts, "; "),
                       differ, evidence.contrasts.size(), words_of(evidence.plan.test),
-                      evidence.flaw.empty() ? "" : " " + flawed(evidence))};
+                      evidence.flaw.empty() ? "" : fmt::format(" {}", flawed(evidence)))};
 }
 
 }  // namespace ikbench

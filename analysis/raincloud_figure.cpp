@@ -186,7 +186,7 @@ Figure raincloud_figure(const Observations& observations, QuantileType quartiles
   if (n < observations.groups.size()) {
     figure.caption += fmt::format(" Shown are the first {} of {} groups.", n, observations.groups.size());
   }
-  if (!observations.flaw.empty()) figure.caption += fmt::format(" No independent replicates: {}.", observations.flaw);
+  if (!observations.flaw.empty()) figure.caption += fmt::format(" Flawed: {}", observations.flaw);
   return figure;
 }
 

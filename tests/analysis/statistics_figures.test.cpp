@@ -167,7 +167,7 @@ TEST_CASE("more than 12 groups are boxes without densities, more than 200 are no
 TEST_CASE("observations that are no replicates say so under their picture", "[figure]") {
   const Figure figure = raincloud_figure({.quantity = "x", .groups = {{"a", {1, 2}}}, .flaw = "20 rows share run 1"},
                                          QuantileType::type_7, "rain");
-  CHECK(contains(figure.caption, "No independent replicates: 20 rows share run 1."));
+  CHECK(contains(figure.caption, "Flawed: 20 rows share run 1"));
 }
 
 TEST_CASE("intervals are marked where they exclude zero, and in words where there are none", "[figure]") {
