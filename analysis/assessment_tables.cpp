@@ -75,7 +75,7 @@ Table groups_table(const Evidence& evidence) {
 
 // "5, 44.3"
 Cell degrees_of_freedom(const TestResult& test) {
-  if (!std::isfinite(test.df)) return {};
+  if (!std::isfinite(test.df) || !test.undefined.empty()) return {};
   if (!std::isfinite(test.df_within)) return rounded_number(test.df, 5);
   return fmt::format("{}, {}", rounded_number(test.df, 5), rounded_number(test.df_within, 5));
 }
@@ -109,7 +109,7 @@ Table tests_table(const Evidence& evidence) {
                           with_symbol(test.effect_symbol, test.effect),
                           test.undefined.empty() ? std::string(finding) : "not defined: " + test.undefined});
   }
-  table.notes.push_back(fmt::format("Each at {}. {} decides; it was chosen before the data were seen.",
+  table.notes.push_back(fmt::format("Each at {}. {} decides, by the plan and not by the data.",
                                     rounded_number(evidence.plan.significance, 3), words_of(evidence.plan.test)));
   if (!evidence.flaw.empty()) table.notes.push_back("Flawed: " + evidence.flaw);
   return table;
@@ -155,10 +155,13 @@ Table contrasts_table(const Evidence& evidence) {
          std::isfinite(runs) ? Cell(static_cast<std::int64_t>(runs)) : Cell(), verdict_of(evidence, contrast)});
   }
   table.notes.push_back(fmt::format(
-      "p and interval of the difference hold for all {} pairs together. {} decides. A12: the chance that an "
-      "observation "
-      "of the first is better than one of the second, ties counted half; its interval is for that pair alone.",
-      evidence.pairs, words_of(evidence.plan.test)));
+      "{}{} decides. A12: {}, ties counted half; its interval is for that pair alone.",
+      evidence.pairs == 1
+          ? ""
+          : fmt::format("p and interval of the difference hold for all {} pairs together. ", evidence.pairs),
+      words_of(evidence.plan.test),
+      evidence.blocks > 0 ? "the share of blocks in which the first is better than the second"
+                          : "the chance that an observation of the first is better than one of the second"));
   if (evidence.reference) {
     table.notes.push_back(fmt::format("Shown are the pairs with {}{}.", evidence.groups[*evidence.reference].name,
                                       evidence.plan.control.empty()
