@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 #include <set>
@@ -94,6 +95,11 @@ std::string methods(const Evidence& evidence) {
   } else if (evidence.pairs > 1) {
     text += fmt::format(", over all {} pairs", evidence.pairs);
   }
+  if (!evidence.from_summaries && evidence.pairs > 1) {
+    constexpr std::array<std::string_view, 4> whose{"Holm", "Hochberg", "Bonferroni", "Benjamini and Hochberg"};
+    text += fmt::format("; p-values of ranks are corrected by {}",
+                        whose[static_cast<std::size_t>(evidence.plan.adjustment)]);
+  }
   return text + "; a difference matters from " + percent(evidence.plan.margin) +
          " on. The other methods stand beside it and decide nothing.";
 }
@@ -101,8 +107,8 @@ std::string methods(const Evidence& evidence) {
 // "F(5, 44.3) = 142, p = 4e-26"
 std::string result_words(const TestResult& test) {
   if (!test.undefined.empty()) return "not defined, " + test.undefined;
-  std::string df = rounded_number(test.df, 3);
-  if (std::isfinite(test.df_within)) df += ", " + rounded_number(test.df_within, 3);
+  std::string df = number(test.df);
+  if (std::isfinite(test.df_within)) df += ", " + number(test.df_within);
   std::string text = std::isfinite(test.df)
                          ? fmt::format("{}({}) = {}", test.symbol, df, rounded_number(test.statistic, 4))
                          : fmt::format("{} = {}", test.symbol, rounded_number(test.statistic, 4));
@@ -114,6 +120,12 @@ bool variances_differ(const Evidence& evidence) {
     if (test.role == Role::assumption && test.p < evidence.plan.significance) return true;
   }
   return false;
+}
+
+// Unequal by more than a small sample's chance.
+bool pooling_misleads(const Evidence& evidence) {
+  const double ratio = evidence.variance_ratio;
+  return std::isinf(ratio) || (ratio > unequal_variances && variances_differ(evidence));
 }
 
 std::string assumptions(const Evidence& evidence) {
@@ -314,7 +326,7 @@ std::string disagreements(const Evidence& evidence) {
   if (parts.empty()) return "Where methods disagree: on no pair do they come to another verdict.";
   std::string text = fmt::format("Where methods disagree: {}.", fmt::join(parts, ". "));
   const bool pooling = !pooled.only_here.empty() || !pooled.only_there.empty();
-  if (pooling && evidence.variance_ratio > unequal_variances) {
+  if (pooling && pooling_misleads(evidence)) {
     const std::string least = name(evidence, evidence.least_variable);
     text += fmt::format(
         " Tukey's one variance is dominated by {}, {}: where variances are so unequal, Games-Howell is the one to "
@@ -417,7 +429,7 @@ std::vector<std::string> headlines_of(const Evidence& evidence) {
   }
   if (!open.empty()) parts.push_back(fmt::format("{} is not told apart from {}", name(evidence, best), listed(open)));
   const Dispute pooled = dispute(evidence, &Contrast::p_pooled, &Contrast::p_unpooled);
-  if (evidence.variance_ratio > unequal_variances && !pooled.only_there.empty()) {
+  if (pooling_misleads(evidence) && !pooled.only_there.empty()) {
     parts.push_back(fmt::format("one variance for all (ANOVA, Tukey) would hide {}", listed(pooled.only_there)));
   }
   if (parts.empty()) parts.push_back(fmt::format("no pair with {} could be judged", name(evidence, best)));
