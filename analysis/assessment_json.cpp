@@ -26,6 +26,7 @@ Json group_json(const GroupEvidence& group) {
           {"n", of.n},
           {"not_finite", of.not_finite},
           {"mean", estimate(group.mean)},
+          {"mean_by_bootstrap", estimate(group.bootstrapped)},
           {"sd", number(of.std)},
           {"median", estimate(group.median)},
           {"q1", number(group.q1)},

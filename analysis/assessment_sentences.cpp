@@ -132,7 +132,7 @@ std::string analyses(const Evidence& evidence, Role role, std::string_view headi
   std::string text;
   for (const TestResult& test : evidence.tests) {
     if (test.role != role) continue;
-    text += fmt::format("{} {}: {}{}{}.", text.empty() ? "" : " ", test.test, result_words(test), effect_words(test),
+    text += fmt::format(" {}: {}{}{}.", test.test, result_words(test), effect_words(test),
                         !test.undefined.empty()               ? ""
                         : test.p < evidence.plan.significance ? "; the groups are not all the same"
                                                               : "; a difference is not shown");
@@ -154,8 +154,8 @@ std::string better_words(const Evidence& evidence, const Contrast& contrast) {
     const double low = std::min(std::abs(contrast.difference.low), std::abs(contrast.difference.high));
     const double high = std::max(std::abs(contrast.difference.low), std::abs(contrast.difference.high));
     const bool one_side = contrast.difference.low * contrast.difference.high >= 0;
-    text += one_side ? fmt::format(", by {} to {}", number(low), number(high))
-                     : ", by means whose interval includes none";
+    text +=
+        one_side ? fmt::format(", by {} to {}", number(low), number(high)) : ", by means whose interval includes none";
   }
   if (std::isfinite(contrast.p)) text += ", " + p_words(contrast.p);
   if (std::isfinite(contrast.superiority.value)) {
@@ -190,12 +190,12 @@ std::vector<std::string> who_differs(const Evidence& evidence) {
     if (decided && (contrast.first == best || contrast.second == best))
       with_best.push_back(better_words(evidence, contrast));
     if (contrast.relation == Relation::not_told_apart) {
-      others_open.push_back(fmt::format(
-          "{} ({}{})", pair_words(evidence, contrast), p_words(contrast.p),
-          std::isfinite(contrast.difference.low)
-              ? fmt::format("; the difference is between {} and {}", number(contrast.difference.low),
-                            number(contrast.difference.high))
-              : ""));
+      others_open.push_back(
+          fmt::format("{} ({}{})", pair_words(evidence, contrast), p_words(contrast.p),
+                      std::isfinite(contrast.difference.low)
+                          ? fmt::format("; the difference is between {} and {}", number(contrast.difference.low),
+                                        number(contrast.difference.high))
+                          : ""));
     }
     if (contrast.relation == Relation::equivalent) same.push_back(pair_words(evidence, contrast));
     if (contrast.relation == Relation::undefined) {

@@ -39,6 +39,7 @@ Table groups_table(const Evidence& evidence) {
                           {"not finite"},
                           {"mean"},
                           {level + " interval of the mean"},
+                          {"by bootstrap"},
                           {"sd"},
                           {"median"},
                           {level + " interval of the median"},
@@ -52,21 +53,23 @@ Table groups_table(const Evidence& evidence) {
     const Description& of = group.described;
     const Cell not_finite = unless_zero(of.not_finite);
     if (evidence.from_summaries) {
-      table.rows.push_back({group.name, std::int64_t{of.n}, not_finite, of.mean, interval(group.mean),
+      table.rows.push_back({group.name, std::int64_t{of.n}, not_finite, of.mean, interval(group.mean), Cell(),
                             of.n > 1 ? Cell(of.std) : Cell(), Cell(), Cell(), Cell(), Cell(), Cell(), Cell(), Cell(),
                             Cell()});
       continue;
     }
     table.rows.push_back({group.name, std::int64_t{of.n}, not_finite, of.mean, interval(group.mean),
-                          of.n > 1 ? Cell(of.std) : Cell(), of.median, interval(group.median), group.q1, group.q3,
-                          of.min, of.max, or_nothing(PValue{group.normality}), or_nothing(group.average_rank)});
+                          interval(group.bootstrapped), of.n > 1 ? Cell(of.std) : Cell(), of.median,
+                          interval(group.median), group.q1, group.q3, of.min, of.max,
+                          or_nothing(PValue{group.normality}), or_nothing(group.average_rank)});
   }
   if (!evidence.replicate.empty()) table.notes.push_back(fmt::format("One observation is {}.", evidence.replicate));
   if (!evidence.from_summaries) {
-    table.notes.push_back(fmt::format(
-        "Intervals: of the mean by Student's t, of the median by order statistics. Quartiles of type {} (Hyndman and "
-        "Fan).",
-        evidence.plan.quartiles));
+    table.notes.push_back(
+        fmt::format("Intervals: of the mean by Student's t and by the bootstrap (BCa), of the median by order "
+                    "statistics. Quartiles of type {} (Hyndman and "
+                    "Fan).",
+                    evidence.plan.quartiles));
   }
   for (const std::string& note : evidence.notes) table.notes.push_back(note);
   if (!evidence.flaw.empty()) table.notes.push_back("Flawed: " + evidence.flaw);
