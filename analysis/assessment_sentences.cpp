@@ -292,12 +292,11 @@ std::vector<std::string> limits(const Evidence& evidence) {
 std::vector<std::string> sentences_of(const Evidence& evidence) {
   std::vector<std::string> sentences;
   if (!evidence.flaw.empty()) sentences.push_back(flawed(evidence));
+  if (evidence.groups.empty()) return {"There is no group."};
   sentences.push_back(design(evidence));
   for (const std::string& note : evidence.notes) sentences.push_back(note);
   if (evidence.groups.size() < 2) {
-    sentences.push_back(evidence.groups.empty()
-                            ? "There is no group."
-                            : "One group alone: it is described, and there is nothing to compare it with.");
+    sentences.push_back("One group alone: it is described, and there is nothing to compare it with.");
     return sentences;
   }
   if (evidence.constant) {

@@ -165,7 +165,7 @@ TEST_CASE("degenerate data are explained and never a crash", "[assessment]") {
     }
     return observations;
   };
-  CHECK(says(evidence(with({}), {}), "no group"));
+  CHECK(says(evidence(with({}), {}), "There is no group"));
   CHECK(says(evidence(with({{1, 2, 3}}), {}), "One group alone"));
   CHECK(says(evidence(with({{1, 1, 1}, {2, 2, 2}}), {}), "one value alone"));
   CHECK(says(evidence(with({{1, 1, 1}, {1, 1, 1}}), {}), "The same within 5 %: g0 and g1"));
