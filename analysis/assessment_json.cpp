@@ -56,6 +56,7 @@ Json contrast_json(const Evidence& evidence, const Contrast& contrast) {
               {"p", number(contrast.p)},
               {"p_tukey", number(contrast.p_pooled)},
               {"p_games_howell", number(contrast.p_unpooled)},
+              {"p_paired_t", number(contrast.p_paired)},
               {"p_ranks", number(contrast.p_ranks)},
               {"a12", estimate(contrast.superiority)},
               {"hedges_g", estimate(contrast.g)},
