@@ -1,7 +1,14 @@
 #include "analysis/statistics/welch.hpp"
 
+#include <fmt/format.h>
+
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
+#include <cstddef>
+#include <stdexcept>
+#include <vector>
+
+#include "analysis/statistics/t_distribution.hpp"
 
 namespace ikbench {
 
@@ -56,6 +63,41 @@ WelchAnova welch_anova(std::span<const GroupSummary> groups) {
   test.df_within = 1 / lambda;
   test.p = f_upper_tail(test.F, test.df_between, test.df_within);
   return test;
+}
+
+PairedTest paired_t(std::span<const double> a, std::span<const double> b, double level) {
+  if (a.size() != b.size()) {
+    throw std::invalid_argument(fmt::format("pairs of {} and {} values: expected equally many", a.size(), b.size()));
+  }
+  std::vector<double> differences;
+  differences.reserve(a.size());
+  for (std::size_t i = 0; i < a.size(); ++i) differences.push_back(a[i] - b[i]);
+  const GroupSummary summary = summarise(differences);
+  const MeanInterval interval = mean_interval(summary, level);
+  PairedTest test{.difference = summary.mean, .undefined = interval.undefined};
+  if (test.undefined.empty() && summary.std == 0)
+    test.undefined = "all pairs differ by the same, so there is no spread";
+  if (!test.undefined.empty()) return test;
+  test.low = interval.low;
+  test.high = interval.high;
+  test.t = summary.mean / (summary.std / std::sqrt(summary.n));
+  test.df = summary.n - 1;
+  test.p = 2 * t_upper_tail(std::abs(test.t), test.df);
+  return test;
+}
+
+MeanInterval mean_interval(const GroupSummary& group, double level) {
+  if (!(level > 0 && level < 1))
+    throw std::invalid_argument(fmt::format("level {}: expected 0 to 1, without either", level));
+  if (group.n < 2) return {.undefined = "a group of fewer than two values has no spread"};
+  if (!std::isfinite(group.mean) || !std::isfinite(group.std)) {
+    return {.undefined = "a mean or a standard deviation is not defined"};
+  }
+  const double reach = t_quantile((1 + level) / 2, group.n - 1) * group.std / std::sqrt(group.n);
+  if (!std::isfinite(group.mean - reach) || !std::isfinite(group.mean + reach)) {
+    return {.undefined = "the spread is too large for double precision"};
+  }
+  return {.low = group.mean - reach, .high = group.mean + reach};
 }
 
 }  // namespace ikbench

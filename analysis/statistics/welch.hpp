@@ -1,4 +1,5 @@
-// Welch's tests of groups of unequal variance: have two the same mean (Biometrika 34 (1947) 28), or several?
+// Means and what their spread says of them: Welch's tests of groups of unequal variance, of two (Biometrika 34 (1947)
+// 28) and of several, Student's test of pairs and his interval of a mean (Biometrika 6 (1908) 1).
 #pragma once
 
 #include <span>
@@ -26,5 +27,27 @@ struct WelchAnova {
 };
 
 WelchAnova welch_anova(std::span<const GroupSummary> groups);
+
+struct PairedTest {
+  double difference = not_defined;  // mean of a_i - b_i
+  double low = not_defined;
+  double high = not_defined;  // interval of that mean
+  double t = not_defined;
+  double df = not_defined;
+  double p = not_defined;  // two-sided
+  std::string undefined;   // why there is no p; empty where there is
+};
+
+// Pairs in order; std::invalid_argument where they are not equally many, or `level` is not between 0 and 1.
+PairedTest paired_t(std::span<const double> a, std::span<const double> b, double level);
+
+struct MeanInterval {
+  double low = not_defined;
+  double high = not_defined;
+  std::string undefined;  // why there is none; empty where there is
+};
+
+// Student's t interval; of a constant group its one value. std::invalid_argument where `level` is not between 0 and 1.
+MeanInterval mean_interval(const GroupSummary& group, double level);
 
 }  // namespace ikbench

@@ -1,6 +1,8 @@
 #include "analysis/statistics/welch.hpp"
 
 #include <cmath>
+#include <stdexcept>
+#include <vector>
 
 #include "tests/catch.hpp"
 
@@ -61,4 +63,39 @@ TEST_CASE("where there is no test it says why", "[welch]") {
   CHECK(welch(constant, constant).undefined.find("constant") != std::string::npos);
   CHECK(welch({.mean = 1, .std = 1e200, .n = 5}, good).undefined.find("too large") != std::string::npos);
   CHECK(std::isnan(welch(constant, constant).p));
+}
+
+TEST_CASE("Student's test of the pairs of the sleep data is that of R", "[welch]") {
+  // R's help page of t.test: t = -4.0621, df = 9, p-value = 0.002833, interval -2.4598858 to -0.7001142.
+  const std::vector<double> drug_1{0.7, -1.6, -0.2, -1.2, -0.1, 3.4, 3.7, 0.8, 0.0, 2.0};
+  const std::vector<double> drug_2{1.9, 0.8, 1.1, 0.1, -0.1, 4.4, 5.5, 1.6, 4.6, 3.4};
+  const PairedTest test = paired_t(drug_1, drug_2, 0.95);
+  CHECK(test.difference == Approx(-1.58));
+  CHECK(test.t == Approx(-4.0621).epsilon(1e-5));
+  CHECK(test.df == 9);
+  CHECK(test.p == Approx(0.002833).epsilon(2e-4));
+  CHECK(test.low == Approx(-2.4598858).epsilon(1e-7));
+  CHECK(test.high == Approx(-0.7001142).epsilon(1e-7));
+}
+
+TEST_CASE("Student's interval of a mean is that of R", "[welch]") {
+  // R 4.2.2, t.test(extra[group == 1]) of the sleep data: -0.5297804 to 2.0297804.
+  const MeanInterval interval = mean_interval({.mean = 0.75, .std = 1.789010, .n = 10}, 0.95);
+  CHECK(interval.low == Approx(-0.5297804).epsilon(1e-6));
+  CHECK(interval.high == Approx(2.0297804).epsilon(1e-6));
+  CHECK(mean_interval({.mean = 3, .std = 0, .n = 4}, 0.95).high == 3);
+}
+
+TEST_CASE("pairs or a mean without spread say so", "[welch]") {
+  using Values = std::vector<double>;
+  const auto reason = [](const Values& a, const Values& b) { return paired_t(a, b, 0.95).undefined; };
+  CHECK(reason({1, 2, 3}, {2, 3, 4}).find("differ by the same") != std::string::npos);
+  CHECK(reason({1}, {2}).find("fewer than two") != std::string::npos);
+  CHECK(reason({}, {}).find("fewer than two") != std::string::npos);
+  CHECK(reason({1, not_defined}, {1, 2}).find("not defined") != std::string::npos);
+  CHECK(reason({1, HUGE_VAL}, {1, HUGE_VAL}).find("not defined") != std::string::npos);
+  CHECK(mean_interval({.mean = 1, .std = not_defined, .n = 1}, 0.95).undefined.find("fewer") != std::string::npos);
+  CHECK(mean_interval({.mean = 0, .std = 1e308, .n = 2}, 0.95).undefined.find("too large") != std::string::npos);
+  CHECK_THROWS_AS(paired_t(Values{1, 2}, Values{1}, 0.95), std::invalid_argument);
+  CHECK_THROWS_AS(mean_interval({1, 1, 5}, 1.5), std::invalid_argument);
 }

@@ -1,0 +1,186 @@
+#include "analysis/statistics/effect_size.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <boost/math/distributions/normal.hpp>
+#include <boost/math/special_functions/gamma.hpp>
+#include <boost/math/tools/toms748_solve.hpp>
+#include <cmath>
+#include <cstdint>
+#include <stdexcept>
+#include <vector>
+
+#include "analysis/statistics/t_distribution.hpp"
+
+namespace ikbench {
+namespace {
+
+void check(double level) {
+  if (!(level > 0 && level < 1))
+    throw std::invalid_argument(fmt::format("level {}: expected 0 to 1, without either", level));
+}
+
+// The shift at which the noncentral t exceeds the observed one with probability p; NaN where it is not found.
+double shift_of(double p, double t, double df) {
+  const auto excess = [&](double shift) { return noncentral_t_upper_tail(t, df, shift) - p; };  // rises with the shift
+  double low = t, high = t;
+  for (double reach = 2 + std::abs(t) / std::sqrt(df); reach < 1e12 * (1 + std::abs(t)); reach *= 2) {
+    low = t - reach;
+    high = t + reach;
+    const double at_low = excess(low), at_high = excess(high);
+    if (std::isnan(at_low) || std::isnan(at_high)) return not_defined;
+    if (!(at_low < 0 && at_high > 0)) continue;
+    std::uintmax_t evaluations = 200;
+    const auto [below, above] = boost::math::tools::toms748_solve(
+        excess, low, high, at_low, at_high, boost::math::tools::eps_tolerance<double>(40), evaluations);
+    return (below + above) / 2;
+  }
+  return not_defined;
+}
+
+struct Dominance {
+  double delta = 0;
+  double variance = 0;
+};
+
+// For each value of a, how often it is above less how often it is below those of b, a share of them.
+std::vector<double> dominances(std::span<const double> a, const std::vector<double>& sorted_b) {
+  std::vector<double> result;
+  result.reserve(a.size());
+  for (const double value : a) {
+    const auto [first, last] = std::ranges::equal_range(sorted_b, value);
+    const auto below = first - sorted_b.begin();
+    const auto above = sorted_b.end() - last;
+    result.push_back(static_cast<double>(below - above) / static_cast<double>(sorted_b.size()));
+  }
+  return result;
+}
+
+// The share of pairs (one of a, one of b) that are not tied.
+double untied(std::span<const double> a, const std::vector<double>& sorted_b) {
+  double ties = 0;
+  for (const double value : a) ties += static_cast<double>(std::ranges::equal_range(sorted_b, value).size());
+  return 1 - ties / (static_cast<double>(a.size()) * static_cast<double>(sorted_b.size()));
+}
+
+Dominance dominance(std::span<const double> a, std::span<const double> b) {
+  std::vector<double> sorted_a(a.begin(), a.end()), sorted_b(b.begin(), b.end());
+  std::ranges::sort(sorted_a);
+  std::ranges::sort(sorted_b);
+  const std::vector<double> rows = dominances(a, sorted_b);
+  const std::vector<double> columns = dominances(b, sorted_a);
+  const double m = static_cast<double>(a.size()), n = static_cast<double>(b.size());
+  Dominance result{.delta = mean(rows)};
+  const double pairs = (untied(a, sorted_b) - result.delta * result.delta) * m * n;  // sum of (d_ij - delta)^2
+  // Cliff (1993), the consistent estimate: ((n - 1) s_row^2 + (m - 1) s_column^2 + s_pair^2) / (m n).
+  result.variance = (n - 1) / (m - 1) * sum_of_squares(rows) + (m - 1) / (n - 1) * sum_of_squares(columns);
+  result.variance = (result.variance + std::max(0.0, pairs) / ((m - 1) * (n - 1))) / (m * n);
+  return result;
+}
+
+double finite(double value) { return std::isfinite(value) ? value : not_defined; }
+
+std::string obstacle(const GroupSummary& a, const GroupSummary& b) {
+  if (a.n < 2 || b.n < 2) return "a group of fewer than two values has no spread";
+  const auto defined = [](const GroupSummary& group) { return std::isfinite(group.mean) && std::isfinite(group.std); };
+  if (!defined(a) || !defined(b)) return "a mean or a standard deviation is not defined";
+  if (a.std == 0 && b.std == 0) return "both groups are constant";
+  return {};
+}
+
+}  // namespace
+
+double eta_squared(const AnovaTable& table) { return finite(table.ss_between / table.ss_total); }
+
+double omega_squared(const AnovaTable& table) {
+  return finite((table.ss_between - table.df_between * table.ms_within) / (table.ss_total + table.ms_within));
+}
+
+double epsilon_squared(const AnovaTable& table) {
+  return finite((table.ss_between - table.df_between * table.ms_within) / table.ss_total);
+}
+
+double cohen_f(const AnovaTable& table) { return finite(std::sqrt(table.ss_between / table.ss_within)); }
+
+EffectSize cohen_d(const GroupSummary& a, const GroupSummary& b, double level) {
+  check(level);
+  EffectSize effect{.undefined = obstacle(a, b)};
+  if (!effect.undefined.empty()) return effect;
+  const double df = a.n - 1.0 + b.n - 1.0;
+  const double pooled = std::hypot(a.std * std::sqrt((a.n - 1) / df), b.std * std::sqrt((b.n - 1) / df));
+  const double scale = std::sqrt(1.0 / a.n + 1.0 / b.n);  // d = t scale
+  effect.value = finite((a.mean - b.mean) / pooled);
+  const double t = effect.value / scale;
+  effect.low = shift_of((1 - level) / 2, t, df) * scale;
+  effect.high = shift_of((1 + level) / 2, t, df) * scale;
+  if (std::isnan(effect.value)) {
+    effect.undefined = "the difference is too large for double precision";
+  } else if (std::isnan(effect.low) || std::isnan(effect.high)) {
+    effect.low = effect.high = not_defined;
+    effect.undefined = "the interval was not found: the noncentral t distribution did not converge";
+  }
+  return effect;
+}
+
+EffectSize hedges_g(const GroupSummary& a, const GroupSummary& b, double level) {
+  EffectSize effect = cohen_d(a, b, level);
+  if (std::isnan(effect.value)) return effect;
+  const double half = (a.n - 1.0 + b.n - 1.0) / 2;
+  const double correction = boost::math::tgamma_delta_ratio(half, -0.5) / std::sqrt(half);
+  effect.value *= correction;
+  effect.low *= correction;
+  effect.high *= correction;
+  return effect;
+}
+
+EffectSize cliffs_delta(std::span<const double> a, std::span<const double> b, double level) {
+  check(level);
+  EffectSize effect;
+  const auto is_nan = [](double value) { return std::isnan(value); };
+  if (a.empty() || b.empty()) {
+    effect.undefined = "a sample has no values";
+  } else if (std::ranges::any_of(a, is_nan) || std::ranges::any_of(b, is_nan)) {
+    effect.undefined = "a value is not a number, so it has no rank";
+  }
+  if (!effect.undefined.empty()) return effect;
+  const auto [delta, variance] = dominance(a, b);
+  effect.value = delta;
+  if (a.size() < 2 || b.size() < 2) {
+    effect.undefined = "a sample of one value has no spread, so there is no interval";
+    return effect;
+  }
+  const double z = boost::math::quantile(boost::math::normal(), (1 + level) / 2);
+  if (std::abs(delta) == 1) {
+    const double n = static_cast<double>(std::min(a.size(), b.size()));
+    const double limit = (n - z * z) / (n + z * z);
+    effect.low = delta > 0 ? limit : -1;
+    effect.high = delta > 0 ? 1 : -limit;
+  } else if (!(variance > 0)) {
+    effect.undefined = "all values are equal, so there is no interval";
+  } else {
+    const double below_one = 1 - delta * delta;
+    const double reach = z * std::sqrt(variance * (below_one * below_one + z * z * variance));
+    const double scale = below_one + z * z * variance;
+    effect.low = std::clamp((delta * below_one - reach) / scale, -1.0, 1.0);
+    effect.high = std::clamp((delta * below_one + reach) / scale, -1.0, 1.0);
+  }
+  return effect;
+}
+
+EffectSize vargha_delaney(std::span<const double> a, std::span<const double> b, double level) {
+  EffectSize effect = cliffs_delta(a, b, level);
+  for (double* value : {&effect.value, &effect.low, &effect.high}) *value = (*value + 1) / 2;
+  return effect;
+}
+
+std::string_view effect_words(double delta) {
+  const double size = std::abs(delta);
+  if (std::isnan(size)) return "not defined";
+  if (size < 0.147) return "negligible";
+  if (size < 0.33) return "small";
+  if (size < 0.474) return "medium";
+  return "large";
+}
+
+}  // namespace ikbench

@@ -1,0 +1,47 @@
+// How large a difference is, whatever its p: shares of variance, standardized mean differences, and the dominance of
+// one sample over another.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "analysis/statistics/anova.hpp"
+
+namespace ikbench {
+
+// Shares of the variance between groups; not defined where the table has no sums of squares. Omega and epsilon squared
+// are corrected for chance and can be below 0 (Olejnik and Algina, Psychological Methods 8 (2003) 434).
+double eta_squared(const AnovaTable& table);
+double omega_squared(const AnovaTable& table);
+double epsilon_squared(const AnovaTable& table);
+double cohen_f(const AnovaTable& table);  // sqrt(eta^2 / (1 - eta^2)) (Cohen 1988)
+
+struct EffectSize {
+  double value = not_defined;
+  double low = not_defined;
+  double high = not_defined;
+  std::string undefined;  // why there is no interval, or no value either; empty where there is
+};
+
+// (mean of a - mean of b) / pooled standard deviation, whose squares are weighted by n - 1 (Cohen 1988). The interval
+// turns the noncentral t of Student's test around (Steiger and Fouladi 1997).
+EffectSize cohen_d(const GroupSummary& a, const GroupSummary& b, double level);
+// The same times Hedges's exact correction for small samples, limits too (J. Educational Statistics 6 (1981) 107).
+EffectSize hedges_g(const GroupSummary& a, const GroupSummary& b, double level);
+
+// P(a > b) - P(a < b) of a random pair: 1 where every value of a is above every value of b. Infinities have their
+// ranks, NaN has none. Interval: Cliff's asymmetric one with his consistent variance (Psychological Bulletin 114 (1993)
+// 494). Where one sample lies wholly above the other that variance is 0, and the limit is instead (n - z^2) / (n +
+// z^2), n the smaller sample (Feng and Cliff, J. Modern Applied Statistical Methods 3 (2004) 322), Wilson's limit of n
+// successes in n.
+EffectSize cliffs_delta(std::span<const double> a, std::span<const double> b, double level);
+// P(a > b) + P(a = b) / 2 = (delta + 1) / 2 (Vargha and Delaney, J. Educational and Behavioral Statistics 25 (2000)
+// 101).
+EffectSize vargha_delaney(std::span<const double> a, std::span<const double> b, double level);
+
+// "negligible", "small", "medium" or "large": |delta| up to .147, .33, .474 (Romano, Kromrey, Coraggio, Skowronek
+// 2006).
+std::string_view effect_words(double delta);
+
+}  // namespace ikbench

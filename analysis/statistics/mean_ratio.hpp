@@ -1,0 +1,37 @@
+// Two means compared by their ratio, with a margin: is b slower than a by more than 5 %, or the same within 5 %?
+// One-sided t-tests of mean(b) - theta mean(a) (Sasabuchi, Biometrika 67 (1980) 429) with Welch's degrees of freedom
+// (Tamhane and Logan, Biometrical J. 46 (2004) 3), or of the pairs b_i - theta a_i.
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "analysis/statistics/descriptive.hpp"
+
+namespace ikbench {
+
+struct RatioQuestion {
+  double margin = 0.05;  // 0 <= margin < 1
+  double level = 0.95;   // of the interval
+};
+
+// The tests have p-values of their own kind: p_above is small where the ratio is above 1 + margin, p_below where it is
+// below 1 - margin, p_equivalent where it is between the two, p_difference where it is not 1.
+struct RatioComparison {
+  double ratio = not_defined;  // mean of b / mean of a
+  double low = not_defined;    // Fieller's interval: the ratios that the one-sided tests at (1 - level) / 2 leave
+  double high = not_defined;   // NaN both where it has no bounds: the mean of a is not told from 0
+  double p_difference = not_defined;  // two-sided
+  double p_above = not_defined;       // H0: ratio <= 1 + margin
+  double p_below = not_defined;       // H0: ratio >= 1 - margin
+  double p_equivalent = not_defined;  // the larger p of H0: ratio >= 1 + margin and H0: ratio <= 1 - margin
+  double df = not_defined;            // of p_difference
+  std::string exact;                  // why the p's are facts, 0 or 1, and not chances; empty where they are chances
+  std::string undefined;  // why there is no ratio (p_difference can still be there) or nothing; empty where there is
+};
+
+// Of independent samples, and of pairs in order (std::invalid_argument where they are not equally many).
+RatioComparison mean_ratio(std::span<const double> a, std::span<const double> b, const RatioQuestion& question);
+RatioComparison paired_mean_ratio(std::span<const double> a, std::span<const double> b, const RatioQuestion& question);
+
+}  // namespace ikbench
