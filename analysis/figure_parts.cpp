@@ -12,12 +12,6 @@
 
 namespace ikbench {
 
-std::string_view quantity(Metric metric) {
-  constexpr std::array<std::string_view, 4> names{"position error [cm]", "angles variation [deg]", "computing time [s]",
-                                                  "evaluations"};
-  return names[static_cast<std::size_t>(metric)];
-}
-
 std::string capitalised(std::string_view text) {
   std::string result(text);
   result[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(result[0])));

@@ -16,7 +16,6 @@ namespace ikbench {
 
 constexpr std::size_t longest_label = 28;  // characters of a solver's label in a figure; the data file has all
 
-std::string_view quantity(Metric metric);  // with its unit
 std::string capitalised(std::string_view text);
 std::string data_number(double value);  // as a data file has it
 

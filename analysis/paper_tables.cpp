@@ -17,14 +17,6 @@
 namespace ikbench {
 namespace {
 
-constexpr std::array<Metric, 3> paper_metrics{Metric::position_error_cm, Metric::variation_deg, Metric::seconds};
-
-std::string_view words_for(Metric metric) {
-  constexpr std::array<std::string_view, 4> words{"position error [cm]", "angles variation [deg]", "computing time [s]",
-                                                  "evaluations"};
-  return words[static_cast<std::size_t>(metric)];
-}
-
 std::string_view unit_note(Unit unit) {
   return unit == Unit::run ? "One observation is one run's mean over its points."
                            : "One observation is one point. Points of one run depend on each other, so p-values and "
@@ -216,7 +208,7 @@ Table table_3_as_printed(std::string_view paper) {
 Table anova_table(const StudyResults& study, Metric metric, Unit unit) {
   const int number = 4 + static_cast<int>(metric);
   Table table{.name = fmt::format("table-{}", number),
-              .caption = fmt::format("Table {}: one-way ANOVA of the {}", number, words_for(metric)),
+              .caption = fmt::format("Table {}: one-way ANOVA of the {}", number, quantity(metric)),
               .columns = anova_columns()};
   const StudyAnova ours = anova(study, metric, unit);
   add_anova_rows(table, ours.table, comparable_printed_anova(study, metric, unit));

@@ -8,7 +8,10 @@
 #include <optional>
 #include <string_view>
 
+#include "analysis/analysis_plan.hpp"
 #include "analysis/definition.hpp"
+#include "analysis/design.hpp"
+#include "analysis/figure_parts.hpp"
 #include "analysis/files.hpp"
 #include "analysis/limits_table.hpp"
 #include "analysis/moving_arm.hpp"
@@ -60,19 +63,25 @@ std::vector<StudyResults> companions_of(const Store& store, const StudyResults& 
 }
 
 // What only a companion has.
-void add_pieces(const StudyResults& companion, const ReportRequest& request, std::vector<Table>& tables,
+void add_pieces(const StudyResults& companion, const AnalysisPlan& plan, std::vector<Table>& tables,
                 std::vector<Figure>& figures) {
   const auto is_its_own = [](const std::string& name) {
     constexpr std::array<std::string_view, 7> names{"table-7",   "table-8",   "figure-14", "figure-15",
                                                     "figure-16", "figure-17", "figure-18"};
     return std::ranges::find(names, name) != names.end();
   };
-  for (Table& table : paper_tables(companion, request.unit)) {
+  for (Table& table : paper_tables(companion, plan.unit)) {
     if (is_its_own(table.name)) tables.push_back(std::move(table));
   }
-  for (Figure& figure : paper_figures(companion, request.unit, request.quartiles)) {
+  for (Figure& figure : paper_figures(companion, plan.unit, quantile_type(plan.quartiles))) {
     if (is_its_own(figure.name)) figures.push_back(std::move(figure));
   }
+}
+
+// What the paper's tables say of themselves where points are the observations.
+Table flagged(Table table, const AnalysisPlan& plan) {
+  if (plan.unit == Unit::point) table.notes.push_back(capitalised(points_flaw) + '.');
+  return table;
 }
 
 std::vector<std::string> warnings_of(const StudyResults& study, const std::vector<FigureOutcome>& outcomes) {
@@ -117,14 +126,18 @@ Report write_report(const Store& store, const ReportRequest& request) {
   const std::vector<Session> sessions = store.sessions();
   const std::vector<StudyResults> together = with_same_targets(store, study);
   const std::vector<StudyResults> companions = companions_of(store, study);
+  const AnalysisPlan plan = request.plan.value_or(plan_of(entry));
 
-  std::vector<Table> tables{definition_table(entry), options_table(entry), environment_table(study, sessions)};
-  std::vector<Figure> figures = paper_figures(study, request.unit, request.quartiles);
-  std::ranges::move(paper_tables(study, request.unit), std::back_inserter(tables));
+  std::vector<Table> tables{definition_table(entry), options_table(entry),
+                            plan_table(entry, plan, plan_notes(entry, sessions, study.solves)),
+                            environment_table(study, sessions)};
+  std::vector<Figure> figures = paper_figures(study, plan.unit, quantile_type(plan.quartiles));
+  std::ranges::move(paper_tables(study, plan.unit), std::back_inserter(tables));
   const std::vector<StudyResults> beside = with_same_limits(together);
-  if (beside.size() > 1) tables.push_back(perspective_table(beside, request.unit));
-  if (std::optional<Table> table = limits_table(together, request.unit)) tables.push_back(std::move(*table));
-  for (const StudyResults& companion : companions) add_pieces(companion, request, tables, figures);
+  if (beside.size() > 1) tables.push_back(flagged(perspective_table(beside, plan.unit), plan));
+  if (std::optional<Table> table = limits_table(together, plan.unit))
+    tables.push_back(flagged(std::move(*table), plan));
+  for (const StudyResults& companion : companions) add_pieces(companion, plan, tables, figures);
   std::ranges::copy(request.extra_tables, std::back_inserter(tables));
   std::ranges::copy(request.extra_figures, std::back_inserter(figures));
 
@@ -133,11 +146,13 @@ Report write_report(const Store& store, const ReportRequest& request) {
 
   ReportContent content{.study = study.name,
                         .title = study.title.empty() ? study.name : study.title,
-                        .findings = findings(study, companions, request.unit),
-                        .summary = summary(study, request.unit),
+                        .findings = findings(study, companions, plan.unit),
+                        .summary = summary(study, plan.unit),
                         .warnings = warnings_of(study, outcomes),
                         .command = command_of(study, sessions)};
-  for (std::size_t i = 1; i < beside.size(); ++i) content.summary.push_back(perspective(beside[i], request.unit));
+  std::ranges::copy(plan_changes(entry, sessions, study.solves), std::back_inserter(content.warnings));
+  if (plan.unit == Unit::point) content.warnings.insert(content.warnings.begin(), capitalised(points_flaw) + '.');
+  for (std::size_t i = 1; i < beside.size(); ++i) content.summary.push_back(perspective(beside[i], plan.unit));
   std::vector<Piece> pieces(tables.begin(), tables.end());
   for (std::size_t i = 0; i < figures.size(); ++i) pieces.emplace_back(ReportFigure{figures[i], outcomes[i].rendered});
   arrange(std::move(pieces), content);

@@ -2,22 +2,22 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "analysis/figure.hpp"
-#include "analysis/statistics/quantile.hpp"
 #include "analysis/study.hpp"
 #include "analysis/table.hpp"
+#include "results/analysis_plan.hpp"
 #include "results/store.hpp"
 
 namespace ikbench {
 
 struct ReportRequest {
   std::string study;
-  std::filesystem::path folder;  // made where missing; files of the same names are replaced
-  Unit unit = Unit::run;
-  QuantileType quartiles = QuantileType::type_5;
+  std::filesystem::path folder;           // made where missing; files of the same names are replaced
+  std::optional<AnalysisPlan> plan = {};  // instead of the study's own, which the report says
   RenderOptions figures = {};
   std::vector<Table> extra_tables = {};    // written and shown with the others (report_content.cpp says where)
   std::vector<Figure> extra_figures = {};  // likewise

@@ -15,7 +15,7 @@ struct Plan {
 };
 
 const std::vector<Plan>& circumstances() {
-  static const std::vector<Plan> plans{{"What was run", "", {"definition", "options"}},
+  static const std::vector<Plan> plans{{"What was run", "", {"definition", "options", "analysis-plan"}},
                                        {"Where it was run", "", {"environment"}},
                                        {"What became of every solve", "", {"status"}}};
   return plans;

@@ -118,10 +118,17 @@ StudyResults make_study(std::string name, std::vector<SolveRecord> solves) {
   return study;
 }
 
-std::string_view name_of(Metric metric) {
-  constexpr std::array<std::string_view, 4> names{"position_error_cm", "variation_deg", "seconds", "evaluations"};
-  return names[static_cast<std::size_t>(metric)];
+const MetricInfo& info_of(Metric metric) {
+  static constexpr std::array<MetricInfo, 4> infos{
+      {{"position_error_cm", "error", "position error", "position error [cm]"},
+       {"variation_deg", "variation", "angles variation", "angles variation [deg]"},
+       {"seconds", "time", "computing time", "computing time [s]"},
+       {"evaluations", "evaluations", "evaluations", "evaluations"}}};
+  return infos[static_cast<std::size_t>(metric)];
 }
+
+std::string_view name_of(Metric metric) { return info_of(metric).column; }
+std::string_view quantity(Metric metric) { return info_of(metric).quantity; }
 
 double value_of(const SolveRecord& solve, Metric metric) {
   switch (metric) {

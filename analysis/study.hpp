@@ -2,6 +2,7 @@
 // each other; the unit of analysis is therefore the run, one observation being the mean over its points.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -34,7 +35,17 @@ StudyResults make_study(const StudyEntry& entry, std::vector<SolveRecord> solves
 StudyResults make_study(std::string name, std::vector<SolveRecord> solves);
 
 enum class Metric { position_error_cm, variation_deg, seconds, evaluations };
-std::string_view name_of(Metric metric);  // the column's name
+constexpr std::array<Metric, 3> paper_metrics{Metric::position_error_cm, Metric::variation_deg, Metric::seconds};
+
+struct MetricInfo {
+  std::string_view column;    // its name in the record
+  std::string_view slug;      // of files and anchors, and where it is clear what it is of
+  std::string_view name;      // as it is read
+  std::string_view quantity;  // with its unit
+};
+const MetricInfo& info_of(Metric metric);
+std::string_view name_of(Metric metric);   // the column's name
+std::string_view quantity(Metric metric);  // with its unit
 double value_of(const SolveRecord& solve, Metric metric);
 
 // The observations of one solver. A run of which points are missing gives no run mean; it is counted instead.

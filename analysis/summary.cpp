@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "analysis/circle.hpp"
+#include "analysis/figure_parts.hpp"
 #include "analysis/paper_tables.hpp"
 #include "analysis/published_numbers.hpp"
 #include "analysis/statistics/welch.hpp"
@@ -65,11 +65,13 @@ std::string pairs_in_order(const std::vector<Standing>& printed, const std::vect
 }
 
 std::string ranking_sentence(const StudyResults& study, const std::vector<Comparison>& rows, Metric metric) {
-  constexpr std::array<std::string_view, 3> words{"Accuracy (mean position error", "Angles variation (mean",
-                                                  "Computing time (mean"};
+  const std::string_view name = info_of(metric).name;
   const auto ours = ranking(rows, metric);
   if (ours.empty()) return "";
-  std::string text = fmt::format("{}, smallest first): {}", words[static_cast<std::size_t>(metric)], names(ours));
+  std::string text = fmt::format(
+      "{}, smallest first): {}",
+      metric == Metric::position_error_cm ? fmt::format("Accuracy (mean {}", name) : capitalised(name) + " (mean",
+      names(ours));
   if (ours.size() < study.solvers.size()) {
     text += fmt::format("; {} without a mean", study.solvers.size() - ours.size());
   }
@@ -145,10 +147,9 @@ std::vector<std::string> number_sentences(const std::vector<Comparison>& rows) {
     for (const Comparison& row : rows) {
       if (!has_it(row) || (row.metric == Metric::seconds && row.solver == time_reference)) continue;
       ++count;
-      const std::string_view what = row.metric == Metric::seconds         ? "relative time"
-                                    : row.metric == Metric::variation_deg ? "variation"
-                                                                          : "error";
-      list += fmt::format("{}{} {} ({} x)", count == 1 ? "" : ", ", row.solver, what, rounded_number(row.ratio, 3));
+      list += fmt::format("{}{} {}{} ({} x)", count == 1 ? "" : ", ", row.solver,
+                          row.metric == Metric::seconds ? "relative " : "", info_of(row.metric).slug,
+                          rounded_number(row.ratio, 3));
     }
     if (count > 0) {
       sentences.push_back(fmt::format("Table 3, verdict '{}' ({} means; ratio ours/paper): {}.", verdict, count, list));
@@ -190,18 +191,17 @@ std::string wrong_claims_sentence(const StudyResults& study) {
 }  // namespace
 
 std::vector<std::string> summary(const StudyResults& study, Unit unit) {
-  constexpr std::array<Metric, 3> metrics{Metric::position_error_cm, Metric::variation_deg, Metric::seconds};
   if (study.solves.empty()) return {"Nothing of this study is solved yet."};
   const auto rows = compare(study, unit);
   std::vector<std::string> sentences{departures_sentence(study)};
-  for (const Metric metric : metrics) {
+  for (const Metric metric : paper_metrics) {
     sentences.push_back(ranking_sentence(study, rows, metric));
     if (metric == Metric::position_error_cm) sentences.push_back(limits_sentence(study));
     if (metric == Metric::variation_deg) sentences.push_back(variation_sentence(study, rows, unit));
   }
   sentences.push_back(real_time_verdict(study));
   sentences.push_back(printed_angles_verdict(study));
-  for (const Metric metric : metrics) sentences.push_back(anova_sentence(study, metric, unit));
+  for (const Metric metric : paper_metrics) sentences.push_back(anova_sentence(study, metric, unit));
   for (std::string& sentence : number_sentences(rows)) sentences.push_back(std::move(sentence));
   sentences.push_back(wrong_claims_sentence(study));
   for (std::string& note : status_notes(study)) sentences.push_back(std::move(note));

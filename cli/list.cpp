@@ -102,7 +102,7 @@ std::string listed(const std::string& kind, const std::string& name) {
   if (kind == "robots") return name.empty() ? robot_list() : robot_details(name);
   if (kind == "columns") return column_list(name);
   if (kind == "instruction-sets") return instruction_set_list(name);
-  return name.empty() ? study_list() : to_toml(load_study(name));
+  return name.empty() ? study_list() : to_toml(load_study(name, {}, PointsAsObservations::forced));
 }
 
 }  // namespace

@@ -20,7 +20,7 @@ void add_report(CLI::App& app) {
   command->footer(
       "Examples:\n"
       "  ikbench report out/slim2023/store.sqlite\n"
-      "  ikbench report theirs.sqlite --out out/theirs --unit point --quartiles 7");
+      "  ikbench report theirs.sqlite --out out/theirs --quartiles 7");
   command->callback([arguments] {
     const Store store(arguments->store, Store::Mode::read);
     const std::filesystem::path folder = arguments->out.empty() ? std::filesystem::path(arguments->store).parent_path()

@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <thread>
 
+#include "analysis/analysis_plan.hpp"
 #include "analysis/report.hpp"
 #include "cli/console.hpp"
 #include "experiments/environment.hpp"
@@ -12,6 +14,32 @@
 #include "experiments/study_file.hpp"
 
 namespace ikbench::cli {
+
+namespace {
+
+// The study's, and over it what was given on the command line.
+AnalysisPlan plan_for(const StudyEntry& entry, const ReportArguments& arguments) {
+  refuse_points(arguments);
+  AnalysisPlan plan = plan_of(entry);
+  if (!arguments.unit.empty()) plan.unit = arguments.unit == name_of(Unit::run) ? Unit::run : Unit::point;
+  if (arguments.quartiles != 0) plan.quartiles = arguments.quartiles;
+  if (plan.unit == Unit::point && !arguments.forced) {
+    throw std::invalid_argument(fmt::format("the plan of the study {} has unit = \"point\", but {}, or else --unit run",
+                                            entry.name, why_points_are_refused));
+  }
+  return plan;
+}
+
+// Whether two definitions of a study are the same but for how it is judged.
+bool differ_in_analysis_only(const std::string& earlier, const std::string& now) {
+  auto before = nlohmann::json::parse(earlier, nullptr, false), after = nlohmann::json::parse(now, nullptr, false);
+  for (auto* definition : {&before, &after}) {
+    if (definition->is_object()) definition->erase("analysis");
+  }
+  return before == after;
+}
+
+}  // namespace
 
 CLI::Validator whole_number() {
   return CLI::Validator(
@@ -25,14 +53,22 @@ CLI::Validator whole_number() {
 }
 
 void add_report_options(CLI::App& command, ReportArguments& arguments) {
-  command.add_option("--unit", arguments.unit, "what one observation is: a run's mean over its points, or a point")
-      ->check(CLI::IsMember({"run", "point"}))
-      ->capture_default_str();
-  command.add_option("--quartiles", arguments.quartiles, "Hyndman-Fan type of the boxes' quartiles; 5 is MATLAB's")
+  command
+      .add_option("--unit", arguments.unit,
+                  "what one observation is: a run's mean over its points, or a point; as the study says if not given")
+      ->check(CLI::IsMember(std::vector<std::string>(unit_names.begin(), unit_names.end())));
+  command
+      .add_option("--quartiles", arguments.quartiles,
+                  "Hyndman-Fan type of the boxes' quartiles, 5 is MATLAB's; as the study says if not given")
       ->check(whole_number())
-      ->check(CLI::Range(1, 9))
-      ->capture_default_str();
+      ->check(CLI::Range(1, 9));
+  command.add_flag("--force", arguments.forced, "use points as observations all the same; every table says so");
   command.add_flag("--no-figures", arguments.without_figures, "tables only");
+}
+
+void refuse_points(const ReportArguments& arguments) {
+  if (arguments.unit != name_of(Unit::point) || arguments.forced) return;
+  throw std::invalid_argument(fmt::format("--unit is {}; expected run: {}", arguments.unit, why_points_are_refused));
 }
 
 void add_run_options(CLI::App& command, RunArguments& arguments) {
@@ -46,11 +82,10 @@ void add_run_options(CLI::App& command, RunArguments& arguments) {
 
 void write_and_announce(const Store& store, const std::string& study, const std::filesystem::path& folder,
                         const ReportArguments& arguments, Additions additions) {
-  const Unit unit = arguments.unit == "run" ? Unit::run : Unit::point;
+  const AnalysisPlan plan = plan_for(store.study(study), arguments);
   const Report report = write_report(store, {.study = study,
                                              .folder = folder,
-                                             .unit = unit,
-                                             .quartiles = quantile_type(arguments.quartiles),
+                                             .plan = plan,
                                              .figures = {.render = !arguments.without_figures},
                                              .extra_tables = std::move(additions.tables),
                                              .extra_figures = std::move(additions.figures)});
@@ -87,7 +122,14 @@ Ended run_and_tell(const Study& study, const std::filesystem::path& folder, RunR
   }
   Store store(store_in(folder), Store::Mode::write);
   for (const StudyEntry& earlier : store.studies()) {
-    if (earlier.name == study.name && earlier.definition != to_json(study)) {
+    if (earlier.name != study.name || earlier.definition == to_json(study)) continue;
+    if (differ_in_analysis_only(earlier.definition, to_json(study))) {
+      const std::string changes = changes_between(plan_of(earlier), study.analysis);
+      if (!changes.empty()) {
+        say(fmt::format("warning: the analysis plan of {} in {} was another: {}; the report will say so", study.name,
+                        folder.string(), changes));
+      }
+    } else {
       say(fmt::format(
           "warning: {} has another study named {}; its solves stay there, its report is written anew (another "
           "name or --out keeps both)",

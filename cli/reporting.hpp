@@ -17,12 +17,16 @@ namespace ikbench::cli {
 CLI::Validator whole_number();
 
 struct ReportArguments {
-  std::string unit = "run";
-  int quartiles = 5;
+  std::string unit = {};  // instead of what the study says
+  int quartiles = 0;      // instead of what the study says; 0: not given
+  bool forced = false;    // points of a run may be observations
   bool without_figures = false;
 };
 
 void add_report_options(CLI::App& command, ReportArguments& arguments);
+// std::invalid_argument where points are asked for as observations and nobody insists; to be called before anything is
+// solved.
+void refuse_points(const ReportArguments& arguments);
 
 // What a command adds to the report of a store.
 struct Additions {

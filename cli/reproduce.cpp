@@ -63,6 +63,7 @@ void add_reproduce(CLI::App& app, Invocation& invocation) {
       "  ikbench reproduce --readings 0           without the readings: faster\n"
       "  ikbench reproduce --jobs 2               faster; times are marked as not comparable");
   command->callback([arguments, &invocation] {
+    refuse_points(arguments->report);
     const std::filesystem::path folder =
         arguments->run.out.empty() ? default_folder("slim2023") : std::filesystem::path(arguments->run.out);
     const std::string seed = fmt::format("seed={}", arguments->seed), runs = fmt::format("runs={}", arguments->runs);

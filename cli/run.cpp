@@ -21,7 +21,7 @@ void add_run(CLI::App& app, Invocation& invocation) {
   command->add_option("STUDY", arguments->study, "a built-in study (ikbench list studies) or a TOML file")->required();
   command
       ->add_option("--set", arguments->overrides,
-                   "key=value over the study: runs=5, path.tool=eq27, ik_bat.bounds=clamp")
+                   "key=value over the study: runs=5, path.tool=eq27, ik_bat.bounds=clamp, analysis.significance=0.01")
       ->allow_extra_args(false);
   add_run_options(*command, arguments->run);
   add_report_options(*command, arguments->report);
@@ -33,7 +33,10 @@ void add_run(CLI::App& app, Invocation& invocation) {
       "  ikbench run slim2023 --set IK-BA.bounds=clamp --set runs=5 --out out/clamped\n\n"
       "Running it again does only what is missing.");
   command->callback([arguments, &invocation] {
-    const Study study = load_study(arguments->study, arguments->overrides);
+    refuse_points(arguments->report);
+    const Study study =
+        load_study(arguments->study, arguments->overrides,
+                   arguments->report.forced ? PointsAsObservations::forced : PointsAsObservations::refused);
     const std::filesystem::path folder =
         arguments->run.out.empty() ? default_folder(study.name) : std::filesystem::path(arguments->run.out);
     if (run_and_tell(study, folder, {.jobs = arguments->run.jobs, .command = invocation.command}) == Ended::stopped) {

@@ -127,6 +127,7 @@ Progress run(const Study& study, Store& store, const RunRequest& request) {
   if (progress.done == progress.total) return progress;
 
   std::map<std::string, std::string> session = environment();
+  session["analysis"] = to_json(study.analysis);  // the study may be saved with another one later
   session["jobs"] = std::to_string(request.jobs);
   session["command"] = request.command;
   const std::int64_t session_id = store.begin_session(session);

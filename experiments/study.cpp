@@ -118,6 +118,17 @@ std::vector<Pose> targets(const Study& study, int run) {
   return std::get<std::vector<Pose>>(study.path);
 }
 
+std::string why_no_blocks(const Study& study) {
+  const bool is_drawn = std::holds_alternative<RandomTargets>(study.path), is_chained = study.start == Start::previous;
+  if (is_chained && !is_drawn) {
+    return "the solves of a run are chained along a path, so that each solver meets a target from where it left the "
+           "arm";
+  }
+  const std::int64_t blocks =
+      (is_drawn ? std::int64_t{study.runs} : 1) * (is_chained ? 1 : std::int64_t{points(study.path)});
+  return blocks >= 2 ? "" : "there is only one such target, or one run of them";
+}
+
 std::string series_key(const Study& study, const Entrant& entrant) {
   // What is new in a study is said only where it is not as before, so that stores keep the solves they have.
   const Robot arm = robot(study.robot);

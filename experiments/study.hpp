@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "experiments/path.hpp"
+#include "results/analysis_plan.hpp"
 #include "robots/robot.hpp"
 #include "solvers/options.hpp"
 #include "solvers/solve.hpp"
@@ -58,6 +59,7 @@ struct Study {
   std::uint64_t seed = 1;
   Trace trace = Trace::none;
   std::vector<Entrant> solvers;
+  AnalysisPlan analysis;  // how the solves will be judged; decides no number of them
 };
 
 // The built-in studies by name.
@@ -71,6 +73,11 @@ int effective_population(const Study& study, const Entrant& entrant);
 // Where the tool has to go in a run, the same for all entrants. Only random targets differ from run to run; those of
 // one with more points begin with those of one with fewer.
 std::vector<Pose> targets(const Study& study, int run);
+
+// Why no two solvers of the study were given the same problem, so that there are no blocks to compare them in; empty
+// where there are: targets drawn anew in every run are the same for all solvers, and so is each target of a path whose
+// solves all begin at the initial configuration.
+std::string why_no_blocks(const Study& study);
 
 // Hash of everything that decides the numbers of one entrant: equal hashes, equal numbers, on one machine and unless a
 // solve ends by its wall time.

@@ -1,5 +1,5 @@
 // The fields of a study, said once: name, field, range and meaning. What reads and writes studies (study_reader.cpp,
-// study_writer.cpp) visits this list.
+// study_writer.cpp) visits this list. Those of its analysis plan are in results/analysis_plan_fields.hpp.
 #pragma once
 
 #include <cstdint>
@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "experiments/study.hpp"
+#include "results/analysis_plan_fields.hpp"
 #include "robots/units.hpp"
 
 namespace ikbench {

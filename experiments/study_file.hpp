@@ -14,14 +14,24 @@ namespace ikbench {
 // solver: `IK-BA.bounds=clamp`.
 using Overrides = std::vector<std::string>;
 
+// Whether points of a run may be the observations of the analysis (analysis.unit = "point").
+enum class PointsAsObservations { refused, forced };
+constexpr std::string_view why_points_are_refused =
+    "points of one run depend on each other and are no replicates; a study of several runs has them; to insist: "
+    "--force";
+
 // Both: std::invalid_argument says where, what is wrong, and what is expected; an unknown key names the nearest known.
-Study parse_study(std::string_view toml, std::string_view source, const Overrides& overrides = {});
+Study parse_study(std::string_view toml, std::string_view source, const Overrides& overrides = {},
+                  PointsAsObservations points_as_observations = PointsAsObservations::refused);
 // A built-in study by name, or else a file.
-Study load_study(const std::string& name_or_file, const Overrides& overrides = {});
+Study load_study(const std::string& name_or_file, const Overrides& overrides = {},
+                 PointsAsObservations points_as_observations = PointsAsObservations::refused);
 
 // The whole study, to be edited and run; parse_study gives the same study back.
 std::string to_toml(const Study& study);
 // The whole study without its solvers and with its number of points and its arm, as the store keeps it.
 std::string to_json(const Study& study);
+// A plan as it stands there, at "/analysis".
+std::string to_json(const AnalysisPlan& plan);
 
 }  // namespace ikbench

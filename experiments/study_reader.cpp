@@ -274,7 +274,31 @@ std::vector<Entrant> read_entrants(Reader& reader) {
   return entrants;
 }
 
-Study read_study(const toml::table& table, std::string_view source) {
+// `study`: its path, runs and solvers, which the plan is about.
+AnalysisPlan read_analysis(Reader reader, const Study& study, PointsAsObservations points_as_observations) {
+  AnalysisPlan plan;
+  list_fields(reader, plan);
+  reader.refuse_unknown_keys();
+  std::vector<std::string> labels;
+  for (const Entrant& entrant : study.solvers) labels.push_back(entrant.label);
+  if (!plan.control.empty() && std::find(labels.begin(), labels.end(), plan.control) == labels.end()) {
+    reader.fail("control", *reader.find("control"),
+                fmt::format("\"\" or the label of a solver of the study: \"{}\"", fmt::join(labels, "\", \"")));
+  }
+  if (const std::string reason = why_no_blocks(study); plan.test == DecidingTest::friedman && !reason.empty()) {
+    reader.fail(
+        "test", *reader.find("test"),
+        fmt::format("another test: Friedman's compares the solvers within targets that are the same for all, and {}; "
+                    "start = \"initial\" or path.kind = \"random\" with several would give them",
+                    reason));
+  }
+  if (plan.unit == Unit::point && points_as_observations == PointsAsObservations::refused) {
+    reader.fail("unit", *reader.find("unit"), fmt::format("\"run\": {}", why_points_are_refused));
+  }
+  return plan;
+}
+
+Study read_study(const toml::table& table, std::string_view source, PointsAsObservations points_as_observations) {
   Reader reader(table, source, "");
   Study study;
   list_fields(reader, study);
@@ -286,6 +310,9 @@ Study read_study(const toml::table& table, std::string_view source) {
     stop_reader.refuse_unknown_keys();
   }
   study.solvers = read_entrants(reader);
+  if (const toml::table* analysis = as_table(reader, "analysis")) {
+    study.analysis = read_analysis(reader.nested(*analysis, "analysis."), study, points_as_observations);
+  }
   reader.refuse_unknown_keys();
 
   // What fields ask of each other.
@@ -351,17 +378,19 @@ Study read_study(const toml::table& table, std::string_view source) {
 
 }  // namespace
 
-Study parse_study(std::string_view toml_text, std::string_view source, const Overrides& overrides) {
+Study parse_study(std::string_view toml_text, std::string_view source, const Overrides& overrides,
+                  PointsAsObservations points_as_observations) {
   toml::table table = parse_toml(toml_text, source);
   for (const std::string& text : overrides) override_one(table, text);
-  return read_study(table, source);
+  return read_study(table, source, points_as_observations);
 }
 
-Study load_study(const std::string& name_or_file, const Overrides& overrides) {
+Study load_study(const std::string& name_or_file, const Overrides& overrides,
+                 PointsAsObservations points_as_observations) {
   std::vector<std::string> names;
   for (const Study& study : studies()) {
     if (study.name == name_or_file) {
-      return parse_study(to_toml(study), "built-in study " + name_or_file, overrides);
+      return parse_study(to_toml(study), "built-in study " + name_or_file, overrides, points_as_observations);
     }
     names.push_back(study.name);
   }
@@ -377,7 +406,7 @@ Study load_study(const std::string& name_or_file, const Overrides& overrides) {
   std::ostringstream content;
   content << in.rdbuf();
   if (!in) throw std::invalid_argument(fmt::format("{}: cannot be read", name_or_file));
-  return parse_study(content.str(), name_or_file, overrides);
+  return parse_study(content.str(), name_or_file, overrides, points_as_observations);
 }
 
 }  // namespace ikbench

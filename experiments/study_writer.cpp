@@ -107,10 +107,21 @@ class JsonWriter {
   nlohmann::ordered_json out;
 };
 
+nlohmann::ordered_json json_of(AnalysisPlan plan) {
+  JsonWriter writer;
+  list_fields(writer, plan);
+  return writer.out;
+}
+
+std::string dumped(const nlohmann::ordered_json& json) {
+  return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
 nlohmann::ordered_json definition(const Study& study) {
   Study fields = study;
   JsonWriter writer, stop, path;
   list_fields(writer, fields);
+  writer.out["analysis"] = json_of(study.analysis);
   list_fields(stop, fields.stop);
   writer.out["stop"] = stop.out;
   path.out["kind"] = kind_of(fields.path);
@@ -158,7 +169,7 @@ nlohmann::ordered_json arm_definition(const Robot& arm) {
 
 // The settings in which a study differs from the built-in one that claims to be of the same paper and has a path of the
 // same kind, or else from the first that does. A name, a title, a
-// seed and a trace make no difference to that claim; further solvers neither.
+// seed, a trace and how the solves are judged make no difference to that claim; further solvers neither.
 std::vector<std::string> departures(const Study& study) {
   const std::vector<Study> known = studies();
   const auto is_of_same_paper = [&](const Study& candidate) {
@@ -172,7 +183,8 @@ std::vector<std::string> departures(const Study& study) {
   if (original == known.end()) return found;
   const auto ours = definition(study).flatten(), theirs = definition(*original).flatten();
   for (const auto& [pointer, value] : theirs.items()) {
-    const bool is_free = pointer == "/name" || pointer == "/title" || pointer == "/seed" || pointer == "/trace";
+    const bool is_free = pointer == "/name" || pointer == "/title" || pointer == "/seed" || pointer == "/trace" ||
+                         pointer.starts_with("/analysis/");
     if (is_free || (ours.contains(pointer) && ours[pointer] == value)) continue;
     std::string key = pointer.substr(1);
     std::replace(key.begin(), key.end(), '/', '.');
@@ -197,6 +209,8 @@ std::string to_toml(const Study& study) {
   Study fields = study;  // list_fields serves readers too
   TomlWriter writer;
   list_fields(writer, fields);
+  writer.out += "\n[analysis]  # how the solves will be judged; decides no number of them\n";
+  list_fields(writer, fields.analysis);
   writer.out += "\n[stop]\n";
   list_fields(writer, fields.stop);
   writer.out += "\n[path]\n";
@@ -231,7 +245,9 @@ std::string to_json(const Study& study) {
   json["points"] = points(study.path);
   json["arm"] = arm_definition(robot(study.robot));
   json["departures"] = departures(study);
-  return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+  return dumped(json);
 }
+
+std::string to_json(const AnalysisPlan& plan) { return dumped(json_of(plan)); }
 
 }  // namespace ikbench

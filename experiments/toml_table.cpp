@@ -85,11 +85,12 @@ void override_one(toml::table& study, const std::string& text) {
   if (owner.empty() || field.empty()) {
     throw std::invalid_argument(fmt::format("--set {}: expected a name on both sides of the dot", text.substr(0, 100)));
   }
-  if (owner == "path" || owner == "stop") {
+  const std::vector<std::string> tables{"analysis", "path", "stop"};
+  if (std::find(tables.begin(), tables.end(), owner) != tables.end()) {
     insert(subtable(study, owner), field, value);
     return;
   }
-  std::vector<std::string> owners{"path", "stop"};
+  std::vector<std::string> owners = tables;
   bool found = false;
   if (toml::array* entrants = study["solvers"].as_array()) {
     for (toml::node& element : *entrants) {

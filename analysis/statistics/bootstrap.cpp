@@ -66,7 +66,7 @@ double acceleration(std::span<const std::size_t> sizes, const PickStatistic& sta
     std::vector<double> without;
     for (std::size_t i = 0; i < left_out; ++i) {
       picks[s] = all;
-      picks[s].erase(picks[s].begin() + static_cast<std::ptrdiff_t>(i * sizes[s] / left_out));
+      picks[s].erase(picks[s].begin() + static_cast<std::ptrdiff_t>((2 * i + 1) * sizes[s] / (2 * left_out)));
       without.push_back(statistic(picks));
     }
     picks[s] = all;
@@ -89,12 +89,16 @@ void judge(BootstrapInterval& result, std::vector<double> resampled, double leve
   } else if (!std::ranges::all_of(resampled, [](double value) { return std::isfinite(value); })) {
     result.undefined = "the statistic is not finite on some resamples";
   }
+  const double variance = sum_of_squares(resampled) / static_cast<double>(resampled.size() - 1);
+  if (result.undefined.empty() && !std::isfinite(variance)) {
+    result.undefined = "the spread is too large for double precision";
+  }
   result.bca_undefined = result.undefined;
   if (!result.undefined.empty()) return;
 
   std::ranges::sort(resampled);
   const double outside = (1 - level) / 2;
-  result.standard_error = std::sqrt(sum_of_squares(resampled) / static_cast<double>(resampled.size() - 1));
+  result.standard_error = std::sqrt(std::max(0.0, variance));
   result.low = quantile(resampled, outside, QuantileType::type_7);
   result.high = quantile(resampled, 1 - outside, QuantileType::type_7);
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <boost/math/distributions/beta.hpp>
 #include <cmath>
+#include <limits>
 
 #include "analysis/statistics/tails.hpp"
 
@@ -76,13 +77,14 @@ FisherExact fisher_exact(Successes first, Successes second) {
   const double least = std::max(0.0, successes - n2), most = std::min(n1, successes);
   const double mode = std::clamp(std::floor((n1 + 1) * (successes + 1) / (n1 + n2 + 2)), least, most);
   const auto odds_of_next = [&](double x) { return (n1 - x) * (successes - x) / ((x + 1) * (n2 - successes + x + 1)); };
+  constexpr double vanished = std::numeric_limits<double>::min();  // below it a weight may not shrink any more
   const auto for_each_weight = [&](const auto& use) {
     double weight = 1;
-    for (double x = mode; x <= most && weight > 0; weight *= odds_of_next(x++)) use(x, weight);
+    for (double x = mode; x <= most && weight >= vanished; weight *= odds_of_next(x++)) use(x, weight);
     weight = 1;
     for (double x = mode; x > least;) {
       weight /= odds_of_next(--x);
-      if (!(weight > 0)) break;
+      if (weight < vanished) break;
       use(x, weight);
     }
   };

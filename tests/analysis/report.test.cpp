@@ -58,8 +58,8 @@ TEST_CASE("a report has its tables, figures and report.md", "[report]") {
   CHECK(std::filesystem::file_size(report.page) < 4'000'000);
   CHECK(report.warnings.empty());
   const auto files = files_in(folder.path() / "out");
-  for (const char* name : {"definition", "options", "environment", "status", "table-3", "table-4", "table-5", "table-6",
-                           "anova-from-printed-table-3"}) {
+  for (const char* name : {"definition", "options", "analysis-plan", "environment", "status", "table-3", "table-4",
+                           "table-5", "table-6", "anova-from-printed-table-3"}) {
     for (const char* type : {".md", ".csv", ".tex"}) CHECK(files.contains("tables/" + std::string(name) + type));
   }
   CHECK(files.contains("figures/figure-10.pdf"));
@@ -98,7 +98,7 @@ TEST_CASE("every link of a report leads to a file", "[report]") {
     CHECK(std::filesystem::exists(folder.path() / target));
     ++links;
   }
-  CHECK(links == 13 * 4 + 10 * 3);  // of the figures PDF, SVG, script and data; of 10 tables three files each
+  CHECK(links == 13 * 4 + 11 * 3);  // of the figures PDF, SVG, script and data; of 11 tables three files each
 }
 
 TEST_CASE("a study with the same targets is shown in perspective, one with others is not", "[report]") {
@@ -210,6 +210,39 @@ TEST_CASE("a difference in variation that may be chance is said to be one", "[re
   StudyResults study = make_study("s", solves);
   study.published = "slim2023";
   CHECK(contains(summary(study, Unit::run)[3], "cannot be told apart from that of MO-PSO (98 %)"));
+}
+
+TEST_CASE("points as observations are flagged at the top, in the tables and in the plan", "[report][analysis]") {
+  const TestFolder folder;
+  Store store(folder.path() / "store.db", Store::Mode::write);
+  save(store, {.shape = {.runs = 20}});
+  save(store, {.name = "context", .definition = R"({"runs": 20})", .shape = {.solvers = {"random search"}}});
+  const Report report = write_report(store, {.study = "slim2023",
+                                             .folder = folder.path() / "out",
+                                             .plan = AnalysisPlan{.quartiles = 7, .unit = Unit::point},
+                                             .figures = {.render = false}});
+  REQUIRE(!report.warnings.empty());
+  CHECK(report.warnings[0] ==
+        "Points of one run depend on each other; used as observations because --force was given.");
+  const auto table = [&](const std::string& name) {
+    return text_of_file(folder.path() / "out/tables" / (name + ".md"));
+  };
+  CHECK(contains(table("perspective"), "--force was given"));
+  CHECK(contains(table("table-4"), "p-values and standard deviations claim more than the data say"));
+  CHECK(contains(table("analysis-plan"), "Given on the command line, after the data, and not by the study: "));
+  CHECK(contains(table("analysis-plan"), "quartiles 5 -&gt; 7, unit run -&gt; point"));
+  CHECK(contains(text_of_file(folder.path() / "out/tables/perspective.csv"), "slim2023,IK-BA,400,"));  // 20 x 20
+}
+
+TEST_CASE("without a word on the command line the study's plan decides", "[report][analysis]") {
+  const TestFolder folder;
+  Store store(folder.path() / "store.db", Store::Mode::write);
+  save(store, {.definition = R"({"runs": 20, "analysis": {"quartiles": 7, "unit": "point"}})"});
+  const Report report =
+      write_report(store, {.study = "slim2023", .folder = folder.path(), .figures = {.render = false}});
+  CHECK(contains(report.warnings.at(0), "Points of one run depend on each other"));
+  CHECK(contains(text_of_file(folder.path() / "tables/analysis-plan.csv"), "\nquartiles,7,"));
+  CHECK(!contains(text_of_file(folder.path() / "tables/analysis-plan.md"), "Given on the command line"));
 }
 
 TEST_CASE("an unknown study is refused by name", "[report]") {

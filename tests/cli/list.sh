@@ -50,6 +50,13 @@ for study in slim2023 slim2023-time slim2023-dobot slim2023-limits slim2023-cont
   cmp .out $study.toml || fail "the listed study, listed again, is another"
 done
 
+# So does how a study is judged.
+succeeds list studies slim2023
+for line in "[analysis]  # how" "test = 'by_design'  # by_design | anova | welch | kruskal_wallis | friedman: " \
+  "significance = 0.05  # of a test" "margin_percent = 5  # relative difference that matters" "unit = 'run'  # run | point: "; do
+  has "$out" $'\n'"$line"
+done
+
 # Keys come with their meaning, an entrant's own population too.
 succeeds list studies slim2023-time
 for line in "start = 'initial'  # previous | initial: a solve starts" "limits = 'recorded'  # recorded | enforced: " \

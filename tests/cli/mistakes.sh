@@ -25,6 +25,8 @@ refused '--runs: Value 0 not in range 1 to 1000000' reproduce --runs 0
 refused '--seed: -1 is not a whole number' reproduce --seed -1
 refused '--unit' report store.sqlite --unit day
 refused '--quartiles' report store.sqlite --quartiles 10
+refused '--unit is point; expected run: points of one run depend on each other' run slim2023 --unit point
+refused 'to insist: --force' reproduce --unit point
 refused '--format' export store.sqlite --format xml
 refused '--position-cm' solve
 refused '--position-cm' solve --position-cm 60 20
@@ -53,6 +55,13 @@ refused 'did you mean "12 bats"?' run slim2023-time --set '12bats.population=16'
 refused '--set bounds: bounds is "initial", but limits is "enforced"' run slim2023-limits --set bounds=initial
 refused '--set IK-BA.bounds: bounds is "initial", but limits is "enforced"' run slim2023-limits --set IK-BA.bounds=initial
 refused 'dobot_magician has no spherical wrist' run slim2023-dobot --set search=wrist
+
+refused '--set analysis.significance: analysis.significance is 0.9; expected a number from 0.0001 to 0.5' \
+  run slim2023 --set analysis.significance=0.9
+refused 'the label of a solver of the study: "IK-BA", "BA"' run slim2023 --set analysis.control=IKBA
+refused 'analysis.test is "friedman"; expected another test' run slim2023 --set analysis.test=friedman
+refused 'to insist: --force' run slim2023 --set analysis.unit=point
+refused 'did you mean "analysis"?' run slim2023 --set anlysis.unit=run
 
 # Study files.
 refused 'no such file' run none.toml

@@ -31,8 +31,29 @@ succeeds report copy/theirs.sqlite --no-figures --out elsewhere/deep
 
 # Only tables, other readings.
 [ -z "$(find copy -name '*.svg' -o -name '*.png' -o -name '*.pdf')" ] || fail "--no-figures drew figures"
-succeeds report copy/theirs.sqlite --no-figures --unit point --quartiles 7 --out points
+refused 'points of one run depend on each other' report copy/theirs.sqlite --no-figures --unit point --out points
+[ ! -e points ] || fail "a refused report was written"
+succeeds report copy/theirs.sqlite --no-figures --unit point --quartiles 7 --force --out points
+has "$err" "warning: Points of one run depend on each other; used as observations because --force was given."
+has "$(<points/tables/analysis-plan.md)" "Given on the command line, after the data, and not by the study"
 cmp -s points/tables/table-4.csv made/tables/table-4.csv && fail "--unit point gives the same ANOVA"
+
+# The study says how it is judged; a change after its solves were made is told, and costs no solve.
+has "$(<made/tables/analysis-plan.md)" "The methods were fixed in the study before its first solve"
+succeeds run slim2023 "${small[@]}" --no-report --out planned
+succeeds run slim2023 "${small[@]}" --no-figures --set analysis.significance=0.01 --out planned
+has "$out" "(36 were there already)"
+has "$err" "warning: the analysis plan of slim2023 in planned was another: significance 0.05 -> 0.01"
+has "$err" "warning: The analysis plan was changed after 36 of 36 solves were made: significance 0.05 -> 0.01."
+has "$(<planned/tables/analysis-plan.csv)" $'\nsignificance,0.01,'
+cmp planned/tables/table-4.csv made/tables/table-4.csv || fail "another plan gives another ANOVA"
+# A study whose observations are points needs --force wherever it is used.
+succeeds run slim2023 "${small[@]}" --no-report --set analysis.unit=point --force --out insisted
+refused 'the plan of the study slim2023 has unit = "point"' report insisted/store.sqlite --no-figures
+succeeds report insisted/store.sqlite --no-figures --unit run
+cmp insisted/tables/table-4.csv points/tables/table-4.csv && fail "--unit run gives the ANOVA of points"
+succeeds report insisted/store.sqlite --no-figures --force
+has "$(<insisted/tables/table-4.md)" "One observation is one point."
 
 # Two studies in a store: the first, unless another is asked for.
 succeeds run slim2023-context "${small[@]}" --no-report --out made

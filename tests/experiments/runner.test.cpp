@@ -116,6 +116,20 @@ TEST_CASE("a study from the store's point of view: name, series in order, option
   CHECK(definition["points"] == 4);
 }
 
+TEST_CASE("every session remembers how the study was to be judged when its solves were made", "[runner][analysis]") {
+  ScratchStore scratch;
+  Study study = small_study();
+  run_for(study, scratch.store, 3);
+  study.analysis.significance = 0.01;
+  run(study, scratch.store, {});
+  const std::vector<Session> sessions = scratch.store.sessions();
+  REQUIRE(sessions.size() == 2);
+  CHECK(nlohmann::json::parse(sessions[0].environment.at("analysis"))["significance"] == 0.05);
+  CHECK(nlohmann::json::parse(sessions[1].environment.at("analysis"))["significance"] == 0.01);
+  CHECK(nlohmann::json::parse(scratch.store.study("small").definition)["analysis"]["significance"] == 0.01);
+  CHECK(scratch.store.solves("small").size() == 24);  // those of before are kept
+}
+
 // ---- only what is missing -----------------------------------------------------------------------------------------
 
 TEST_CASE("running again does nothing", "[runner]") {

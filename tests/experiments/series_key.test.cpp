@@ -106,6 +106,16 @@ TEST_CASE("a default that is written down is the same series", "[series]") {
   CHECK(key_of(changed([](Study& study) { study.bounds = StudyBounds::initial; })) == key_of(small_study()));
 }
 
+TEST_CASE("how a study is judged decides no series", "[series]") {
+  const std::string key = key_of(small_study());
+  for (const AnalysisPlan& plan :
+       {AnalysisPlan{.test = DecidingTest::welch}, AnalysisPlan{.adjustment = Adjustment::bonferroni},
+        AnalysisPlan{.control = "IK-BA"}, AnalysisPlan{.significance = 0.01}, AnalysisPlan{.margin = 0.2},
+        AnalysisPlan{.power = 0.9}, AnalysisPlan{.quartiles = 7}, AnalysisPlan{.unit = Unit::point}}) {
+    CHECK(key_of(changed([&](Study& study) { study.analysis = plan; })) == key);
+  }
+}
+
 TEST_CASE("name, title, printed tables, runs and the other entrants decide no series", "[series]") {
   const std::string key = key_of(small_study());
   CHECK(key == key_of(changed([](Study& study) { study.name = "another"; })));

@@ -114,9 +114,26 @@ TEST_CASE("a study in which nothing is as by default comes back the same", "[stu
   study.solvers = {
       {"a \"label\" with 'quotes' = [x] . # \\", "ik_bat", {{"acceptance", "yang2020"}, {"alpha", "0.25"}}},
       {"плечо", "bat", {}, 12}};
-  const Study again = read(to_toml(study));
+  study.analysis = {.test = DecidingTest::friedman,
+                    .adjustment = Adjustment::benjamini_hochberg,
+                    .control = "плечо",
+                    .significance = 0.001,
+                    .margin = 1.0 / 3,
+                    .power = 0.95,
+                    .quartiles = 9,
+                    .unit = Unit::point};
+  const Study again = parse_study(to_toml(study), "my.toml", {}, PointsAsObservations::forced);
   CHECK(to_toml(again) == to_toml(study));
+  CHECK(to_json(again) == to_json(study));
   CHECK(keys_of(again) == keys_of(study));
+  CHECK(again.analysis.test == DecidingTest::friedman);
+  CHECK(again.analysis.adjustment == Adjustment::benjamini_hochberg);
+  CHECK(again.analysis.control == "плечо");
+  CHECK(again.analysis.significance == 0.001);
+  CHECK(again.analysis.margin == 1.0 / 3);
+  CHECK(again.analysis.power == 0.95);
+  CHECK(again.analysis.quartiles == 9);
+  CHECK(again.analysis.unit == Unit::point);
   CHECK(again.title == study.title);
   CHECK(again.seed == study.seed);
   CHECK(again.stop.evaluations == study.stop.evaluations);
@@ -269,6 +286,57 @@ TEST_CASE("as JSON a study says what its arm is made of", "[study]") {
                                 {"upper_deg", {90.0, 85.0, 95.0}}});
 }
 
+TEST_CASE("a study says how it will be judged, by default Friedman's or Welch's test at 5 % over run means, no control",
+          "[study][analysis]") {
+  const Study study = read(entrant);
+  CHECK(study.analysis.test == DecidingTest::by_design);
+  CHECK(nlohmann::json::parse(to_json(study))["analysis"] == nlohmann::json{{"test", "by_design"},
+                                                                            {"adjustment", "holm"},
+                                                                            {"control", ""},
+                                                                            {"significance", 0.05},
+                                                                            {"margin_percent", 5.0},
+                                                                            {"power", 0.8},
+                                                                            {"quartiles", 5},
+                                                                            {"unit", "run"}});
+  for (const Study& built_in : studies()) {
+    INFO(built_in.name);
+    CHECK(to_json(built_in.analysis) == to_json(AnalysisPlan{}));
+    CHECK(contains(to_toml(built_in), "\n[analysis]"));
+  }
+}
+
+TEST_CASE("the table of the analysis is read, and --set changes it as it does other fields", "[study][analysis]") {
+  const std::string toml =
+      "[analysis]\ntest = \"kruskal_wallis\"\nmargin_percent = 20\nquartiles = 7\n" + entrant + "label = \"A\"\n";
+  const AnalysisPlan plan = read(toml, {"analysis.significance=0.01", "analysis.control=A"}).analysis;
+  CHECK(plan.test == DecidingTest::kruskal_wallis);
+  CHECK(plan.margin == 0.2);  // 20 percent
+  CHECK(plan.quartiles == 7);
+  CHECK(plan.significance == 0.01);
+  CHECK(plan.control == "A");
+  CHECK(said_of(entrant, {"analysis.significance=7"}) ==
+        "--set analysis.significance: analysis.significance is 7; expected a number from 0.0001 to 0.5");
+}
+
+TEST_CASE("targets are blocks where all solvers were given the same ones more than once", "[study][analysis]") {
+  Study study = small_study();  // a helix, chained
+  CHECK(contains(why_no_blocks(study), "chained"));
+  study.start = Start::initial;
+  CHECK(why_no_blocks(study).empty());
+  study.path = Helix{.points = 1};
+  CHECK(contains(why_no_blocks(study), "only one"));
+  study.path = RandomTargets{.points = 1};
+  CHECK(why_no_blocks(study).empty());  // two runs, each with a target of its own
+  study.runs = 1;
+  CHECK(contains(why_no_blocks(study), "only one"));
+  study.path = RandomTargets{.points = 4};
+  CHECK(why_no_blocks(study).empty());
+  study.start = Start::previous;
+  CHECK(contains(why_no_blocks(study), "only one"));
+  study.runs = 2;
+  CHECK(why_no_blocks(study).empty());
+}
+
 // ---- mistakes -----------------------------------------------------------------------------------------------------
 
 TEST_CASE("an unknown key is named with its place and the nearest known, at every level", "[study][mistakes]") {
@@ -315,6 +383,38 @@ TEST_CASE("a value of another type is shown with its place and what was expected
           {"ik_bat.alpha is true", "a number or a text in quotes"}},
          {entrant + "label = 3\n", "my.toml:3:9: ", {"label is 3", "a text in quotes"}},
          {"[[solvers]]\nsolver = 3\n", "my.toml:2:10: ", {"solver is 3", "a text in quotes"}}});
+}
+
+TEST_CASE("what an analysis cannot be is told with its place and what it can be", "[study][mistakes][analysis]") {
+  const std::string table = "[analysis]\n";
+  check({{"analysis = 3\n" + entrant, "my.toml:1:12: ", {"analysis is 3", "expected a table: [analysis]"}},
+         {table + "signficance = 0.01\n" + entrant, "my.toml:2:1: ", {"did you mean \"significance\"?"}},
+         {table + "test = \"t\"\n" + entrant,
+          "my.toml:2:8: ",
+          {"analysis.test is \"t\"", "\"by_design\", \"anova\", \"welch\", \"kruskal_wallis\", \"friedman\""}},
+         {table + "adjustment = 1\n" + entrant,
+          "my.toml:2:14: ",
+          {"analysis.adjustment is 1", "\"holm\", \"hochberg\", \"bonferroni\", \"benjamini_hochberg\""}},
+         {table + "significance = 0\n" + entrant, "my.toml:2:16: ", {"significance is 0", "from 0.0001 to 0.5"}},
+         {table + "significance = nan\n" + entrant, "my.toml:2:16: ", {"significance is nan"}},
+         {table + "margin_percent = -1\n" + entrant, "my.toml:2:18: ", {"margin_percent is -1", "from 0 to 1000"}},
+         {table + "power = 1\n" + entrant, "my.toml:2:9: ", {"power is 1", "from 0.5 to 0.999"}},
+         {table + "quartiles = 10\n" + entrant, "my.toml:2:13: ", {"quartiles is 10", "from 1 to 9"}},
+         {table + "control = \"IK\"\n" + entrant + entrant + "label = \"B\"\n",
+          "my.toml:2:11: ",
+          {"analysis.control is \"IK\"", "the label of a solver of the study: \"ik_bat\", \"B\""}},
+         {table + "test = \"friedman\"\n" + entrant, "my.toml:2:8: ", {"another test", "chained along a path"}},
+         {table + "unit = \"day\"\n" + entrant, "my.toml:2:8: ", {"\"run\", \"point\""}}});
+  CHECK(read("start = \"initial\"\n" + table + "test = \"friedman\"\n" + entrant).analysis.test ==
+        DecidingTest::friedman);
+}
+
+TEST_CASE("points are no observations, unless somebody insists", "[study][mistakes][analysis]") {
+  const std::string toml = "[analysis]\nunit = \"point\"\n" + entrant;
+  CHECK(said_of(toml) ==
+        "my.toml:2:8: analysis.unit is \"point\"; expected \"run\": points of one run depend on each other and are no "
+        "replicates; a study of several runs has them; to insist: --force");
+  CHECK(parse_study(toml, "my.toml", {}, PointsAsObservations::forced).analysis.unit == Unit::point);
 }
 
 TEST_CASE("what a circle, random targets and an entrant's population cannot be is told", "[study][mistakes]") {

@@ -89,7 +89,7 @@ TEST_CASE("failed solves rank last and do not keep the others from a shift", "[m
   const MannWhitney test = mann_whitney(Sample{1, 2, 3, 4, HUGE_VAL}, Sample{11, 12, 13, 14, HUGE_VAL});
   // Sixteen finite pairs all negative, four against a failure -inf, four of a failure +inf, one pair of failures equal.
   CHECK(test.U == 4.5);
-  CHECK(test.shift.estimate == -9);
+  CHECK(test.shift.estimate == -10);  // the 13th of 25, after the four -inf the 9th of -13 -12 -12 -11 -11 -11 -10 ...
   CHECK(!std::isnan(test.p));
 }
 
@@ -120,6 +120,6 @@ TEST_CASE("where the two-sample test has no p it says why", "[mann_whitney]") {
   const MannWhitney constant = mann_whitney(Sample{3, 3}, Sample{3});
   CHECK(says(constant.undefined, "all values are equal"));
   CHECK(std::isnan(constant.p));
-  CHECK(!mann_whitney(Sample{1e308}, Sample{-1e308, 0}).shift.estimate != 0);
+  CHECK(mann_whitney(Sample{1e308}, Sample{-1e308, 0}).shift.estimate == HUGE_VAL);  // 2e308 is none
   CHECK_THROWS_AS(mann_whitney(Sample{1}, Sample{2}, 95), std::invalid_argument);
 }

@@ -1,0 +1,200 @@
+#include "analysis/analysis_plan.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+#include "results/analysis_plan_fields.hpp"
+
+namespace ikbench {
+namespace {
+
+using Json = nlohmann::json;
+
+// Visits the fields of a plan, and takes those that JSON says within their range.
+class JsonReader {
+ public:
+  explicit JsonReader(const Json& object) : object_(object) {}
+
+  void text(const char* key, std::string& field, std::string_view) {
+    constexpr std::size_t longest = 200;  // bytes, as in study files
+    const Json* const value = find(key);
+    if (value == nullptr || !value->is_string()) return;
+    const std::string text = value->get<std::string>();
+    if (text.size() <= longest) field = text;
+  }
+  template <class Enum>
+  void choice(const char* key, Enum& field, const std::vector<std::pair<std::string, Enum>>& choices,
+              std::string_view) {
+    const Json* const value = find(key);
+    for (const auto& [name, meant] : choices) {
+      if (value != nullptr && *value == name) field = meant;
+    }
+  }
+  void whole(const char* key, int& field, std::pair<int, int> range, std::string_view) {
+    const Json* const value = find(key);
+    if (value == nullptr || !value->is_number_integer()) return;
+    const auto number = value->get<double>();  // also where it is beyond every integer
+    if (number >= range.first && number <= range.second) field = static_cast<int>(number);
+  }
+  void number(const char* key, double& field, double unit, std::pair<double, double> range, std::string_view) {
+    const Json* const value = find(key);
+    if (value == nullptr || !value->is_number()) return;
+    const auto number = value->get<double>();
+    if (number >= range.first && number <= range.second) field = number * unit;
+  }
+
+ private:
+  const Json* find(const char* key) const {
+    const auto found = object_.find(key);
+    return found == object_.end() ? nullptr : &*found;
+  }
+
+  const Json& object_;
+};
+
+struct Value {
+  std::string field, text, meaning;
+};
+
+class Lister {
+ public:
+  void text(std::string_view key, const std::string& field, std::string_view meaning) {
+    add(key, field.empty() ? "none" : fmt::format("\"{}\"", field), meaning);
+  }
+  template <class Enum>
+  void choice(std::string_view key, Enum field, const std::vector<std::pair<std::string, Enum>>&,
+              std::string_view meaning) {
+    add(key, std::string(name_of(field)), meaning);
+  }
+  void whole(std::string_view key, int field, std::pair<int, int>, std::string_view meaning) {
+    add(key, fmt::format("{}", field), meaning);
+  }
+  void number(std::string_view key, double field, double unit, std::pair<double, double>, std::string_view meaning) {
+    add(key, fmt::format("{:.12g}", field / unit), meaning);
+  }
+
+  std::vector<Value> values;
+
+ private:
+  void add(std::string_view key, std::string text, std::string_view meaning) {
+    values.push_back({std::string(key), std::move(text), std::string(meaning)});
+  }
+};
+
+std::vector<Value> values_of(AnalysisPlan plan) {  // list_fields serves readers too
+  Lister lister;
+  list_fields(lister, plan);
+  return lister.values;
+}
+
+std::optional<AnalysisPlan> plan_in(const Json& json) {
+  if (!json.is_object()) return std::nullopt;
+  AnalysisPlan plan;
+  JsonReader reader(json);
+  list_fields(reader, plan);
+  return plan;
+}
+
+Json plan_json(const StudyEntry& entry) {
+  const Json definition = Json::parse(entry.definition, nullptr, false);
+  return definition.is_object() && definition.contains("analysis") ? definition["analysis"] : Json();
+}
+
+// Solves by the plan that their session recorded.
+struct Recorded {
+  std::int64_t nowhere = 0;
+  std::vector<std::pair<std::string, std::int64_t>> changed;  // what is other now, in the order of the sessions
+};
+
+Recorded recorded(const StudyEntry& entry, const std::vector<Session>& sessions,
+                  const std::vector<SolveRecord>& solves) {
+  const AnalysisPlan plan = plan_of(entry);
+  std::map<std::int64_t, std::int64_t> solves_of;
+  for (const SolveRecord& solve : solves) ++solves_of[solve.session];
+  Recorded result;
+  for (const auto& [id, count] : solves_of) {
+    const auto session = std::ranges::find(sessions, id, &Session::id);
+    std::optional<AnalysisPlan> then;
+    if (session != sessions.end() && session->environment.contains("analysis")) {
+      then = plan_in(Json::parse(session->environment.at("analysis"), nullptr, false));
+    }
+    if (!then) {
+      result.nowhere += count;
+    } else if (const std::string changes = changes_between(*then, plan); !changes.empty()) {
+      const auto same = std::ranges::find(result.changed, changes, &std::pair<std::string, std::int64_t>::first);
+      if (same != result.changed.end()) {
+        same->second += count;
+      } else {
+        result.changed.emplace_back(changes, count);
+      }
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
+AnalysisPlan plan_of(const StudyEntry& entry) {
+  AnalysisPlan plan = plan_in(plan_json(entry)).value_or(AnalysisPlan{});
+  if (std::ranges::find(entry.series, plan.control, &Series::label) == entry.series.end()) plan.control.clear();
+  return plan;
+}
+
+std::string changes_between(const AnalysisPlan& before, const AnalysisPlan& after) {
+  const std::vector<Value> old = values_of(before), now = values_of(after);
+  std::vector<std::string> changes;
+  for (std::size_t i = 0; i < now.size(); ++i) {
+    if (old[i].text != now[i].text)
+      changes.push_back(fmt::format("{} {} -> {}", now[i].field, old[i].text, now[i].text));
+  }
+  return fmt::format("{}", fmt::join(changes, ", "));
+}
+
+std::vector<std::string> plan_changes(const StudyEntry& entry, const std::vector<Session>& sessions,
+                                      const std::vector<SolveRecord>& solves) {
+  std::vector<std::string> sentences;
+  for (const auto& [changes, count] : recorded(entry, sessions, solves).changed) {
+    sentences.push_back(fmt::format("The analysis plan was changed after {} of {} solves were made: {}.", count,
+                                    solves.size(), changes));
+  }
+  return sentences;
+}
+
+std::vector<std::string> plan_notes(const StudyEntry& entry, const std::vector<Session>& sessions,
+                                    const std::vector<SolveRecord>& solves) {
+  std::vector<std::string> notes = plan_changes(entry, sessions, solves);
+  if (const std::int64_t nowhere = recorded(entry, sessions, solves).nowhere; nowhere > 0) {
+    notes.push_back(
+        fmt::format("{} of {} solves were made by a version that recorded no analysis plan.", nowhere, solves.size()));
+  }
+  if (!plan_json(entry).is_object())
+    notes.emplace_back("The study has no analysis plan; this is the program's default.");
+  if (!notes.empty()) return notes;
+  std::vector<std::string> values;
+  for (const Value& value : values_of(plan_of(entry))) values.push_back(value.field + ' ' + value.text);
+  return {fmt::format("The methods {} ({}).",
+                      solves.empty() ? "are fixed in the study, of which nothing is solved yet"
+                                     : "were fixed in the study before its first solve",
+                      fmt::join(values, ", "))};
+}
+
+Table plan_table(const StudyEntry& entry, const AnalysisPlan& used, std::vector<std::string> notes) {
+  Table table{.name = "analysis-plan",
+              .caption = "How the study is judged",
+              .columns = {{"method", Align::left}, {"value", Align::left}, {"meaning", Align::left}},
+              .notes = std::move(notes)};
+  for (const Value& value : values_of(used)) table.rows.push_back({value.field, value.text, value.meaning});
+  if (const std::string given = changes_between(plan_of(entry), used); !given.empty()) {
+    table.notes.push_back(fmt::format("Given on the command line, after the data, and not by the study: {}.", given));
+  }
+  return table;
+}
+
+}  // namespace ikbench

@@ -1,0 +1,32 @@
+// How a study said that it would be judged, and whether it had said so before its solves were made. Stores may be old
+// or anybody's: what is missing in them, or is nonsense, is as by default.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "analysis/table.hpp"
+#include "results/analysis_plan.hpp"
+#include "results/record.hpp"
+#include "results/store.hpp"
+
+namespace ikbench {
+
+// As the study's definition has it; a control that is no label of the study is none.
+AnalysisPlan plan_of(const StudyEntry& entry);
+
+// "significance 0.05 -> 0.01, unit run -> point"; empty where the plans are the same.
+std::string changes_between(const AnalysisPlan& before, const AnalysisPlan& after);
+
+// A sentence for each other plan that solves were made under, as their sessions recorded it: it was changed with their
+// numbers known.
+std::vector<std::string> plan_changes(const StudyEntry& entry, const std::vector<Session>& sessions,
+                                      const std::vector<SolveRecord>& solves);
+// Those, or that nothing was changed; and how many solves have a session that recorded no plan.
+std::vector<std::string> plan_notes(const StudyEntry& entry, const std::vector<Session>& sessions,
+                                    const std::vector<SolveRecord>& solves);
+
+// The plan that is used, value by value, with those notes; they say too where it is not the study's.
+Table plan_table(const StudyEntry& entry, const AnalysisPlan& used, std::vector<std::string> notes);
+
+}  // namespace ikbench

@@ -1,0 +1,206 @@
+#include "analysis/cost_tables.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <string>
+#include <string_view>
+
+#include "analysis/definition.hpp"
+#include "analysis/figure_parts.hpp"
+#include "analysis/share_curves.hpp"
+#include "analysis/statistics/log_rank.hpp"
+#include "analysis/statistics/proportion.hpp"
+#include "analysis/statistics/survival.hpp"
+#include "analysis/text.hpp"
+#include "analysis/time_assessment.hpp"
+
+namespace ikbench {
+namespace {
+
+using Groups = std::vector<std::vector<CensoredCost>>;
+
+Groups groups_of(const StudyResults& study, Cost cost) {
+  Groups groups;
+  for (const Solves& solves : solves_by_solver(study)) {
+    groups.push_back(censored_costs(solves, tolerance_cm(study), cost));
+  }
+  return groups;
+}
+
+bool is_empty_of_costs(const StudyResults& study) {
+  return study.solves.empty() || !std::isfinite(tolerance_cm(study));
+}
+
+// The complete runs, and those among them in which every point came to the tolerance.
+Successes runs_reached(const Solves& solves, const StudyResults& study) {
+  std::map<int, Successes> runs;
+  for (const SolveRecord* solve : solves) {
+    Successes& run = runs[solve->run];
+    ++run.trials;
+    if (reaches(*solve, tolerance_cm(study))) ++run.successes;
+  }
+  Successes result;
+  for (const auto& [number, run] : runs) {
+    if (run.trials != study.points) continue;
+    ++result.trials;
+    if (run.successes == run.trials) ++result.successes;
+  }
+  return result;
+}
+
+// The largest cost to which the curves of all solvers are known.
+double common_horizon(const std::vector<SurvivalCurve>& curves) {
+  double known_by_all = never, largest = 0;
+  for (const SurvivalCurve& curve : curves) {
+    if (!curve.undefined.empty()) continue;
+    const bool ends_at_zero = !curve.steps.empty() && curve.steps.back().survival == 0;
+    if (!ends_at_zero) known_by_all = std::min(known_by_all, curve.last_cost);
+    largest = std::max(largest, curve.last_cost);
+  }
+  return std::min(known_by_all, largest);
+}
+
+void append(std::vector<Cell>& cells, const Successes& count, const Proportion& share) {
+  cells.emplace_back(std::int64_t{count.trials});
+  cells.emplace_back(std::int64_t{count.successes});
+  cells.emplace_back(share.low);
+  cells.emplace_back(share.high);
+}
+
+std::string dependence_note(const StudyResults& study) {
+  if (!is_chained(study)) {
+    return "Solves are independent: each starts at the initial configuration. The interval is Wilson's, at 95 %.";
+  }
+  return "The solves of a run depend on each other, as each starts where the last answer left the arm: no interval or "
+         "test counts solves as if they did not. Runs are independent: the interval is Wilson's, at 95 %, of the share "
+         "of complete runs in which every point comes to the tolerance.";
+}
+
+std::string log_rank_note(const StudyResults& study, const Groups& groups) {
+  if (is_chained(study)) return "";
+  Groups present;
+  std::ranges::copy_if(groups, std::back_inserter(present), [](const auto& group) { return !group.empty(); });
+  const LogRank test = log_rank(present);
+  if (!test.undefined.empty()) return fmt::format("Log-rank test of all solvers: not defined, {}.", test.undefined);
+  return fmt::format(
+      "Log-rank test that all solvers cost the same: chi-squared {}, df {}, p {}. It takes the solvers "
+      "for independent samples, and makes no use of their having been given the same targets.",
+      rounded_number(test.chi_squared, 5), test.df, readable(PValue{test.p}));
+}
+
+Table cost_table(const StudyResults& study, Cost cost) {
+  const bool in_seconds = cost == Cost::seconds;
+  const std::string_view unit = in_seconds ? "seconds" : "evaluations";
+  const std::string tolerance = rounded_number(tolerance_cm(study), 3);
+  Table table{.name = in_seconds ? "statistics-cost-seconds" : "statistics-cost",
+              .caption = fmt::format("Cost [{}] until the position error is {} cm", unit, tolerance),
+              .columns = {{"solver", Align::left},
+                          {"solves"},
+                          {"reached"},
+                          {"share_low"},
+                          {"share_high"},
+                          {"runs"},
+                          {"runs_reached"},
+                          {"runs_low"},
+                          {"runs_high"},
+                          {"ert"},
+                          {"sp1"},
+                          {"median"},
+                          {"restricted_mean"}}};
+  const Groups groups = groups_of(study, cost);
+  const std::vector<Solves> solves = solves_by_solver(study);
+  std::vector<SurvivalCurve> curves;
+  for (const auto& group : groups) curves.push_back(kaplan_meier(group));
+  const double horizon = common_horizon(curves);
+  std::vector<std::string> undefined;
+  for (std::size_t i = 0; i < groups.size(); ++i) {
+    const RunningTime time = running_time(groups[i]);
+    const Successes reached{.successes = static_cast<int>(std::ranges::count_if(groups[i], &CensoredCost::reached)),
+                            .trials = static_cast<int>(groups[i].size())};
+    std::vector<Cell> cells{study.solvers[i]};
+    if (is_chained(study)) {
+      cells.insert(cells.end(), {std::int64_t{reached.trials}, std::int64_t{reached.successes}, Cell(), Cell()});
+      const Successes runs = runs_reached(solves[i], study);
+      append(cells, runs, wilson(runs));
+    } else {
+      append(cells, reached, wilson(reached));
+      cells.resize(cells.size() + 4);
+    }
+    cells.insert(cells.end(), {time.expected, time.sp1, curves[i].median, restricted_mean(curves[i], horizon).mean});
+    table.rows.push_back(std::move(cells));
+    const std::string& reason = time.undefined.empty() ? curves[i].undefined : time.undefined;
+    if (!reason.empty()) undefined.push_back(fmt::format("{}: {}", study.solvers[i], reason));
+  }
+  table.notes.push_back(fmt::format(
+      "A solve reaches the tolerance where the verifier's error is at most {} cm, inside the joint limits or "
+      "not. ert: what all solves spent, by the number of those that reached it. sp1: mean of what those "
+      "spent, by their share.",
+      tolerance));
+  table.notes.push_back(fmt::format(
+      "Of the Kaplan-Meier curve, which takes it that solves given up at what they spent would have gone on "
+      "as the others did: median, the first cost at which half have reached the tolerance, not defined "
+      "where they never do; restricted_mean, the mean up to {} {}, to which the curves of all solvers are "
+      "known.",
+      rounded_number(horizon, 6), unit));
+  const auto diverged = std::ranges::count(study.solves, StopReason::not_finite, &SolveRecord::stop_reason);
+  if (diverged > 0) {
+    table.notes.push_back(
+        fmt::format("Solves that ended with an error that is not finite: {}. They would not have gone on; median and "
+                    "restricted_mean make their solvers look better than they are.",
+                    diverged));
+  }
+  table.notes.push_back(dependence_note(study));
+  if (std::string note = log_rank_note(study, groups); !note.empty()) table.notes.push_back(std::move(note));
+  for (const std::string& reason : undefined) table.notes.push_back(fmt::format("Not defined for {}.", reason));
+  for (std::string& note : status_notes(study)) table.notes.push_back(std::move(note));
+  return table;
+}
+
+}  // namespace
+
+std::vector<CensoredCost> censored_costs(const Solves& solves, double tolerance_cm, Cost cost) {
+  std::vector<CensoredCost> costs;
+  for (const SolveRecord* solve : solves) {
+    costs.push_back({.spent = total_cost(*solve, cost), .reached = reaches(*solve, tolerance_cm)});
+  }
+  return costs;
+}
+
+std::vector<Table> cost_tables(const StudyResults& study) {
+  if (is_empty_of_costs(study)) return {};
+  std::vector<Table> tables{cost_table(study, Cost::evaluations)};
+  if (timing_note(study).empty()) tables.push_back(cost_table(study, Cost::seconds));
+  return tables;
+}
+
+std::optional<Figure> survival_figure(const StudyResults& study) {
+  if (is_empty_of_costs(study)) return std::nullopt;
+  ShareCurves shares{.label = std::string(quantity(Metric::evaluations)),
+                     .share_of = "share not yet at the tolerance",
+                     .start = 1,
+                     .ends_with_last = true};
+  for (const auto& group : groups_of(study, Cost::evaluations)) {
+    const SurvivalCurve curve = kaplan_meier(group);
+    std::vector<Share> stairs;
+    for (const SurvivalStep& step : curve.steps) stairs.push_back({.at = step.cost, .share = step.survival});
+    if (curve.undefined.empty() && (stairs.empty() || stairs.back().at < curve.last_cost)) {
+      stairs.push_back({.at = curve.last_cost, .share = stairs.empty() ? 1 : stairs.back().share});
+    }
+    shares.curves.push_back(thinned(stairs));
+  }
+  Figure figure{.name = "statistics-survival-evaluations"};
+  figure.caption = fmt::format(
+      "Share of the solves whose position error is not yet {} cm (Kaplan and Meier). A solve that does not come to it "
+      "is given up at what it spent; a curve ends with the longest solve.{}",
+      rounded_number(tolerance_cm(study), 3),
+      is_chained(study) ? " The solves of a run depend on each other, so the curves describe them and no interval is "
+                          "claimed."
+                        : "");
+  draw_shares(figure, study, shares);
+  return figure;
+}
+
+}  // namespace ikbench

@@ -1,0 +1,163 @@
+// Demsar's diagram of average ranks, Journal of Machine Learning Research 7 (2006) 1, Figure 1: the best to the right.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <span>
+
+#include "analysis/figure_parts.hpp"
+#include "analysis/row_chart.hpp"
+#include "analysis/statistics_figures.hpp"
+#include "analysis/text.hpp"
+#include "results/number.hpp"
+
+namespace ikbench {
+namespace {
+
+constexpr double row_cm = 0.45;
+constexpr double bar_cm = 0.22;
+constexpr double plot_cm = 6.0;
+
+struct Ranked {
+  std::string label;
+  double rank;
+};
+
+// First and last of the longest stretches of sorted ranks that differ by no more than the critical difference.
+struct Bar {
+  std::size_t first;
+  std::size_t last;
+  std::size_t level = 0;  // below the axis, so that no two bars touch
+};
+
+std::vector<Bar> bars_of(std::span<const Ranked> sorted, double critical_difference) {
+  std::vector<Bar> bars;
+  std::vector<double> ends;  // of each level: how far its last bar reaches
+  for (std::size_t first = 0; first < sorted.size(); ++first) {
+    std::size_t last = first;
+    while (last + 1 < sorted.size() && sorted[last + 1].rank - sorted[first].rank <= critical_difference) ++last;
+    if (last == first || (!bars.empty() && bars.back().last >= last)) continue;
+    Bar bar{.first = first, .last = last};
+    const auto free = std::ranges::find_if(ends, [&](double end) { return end < sorted[first].rank; });
+    bar.level = static_cast<std::size_t>(free - ends.begin());
+    if (free == ends.end()) ends.push_back(0);
+    ends[bar.level] = sorted[last].rank;
+    bars.push_back(bar);
+  }
+  return bars;
+}
+
+std::vector<Ranked> sorted_ranks(const CriticalDifference& ranks) {
+  std::vector<Ranked> sorted;
+  const std::size_t n = std::min(ranks.labels.size(), ranks.average_ranks.size());
+  for (std::size_t i = 0; i < n; ++i) {
+    if (is_drawable(ranks.average_ranks[i])) sorted.push_back({ranks.labels[i], ranks.average_ranks[i]});
+  }
+  std::ranges::stable_sort(sorted, {}, &Ranked::rank);
+  if (sorted.size() > most_rows) sorted.resize(most_rows);
+  return sorted;
+}
+
+// The leader lines from the axis to the labels: half of them, the better, at the right.
+struct Leaders {
+  std::string lines;
+  std::string labels;
+  std::size_t rows = 0;
+};
+
+Leaders leaders_of(std::span<const Ranked> sorted, double top_cm, double overhang) {
+  Leaders leaders{.rows = (sorted.size() + 1) / 2};
+  const double lowest = sorted.empty() ? 1 : std::min(1.0, sorted.front().rank);
+  const double highest = sorted.empty() ? 2 : std::max(sorted.back().rank, static_cast<double>(sorted.size()));
+  for (std::size_t i = 0; i < sorted.size(); ++i) {
+    const bool right = i < sorted.size() / 2;
+    const std::size_t row = right ? i : sorted.size() - 1 - i;
+    const double y = top_cm + row_cm * static_cast<double>(row);
+    const double end = right ? lowest - overhang : highest + overhang;
+    const std::string x = data_number(sorted[i].rank);
+    leaders.lines += fmt::format("# {}\n{} 0\n{} {}\n{} {}\n\n", one_line(sorted[i].label), x, x, text_of(y),
+                                 text_of(end), text_of(y));
+    const std::string label = row_label(sorted[i].label, longest_label);
+    const std::string rank = fmt::format("{:.2f}", sorted[i].rank);
+    leaders.labels += fmt::format("set label {} at {}, {} {} noenhanced offset {}, 0 font ',7'\n",
+                                  gnuplot_string(right ? rank + "  " + label : label + "  " + rank), text_of(end),
+                                  text_of(y), right ? "left" : "right", right ? "0.5" : "-0.5");
+  }
+  return leaders;
+}
+
+}  // namespace
+
+Figure critical_difference_figure(const CriticalDifference& ranks) {
+  const std::vector<Ranked> sorted = sorted_ranks(ranks);
+  const std::vector<Bar> bars = bars_of(sorted, ranks.critical_difference);
+  std::size_t levels = 0;
+  for (const Bar& bar : bars) levels = std::max(levels, bar.level + 1);
+  double widest_cm = 0.6;
+  for (const Ranked& one : sorted) widest_cm = std::max(widest_cm, label_cm(row_label(one.label, longest_label)));
+
+  const double last =
+      std::max<double>(2, sorted.empty() ? 2 : std::max(sorted.back().rank, 1.0 * static_cast<double>(sorted.size())));
+  const double first = sorted.empty() ? 1 : std::min(1.0, sorted.front().rank);
+  const double overhang = 0.03 * (last - first);
+  const bool has_bar = ranks.critical_difference > 0 && is_drawable(ranks.critical_difference);
+  const double bar_end = has_bar ? std::min(first + ranks.critical_difference, last) : first;
+  const double above_cm = 1.35;
+  const double labels_top = 0.35 + bar_cm * static_cast<double>(levels);
+  const Leaders leaders = leaders_of(sorted, labels_top, overhang);
+  const double below_cm = labels_top + row_cm * static_cast<double>(leaders.rows);
+
+  const double side_cm = widest_cm + 1.2;  // and a rank
+  Figure figure{.name = ranks.name, .width_cm = 2 * side_cm + plot_cm, .height_cm = above_cm + below_cm};
+  figure.settings = fmt::format(
+      "unset key\nunset grid\nunset border\nunset tics\nset tmargin at screen 1\nset bmargin at screen 0\n"
+      "set lmargin at screen {}\nset rmargin at screen {}\nset xrange [{}:{}]\nset yrange [{}:{}]\n",
+      text_of(side_cm / figure.width_cm), text_of(1 - side_cm / figure.width_cm), text_of(last + overhang),
+      text_of(first - overhang), text_of(below_cm), text_of(-above_cm));
+  figure.settings += leaders.labels;
+
+  figure.data = "# the axis and its ticks, the critical difference: rank, height [cm]\n";
+  figure.data += fmt::format("{} 0\n{} 0\n\n", text_of(first), text_of(last));
+  const double step = std::max(1.0, std::ceil((last - first) / 12));
+  for (double tick = 1; tick <= last + 1e-9; tick += step) {
+    figure.data += fmt::format("{0} 0\n{0} -0.1\n\n", text_of(tick));
+    figure.settings += fmt::format("set label '{0}' at {0}, -0.26 center font ',7'\n", text_of(tick));
+  }
+  if (has_bar) {
+    figure.data += fmt::format("{0} -0.66\n{0} -0.8\n\n{0} -0.73\n{1} -0.73\n\n{1} -0.66\n{1} -0.8\n\n", text_of(first),
+                               text_of(bar_end));
+    figure.settings += fmt::format("set label 'CD = {}' at {}, -1.02 center font ',7'\n",
+                                   rounded_number(ranks.critical_difference, 3), text_of((first + bar_end) / 2));
+  }
+  figure.data += "\n# average ranks and their labels' lines: rank, height [cm]\n";
+  figure.data += leaders.lines.empty() ? "NaN NaN\n" : leaders.lines;
+  figure.data += "\n\n# what does not differ: from rank, height [cm], to rank\n";
+  for (const Bar& bar : bars) {
+    const std::string y = text_of(0.2 + bar_cm * static_cast<double>(bar.level));
+    figure.data += fmt::format("{} {} {}\n", text_of(sorted[bar.first].rank - overhang / 2), y,
+                               text_of(sorted[bar.last].rank + overhang / 2));
+  }
+  if (bars.empty()) figure.data += "NaN NaN NaN\n";
+  figure.plot = plot_command(
+      {fmt::format("'{}.dat' index 1 with lines lw 0.7 lc rgb '#666666'", ranks.name),
+       fmt::format("'{}.dat' index 0 with lines lw 1 lc rgb '#000000'", ranks.name),
+       fmt::format("'{}.dat' index 2 using 1:2:($3-$1):(0) with vectors nohead lw 3.5 lc rgb word(colours, 1)",
+                   ranks.name)});
+
+  figure.caption = fmt::format("Average ranks, the best (1) to the right ({}).", ranks.method);
+  figure.caption += has_bar
+                        ? fmt::format(
+                              " Bars join what does not differ at the significance {}: by no more than the critical "
+                              "difference, CD = {}.",
+                              rounded_number(ranks.significance, 6), rounded_number(ranks.critical_difference, 4))
+                        : " The critical difference is not defined: nothing is said about which differ.";
+  if (has_bar && bar_end < first + ranks.critical_difference) figure.caption += " Its bar is cut at the axis' end.";
+  if (sorted.size() < ranks.labels.size()) {
+    figure.caption +=
+        fmt::format(" Shown are {} of {}: the others have no rank or no room.", sorted.size(), ranks.labels.size());
+  }
+  return figure;
+}
+
+}  // namespace ikbench

@@ -1,0 +1,60 @@
+// Figures of a statistical analysis: what was observed, which groups differ, by how much, and in which order they come.
+// Each names in its caption what its picture does not show.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "analysis/figure.hpp"
+#include "analysis/observations.hpp"
+#include "analysis/statistics/quantile.hpp"
+
+namespace ikbench {
+
+// Half violin, box plot and the values themselves, a row a group: Allen et al., Raincloud plots, Wellcome Open Research
+// 4:63 (2019). The values span an axis of logarithms where they differ by more than 30 times; so does the density then.
+Figure raincloud_figure(const Observations& observations, QuantileType quartiles, const std::string& name);
+
+struct DifferenceRow {
+  std::string label;                // "BA - IK-BA"
+  double difference = not_defined;  // all of the unit of the quantity
+  double low = not_defined;
+  double high = not_defined;
+};
+
+struct DifferencesWords {
+  std::string name;
+  std::string quantity;  // "difference of means: position error [cm]"
+  double level = 0.95;   // of all intervals together
+  std::string method;    // "Games-Howell"
+};
+
+// A forest plot: intervals of differences, those that exclude zero coloured.
+Figure differences_figure(const std::vector<DifferenceRow>& rows, const DifferencesWords& words);
+
+struct CriticalDifference {
+  std::string name;
+  std::vector<std::string> labels;
+  std::vector<double> average_ranks;  // as long as the labels; 1 is best
+  double critical_difference = not_defined;
+  double significance = 0.05;
+  std::string method;  // "Nemenyi, 14 problems"
+};
+
+// Demsar, Journal of Machine Learning Research 7 (2006) 1, Figure 1: bars join what does not differ.
+Figure critical_difference_figure(const CriticalDifference& ranks);
+
+struct EffectMatrix {
+  std::string name;
+  std::string quantity;
+  Better better = Better::smaller;
+  std::vector<std::string> labels;
+  // effects[row][column]: Vargha and Delaney's A12 of the row against the column, 0 to 1.
+  std::vector<std::vector<double>> effects;
+};
+
+constexpr std::size_t most_effect_labels = 20;
+
+Figure effect_matrix_figure(const EffectMatrix& matrix);
+
+}  // namespace ikbench

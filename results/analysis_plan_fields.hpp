@@ -1,0 +1,42 @@
+// The fields of an analysis plan, said once: name, field, range and meaning. Study files and the store's JSON are
+// written and read by this list (experiments/), and read back by it where the store is judged (analysis/).
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "results/analysis_plan.hpp"
+
+namespace ikbench {
+
+// Names and values, as `choice` of an Io takes them.
+template <class Enum, std::size_t count>
+std::vector<std::pair<std::string, Enum>> choices_of(const std::array<std::string_view, count>& names) {
+  std::vector<std::pair<std::string, Enum>> choices;
+  for (std::size_t i = 0; i < count; ++i) choices.emplace_back(names[i], static_cast<Enum>(i));
+  return choices;
+}
+
+template <class Io>
+void list_fields(Io& io, AnalysisPlan& plan) {
+  constexpr double percent = 0.01;
+  io.choice("test", plan.test, choices_of<DecidingTest>(deciding_test_names),
+            "the test that decides; by_design: friedman where the same targets are given to all, else welch");
+  io.choice("adjustment", plan.adjustment, choices_of<Adjustment>(adjustment_names),
+            "how p-values of several contrasts are corrected for being several");
+  io.text("control", plan.control, "label that the others are held against; \"\": every pair is compared");
+  io.number("significance", plan.significance, 1, {0.0001, 0.5},
+            "of a test; intervals have the level 1 - significance");
+  io.number("margin_percent", plan.margin, percent, {0, 1000},
+            "relative difference that matters; below it two solvers count as the same");
+  io.number("power", plan.power, 1, {0.5, 0.999}, "with which a difference of that size should be found");
+  io.whole("quartiles", plan.quartiles, {1, 9}, "Hyndman-Fan type; 5 is MATLAB's");
+  io.choice("unit", plan.unit, choices_of<Unit>(unit_names),
+            "what one observation is: a run's mean over its points, or a point, which needs --force");
+}
+
+}  // namespace ikbench
