@@ -60,13 +60,14 @@ struct Design {
   bool paired = false;
 };
 
+// Both are in the order of their numbers.
 void keep_common(Design& design) {
-  const auto drop = [](std::vector<Run>& from, const std::vector<Run>& others) {
-    std::erase_if(from,
-                  [&](const Run& run) { return std::ranges::find(others, run.number, &Run::number) == others.end(); });
+  const auto keep = [](std::vector<Run>& runs, const std::vector<Run>& others) {
+    std::erase_if(runs,
+                  [&](const Run& run) { return !std::ranges::binary_search(others, run.number, {}, &Run::number); });
   };
-  drop(design.a, design.b);
-  drop(design.b, design.a);
+  keep(design.a, design.b);
+  keep(design.b, design.a);
 }
 
 Design design_of(const Variant& a, const Variant& b) {

@@ -78,8 +78,8 @@ Compared compare_labels(const Arguments& arguments) {
   Compared compared{.question = question_of(arguments, study)};
   compared.headline = fmt::format("B: {}, against A: {}, in study {}; {}.", arguments.b, arguments.a, study.name,
                                   asked(compared.question));
-  compared.comparisons.push_back(compare_variants(the(all, arguments.a, "A: "), the(all, arguments.b, "B: "),
-                                                  arguments.metrics, compared.question));
+  const Variant &baseline = the(all, arguments.a, "A: "), &candidate = the(all, arguments.b, "B: ");
+  compared.comparisons.push_back(compare_variants(baseline, candidate, arguments.metrics, compared.question));
   return compared;
 }
 
@@ -123,8 +123,8 @@ Compared compare_stores(const Arguments& arguments) {
                                   arguments.a, asked(compared.question));
   const std::vector<std::string> labels = arguments.labels.empty() ? common_labels(a, b, compared) : arguments.labels;
   for (const std::string& label : labels) {
-    compared.comparisons.push_back(
-        compare_variants(the(a, label, "A: "), the(b, label, "B: "), arguments.metrics, compared.question));
+    const Variant &baseline = the(a, label, "A: "), &candidate = the(b, label, "B: ");
+    compared.comparisons.push_back(compare_variants(baseline, candidate, arguments.metrics, compared.question));
   }
   return compared;
 }
