@@ -113,10 +113,11 @@ Figure runtime_figure(const StudyResults& study, const std::vector<Solves>& cour
       "Share of the pairs of a solve and a target error that were reached within so {} (after COCO). The targets are "
       "{} "
       "errors, evenly spaced in logarithm from {} cm to {} cm, {}. Iteration i of n stands for i/n of a solve's "
-      "{}.{}{}",
+      "{}; beyond its longest solve a curve stays level.{}{}",
       cost == Cost::seconds ? "much time" : "many evaluations", targets.size(), rounded_number(targets.front(), 3),
       rounded_number(targets.back(), 3),
-      has_tolerance ? "the tolerance of the study" : "below what the best solve came to, or 1e-8 cm",
+      has_tolerance ? "the tolerance of the study"
+                    : "the decade below the smallest error of any solve, at least 1e-8 cm",
       cost == Cost::seconds ? "time" : "evaluations", dependence(study), without_course(study));
   draw_shares(figure, study, shares);
   return figure;

@@ -18,6 +18,9 @@ namespace {
 constexpr double row_cm = 0.45;
 constexpr double bar_cm = 0.22;
 constexpr double plot_cm = 6.0;
+constexpr double above_cm = 1.35;
+constexpr double best_rank = 1;
+constexpr std::size_t most_labels = 60;
 
 struct Ranked {
   std::string label;
@@ -52,12 +55,20 @@ std::vector<Ranked> sorted_ranks(const CriticalDifference& ranks) {
   std::vector<Ranked> sorted;
   const std::size_t n = std::min(ranks.labels.size(), ranks.average_ranks.size());
   for (std::size_t i = 0; i < n; ++i) {
-    if (is_drawable(ranks.average_ranks[i])) sorted.push_back({ranks.labels[i], ranks.average_ranks[i]});
+    const double rank = ranks.average_ranks[i];
+    if (rank >= 1 && rank <= static_cast<double>(n)) sorted.push_back({ranks.labels[i], rank});
   }
   std::ranges::stable_sort(sorted, {}, &Ranked::rank);
-  if (sorted.size() > most_rows) sorted.resize(most_rows);
+  if (sorted.size() > most_labels) sorted.resize(most_labels);
   return sorted;
 }
+
+// The axis reaches from the best rank to `last_rank`, the labels' lines by the overhang beyond.
+struct Frame {
+  double last_rank;
+  double overhang;
+  double labels_top_cm;
+};
 
 // The leader lines from the axis to the labels: half of them, the better, at the right.
 struct Leaders {
@@ -66,15 +77,13 @@ struct Leaders {
   std::size_t rows = 0;
 };
 
-Leaders leaders_of(std::span<const Ranked> sorted, double top_cm, double overhang) {
+Leaders leaders_of(std::span<const Ranked> sorted, const Frame& frame) {
   Leaders leaders{.rows = (sorted.size() + 1) / 2};
-  const double lowest = sorted.empty() ? 1 : std::min(1.0, sorted.front().rank);
-  const double highest = sorted.empty() ? 2 : std::max(sorted.back().rank, static_cast<double>(sorted.size()));
   for (std::size_t i = 0; i < sorted.size(); ++i) {
-    const bool right = i < sorted.size() / 2;
+    const bool right = i < (sorted.size() + 1) / 2;
     const std::size_t row = right ? i : sorted.size() - 1 - i;
-    const double y = top_cm + row_cm * static_cast<double>(row);
-    const double end = right ? lowest - overhang : highest + overhang;
+    const double y = frame.labels_top_cm + row_cm * static_cast<double>(row);
+    const double end = right ? best_rank - frame.overhang : frame.last_rank + frame.overhang;
     const std::string x = data_number(sorted[i].rank);
     leaders.lines += fmt::format("# {}\n{} 0\n{} {}\n{} {}\n\n", one_line(sorted[i].label), x, x, text_of(y),
                                  text_of(end), text_of(y));
@@ -91,57 +100,59 @@ Leaders leaders_of(std::span<const Ranked> sorted, double top_cm, double overhan
 
 Figure critical_difference_figure(const CriticalDifference& ranks) {
   const std::vector<Ranked> sorted = sorted_ranks(ranks);
-  const std::vector<Bar> bars = bars_of(sorted, ranks.critical_difference);
+  const bool has_bar = ranks.critical_difference > 0 && is_drawable(ranks.critical_difference);
+  const std::vector<Bar> bars = has_bar ? bars_of(sorted, ranks.critical_difference) : std::vector<Bar>{};
   std::size_t levels = 0;
   for (const Bar& bar : bars) levels = std::max(levels, bar.level + 1);
   double widest_cm = 0.6;
   for (const Ranked& one : sorted) widest_cm = std::max(widest_cm, label_cm(row_label(one.label, longest_label)));
 
-  const double last =
-      std::max<double>(2, sorted.empty() ? 2 : std::max(sorted.back().rank, 1.0 * static_cast<double>(sorted.size())));
-  const double first = sorted.empty() ? 1 : std::min(1.0, sorted.front().rank);
-  const double overhang = 0.03 * (last - first);
-  const bool has_bar = ranks.critical_difference > 0 && is_drawable(ranks.critical_difference);
-  const double bar_end = has_bar ? std::min(first + ranks.critical_difference, last) : first;
-  const double above_cm = 1.35;
-  const double labels_top = 0.35 + bar_cm * static_cast<double>(levels);
-  const Leaders leaders = leaders_of(sorted, labels_top, overhang);
-  const double below_cm = labels_top + row_cm * static_cast<double>(leaders.rows);
+  double last_rank = std::max(2.0, static_cast<double>(sorted.size()));
+  if (!sorted.empty()) last_rank = std::max(last_rank, std::ceil(sorted.back().rank));
+  const Frame frame{.last_rank = last_rank,
+                    .overhang = 0.03 * (last_rank - best_rank),
+                    .labels_top_cm = 0.35 + bar_cm * static_cast<double>(levels)};
+  const double bar_end = has_bar ? std::min(best_rank + ranks.critical_difference, last_rank) : best_rank;
+  const bool cut = has_bar && bar_end < best_rank + ranks.critical_difference;
+  const Leaders leaders = leaders_of(sorted, frame);
+  const double below_cm = frame.labels_top_cm + row_cm * static_cast<double>(leaders.rows);
 
   const double side_cm = widest_cm + 1.2;  // and a rank
   Figure figure{.name = ranks.name, .width_cm = 2 * side_cm + plot_cm, .height_cm = above_cm + below_cm};
   figure.settings = fmt::format(
       "unset key\nunset grid\nunset border\nunset tics\nset tmargin at screen 1\nset bmargin at screen 0\n"
       "set lmargin at screen {}\nset rmargin at screen {}\nset xrange [{}:{}]\nset yrange [{}:{}]\n",
-      text_of(side_cm / figure.width_cm), text_of(1 - side_cm / figure.width_cm), text_of(last + overhang),
-      text_of(first - overhang), text_of(below_cm), text_of(-above_cm));
+      text_of(side_cm / figure.width_cm), text_of(1 - side_cm / figure.width_cm), text_of(last_rank + frame.overhang),
+      text_of(best_rank - frame.overhang), text_of(below_cm), text_of(-above_cm));
   figure.settings += leaders.labels;
 
-  figure.data = "# the axis and its ticks, the critical difference: rank, height [cm]\n";
-  figure.data += fmt::format("{} 0\n{} 0\n\n", text_of(first), text_of(last));
-  const double step = std::max(1.0, std::ceil((last - first) / 12));
-  for (double tick = 1; tick <= last + 1e-9; tick += step) {
-    figure.data += fmt::format("{0} 0\n{0} -0.1\n\n", text_of(tick));
+  figure.data = "# the axis and its ticks, the critical difference: from rank, height [cm], to rank, height\n";
+  figure.data += fmt::format("{} 0 {} 0\n", text_of(best_rank), text_of(last_rank));
+  const double step = std::max(1.0, std::ceil((last_rank - best_rank) / 12));
+  for (double tick = best_rank; tick <= last_rank; tick += step) {
+    figure.data += fmt::format("{0} 0 {0} -0.1\n", text_of(tick));
     figure.settings += fmt::format("set label '{0}' at {0}, -0.26 center font ',7'\n", text_of(tick));
   }
   if (has_bar) {
-    figure.data += fmt::format("{0} -0.66\n{0} -0.8\n\n{0} -0.73\n{1} -0.73\n\n{1} -0.66\n{1} -0.8\n\n", text_of(first),
+    figure.data += fmt::format("{0} -0.66 {0} -0.8\n{0} -0.73 {1} -0.73\n{1} -0.66 {1} -0.8\n", text_of(best_rank),
                                text_of(bar_end));
-    figure.settings += fmt::format("set label 'CD = {}' at {}, -1.02 center font ',7'\n",
-                                   rounded_number(ranks.critical_difference, 3), text_of((first + bar_end) / 2));
+    figure.settings += fmt::format("set label 'CD = {}{}' at {}, -1.02 center font ',7'\n",
+                                   rounded_number(ranks.critical_difference, 3), cut ? " (longer than the axis)" : "",
+                                   text_of((best_rank + bar_end) / 2));
   }
-  figure.data += "\n# average ranks and their labels' lines: rank, height [cm]\n";
+  figure.data += "\n\n# average ranks and their labels' lines: rank, height [cm]\n";
   figure.data += leaders.lines.empty() ? "NaN NaN\n" : leaders.lines;
   figure.data += "\n\n# what does not differ: from rank, height [cm], to rank\n";
   for (const Bar& bar : bars) {
     const std::string y = text_of(0.2 + bar_cm * static_cast<double>(bar.level));
-    figure.data += fmt::format("{} {} {}\n", text_of(sorted[bar.first].rank - overhang / 2), y,
-                               text_of(sorted[bar.last].rank + overhang / 2));
+    figure.data += fmt::format("{} {} {}\n", text_of(sorted[bar.first].rank - frame.overhang / 2), y,
+                               text_of(sorted[bar.last].rank + frame.overhang / 2));
   }
   if (bars.empty()) figure.data += "NaN NaN NaN\n";
+  if (sorted.empty()) figure.settings += "set label 'nothing to show' at graph 0.5, graph 0.2 center\n";
   figure.plot = plot_command(
       {fmt::format("'{}.dat' index 1 with lines lw 0.7 lc rgb '#666666'", ranks.name),
-       fmt::format("'{}.dat' index 0 with lines lw 1 lc rgb '#000000'", ranks.name),
+       fmt::format("'{}.dat' index 0 using 1:2:($3-$1):($4-$2) with vectors nohead lw 1 lc rgb '#000000'", ranks.name),
        fmt::format("'{}.dat' index 2 using 1:2:($3-$1):(0) with vectors nohead lw 3.5 lc rgb word(colours, 1)",
                    ranks.name)});
 
@@ -152,7 +163,7 @@ Figure critical_difference_figure(const CriticalDifference& ranks) {
                               "difference, CD = {}.",
                               rounded_number(ranks.significance, 6), rounded_number(ranks.critical_difference, 4))
                         : " The critical difference is not defined: nothing is said about which differ.";
-  if (has_bar && bar_end < first + ranks.critical_difference) figure.caption += " Its bar is cut at the axis' end.";
+  if (cut) figure.caption += " Its bar is cut at the axis' end.";
   if (sorted.size() < ranks.labels.size()) {
     figure.caption +=
         fmt::format(" Shown are {} of {}: the others have no rank or no room.", sorted.size(), ranks.labels.size());

@@ -139,7 +139,7 @@ void add_notes(Observations& result, const StudyResults& study, Metric metric) {
         fmt::format("{}: {} of {} observations are not finite.", group.name, not_finite, group.values.size()));
   }
   if (metric != Metric::seconds) return;
-  if (std::string note = timing_note(study); !note.empty()) result.notes.push_back(std::move(note));
+  if (std::string note = timing_note(study); !note.empty() && result.flaw.empty()) result.flaw = std::move(note);
 }
 
 std::string why_not(const StudyResults& study, Blocks blocks) {

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "analysis/observations.hpp"
 
@@ -31,14 +32,15 @@ struct CsvRequest {
   Replicates replicates = Replicates::checked;
 };
 
-// Groups and blocks in the order of their first row. Missing values (NA, NaN, empty) are left out and counted in the
-// notes; Inf is a value. A run with a missing row is left out whole: its mean would be over other points than those of
-// the others. Blocks without a value of every group are left out and counted.
+// Groups and blocks in the order of their first row; a group without a name is "(empty)". Missing values (NA, NaN,
+// empty) are left out and counted in the notes; Inf is a value. A run with a missing row is left out whole: its mean
+// would be over other points than those of the others. Blocks without a value of every group are left out and counted.
 // Rows that repeat a group's run, trial, seed, repetition or replicate are no replicates: refused unless they are
 // averaged (`run`) or taken as given, which Observations::flaw then says.
 Observations read_observations(std::string_view text, std::string_view source, const CsvRequest& request);
 
-// Columns, in any case: name (or group, solver, algorithm), mean, sd (or std, stddev), n (or count).
-Summaries read_summaries(std::string_view text, std::string_view source);
+// Columns, in any case: name (or group, solver, algorithm), mean, sd (or std, stddev), n (or count); and where several
+// quantities are in the file, metric (or quantity, variable). One for each of them, in the order of their first row.
+std::vector<Summaries> read_summaries(std::string_view text, std::string_view source);
 
 }  // namespace ikbench

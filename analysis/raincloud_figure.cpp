@@ -152,7 +152,7 @@ Figure raincloud_figure(const Observations& observations, QuantileType quartiles
                           violin_block(row, sorted, axis.logarithmic, layout));
     blocks += fmt::format("\n\n# values of {}: value, height\n{}", title, strip_block(row, sorted, layout));
     if (lost > 0 || sorted.empty()) {
-      const std::string words = group.values.empty() ? "no values" : fmt::format("{} not\\nfinite", lost);
+      const std::string words = group.values.empty() ? "no\\nvalues" : fmt::format("{} not\\ndrawn", lost);
       figure.settings +=
           fmt::format("set label \"{}\" at graph 1, first {} left offset 0.6, 0 font ',6'\n", words, row);
     }
@@ -180,11 +180,13 @@ Figure raincloud_figure(const Observations& observations, QuantileType quartiles
   if (!observations.replicate.empty()) figure.caption += fmt::format(" A value is {}.", observations.replicate);
   if (axis.shows_at_edge) figure.caption += " Values of zero are drawn at the lower edge and are not in the density.";
   if (undrawn)
-    figure.caption += " Values that are not finite rank last and cannot be drawn; how many is written there.";
+    figure.caption +=
+        " Values that are not finite cannot be drawn, nor those beyond 1e300; how many is written beside "
+        "the row. They rank last: where a quartile is one of them, there is no box.";
   if (n < observations.groups.size()) {
     figure.caption += fmt::format(" Shown are the first {} of {} groups.", n, observations.groups.size());
   }
-  if (!observations.flaw.empty()) figure.caption += fmt::format(" No independent replicates: {}.", observations.flaw);
+  if (!observations.flaw.empty()) figure.caption += fmt::format(" Flawed: {}", observations.flaw);
   return figure;
 }
 

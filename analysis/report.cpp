@@ -9,18 +9,20 @@
 #include <string_view>
 
 #include "analysis/analysis_plan.hpp"
+#include "analysis/assessment.hpp"
+#include "analysis/convergence.hpp"
+#include "analysis/convergence_figures.hpp"
+#include "analysis/cost_tables.hpp"
 #include "analysis/definition.hpp"
 #include "analysis/design.hpp"
 #include "analysis/figure_parts.hpp"
-#include "analysis/files.hpp"
 #include "analysis/limits_table.hpp"
 #include "analysis/moving_arm.hpp"
 #include "analysis/paper_figures.hpp"
 #include "analysis/paper_tables.hpp"
 #include "analysis/provenance.hpp"
+#include "analysis/published_numbers.hpp"
 #include "analysis/report_content.hpp"
-#include "analysis/report_html.hpp"
-#include "analysis/report_markdown.hpp"
 #include "analysis/summary.hpp"
 #include "analysis/text.hpp"
 #include "results/published.hpp"
@@ -84,7 +86,37 @@ Table flagged(Table table, const AnalysisPlan& plan) {
   return table;
 }
 
-std::vector<std::string> warnings_of(const StudyResults& study, const std::vector<FigureOutcome>& outcomes) {
+// What the paper printed, by the same methods.
+std::vector<Assessment> printed_assessments(const StudyResults& study, const AnalysisPlan& plan) {
+  std::vector<Assessment> result;
+  for (const Metric metric : paper_metrics) {
+    Summaries printed{.name = fmt::format("printed-{}", info_of(metric).slug),
+                      .quantity = fmt::format("{}, as printed in Table 3", info_of(metric).quantity)};
+    for (const PrintedRow& row : printed_table_3(study, metric)) printed.groups.push_back({row.algorithm, row.summary});
+    if (printed.groups.size() < 2) continue;
+    AnalysisPlan of_summaries = plan;  // ranks and controls of this study's own are not to be had
+    of_summaries.test = plan.test == DecidingTest::anova ? DecidingTest::anova : DecidingTest::welch;
+    of_summaries.control.clear();
+    result.push_back(assess(printed, of_summaries));
+  }
+  return result;
+}
+
+std::vector<Assessment> assessments_of(const StudyResults& study, const AnalysisPlan& plan) {
+  if (study.solves.empty()) return {};
+  std::vector<Assessment> result;
+  for (const Metric metric : all_metrics) {
+    std::optional<Observations> blocked = plan.unit == Unit::run ? blocked_observations(study, metric) : std::nullopt;
+    const Observations observed = blocked ? std::move(*blocked) : observations(study, metric, plan.unit);
+    AnalysisPlan possible = plan;  // a foreign store may plan what its data do not have
+    if (observed.blocks.empty() && plan.test == DecidingTest::friedman) possible.test = DecidingTest::by_design;
+    result.push_back(assess(observed, possible));
+  }
+  std::ranges::move(printed_assessments(study, plan), std::back_inserter(result));
+  return result;
+}
+
+std::vector<std::string> warnings_of(const StudyResults& study) {
   std::vector<std::string> warnings;
   const auto papers = published::papers();
   if (!study.published.empty() && std::ranges::find(papers, study.published) == papers.end()) {
@@ -97,28 +129,10 @@ std::vector<std::string> warnings_of(const StudyResults& study, const std::vecto
         fmt::format("{}: {} of {} solves are there", one_line(count.solver), count.solves, count.expected));
   }
   if (std::string note = timing_note(study); !note.empty()) warnings.push_back(std::move(note));
-  // The same message for many figures is one warning.
-  std::vector<std::pair<std::string, std::string>> failures;
-  for (const FigureOutcome& outcome : outcomes) {
-    if (outcome.error.empty()) continue;
-    const auto same = std::ranges::find(failures, outcome.error, &std::pair<std::string, std::string>::first);
-    if (same != failures.end()) {
-      same->second += ", " + outcome.name;
-    } else {
-      failures.emplace_back(outcome.error, outcome.name);
-    }
-  }
-  for (const auto& [error, names] : failures) warnings.push_back(fmt::format("not drawn: {}: {}", names, error));
   return warnings;
 }
 
 }  // namespace
-
-void write_table(const Table& table, const std::filesystem::path& folder) {
-  write_file(folder / (table.name + ".md"), to_markdown(table));
-  write_file(folder / (table.name + ".csv"), to_csv(table));
-  write_file(folder / (table.name + ".tex"), to_latex(table));
-}
 
 Report write_report(const Store& store, const ReportRequest& request) {
   const StudyEntry entry = store.study(request.study);
@@ -141,31 +155,32 @@ Report write_report(const Store& store, const ReportRequest& request) {
   std::ranges::copy(request.extra_tables, std::back_inserter(tables));
   std::ranges::copy(request.extra_figures, std::back_inserter(figures));
 
-  for (const Table& table : tables) write_table(table, request.folder / "tables");
-  const std::vector<FigureOutcome> outcomes = write_figures(figures, request.folder / "figures", request.figures);
-
   ReportContent content{.study = study.name,
                         .title = study.title.empty() ? study.name : study.title,
                         .findings = findings(study, companions, plan.unit),
                         .summary = summary(study, plan.unit),
-                        .warnings = warnings_of(study, outcomes),
+                        .warnings = warnings_of(study),
                         .command = command_of(study, sessions)};
   std::ranges::copy(plan_changes(entry, sessions, study.solves), std::back_inserter(content.warnings));
   if (plan.unit == Unit::point) content.warnings.insert(content.warnings.begin(), capitalised(points_flaw) + '.');
   for (std::size_t i = 1; i < beside.size(); ++i) content.summary.push_back(perspective(beside[i], plan.unit));
-  std::vector<Piece> pieces(tables.begin(), tables.end());
-  for (std::size_t i = 0; i < figures.size(); ++i) pieces.emplace_back(ReportFigure{figures[i], outcomes[i].rendered});
-  arrange(std::move(pieces), content);
-
-  const Report report{.page = request.folder / "report.html",
-                      .file = request.folder / "report.md",
-                      .results = *std::ranges::find(tables, "table-3", &Table::name),
-                      .summary = content.summary,
-                      .warnings = content.warnings};
-  write_file(report.file, to_markdown(content));
-  write_file(report.page, to_html(content, {.figures = request.folder / "figures",
-                                            .motion = moving_arm(entry, study),
-                                            .drawing_library = drawing_library()}));
+  std::ranges::move(cost_tables(study), std::back_inserter(tables));
+  std::ranges::move(convergence_figures(study), std::back_inserter(figures));
+  if (std::string closest = closest_point_by_point(study); !closest.empty()) {
+    content.summary.push_back(std::move(closest));
+  }
+  std::vector<Assessment> assessments = assessments_of(study, plan);
+  for (const Assessment& assessment : assessments) {
+    std::ranges::copy(assessment.headlines, std::back_inserter(content.summary));
+  }
+  const Table results = *std::ranges::find(tables, "table-3", &Table::name);
+  Report report = publish({.content = std::move(content),
+                           .tables = std::move(tables),
+                           .figures = std::move(figures),
+                           .assessments = std::move(assessments),
+                           .motion = moving_arm(entry, study)},
+                          request.folder, request.figures);
+  report.results = results;
   return report;
 }
 

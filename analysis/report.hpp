@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "analysis/figure.hpp"
+#include "analysis/publish.hpp"
 #include "analysis/study.hpp"
 #include "analysis/table.hpp"
 #include "results/analysis_plan.hpp"
@@ -23,19 +24,8 @@ struct ReportRequest {
   std::vector<Figure> extra_figures = {};  // likewise
 };
 
-struct Report {
-  std::filesystem::path page;         // report.html
-  std::filesystem::path file;         // report.md
-  Table results;                      // Table 3
-  std::vector<std::string> summary;   // what it says first, sentence by sentence
-  std::vector<std::string> warnings;  // figures that were not drawn, a study that is incomplete, ...
-};
-
 // An unknown study, or a folder that cannot be written to, is std::invalid_argument. Tables are there even where
 // gnuplot is not.
 Report write_report(const Store& store, const ReportRequest& request);
-
-// One table as NAME.md, NAME.csv and NAME.tex.
-void write_table(const Table& table, const std::filesystem::path& folder);
 
 }  // namespace ikbench

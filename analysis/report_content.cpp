@@ -1,5 +1,7 @@
 #include "analysis/report_content.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cctype>
 #include <string_view>
@@ -9,9 +11,9 @@ namespace {
 
 // Names in order; one that ends in * stands for all that begin so.
 struct Plan {
-  std::string_view heading;
-  std::string_view paragraph;
-  std::vector<std::string_view> names;
+  std::string heading;
+  std::string paragraph;
+  std::vector<std::string> names;
 };
 
 const std::vector<Plan>& circumstances() {
@@ -21,12 +23,25 @@ const std::vector<Plan>& circumstances() {
   return plans;
 }
 
+// The paper's own.
 const std::vector<Plan>& results() {
   static const std::vector<Plan> plans{
       {"Results", "", {"figure-5", "table-3", "table-3-as-printed", "figure-6", "figure-7", "figure-8", "figure-9-*"}},
       {"Analysis of variance",
        "",
        {"figure-10", "figure-11", "figure-12", "table-4", "table-5", "table-6", "anova-from-printed-table-3"}},
+  };
+  return plans;
+}
+
+const std::vector<Plan>& further() {
+  static const std::vector<Plan> plans{
+      {"Convergence and cost",
+       "How the error falls with what is spent on it. Curves go over solves, and describe them: solves of one run "
+       "depend "
+       "on each other where each starts from the answer before.",
+       {"statistics-convergence", "statistics-ecdf-*", "statistics-profile-*", "statistics-survival-*",
+        "statistics-cost"}},
       {"Computing time",
        "The paper's test for real time: how long a swarm of a given size takes to come within 0.1 cm.",
        {"table-7"}},
@@ -48,8 +63,8 @@ bool asks_for(std::string_view asked, std::string_view name) {
 
 // Takes what the plan asks for out of the pieces.
 Section section(const Plan& plan, std::vector<Piece>& pieces) {
-  Section result{.heading = std::string(plan.heading), .paragraph = std::string(plan.paragraph)};
-  for (const std::string_view asked : plan.names) {
+  Section result{.heading = plan.heading, .paragraph = plan.paragraph, .sentences = {}, .pieces = {}};
+  for (const std::string& asked : plan.names) {
     const auto others = std::stable_partition(pieces.begin(), pieces.end(),
                                               [&](const Piece& p) { return asks_for(asked, name_of(p)); });
     std::move(pieces.begin(), others, std::back_inserter(result.pieces));
@@ -71,7 +86,7 @@ const std::string& name_of(const Piece& piece) {
   return table ? table->name : std::get<ReportFigure>(piece).figure.name;
 }
 
-void arrange(std::vector<Piece> pieces, ReportContent& content) {
+void arrange(std::vector<Piece> pieces, const std::vector<Assessment>& assessments, ReportContent& content) {
   const auto fill = [&](const std::vector<Plan>& plans, std::vector<Section>& sections) {
     for (const Plan& plan : plans) {
       Section filled = section(plan, pieces);
@@ -80,7 +95,14 @@ void arrange(std::vector<Piece> pieces, ReportContent& content) {
   };
   fill(circumstances(), content.circumstances);
   fill(results(), content.results);
-  if (!pieces.empty()) content.results.push_back({.heading = "Further", .paragraph = "", .pieces = std::move(pieces)});
+  for (const Assessment& assessment : assessments) {
+    Section& filled = content.results.emplace_back(
+        section({assessment.heading, "", {fmt::format("statistics-{}-*", assessment.name)}}, pieces));
+    filled.sentences = assessment.sentences;
+  }
+  fill(further(), content.results);
+  if (pieces.empty()) return;
+  content.results.push_back({.heading = "Further", .paragraph = "", .sentences = {}, .pieces = std::move(pieces)});
 }
 
 }  // namespace ikbench

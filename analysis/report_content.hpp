@@ -5,6 +5,7 @@
 #include <variant>
 #include <vector>
 
+#include "analysis/assessment.hpp"
 #include "analysis/figure.hpp"
 #include "analysis/report_findings.hpp"
 #include "analysis/table.hpp"
@@ -23,7 +24,8 @@ const std::string& name_of(const Piece& piece);
 // All texts are plain: the writers escape.
 struct Section {
   std::string heading;
-  std::string paragraph;  // may be empty
+  std::string paragraph;               // may be empty
+  std::vector<std::string> sentences;  // may be none
   std::vector<Piece> pieces;
 };
 
@@ -39,7 +41,7 @@ struct ReportContent {
 };
 
 // Puts every piece into the section that asks for it by name. A section of which nothing is there is left out; pieces
-// that no section asks for are in one at the end.
-void arrange(std::vector<Piece> pieces, ReportContent& content);
+// that no section asks for are in one at the end. Every assessment has a section of its own.
+void arrange(std::vector<Piece> pieces, const std::vector<Assessment>& assessments, ReportContent& content);
 
 }  // namespace ikbench

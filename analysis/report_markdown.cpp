@@ -47,6 +47,7 @@ std::string markdown(const std::vector<Section>& sections) {
   for (const Section& section : sections) {
     text += fmt::format("## {}\n\n", markdown_text(section.heading));
     if (!section.paragraph.empty()) text += markdown_text(section.paragraph) + "\n\n";
+    if (!section.sentences.empty()) text += bullets(section.sentences);
     for (const Piece& piece : section.pieces) {
       text += std::visit([](const auto& shown) { return markdown(shown); }, piece);
     }

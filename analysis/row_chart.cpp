@@ -16,6 +16,7 @@ constexpr double two_columns_cm = 17.0;
 constexpr double widest_in_one_column_cm = 2.8;
 constexpr std::size_t longest_row_label = 2 * longest_label;  // two names in a row of a comparison
 constexpr double spread_for_logarithmic = 30;
+constexpr double smallest_range = 1e-290;  // of a linear axis: denormal numbers have no round steps
 
 std::string logarithmic_settings(const RowAxis& axis) {
   const int decades = static_cast<int>(std::lround(std::log10(axis.high) - std::log10(axis.low)));
@@ -43,6 +44,7 @@ std::string linear_settings(const RowAxis& axis) {
 bool is_drawable(double value) { return std::abs(value) <= largest_drawable; }
 
 std::string row_label(std::string_view text, std::size_t length) {
+  if (text.empty()) return "(empty)";
   const std::string line = one_line(text);
   const std::size_t characters = character_count(line);
   if (characters <= length) return line;
@@ -89,7 +91,7 @@ void add_rows(Figure& figure, std::span<const std::string> labels, double row_cm
       "unset key\nset yrange [{}.5:0.5]\nset ytics noenhanced font ',7' ({})\nset border 1\nset ytics scale 0\n"
       "set grid noytics\nset xtics enhanced\n",
       std::max<std::size_t>(labels.size(), 1), ticks);
-  if (labels.empty()) figure.settings += "set label 'nothing to show' at graph 0.5, graph 0.5 center\n";
+  if (labels.empty()) figure.settings += "unset ytics\nset label 'nothing to show' at graph 0.5, graph 0.5 center\n";
 }
 
 RowAxis row_axis(std::span<const double> values, std::string_view quantity, Scale scale) {
@@ -97,7 +99,7 @@ RowAxis row_axis(std::span<const double> values, std::string_view quantity, Scal
   std::ranges::copy_if(values, std::back_inserter(drawable), is_drawable);
   RowAxis axis;
   if (drawable.empty()) {
-    axis.settings = "set xrange [0:1]\nunset xtics\nshown(x) = x\n";
+    axis.settings = "set xrange [0:1]\nset xtics scale 0 format ' '\nunset grid\nshown(x) = x\n";
   } else {
     const auto [smallest, largest] = std::ranges::minmax(drawable);
     std::vector<double> positive;
@@ -113,8 +115,9 @@ RowAxis row_axis(std::span<const double> values, std::string_view quantity, Scal
       axis.settings = logarithmic_settings(axis);
     } else {
       const double magnitude = std::max(std::abs(smallest), std::abs(largest));
-      const double room = std::max(0.06 * (largest - smallest), magnitude > 0 ? 1e-13 * magnitude : 1.0);
-      const double around = largest > smallest ? room : (magnitude > 0 ? 0.1 * magnitude : 1.0);
+      const double room = std::max({0.06 * (largest - smallest), 1e-13 * magnitude, smallest_range});
+      const double around =
+          largest > smallest ? room : (magnitude > 0 ? std::max(0.1 * magnitude, smallest_range) : 1.0);
       axis.low = smallest - around;
       axis.high = largest + around;
       axis.settings = linear_settings(axis);

@@ -38,7 +38,7 @@ Figure differences_figure(const std::vector<DifferenceRow>& rows, const Differen
   const RowAxis axis = row_axis(all, words.quantity, Scale::linear);
   const bool room_at_right = axis.high > -axis.low;
   figure.settings += axis.settings;
-  figure.settings += "set arrow from 0, graph 0 to 0, graph 1 nohead back lw 0.8 lc rgb '#888888' dt 2\n";
+  if (n > 0) figure.settings += "set arrow from 0, graph 0 to 0, graph 1 nohead back lw 0.8 lc rgb '#888888' dt 2\n";
   figure.data = "# row, difference, low, high, whether the interval excludes zero\n";
   bool unknown = false;
   for (std::size_t i = 0; i < n; ++i) {
@@ -100,12 +100,12 @@ Figure effect_matrix_figure(const EffectMatrix& matrix) {
       screen(columns_cm, figure.height_cm), screen(columns_cm + side_cm, figure.height_cm), n, n,
       standing ? "rotate by 90 right " : "", row_ticks, row_ticks);
   figure.settings += fmt::format(
-      "set palette defined (0 '#56B4E9', 0.5 '#FFFFFF', 1 '#E69F00')\nset cbrange [0:1]\nset cbtics 0.25 font ',6' "
+      "set palette defined (0 '#E69F00', 0.5 '#FFFFFF', 1 '#56B4E9')\nset cbrange [0:1]\nset cbtics 0.25 font ',6' "
       "offset -0.6, 0\nset colorbox user origin screen {}, screen {} size screen {}, screen {} noborder\n",
       screen(rows_cm + side_cm + 0.3, figure.width_cm), screen(columns_cm, figure.height_cm),
       screen(0.22, figure.width_cm), screen(side_cm, figure.height_cm));
   std::string undefined = "\n\n# not defined, and the diagonal: column, row, words\n";
-  figure.data = "# column, row, A12 of the row against the column\n";
+  figure.data = "# column, row, the chance that the row is better than the column\n";
   bool some = false;
   for (std::size_t row = 0; row < n; ++row) {
     for (std::size_t column = 0; column < n; ++column) {
@@ -135,10 +135,10 @@ Figure effect_matrix_figure(const EffectMatrix& matrix) {
        fmt::format("{} index 0 using 1:2:(sprintf('%.2f', $3)) with labels font ',{}'", file, n > 8 ? 6 : 7),
        fmt::format("{} index 1 using 1:2:3 with labels font ',6' textcolor rgb '#666666'", file)});
   figure.caption = fmt::format(
-      "{}: Vargha and Delaney's A12 of the row against the column, the chance that a value of the row is the larger, a "
-      "tie counted half. Orange: the row's values tend to be larger, which is {}; blue: smaller; white: neither.",
-      capitalised(matrix.quantity.empty() ? "values" : matrix.quantity),
-      matrix.better == Better::larger ? "better" : "worse");
+      "{}: Vargha and Delaney's A12, the chance that a value of the row is better than one of the column, a tie "
+      "counted "
+      "half. Blue: the row tends to be better; orange: worse; white: neither.",
+      capitalised(matrix.quantity.empty() ? "values" : matrix.quantity));
   if (undefined.find("n.d.") != std::string::npos) figure.caption += " n.d.: not defined.";
   if (n < matrix.labels.size()) {
     figure.caption += fmt::format(" Shown are the first {} of {} groups.", n, matrix.labels.size());

@@ -47,9 +47,8 @@ Figure critical_difference_figure(const CriticalDifference& ranks);
 struct EffectMatrix {
   std::string name;
   std::string quantity;
-  Better better = Better::smaller;
   std::vector<std::string> labels;
-  // effects[row][column]: Vargha and Delaney's A12 of the row against the column, 0 to 1.
+  // effects[row][column]: Vargha and Delaney's A12, the chance that the row is better than the column.
   std::vector<std::vector<double>> effects;
 };
 

@@ -35,6 +35,8 @@ StudyResults make_study(const StudyEntry& entry, std::vector<SolveRecord> solves
 StudyResults make_study(std::string name, std::vector<SolveRecord> solves);
 
 enum class Metric { position_error_cm, variation_deg, seconds, evaluations };
+constexpr std::array<Metric, 4> all_metrics{Metric::position_error_cm, Metric::variation_deg, Metric::seconds,
+                                            Metric::evaluations};
 constexpr std::array<Metric, 3> paper_metrics{Metric::position_error_cm, Metric::variation_deg, Metric::seconds};
 
 struct MetricInfo {

@@ -43,7 +43,7 @@ int count(std::span<const VariantComparison> comparisons, Outcome outcome);
 
 // One row a label and metric, everything that is known of it. a12: P(a run of B is better than one of A).
 Table variants_table(std::span<const VariantComparison> comparisons, const MarginQuestion& question);
-// The designs and the notes; what holds for several labels is said once.
+// The designs and the notes, with their label; what holds for every label is said once, without.
 std::vector<std::string> variants_notes(std::span<const VariantComparison> comparisons);
 // Whether a regression beyond the margin is shown, and what is not decided.
 std::string variants_verdict(std::span<const VariantComparison> comparisons, const MarginQuestion& question);

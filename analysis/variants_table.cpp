@@ -117,12 +117,18 @@ Table variants_table(std::span<const VariantComparison> comparisons, const Margi
 
 std::vector<std::string> variants_notes(std::span<const VariantComparison> comparisons) {
   std::vector<std::string> notes;
-  const auto add = [&](std::string note) {  // what holds for every label is said once
-    if (std::ranges::find(notes, note) == notes.end()) notes.push_back(std::move(note));
+  const auto is_of_all = [&](const std::string& note) {
+    return std::ranges::all_of(comparisons, [&](const VariantComparison& comparison) {
+      return comparison.design == note || std::ranges::find(comparison.notes, note) != comparison.notes.end();
+    });
   };
+  const auto add = [&](const VariantComparison& comparison, const std::string& note) {
+    const std::string text = is_of_all(note) ? note : of_label(comparisons, comparison) + note;
+    if (std::ranges::find(notes, text) == notes.end()) notes.push_back(text);
+  };
+  for (const VariantComparison& comparison : comparisons) add(comparison, comparison.design);
   for (const VariantComparison& comparison : comparisons) {
-    add(comparison.design);
-    for (const std::string& note : comparison.notes) add(note);
+    for (const std::string& note : comparison.notes) add(comparison, note);
   }
   return notes;
 }

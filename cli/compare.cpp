@@ -15,6 +15,7 @@
 #include "analysis/variants.hpp"
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
+#include "cli/plan_options.hpp"
 #include "cli/reporting.hpp"
 #include "results/number.hpp"
 #include "robots/names.hpp"
@@ -28,7 +29,9 @@ constexpr int regression = 3;  // exit code
 struct Arguments {
   std::string a, b, store, study, output;
   std::vector<std::string> labels, metrics;
-  std::optional<double> margin, significance;  // instead of what the study of A says
+  double margin = AnalysisPlan{}.margin;
+  bool has_margin = false;  // else the study of A says it
+  std::optional<double> significance;
   bool strict = false;
 };
 
@@ -42,7 +45,7 @@ struct Compared {
 
 MarginQuestion question_of(const Arguments& arguments, const StudyEntry& study) {
   const AnalysisPlan plan = plan_of(study);
-  return {.margin = arguments.margin.value_or(plan.margin),
+  return {.margin = arguments.has_margin ? arguments.margin : plan.margin,
           .significance = arguments.significance.value_or(plan.significance),
           .power = plan.power};
 }
@@ -194,15 +197,6 @@ void compare(const Arguments& arguments, Invocation& invocation) {
              too_little ? " With --strict that is not enough." : "");
 }
 
-double share(const std::string& text) {
-  const bool is_percent = text.ends_with('%');
-  const auto value = number_from(is_percent ? text.substr(0, text.size() - 1) : text);
-  const double result = value ? *value / (is_percent ? 100 : 1) : -1;
-  if (result >= 0 && result < 1) return result;
-  throw CLI::ValidationError(
-      fmt::format("--margin: {} is not a share below one, expected 5% or 0.05", text.substr(0, 100)));
-}
-
 double significance(const std::string& text) {
   const auto value = number_from(text);
   if (value && *value >= 0.0001 && *value <= 0.2) return *value;
@@ -227,12 +221,10 @@ void add_compare(CLI::App& app, Invocation& invocation) {
       ->add_option("--metric", arguments->metrics,
                    "position_error_cm, variation_deg, evaluations, seconds or solved; again for more; all if not given")
       ->allow_extra_args(false);
-  command->add_option_function<std::string>(
-      "--margin", [arguments](const std::string& text) { arguments->margin = share(text); },
-      "relative difference that matters, as 5% or 0.05; what the study of A says if not given");
+  add_margin_option(*command, arguments->margin);
   command->add_option_function<std::string>(
       "--significance", [arguments](const std::string& text) { arguments->significance = significance(text); },
-      "of each test; what the study of A says if not given");
+      "of each test [0.05]");
   command->add_flag("--strict", arguments->strict, "exit code 3 too where a metric is undecided or not compared");
   command->add_option("-o,--output", arguments->output,
                       "also write the table with every column: a .md, .csv or .json file");
@@ -245,12 +237,16 @@ void add_compare(CLI::App& app, Invocation& invocation) {
       "  ikbench compare base.sqlite new/store.sqlite --metric position_error_cm --metric evaluations --metric solved "
       "\\\n"
       "    -o comparison.md\n\n"
-      "B is worse, better or the same than A by tests of the ratio of means against the margin; what they leave open "
-      "is\n"
-      "undecided, with the number of runs that would decide. Exit codes: 0 no regression is shown, 3 a regression "
-      "beyond\n"
-      "the margin, 1 a mistake in what was asked, 2 a fault of the program.");
-  command->callback([arguments, &invocation] { compare(*arguments, invocation); });
+      "B is worse, better or the same by tests of the ratio of means against the margin; what they leave open is "
+      "undecided,\n"
+      "with the number of runs that would decide. --margin and --significance are those of A's study where not given.\n"
+      "Exit codes: 0 no regression is shown, 3 a regression beyond the margin, 1 a mistake in what was asked, 2 a "
+      "fault of\n"
+      "the program.");
+  command->callback([arguments, command, &invocation] {
+    arguments->has_margin = command->count("--margin") > 0;
+    compare(*arguments, invocation);
+  });
 }
 
 }  // namespace ikbench::cli

@@ -20,6 +20,8 @@ int main(int argc, char** argv) {
       "  ikbench reproduce                        the study of Slim et al. 2023, with tables and figures\n"
       "  ikbench list studies slim2023 > my.toml  a study to edit: add a solver, change an option\n"
       "  ikbench run my.toml                      run it, and report\n"
+      "  ikbench stats my.csv --value error --group solver\n"
+      "                                           the same statistics on anybody's data\n"
       "  ikbench audit slim2023                   what the paper's printed numbers say about each other\n"
       "  ikbench readings slim2023                which reading of the paper moves which number\n"
       "  ikbench compare old.sqlite new.sqlite    whether a variant of a solver is better, the same or worse\n"
@@ -35,6 +37,7 @@ int main(int argc, char** argv) {
   cli::add_reproduce(app, invocation);
   cli::add_run(app, invocation);
   cli::add_report(app);
+  cli::add_stats(app, invocation);
   cli::add_audit(app);
   cli::add_readings(app, invocation);
   cli::add_compare(app, invocation);

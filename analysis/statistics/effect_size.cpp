@@ -49,7 +49,7 @@ std::vector<double> dominances(std::span<const double> a, const std::vector<doub
   std::vector<double> result;
   result.reserve(a.size());
   for (const double value : a) {
-    const auto [first, last] = std::ranges::equal_range(sorted_b, value);
+    const auto [first, last] = std::equal_range(sorted_b.begin(), sorted_b.end(), value);
     const auto below = first - sorted_b.begin();
     const auto above = sorted_b.end() - last;
     result.push_back(static_cast<double>(below - above) / static_cast<double>(sorted_b.size()));
@@ -60,7 +60,10 @@ std::vector<double> dominances(std::span<const double> a, const std::vector<doub
 // The share of pairs (one of a, one of b) that are not tied.
 double untied(std::span<const double> a, const std::vector<double>& sorted_b) {
   double ties = 0;
-  for (const double value : a) ties += static_cast<double>(std::ranges::equal_range(sorted_b, value).size());
+  for (const double value : a) {
+    const auto [first, last] = std::equal_range(sorted_b.begin(), sorted_b.end(), value);
+    ties += static_cast<double>(last - first);
+  }
   return 1 - ties / (static_cast<double>(a.size()) * static_cast<double>(sorted_b.size()));
 }
 
@@ -116,9 +119,10 @@ EffectSize cohen_d(const GroupSummary& a, const GroupSummary& b, double level) {
   effect.high = shift_of((1 + level) / 2, t, df) * scale;
   if (std::isnan(effect.value)) {
     effect.undefined = "the difference is too large for double precision";
-  } else if (std::isnan(effect.low) || std::isnan(effect.high)) {
+  } else if (!std::isfinite(effect.low) || !std::isfinite(effect.high)) {
     effect.low = effect.high = not_defined;
-    effect.undefined = "the interval was not found: the noncentral t distribution did not converge";
+    effect.undefined =
+        "the interval was not found: the difference is too large, or the noncentral t distribution did not converge";
   }
   return effect;
 }
@@ -150,7 +154,7 @@ EffectSize cliffs_delta(std::span<const double> a, std::span<const double> b, do
     effect.undefined = "a sample of one value has no spread, so there is no interval";
     return effect;
   }
-  const double z = boost::math::quantile(boost::math::normal(), (1 + level) / 2);
+  const double z = -boost::math::quantile(boost::math::normal(), (1 - level) / 2);
   if (std::abs(delta) == 1) {
     const double n = static_cast<double>(std::min(a.size(), b.size()));
     const double limit = (n - z * z) / (n + z * z);

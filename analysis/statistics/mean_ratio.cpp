@@ -56,18 +56,21 @@ double bound(ContrastAt contrast_at, double ratio, double step, double alpha) {
     const Contrast contrast = contrast_at(theta);
     return std::min(std::abs(contrast.estimate) / contrast.error, 1e100) + t_quantile(alpha, contrast.df);
   };
-  double inner = ratio;
+  double inner = ratio, at_inner = excess(ratio);
+  if (at_inner >= 0) return ratio;  // a level so low that rounding is all of the interval
   for (; std::isfinite(step); step *= 2) {
-    const double outer = ratio + step;
-    const double at_outer = excess(outer);
+    const double outer = ratio + step, at_outer = excess(outer);
     if (at_outer >= 0) {
       std::uintmax_t evaluations = 200;
-      const auto [low, high] = boost::math::tools::toms748_solve(
-          excess, std::min(inner, outer), std::max(inner, outer), excess(std::min(inner, outer)),
-          excess(std::max(inner, outer)), boost::math::tools::eps_tolerance<double>(48), evaluations);
+      const boost::math::tools::eps_tolerance<double> enough(48);
+      const auto [low, high] =
+          outer > inner
+              ? boost::math::tools::toms748_solve(excess, inner, outer, at_inner, at_outer, enough, evaluations)
+              : boost::math::tools::toms748_solve(excess, outer, inner, at_outer, at_inner, enough, evaluations);
       return (low + high) / 2;
     }
     inner = outer;
+    at_inner = at_outer;
   }
   return not_defined;
 }
@@ -89,8 +92,13 @@ RatioComparison compare(ContrastAt contrast_at, const Contrast& a_alone, const R
     result.undefined = "the mean of the first sample is not positive, so there is no ratio to it";
     return result;
   }
+  const double ratio = contrast_at(0).estimate / a_alone.estimate;
+  if (!std::isfinite(ratio)) {
+    result.undefined = "the ratio is too large for double precision";
+    return result;
+  }
+  result.ratio = ratio;
   const Contrast above = contrast_at(1 + question.margin), below = contrast_at(1 - question.margin);
-  result.ratio = contrast_at(0).estimate / a_alone.estimate;
   result.p_above = chance_above(above);
   result.p_below = chance_below(below);
   result.p_equivalent = std::max(chance_below(above), chance_above(below));

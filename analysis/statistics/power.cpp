@@ -93,7 +93,7 @@ RunsNeeded runs_for_rank_test(double a12, const PowerGoal& goal) {
   check(goal);
   if (!(a12 >= 0 && a12 <= 1)) return {.undefined = "A12 is not between 0 and 1"};
   const boost::math::normal normal;
-  const double z = boost::math::quantile(normal, 1 - goal.alpha / 2) + boost::math::quantile(normal, goal.power);
+  const double z = boost::math::quantile(normal, goal.power) - boost::math::quantile(normal, goal.alpha / 2);
   const double n = std::ceil(z * z / (6 * (a12 - 0.5) * (a12 - 0.5)));
   if (a12 == 0.5) return {.undefined = "no number of runs shows that neither is the larger"};
   if (!(n <= most_runs)) return {.undefined = "more than ten million runs are needed"};

@@ -59,25 +59,42 @@ class NormalRange {
  public:
   explicit NormalRange(double k) : others_(static_cast<int>(k) - 1), step_(0.8 / (1 + std::log(k))) {
     usual_largest_ = boost::math::quantile(boost::math::normal(), 1 - 1 / k);
+    for (int i = index(lowest); i <= index(highest); ++i) {
+      const double z = i * step_;
+      const double below = normal_cdf(z);
+      const double density = boost::math::constants::one_div_root_two_pi<double>() * std::exp(-z * z / 2);
+      largest_.push_back({.below = below, .density = k * density * std::pow(below, others_)});
+    }
   }
 
   double tail(double w) const {
     if (w <= 0) return 1;
     if (w > largest_range) return 0;
-    const double scale = (others_ + 1) * boost::math::constants::one_div_root_two_pi<double>();
-    const double sum = sum_over_the_line(std::max(usual_largest_, w / 2), step_, [&](double z) {
-      const double below = normal_cdf(z);
-      if (below == 0) return 0.0;
-      return std::exp(-z * z / 2) * std::pow(below, others_) *
-             at_least_one(std::min(1.0, normal_cdf(z - w) / below), others_);
+    const double start = index(std::max(usual_largest_, w / 2)) * step_;
+    const double sum = sum_over_the_line(start, step_, [&](double z) {
+      if (z < lowest || z > highest) return 0.0;
+      const auto& [below, density] = largest_[static_cast<std::size_t>(index(z) - index(lowest))];
+      return density * at_least_one(std::min(1.0, normal_cdf(z - w) / below), others_);
     });
-    return std::min(1.0, scale * sum);
+    return std::min(1.0, sum);
   }
 
  private:
+  // Where the largest can be: below, and above half the largest range and some, it has no share in any tail.
+  static constexpr double lowest = -9;
+  static constexpr double highest = largest_range / 2 + 9;
+
+  struct Largest {
+    double below = 0;    // the normal cdf at z
+    double density = 0;  // of the largest of k
+  };
+
+  int index(double z) const { return static_cast<int>(std::lround(z / step_)); }
+
   int others_;
   double step_;  // the more groups, the sharper is the largest
   double usual_largest_ = 0;
+  std::vector<Largest> largest_;  // at whole multiples of the step
 };
 
 // x - (e^2x - 1) / 2, to full relative precision where it is small.
@@ -151,6 +168,8 @@ double StudentizedRange::quantile(double p, double df) const {
   if (!valid(k_, df) || !(p >= 0 && p <= 1)) return not_defined;
   if (p == 0) return 0;
   if (p == 1) return std::numeric_limits<double>::infinity();
+  constexpr double resolved = 1e-9;
+  if (p < resolved) return not_defined;
   constexpr double least = 1e-300;
   const auto surprise =
       [&](double q) {  // falls with q; the logarithm of the smaller side is nearest to a straight line

@@ -9,16 +9,16 @@
 namespace ikbench {
 
 // P(Q > q) of k groups, k a whole number from 2 to 1000, df from 1 to infinity; NaN outside. q <= 0 has the tail 1.
-// Summed from positive terms, never as 1 - cdf: the relative error is below 1e-10 (1e-12 to k = 100) down to tails of
-// 1e-250, as tests hold it to, against the t distribution (k = 2) and against sums of other steps; beyond 1e-270 it is
-// 0.
+// Summed from positive terms, never as 1 - cdf, so that small tails have their digits too: relative error below 1e-13
+// to k = 200 and 1e-10 to k = 1000 down to tails of 1e-250 (against sums of half the step, the t distribution for k = 2
+// and a quadrature in thirty digits); below some 1e-265 it is 0. A twentieth to a few tenths of a millisecond.
 double studentized_range_upper_tail(double q, double k, double df);
 
-// The q with P(Q <= q) = p, 0 <= p <= 1; NaN outside. For p below 1e-5 the digits of 1 - p are those there are.
+// The q with P(Q <= q) = p, 0 <= p <= 1; NaN outside, and for p below 1e-9 but 0, which 1 - p does not resolve.
 double studentized_range_quantile(double p, double k, double df);
 
-// The same two functions for many calls with one k: the range of k normal variables is tabulated once (a fraction of a
-// millisecond), after which a tail costs some microseconds.
+// The same two functions for many calls with one k: the range of k normal variables is tabulated once (some tenths of a
+// millisecond), after which a tail costs some microseconds. Relative error below 1e-10 to k = 400, 3e-10 to k = 1000.
 class StudentizedRange {
  public:
   explicit StudentizedRange(double k);

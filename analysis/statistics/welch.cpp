@@ -93,7 +93,7 @@ MeanInterval mean_interval(const GroupSummary& group, double level) {
   if (!std::isfinite(group.mean) || !std::isfinite(group.std)) {
     return {.undefined = "a mean or a standard deviation is not defined"};
   }
-  const double reach = t_quantile((1 + level) / 2, group.n - 1) * group.std / std::sqrt(group.n);
+  const double reach = -t_quantile((1 - level) / 2, group.n - 1) * group.std / std::sqrt(group.n);
   if (!std::isfinite(group.mean - reach) || !std::isfinite(group.mean + reach)) {
     return {.undefined = "the spread is too large for double precision"};
   }

@@ -365,3 +365,20 @@ TEST_CASE("thinned stairs keep the share at each position that is left", "[conve
   CHECK(few.back().share == 0);
   for (const Share& share : few) CHECK(share.share == Approx(1 - std::floor(share.at) / 1000).margin(1e-12));
 }
+
+TEST_CASE("a convergence curve ends with the longest solve of its solver, whatever others spend", "[convergence]") {
+  std::vector<SolveRecord> solves{solve_with_trace({4, 2, 1}, 300), solve_with_trace({4, 2, 1}, 30000)};
+  solves[1].solver = "B";
+  solves[1].series = "b";
+  const std::vector<Figure> figures = convergence_figures(make_study("s", std::move(solves)));
+  std::istringstream lines(named(figures, "statistics-convergence").data);
+  std::vector<double> last;  // position of each curve
+  for (std::string line; std::getline(lines, line);) {
+    if (line == "# A" || line == "# B") last.push_back(0);
+    if (!line.empty() && line[0] != '#') last.back() = std::stod(line);
+  }
+  REQUIRE(last.size() == 2);
+  CHECK(last[0] >= 300);
+  CHECK(last[0] < 320);  // the first position of the axis beyond it
+  CHECK(last[1] == 30000);
+}

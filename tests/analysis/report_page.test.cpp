@@ -78,7 +78,7 @@ TEST_CASE("pieces come in the paper's order, and none is lost", "[report]") {
   for (const char* name : {"unheard-of", "table-7", "status", "table-3"}) pieces.emplace_back(Table{name, "caption"});
   for (const char* name : {"figure-9-a", "figure-9-b", "figure-5"})
     pieces.emplace_back(ReportFigure{{name, "caption"}});
-  arrange(std::move(pieces), content);
+  arrange(std::move(pieces), {}, content);
   std::string order;
   for (const auto* part : {&content.circumstances, &content.results}) {
     for (const Section& section : *part) {
@@ -266,7 +266,7 @@ TEST_CASE("a page says why it has no moving arm, and a picture too large for it 
     stream << "<svg><path d='" << std::string(500'000, ' ') << "'/></svg>";
   }
   ReportContent content{.study = "{{{x}}}", .title = "<i>&"};
-  arrange({ReportFigure{{"figure-6", "caption"}, true}}, content);
+  arrange({ReportFigure{{"figure-6", "caption"}, true}}, {}, content);
   const std::string page = to_html(content, {.figures = folder.path(), .motion = "{}"});
   CHECK(contains(page, "libjs-three"));
   CHECK(contains(page, "<a href=\"figures/figure-6.svg\">figures/figure-6.svg</a>"));

@@ -93,6 +93,14 @@ study wide --set analysis.margin_percent=30
 succeeds compare wide/store.sqlite $base --label BA --metric evaluations
 has "$out" "margin 30 %"
 
+# Names are text.
+printf 'name = "a <i>b</i>"\nruns = 2\npopulation = 6\n[stop]\niterations = 5\n[path]\npoints = 2\n[[solvers]]\nsolver = "bat"\nlabel = "x | <b> 関節"\n' >hostile.toml
+succeeds run hostile.toml --no-report --out hostile
+succeeds compare hostile/store.sqlite hostile/store.sqlite --metric evaluations -o new/hostile.md
+has "$out" 'x | <b> 関節'
+has_no "$(<new/hostile.md)" '<'
+[ "$(grep -c '^|' new/hostile.md)" = 3 ] || fail "the table has other rows: $(<new/hostile.md)"
+
 # Mistakes.
 refused "there is no store 'IK-BA'; two labels of one store are compared with --store FILE" compare IK-BA BA
 refused 'B: unknown label "IKBA"; did you mean "IK-BA"?' compare BA IKBA --store $base

@@ -51,7 +51,7 @@ cmp planned/tables/table-4.csv made/tables/table-4.csv || fail "another plan giv
 succeeds run slim2023 "${small[@]}" --no-report --set analysis.unit=point --force --out insisted
 refused 'the plan of the study slim2023 has unit = "point"' report insisted/store.sqlite --no-figures
 succeeds report insisted/store.sqlite --no-figures --unit run
-cmp insisted/tables/table-4.csv points/tables/table-4.csv && fail "--unit run gives the ANOVA of points"
+cmp -s insisted/tables/table-4.csv points/tables/table-4.csv && fail "--unit run gives the ANOVA of points"
 succeeds report insisted/store.sqlite --no-figures --force
 has "$(<insisted/tables/table-4.md)" "One observation is one point."
 

@@ -168,6 +168,12 @@ TEST_CASE("an interval of dominance stays within its bounds and around its value
   }
 }
 
+TEST_CASE("near certainty asks for an interval of nearly everything", "[effect_size]") {
+  const EffectSize delta = cliffs_delta(Values{1, 2, 3, 4}, Values{2, 3, 5, 0}, std::nextafter(1.0, 0.0));
+  CHECK(delta.low < -0.8);
+  CHECK(delta.high > 0.8);
+}
+
 TEST_CASE("where one sample lies wholly above the other the interval is Wilson's", "[effect_size]") {
   // (n - z^2) / (n + z^2), n = 20 the smaller sample: (20 - 3.841459) / (20 + 3.841459) = 0.677750.
   Values a(20), b(30);

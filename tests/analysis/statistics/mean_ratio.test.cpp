@@ -137,17 +137,25 @@ TEST_CASE("constant samples are compared as facts", "[mean_ratio]") {
 
 TEST_CASE("a ratio that cannot be had says why", "[mean_ratio]") {
   const auto method = GENERATE(mean_ratio, paired_mean_ratio);
-  const auto [a, b, reason] = GENERATE(table<Values, Values, std::string>({{{}, {}, "fewer than two"},
-                                                                           {{1}, {2}, "fewer than two"},
-                                                                           {{1, not_defined}, {1, 2}, "not finite"},
-                                                                           {{1, 2}, {1, HUGE_VAL}, "not finite"},
-                                                                           {{1e308, 1}, {1, 2}, "too large"},
-                                                                           {{1, 2}, {-1e308, 1e308}, "too large"}}));
+  const auto [a, b, reason] =
+      GENERATE(table<Values, Values, std::string>({{{}, {}, "fewer than two"},
+                                                   {{1}, {2}, "fewer than two"},
+                                                   {{1, not_defined}, {1, 2}, "not finite"},
+                                                   {{1, 2}, {1, HUGE_VAL}, "not finite"},
+                                                   {{1e308, 1}, {1, 2}, "too large"},
+                                                   {{1e-300, 1e-300}, {1e20, 2e20}, "too large"},
+                                                   {{1, 2}, {-1e308, 1e308}, "too large"}}));
   const RatioComparison result = method(a, b, {});
   CAPTURE(reason, result.undefined);
   CHECK(result.undefined.find(reason) != std::string::npos);
   CHECK(std::isnan(result.ratio));
-  CHECK(std::isnan(result.p_difference));
+  CHECK(std::isnan(result.p_above));
+}
+
+TEST_CASE("an interval of next to no level is the ratio", "[mean_ratio]") {
+  const RatioComparison result = mean_ratio(Values{3, 7, 8}, Values{2, 2.5, 9}, {.margin = 0, .level = 1e-15});
+  CHECK(result.low == Approx(result.ratio));
+  CHECK(result.high == Approx(result.ratio));
 }
 
 TEST_CASE("the unit of time changes no ratio", "[mean_ratio]") {

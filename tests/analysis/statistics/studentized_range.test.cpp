@@ -55,7 +55,7 @@ TEST_CASE("quantiles of the studentized range at infinite df are the critical va
 }
 
 TEST_CASE("a small range of three means has the probability of the reference", "[studentized_range]") {
-  // SciPy 1.10.1, studentized_range.cdf(0.1, 3, 3).
+  // SciPy 1.10.1, studentized_range.cdf(0.1, 3, 3); mpmath 1.3.0 has 0.00275027722293600.
   CHECK(1 - studentized_range_upper_tail(0.1, 3, 3) == Approx(0.0027502772229359594).epsilon(1e-12));
 }
 
@@ -84,7 +84,7 @@ TEST_CASE("the tabulated range gives the tails of the direct sum", "[studentized
     const double direct = studentized_range_upper_tail(q, k, df);
     if (direct < 1e-250) continue;
     CAPTURE(k, df, q);
-    CHECK(table.upper_tail(q, df) == Approx(direct).epsilon(k <= 100 ? 1e-11 : 5e-10).margin(0));
+    CHECK(table.upper_tail(q, df) == Approx(direct).epsilon(k <= 100 ? 1e-11 : 3e-10).margin(0));
   }
 }
 
@@ -120,7 +120,9 @@ TEST_CASE("no argument of the studentized range crashes it", "[studentized_range
   CHECK(studentized_range_upper_tail(1e308, 200, 1) >= 0);
   CHECK(studentized_range_quantile(0, 3, 5) == 0);
   CHECK(std::isinf(studentized_range_quantile(1, 3, 5)));
-  CHECK(studentized_range_quantile(1e-300, 3, 5) >= 0);
+  CHECK(std::isnan(studentized_range_quantile(1e-300, 3, 5)));
+  CHECK(studentized_range_quantile(1e-9, 1000, 1) > 0);
+  CHECK(studentized_range_quantile(1e-9, 2, 1) > 0);
   CHECK(studentized_range_quantile(std::nextafter(1.0, 0.0), 3, 1) > 1e15);
   for (const double bad : {not_defined, -1.0, 0.0, 1.0, 2.5, 1e308, infinite}) {
     CHECK(std::isnan(studentized_range_upper_tail(1, bad, 5)));

@@ -1,0 +1,360 @@
+// The words of an assessment: what a good reviewer would ask, answered in order.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <set>
+#include <utility>
+
+#include "analysis/assessment.hpp"
+#include "analysis/figure_parts.hpp"
+#include "analysis/text.hpp"
+
+namespace ikbench {
+namespace {
+
+constexpr std::size_t most_named = 8;    // in one sentence
+constexpr double unequal_variances = 4;  // largest by smallest, from which a pooled variance is named as a danger
+
+// Three digits, and all digits before the point.
+std::string number(double value) {
+  const double size = std::abs(value);
+  return size >= 1000 && size < 1e7 ? fmt::format("{:.0f}", value) : rounded_number(value, 3);
+}
+
+std::string p_words(double p) { return p < 1e-300 ? "p < 1e-300" : fmt::format("p = {}", rounded_number(p, 3)); }
+
+std::string percent(double share) { return rounded_number(100 * share, 3) + " %"; }
+
+// "a, b and c"; of many the first, and how many more.
+std::string listed(const std::vector<std::string>& items) {
+  std::string text;
+  const std::size_t shown = items.size() > most_named + 1 ? most_named : items.size();
+  for (std::size_t i = 0; i < shown; ++i) {
+    const bool last = i + 1 == items.size();
+    text += fmt::format("{}{}", i == 0 ? "" : last ? " and " : ", ", items[i]);
+  }
+  return shown == items.size() ? text : fmt::format("{} and {} more", text, items.size() - shown);
+}
+
+std::string name(const Evidence& evidence, std::size_t group) { return one_line(evidence.groups[group].name); }
+
+std::string pair_words(const Evidence& evidence, const Contrast& contrast) {
+  return fmt::format("{} and {}", name(evidence, contrast.first), name(evidence, contrast.second));
+}
+
+std::string flawed(const Evidence& evidence) {
+  return fmt::format("Flawed: {}{}", evidence.flaw, evidence.flaw.ends_with('.') ? "" : ".");
+}
+
+std::string sizes(const Evidence& evidence) {
+  const auto [least, most] =
+      std::ranges::minmax(evidence.groups, {}, [](const GroupEvidence& group) { return group.described.n; });
+  return least.described.n == most.described.n ? fmt::format("{}", least.described.n)
+                                               : fmt::format("{} to {}", least.described.n, most.described.n);
+}
+
+std::string design(const Evidence& evidence) {
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < evidence.groups.size(); ++i) names.push_back(name(evidence, i));
+  std::string text = fmt::format("What was compared: {}, {} is better, of {} {} ({}) with {} observations each",
+                                 evidence.quantity, evidence.better == Better::smaller ? "smaller" : "larger",
+                                 names.size(), names.size() == 1 ? "group" : "groups", listed(names), sizes(evidence));
+  text += evidence.from_summaries ? ", of which means, standard deviations and numbers alone are known." : ".";
+  if (!evidence.replicate.empty()) text += fmt::format(" One observation is {}.", evidence.replicate);
+  if (evidence.blocks > 0)
+    text +=
+        fmt::format(" All groups were given the same in {} blocks: a block is {}.", evidence.blocks, evidence.block);
+  return text;
+}
+
+std::string methods(const Evidence& evidence) {
+  std::string text = fmt::format("Methods: {} decides, at {}", words_of(evidence.plan.test),
+                                 rounded_number(evidence.plan.significance, 3));
+  text += evidence.plan.control.empty() ? fmt::format(", over all {} pairs", evidence.pairs)
+                                        : fmt::format(", each against the control {}", one_line(evidence.plan.control));
+  return text + "; a difference matters from " + percent(evidence.plan.margin) +
+         " on. The other methods stand beside it and decide nothing.";
+}
+
+// "F(5, 44.3) = 142, p = 4e-26"
+std::string result_words(const TestResult& test) {
+  if (!test.undefined.empty()) return "not defined, " + test.undefined;
+  std::string df = rounded_number(test.df, 3);
+  if (std::isfinite(test.df_within)) df += ", " + rounded_number(test.df_within, 3);
+  std::string text = std::isfinite(test.df)
+                         ? fmt::format("{}({}) = {}", test.symbol, df, rounded_number(test.statistic, 4))
+                         : fmt::format("{} = {}", test.symbol, rounded_number(test.statistic, 4));
+  return fmt::format("{}, {}", text, p_words(test.p));
+}
+
+bool variances_differ(const Evidence& evidence) {
+  for (const TestResult& test : evidence.tests) {
+    if (test.role == Role::assumption && test.p < evidence.plan.significance) return true;
+  }
+  return false;
+}
+
+std::string assumptions(const Evidence& evidence) {
+  std::string text = "Assumptions: ";
+  std::vector<std::string> tests;
+  for (const TestResult& test : evidence.tests) {
+    if (test.role == Role::assumption) tests.push_back(fmt::format("{}: {}", test.test, result_words(test)));
+  }
+  if (tests.empty()) return "";
+  text += variances_differ(evidence) ? "equal variances do not hold" : "equal variances are not refuted";
+  if (std::isfinite(evidence.variance_ratio)) {
+    text += fmt::format("; that of {} is {} times that of {}", name(evidence, evidence.most_variable),
+                        number(evidence.variance_ratio), name(evidence, evidence.least_variable));
+  }
+  text += fmt::format(" ({}).", fmt::join(tests, "; "));
+  if (evidence.from_summaries) return text + " Whether the values are normal cannot be told from summaries.";
+  std::vector<std::string> not_normal;
+  bool known = false;
+  for (const GroupEvidence& group : evidence.groups) {
+    known = known || std::isfinite(group.normality);
+    if (group.normality < evidence.plan.significance) {
+      not_normal.push_back(fmt::format("{} ({})", one_line(group.name), p_words(group.normality)));
+    }
+  }
+  if (!known) return text + " Normality could not be tested.";
+  return text + (not_normal.empty()
+                     ? " Normality is not refuted for any group (Shapiro-Wilk)."
+                     : fmt::format(" Normality does not hold for {} (Shapiro-Wilk).", listed(not_normal)));
+}
+
+std::string effect_words(const TestResult& test) {
+  return std::isfinite(test.effect) ? fmt::format(", {} = {}", test.effect_symbol, rounded_number(test.effect, 2)) : "";
+}
+
+std::string analyses(const Evidence& evidence, Role role, std::string_view heading) {
+  std::string text;
+  for (const TestResult& test : evidence.tests) {
+    if (test.role != role) continue;
+    text += fmt::format(" {}: {}{}{}.", test.test, result_words(test), effect_words(test),
+                        !test.undefined.empty()               ? ""
+                        : test.p < evidence.plan.significance ? "; the groups are not all the same"
+                                                              : "; a difference is not shown");
+  }
+  if (text.empty()) return "";
+  if (role == Role::paper && variances_differ(evidence))
+    text += " It takes equal variances for granted, and they are not.";
+  return fmt::format("{}:{}", heading, text);
+}
+
+// "IK-BA is better than DE: 0.00190 against 0.365, difference -0.363 (95 % interval ...), p = ..., A12 = 0.98"
+std::string better_words(const Evidence& evidence, const Contrast& contrast) {
+  const bool first = contrast.relation == Relation::first_better;
+  const std::size_t winner = first ? contrast.first : contrast.second, loser = first ? contrast.second : contrast.first;
+  const auto mean_of = [&](std::size_t i) { return number(evidence.groups[i].described.mean); };
+  std::string text = fmt::format("{} is better than {}: {} against {}", name(evidence, winner), name(evidence, loser),
+                                 mean_of(winner), mean_of(loser));
+  if (std::isfinite(contrast.difference.low)) {
+    const double low = std::min(std::abs(contrast.difference.low), std::abs(contrast.difference.high));
+    const double high = std::max(std::abs(contrast.difference.low), std::abs(contrast.difference.high));
+    const bool one_side = contrast.difference.low * contrast.difference.high >= 0;
+    text +=
+        one_side ? fmt::format(", by {} to {}", number(low), number(high)) : ", by means whose interval includes none";
+  }
+  if (std::isfinite(contrast.p)) text += ", " + p_words(contrast.p);
+  if (std::isfinite(contrast.superiority.value)) {
+    const double chance = first ? contrast.superiority.value : 1 - contrast.superiority.value;
+    text += fmt::format(", ahead in {} of pairs of observations", percent(chance));
+  }
+  return text;
+}
+
+// The group that the planned test puts first: by average ranks where they decide, else by the mean.
+std::size_t best_group(const Evidence& evidence) {
+  std::size_t best = 0;
+  const auto worth = [&](const GroupEvidence& group) {
+    if (evidence.plan.test == DecidingTest::friedman) return group.average_rank;
+    return evidence.better == Better::smaller ? group.described.mean : -group.described.mean;
+  };
+  for (std::size_t i = 1; i < evidence.groups.size(); ++i) {
+    if (worth(evidence.groups[i]) < worth(evidence.groups[best]) || !std::isfinite(worth(evidence.groups[best])))
+      best = i;
+  }
+  return best;
+}
+
+std::vector<std::string> who_differs(const Evidence& evidence) {
+  if (evidence.contrasts.empty()) return {};
+  const std::size_t best = evidence.reference.value_or(best_group(evidence));
+  std::vector<std::string> with_best, others_open, same, undefined;
+  std::size_t differ = 0;
+  for (const Contrast& contrast : evidence.contrasts) {
+    const bool decided = contrast.relation == Relation::first_better || contrast.relation == Relation::second_better;
+    if (decided) ++differ;
+    if (decided && (contrast.first == best || contrast.second == best))
+      with_best.push_back(better_words(evidence, contrast));
+    if (contrast.relation == Relation::not_told_apart) {
+      others_open.push_back(
+          fmt::format("{} ({}{})", pair_words(evidence, contrast), p_words(contrast.p),
+                      std::isfinite(contrast.difference.low)
+                          ? fmt::format("; the difference is between {} and {}", number(contrast.difference.low),
+                                        number(contrast.difference.high))
+                          : ""));
+    }
+    if (contrast.relation == Relation::equivalent) same.push_back(pair_words(evidence, contrast));
+    if (contrast.relation == Relation::undefined) {
+      undefined.push_back(fmt::format("{} ({})", pair_words(evidence, contrast), contrast.undefined));
+    }
+  }
+  std::vector<std::string> sentences;
+  sentences.push_back(fmt::format("Who differs: {} of the {} pairs{} differ. {}", differ, evidence.contrasts.size(),
+                                  evidence.reference ? fmt::format(" with {}", name(evidence, best)) : "",
+                                  with_best.empty()
+                                      ? fmt::format("No pair with {} is among them.", name(evidence, best))
+                                      : fmt::format("{}.", fmt::join(with_best, "; "))));
+  if (!same.empty())
+    sentences.push_back(fmt::format("The same within {}: {}.", percent(evidence.plan.margin), listed(same)));
+  if (!others_open.empty()) sentences.push_back(fmt::format("Not told apart: {}.", listed(others_open)));
+  if (!undefined.empty()) sentences.push_back(fmt::format("Not defined: {}.", listed(undefined)));
+  return sentences;
+}
+
+// Pairs that one method separates and the other does not, with both p-values.
+struct Dispute {
+  std::vector<std::string> only_here, only_there;
+};
+
+Dispute dispute(const Evidence& evidence, double Contrast::*here, double Contrast::*there) {
+  Dispute result;
+  const double alpha = evidence.plan.significance;
+  for (const Contrast& contrast : evidence.contrasts) {
+    const double p = contrast.*here, other = contrast.*there;
+    if (!std::isfinite(p) || !std::isfinite(other) || (p < alpha) == (other < alpha)) continue;
+    (p < alpha ? result.only_here : result.only_there)
+        .push_back(fmt::format("{} ({} against {})", pair_words(evidence, contrast), p_words(p), p_words(other)));
+  }
+  return result;
+}
+
+void add_dispute(std::vector<std::string>& parts, const Dispute& found, std::string_view here, std::string_view there) {
+  if (!found.only_here.empty())
+    parts.push_back(fmt::format("{} separates {}, {} does not", here, listed(found.only_here), there));
+  if (!found.only_there.empty())
+    parts.push_back(fmt::format("{} does not separate {}, {} does", here, listed(found.only_there), there));
+}
+
+std::string disagreements(const Evidence& evidence) {
+  if (evidence.contrasts.empty()) return "";
+  std::vector<std::string> parts;
+  const Dispute pooled = dispute(evidence, &Contrast::p_pooled, &Contrast::p_unpooled);
+  add_dispute(parts, pooled, "Tukey, with one variance for all,", "Games-Howell, with each group's own,");
+  const Dispute ranks = dispute(evidence, &Contrast::p_unpooled, &Contrast::p_ranks);
+  add_dispute(parts, ranks, "Games-Howell, of means,",
+              evidence.blocks > 0 ? "Friedman's test, of ranks within blocks," : "Dunn's test, of ranks,");
+  if (parts.empty()) return "Where methods disagree: on no pair do they come to another verdict.";
+  std::string text = fmt::format("Where methods disagree: {}.", fmt::join(parts, ". "));
+  const bool pooling = !pooled.only_here.empty() || !pooled.only_there.empty();
+  if (pooling && evidence.variance_ratio > unequal_variances) {
+    text += fmt::format(
+        " Tukey's one variance is dominated by {}, whose own is {} times that of {}: where variances are so unequal, "
+        "Games-Howell is the one to believe.",
+        name(evidence, evidence.most_variable), number(evidence.variance_ratio),
+        name(evidence, evidence.least_variable));
+  }
+  return text;
+}
+
+std::vector<std::string> limits(const Evidence& evidence) {
+  std::vector<std::string> parts;
+  std::vector<std::string> runs;
+  double most = 0;
+  for (const Contrast& contrast : evidence.contrasts) {
+    if (contrast.relation == Relation::not_told_apart && std::isfinite(contrast.runs_to_see_margin))
+      most = std::max(most, contrast.runs_to_see_margin);
+  }
+  const bool open =
+      std::ranges::any_of(evidence.contrasts, [](const Contrast& c) { return c.relation == Relation::not_told_apart; });
+  if (open) {
+    parts.push_back(fmt::format("not told apart is not the same: {}",
+                                most > 0
+                                    ? fmt::format("to find a difference of {} with {} certainty in each of those "
+                                                  "pairs, a group needs up to {:.0f} observations",
+                                                  percent(evidence.plan.margin), percent(evidence.plan.power), most)
+                                    : "the data allow for a difference"));
+  }
+  if (!evidence.flaw.empty()) parts.push_back("the p-values are no evidence where the observations are flawed");
+  if (evidence.from_summaries)
+    parts.push_back("summaries say nothing of the distributions: no ranks, no medians, no normality");
+  parts.push_back(
+      "it speaks of these conditions alone, not of other targets, arms, budgets or settings; and each quantity is "
+      "judged by itself");
+  return {fmt::format("What this does not show: {}.", fmt::join(parts, "; "))};
+}
+
+}  // namespace
+
+std::vector<std::string> sentences_of(const Evidence& evidence) {
+  std::vector<std::string> sentences;
+  if (!evidence.flaw.empty()) sentences.push_back(flawed(evidence));
+  sentences.push_back(design(evidence));
+  for (const std::string& note : evidence.notes) sentences.push_back(note);
+  if (evidence.groups.size() < 2) {
+    sentences.push_back(evidence.groups.empty()
+                            ? "There is no group."
+                            : "One group alone: it is described, and there is nothing to compare it with.");
+    return sentences;
+  }
+  if (evidence.constant) {
+    for (std::string& sentence : who_differs(evidence)) sentences.push_back(std::move(sentence));
+    sentences.push_back(
+        "Every group has one value alone, so these differences are facts of these data and no test is needed.");
+    return sentences;
+  }
+  sentences.push_back(methods(evidence));
+  sentences.push_back(assumptions(evidence));
+  sentences.push_back(analyses(evidence, Role::paper, "The paper's analysis"));
+  sentences.push_back(analyses(evidence, Role::sound, "The sound analysis"));
+  for (std::string& sentence : who_differs(evidence)) sentences.push_back(std::move(sentence));
+  sentences.push_back(disagreements(evidence));
+  for (std::string& sentence : limits(evidence)) sentences.push_back(std::move(sentence));
+  std::erase(sentences, "");
+  return sentences;
+}
+
+// Of the best (or the control): from whom it differs, and from whom not; and where a pooled variance would say another
+// thing.
+std::vector<std::string> headlines_of(const Evidence& evidence) {
+  if (evidence.contrasts.empty()) return {};
+  const std::size_t best = evidence.reference.value_or(best_group(evidence));
+  std::vector<std::string> ahead, behind, open, same;
+  std::size_t differ = 0;
+  double largest_p = 0;
+  for (const Contrast& contrast : evidence.contrasts) {
+    const bool decided = contrast.relation == Relation::first_better || contrast.relation == Relation::second_better;
+    differ += decided ? 1 : 0;
+    if (contrast.first != best && contrast.second != best) continue;
+    const bool is_first = contrast.first == best;
+    const std::string other = name(evidence, is_first ? contrast.second : contrast.first);
+    if (decided) {
+      const bool wins = is_first == (contrast.relation == Relation::first_better);
+      (wins ? ahead : behind).push_back(other);
+      if (std::isfinite(contrast.p)) largest_p = std::max(largest_p, contrast.p);
+    }
+    if (contrast.relation == Relation::not_told_apart) open.push_back(other);
+    if (contrast.relation == Relation::equivalent) same.push_back(other);
+  }
+  std::vector<std::string> parts;
+  if (!ahead.empty()) parts.push_back(fmt::format("{} is better than {}", name(evidence, best), listed(ahead)));
+  if (!behind.empty()) parts.push_back(fmt::format("{} is worse than {}", name(evidence, best), listed(behind)));
+  if (!parts.empty() && largest_p > 0) parts.back() += fmt::format(" (p at most {})", rounded_number(largest_p, 2));
+  if (!same.empty()) {
+    parts.push_back(fmt::format("{} and {} are the same within {}", name(evidence, best), listed(same),
+                                percent(evidence.plan.margin)));
+  }
+  if (!open.empty()) parts.push_back(fmt::format("{} is not told apart from {}", name(evidence, best), listed(open)));
+  const Dispute pooled = dispute(evidence, &Contrast::p_pooled, &Contrast::p_unpooled);
+  if (evidence.variance_ratio > unequal_variances && !pooled.only_there.empty()) {
+    parts.push_back(fmt::format("one variance for all (ANOVA, Tukey) would hide {}", listed(pooled.only_there)));
+  }
+  return {fmt::format("{}: {}; {} of {} pairs differ by {}.{}", capitalised(evidence.quantity), fmt::join(parts, "; "),
+                      differ, evidence.contrasts.size(), words_of(evidence.plan.test),
+                      evidence.flaw.empty() ? "" : fmt::format(" {}", flawed(evidence)))};
+}
+
+}  // namespace ikbench

@@ -1,0 +1,184 @@
+// The tables of an assessment.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <utility>
+
+#include "analysis/assessment.hpp"
+#include "analysis/text.hpp"
+
+namespace ikbench {
+namespace {
+
+std::string table_name(const Evidence& evidence, std::string_view part) {
+  return fmt::format("statistics-{}-{}", evidence.name, part);
+}
+
+// "0.12 to 0.34"
+Cell interval(const Estimate& estimate) {
+  if (!std::isfinite(estimate.low) || !std::isfinite(estimate.high)) return {};
+  return fmt::format("{} to {}", rounded_number(estimate.low, 3), rounded_number(estimate.high, 3));
+}
+
+Cell or_nothing(double value) { return std::isfinite(value) ? Cell(value) : Cell(); }
+Cell or_nothing(PValue p) { return std::isfinite(p.value) ? Cell(p) : Cell(); }
+
+Cell unless_zero(int count) {
+  if (count == 0) return {};
+  return std::int64_t{count};
+}
+
+std::string percent(double share) { return rounded_number(100 * share, 3) + " %"; }
+
+Table groups_table(const Evidence& evidence) {
+  const std::string level = percent(1 - evidence.plan.significance);
+  Table table{.name = table_name(evidence, "groups"),
+              .caption = fmt::format("What was observed: {}", evidence.quantity),
+              .columns = {{"group", Align::left},
+                          {"n"},
+                          {"not finite"},
+                          {"mean"},
+                          {level + " interval of the mean"},
+                          {"by bootstrap"},
+                          {"sd"},
+                          {"median"},
+                          {level + " interval of the median"},
+                          {"q1"},
+                          {"q3"},
+                          {"min"},
+                          {"max"},
+                          {"Shapiro-Wilk p"},
+                          {"average rank"}}};
+  for (const GroupEvidence& group : evidence.groups) {
+    const Description& of = group.described;
+    const Cell not_finite = unless_zero(of.not_finite);
+    if (evidence.from_summaries) {
+      table.rows.push_back({group.name, std::int64_t{of.n}, not_finite, of.mean, interval(group.mean), Cell(),
+                            of.n > 1 ? Cell(of.std) : Cell(), Cell(), Cell(), Cell(), Cell(), Cell(), Cell(), Cell(),
+                            Cell()});
+      continue;
+    }
+    table.rows.push_back({group.name, std::int64_t{of.n}, not_finite, of.mean, interval(group.mean),
+                          interval(group.bootstrapped), of.n > 1 ? Cell(of.std) : Cell(), of.median,
+                          interval(group.median), group.q1, group.q3, of.min, of.max,
+                          or_nothing(PValue{group.normality}), or_nothing(group.average_rank)});
+  }
+  if (!evidence.replicate.empty()) table.notes.push_back(fmt::format("One observation is {}.", evidence.replicate));
+  if (!evidence.from_summaries) {
+    table.notes.push_back(
+        fmt::format("Intervals: of the mean by Student's t and by the bootstrap (BCa), of the median by order "
+                    "statistics. Quartiles of type {} (Hyndman and "
+                    "Fan).",
+                    evidence.plan.quartiles));
+  }
+  for (const std::string& note : evidence.notes) table.notes.push_back(note);
+  if (!evidence.flaw.empty()) table.notes.push_back("Flawed: " + evidence.flaw);
+  return table;
+}
+
+// "5, 44.3"
+Cell degrees_of_freedom(const TestResult& test) {
+  if (!std::isfinite(test.df)) return {};
+  if (!std::isfinite(test.df_within)) return rounded_number(test.df, 5);
+  return fmt::format("{}, {}", rounded_number(test.df, 5), rounded_number(test.df_within, 5));
+}
+
+Cell with_symbol(const std::string& symbol, double value) {
+  return std::isfinite(value) ? Cell(fmt::format("{} = {}", symbol, rounded_number(value, 5))) : Cell();
+}
+
+std::string role_words(Role role) {
+  constexpr std::array<std::string_view, 3> words{"assumption", "the paper's analysis", "sound"};
+  return std::string(words[static_cast<std::size_t>(role)]);
+}
+
+Table tests_table(const Evidence& evidence) {
+  Table table{.name = table_name(evidence, "tests"),
+              .caption = fmt::format("Tests of all groups together: {}", evidence.quantity),
+              .columns = {{"part", Align::left},
+                          {"test", Align::left},
+                          {"statistic", Align::left},
+                          {"degrees of freedom"},
+                          {"p"},
+                          {"effect", Align::left},
+                          {"verdict", Align::left}}};
+  for (const TestResult& test : evidence.tests) {
+    const bool significant = test.p < evidence.plan.significance;
+    const std::string_view finding = test.role == Role::assumption
+                                         ? (significant ? "does not hold" : "not refuted")
+                                         : (significant ? "the groups differ" : "not told apart");
+    table.rows.push_back({role_words(test.role), test.test, with_symbol(test.symbol, test.statistic),
+                          degrees_of_freedom(test), or_nothing(PValue{test.p}),
+                          with_symbol(test.effect_symbol, test.effect),
+                          test.undefined.empty() ? std::string(finding) : "not defined: " + test.undefined});
+  }
+  table.notes.push_back(fmt::format("Each at {}. {} decides; it was chosen before the data were seen.",
+                                    rounded_number(evidence.plan.significance, 3), words_of(evidence.plan.test)));
+  if (!evidence.flaw.empty()) table.notes.push_back("Flawed: " + evidence.flaw);
+  return table;
+}
+
+std::string verdict_of(const Evidence& evidence, const Contrast& contrast) {
+  switch (contrast.relation) {
+    case Relation::first_better:
+      return evidence.groups[contrast.first].name + " is better";
+    case Relation::second_better:
+      return evidence.groups[contrast.second].name + " is better";
+    case Relation::undefined:
+      return "not defined: " + contrast.undefined;
+    default:
+      return std::string(name_of(contrast.relation));
+  }
+}
+
+Table contrasts_table(const Evidence& evidence) {
+  const std::string level = percent(1 - evidence.plan.significance);
+  Table table{.name = table_name(evidence, "contrasts"),
+              .caption = fmt::format("Who differs from whom: {}", evidence.quantity),
+              .columns = {{"first", Align::left},
+                          {"second", Align::left},
+                          {"difference of means"},
+                          {level + " interval"},
+                          {"p"},
+                          {"A12"},
+                          {level + " interval of A12"},
+                          {"Hedges g"},
+                          {"p, Tukey"},
+                          {"p, Games-Howell"},
+                          {evidence.blocks > 0 ? "p, Friedman ranks" : "p, Dunn"},
+                          {fmt::format("runs to see {}", percent(evidence.plan.margin))},
+                          {"verdict", Align::left}}};
+  for (const Contrast& contrast : evidence.contrasts) {
+    const double runs = contrast.runs_to_see_margin;
+    table.rows.push_back(
+        {evidence.groups[contrast.first].name, evidence.groups[contrast.second].name, contrast.difference.value,
+         interval(contrast.difference), or_nothing(PValue{contrast.p}), or_nothing(contrast.superiority.value),
+         interval(contrast.superiority), or_nothing(contrast.g.value), or_nothing(PValue{contrast.p_pooled}),
+         or_nothing(PValue{contrast.p_unpooled}), or_nothing(PValue{contrast.p_ranks}),
+         std::isfinite(runs) ? Cell(static_cast<std::int64_t>(runs)) : Cell(), verdict_of(evidence, contrast)});
+  }
+  table.notes.push_back(fmt::format(
+      "p and interval of the difference hold for all {} pairs together. {} decides. A12: the chance that an "
+      "observation "
+      "of the first is better than one of the second, ties counted half; its interval is for that pair alone.",
+      evidence.pairs, words_of(evidence.plan.test)));
+  if (evidence.reference) {
+    table.notes.push_back(fmt::format("Shown are the pairs with {}{}.", evidence.groups[*evidence.reference].name,
+                                      evidence.plan.control.empty()
+                                          ? ", the best by its mean; all pairs of so many groups are not shown"
+                                          : ", the control"));
+  }
+  if (!evidence.flaw.empty()) table.notes.push_back("Flawed: " + evidence.flaw);
+  return table;
+}
+
+}  // namespace
+
+std::vector<Table> tables_of(const Evidence& evidence) {
+  std::vector<Table> tables{groups_table(evidence)};
+  if (!evidence.tests.empty()) tables.push_back(tests_table(evidence));
+  if (!evidence.contrasts.empty()) tables.push_back(contrasts_table(evidence));
+  return tables;
+}
+
+}  // namespace ikbench

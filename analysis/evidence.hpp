@@ -1,0 +1,104 @@
+// Everything that the methods say of one set of observations, as numbers. Which of them decides was chosen before
+// (results/analysis_plan.hpp); the words are assessment.hpp's.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "analysis/observations.hpp"
+#include "results/analysis_plan.hpp"
+
+namespace ikbench {
+
+// A number with its interval; the interval may be not defined where the number is.
+struct Estimate {
+  double value = not_defined;
+  double low = not_defined;
+  double high = not_defined;
+};
+
+struct GroupEvidence {
+  std::string name;
+  Description described = {};
+  Estimate mean = {};          // interval of Student's t
+  Estimate bootstrapped = {};  // of the mean, by the bootstrap (BCa)
+  Estimate median = {};  // interval by order statistics, free of a distribution
+  double q1 = not_defined;
+  double q3 = not_defined;
+  double normality = not_defined;  // p of Shapiro and Wilk's test
+  std::string normality_undefined = {};
+  double average_rank = not_defined;  // over the blocks, 1 is best; only where there are blocks
+};
+
+// assumption: what a test takes for granted. paper: the analysis that the paper made. sound: what needs less.
+enum class Role { assumption, paper, sound };
+
+struct TestResult {
+  std::string test;
+  Role role = Role::sound;
+  std::string symbol = {};  // of the statistic: "F", "H"
+  double statistic = not_defined;
+  double df = not_defined;
+  double df_within = not_defined;  // only where there are two
+  double p = not_defined;
+  std::string effect_symbol = {};
+  double effect = not_defined;
+  std::string undefined = {};  // why there is no p
+};
+
+// What is known of two groups, in favour of the one or the other.
+enum class Relation { first_better, second_better, equivalent, not_told_apart, undefined };
+std::string_view name_of(Relation relation);
+
+struct Contrast {
+  std::size_t first = 0, second = 0;
+  Estimate difference = {};                 // mean of first - mean of second, simultaneous over all pairs
+  double p = not_defined;                   // of the deciding test, corrected for all pairs
+  double p_pooled = not_defined;            // Tukey
+  double p_unpooled = not_defined;          // Games and Howell
+  double p_ranks = not_defined;             // Dunn, or Friedman's ranks where there are blocks; corrected as planned
+  Estimate superiority = {};                // A12: the chance that an observation of first is better than one of second
+  Estimate g = {};                          // Hedges; positive where the mean of first is larger
+  double runs_to_see_margin = not_defined;  // a group, to find a difference of the planned margin
+  Relation relation = Relation::undefined;
+  std::string undefined = {};  // why p is not defined
+};
+
+struct Evidence {
+  std::string name, quantity;
+  Better better = Better::smaller;
+  std::string replicate = {}, block = {};
+  std::size_t blocks = 0;
+  bool from_summaries = false;
+  std::vector<std::string> notes = {};
+  std::string flaw = {};
+  AnalysisPlan plan = {};  // its test is never by_design here, but the one that decides
+  bool constant = false;   // every group has one value alone: there is nothing to test
+  std::vector<GroupEvidence> groups = {};
+  double variance_ratio = not_defined;  // the largest by the smallest
+  std::size_t most_variable = 0, least_variable = 0;
+  std::vector<TestResult> tests = {};        // in the order of Role
+  double critical_difference = not_defined;  // Nemenyi's, of average ranks
+  // Pairs first < second in order; where there are more than most_groups_in_pairs groups, or a control, only those with
+  // one group, `reference`.
+  std::vector<Contrast> contrasts = {};
+  std::optional<std::size_t> reference = {};
+  std::size_t pairs = 0;  // that p-values and intervals are corrected for
+
+  const TestResult* test(std::string_view test_name) const;  // null where it was not made
+};
+
+constexpr std::size_t most_groups_in_pairs = 20;
+
+// A control that is no group, or a deciding test that the data do not have (Friedman without blocks, ranks from
+// summaries) is std::invalid_argument.
+Evidence evidence(const Observations& observations, const AnalysisPlan& plan);
+Evidence evidence(const Summaries& summaries, const AnalysisPlan& plan);
+
+// Names of tests, of which one decides.
+std::string_view words_of(DecidingTest test);
+
+}  // namespace ikbench

@@ -1,0 +1,18 @@
+#include "analysis/statistics_report.hpp"
+
+#include <algorithm>
+#include <iterator>
+
+namespace ikbench {
+
+Report write_statistics(const std::vector<Assessment>& assessments, const StatisticsRequest& request) {
+  Publication publication{.content = {.study = request.source, .title = request.title, .command = request.command},
+                          .assessments = assessments};
+  for (const Assessment& assessment : assessments) {
+    std::ranges::copy(assessment.headlines, std::back_inserter(publication.content.summary));
+    std::ranges::copy(assessment.warnings, std::back_inserter(publication.content.warnings));
+  }
+  return publish(std::move(publication), request.folder, request.figures);
+}
+
+}  // namespace ikbench

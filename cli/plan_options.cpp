@@ -1,0 +1,74 @@
+#include "cli/plan_options.hpp"
+
+#include <fmt/format.h>
+
+#include <map>
+#include <string>
+
+#include "cli/reporting.hpp"
+#include "results/number.hpp"
+
+namespace ikbench::cli {
+namespace {
+
+template <class Enum, std::size_t count>
+std::map<std::string, Enum> by_name(const std::array<std::string_view, count>& names) {
+  std::map<std::string, Enum> result;
+  for (std::size_t i = 0; i < count; ++i) result.emplace(names[i], static_cast<Enum>(i));
+  return result;
+}
+
+// A number of the range, digits and point alone: CLI11 reads more than that as numbers.
+CLI::Validator number_in(double least, double most) {
+  return CLI::Validator(
+      [=](const std::string& text) {
+        const auto value = number_from(text);
+        return value && *value >= least && *value <= most
+                   ? std::string()
+                   : fmt::format("{} is not a number from {} to {}", text.substr(0, 100), least, most);
+      },
+      "");
+}
+
+}  // namespace
+
+void add_margin_option(CLI::App& command, double& margin) {
+  command.add_option_function<std::string>(
+      "--margin",
+      [&margin](const std::string& text) {
+        const bool percent = text.ends_with('%');
+        const auto value = number_from(percent ? text.substr(0, text.size() - 1) : text);
+        const double share = value ? *value / (percent ? 100 : 1) : -1;
+        if (!(share >= 0 && share < 1) || (!percent && share == 0 && text != "0")) {
+          throw CLI::ValidationError(
+              fmt::format("--margin: {} is not a share below one, expected 5% or 0.05", text.substr(0, 100)));
+        }
+        margin = share;
+      },
+      fmt::format("relative difference that matters, as 5% or 0.05 [{:g}%]", 100 * margin));
+}
+
+void add_plan_options(CLI::App& command, AnalysisPlan& plan) {
+  const auto enumerated = [&](const std::string& flag, auto& value, const auto& names, const std::string& meaning) {
+    using Enum = std::remove_reference_t<decltype(value)>;
+    command.add_option(flag, value, fmt::format("{} [{}]", meaning, name_of(value)))
+        ->transform(CLI::CheckedTransformer(by_name<Enum>(names), CLI::ignore_case));
+  };
+  enumerated("--test", plan.test, deciding_test_names,
+             "which test decides; by_design: Friedman's with blocks, else Welch's");
+  enumerated("--adjustment", plan.adjustment, adjustment_names, "correction of rank tests for being several");
+  command.add_option("--control", plan.control, "group that the others are held against; every pair if not given");
+  command.add_option("--significance", plan.significance, "of tests; intervals have the rest to 1 as level")
+      ->check(number_in(0.0001, 0.5))
+      ->capture_default_str();
+  add_margin_option(command, plan.margin);
+  command.add_option("--power", plan.power, "with which a difference of the margin should be found")
+      ->check(number_in(0.5, 0.999))
+      ->capture_default_str();
+  command.add_option("--quartiles", plan.quartiles, "Hyndman-Fan type; 7 is that of R and NumPy, 5 MATLAB's")
+      ->check(whole_number())
+      ->check(CLI::Range(1, 9))
+      ->capture_default_str();
+}
+
+}  // namespace ikbench::cli

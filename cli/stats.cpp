@@ -1,0 +1,167 @@
+// ikbench stats: the statistics of any data: a CSV of observations, or of published means and standard deviations.
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <fstream>
+#include <iostream>
+#include <iterator>
+#include <memory>
+#include <stdexcept>
+
+#include "analysis/assessment.hpp"
+#include "analysis/files.hpp"
+#include "analysis/observations_csv.hpp"
+#include "analysis/statistics_report.hpp"
+#include "cli/commands.hpp"
+#include "cli/console.hpp"
+#include "cli/plan_options.hpp"
+#include "cli/reporting.hpp"
+#include "results/csv.hpp"
+
+namespace ikbench::cli {
+namespace {
+
+struct Arguments {
+  std::string file, summaries;
+  std::vector<std::string> values;
+  CsvRequest csv;
+  bool wide = false, rows_are_blocks = false, larger = false, forced = false, without_figures = false;
+  std::string quantity, out;
+  AnalysisPlan plan;
+};
+
+// The whole file, or standard input for "-". Bounded as the CSV reader is.
+std::string contents_of(const std::string& file) {
+  if (file == "-") {
+    std::string text{std::istreambuf_iterator<char>(std::cin), {}};
+    return text;
+  }
+  if (std::filesystem::is_directory(file)) {
+    throw std::invalid_argument(fmt::format("{} is a folder, expected a CSV file", file));
+  }
+  std::error_code error;
+  if (const auto size = std::filesystem::file_size(file, error); !error && size > max_csv_bytes) {
+    throw std::invalid_argument(fmt::format("{}: {} bytes, expected at most {}", file, size, max_csv_bytes));
+  }
+  if (auto text = read_file(file)) return std::move(*text);
+  throw std::invalid_argument(fmt::format("{} cannot be read; expected a CSV file, or - for standard input", file));
+}
+
+std::vector<Assessment> assessments_of(const Arguments& arguments) {
+  std::vector<Assessment> result;
+  const Better better = arguments.larger ? Better::larger : Better::smaller;
+  if (!arguments.summaries.empty()) {
+    for (Summaries& summaries : read_summaries(contents_of(arguments.summaries), arguments.summaries)) {
+      summaries.better = better;
+      if (!arguments.quantity.empty()) summaries.quantity = arguments.quantity;
+      result.push_back(assess(summaries, arguments.plan));
+    }
+    return result;
+  }
+  CsvRequest request = arguments.csv;
+  request.better = better;
+  request.replicates = arguments.forced ? Replicates::as_given : Replicates::checked;
+  request.layout = arguments.wide ? Layout::one_column_a_group : Layout::one_row_a_value;
+  request.rows = arguments.rows_are_blocks ? RowsOf::one_block : RowsOf::no_block;
+  const std::string text = contents_of(arguments.file);
+  std::vector<std::string> values = arguments.values;
+  if (values.empty()) values.emplace_back();
+  for (const std::string& value : values) {
+    request.value = value;
+    Observations observations =
+        read_observations(text, arguments.file == "-" ? "standard input" : arguments.file, request);
+    if (!arguments.quantity.empty() && values.size() == 1) observations.quantity = arguments.quantity;
+    result.push_back(assess(observations, arguments.plan));
+  }
+  return result;
+}
+
+void check(const Arguments& arguments) {
+  if (arguments.file.empty() == arguments.summaries.empty()) {
+    throw std::invalid_argument("expected either a CSV file of observations or --summaries FILE.csv; see --help");
+  }
+  if (!arguments.summaries.empty()) {
+    if (!arguments.values.empty() || arguments.wide || !arguments.csv.group.empty() || !arguments.csv.block.empty()) {
+      throw std::invalid_argument(
+          "--summaries has its own columns (name, mean, sd, n); expected no --value, --group, --block or --wide with "
+          "it");
+    }
+    return;
+  }
+  if (!arguments.wide && arguments.values.empty()) {
+    throw std::invalid_argument(
+        "expected --value COLUMN, the column of the numbers (and --group COLUMN); or --wide, where every column is a "
+        "group");
+  }
+  if (arguments.wide && arguments.values.size() > 1) {
+    throw std::invalid_argument(
+        "with --wide every column is a group; expected at most one --value, the name of the quantity");
+  }
+  if (arguments.rows_are_blocks && !arguments.wide) {
+    throw std::invalid_argument("--rows-are-blocks is of --wide; expected --block COLUMN for one row a value");
+  }
+}
+
+void print(const Assessment& assessment) {
+  fmt::print("\n{}\n{}\n", printable(assessment.heading), std::string(assessment.heading.size(), '='));
+  for (const std::string& sentence : assessment.sentences) fmt::print("- {}\n", printable(sentence));
+  for (const Table& table : assessment.tables) {
+    fmt::print("\n{}\n{}", printable(table.caption), aligned(readable_cells(table)));
+  }
+}
+
+}  // namespace
+
+void add_stats(CLI::App& app, Invocation& invocation) {
+  auto arguments = std::make_shared<Arguments>();
+  CLI::App* command =
+      app.add_subcommand("stats", "The statistics of a CSV: which group is better, by how much, on what evidence");
+  command->add_option("FILE", arguments->file, "CSV of observations, one row a value; - is standard input");
+  command->add_option("--summaries", arguments->summaries,
+                      "instead, a CSV of what was published: name, mean, sd, n; with a column metric, each by itself");
+  command->add_option("--value", arguments->values, "column of the numbers; may be given several times")
+      ->allow_extra_args(false);
+  command->add_option("--group", arguments->csv.group, "column of the groups; group, solver or algorithm if not given");
+  command->add_option("--block", arguments->csv.block,
+                      "column of what all groups were given alike: a problem, a target");
+  command->add_option("--run", arguments->csv.run,
+                      "column of the runs: the rows of a group's run are averaged into one observation");
+  command->add_flag("--wide", arguments->wide, "every column is a group");
+  command->add_flag("--rows-are-blocks", arguments->rows_are_blocks,
+                    "with --wide: the values of a row belong together");
+  command->add_flag("--larger-is-better", arguments->larger, "else smaller is better");
+  command->add_option("--quantity", arguments->quantity,
+                      "what the numbers are, with the unit: \"position error [cm]\"");
+  command->add_flag("--force", arguments->forced,
+                    "take rows that repeat a run as observations all the same; the report says so");
+  add_plan_options(*command, arguments->plan);
+  command->add_option("--out", arguments->out, "folder of the report; out/stats-<file> if not given");
+  command->add_flag("--no-figures", arguments->without_figures, "tables only");
+  command->footer(
+      "Examples:\n"
+      "  ikbench stats results.csv --value error --group solver\n"
+      "  ikbench stats auc.csv --value auc --group classifier --block dataset --larger-is-better\n"
+      "  ikbench export out/slim2023/store.sqlite | ikbench stats - --value position_error_cm --group solver --run "
+      "run\n"
+      "  ikbench stats --summaries published.csv --quantity \"position error [cm]\"\n\n"
+      "What each line means: docs/statistics.md");
+  command->callback([arguments, &invocation] {
+    check(*arguments);
+    const std::string& source = arguments->summaries.empty() ? arguments->file : arguments->summaries;
+    const std::string stem = source == "-" ? "input" : std::filesystem::path(source).stem().string();
+    const std::vector<Assessment> assessments = assessments_of(*arguments);
+    for (const Assessment& assessment : assessments) print(assessment);
+    const Report report = write_statistics(
+        assessments,
+        {.title = fmt::format("Statistics of {}",
+                              source == "-" ? "standard input" : std::filesystem::path(source).filename().string()),
+         .source = source,
+         .command = invocation.command,
+         .folder = arguments->out.empty() ? default_folder("stats-" + stem) : std::filesystem::path(arguments->out),
+         .figures = {.render = !arguments->without_figures}});
+    for (const std::string& warning : report.warnings) say("warning: " + warning);
+    fmt::print("\nReport: {}\n", printable(report.page.string()));
+  });
+}
+
+}  // namespace ikbench::cli
