@@ -54,7 +54,13 @@ void add_effects(const Evidence& evidence, std::vector<Figure>& figures) {
   const std::size_t k = evidence.groups.size();
   const bool all_pairs = evidence.contrasts.size() == k * (k - 1) / 2;
   if (evidence.from_summaries || !all_pairs || k < 3) return;
-  EffectMatrix matrix{.name = figure_name(evidence, "effects"), .quantity = evidence.quantity};
+  EffectMatrix matrix{
+      .name = figure_name(evidence, "effects"),
+      .quantity = evidence.quantity,
+      .meaning = evidence.blocks > 0
+                     ? "the share of blocks in which the row is better than the column"
+                     : "Vargha and Delaney's A12, the chance that a value of the row is better than one of "
+                       "the column"};
   matrix.effects.assign(k, std::vector<double>(k, not_defined));
   for (const GroupEvidence& group : evidence.groups) matrix.labels.push_back(group.name);
   for (const Contrast& contrast : evidence.contrasts) {
@@ -84,6 +90,8 @@ Assessment assessment_of(const Evidence& evidence) {
   add_differences(evidence, result.figures);
   add_ranks(evidence, result.figures);
   add_effects(evidence, result.figures);
+  if (evidence.flaw.empty()) return result;
+  for (Figure& figure : result.figures) figure.caption += " Flawed: " + evidence.flaw;
   return result;
 }
 

@@ -288,41 +288,22 @@ void add_dispute(std::vector<std::string>& parts, const Dispute& found, std::str
     parts.push_back(fmt::format("{} does not separate {}; {} does", here, listed(found.only_there), there));
 }
 
-// In blocks: the intervals of paired differences of means against the ranks.
-void add_paired_dispute(std::vector<std::string>& parts, const Evidence& evidence) {
-  if (evidence.blocks == 0) return;
-  std::vector<std::string> by_means, by_ranks;
-  for (const Contrast& contrast : evidence.contrasts) {
-    if (!std::isfinite(contrast.difference.low) || !std::isfinite(contrast.p_ranks)) continue;
-    const bool means_differ = contrast.difference.low > 0 || contrast.difference.high < 0;
-    const bool ranks_differ = contrast.p_ranks < evidence.plan.significance;
-    if (means_differ && !ranks_differ) by_means.push_back(pair_words(evidence, contrast));
-    if (ranks_differ && !means_differ) by_ranks.push_back(pair_words(evidence, contrast));
-  }
-  if (!by_means.empty()) {
-    parts.push_back(
-        fmt::format("The intervals of paired differences of means exclude zero for {}; the ranks do not "
-                    "separate them",
-                    listed(by_means)));
-  }
-  if (!by_ranks.empty()) {
-    parts.push_back(fmt::format("The ranks separate {}; the intervals of paired differences of means include zero",
-                                listed(by_ranks)));
-  }
-}
-
 std::string disagreements(const Evidence& evidence) {
   const bool comparable = std::ranges::any_of(evidence.contrasts, [](const Contrast& c) {
-    return std::isfinite(c.p_pooled) + std::isfinite(c.p_unpooled) + std::isfinite(c.p_ranks) > 1;
+    return (std::isfinite(c.p_unpooled) && (std::isfinite(c.p_pooled) || std::isfinite(c.p_ranks))) ||
+           (std::isfinite(c.p_paired) && std::isfinite(c.p_ranks));
   });
   if (!comparable) return "";
   std::vector<std::string> parts;
   const Dispute pooled = dispute(evidence, &Contrast::p_pooled, &Contrast::p_unpooled);
   add_dispute(parts, pooled, "Tukey, with one variance for all,", "Games-Howell, with each group's own,");
-  const Dispute ranks = dispute(evidence, &Contrast::p_unpooled, &Contrast::p_ranks);
-  add_dispute(parts, ranks, "Games-Howell, of means,",
-              evidence.blocks > 0 ? "Friedman's test, of ranks within blocks," : "Dunn's test, of ranks,");
-  add_paired_dispute(parts, evidence);
+  if (evidence.blocks > 0) {
+    add_dispute(parts, dispute(evidence, &Contrast::p_paired, &Contrast::p_ranks),
+                "The paired t test, of differences within blocks,", "Friedman's test, of ranks within blocks,");
+  } else {
+    add_dispute(parts, dispute(evidence, &Contrast::p_unpooled, &Contrast::p_ranks), "Games-Howell, of means,",
+                "Dunn's test, of ranks,");
+  }
   if (parts.empty()) return "Where methods disagree: on no pair do they come to another verdict.";
   std::string text = fmt::format("Where methods disagree: {}.", fmt::join(parts, ". "));
   const bool pooling = !pooled.only_here.empty() || !pooled.only_there.empty();

@@ -39,6 +39,7 @@ Table groups_table(const Evidence& evidence) {
                           {"not finite"},
                           {"mean"},
                           {level + " interval of the mean"},
+                          {"by bootstrap"},
                           {"sd"},
                           {"median"},
                           {level + " interval of the median"},
@@ -52,21 +53,23 @@ Table groups_table(const Evidence& evidence) {
     const Description& of = group.described;
     const Cell not_finite = unless_zero(of.not_finite);
     if (evidence.from_summaries) {
-      table.rows.push_back({group.name, std::int64_t{of.n}, not_finite, of.mean, interval(group.mean),
+      table.rows.push_back({group.name, std::int64_t{of.n}, not_finite, of.mean, interval(group.mean), Cell(),
                             of.n > 1 ? Cell(of.std) : Cell(), Cell(), Cell(), Cell(), Cell(), Cell(), Cell(), Cell(),
                             Cell()});
       continue;
     }
     table.rows.push_back({group.name, std::int64_t{of.n}, not_finite, of.mean, interval(group.mean),
-                          of.n > 1 ? Cell(of.std) : Cell(), of.median, interval(group.median), group.q1, group.q3,
-                          of.min, of.max, or_nothing(PValue{group.normality}), or_nothing(group.average_rank)});
+                          interval(group.bootstrapped), of.n > 1 ? Cell(of.std) : Cell(), of.median,
+                          interval(group.median), group.q1, group.q3, of.min, of.max,
+                          or_nothing(PValue{group.normality}), or_nothing(group.average_rank)});
   }
   if (!evidence.replicate.empty()) table.notes.push_back(fmt::format("One observation is {}.", evidence.replicate));
   if (!evidence.from_summaries) {
-    table.notes.push_back(fmt::format(
-        "Intervals: of the mean by Student's t, of the median by order statistics. Quartiles of type {} (Hyndman and "
-        "Fan).",
-        evidence.plan.quartiles));
+    table.notes.push_back(
+        fmt::format("Intervals: of the mean by Student's t and by the bootstrap (BCa), of the median by order "
+                    "statistics. Quartiles of type {} (Hyndman and "
+                    "Fan).",
+                    evidence.plan.quartiles));
   }
   for (const std::string& note : evidence.notes) table.notes.push_back(note);
   if (!evidence.flaw.empty()) table.notes.push_back("Flawed: " + evidence.flaw);
@@ -128,6 +131,18 @@ std::string verdict_of(const Evidence& evidence, const Contrast& contrast) {
   }
 }
 
+// What the p-values and intervals are corrected for.
+std::string family_note(const Evidence& evidence) {
+  const bool ranks = evidence.plan.test == DecidingTest::kruskal_wallis || evidence.plan.test == DecidingTest::friedman;
+  const std::string all = fmt::format("all {} pairs together", evidence.pairs);
+  const std::string ours = evidence.plan.control.empty() || !ranks
+                               ? all
+                               : fmt::format("the {} pairs with the control together", evidence.groups.size() - 1);
+  const std::string interval = evidence.plan.test == DecidingTest::kruskal_wallis ? all : ours;
+  return fmt::format("{} decides: p holds for {}, the interval of the difference for {}.", words_of(evidence.plan.test),
+                     ours, interval == ours ? "them too" : interval);
+}
+
 Table contrasts_table(const Evidence& evidence) {
   const std::string level = percent(1 - evidence.plan.significance);
   Table table{.name = table_name(evidence, "contrasts"),
@@ -137,11 +152,12 @@ Table contrasts_table(const Evidence& evidence) {
                           {"difference of means"},
                           {level + " interval"},
                           {"p"},
-                          {"A12"},
-                          {level + " interval of A12"},
+                          {evidence.blocks > 0 ? "ahead in blocks" : "A12"},
+                          {level + (evidence.blocks > 0 ? " interval of that" : " interval of A12")},
                           {"Hedges g"},
                           {"p, Tukey"},
                           {"p, Games-Howell"},
+                          {"p, paired t"},
                           {evidence.blocks > 0 ? "p, Friedman ranks" : "p, Dunn"},
                           {fmt::format("runs to see {}", percent(evidence.plan.margin))},
                           {"verdict", Align::left}}};
@@ -151,17 +167,19 @@ Table contrasts_table(const Evidence& evidence) {
         {evidence.groups[contrast.first].name, evidence.groups[contrast.second].name, contrast.difference.value,
          interval(contrast.difference), or_nothing(PValue{contrast.p}), or_nothing(contrast.superiority.value),
          interval(contrast.superiority), or_nothing(contrast.g.value), or_nothing(PValue{contrast.p_pooled}),
-         or_nothing(PValue{contrast.p_unpooled}), or_nothing(PValue{contrast.p_ranks}),
-         std::isfinite(runs) ? Cell(static_cast<std::int64_t>(runs)) : Cell(), verdict_of(evidence, contrast)});
+         or_nothing(PValue{contrast.p_unpooled}), or_nothing(PValue{contrast.p_paired}),
+         or_nothing(PValue{contrast.p_ranks}), std::isfinite(runs) ? Cell(static_cast<std::int64_t>(runs)) : Cell(),
+         verdict_of(evidence, contrast)});
   }
-  table.notes.push_back(fmt::format(
-      "{}{} decides. A12: {}, ties counted half; its interval is for that pair alone.",
-      evidence.pairs == 1
-          ? ""
-          : fmt::format("p and interval of the difference hold for all {} pairs together. ", evidence.pairs),
-      words_of(evidence.plan.test),
-      evidence.blocks > 0 ? "the share of blocks in which the first is better than the second"
-                          : "the chance that an observation of the first is better than one of the second"));
+  table.notes.push_back(family_note(evidence));
+  if (!evidence.from_summaries) {
+    table.notes.push_back(evidence.blocks > 0 ? "Ahead in blocks: the share of blocks in which the first is better, "
+                                                "ties counted half; its interval is for "
+                                                "that pair alone, and none where there are ties."
+                                              : "A12: the chance that an observation of the first is better than one "
+                                                "of the second, ties counted half; its "
+                                                "interval is for that pair alone.");
+  }
   if (evidence.reference) {
     table.notes.push_back(fmt::format("Shown are the pairs with {}{}.", evidence.groups[*evidence.reference].name,
                                       evidence.plan.control.empty()

@@ -92,12 +92,16 @@ Estimate superiority(const Evidence& evidence, const std::vector<double>& first,
   return {.value = found.value, .low = found.low, .high = found.high};
 }
 
-// In blocks the difference is that of pairs; its interval holds for all pairs together by Bonferroni.
-Estimate paired_difference(const Evidence& evidence, const std::vector<double>& first,
-                           const std::vector<double>& second) {
+// Of the differences within blocks; p and interval hold for the whole family by Bonferroni.
+void compare_in_blocks(const Evidence& evidence, Values values, Contrast& contrast) {
   const auto family = static_cast<double>(evidence.plan.control.empty() ? evidence.pairs : evidence.groups.size() - 1);
-  const PairedTest test = paired_t(first, second, 1 - evidence.plan.significance / family);
-  return {.value = test.difference, .low = test.low, .high = test.high};
+  const PairedTest test =
+      paired_t(values[contrast.first], values[contrast.second], 1 - evidence.plan.significance / family);
+  contrast.p_paired = std::min(1.0, family * test.p);
+  if (std::isnan(test.p)) contrast.p_paired = not_defined;
+  if (evidence.plan.test != DecidingTest::friedman) return;
+  contrast.difference = {.value = test.difference, .low = test.low, .high = test.high};
+  contrast.undefined.clear();  // the ranks of a block need no finite values
 }
 
 void judge(const Evidence& evidence, Contrast& contrast) {
@@ -209,11 +213,12 @@ void add_contrasts(Evidence& evidence, std::span<const GroupSummary> summaries, 
     contrast.undefined = shown.undefined;
     const EffectSize g = hedges_g(first, second, level);
     contrast.g = {.value = g.value, .low = g.low, .high = g.high};
-    contrast.runs_to_see_margin = runs_to_see(first, second, evidence.plan.margin * std::abs(second.mean), goal).n;
+    if (evidence.blocks == 0) {
+      contrast.runs_to_see_margin = runs_to_see(first, second, evidence.plan.margin * std::abs(second.mean), goal).n;
+    }
     if (!ahead.empty()) {
       contrast.superiority = superiority(evidence, ahead[contrast.first], ahead[contrast.second]);
-      if (evidence.blocks > 0)
-        contrast.difference = paired_difference(evidence, values[contrast.first], values[contrast.second]);
+      if (evidence.blocks > 0) compare_in_blocks(evidence, values, contrast);
     }
     contrast.p = deciding_p(evidence, contrast);
     judge(evidence, contrast);

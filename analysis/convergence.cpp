@@ -1,13 +1,18 @@
 #include "analysis/convergence.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <map>
+#include <string>
 #include <string_view>
 #include <utility>
 
 #include "analysis/definition.hpp"
 #include "analysis/statistics/quantile.hpp"
+#include "analysis/text.hpp"
 #include "analysis/time_assessment.hpp"
 
 namespace ikbench {
@@ -194,6 +199,26 @@ std::vector<double> log_spaced(double first, double last, std::size_t count) {
   }
   numbers.push_back(last);
   return numbers;
+}
+
+std::string closest_point_by_point(const StudyResults& study) {
+  const Profile profile = performance_profile(study, final_error_cm);
+  std::vector<std::pair<double, std::string>> shares;
+  for (std::size_t i = 0; i < profile.ratios.size(); ++i) {
+    if (profile.ratios[i].empty()) continue;
+    const auto closest = std::ranges::count_if(profile.ratios[i], [](double ratio) { return ratio <= 1; });
+    shares.emplace_back(100.0 * static_cast<double>(closest) / profile.problems, one_line(study.solvers[i]));
+  }
+  if (shares.size() < 2 || profile.problems == 0) return "";
+  std::ranges::stable_sort(shares, std::greater{}, &std::pair<double, std::string>::first);
+  std::string list;
+  for (const auto& [share, solver] : shares) {
+    list += fmt::format("{}{} in {} %", list.empty() ? "" : ", ", solver, rounded_number(share, 3));
+  }
+  return fmt::format(
+      "Point by point, of {} solves by each, the closest to the target is {}. (A run's mean is decided by its "
+      "worst points.)",
+      profile.problems, list);
 }
 
 }  // namespace ikbench

@@ -7,6 +7,7 @@
 #include <functional>
 #include <limits>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "analysis/study.hpp"
@@ -81,6 +82,10 @@ struct Profile {
 // The cost of a solve, never where it fails. 0/0 is 1; a cost above a smallest of 0 is infinitely many times as much.
 using CostOf = std::function<double(const SolveRecord&)>;
 Profile performance_profile(const StudyResults& study, const CostOf& cost_of);
+
+// How often each solver comes closest to the target, in a sentence: what means over runs, which their worst points decide,
+// do not show. Empty where fewer than two solvers share a problem.
+std::string closest_point_by_point(const StudyResults& study);
 
 // `count` numbers, the first and last exactly as given, which are positive; a single one where they are the same.
 std::vector<double> log_spaced(double first, double last, std::size_t count);

@@ -25,7 +25,7 @@ struct GroupEvidence {
   Description described = {};
   Estimate mean = {};          // interval of Student's t
   Estimate bootstrapped = {};  // of the mean, by the bootstrap (BCa)
-  Estimate median = {};  // interval by order statistics, free of a distribution
+  Estimate median = {};        // interval by order statistics, free of a distribution
   double q1 = not_defined;
   double q3 = not_defined;
   double normality = not_defined;  // p of Shapiro and Wilk's test
@@ -55,14 +55,16 @@ std::string_view name_of(Relation relation);
 
 struct Contrast {
   std::size_t first = 0, second = 0;
-  Estimate difference = {};                 // mean of first - mean of second, simultaneous over all pairs
-  double p = not_defined;                   // of the deciding test, corrected for all pairs
-  double p_pooled = not_defined;            // Tukey
-  double p_unpooled = not_defined;          // Games and Howell
+  Estimate difference = {};         // mean of first - mean of second, simultaneous over all pairs
+  double p = not_defined;           // of the deciding test, corrected for all pairs
+  double p_pooled = not_defined;    // Tukey
+  double p_unpooled = not_defined;  // Games and Howell
+  double p_paired =
+      not_defined;  // t of the differences within blocks, corrected by Bonferroni; only where there are blocks
   double p_ranks = not_defined;             // Dunn, or Friedman's ranks where there are blocks; corrected as planned
   Estimate superiority = {};                // A12: the chance that an observation of first is better than one of second
   Estimate g = {};                          // Hedges; positive where the mean of first is larger
-  double runs_to_see_margin = not_defined;  // a group, to find a difference of the planned margin
+  double runs_to_see_margin = not_defined;  // a group, to find a difference of the planned margin; not in blocks
   Relation relation = Relation::undefined;
   std::string undefined = {};  // why p is not defined
 };

@@ -10,6 +10,7 @@
 
 #include "analysis/analysis_plan.hpp"
 #include "analysis/assessment.hpp"
+#include "analysis/convergence.hpp"
 #include "analysis/convergence_figures.hpp"
 #include "analysis/cost_tables.hpp"
 #include "analysis/definition.hpp"
@@ -165,6 +166,9 @@ Report write_report(const Store& store, const ReportRequest& request) {
   for (std::size_t i = 1; i < beside.size(); ++i) content.summary.push_back(perspective(beside[i], plan.unit));
   std::ranges::move(cost_tables(study), std::back_inserter(tables));
   std::ranges::move(convergence_figures(study), std::back_inserter(figures));
+  if (std::string closest = closest_point_by_point(study); !closest.empty()) {
+    content.summary.push_back(std::move(closest));
+  }
   std::vector<Assessment> assessments = assessments_of(study, plan);
   for (const Assessment& assessment : assessments) {
     std::ranges::copy(assessment.headlines, std::back_inserter(content.summary));

@@ -30,6 +30,21 @@ Data list_of(const std::vector<std::string>& sentences) {
   return list;
 }
 
+// "Assumptions: equal variances do not hold" as its topic and the rest.
+Data topics_of(const std::vector<std::string>& sentences) {
+  Data list(Data::type::list);
+  for (const std::string& sentence : sentences) {
+    constexpr std::size_t longest_topic = 30;
+    const std::size_t colon = sentence.find(": ");
+    const std::size_t length = colon == std::string::npos || colon > longest_topic ? 0 : colon + 1;
+    Data data;
+    data.set("topic", text(sentence.substr(0, length)));
+    data.set("rest", text(sentence.substr(length)));
+    list.push_back(data);
+  }
+  return list;
+}
+
 // A name as an id and part of a link; names are ours, but a table of another's making stays harmless.
 std::string id_of(std::string_view name) {
   std::string id;
@@ -225,7 +240,7 @@ std::string to_html(const ReportContent& content, const HtmlExtras& extras) {
       if (!section.paragraph.empty()) data.set("paragraph", text(section.paragraph));
       if (!section.sentences.empty()) {
         data.set("has_sentences", true);
-        data.set("sentences", list_of(section.sentences));
+        data.set("sentences", topics_of(section.sentences));
       }
       data.set("items", items);
       sections.push_back(data);

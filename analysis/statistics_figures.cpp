@@ -138,7 +138,7 @@ Figure effect_matrix_figure(const EffectMatrix& matrix) {
       "{}: Vargha and Delaney's A12, the chance that a value of the row is better than one of the column, a tie "
       "counted "
       "half. Blue: the row tends to be better; orange: worse; white: neither.",
-      capitalised(matrix.quantity.empty() ? "values" : matrix.quantity));
+      capitalised(matrix.quantity.empty() ? "values" : matrix.quantity), matrix.meaning);
   if (undefined.find("n.d.") != std::string::npos) figure.caption += " n.d.: not defined.";
   if (n < matrix.labels.size()) {
     figure.caption += fmt::format(" Shown are the first {} of {} groups.", n, matrix.labels.size());

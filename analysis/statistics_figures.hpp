@@ -48,7 +48,8 @@ struct EffectMatrix {
   std::string name;
   std::string quantity;
   std::vector<std::string> labels;
-  // effects[row][column]: Vargha and Delaney's A12, the chance that the row is better than the column.
+  std::string meaning;  // of an effect: "the chance that a value of the row is better than one of the column"
+  // effects[row][column], 0 to 1: of the row against the column.
   std::vector<std::vector<double>> effects;
 };
 

@@ -1,5 +1,5 @@
 // The commands: each adds itself to the program and says its exit code (0 done, 1 the user's mistake, 2 ours,
-// 130 stopped by Ctrl-C).
+// 3 a regression, 130 stopped by Ctrl-C).
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -19,6 +19,7 @@ void add_report(CLI::App& app);
 void add_stats(CLI::App& app, Invocation& invocation);
 void add_audit(CLI::App& app);
 void add_readings(CLI::App& app, Invocation& invocation);
+void add_compare(CLI::App& app, Invocation& invocation);
 void add_list(CLI::App& app);
 void add_solve(CLI::App& app);
 void add_export(CLI::App& app);

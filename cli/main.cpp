@@ -24,8 +24,10 @@ int main(int argc, char** argv) {
       "                                           the same statistics on anybody's data\n"
       "  ikbench audit slim2023                   what the paper's printed numbers say about each other\n"
       "  ikbench readings slim2023                which reading of the paper moves which number\n"
+      "  ikbench compare old.sqlite new.sqlite    whether a variant of a solver is better, the same or worse\n"
       "  ikbench COMMAND --help                   more examples\n\n"
-      "Exit codes: 0 done, 1 a mistake in what was asked, 2 a fault of the program, 130 stopped by Ctrl-C.");
+      "Exit codes: 0 done, 1 a mistake in what was asked, 2 a fault of the program,\n"
+      "3 a regression beyond the margin, 130 stopped by Ctrl-C.");
   app.set_version_flag("--version", "ikbench " + version());
   app.require_subcommand(1);
   app.failure_message([](const CLI::App*, const CLI::Error& error) {
@@ -38,6 +40,7 @@ int main(int argc, char** argv) {
   cli::add_stats(app, invocation);
   cli::add_audit(app);
   cli::add_readings(app, invocation);
+  cli::add_compare(app, invocation);
   cli::add_list(app);
   cli::add_solve(app);
   cli::add_export(app);

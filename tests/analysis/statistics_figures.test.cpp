@@ -216,10 +216,10 @@ TEST_CASE("effects out of 0 to 1 or missing are not defined, and 20 groups are s
                                               .quantity = "error",
                                               .labels = {"a", "b", "c"},
                                               .effects = {{0.5, 0.25, NAN}, {0.75, 0.5, 1.5}}});
-  CHECK(lines_below(figure.data, "# column, row, A12") == Texts{"2 1 0.25", "1 2 0.75"});
+  CHECK(lines_below(figure.data, "# column, row, the chance") == Texts{"2 1 0.25", "1 2 0.75"});
   CHECK(lines_below(figure.data, "# not defined").size() == 7);
   CHECK(contains(figure.caption, "n.d.: not defined"));
-  CHECK(contains(figure.caption, "which is worse"));
+  CHECK(contains(figure.caption, "Blue: the row tends to be better"));
   const EffectMatrix large{.name = "effects", .labels = Texts(30, "s")};
   CHECK(contains(effect_matrix_figure(large).caption, "the first 20 of 30 groups"));
 }

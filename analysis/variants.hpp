@@ -1,0 +1,53 @@
+// A solver's variant held against its baseline, label by label: what may be compared, what of it is an observation, and
+// what the metrics (analysis/variant_metric.hpp) say together.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "analysis/study.hpp"
+#include "analysis/table.hpp"
+#include "analysis/variant_metric.hpp"
+#include "results/store.hpp"
+
+namespace ikbench {
+
+// What one label of a study did.
+struct Variant {
+  Series series;
+  StudyResults study;                  // of that label alone
+  std::vector<Session> sessions = {};  // those that solved it
+};
+
+// One for each label of the study, in its order. std::invalid_argument as make_study.
+std::vector<Variant> variants(const Store& store, const StudyEntry& study);
+
+struct VariantComparison {
+  std::string label;
+  bool paired = false;
+  std::string design;  // whether runs are compared in pairs, and why, in a sentence
+  std::vector<MetricComparison> metrics;
+  std::vector<std::string> notes;  // what is left out, and in what the two differ beside their numbers
+};
+
+// The metrics named, or all where none is. An observation is a run's mean over its points; runs with points missing
+// give none. Runs are paired by number where a run's targets are the same in both and others than those of the next
+// run; else they are independent samples. Times are compared only where both are clean and of one CPU.
+// std::invalid_argument where a metric is unknown, one side has no complete run, or the two were not given the same to
+// do: another robot, other targets, another configuration to start from.
+VariantComparison compare_variants(const Variant& a, const Variant& b, std::span<const std::string> metrics,
+                                   const MarginQuestion& question);
+
+int count(std::span<const VariantComparison> comparisons, Outcome outcome);
+
+// One row a label and metric, everything that is known of it. a12: P(a run of B is better than one of A).
+Table variants_table(std::span<const VariantComparison> comparisons, const MarginQuestion& question);
+// The designs and the notes, with their label; what holds for every label is said once, without.
+std::vector<std::string> variants_notes(std::span<const VariantComparison> comparisons);
+// Whether a regression beyond the margin is shown, and what is not decided.
+std::string variants_verdict(std::span<const VariantComparison> comparisons, const MarginQuestion& question);
+// One object: verdict, significance, margin, notes and rows, each as in the table; null where nothing is defined.
+std::string variants_json(std::span<const VariantComparison> comparisons, const MarginQuestion& question);
+
+}  // namespace ikbench

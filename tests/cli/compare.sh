@@ -1,0 +1,123 @@
+#!/usr/bin/env bash
+# compare: the gate that a solver's own repository would have, on studies that take little.
+source "$(dirname "$0")/common.sh"
+
+# study FOLDER SETTINGS...: K-ABC and MO-PSO on a short path; their errors grow where they have fewer iterations.
+study() {
+  local folder=$1
+  shift
+  succeeds run slim2023 --set runs=8 --set path.points=3 --set stop.iterations=40 --set population=10 "$@" --no-report --out "$folder"
+}
+
+# is_worse ARGUMENTS...: exit code 3, and the last line says so.
+is_worse() {
+  run_it compare "$@"
+  [ "$code" = 3 ] || fail "compare $*: exit code $code, expected 3; it said: $out $err"
+  [[ ${out##*$'\n'} == "Regression beyond "* ]] || fail "the last line is: ${out##*$'\n'}"
+}
+
+study base
+study again
+study fewer --set stop.iterations=5
+base=base/store.sqlite again=again/store.sqlite fewer=fewer/store.sqlite
+
+# The same, to the bit.
+succeeds compare $base $again --metric position_error_cm --metric variation_deg --metric evaluations --metric solved
+[ "$(grep -c '  same  .* to the bit$' <<<"$out")" = 24 ] || fail "6 labels have 4 metrics that are the same: $out"
+[ "${out##*$'\n'}" = "No regression beyond 5 %: none of 24 metrics is worse by more." ] || fail "the last line is: ${out##*$'\n'}"
+quiet
+
+# A regression, in the label and metric that has it; the other way round it is none.
+is_worse $base $fewer --metric position_error_cm
+has "$out" "K-ABC"
+has "$out" "B differs from A in stop.iterations (40, 5)."
+succeeds compare $fewer $base --metric position_error_cm
+[[ ${out##*$'\n'} == "No regression beyond 5 %"* ]] || fail "the last line is: ${out##*$'\n'}"
+is_worse $base $fewer --label K-ABC --metric position_error_cm --margin 20%
+has "${out##*$'\n'}" "Regression beyond 20 %: position_error_cm ("
+succeeds compare $base $fewer --label K-ABC --metric evaluations
+has "$out" "better"
+
+# Two labels of one store.
+succeeds compare BA IK-BA --store $base --metric evaluations
+has "$out" "B: IK-BA, against A: BA, in study slim2023"
+
+# What is not decided is no regression, unless --strict says that it must be.
+succeeds compare $base $fewer --label IK-BA --metric variation_deg
+[ "${out##*$'\n'}" = "No regression beyond 5 % is shown; 1 of 1 metrics is undecided." ] || fail "the last line is: ${out##*$'\n'}"
+run_it compare $base $fewer --label IK-BA --metric variation_deg --strict
+[ "$code" = 3 ] || fail "--strict: exit code $code"
+has "${out##*$'\n'}" "With --strict that is not enough."
+succeeds compare $base $again --label IK-BA --metric solved --strict
+study single --set runs=1
+succeeds compare single/store.sqlite single/store.sqlite --label BA --metric evaluations
+succeeds compare $base single/store.sqlite --label BA --metric position_error_cm
+has "$out" "a single run has no spread"
+
+# Random targets: run by run the same.
+for folder in drawn drawn_again; do
+  succeeds run slim2023-time --set runs=6 --set path.points=2 --set stop.iterations=10 --no-report --out $folder
+done
+succeeds compare drawn/store.sqlite drawn_again/store.sqlite --metric evaluations
+has "$out" "6 pairs of runs"
+succeeds run slim2023-time --set runs=6 --set path.points=2 --set stop.iterations=10 --set seed=2 --no-report --out elsewhere
+refused 'they were given other targets (run 1 and 1, point 1: ' compare drawn/store.sqlite elsewhere/store.sqlite
+study longer --set path.points=4
+refused 'they were given other targets (3 and 4 points a run)' compare $base longer/store.sqlite
+study farther --set path.radius_cm=21
+refused 'they were given other targets (run 1 and 1, point 1: ' compare $base farther/store.sqlite
+study turned --set initial_deg=[1,0,0,0,0,0,0] --set runs=2
+refused 'they were given another configuration to start from' compare $base turned/store.sqlite
+
+# Files for other programs.
+for type in md csv json; do
+  succeeds compare $base $fewer --label MO-PSO --metric evaluations --metric solved -o new/comparison.$type
+  [ -s new/comparison.$type ] || fail "no comparison.$type"
+done
+has "$(<new/comparison.md)" '| MO-PSO | evaluations | better |'
+has "$(head -1 new/comparison.csv)" 'label,metric,B_is,runs_A,runs_B,mean_A,mean_B,B_by_A,low,high,p_worse'
+[ "$(wc -l <new/comparison.csv)" = 3 ] || fail "comparison.csv has $(wc -l <new/comparison.csv) lines"
+if command -v python3 >/dev/null; then
+  python3 -c '
+import json
+told = json.load(open("new/comparison.json"))
+assert told["margin"] == 0.05 and told["verdict"].startswith("No regression beyond 5 %"), told
+assert [row["metric"] for row in told["rows"]] == ["evaluations", "solved"], told
+assert told["rows"][0]["B_is"] == "better" and told["rows"][0]["p_worse"] is None, told' || fail "the JSON"
+fi
+is_worse $base $fewer --label K-ABC --metric position_error_cm -o new/regression.csv
+[ -s new/regression.csv ] || fail "a regression is not written"
+
+# The margin is that of A's study, where none is given.
+study wide --set analysis.margin_percent=30
+succeeds compare wide/store.sqlite $base --label BA --metric evaluations
+has "$out" "margin 30 %"
+
+# Names are text.
+printf 'name = "a <i>b</i>"\nruns = 2\npopulation = 6\n[stop]\niterations = 5\n[path]\npoints = 2\n[[solvers]]\nsolver = "bat"\nlabel = "x | <b> 関節"\n' >hostile.toml
+succeeds run hostile.toml --no-report --out hostile
+succeeds compare hostile/store.sqlite hostile/store.sqlite --metric evaluations -o new/hostile.md
+has "$out" 'x | <b> 関節'
+has_no "$(<new/hostile.md)" '<'
+[ "$(grep -c '^|' new/hostile.md)" = 3 ] || fail "the table has other rows: $(<new/hostile.md)"
+
+# Mistakes.
+refused "there is no store 'IK-BA'; two labels of one store are compared with --store FILE" compare IK-BA BA
+refused 'B: unknown label "IKBA"; did you mean "IK-BA"?' compare BA IKBA --store $base
+refused 'A: unknown label "none" (there are: IK-BA, BA' compare $base $again --label none
+refused 'A and B are both the label BA' compare BA BA --store $base
+refused '--label is for two stores' compare BA DE --store $base --label PSO
+refused 'no label in common (A: IK-BA, BA' compare $base drawn/store.sqlite
+refused 'unknown metric "speed" (there are: position_error_cm, variation_deg, evaluations, seconds, solved)' \
+  compare $base $again --metric speed
+refused '--margin: 5 is not a share below one, expected 5% or 0.05' compare $base $again --margin 5
+refused '--margin: -1% is not a share' compare $base $again --margin=-1%
+refused '--margin: nan is not a share' compare $base $again --margin nan
+refused '--significance: 0.5 is not a number from 0.0001 to 0.2' compare $base $again --significance 0.5
+refused 'expected a name that ends in .md, .csv or .json' compare $base $again -o table.tex
+cp $base base.json
+refused '-o base.json is a store itself' compare base.json $again -o base.json
+refused "no study 'other'" compare $base $again --study other
+refused 'B' compare $base
+refused '\x1b[31m' compare $'\e[31mred' $base
+quiet
