@@ -15,11 +15,16 @@ namespace {
 
 constexpr std::size_t longest_quotation = 60;
 constexpr std::size_t longest_slug = 60;
+constexpr std::size_t longest_list = 200;  // of columns in a message, in characters
 
-// Separators in the header outside quotes: a file from a spreadsheet of another language has no comma there.
-void expect_commas(std::string_view text, std::string_view source) {
+// Text, and separators in the header outside quotes: a file from a spreadsheet of another language has no comma there.
+void expect_text_with_commas(std::string_view text, std::string_view source) {
   if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF")) {
     throw std::invalid_argument(fmt::format("{}: text in UTF-16, expected UTF-8", source));
+  }
+  if (const std::size_t nul = text.find('\0'); nul != std::string_view::npos) {
+    throw std::invalid_argument(fmt::format("{}:{}: a NUL byte, expected text in UTF-8", source,
+                                            1 + std::ranges::count(text.substr(0, nul), '\n')));
   }
   std::array<std::size_t, 3> found{};
   constexpr std::string_view separators = ",;\t";
@@ -58,11 +63,26 @@ void CsvFile::refuse_cell(std::size_t row, std::size_t column, std::string_view 
 }
 
 std::size_t CsvFile::column(std::string_view name) const {
-  try {
-    return table.column(name);
-  } catch (const std::invalid_argument& error) {
-    refuse(error.what());
+  const auto found = std::ranges::find(table.header, name);
+  if (found == table.header.end()) refuse(fmt::format("no column {}, expected one of: {}", quoted(name), columns()));
+  if (std::find(found + 1, table.header.end(), name) != table.header.end()) {
+    refuse(fmt::format("two columns {}, expected one", quoted(name)));
   }
+  return static_cast<std::size_t>(found - table.header.begin());
+}
+
+std::string CsvFile::columns() const {
+  std::vector<std::string> titles;
+  for (const std::string& title : table.header) titles.push_back(title.empty() ? "(empty)" : title);
+  return shortened(fmt::format("{}", fmt::join(titles, ", ")), longest_list);
+}
+
+std::string CsvFile::group_name(std::size_t row, std::size_t column) const {
+  const std::string& name = table.rows[row][column];
+  if (name.size() > longest_name) {
+    refuse_cell(row, column, fmt::format("{} bytes, expected a name of at most {}", name.size(), longest_name));
+  }
+  return name.empty() ? "(empty)" : name;
 }
 
 std::optional<std::size_t> CsvFile::column_like(std::span<const std::string_view> names) const {
@@ -86,7 +106,7 @@ bool CsvFile::is_blank(std::size_t row) const { return std::ranges::all_of(table
 std::string CsvFile::name() const { return one_line(std::string_view(source).substr(source.find_last_of('/') + 1)); }
 
 CsvFile open_csv(std::string_view text, std::string_view source) {
-  expect_commas(text, source);
+  expect_text_with_commas(text, source);
   CsvFile file{.source = std::string(source), .table = parse_csv(text, source)};
   if (file.table.rows.empty()) file.refuse("no rows below the header, expected at least one");
   return file;

@@ -11,6 +11,8 @@
 
 namespace ikbench {
 
+constexpr std::size_t longest_name = 1000;  // of a group or a quantity, in bytes
+
 // A parsed file and how messages name it.
 struct CsvFile {
   std::string source;
@@ -22,6 +24,10 @@ struct CsvFile {
 
   // Index of a column; std::invalid_argument lists those there are.
   std::size_t column(std::string_view name) const;
+  // The names of all columns, for a message.
+  std::string columns() const;
+  // The cell as the name of a group, "(empty)" where it is; std::invalid_argument where it is too long for one.
+  std::string group_name(std::size_t row, std::size_t column) const;
   // The first column with one of the names, in any case; nothing where there is none.
   std::optional<std::size_t> column_like(std::span<const std::string_view> names) const;
 

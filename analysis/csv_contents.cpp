@@ -17,14 +17,11 @@ void expect_few(const CsvFile& file, const Names& groups) {
                           quoted(groups.all().back())));
 }
 
-std::string shown(const std::string& name) { return name.empty() ? "(empty)" : name; }
-
 std::size_t group_column(const CsvFile& file, const CsvRequest& request) {
   constexpr std::array<std::string_view, 3> titles{"group", "solver", "algorithm"};
   if (!request.group.empty()) return file.column(request.group);
   if (const auto column = file.column_like(titles)) return *column;
-  file.refuse(fmt::format("which column names the groups? (--group) There are: {}",
-                          shortened(fmt::format("{}", fmt::join(file.table.header, ", ")), 200)));
+  file.refuse(fmt::format("which column names the groups? (--group) There are: {}", file.columns()));
 }
 
 // The numbers of rows that pandas and R write, and the empty columns that spreadsheets do.
@@ -38,17 +35,15 @@ bool is_index(const CsvFile& file, std::size_t column) {
 
 Contents read_long(const CsvFile& file, const CsvRequest& request) {
   if (request.value.empty()) {
-    file.refuse(fmt::format("which column holds the values? (--value) There are: {}",
-                            shortened(fmt::format("{}", fmt::join(file.table.header, ", ")), 200)));
+    file.refuse(fmt::format("which column holds the values? (--value) There are: {}", file.columns()));
   }
   const std::size_t value = file.column(request.value);
   const std::size_t group = group_column(file, request);
   Contents contents;
   for (std::size_t row = 0; row < file.table.rows.size(); ++row) {
     if (file.is_blank(row)) continue;
-    contents.observations.push_back({.group = contents.groups.index_of(shown(file.table.rows[row][group])),
-                                     .row = row,
-                                     .value = file.number(row, value)});
+    contents.observations.push_back(
+        {.group = contents.groups.index_of(file.group_name(row, group)), .row = row, .value = file.number(row, value)});
     expect_few(file, contents.groups);
   }
   return contents;
@@ -64,11 +59,15 @@ Contents read_wide(const CsvFile& file, const CsvRequest& request) {
     const std::string& title = file.table.header[column];
     if (is_index(file, column) || title == request.block || title == request.run) continue;
     if (names_replicates(title)) {
-      contents.notes.push_back(fmt::format("column {} numbers the repetitions and is no group", quoted(title)));
+      contents.notes.push_back(fmt::format("Column {} numbers the repetitions and is no group.", quoted(title)));
       continue;
     }
     const std::size_t groups_before = contents.groups.all().size();
-    const std::size_t group = contents.groups.index_of(shown(title));
+    if (title.size() > longest_name) {
+      file.refuse(fmt::format("column {} has a name of {} bytes, expected at most {}", quoted(title), title.size(),
+                              longest_name));
+    }
+    const std::size_t group = contents.groups.index_of(title.empty() ? "(empty)" : title);
     if (group < groups_before) file.refuse(fmt::format("two columns {}, expected one", quoted(title)));
     expect_few(file, contents.groups);
     for (std::size_t row = 0; row < file.table.rows.size(); ++row) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -11,6 +12,7 @@
 #include <stdexcept>
 
 #include "analysis/contrasts.hpp"
+#include "analysis/row_chart.hpp"
 #include "analysis/statistics/anova.hpp"
 #include "analysis/statistics/bootstrap.hpp"
 #include "analysis/statistics/effect_size.hpp"
@@ -28,6 +30,28 @@ namespace ikbench {
 namespace {
 
 using Values = std::vector<std::vector<double>>;
+
+constexpr std::size_t longest_name = 60;
+
+// The methods count groups from 1, "group 2 is constant"; a reader knows them by name.
+std::string with_name(std::string reason, const std::vector<GroupEvidence>& groups) {
+  constexpr std::string_view word = "group ";
+  const std::size_t start = reason.find(word);
+  if (start == std::string::npos) return reason;
+  const char* const digits = reason.data() + start + word.size();
+  std::size_t number = 0;
+  const auto [end, error] = std::from_chars(digits, reason.data() + reason.size(), number);
+  if (error != std::errc{} || number < 1 || number > groups.size()) return reason;
+  const std::size_t length = word.size() + static_cast<std::size_t>(end - digits);
+  return reason.replace(start, length, row_label(groups[number - 1].name, longest_name));
+}
+
+void name_groups(Evidence& evidence) {
+  for (TestResult& test : evidence.tests) test.undefined = with_name(std::move(test.undefined), evidence.groups);
+  for (Contrast& contrast : evidence.contrasts) {
+    contrast.undefined = with_name(std::move(contrast.undefined), evidence.groups);
+  }
+}
 
 bool is_constant(const Description& of) { return of.n > 1 && of.not_finite == 0 && of.min == of.max; }
 
@@ -126,7 +150,7 @@ TestResult of_welch(const std::vector<GroupEvidence>& groups, std::span<const Gr
     if (weighed) {
       usable.push_back(summaries[i]);
     } else {
-      others.push_back(one_line(groups[i].name));
+      others.push_back(row_label(groups[i].name, longest_name));
     }
   }
   if (usable.size() < 2) {
@@ -139,14 +163,19 @@ TestResult of_welch(const std::vector<GroupEvidence>& groups, std::span<const Gr
   result.df_within = test.df_within;
   result.p = test.p;
   if (!std::isfinite(test.p)) result.undefined = "the spreads are too far apart for double precision";
-  if (!others.empty()) result.test += fmt::format(" (without {}, which has no spread)", fmt::join(others, ", "));
+  if (!others.empty()) {
+    constexpr std::size_t most_named = 3;
+    result.test += fmt::format(" (without {}, whose spread is none or not defined)",
+                               others.size() > most_named ? fmt::format("{} groups", others.size())
+                                                          : fmt::format("{}", fmt::join(others, ", ")));
+  }
   return result;
 }
 
-Evidence begin(std::string name, std::string quantity, Better better, const AnalysisPlan& plan) {
+Evidence begin(std::string name, std::string_view quantity, Better better, const AnalysisPlan& plan) {
   Evidence evidence;
   evidence.name = std::move(name);
-  evidence.quantity = std::move(quantity);
+  evidence.quantity = one_line(quantity);
   evidence.better = better;
   evidence.plan = plan;
   return evidence;
@@ -166,18 +195,20 @@ Estimate bootstrapped_mean(const std::vector<double>& values, double level) {
   return {.value = found.estimate, .low = found.bca_low, .high = found.bca_high};
 }
 
+std::string in_brackets(const std::string& text) { return text.empty() ? "" : fmt::format(" ({})", text); }
+
 // Two groups alone: by the ranks of their values, or of the differences where the same was given to both.
 TestResult of_two(const std::vector<double>& first, const std::vector<double>& second, const Evidence& evidence) {
   if (evidence.blocks > 0) {
     const WilcoxonSignedRank test = wilcoxon_signed_rank(first, second);
-    return {.test = fmt::format("Wilcoxon's signed-rank test ({})", test.method),
+    return {.test = "Wilcoxon's signed-rank test" + in_brackets(test.method),
             .symbol = "V",
             .statistic = test.V,
             .p = test.p,
             .undefined = test.undefined};
   }
   const MannWhitney test = mann_whitney(first, second);
-  return {.test = fmt::format("Mann and Whitney's test ({})", test.method),
+  return {.test = "Mann and Whitney's test" + in_brackets(test.method),
           .symbol = "U",
           .statistic = test.U,
           .p = test.p,
@@ -252,6 +283,7 @@ Evidence evidence(const Summaries& summaries, const AnalysisPlan& plan) {
   result.tests = {of_bartlett(bartlett_from_summaries(numbers)), of_anova(anova_from_summaries(numbers)),
                   of_welch(result.groups, numbers)};
   add_contrasts(result, numbers, {});
+  name_groups(result);
   return result;
 }
 
@@ -282,6 +314,7 @@ Evidence evidence(const Observations& observations, const AnalysisPlan& plan) {
   }
   if (result.blocks > 0 && !result.constant) add_friedman(result, ranks);
   add_contrasts(result, summaries, ranks);
+  name_groups(result);
   return result;
 }
 

@@ -54,8 +54,11 @@ std::string counts_in_words(const std::vector<Observation>& observations) {
   return low.count == high.count ? fmt::to_string(low.count) : fmt::format("{} to {}", low.count, high.count);
 }
 
-// "3 of 20 of IK-BA, 1 of 20 of BA": a note, empty where nothing is missing.
-std::string missing_note(const Contents& contents, std::string_view what) {
+// "3 of 20 values of IK-BA, 1 of 20 of BA": a note, empty where nothing is missing.
+struct LeftOut {
+  std::string_view what, why;
+};
+std::string missing_note(const Contents& contents, LeftOut left_out) {
   constexpr std::size_t most_groups = 12;
   std::vector<std::array<std::size_t, 2>> counts(contents.groups.all().size());
   for (const Observation& observation : contents.observations) {
@@ -68,11 +71,12 @@ std::string missing_note(const Contents& contents, std::string_view what) {
     const auto [absent, all] = counts[group];
     if (absent == 0) continue;
     if (listed++ >= most_groups) continue;
-    groups += fmt::format("{}{} of {} of {}", groups.empty() ? "" : ", ", absent, all,
-                          one_line(contents.groups.all()[group]));
+    groups += groups.empty() ? fmt::format("{} of {} {}", absent, all, left_out.what)
+                             : fmt::format(", {} of {}", absent, all);
+    groups += fmt::format(" of {}", one_line(contents.groups.all()[group]));
   }
   if (listed > most_groups) groups += fmt::format(" and of {} more groups", listed - most_groups);
-  return groups.empty() ? "" : fmt::format("left out because missing: {} {}", what, groups);
+  return groups.empty() ? "" : fmt::format("Left out because {}: {}.", left_out.why, groups);
 }
 
 // The first group's run that several rows share, as a sentence; empty where every row is a run of its own.
@@ -121,7 +125,7 @@ void expect_one_a_block(const CsvFile& file, const std::vector<Observation>& cel
 }
 
 // One value of each group in each block; the blocks that lack one are left out.
-void fill_blocks(Observations& result, const std::vector<Observation>& cells) {
+void fill_blocks(const CsvFile& file, const std::vector<Observation>& cells, Observations& result) {
   const std::size_t groups = result.groups.size();
   std::vector<std::vector<std::optional<double>>> values(result.blocks.size(),
                                                          std::vector<std::optional<double>>(groups));
@@ -140,9 +144,10 @@ void fill_blocks(Observations& result, const std::vector<Observation>& cells) {
       example = fmt::format("{} has no value of {}", quoted(result.blocks[block]), quoted(result.groups[group].name));
     }
   }
+  if (complete.empty()) file.refuse("no block has a value of every group: " + example);
   if (const std::size_t left_out = values.size() - complete.size(); left_out > 0) {
     result.notes.push_back(
-        fmt::format("left out because incomplete: {} of {} blocks ({})", left_out, values.size(), example));
+        fmt::format("Left out because incomplete: {} of {} blocks ({}).", left_out, values.size(), example));
   }
   result.blocks = std::move(complete);
 }
@@ -180,16 +185,18 @@ Observations read_observations(std::string_view text, std::string_view source, c
   for (const std::string& name : contents.groups.all()) result.groups.push_back({.name = name});
   result.blocks = label(file, request, contents);
   result.replicate = "a row of " + file.name();
-  if (const std::string note = missing_note(contents, "values,"); !note.empty()) result.notes.push_back(note);
+  if (const std::string note = missing_note(contents, {.what = "values", .why = "missing"}); !note.empty())
+    result.notes.push_back(note);
 
   if (!request.run.empty()) {
     contents.observations = averaged(std::move(contents.observations), Missing::spoils_the_mean);
     const std::string rows = counts_in_words(contents.observations);
     if (rows != "1") {
       result.replicate = fmt::format("a run's mean over its {} rows of {}", rows, file.name());
-      result.notes.push_back(
-          fmt::format("each observation is the mean over the {} rows of a run (column {})", rows, quoted(request.run)));
-      if (const std::string note = missing_note(contents, "runs with a missing value,"); !note.empty()) {
+      result.notes.push_back(fmt::format("Each observation is the mean over the {} rows of a run (column {}).", rows,
+                                         quoted(request.run)));
+      if (const std::string note = missing_note(contents, {.what = "runs", .why = "a row of them has no value"});
+          !note.empty()) {
         result.notes.push_back(note);
       }
     }
@@ -210,12 +217,11 @@ Observations read_observations(std::string_view text, std::string_view source, c
     const std::string_view what = request.run.empty() ? "rows" : "runs";
     result.replicate = fmt::format("the mean over the {} {} of a block in {}", count, what, file.name());
     result.notes.push_back(
-        fmt::format("each observation is the mean over the {} {} of a group in a block", count, what));
+        fmt::format("Each observation is the mean over the {} {} of a group in a block.", count, what));
   }
   result.block = request.block.empty() ? "a row of " + file.name()
                                        : fmt::format("a value of {} in {}", quoted(request.block), file.name());
-  fill_blocks(result, cells);
-  if (result.blocks.empty()) file.refuse("no block has a value of every group: " + result.notes.back());
+  fill_blocks(file, cells, result);
   return result;
 }
 

@@ -25,8 +25,7 @@ constexpr std::array<std::string_view, 3> quantity_titles{"metric", "quantity", 
 
 std::size_t expect_column(const CsvFile& file, std::span<const std::string_view> titles) {
   if (const auto column = file.column_like(titles)) return *column;
-  file.refuse(fmt::format("no column {}, found: {}", fmt::join(titles, " or "),
-                          quoted(fmt::format("{}", fmt::join(file.table.header, ", ")))));
+  file.refuse(fmt::format("no column {}, expected one beside: {}", fmt::join(titles, " or "), file.columns()));
 }
 
 }  // namespace
@@ -44,11 +43,11 @@ std::vector<Summaries> read_summaries(std::string_view text, std::string_view so
   std::set<std::pair<std::string, std::string>> seen;  // quantity and group
   for (std::size_t row = 0; row < file.table.rows.size(); ++row) {
     if (file.is_blank(row)) continue;
-    SummaryGroup group{.name = file.table.rows[row][name], .summary = {}};
-    if (group.name.empty()) group.name = "(empty)";
-    const std::string of = quantity ? file.table.rows[row][*quantity] : "value";
+    SummaryGroup group{.name = file.group_name(row, name), .summary = {}};
+    const std::string of = quantity ? file.group_name(row, *quantity) : "value";
     if (!seen.insert({of, group.name}).second) {
-      file.refuse_cell(row, name, quantity ? "twice, expected each group once a metric" : "twice, expected each group once");
+      file.refuse_cell(row, name,
+                       quantity ? "twice, expected each group once a metric" : "twice, expected each group once");
     }
     if (seen.size() > max_groups) file.refuse(fmt::format("expected at most {} groups", max_groups));
 

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <map>
+#include <algorithm>
 #include <string>
 
 #include "cli/reporting.hpp"
@@ -10,13 +10,6 @@
 
 namespace ikbench::cli {
 namespace {
-
-template <class Enum, std::size_t count>
-std::map<std::string, Enum> by_name(const std::array<std::string_view, count>& names) {
-  std::map<std::string, Enum> result;
-  for (std::size_t i = 0; i < count; ++i) result.emplace(names[i], static_cast<Enum>(i));
-  return result;
-}
 
 // A number of the range, digits and point alone: CLI11 reads more than that as numbers.
 CLI::Validator number_in(double least, double most) {
@@ -51,14 +44,23 @@ void add_margin_option(CLI::App& command, double& margin) {
 void add_plan_options(CLI::App& command, AnalysisPlan& plan) {
   const auto enumerated = [&](const std::string& flag, auto& value, const auto& names, const std::string& meaning) {
     using Enum = std::remove_reference_t<decltype(value)>;
-    command.add_option(flag, value, fmt::format("{} [{}]", meaning, name_of(value)))
-        ->transform(CLI::CheckedTransformer(by_name<Enum>(names), CLI::ignore_case));
+    command.add_option_function<std::string>(
+        flag,
+        [&value, &names, flag](const std::string& text) {
+          const auto found = std::ranges::find(names, text);
+          if (found == names.end()) {
+            throw CLI::ValidationError(
+                fmt::format("{}: {} is not one of {}", flag, text.substr(0, 100), fmt::join(names, ", ")));
+          }
+          value = static_cast<Enum>(found - names.begin());
+        },
+        fmt::format("{}: {} [{}]", meaning, fmt::join(names, ", "), name_of(value)));
   };
   enumerated("--test", plan.test, deciding_test_names,
-             "which test decides; by_design: Friedman's with blocks, else Welch's");
+             "which test decides (by_design: Friedman's with blocks, else Welch's)");
   enumerated("--adjustment", plan.adjustment, adjustment_names, "correction of rank tests for being several");
   command.add_option("--control", plan.control, "group that the others are held against; every pair if not given");
-  command.add_option("--significance", plan.significance, "of tests; intervals have the rest to 1 as level")
+  command.add_option("--significance", plan.significance, "of tests; the level of intervals is 1 less that")
       ->check(number_in(0.0001, 0.5))
       ->capture_default_str();
   add_margin_option(command, plan.margin);

@@ -1,17 +1,18 @@
 // ikbench stats: the statistics of any data: a CSV of observations, or of published means and standard deviations.
 #include <fmt/format.h>
 
+#include <array>
 #include <cstdio>
 #include <fstream>
 #include <iostream>
-#include <iterator>
 #include <memory>
+#include <set>
 #include <stdexcept>
 
 #include "analysis/assessment.hpp"
-#include "analysis/files.hpp"
 #include "analysis/observations_csv.hpp"
 #include "analysis/statistics_report.hpp"
+#include "analysis/text.hpp"
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
 #include "cli/plan_options.hpp"
@@ -30,29 +31,52 @@ struct Arguments {
   AnalysisPlan plan;
 };
 
-// The whole file, or standard input for "-". Bounded as the CSV reader is.
-std::string contents_of(const std::string& file) {
-  if (file == "-") {
-    std::string text{std::istreambuf_iterator<char>(std::cin), {}};
-    return text;
+// All of it, or more than the CSV reader takes: a stream may have no end.
+std::string contents_of(std::istream& stream) {
+  std::string text;
+  std::array<char, 1 << 16> buffer{};
+  while (text.size() <= max_csv_bytes && stream) {
+    stream.read(buffer.data(), buffer.size());
+    text.append(buffer.data(), static_cast<std::size_t>(stream.gcount()));
   }
+  return text;
+}
+
+// The file, or standard input for "-".
+std::string contents_of(const std::string& file) {
+  if (file == "-") return contents_of(std::cin);
   if (std::filesystem::is_directory(file)) {
     throw std::invalid_argument(fmt::format("{} is a folder, expected a CSV file", file));
   }
-  std::error_code error;
-  if (const auto size = std::filesystem::file_size(file, error); !error && size > max_csv_bytes) {
-    throw std::invalid_argument(fmt::format("{}: {} bytes, expected at most {}", file, size, max_csv_bytes));
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) {
+    throw std::invalid_argument(fmt::format("{} cannot be read; expected a CSV file, or - for standard input", file));
   }
-  if (auto text = read_file(file)) return std::move(*text);
-  throw std::invalid_argument(fmt::format("{} cannot be read; expected a CSV file, or - for standard input", file));
+  return contents_of(stream);
 }
+
+// Tables and figures are files that have the quantity's name: of two quantities with one name the later has a number.
+std::string distinct(const std::string& name, std::set<std::string>& taken) {
+  std::string result = name;
+  for (int number = 2; !taken.insert(result).second; ++number) result = fmt::format("{}-{}", name, number);
+  return result;
+}
+
+std::string name_of_source(const std::string& file) { return file == "-" ? "standard input" : file; }
 
 std::vector<Assessment> assessments_of(const Arguments& arguments) {
   std::vector<Assessment> result;
+  std::set<std::string> names;
   const Better better = arguments.larger ? Better::larger : Better::smaller;
   if (!arguments.summaries.empty()) {
-    for (Summaries& summaries : read_summaries(contents_of(arguments.summaries), arguments.summaries)) {
+    std::vector<Summaries> all = read_summaries(contents_of(arguments.summaries), name_of_source(arguments.summaries));
+    if (!arguments.quantity.empty() && all.size() > 1) {
+      throw std::invalid_argument(
+          fmt::format("--quantity names one quantity, {} has {}", arguments.summaries, all.size()));
+    }
+    for (Summaries& summaries : all) {
       summaries.better = better;
+      summaries.name = distinct(summaries.name, names);
       if (!arguments.quantity.empty()) summaries.quantity = arguments.quantity;
       result.push_back(assess(summaries, arguments.plan));
     }
@@ -68,9 +92,9 @@ std::vector<Assessment> assessments_of(const Arguments& arguments) {
   if (values.empty()) values.emplace_back();
   for (const std::string& value : values) {
     request.value = value;
-    Observations observations =
-        read_observations(text, arguments.file == "-" ? "standard input" : arguments.file, request);
-    if (!arguments.quantity.empty() && values.size() == 1) observations.quantity = arguments.quantity;
+    Observations observations = read_observations(text, name_of_source(arguments.file), request);
+    observations.name = distinct(observations.name, names);
+    if (!arguments.quantity.empty()) observations.quantity = arguments.quantity;
     result.push_back(assess(observations, arguments.plan));
   }
   return result;
@@ -81,12 +105,21 @@ void check(const Arguments& arguments) {
     throw std::invalid_argument("expected either a CSV file of observations or --summaries FILE.csv; see --help");
   }
   if (!arguments.summaries.empty()) {
-    if (!arguments.values.empty() || arguments.wide || !arguments.csv.group.empty() || !arguments.csv.block.empty()) {
+    if (!arguments.values.empty() || arguments.wide || arguments.rows_are_blocks || !arguments.csv.group.empty() ||
+        !arguments.csv.block.empty() || !arguments.csv.run.empty()) {
       throw std::invalid_argument(
-          "--summaries has its own columns (name, mean, sd, n); expected no --value, --group, --block or --wide with "
-          "it");
+          "--summaries has its own columns (name, mean, sd, n); expected no --value, --group, --block, --run, --wide "
+          "or --rows-are-blocks with it");
     }
     return;
+  }
+  const std::set<std::string> different(arguments.values.begin(), arguments.values.end());
+  if (different.size() < arguments.values.size()) {
+    throw std::invalid_argument("--value names a column twice, expected each once");
+  }
+  if (!arguments.quantity.empty() && arguments.values.size() > 1) {
+    throw std::invalid_argument(
+        fmt::format("--quantity names one quantity, there are {} --value", arguments.values.size()));
   }
   if (!arguments.wide && arguments.values.empty()) {
     throw std::invalid_argument(
@@ -102,11 +135,17 @@ void check(const Arguments& arguments) {
   }
 }
 
+constexpr std::size_t longest_cell = 120;  // on a terminal; the files have all
+
 void print(const Assessment& assessment) {
-  fmt::print("\n{}\n{}\n", printable(assessment.heading), std::string(assessment.heading.size(), '='));
+  fmt::print("\n{}\n{}\n", printable(assessment.heading), std::string(character_count(assessment.heading), '='));
   for (const std::string& sentence : assessment.sentences) fmt::print("- {}\n", printable(sentence));
   for (const Table& table : assessment.tables) {
-    fmt::print("\n{}\n{}", printable(table.caption), aligned(readable_cells(table)));
+    std::vector<std::vector<std::string>> cells = readable_cells(table);
+    for (auto& row : cells) {
+      for (std::string& cell : row) cell = shortened(cell, longest_cell);
+    }
+    fmt::print("\n{}\n{}", printable(table.caption), aligned(cells));
   }
 }
 
@@ -150,7 +189,6 @@ void add_stats(CLI::App& app, Invocation& invocation) {
     const std::string& source = arguments->summaries.empty() ? arguments->file : arguments->summaries;
     const std::string stem = source == "-" ? "input" : std::filesystem::path(source).stem().string();
     const std::vector<Assessment> assessments = assessments_of(*arguments);
-    for (const Assessment& assessment : assessments) print(assessment);
     const Report report = write_statistics(
         assessments,
         {.title = fmt::format("Statistics of {}",
@@ -159,6 +197,8 @@ void add_stats(CLI::App& app, Invocation& invocation) {
          .command = invocation.command,
          .folder = arguments->out.empty() ? default_folder("stats-" + stem) : std::filesystem::path(arguments->out),
          .figures = {.render = !arguments->without_figures}});
+    for (const Assessment& assessment : assessments) print(assessment);
+    std::fflush(stdout);  // both streams may go to one place
     for (const std::string& warning : report.warnings) say("warning: " + warning);
     fmt::print("\nReport: {}\n", printable(report.page.string()));
   });

@@ -27,8 +27,8 @@ Observations plant_growth() {
                      {"trt2", {6.31, 5.12, 5.54, 5.50, 5.37, 5.29, 4.92, 6.15, 5.80, 5.26}}}};
 }
 
-// Demsar, J. Machine Learning Research 7 (2006) 1, Table 6: AUC of four classifiers on 14 data sets. In the 13th two are
-// printed alike that he ranked 2 and 3; the tie is broken here as he did.
+// Demsar, J. Machine Learning Research 7 (2006) 1, Table 6: AUC of four classifiers on 14 data sets. In the 13th two
+// are printed alike that he ranked 2 and 3; the tie is broken here as he did.
 Observations demsar() {
   return {.name = "auc",
           .quantity = "AUC",
@@ -183,6 +183,60 @@ TEST_CASE("degenerate data are explained and never a crash", "[assessment]") {
     CHECK_FALSE(seen.tables.empty());
     CHECK_FALSE(nlohmann::json::parse(seen.json, nullptr, false).is_discarded());
   }
+}
+
+TEST_CASE("sentences say what is known, of whom, and no more", "[assessment]") {
+  const double inf = std::numeric_limits<double>::infinity();
+  const auto of = [](std::vector<Group> groups) {
+    return evidence(Observations{.name = "x", .quantity = "x", .groups = std::move(groups)}, {});
+  };
+  // Of reasons: the group by its name, not by its number.
+  const Evidence infinite = of({{"plain", {1, 2, 3}}, {"odd", {1, 2, inf}}, {"other", {2, 3, 5}}});
+  CHECK(says(infinite, "plain and odd (odd has values that are not finite)"));
+  CHECK(says(infinite, "One-way ANOVA: not defined, odd has values that are not finite"));
+  CHECK(says(infinite, "Normality is not refuted for any group that could be tested"));
+  CHECK_FALSE(says(infinite, "group 2"));
+  // Nothing was tested, so nothing is "not refuted", and no methods agree.
+  const Evidence single = of({{"A", {1}}, {"B", {2}}, {"C", {3}}});
+  CHECK(says(single, "with 1 observation each"));
+  CHECK(says(single, "equal variances could not be tested"));
+  CHECK(says(single, "none of the 3 pairs is shown to differ"));
+  CHECK(headlines_of(single).front().find("no pair with A could be judged") != std::string::npos);
+  // A pair without the best is named where no other is; where a group has no variance, none is a multiple of it.
+  const Evidence others = of({{"A", {1, 2, 3}}, {"B", {2, 2, 2}}, {"C", {4, 4, 4}}});
+  CHECK(says(others, "1 of the 3 pairs differs. No pair with A is among them: B is better than C: 2 against 4, by 2,"));
+  CHECK(says(others, "dominated by A, while B has none"));
+  // One pair is counted in no plural.
+  CHECK(says(of({{"A", {1, 2, 3}}, {"B", {7, 8, 9}}}), "Who differs: A is better than B"));
+  CHECK(says(of({{"A", {1, 2, 3}}, {"B", {2, 3, 4}}}), "Who differs: a difference is not shown."));
+}
+
+TEST_CASE("a variance is called dominating where it is larger than by chance alone", "[assessment]") {
+  // Variances of 26.3 and 1 (by hand), of three values each: Brown and Forsythe's p is above 0.05.
+  const Observations few{
+      .name = "x",
+      .quantity = "x",
+      .groups = {{"A", {0, 5.13, 10.26}}, {"B", {9, 10, 11}}, {"C", {12, 14, 16}}, {"D", {1, 3, 5}}}};
+  const Evidence found = evidence(few, {});
+  CHECK(found.variance_ratio == Approx(26.3169));
+  CHECK(says(found, "equal variances are not refuted"));
+  CHECK(says(found, "Tukey, with one variance for all,"));
+  CHECK_FALSE(says(found, "is dominated by"));
+  CHECK(says(evidence(printed_table_3("position_error_cm"), {}), "is dominated by BA"));
+}
+
+TEST_CASE("in blocks, intervals of paired means that exclude zero are told where the ranks separate nothing",
+          "[assessment]") {
+  // Three blocks can give no two of three groups ranks that far apart but the first and the last (Nemenyi's critical
+  // difference is 1.91), while B - A is within 1 and 1.2 in all of them.
+  const Observations three{.name = "x",
+                           .quantity = "x",
+                           .groups = {{"A", {1, 2, 3}}, {"B", {2, 3.1, 4.2}}, {"C", {9, 8, 7}}},
+                           .blocks = {"1", "2", "3"},
+                           .block = "a problem"};
+  const Evidence found = evidence(three, {});
+  CHECK(says(found, "paired differences of means exclude zero for A and B"));
+  CHECK(says(found, "ahead in 100 % of blocks"));
 }
 
 TEST_CASE("two hundred groups are compared with the best, corrected for all pairs", "[assessment]") {

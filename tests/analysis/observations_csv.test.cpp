@@ -70,7 +70,7 @@ TEST_CASE("R's write.csv with quoted texts and row names reads the same", "[csv]
   const Observations seen = read("\"\",\"solver\",\"error\"\n\"1\",\"IK-BA\",1e-05\n\"2\",\"BA\",NA\n\"3\",\"BA\",2\n");
   CHECK(seen.groups[0].values == Values{1e-5});
   CHECK(seen.groups[1].values == Values{2});
-  CHECK(seen.notes == Texts{"left out because missing: values, 1 of 2 of BA"});
+  CHECK(seen.notes == Texts{"Left out because missing: 1 of 2 values of BA."});
 }
 
 TEST_CASE("a spreadsheet's byte-order mark, CRLF and empty rows below the table mean nothing", "[csv]") {
@@ -86,7 +86,7 @@ TEST_CASE("every spelling of a missing value is left out and counted by group, i
   CHECK(seen.groups[0].values == Values{1});
   CHECK(seen.groups[1].values == Values{HUGE_VAL, -HUGE_VAL, 2});
   CHECK(seen.groups[2].values.empty());  // a group that has nothing is still there
-  CHECK(seen.notes == Texts{"left out because missing: values, 9 of 10 of A, 1 of 1 of C"});
+  CHECK(seen.notes == Texts{"Left out because missing: 9 of 10 values of A, 1 of 1 of C."});
 }
 
 TEST_CASE("a number of another language is refused with what to write", "[csv]") {
@@ -132,7 +132,7 @@ TEST_CASE("rows that share a run are not replicates", "[csv]") {
   CHECK(means.groups[0].values == Values{2, 6});
   CHECK(means.groups[1].values == Values{3});
   CHECK(means.replicate == "a run's mean over its 2 rows of file.csv");
-  CHECK(means.notes == Texts{"each observation is the mean over the 2 rows of a run (column 'run')"});
+  CHECK(means.notes == Texts{"Each observation is the mean over the 2 rows of a run (column 'run')."});
   CHECK(means.flaw.empty());
 
   CsvRequest forced = by_solver;
@@ -167,7 +167,7 @@ TEST_CASE("a run with a missing row has no mean and is left out", "[csv]") {
   const Observations seen = read("solver,run,error\nA,1,1\nA,1,NA\nA,2,2\nA,2,4\nA,3,Inf\nA,3,1\n",
                                  {.value = "error", .group = "solver", .run = "run"});
   CHECK(seen.groups[0].values == Values{3, HUGE_VAL});
-  CHECK(seen.notes.back() == "left out because missing: runs with a missing value, 1 of 3 of A");
+  CHECK(seen.notes.back() == "Left out because a row of them has no value: 1 of 3 runs of A.");
   CHECK(says(refusal("solver,run,error\nA,,1\nA,2,1\n", {.value = "error", .group = "solver", .run = "run"}),
              {"row 1 below the header, column 'run': '', expected which one it is"}));
 }
@@ -187,8 +187,8 @@ TEST_CASE("blocks are aligned over the groups, incomplete ones left out and coun
   CHECK(seen.groups[0].values == Values{1, 3});
   CHECK(seen.groups[1].values == Values{2, 4});
   CHECK(seen.block == "a value of 'problem' in file.csv");
-  CHECK(seen.notes == Texts{"left out because missing: values, 1 of 4 of A",
-                            "left out because incomplete: 2 of 4 blocks ('p3' has no value of 'B')"});
+  CHECK(seen.notes == Texts{"Left out because missing: 1 of 4 values of A.",
+                            "Left out because incomplete: 2 of 4 blocks ('p3' has no value of 'B')."});
   CHECK(says(refusal("problem,solver,error\np1,A,1\np2,B,1\n", request), {"no block has a value of every group"}));
   CHECK(says(refusal("problem,solver,error\n,A,1\n", request), {"column 'problem': '', expected which one"}));
 }
@@ -222,7 +222,7 @@ TEST_CASE("wide columns are groups, of unequal size where cells are empty", "[cs
   CHECK(seen.groups[0].values == Values{1, 3, 5});
   CHECK(seen.groups[1].values == Values{2});
   CHECK(seen.blocks.empty());
-  CHECK(seen.notes == Texts{"left out because missing: values, 2 of 3 of B"});
+  CHECK(seen.notes == Texts{"Left out because missing: 2 of 3 values of B."});
 }
 
 TEST_CASE("rows of the wide layout are blocks where that is asked", "[csv]") {
@@ -243,7 +243,7 @@ TEST_CASE("a wide column that is no group is refused or known", "[csv]") {
   CHECK(says(refusal("A\n1\n", {.layout = Layout::one_column_a_group, .group = "A"}), {"--group 'A'"}));
   const Observations seen = read("run,A\n1,2\n2,3\n", wide);
   CHECK(names_of(seen) == Texts{"A"});
-  CHECK(seen.notes == Texts{"column 'run' numbers the repetitions and is no group"});
+  CHECK(seen.notes == Texts{"Column 'run' numbers the repetitions and is no group."});
 }
 
 TEST_CASE("200 groups are read, more than 1000 refused", "[csv]") {
@@ -255,6 +255,25 @@ TEST_CASE("200 groups are read, more than 1000 refused", "[csv]") {
   CHECK(read(text_with(200)).groups.size() == 200);
   CHECK(read(text_with(1000)).groups.size() == 1000);
   CHECK(says(refusal(text_with(1001)), {"more than 1000 groups, the last 's1000'"}));
+}
+
+TEST_CASE("a file that is no text, and a name that is none, are refused by what is wrong with them", "[csv]") {
+  using namespace std::string_literals;
+  CHECK(says(refusal("solver,error\nA,1\0\n"s), {"file.csv:2: a NUL byte"}));
+  CHECK(says(refusal("A\0,error\nA,1\n"s), {"file.csv:1: a NUL byte"}));
+  const std::string endless(3'000'000, 'x');
+  CHECK(says(refusal("solver,error\n" + endless + ",1\n"), {"row 1 below the header", "3000000 bytes"}));
+  CHECK(says(refusal(endless + ",b\n1,2\n", wide), {"3000000 bytes, expected at most 1000"}));
+  CHECK(says(summary_refusal("name,mean,sd,n\n" + endless + ",1,1,2\n"), {"3000000 bytes"}));
+  for (const std::string& message : {refusal(endless + ",b\n1,2\n"), refusal(endless + ",solver,error\n1,A,x\n"),
+                                     refusal("solver,error\n" + endless + ",1\n")}) {
+    CHECK(message.size() < 1000);
+  }
+  CHECK(read("solver,error\n" + std::string(1000, 'x') + ",1\n").groups.front().name.size() == 1000);
+}
+
+TEST_CASE("messages that list columns name those without a name", "[csv]") {
+  CHECK(says(refusal(",solver,err\n0,A,1\n"), {"no column 'error', expected one of: (empty), solver, err"}));
 }
 
 TEST_CASE("a name for files and anchors is made of any column's name", "[csv]") {
