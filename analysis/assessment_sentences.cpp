@@ -288,6 +288,35 @@ void add_dispute(std::vector<std::string>& parts, const Dispute& found, std::str
     parts.push_back(fmt::format("{} does not separate {}; {} does", here, listed(found.only_there), there));
 }
 
+// The deciding test of all groups together; null where it was not made.
+const TestResult* deciding_test(const Evidence& evidence) {
+  switch (evidence.plan.test) {
+    case DecidingTest::anova:
+      return evidence.test("One-way ANOVA");
+    case DecidingTest::kruskal_wallis:
+      return evidence.test("Kruskal and Wallis' test");
+    case DecidingTest::friedman:
+      return evidence.test("Iman and Davenport's form of it");
+    default:
+      return evidence.test("Welch's ANOVA");
+  }
+}
+
+// All groups together against pair by pair, where all pairs are there.
+std::string together_or_apart(const Evidence& evidence) {
+  const TestResult* together = deciding_test(evidence);
+  if (together == nullptr || !std::isfinite(together->p) || evidence.reference || evidence.pairs == 1) return "";
+  const bool all_differ = together->p < evidence.plan.significance;
+  const bool some_pair = std::ranges::any_of(evidence.contrasts, [](const Contrast& contrast) {
+    return contrast.relation == Relation::first_better || contrast.relation == Relation::second_better;
+  });
+  if (all_differ == some_pair) return "";
+  return all_differ
+             ? fmt::format("All groups together differ ({}), and no pair by itself: which ones is not shown",
+                           p_words(together->p))
+             : fmt::format("Some pairs differ, and all groups together are not shown to ({})", p_words(together->p));
+}
+
 std::string disagreements(const Evidence& evidence) {
   const bool comparable = std::ranges::any_of(evidence.contrasts, [](const Contrast& c) {
     return (std::isfinite(c.p_unpooled) && (std::isfinite(c.p_pooled) || std::isfinite(c.p_ranks))) ||
@@ -295,16 +324,18 @@ std::string disagreements(const Evidence& evidence) {
   });
   if (!comparable) return "";
   std::vector<std::string> parts;
-  const Dispute pooled = dispute(evidence, &Contrast::p_pooled, &Contrast::p_unpooled);
-  add_dispute(parts, pooled, "Tukey, with one variance for all,", "Games-Howell, with each group's own,");
+  Dispute pooled;
   if (evidence.blocks > 0) {
     add_dispute(parts, dispute(evidence, &Contrast::p_paired, &Contrast::p_ranks),
-                "The paired t test, of differences within blocks,", "Friedman's test, of ranks within blocks,");
+                "The paired t, of means within blocks,", "Friedman's test, of ranks,");
   } else {
+    pooled = dispute(evidence, &Contrast::p_pooled, &Contrast::p_unpooled);
+    add_dispute(parts, pooled, "Tukey, with one variance for all,", "Games-Howell, with each group's own,");
     add_dispute(parts, dispute(evidence, &Contrast::p_unpooled, &Contrast::p_ranks), "Games-Howell, of means,",
                 "Dunn's test, of ranks,");
   }
-  if (parts.empty()) return "Where methods disagree: on no pair do they come to another verdict.";
+  if (std::string words = together_or_apart(evidence); !words.empty()) parts.push_back(std::move(words));
+  if (parts.empty()) return "Where methods disagree: nowhere do they come to another verdict.";
   std::string text = fmt::format("Where methods disagree: {}.", fmt::join(parts, ". "));
   const bool pooling = !pooled.only_here.empty() || !pooled.only_there.empty();
   if (pooling && pooling_misleads(evidence)) {
@@ -354,7 +385,7 @@ std::vector<std::string> sentences_of(const Evidence& evidence) {
   std::vector<std::string> sentences;
   if (!evidence.flaw.empty()) sentences.push_back(flawed(evidence));
   sentences.push_back(design(evidence));
-  for (const std::string& note : evidence.notes) sentences.push_back(note);
+  for (const std::string& note : evidence.notes) sentences.push_back("Note: " + note);
   if (evidence.groups.size() < 2) {
     sentences.push_back("One group alone: it is described, and there is nothing to compare it with.");
     return sentences;

@@ -133,6 +133,7 @@ std::string verdict_of(const Evidence& evidence, const Contrast& contrast) {
 
 // What the p-values and intervals are corrected for.
 std::string family_note(const Evidence& evidence) {
+  if (evidence.pairs == 1) return fmt::format("{} decides.", words_of(evidence.plan.test));
   const bool ranks = evidence.plan.test == DecidingTest::kruskal_wallis || evidence.plan.test == DecidingTest::friedman;
   const std::string all = fmt::format("all {} pairs together", evidence.pairs);
   const std::string ours = evidence.plan.control.empty() || !ranks
@@ -149,6 +150,7 @@ Table contrasts_table(const Evidence& evidence) {
               .caption = fmt::format("Who differs from whom: {}", evidence.quantity),
               .columns = {{"first", Align::left},
                           {"second", Align::left},
+                          {"verdict", Align::left},
                           {"difference of means"},
                           {level + " interval"},
                           {"p"},
@@ -159,17 +161,16 @@ Table contrasts_table(const Evidence& evidence) {
                           {"p, Games-Howell"},
                           {"p, paired t"},
                           {evidence.blocks > 0 ? "p, Friedman ranks" : "p, Dunn"},
-                          {fmt::format("runs to see {}", percent(evidence.plan.margin))},
-                          {"verdict", Align::left}}};
+                          {fmt::format("runs to see {}", percent(evidence.plan.margin))}}};
   for (const Contrast& contrast : evidence.contrasts) {
     const double runs = contrast.runs_to_see_margin;
-    table.rows.push_back(
-        {evidence.groups[contrast.first].name, evidence.groups[contrast.second].name, contrast.difference.value,
-         interval(contrast.difference), or_nothing(PValue{contrast.p}), or_nothing(contrast.superiority.value),
-         interval(contrast.superiority), or_nothing(contrast.g.value), or_nothing(PValue{contrast.p_pooled}),
-         or_nothing(PValue{contrast.p_unpooled}), or_nothing(PValue{contrast.p_paired}),
-         or_nothing(PValue{contrast.p_ranks}), std::isfinite(runs) ? Cell(static_cast<std::int64_t>(runs)) : Cell(),
-         verdict_of(evidence, contrast)});
+    table.rows.push_back({evidence.groups[contrast.first].name, evidence.groups[contrast.second].name,
+                          verdict_of(evidence, contrast), contrast.difference.value, interval(contrast.difference),
+                          or_nothing(PValue{contrast.p}), or_nothing(contrast.superiority.value),
+                          interval(contrast.superiority), or_nothing(contrast.g.value),
+                          or_nothing(PValue{contrast.p_pooled}), or_nothing(PValue{contrast.p_unpooled}),
+                          or_nothing(PValue{contrast.p_paired}), or_nothing(PValue{contrast.p_ranks}),
+                          std::isfinite(runs) ? Cell(static_cast<std::int64_t>(runs)) : Cell()});
   }
   table.notes.push_back(family_note(evidence));
   if (!evidence.from_summaries) {

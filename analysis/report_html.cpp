@@ -69,6 +69,8 @@ Data cell_data(const Cell& cell, const Column& column) {
   const std::string shown = readable(cell);
   data.set("text", text(shown));
   data.set("right", column.align == Align::right);
+  constexpr std::size_t short_text = 16;  // such as a solver's label: not broken at its hyphens
+  data.set("short", column.align == Align::left && character_count(shown) <= short_text);
   const bool is_text = std::holds_alternative<std::string>(cell) || std::holds_alternative<std::monostate>(cell);
   if (!is_text) data.set("number", Data(computable(cell)));
   if (column.name == "verdict" && !verdict_of(shown).empty()) data.set("verdict", Data(std::string(verdict_of(shown))));

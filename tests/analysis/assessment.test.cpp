@@ -235,7 +235,7 @@ TEST_CASE("in blocks, the paired t test is told of where it separates what the r
                            .blocks = {"1", "2", "3"},
                            .block = "a problem"};
   const Evidence found = evidence(three, {});
-  CHECK(says(found, "The paired t test, of differences within blocks, separates A and B (p = 0.00823 against"));
+  CHECK(says(found, "The paired t, of means within blocks, separates A and B (p = 0.00823 against"));
   CHECK(says(found, "ahead in 100 % of blocks"));
 }
 

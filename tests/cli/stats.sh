@@ -124,7 +124,7 @@ has "$error" "Games-Howell is the one to believe"
 has "$variation" "Not told apart: IK-BA and MO-PSO (p = 0.997;"
 has_no "$variation" "IK-BA is better than MO-PSO"
 has "$seconds" "PSO is better than IK-BA: 0.207 against 0.244"
-[ "$(sed -n 's/^IK-BA,PSO,.*,//p' published/tables/statistics-seconds-contrasts.csv)" = "PSO is better" ] ||
+grep -q '^IK-BA,PSO,PSO is better,' published/tables/statistics-seconds-contrasts.csv ||
   fail "the table does not say that PSO is better in seconds"
 
 # Without a column of quantities.
