@@ -225,8 +225,7 @@ TEST_CASE("a variance is called dominating where it is larger than by chance alo
   CHECK(says(evidence(printed_table_3("position_error_cm"), {}), "is dominated by BA"));
 }
 
-TEST_CASE("in blocks, intervals of paired means that exclude zero are told where the ranks separate nothing",
-          "[assessment]") {
+TEST_CASE("in blocks, a paired t that separates two groups is told where the ranks separate nothing", "[assessment]") {
   // Three blocks can give no two of three groups ranks that far apart but the first and the last (Nemenyi's critical
   // difference is 1.91), while B - A is within 1 and 1.2 in all of them.
   const Observations three{.name = "x",
@@ -235,7 +234,7 @@ TEST_CASE("in blocks, intervals of paired means that exclude zero are told where
                            .blocks = {"1", "2", "3"},
                            .block = "a problem"};
   const Evidence found = evidence(three, {});
-  CHECK(says(found, "paired differences of means exclude zero for A and B"));
+  CHECK(says(found, "The paired t, of means within blocks, separates A and B"));
   CHECK(says(found, "ahead in 100 % of blocks"));
 }
 
