@@ -61,6 +61,7 @@ Json contrast_json(const Evidence& evidence, const Contrast& contrast) {
               {"a12", estimate(contrast.superiority)},
               {"hedges_g", estimate(contrast.g)},
               {"runs_to_see_margin", number(contrast.runs_to_see_margin)},
+              {"within_margin", contrast.within_margin},
               {"relation", name_of(contrast.relation)}};
   add_reason(object, contrast.undefined);
   return object;

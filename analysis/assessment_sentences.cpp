@@ -197,6 +197,7 @@ std::string better_words(const Evidence& evidence, const Contrast& contrast) {
             : low == high          ? fmt::format(", by {}", number(low))
                                    : fmt::format(", by {} to {}", number(low), number(high));
   }
+  if (contrast.within_margin) text += fmt::format(", which is less than {}", percent(evidence.plan.margin));
   if (std::isfinite(contrast.p)) text += ", " + p_words(contrast.p);
   if (std::isfinite(contrast.superiority.value)) {
     const double chance = first ? contrast.superiority.value : 1 - contrast.superiority.value;

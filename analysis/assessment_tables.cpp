@@ -119,11 +119,13 @@ Table tests_table(const Evidence& evidence) {
 }
 
 std::string verdict_of(const Evidence& evidence, const Contrast& contrast) {
+  const std::string within =
+      contrast.within_margin ? fmt::format(", by less than {}", percent(evidence.plan.margin)) : "";
   switch (contrast.relation) {
     case Relation::first_better:
-      return evidence.groups[contrast.first].name + " is better";
+      return fmt::format("{} is better{}", evidence.groups[contrast.first].name, within);
     case Relation::second_better:
-      return evidence.groups[contrast.second].name + " is better";
+      return fmt::format("{} is better{}", evidence.groups[contrast.second].name, within);
     case Relation::undefined:
       return "not defined: " + contrast.undefined;
     default:

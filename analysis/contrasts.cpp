@@ -104,6 +104,12 @@ void compare_in_blocks(const Evidence& evidence, Values values, Contrast& contra
   contrast.undefined.clear();  // the ranks of a block need no finite values
 }
 
+// The difference of means that matters: the planned share of the smaller of the two.
+double margin_of(const Evidence& evidence, const Contrast& contrast) {
+  return evidence.plan.margin * std::min(std::abs(evidence.groups[contrast.first].described.mean),
+                                         std::abs(evidence.groups[contrast.second].described.mean));
+}
+
 void judge(const Evidence& evidence, Contrast& contrast) {
   const Description& first = evidence.groups[contrast.first].described;
   const Description& second = evidence.groups[contrast.second].described;
@@ -113,6 +119,7 @@ void judge(const Evidence& evidence, Contrast& contrast) {
   if (constant) {  // a fact, not a finding
     contrast.difference = {first.mean - second.mean, first.mean - second.mean, first.mean - second.mean};
     contrast.undefined.clear();
+    contrast.within_margin = std::abs(contrast.difference.value) <= margin_of(evidence, contrast);
     contrast.relation = first.mean == second.mean              ? Relation::equivalent
                         : sign * contrast.difference.value < 0 ? Relation::first_better
                                                                : Relation::second_better;
@@ -123,10 +130,10 @@ void judge(const Evidence& evidence, Contrast& contrast) {
       contrast.undefined = "a group has fewer than two values, or values that are not finite";
     return;
   }
-  const double room = evidence.plan.margin * std::abs(second.mean);
+  const double room = margin_of(evidence, contrast);
+  contrast.within_margin = std::abs(contrast.difference.low) <= room && std::abs(contrast.difference.high) <= room;
   if (contrast.p >= evidence.plan.significance) {
-    const bool inside = std::abs(contrast.difference.low) <= room && std::abs(contrast.difference.high) <= room;
-    contrast.relation = inside ? Relation::equivalent : Relation::not_told_apart;
+    contrast.relation = contrast.within_margin ? Relation::equivalent : Relation::not_told_apart;
     return;
   }
   // Which is ahead is the deciding test's word: by ranks the chance of being better, else the mean.
@@ -214,7 +221,7 @@ void add_contrasts(Evidence& evidence, std::span<const GroupSummary> summaries, 
     const EffectSize g = hedges_g(first, second, level);
     contrast.g = {.value = g.value, .low = g.low, .high = g.high};
     if (evidence.blocks == 0) {
-      contrast.runs_to_see_margin = runs_to_see(first, second, evidence.plan.margin * std::abs(second.mean), goal).n;
+      contrast.runs_to_see_margin = runs_to_see(first, second, margin_of(evidence, contrast), goal).n;
     }
     if (!ahead.empty()) {
       contrast.superiority = superiority(evidence, ahead[contrast.first], ahead[contrast.second]);

@@ -66,6 +66,7 @@ struct Contrast {
   Estimate g = {};                          // Hedges; positive where the mean of first is larger
   double runs_to_see_margin = not_defined;  // a group, to find a difference of the planned margin; not in blocks
   Relation relation = Relation::undefined;
+  bool within_margin = false;  // the whole interval of the difference: too small to matter, also where it is found
   std::string undefined = {};  // why p is not defined
 };
 

@@ -134,11 +134,9 @@ Figure effect_matrix_figure(const EffectMatrix& matrix) {
        fmt::format("{} index 1 using 1:2:{} with boxxyerror fs solid noborder lc rgb '#DDDDDD'", file, cell),
        fmt::format("{} index 0 using 1:2:(sprintf('%.2f', $3)) with labels font ',{}'", file, n > 8 ? 6 : 7),
        fmt::format("{} index 1 using 1:2:3 with labels font ',6' textcolor rgb '#666666'", file)});
-  figure.caption = fmt::format(
-      "{}: Vargha and Delaney's A12, the chance that a value of the row is better than one of the column, a tie "
-      "counted "
-      "half. Blue: the row tends to be better; orange: worse; white: neither.",
-      capitalised(matrix.quantity.empty() ? "values" : matrix.quantity), matrix.meaning);
+  figure.caption =
+      fmt::format("{}: {}, a tie counted half. Blue: the row tends to be better; orange: worse; white: neither.",
+                  capitalised(matrix.quantity.empty() ? "values" : matrix.quantity), matrix.meaning);
   if (undefined.find("n.d.") != std::string::npos) figure.caption += " n.d.: not defined.";
   if (n < matrix.labels.size()) {
     figure.caption += fmt::format(" Shown are the first {} of {} groups.", n, matrix.labels.size());

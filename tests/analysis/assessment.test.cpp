@@ -156,6 +156,17 @@ TEST_CASE("groups that differ by less than the margin for certain are the same w
   CHECK(evidence(near, {.margin = 0.0001}).contrasts[0].relation == Relation::not_told_apart);
 }
 
+TEST_CASE("a difference that is found and lies within the margin is said to be that small", "[assessment]") {
+  Observations near{
+      .name = "x",
+      .quantity = "x",
+      .groups = {{"A", {100.0, 100.1, 99.9, 100.05, 99.95}}, {"B", {101.0, 101.1, 100.9, 101.05, 100.95}}}};
+  const Evidence found = evidence(near, {.margin = 0.05});
+  CHECK(found.contrasts[0].relation == Relation::first_better);
+  CHECK(says(found, "which is less than 5 %"));
+  CHECK_FALSE(says(evidence(near, {.margin = 0.005}), "which is less than"));
+}
+
 TEST_CASE("degenerate data are explained and never a crash", "[assessment]") {
   const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
   const auto with = [](std::vector<std::vector<double>> values) {
