@@ -441,7 +441,8 @@ std::vector<std::string> headlines_of(const Evidence& evidence) {
                                 percent(evidence.plan.margin)));
   }
   if (!open.empty()) parts.push_back(fmt::format("{} is not told apart from {}", name(evidence, best), listed(open)));
-  const Dispute pooled = dispute(evidence, &Contrast::p_pooled, &Contrast::p_unpooled);
+  const Dispute pooled =
+      evidence.blocks > 0 ? Dispute{} : dispute(evidence, &Contrast::p_pooled, &Contrast::p_unpooled);
   if (pooling_misleads(evidence) && !pooled.only_there.empty()) {
     parts.push_back(fmt::format("one variance for all (ANOVA, Tukey) would hide {}", listed(pooled.only_there)));
   }
