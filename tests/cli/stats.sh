@@ -296,7 +296,7 @@ degenerate() { # WORDS CSV...: a report that has the words, whose numbers are JS
   has "$out" "$words"
   has_no "$out" " nan"
   has_no "$out" "inf "
-  has_no "$out" "not drawn"
+  if command -v gnuplot >/dev/null; then has_no "$err" "not drawn"; fi
   has_no "$out" "group 1"
 }
 degenerate "One group alone" A "1 2 3"
