@@ -185,8 +185,12 @@ Observations read_observations(std::string_view text, std::string_view source, c
   for (const std::string& name : contents.groups.all()) result.groups.push_back({.name = name});
   result.blocks = label(file, request, contents);
   result.replicate = "a row of " + file.name();
-  if (const std::string note = missing_note(contents, {.what = "values", .why = "missing"}); !note.empty())
-    result.notes.push_back(note);
+  if (const std::string note = missing_note(contents, {.what = "values", .why = "missing"}); !note.empty()) {
+    result.notes.push_back(note +
+                           (request.better == Better::smaller
+                                ? " A failure without a number is better written Inf, which ranks as the worst."
+                                : " A failure without a number is better written -Inf, which ranks as the worst."));
+  }
 
   if (!request.run.empty()) {
     contents.observations = averaged(std::move(contents.observations), Missing::spoils_the_mean);

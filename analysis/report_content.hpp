@@ -31,6 +31,7 @@ struct Section {
 
 struct ReportContent {
   std::string study;
+  std::string kind = "Report of the study";  // what stands before its name
   std::string title;
   std::vector<Finding> findings;
   std::vector<std::string> summary;

@@ -201,6 +201,7 @@ std::string to_html(const ReportContent& content, const HtmlExtras& extras) {
   Data page;
   page.set("title", text(content.title));
   page.set("study", text(content.study));
+  page.set("kind", text(content.kind));
   page.set("summary", list_of(content.summary));
   if (!content.findings.empty()) {
     page.set("has_findings", true);

@@ -59,7 +59,7 @@ std::string markdown(const std::vector<Section>& sections) {
 
 std::string to_markdown(const ReportContent& content) {
   std::string text = fmt::format("# {}\n\n", markdown_text(content.title));
-  text += fmt::format("Report of the study {}.\n\n", markdown_text(content.study));
+  text += fmt::format("{} {}.\n\n", content.kind, markdown_text(content.study));
   text += markdown(content.findings) + "## Summary\n\n";
   text += bullets(content.summary);
   if (!content.warnings.empty()) text += "### Warnings\n\n" + bullets(content.warnings);
