@@ -30,7 +30,7 @@ void add_differences(const Evidence& evidence, std::vector<Figure>& figures) {
   if (rows.empty() || rows.size() > most_rows) return;
   figures.push_back(differences_figure(
       rows, {.name = figure_name(evidence, "differences"),
-             .quantity = "difference of means: " + evidence.quantity,
+             .quantity = "difference: " + evidence.quantity,
              .level = 1 - evidence.plan.significance,
              .method = evidence.blocks > 0                         ? "paired t, corrected by Bonferroni"
                        : evidence.plan.test == DecidingTest::anova ? "Tukey, one variance for all groups"
@@ -42,7 +42,7 @@ void add_ranks(const Evidence& evidence, std::vector<Figure>& figures) {
   CriticalDifference ranks{.name = figure_name(evidence, "ranks"),
                            .critical_difference = evidence.critical_difference,
                            .significance = evidence.plan.significance,
-                           .method = fmt::format("Nemenyi, {} blocks", evidence.blocks)};
+                           .method = fmt::format("Nemenyi, all pairs, {} blocks", evidence.blocks)};
   for (const GroupEvidence& group : evidence.groups) {
     ranks.labels.push_back(group.name);
     ranks.average_ranks.push_back(group.average_rank);

@@ -14,10 +14,10 @@
 namespace ikbench {
 
 struct Assessment {
-  std::string name;                    // of Observations; tables and figures are "statistics-<name>-..."
-  std::string heading;                 // "Statistics: position error [cm]"
-  std::vector<std::string> sentences;  // plain text, each with its topic in front: "Assumptions: ..."
-  std::vector<std::string> headlines;  // those that a summary takes
+  std::string name;                        // of Observations; tables and figures are "statistics-<name>-..."
+  std::string heading;                     // "Statistics: position error [cm]"
+  std::vector<std::string> sentences;      // plain text, each with its topic in front: "Assumptions: ..."
+  std::vector<std::string> headlines;      // those that a summary takes
   std::vector<std::string> warnings = {};  // why it must not be taken at its word
   std::vector<Table> tables;
   std::vector<Figure> figures;

@@ -1,6 +1,8 @@
 // An assessment's numbers as JSON: every one of them, whatever the tables leave out.
+#include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <string_view>
 
 #include "analysis/assessment.hpp"
 
@@ -33,12 +35,16 @@ Json group_json(const GroupEvidence& group) {
           {"q3", number(group.q3)},
           {"min", number(of.min)},
           {"max", number(of.max)},
+          {"shapiro_wilk_w", number(group.normality_w)},
           {"shapiro_wilk_p", number(group.normality)},
           {"average_rank", number(group.average_rank)}};
 }
 
 Json test_json(const TestResult& test) {
+  constexpr std::array<std::string_view, 3> roles{"assumption", "paper", "sound"};
   Json object{{"test", test.test},
+              {"role", roles[static_cast<std::size_t>(test.role)]},
+              {"without", test.without},
               {"symbol", test.symbol},
               {"statistic", number(test.statistic)},
               {"df", number(test.df)},
@@ -58,7 +64,8 @@ Json contrast_json(const Evidence& evidence, const Contrast& contrast) {
               {"p_games_howell", number(contrast.p_unpooled)},
               {"p_paired_t", number(contrast.p_paired)},
               {"p_ranks", number(contrast.p_ranks)},
-              {"a12", estimate(contrast.superiority)},
+              {"p_nemenyi", number(contrast.p_nemenyi)},
+              {evidence.blocks > 0 ? "share_of_blocks_ahead" : "a12", estimate(contrast.superiority)},
               {"hedges_g", estimate(contrast.g)},
               {"runs_to_see_margin", number(contrast.runs_to_see_margin)},
               {"within_margin", contrast.within_margin},

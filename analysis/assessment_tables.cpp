@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "analysis/assessment.hpp"
+#include "analysis/statistics/effect_size.hpp"
 #include "analysis/text.hpp"
 
 namespace ikbench {
@@ -14,10 +15,9 @@ std::string table_name(const Evidence& evidence, std::string_view part) {
   return fmt::format("statistics-{}-{}", evidence.name, part);
 }
 
-// "0.12 to 0.34"
 Cell interval(const Estimate& estimate) {
   if (!std::isfinite(estimate.low) || !std::isfinite(estimate.high)) return {};
-  return fmt::format("{} to {}", rounded_number(estimate.low, 3), rounded_number(estimate.high, 3));
+  return Range{estimate.low, estimate.high};
 }
 
 Cell or_nothing(double value) { return std::isfinite(value) ? Cell(value) : Cell(); }
@@ -88,7 +88,7 @@ Cell with_symbol(const std::string& symbol, double value) {
 }
 
 std::string role_words(Role role) {
-  constexpr std::array<std::string_view, 3> words{"assumption", "the paper's analysis", "sound"};
+  constexpr std::array<std::string_view, 3> words{"assumption", "classical", "sound"};
   return std::string(words[static_cast<std::size_t>(role)]);
 }
 
@@ -105,12 +105,14 @@ Table tests_table(const Evidence& evidence) {
   for (const TestResult& test : evidence.tests) {
     const bool significant = test.p < evidence.plan.significance;
     const std::string_view finding = test.role == Role::assumption
-                                         ? (significant ? "does not hold" : "not refuted")
+                                         ? (significant ? "refuted" : "not refuted")
                                          : (significant ? "the groups differ" : "not told apart");
-    table.rows.push_back({role_words(test.role), test.test, with_symbol(test.symbol, test.statistic),
-                          degrees_of_freedom(test), or_nothing(PValue{test.p}),
-                          with_symbol(test.effect_symbol, test.effect),
-                          test.undefined.empty() ? std::string(finding) : "not defined: " + test.undefined});
+    table.rows.push_back(
+        {role_words(test.role),
+         fmt::format("{}{}", test.test, test.without.empty() ? "" : fmt::format(" ({})", test.without)),
+         with_symbol(test.symbol, test.statistic), degrees_of_freedom(test), or_nothing(PValue{test.p}),
+         with_symbol(test.effect_symbol, test.effect),
+         test.undefined.empty() ? std::string(finding) : "not defined: " + test.undefined});
   }
   table.notes.push_back(fmt::format("Each at {}. {} decides, by the plan and not by the data.",
                                     rounded_number(evidence.plan.significance, 3), words_of(evidence.plan.test)));
@@ -133,46 +135,56 @@ std::string verdict_of(const Evidence& evidence, const Contrast& contrast) {
   }
 }
 
+// Of Cliff's delta, 2 A12 - 1 (Romano et al. 2006).
+Cell size_words(const Contrast& contrast) {
+  if (!std::isfinite(contrast.superiority.value)) return {};
+  return std::string(effect_words(2 * contrast.superiority.value - 1));
+}
+
 // What the p-values and intervals are corrected for.
 std::string family_note(const Evidence& evidence) {
   if (evidence.pairs == 1) return fmt::format("{} decides.", words_of(evidence.plan.test));
-  const bool ranks = evidence.plan.test == DecidingTest::kruskal_wallis || evidence.plan.test == DecidingTest::friedman;
   const std::string all = fmt::format("all {} pairs together", evidence.pairs);
-  const std::string ours = evidence.plan.control.empty() || !ranks
-                               ? all
-                               : fmt::format("the {} pairs with the control together", evidence.groups.size() - 1);
-  const std::string interval = evidence.plan.test == DecidingTest::kruskal_wallis ? all : ours;
-  return fmt::format("{} decides: p holds for {}, the interval of the difference for {}.", words_of(evidence.plan.test),
-                     ours, interval == ours ? "them too" : interval);
+  const std::string with_control = fmt::format("the {} pairs with the control together", evidence.groups.size() - 1);
+  const bool by_control = !evidence.plan.control.empty();
+  return fmt::format("{} decides: p holds for {}. Interval of the difference: {}, for {}.",
+                     words_of(evidence.plan.test), by_control && evidence.ranks_decide() ? with_control : all,
+                     interval_words(evidence),
+                     by_control && evidence.plan.test == DecidingTest::friedman ? with_control : all);
 }
 
 Table contrasts_table(const Evidence& evidence) {
   const std::string level = percent(1 - evidence.plan.significance);
-  Table table{.name = table_name(evidence, "contrasts"),
-              .caption = fmt::format("Who differs from whom: {}", evidence.quantity),
-              .columns = {{"first", Align::left},
-                          {"second", Align::left},
-                          {"verdict", Align::left},
-                          {"difference of means"},
-                          {level + " interval"},
-                          {"p"},
-                          {evidence.blocks > 0 ? "ahead in blocks" : "A12"},
-                          {level + (evidence.blocks > 0 ? " interval of that" : " interval of A12")},
-                          {"Hedges g"},
-                          {"p, Tukey"},
-                          {"p, Games-Howell"},
-                          {"p, paired t"},
-                          {evidence.blocks > 0 ? "p, Friedman ranks" : "p, Dunn"},
-                          {fmt::format("runs to see {}", percent(evidence.plan.margin))}}};
+  Table table{
+      .name = table_name(evidence, "contrasts"),
+      .caption = fmt::format("Who differs from whom: {}", evidence.quantity),
+      .columns = {{"first", Align::left},
+                  {"second", Align::left},
+                  {"verdict", Align::left},
+                  {"difference of means"},
+                  {level + " interval"},
+                  {"p"},
+                  {evidence.blocks > 0 ? "ahead in blocks" : "A12"},
+                  {level + (evidence.blocks > 0 ? " interval of that" : " interval of A12")},
+                  {"size", Align::left},
+                  {"Hedges g"},
+                  {"p, Tukey"},
+                  {"p, Games-Howell"},
+                  {"p, paired t"},
+                  {evidence.groups.size() == 2 ? (evidence.ranks_within_blocks() ? "p, Wilcoxon" : "p, Mann-Whitney")
+                   : evidence.ranks_within_blocks() ? "p, Friedman ranks"
+                                                    : "p, Dunn"},
+                  {"p, Nemenyi"},
+                  {fmt::format("runs to see {}", percent(evidence.plan.margin))}}};
   for (const Contrast& contrast : evidence.contrasts) {
     const double runs = contrast.runs_to_see_margin;
-    table.rows.push_back({evidence.groups[contrast.first].name, evidence.groups[contrast.second].name,
-                          verdict_of(evidence, contrast), contrast.difference.value, interval(contrast.difference),
-                          or_nothing(PValue{contrast.p}), or_nothing(contrast.superiority.value),
-                          interval(contrast.superiority), or_nothing(contrast.g.value),
-                          or_nothing(PValue{contrast.p_pooled}), or_nothing(PValue{contrast.p_unpooled}),
-                          or_nothing(PValue{contrast.p_paired}), or_nothing(PValue{contrast.p_ranks}),
-                          std::isfinite(runs) ? Cell(static_cast<std::int64_t>(runs)) : Cell()});
+    table.rows.push_back(
+        {evidence.groups[contrast.first].name, evidence.groups[contrast.second].name, verdict_of(evidence, contrast),
+         contrast.difference.value, interval(contrast.difference), or_nothing(PValue{contrast.p}),
+         or_nothing(contrast.superiority.value), interval(contrast.superiority), size_words(contrast),
+         or_nothing(contrast.g.value), or_nothing(PValue{contrast.p_pooled}), or_nothing(PValue{contrast.p_unpooled}),
+         or_nothing(PValue{contrast.p_paired}), or_nothing(PValue{contrast.p_ranks}),
+         or_nothing(PValue{contrast.p_nemenyi}), std::isfinite(runs) ? Cell(static_cast<std::int64_t>(runs)) : Cell()});
   }
   table.notes.push_back(family_note(evidence));
   if (!evidence.from_summaries) {

@@ -9,19 +9,32 @@
 #include "analysis/statistics/effect_size.hpp"
 #include "analysis/statistics/friedman.hpp"
 #include "analysis/statistics/kruskal_wallis.hpp"
+#include "analysis/statistics/mann_whitney.hpp"
 #include "analysis/statistics/multiple_comparisons.hpp"
 #include "analysis/statistics/p_adjust.hpp"
 #include "analysis/statistics/power.hpp"
 #include "analysis/statistics/proportion.hpp"
 #include "analysis/statistics/studentized_range.hpp"
 #include "analysis/statistics/welch.hpp"
+#include "analysis/statistics/wilcoxon_signed_rank.hpp"
 
 namespace ikbench {
 namespace {
 
 using Values = std::span<const std::vector<double>>;
 
-Correction correction_of(Adjustment adjustment) { return static_cast<Correction>(adjustment); }
+Correction correction_of(Adjustment adjustment) {
+  switch (adjustment) {
+    case Adjustment::hochberg:
+      return Correction::hochberg;
+    case Adjustment::bonferroni:
+      return Correction::bonferroni;
+    case Adjustment::benjamini_hochberg:
+      return Correction::benjamini_hochberg;
+    default:
+      return Correction::holm;
+  }
+}
 
 // The better one has the smaller value here.
 std::vector<std::vector<double>> smaller_is_better(const Evidence& evidence, Values values) {
@@ -48,24 +61,48 @@ std::optional<std::size_t> reference_of(const Evidence& evidence) {
   return static_cast<std::size_t>(std::ranges::min_element(groups, {}, worth) - groups.begin());
 }
 
-// Of p-values of all pairs, in order, those of one group; corrected for the family that is compared: with a control its
-// pairs alone, else all of them.
-std::vector<double> corrected(const Evidence& evidence, const std::vector<Contrast>& all, std::vector<double> raw) {
-  const Correction how = correction_of(evidence.plan.adjustment);
-  if (evidence.plan.control.empty()) return adjusted(raw, how);
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    if (all[i].first != *evidence.reference && all[i].second != *evidence.reference) raw[i] = not_defined;
+void add_nemenyi(const Evidence& evidence, std::vector<Contrast>& all) {
+  const auto k = static_cast<double>(evidence.groups.size()), n = static_cast<double>(evidence.blocks);
+  const double error = std::sqrt(k * (k + 1) / (6 * n));
+  const StudentizedRange range(k);
+  for (Contrast& contrast : all) {
+    const double apart =
+        std::abs(evidence.groups[contrast.first].average_rank - evidence.groups[contrast.second].average_rank);
+    contrast.p_nemenyi = range.upper_tail(apart / error * std::sqrt(2.0), std::numeric_limits<double>::infinity());
   }
-  return adjusted(raw, how);  // what is not defined does not count
 }
 
-std::vector<double> rank_tests(const Evidence& evidence, Values values, const std::vector<Contrast>& all) {
-  std::vector<double> raw(all.size(), not_defined);
-  if (values.empty()) return raw;
-  const std::vector<RankComparison> pairs =
-      evidence.blocks > 0 ? compare_average_ranks(friedman(smaller_is_better(evidence, values))) : dunn(values);
-  for (std::size_t i = 0; i < std::min(pairs.size(), all.size()); ++i) raw[i] = pairs[i].p;
-  return corrected(evidence, all, std::move(raw));
+// Two groups alone have exact tests, where a normal approximation of few values would find too much.
+RankComparison rank_test_of_two(const Evidence& evidence, const std::vector<double>& first,
+                                const std::vector<double>& second) {
+  if (evidence.ranks_within_blocks()) {
+    const WilcoxonSignedRank test = wilcoxon_signed_rank(first, second);
+    return {.first = 0, .second = 1, .p = test.p, .undefined = test.undefined};
+  }
+  const MannWhitney test = mann_whitney(first, second);
+  return {.first = 0, .second = 1, .p = test.p, .undefined = test.undefined};
+}
+
+std::vector<RankComparison> rank_tests(const Evidence& evidence, Values values) {
+  if (values.size() == 2) return {rank_test_of_two(evidence, values[0], values[1])};
+  return evidence.ranks_within_blocks() ? compare_average_ranks(friedman(smaller_is_better(evidence, values)))
+                                        : dunn(values);
+}
+
+// Of all pairs in order. Corrected for the family that is compared: what is not of it does not count.
+void add_rank_tests(const Evidence& evidence, Values values, std::vector<Contrast>& all) {
+  if (values.empty()) return;
+  std::vector<RankComparison> tests = rank_tests(evidence, values);
+  std::vector<double> raw;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const bool of_family =
+        evidence.plan.control.empty() || all[i].first == *evidence.reference || all[i].second == *evidence.reference;
+    raw.push_back(of_family ? tests[i].p : not_defined);
+    if (evidence.ranks_decide()) all[i].undefined = std::move(tests[i].undefined);
+  }
+  const std::vector<double> p = adjusted(raw, correction_of(evidence.plan.adjustment));
+  for (std::size_t i = 0; i < all.size(); ++i) all[i].p_ranks = p[i];
+  if (evidence.ranks_within_blocks()) add_nemenyi(evidence, all);
 }
 
 // Where groups have blocks in common: the share of blocks in which the first is better. An interval needs whole blocks,
@@ -94,14 +131,13 @@ Estimate superiority(const Evidence& evidence, const std::vector<double>& first,
 
 // Of the differences within blocks; p and interval hold for the whole family by Bonferroni.
 void compare_in_blocks(const Evidence& evidence, Values values, Contrast& contrast) {
-  const auto family = static_cast<double>(evidence.plan.control.empty() ? evidence.pairs : evidence.groups.size() - 1);
+  const auto family = static_cast<double>(evidence.family());
   const PairedTest test =
       paired_t(values[contrast.first], values[contrast.second], 1 - evidence.plan.significance / family);
   contrast.p_paired = std::min(1.0, family * test.p);
   if (std::isnan(test.p)) contrast.p_paired = not_defined;
   if (evidence.plan.test != DecidingTest::friedman) return;
   contrast.difference = {.value = test.difference, .low = test.low, .high = test.high};
-  contrast.undefined.clear();  // the ranks of a block need no finite values
 }
 
 // The difference of means that matters: the planned share of the smaller of the two.
@@ -110,41 +146,61 @@ double margin_of(const Evidence& evidence, const Contrast& contrast) {
                                          std::abs(evidence.groups[contrast.second].described.mean));
 }
 
-void judge(const Evidence& evidence, Contrast& contrast) {
+bool is_constant(const Description& of) { return of.n > 1 && of.not_finite == 0 && of.min == of.max; }
+
+// Two groups of one value each: what chance has it, were they alike? By Fisher's exact test, for all pairs together.
+void judge_constants(const Evidence& evidence, Contrast& contrast) {
   const Description& first = evidence.groups[contrast.first].described;
   const Description& second = evidence.groups[contrast.second].described;
-  const bool constant = !evidence.from_summaries && first.n > 1 && second.n > 1 && first.not_finite == 0 &&
-                        second.not_finite == 0 && first.min == first.max && second.min == second.max;
-  const double sign = evidence.better == Better::smaller ? 1 : -1;
-  if (constant) {  // a fact, not a finding
-    contrast.difference = {first.mean - second.mean, first.mean - second.mean, first.mean - second.mean};
-    contrast.undefined.clear();
-    contrast.within_margin = std::abs(contrast.difference.value) <= margin_of(evidence, contrast);
-    contrast.relation = first.mean == second.mean              ? Relation::equivalent
-                        : sign * contrast.difference.value < 0 ? Relation::first_better
+  const double difference = first.mean - second.mean;
+  contrast.difference = {difference, difference, difference};
+  contrast.undefined.clear();
+  contrast.within_margin = std::abs(difference) <= margin_of(evidence, contrast);
+  if (difference == 0) {
+    contrast.relation = Relation::equivalent;
+    return;
+  }
+  const FisherExact test =
+      fisher_exact({.successes = first.n, .trials = first.n}, {.successes = 0, .trials = second.n});
+  contrast.p = std::min(1.0, test.p * static_cast<double>(evidence.family()));
+  const bool first_ahead = (difference < 0) == (evidence.better == Better::smaller);
+  contrast.relation = contrast.p >= evidence.plan.significance ? Relation::not_told_apart
+                      : first_ahead                            ? Relation::first_better
                                                                : Relation::second_better;
+}
+
+// Which of two that differ is ahead is the deciding test's word: by ranks the chance of being better, else the mean.
+bool is_first_ahead(const Evidence& evidence, const Contrast& contrast) {
+  const GroupEvidence& first = evidence.groups[contrast.first];
+  const GroupEvidence& second = evidence.groups[contrast.second];
+  if (evidence.plan.test == DecidingTest::friedman) return first.average_rank < second.average_rank;
+  if (evidence.plan.test == DecidingTest::kruskal_wallis) return contrast.superiority.value > 0.5;
+  return (first.described.mean < second.described.mean) == (evidence.better == Better::smaller);
+}
+
+void judge(const Evidence& evidence, Contrast& contrast) {
+  if (!evidence.from_summaries && is_constant(evidence.groups[contrast.first].described) &&
+      is_constant(evidence.groups[contrast.second].described)) {
+    judge_constants(evidence, contrast);
     return;
   }
   if (!std::isfinite(contrast.p)) {
-    if (contrast.undefined.empty())
+    if (contrast.undefined.empty()) {
       contrast.undefined = "a group has fewer than two values, or values that are not finite";
+    }
     return;
   }
+  contrast.undefined.clear();
   const double room = margin_of(evidence, contrast);
   contrast.within_margin = std::abs(contrast.difference.low) <= room && std::abs(contrast.difference.high) <= room;
-  if (contrast.p >= evidence.plan.significance) {
-    contrast.relation = contrast.within_margin ? Relation::equivalent : Relation::not_told_apart;
-    return;
-  }
-  // Which is ahead is the deciding test's word: by ranks the chance of being better, else the mean.
-  const bool by_ranks =
-      evidence.plan.test == DecidingTest::kruskal_wallis || evidence.plan.test == DecidingTest::friedman;
-  const GroupEvidence& one = evidence.groups[contrast.first];
-  const GroupEvidence& other = evidence.groups[contrast.second];
-  const bool first_ahead = evidence.plan.test == DecidingTest::friedman ? one.average_rank < other.average_rank
-                           : by_ranks                                   ? contrast.superiority.value > 0.5
-                                                                        : sign * (first.mean - second.mean) < 0;
-  contrast.relation = first_ahead ? Relation::first_better : Relation::second_better;
+  // Ranks of few values are no more normal than these: a pair is only found where all groups together are.
+  const TestResult* together = deciding_test(evidence);
+  const bool found =
+      contrast.p < evidence.plan.significance && (!evidence.ranks_decide() || evidence.groups.size() == 2 ||
+                                                  together == nullptr || together->p < evidence.plan.significance);
+  contrast.relation = found ? (is_first_ahead(evidence, contrast) ? Relation::first_better : Relation::second_better)
+                      : contrast.within_margin ? Relation::equivalent
+                                               : Relation::not_told_apart;
 }
 
 double deciding_p(const Evidence& evidence, const Contrast& contrast) {
@@ -166,7 +222,7 @@ void add_friedman(Evidence& evidence, Values values) {
   for (std::size_t i = 0; i < test.average_ranks.size(); ++i) {
     evidence.groups[i].average_rank = test.average_ranks[i];
   }
-  evidence.tests.push_back({.test = "Friedman's test",
+  evidence.tests.push_back({.test = std::string(friedman_name),
                             .role = Role::sound,
                             .symbol = "chi^2",
                             .statistic = test.chi_squared,
@@ -175,7 +231,7 @@ void add_friedman(Evidence& evidence, Values values) {
                             .effect_symbol = "W",
                             .effect = test.kendall_w,
                             .undefined = test.undefined});
-  evidence.tests.push_back({.test = "Iman and Davenport's form of it",
+  evidence.tests.push_back({.test = std::string(iman_davenport_name),
                             .role = Role::sound,
                             .symbol = "F",
                             .statistic = test.F,
@@ -198,15 +254,15 @@ void add_contrasts(Evidence& evidence, std::span<const GroupSummary> summaries, 
   for (std::size_t i = 0; i < k; ++i) {
     for (std::size_t j = i + 1; j < k; ++j) all.push_back({.first = i, .second = j});
   }
-  const std::vector<double> p_ranks = rank_tests(evidence, values, all);
-  for (std::size_t i = 0; i < all.size(); ++i) all[i].p_ranks = p_ranks[i];
+  add_rank_tests(evidence, values, all);
   if (evidence.reference) {
     std::erase_if(all,
                   [&](const Contrast& c) { return c.first != *evidence.reference && c.second != *evidence.reference; });
   }
 
   const double level = 1 - evidence.plan.significance;
-  const PowerGoal goal{.power = evidence.plan.power, .alpha = evidence.plan.significance};
+  const PowerGoal goal{.power = evidence.plan.power,
+                       .alpha = evidence.plan.significance / static_cast<double>(evidence.family())};
   const std::vector<MeanDifference> pooled = tukey(summaries, level, evidence.reference);
   const std::vector<MeanDifference> unpooled = games_howell(summaries, level, evidence.reference);
   const auto ahead = smaller_is_better(evidence, values);
@@ -217,7 +273,7 @@ void add_contrasts(Evidence& evidence, std::span<const GroupSummary> summaries, 
     contrast.p_unpooled = unpooled[i].p;
     const MeanDifference& shown = evidence.plan.test == DecidingTest::anova ? pooled[i] : unpooled[i];
     contrast.difference = {.value = first.mean - second.mean, .low = shown.low, .high = shown.high};
-    contrast.undefined = shown.undefined;
+    if (!evidence.ranks_decide()) contrast.undefined = shown.undefined;
     const EffectSize g = hedges_g(first, second, level);
     contrast.g = {.value = g.value, .low = g.low, .high = g.high};
     if (evidence.blocks == 0) {

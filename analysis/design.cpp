@@ -178,8 +178,8 @@ Observations observations(const StudyResults& study, Metric metric, Unit unit) {
   if (unit == Unit::point) result.flaw = points_flaw;
   for (Sample& sample : samples(study, metric, unit)) {
     if (sample.incomplete_runs > 0) {
-      result.notes.push_back(
-          fmt::format("{}: {} of its runs have missing points and give no observation.", sample.solver, sample.incomplete_runs));
+      result.notes.push_back(fmt::format("{}: {} of its runs have missing points and give no observation.",
+                                         sample.solver, sample.incomplete_runs));
     }
     result.groups.push_back({.name = std::move(sample.solver), .values = std::move(sample.values)});
   }

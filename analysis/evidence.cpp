@@ -96,7 +96,7 @@ void compare_variances(Evidence& evidence, std::span<const GroupSummary> summari
 }
 
 TestResult of_bartlett(const Bartlett& test) {
-  return {.test = "Bartlett's test of equal variances",
+  return {.test = std::string(bartlett_name),
           .role = Role::assumption,
           .symbol = "chi^2",
           .statistic = test.chi_squared,
@@ -106,7 +106,7 @@ TestResult of_bartlett(const Bartlett& test) {
 }
 
 TestResult of_brown_forsythe(const BrownForsythe& test) {
-  return {.test = "Brown and Forsythe's test of equal variances",
+  return {.test = std::string(brown_forsythe_name),
           .role = Role::assumption,
           .symbol = "F",
           .statistic = test.F,
@@ -117,7 +117,7 @@ TestResult of_brown_forsythe(const BrownForsythe& test) {
 }
 
 TestResult of_kruskal_wallis(const KruskalWallis& test) {
-  return {.test = "Kruskal and Wallis' test",
+  return {.test = std::string(kruskal_wallis_name),
           .symbol = "H",
           .statistic = test.H,
           .df = static_cast<double>(test.df),
@@ -128,7 +128,7 @@ TestResult of_kruskal_wallis(const KruskalWallis& test) {
 }
 
 TestResult of_anova(const AnovaTable& table) {
-  return {.test = "One-way ANOVA",
+  return {.test = std::string(anova_name),
           .role = Role::paper,
           .symbol = "F",
           .statistic = table.F,
@@ -142,7 +142,7 @@ TestResult of_anova(const AnovaTable& table) {
 
 // Those that Welch's test can weigh; the others are named.
 TestResult of_welch(const std::vector<GroupEvidence>& groups, std::span<const GroupSummary> summaries) {
-  TestResult result{.test = "Welch's ANOVA", .role = Role::sound, .symbol = "F"};
+  TestResult result{.test = std::string(welch_name), .role = Role::sound, .symbol = "F"};
   std::vector<GroupSummary> usable;
   std::vector<std::string> others;
   for (std::size_t i = 0; i < summaries.size(); ++i) {
@@ -165,9 +165,9 @@ TestResult of_welch(const std::vector<GroupEvidence>& groups, std::span<const Gr
   if (!std::isfinite(test.p)) result.undefined = "the spreads are too far apart for double precision";
   if (!others.empty()) {
     constexpr std::size_t most_named = 3;
-    result.test += fmt::format(" (without {}, whose spread is none or not defined)",
-                               others.size() > most_named ? fmt::format("{} groups", others.size())
-                                                          : fmt::format("{}", fmt::join(others, ", ")));
+    result.without = fmt::format("without {}, whose spread is none or not defined",
+                                 others.size() > most_named ? fmt::format("{} groups", others.size())
+                                                            : fmt::format("{}", fmt::join(others, ", ")));
   }
   return result;
 }
@@ -187,12 +187,17 @@ Estimate interval_of(const GroupSummary& summary, double level) {
 }
 
 // BCa: it follows the skewness of the values. Not for so many values that the mean is normal anyway.
-Estimate bootstrapped_mean(const std::vector<double>& values, double level) {
-  constexpr std::size_t most_values = 1000;
-  if (values.size() < 2 || values.size() > most_values) return {};
-  const BootstrapInterval found =
-      bootstrap(values, [](std::span<const double> resample) { return mean(resample); }, {.level = level});
-  return {.value = found.estimate, .low = found.bca_low, .high = found.bca_high};
+void bootstrap_means(Evidence& evidence, const Values& values) {
+  constexpr std::size_t most_values = 2000;  // of all groups: about a second
+  std::size_t all = 0;
+  for (const auto& group : values) all += group.size();
+  if (all > most_values) return;
+  const auto mean_of = [](std::span<const double> resample) { return mean(resample); };
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (values[i].size() < 2) continue;
+    const BootstrapInterval found = bootstrap(values[i], mean_of, {.level = 1 - evidence.plan.significance});
+    evidence.groups[i].bootstrapped = {.value = found.estimate, .low = found.bca_low, .high = found.bca_high};
+  }
 }
 
 std::string in_brackets(const std::string& text) { return text.empty() ? "" : fmt::format(" ({})", text); }
@@ -225,11 +230,11 @@ GroupEvidence describe_group(const Group& group, const AnalysisPlan& plan) {
   const double q1 = quantile(ranked, 0.25, type), q3 = quantile(ranked, 0.75, type);
   result.q1 = q1;
   result.q3 = q3;
-  result.bootstrapped = bootstrapped_mean(group.values, level);
   const MedianInterval median = median_interval(ranked, level);
   result.median = {.value = of.median, .low = median.low, .high = median.high};
   const ShapiroWilk normal = shapiro_wilk(group.values);
   result.normality = normal.p;
+  result.normality_w = normal.W;
   result.normality_undefined = normal.undefined;
   return result;
 }
@@ -263,6 +268,30 @@ std::string_view words_of(DecidingTest test) {
                                                   "Welch's ANOVA with Games and Howell's test",
                                                   "Kruskal and Wallis' test with Dunn's", "Friedman's test of ranks"};
   return words[static_cast<std::size_t>(test)];
+}
+
+const TestResult* deciding_test(const Evidence& evidence) {
+  switch (evidence.plan.test) {
+    case DecidingTest::anova:
+      return evidence.test(anova_name);
+    case DecidingTest::kruskal_wallis:
+      return evidence.test(kruskal_wallis_name);
+    case DecidingTest::friedman:
+      return evidence.test(iman_davenport_name);
+    default:
+      return evidence.test(welch_name);
+  }
+}
+
+std::string_view interval_words(const Evidence& evidence) {
+  switch (evidence.plan.test) {
+    case DecidingTest::friedman:
+      return "paired t within blocks, corrected by Bonferroni";
+    case DecidingTest::anova:
+      return "Tukey, one variance for all groups";
+    default:
+      return "Games-Howell, each group's own variance";
+  }
 }
 
 Evidence evidence(const Summaries& summaries, const AnalysisPlan& plan) {
@@ -301,6 +330,7 @@ Evidence evidence(const Observations& observations, const AnalysisPlan& plan) {
     values.push_back(group.values);
     summaries.push_back(summarise(group.values));
   }
+  bootstrap_means(result, values);
   check_control(result);
   settle_test(result);
   if (result.groups.size() < 2) return result;

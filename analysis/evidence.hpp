@@ -29,6 +29,7 @@ struct GroupEvidence {
   double q1 = not_defined;
   double q3 = not_defined;
   double normality = not_defined;  // p of Shapiro and Wilk's test
+  double normality_w = not_defined;
   std::string normality_undefined = {};
   double average_rank = not_defined;  // over the blocks, 1 is best; only where there are blocks
 };
@@ -38,6 +39,7 @@ enum class Role { assumption, paper, sound };
 
 struct TestResult {
   std::string test;
+  std::string without = {};  // groups that it had to leave out, in words
   Role role = Role::sound;
   std::string symbol = {};  // of the statistic: "F", "H"
   double statistic = not_defined;
@@ -61,9 +63,10 @@ struct Contrast {
   double p_unpooled = not_defined;  // Games and Howell
   double p_paired =
       not_defined;  // t of the differences within blocks, corrected by Bonferroni; only where there are blocks
-  double p_ranks = not_defined;             // Dunn, or Friedman's ranks where there are blocks; corrected as planned
-  Estimate superiority = {};                // A12: the chance that an observation of first is better than one of second
-  Estimate g = {};                          // Hedges; positive where the mean of first is larger
+  double p_ranks = not_defined;    // Dunn, or Friedman's ranks within blocks; of two groups Mann-Whitney or Wilcoxon
+  double p_nemenyi = not_defined;  // of Friedman's ranks, all pairs; only within blocks
+  Estimate superiority = {};       // A12: the chance that an observation of first is better than one of second
+  Estimate g = {};                 // Hedges; positive where the mean of first is larger
   double runs_to_see_margin = not_defined;  // a group, to find a difference of the planned margin; not in blocks
   Relation relation = Relation::undefined;
   bool within_margin = false;  // the whole interval of the difference: too small to matter, also where it is found
@@ -92,6 +95,10 @@ struct Evidence {
   std::size_t pairs = 0;  // that p-values and intervals are corrected for
 
   const TestResult* test(std::string_view test_name) const;  // null where it was not made
+  bool ranks_within_blocks() const { return blocks > 0 && plan.test != DecidingTest::kruskal_wallis; }
+  bool ranks_decide() const { return plan.test == DecidingTest::kruskal_wallis || plan.test == DecidingTest::friedman; }
+  // That p-values and intervals are corrected for: the pairs with the control, else all pairs.
+  std::size_t family() const { return plan.control.empty() ? pairs : groups.size() - 1; }
 };
 
 constexpr std::size_t most_groups_in_pairs = 20;
@@ -101,7 +108,16 @@ constexpr std::size_t most_groups_in_pairs = 20;
 Evidence evidence(const Observations& observations, const AnalysisPlan& plan);
 Evidence evidence(const Summaries& summaries, const AnalysisPlan& plan);
 
-// Names of tests, of which one decides.
+// The names of the tests of all groups, of which one decides.
+constexpr std::string_view anova_name = "One-way ANOVA", welch_name = "Welch's ANOVA",
+                           kruskal_wallis_name = "Kruskal and Wallis' test", friedman_name = "Friedman's test",
+                           iman_davenport_name = "Iman and Davenport's form of it",
+                           brown_forsythe_name = "Brown and Forsythe's test of equal variances",
+                           bartlett_name = "Bartlett's test of equal variances";
 std::string_view words_of(DecidingTest test);
+// The test of all groups that goes with the pairs' deciding one; null where it was not made.
+const TestResult* deciding_test(const Evidence& evidence);
+// By which method the differences have their intervals.
+std::string_view interval_words(const Evidence& evidence);
 
 }  // namespace ikbench

@@ -86,12 +86,18 @@ Table flagged(Table table, const AnalysisPlan& plan) {
   return table;
 }
 
+// "computing time, as printed [s]"
+std::string as_printed(std::string_view quantity) {
+  const std::size_t unit = std::min(quantity.find(" ["), quantity.size());
+  return fmt::format("{}, as printed{}", quantity.substr(0, unit), quantity.substr(unit));
+}
+
 // What the paper printed, by the same methods.
 std::vector<Assessment> printed_assessments(const StudyResults& study, const AnalysisPlan& plan) {
   std::vector<Assessment> result;
   for (const Metric metric : paper_metrics) {
     Summaries printed{.name = fmt::format("printed-{}", info_of(metric).slug),
-                      .quantity = fmt::format("{}, as printed in Table 3", info_of(metric).quantity)};
+                      .quantity = as_printed(info_of(metric).quantity)};
     for (const PrintedRow& row : printed_table_3(study, metric)) printed.groups.push_back({row.algorithm, row.summary});
     if (printed.groups.size() < 2) continue;
     AnalysisPlan of_summaries = plan;  // ranks and controls of this study's own are not to be had
@@ -102,6 +108,10 @@ std::vector<Assessment> printed_assessments(const StudyResults& study, const Ana
   return result;
 }
 
+bool can_be_made(const AnalysisPlan& plan, const Observations& observed) {
+  return plan.test != DecidingTest::friedman || !observed.blocks.empty();
+}
+
 std::vector<Assessment> assessments_of(const StudyResults& study, const AnalysisPlan& plan) {
   if (study.solves.empty()) return {};
   std::vector<Assessment> result;
@@ -109,7 +119,7 @@ std::vector<Assessment> assessments_of(const StudyResults& study, const Analysis
     std::optional<Observations> blocked = plan.unit == Unit::run ? blocked_observations(study, metric) : std::nullopt;
     const Observations observed = blocked ? std::move(*blocked) : observations(study, metric, plan.unit);
     AnalysisPlan possible = plan;  // a foreign store may plan what its data do not have
-    if (observed.blocks.empty() && plan.test == DecidingTest::friedman) possible.test = DecidingTest::by_design;
+    if (!can_be_made(plan, observed)) possible.test = DecidingTest::by_design;
     result.push_back(assess(observed, possible));
   }
   std::ranges::move(printed_assessments(study, plan), std::back_inserter(result));
@@ -162,6 +172,12 @@ Report write_report(const Store& store, const ReportRequest& request) {
                         .warnings = warnings_of(study),
                         .command = command_of(study, sessions)};
   std::ranges::copy(plan_changes(entry, sessions, study.solves), std::back_inserter(content.warnings));
+  if (plan.test == DecidingTest::friedman && !blocked_observations(study, Metric::position_error_cm)) {
+    content.warnings.push_back(
+        fmt::format("Friedman's test was planned and cannot be made; Welch's ANOVA with Games and "
+                    "Howell's test decides instead. {}",
+                    why_not_blocked(study)));
+  }
   if (plan.unit == Unit::point) content.warnings.insert(content.warnings.begin(), capitalised(points_flaw) + '.');
   for (std::size_t i = 1; i < beside.size(); ++i) content.summary.push_back(perspective(beside[i], plan.unit));
   std::ranges::move(cost_tables(study), std::back_inserter(tables));

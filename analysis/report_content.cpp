@@ -39,9 +39,11 @@ const std::vector<Plan>& further() {
       {"Convergence and cost",
        "How the error falls with what is spent on it. Curves go over solves, and describe them: solves of one run "
        "depend "
-       "on each other where each starts from the answer before.",
+       "on each other where each starts from the answer before. Convergence and runtimes need the solves' traces, "
+       "trace = "
+       "\"best_error\" in the study; costs and survival a tolerance.",
        {"statistics-convergence", "statistics-ecdf-*", "statistics-profile-*", "statistics-survival-*",
-        "statistics-cost"}},
+        "statistics-cost*"}},
       {"Computing time",
        "The paper's test for real time: how long a swarm of a given size takes to come within 0.1 cm.",
        {"table-7"}},

@@ -6,7 +6,10 @@
 namespace ikbench {
 
 Report write_statistics(const std::vector<Assessment>& assessments, const StatisticsRequest& request) {
-  Publication publication{.content = {.study = request.source, .kind = "Statistics of the file", .title = request.title, .command = request.command},
+  Publication publication{.content = {.study = request.source,
+                                      .kind = "Statistics of the file",
+                                      .title = request.title,
+                                      .command = request.command},
                           .assessments = assessments};
   for (const Assessment& assessment : assessments) {
     std::ranges::copy(assessment.headlines, std::back_inserter(publication.content.summary));

@@ -53,6 +53,9 @@ std::string readable(const Cell& cell) {
             if (!std::isfinite(p.value)) return std::string("not defined");
             if (p.value < smallest_p) return std::string("< 1e-300");
             return rounded_number(p.value, digits_to_read);
+          },
+          [](Range range) {
+            return fmt::format("{} to {}", rounded_number(range.low, 3), rounded_number(range.high, 3));
           }},
       cell);
 }
@@ -62,7 +65,8 @@ std::string computable(const Cell& cell) {
       Overloaded{[](std::monostate) { return std::string(); }, [](const std::string& text) { return text; },
                  [](std::int64_t count) { return fmt::to_string(count); },
                  [](double value) { return std::isfinite(value) ? text_of(value) : std::string(); },
-                 [](PValue p) { return std::isfinite(p.value) ? text_of(p.value) : std::string(); }},
+                 [](PValue p) { return std::isfinite(p.value) ? text_of(p.value) : std::string(); },
+                 [](Range range) { return fmt::format("{} to {}", text_of(range.low), text_of(range.high)); }},
       cell);
 }
 
@@ -123,10 +127,21 @@ std::string to_latex(const Table& table) {
 
 std::string to_csv(const Table& table) {
   CsvTable csv;
-  for (const Column& column : table.columns) csv.header.push_back(column.name);
+  std::vector<bool> has_ranges;
+  for (std::size_t c = 0; c < table.columns.size(); ++c) {
+    has_ranges.push_back(std::ranges::any_of(
+        table.rows, [c](const std::vector<Cell>& row) { return std::holds_alternative<Range>(row[c]); }));
+    const std::string& name = table.columns[c].name;
+    csv.header.push_back(has_ranges[c] ? name + " low" : name);
+    if (has_ranges[c]) csv.header.push_back(name + " high");
+  }
   for (const auto& row : table.rows) {
     std::vector<std::string>& cells = csv.rows.emplace_back();
-    for (const Cell& cell : row) cells.push_back(computable(cell));
+    for (std::size_t c = 0; c < row.size(); ++c) {
+      const Range* range = std::get_if<Range>(&row[c]);
+      cells.push_back(range ? text_of(range->low) : computable(row[c]));
+      if (has_ranges[c]) cells.push_back(range ? text_of(range->high) : "");
+    }
   }
   return to_csv(csv);
 }

@@ -13,9 +13,15 @@ struct PValue {
   double value;
 };
 
+// An interval: read as "0.12 to 0.34"; in CSV its column is two, "... low" and "... high".
+struct Range {
+  double low;
+  double high;
+};
+
 // A double that is not finite, and a p-value that is not, show as "not defined" (an empty field in CSV).
 // std::monostate: there is nothing to say, an empty cell.
-using Cell = std::variant<std::monostate, std::string, std::int64_t, double, PValue>;
+using Cell = std::variant<std::monostate, std::string, std::int64_t, double, PValue, Range>;
 
 enum class Align { left, right };
 

@@ -46,6 +46,15 @@ TEST_CASE("LaTeX has booktabs rules and escapes every special character", "[tabl
   CHECK(text.find("100 \\% of it") != std::string::npos);
 }
 
+TEST_CASE("an interval is one column to read and two to compute with", "[table]") {
+  const Table table{.name = "t",
+                    .caption = "c",
+                    .columns = {{"x", Align::left}, {"interval"}},
+                    .rows = {{std::string("a"), Range{0.123456, 2}}, {std::string("b"), Cell()}}};
+  CHECK(readable(table.rows[0][1]) == "0.123 to 2");
+  CHECK(to_csv(table) == "x,interval low,interval high\na,0.123456,2\nb,,\n");
+}
+
 TEST_CASE("LaTeX writes powers of ten as such", "[table]") {
   const Table table{.name = "t", .caption = "t", .columns = {{"x"}}, .rows = {{7.2225e-24}, {1.0877e6}}};
   CHECK(to_latex(table).find("$7.2225 \\times 10^{-24}$") != std::string::npos);

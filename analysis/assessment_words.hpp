@@ -1,0 +1,34 @@
+// What the sentences of an assessment share: numbers, names and lists as words.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "analysis/evidence.hpp"
+
+namespace ikbench {
+
+constexpr std::size_t longest_name_in_text = 60;
+
+std::string number_words(double value);  // three digits, and all digits before the point
+std::string p_words(double p);
+std::string percent_words(double share);
+std::string listed(const std::vector<std::string>& items);   // "a, b and c"; of many the first, and how many more
+std::string clauses(const std::vector<std::string>& items);  // the same of clauses that have commas themselves
+std::string name_words(const Evidence& evidence, std::size_t group);
+std::string pair_words(const Evidence& evidence, const Contrast& contrast);
+std::string flaw_words(const Evidence& evidence);  // of one that has a flaw
+
+// Whether equal variances are refuted: by Brown and Forsythe's test where the values are there, since Bartlett's takes
+// normal ones for granted. Null where neither test was made.
+const TestResult* variance_test(const Evidence& evidence);
+bool variances_differ(const Evidence& evidence);
+// So far that a pooled variance is that of the most variable group alone.
+bool pooling_misleads(const Evidence& evidence);
+
+// Of assessment_verdicts.cpp.
+std::string in_short(const Evidence& evidence);  // empty where there is nothing to compare
+std::vector<std::string> who_differs(const Evidence& evidence);
+std::string disagreements(const Evidence& evidence);
+
+}  // namespace ikbench
