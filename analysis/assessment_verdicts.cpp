@@ -11,13 +11,27 @@
 namespace ikbench {
 namespace {
 
+// "0.0019 against 0.365", with as many digits as tell them apart.
+std::string against(double mean, double other) {
+  if (!std::isfinite(mean) || !std::isfinite(other)) {
+    const auto words = [](double value) { return std::isfinite(value) ? number_words(value) : std::string("no mean"); };
+    return fmt::format("{} against {}", words(mean), words(other));
+  }
+  std::string one = number_words(mean), two = number_words(other);
+  for (int digits = 4; one == two && digits <= 12; ++digits) {
+    one = rounded_number(mean, digits);
+    two = rounded_number(other, digits);
+  }
+  return fmt::format("{} against {}", one, two);
+}
+
 // "IK-BA is better than DE: 0.00190 against 0.365, difference -0.363 (95 % interval ...), p = ..., A12 = 0.98"
 std::string better_words(const Evidence& evidence, const Contrast& contrast) {
   const bool first = contrast.relation == Relation::first_better;
   const std::size_t winner = first ? contrast.first : contrast.second, loser = first ? contrast.second : contrast.first;
-  const auto mean_of = [&](std::size_t i) { return number_words(evidence.groups[i].described.mean); };
-  std::string text = fmt::format("{} is better than {}: {} against {}", name_words(evidence, winner),
-                                 name_words(evidence, loser), mean_of(winner), mean_of(loser));
+  std::string text =
+      fmt::format("{} is better than {}: {}", name_words(evidence, winner), name_words(evidence, loser),
+                  against(evidence.groups[winner].described.mean, evidence.groups[loser].described.mean));
   if (std::isfinite(contrast.difference.low)) {
     const double low = std::min(std::abs(contrast.difference.low), std::abs(contrast.difference.high));
     const double high = std::max(std::abs(contrast.difference.low), std::abs(contrast.difference.high));
@@ -25,8 +39,9 @@ std::string better_words(const Evidence& evidence, const Contrast& contrast) {
     const bool first_by_mean = (contrast.difference.value < 0) == (evidence.better == Better::smaller);
     text += first_by_mean != first ? ", though not by the mean"
             : includes_zero        ? ", though the interval of the difference of means includes zero"
-            : low == high          ? fmt::format(", by {}", number_words(low))
-                                   : fmt::format(", by {} to {}", number_words(low), number_words(high));
+            : number_words(low) == number_words(high)
+                ? fmt::format(", by {}", number_words(low))
+                : fmt::format(", by {} to {}", number_words(low), number_words(high));
   }
   if (contrast.within_margin) text += fmt::format(", which is less than {}", percent_words(evidence.plan.margin));
   if (std::isfinite(contrast.p)) text += ", " + p_words(contrast.p);
@@ -105,6 +120,12 @@ std::string together_or_apart(const Evidence& evidence) {
              : fmt::format("Some pairs differ, and all groups together are not shown to ({})", p_words(together->p));
 }
 
+std::string rank_test_words(const Evidence& evidence) {
+  if (evidence.groups.size() == 2)
+    return evidence.ranks_within_blocks() ? "Wilcoxon's test" : "Mann and Whitney's test";
+  return evidence.ranks_within_blocks() ? "Friedman's test" : "Dunn's test";
+}
+
 }  // namespace
 
 std::vector<std::string> who_differs(const Evidence& evidence) {
@@ -144,15 +165,18 @@ std::string disagreements(const Evidence& evidence) {
   });
   if (!comparable) return "";
   std::vector<std::string> parts;
+  const std::string ranks = fmt::format("{}, of ranks,", rank_test_words(evidence));
   Dispute pooled;
   if (evidence.ranks_within_blocks()) {
     add_dispute(parts, dispute(evidence, &Contrast::p_paired, &Contrast::p_ranks),
-                "The paired t, of means within blocks,", "Friedman's test, of ranks,");
-  } else {
+                "The paired t, of means within blocks,", ranks);
+    add_dispute(parts, dispute(evidence, &Contrast::p_ranks, &Contrast::p_nemenyi),
+                fmt::format("{} with the planned correction", rank_test_words(evidence)), "Nemenyi's test");
+  }
+  if (!evidence.ranks_within_blocks() || !evidence.ranks_decide()) {
     pooled = dispute(evidence, &Contrast::p_pooled, &Contrast::p_unpooled);
     add_dispute(parts, pooled, "Tukey, with one variance for all,", "Games-Howell, with each group's own,");
-    add_dispute(parts, dispute(evidence, &Contrast::p_unpooled, &Contrast::p_ranks), "Games-Howell, of means,",
-                "Dunn's test, of ranks,");
+    add_dispute(parts, dispute(evidence, &Contrast::p_unpooled, &Contrast::p_ranks), "Games-Howell, of means,", ranks);
   }
   if (std::string words = together_or_apart(evidence); !words.empty()) parts.push_back(std::move(words));
   if (parts.empty()) return "Where methods disagree: nowhere do they come to another verdict.";

@@ -136,6 +136,11 @@ void compare_in_blocks(const Evidence& evidence, Values values, Contrast& contra
       paired_t(values[contrast.first], values[contrast.second], 1 - evidence.plan.significance / family);
   contrast.p_paired = std::min(1.0, family * test.p);
   if (std::isnan(test.p)) contrast.p_paired = not_defined;
+  if (values[contrast.first] == values[contrast.second]) {  // equal in every block
+    contrast.p_paired = 1;
+    contrast.difference = {0, 0, 0};
+    return;
+  }
   if (evidence.plan.test != DecidingTest::friedman) return;
   contrast.difference = {.value = test.difference, .low = test.low, .high = test.high};
 }

@@ -57,7 +57,8 @@ Contents read_wide(const CsvFile& file, const CsvRequest& request) {
   Contents contents;
   for (std::size_t column = 0; column < file.table.header.size(); ++column) {
     const std::string& title = file.table.header[column];
-    if (is_index(file, column) || title == request.block || title == request.run) continue;
+    const bool is_asked_for = !title.empty() && (title == request.block || title == request.run);
+    if (is_index(file, column) || is_asked_for) continue;
     if (names_replicates(title)) {
       contents.notes.push_back(fmt::format("Column {} numbers the repetitions and is no group.", quoted(title)));
       continue;

@@ -189,12 +189,13 @@ Estimate interval_of(const GroupSummary& summary, double level) {
 // BCa: it follows the skewness of the values. Not for so many values that the mean is normal anyway.
 void bootstrap_means(Evidence& evidence, const Values& values) {
   constexpr std::size_t most_values = 2000;  // of all groups: about a second
+  constexpr std::size_t fewest_values = 5;   // fewer have too few resamples that differ
   std::size_t all = 0;
   for (const auto& group : values) all += group.size();
   if (all > most_values) return;
   const auto mean_of = [](std::span<const double> resample) { return mean(resample); };
   for (std::size_t i = 0; i < values.size(); ++i) {
-    if (values[i].size() < 2) continue;
+    if (values[i].size() < fewest_values) continue;
     const BootstrapInterval found = bootstrap(values[i], mean_of, {.level = 1 - evidence.plan.significance});
     evidence.groups[i].bootstrapped = {.value = found.estimate, .low = found.bca_low, .high = found.bca_high};
   }

@@ -87,7 +87,7 @@ void weaken(Smaller& claim, const Smaller& by) {
 }
 
 // " (p = 0.01)"
-std::string in_brackets(double p) { return std::isfinite(p) ? fmt::format(" (p = {})", rounded_number(p, 2)) : ""; }
+std::string in_brackets(double p) { return std::isfinite(p) ? fmt::format(" (p = {})", rounded_number(p, 3)) : ""; }
 
 // Against each of the others.
 std::string at_most(double p) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <set>
 #include <string>
@@ -68,6 +69,9 @@ std::vector<Summaries> read_summaries(std::string_view text, std::string_view so
       result.push_back({.name = slug(of), .quantity = of});
       summaries = result.end() - 1;
     }
+    std::int64_t all = group.summary.n;
+    for (const SummaryGroup& other : summaries->groups) all += other.summary.n;
+    if (all > std::numeric_limits<int>::max()) file.refuse_cell(row, n, "expected at most 2147483647 in all groups");
     summaries->groups.push_back(std::move(group));
   }
   if (result.empty()) file.refuse("no rows below the header, expected at least one");

@@ -171,8 +171,7 @@ TEST_CASE("what is not finite stays in its place and is counted, and times that 
 
 TEST_CASE("every measure is read as a name with its unit, and has a name of its own for files", "[design]") {
   std::set<std::string_view> slugs;
-  for (const Metric metric :
-       {Metric::position_error_cm, Metric::variation_deg, Metric::seconds, Metric::evaluations}) {
+  for (const Metric metric : {Metric::position_error_cm, Metric::variation_deg, Metric::seconds, Metric::evaluations}) {
     CHECK(quantity(metric).starts_with(info_of(metric).name));
     CHECK(slugs.insert(info_of(metric).slug).second);
     CHECK(info_of(metric).slug.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789-") == std::string_view::npos);

@@ -16,6 +16,8 @@ using Texts = std::vector<std::string>;
 
 namespace {
 
+const std::string as_failure = " A failure without a number is better written Inf, which ranks as the worst.";
+
 const CsvRequest by_solver{.value = "error", .group = "solver"};
 const CsvRequest wide{.layout = Layout::one_column_a_group};
 
@@ -70,7 +72,7 @@ TEST_CASE("R's write.csv with quoted texts and row names reads the same", "[csv]
   const Observations seen = read("\"\",\"solver\",\"error\"\n\"1\",\"IK-BA\",1e-05\n\"2\",\"BA\",NA\n\"3\",\"BA\",2\n");
   CHECK(seen.groups[0].values == Values{1e-5});
   CHECK(seen.groups[1].values == Values{2});
-  CHECK(seen.notes == Texts{"Left out because missing: 1 of 2 values of BA."});
+  CHECK(seen.notes == Texts{"Left out because missing: 1 of 2 values of BA." + as_failure});
 }
 
 TEST_CASE("a spreadsheet's byte-order mark, CRLF and empty rows below the table mean nothing", "[csv]") {
@@ -86,7 +88,7 @@ TEST_CASE("every spelling of a missing value is left out and counted by group, i
   CHECK(seen.groups[0].values == Values{1});
   CHECK(seen.groups[1].values == Values{HUGE_VAL, -HUGE_VAL, 2});
   CHECK(seen.groups[2].values.empty());  // a group that has nothing is still there
-  CHECK(seen.notes == Texts{"Left out because missing: 9 of 10 values of A, 1 of 1 of C."});
+  CHECK(seen.notes == Texts{"Left out because missing: 9 of 10 values of A, 1 of 1 of C." + as_failure});
 }
 
 TEST_CASE("a number of another language is refused with what to write", "[csv]") {
@@ -187,7 +189,7 @@ TEST_CASE("blocks are aligned over the groups, incomplete ones left out and coun
   CHECK(seen.groups[0].values == Values{1, 3});
   CHECK(seen.groups[1].values == Values{2, 4});
   CHECK(seen.block == "a value of 'problem' in file.csv");
-  CHECK(seen.notes == Texts{"Left out because missing: 1 of 4 values of A.",
+  CHECK(seen.notes == Texts{"Left out because missing: 1 of 4 values of A." + as_failure,
                             "Left out because incomplete: 2 of 4 blocks ('p3' has no value of 'B')."});
   CHECK(says(refusal("problem,solver,error\np1,A,1\np2,B,1\n", request), {"no block has a value of every group"}));
   CHECK(says(refusal("problem,solver,error\n,A,1\n", request), {"column 'problem': '', expected which one"}));
@@ -216,13 +218,19 @@ TEST_CASE("a run that is the block gives one mean a run and group", "[csv]") {
   CHECK(seen.groups[1].values == Values{0, 1});
 }
 
+TEST_CASE("a wide column without a title is a group like the others", "[csv]") {
+  const Observations seen = read("A,,C\n1,100,3\n2,200,4\n3,300,5\n", {.layout = Layout::one_column_a_group});
+  REQUIRE(seen.groups.size() == 3);
+  CHECK(seen.groups[1].values == std::vector<double>{100, 200, 300});
+}
+
 TEST_CASE("wide columns are groups, of unequal size where cells are empty", "[csv]") {
   const Observations seen = read(",A,B\n0,1,2\n1,3,\n2,5,\n", wide);
   CHECK(names_of(seen) == Texts{"A", "B"});
   CHECK(seen.groups[0].values == Values{1, 3, 5});
   CHECK(seen.groups[1].values == Values{2});
   CHECK(seen.blocks.empty());
-  CHECK(seen.notes == Texts{"Left out because missing: 2 of 3 values of B."});
+  CHECK(seen.notes == Texts{"Left out because missing: 2 of 3 values of B." + as_failure});
 }
 
 TEST_CASE("rows of the wide layout are blocks where that is asked", "[csv]") {
@@ -294,6 +302,10 @@ TEST_CASE("published summaries are read under their usual names", "[csv]") {
   CHECK(seen.groups[0].summary.std == 0.5);
   CHECK(seen.groups[0].summary.n == 20);
   CHECK(std::isnan(seen.groups[1].summary.std));  // one value has no spread
+}
+
+TEST_CASE("more observations in all than can be counted are refused", "[csv]") {
+  CHECK(says(summary_refusal("name,mean,sd,n\nA,1,1,2147483647\nB,1,1,2147483647\n"), {"2147483647 in all groups"}));
 }
 
 TEST_CASE("summaries that cannot be are refused", "[csv]") {
