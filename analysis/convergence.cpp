@@ -170,9 +170,11 @@ Profile performance_profile(const StudyResults& study, const CostOf& cost_of) {
   }
   Profile profile{.ratios = std::vector<std::vector<double>>(study.solvers.size())};
   for (const auto& [run_and_point, of_solver] : problems) {
-    const std::vector<double>& target = of_solver.begin()->second->target_position_m;
-    const bool is_shared =
-        std::ranges::all_of(of_solver, [&](const auto& entry) { return entry.second->target_position_m == target; });
+    const SolveRecord& first = *of_solver.begin()->second;
+    const bool is_shared = std::ranges::all_of(of_solver, [&](const auto& entry) {
+      return entry.second->target_position_m == first.target_position_m &&
+             entry.second->target_rotation == first.target_rotation;
+    });
     if (of_solver.size() < entrants || !is_shared) {
       ++profile.left_out;
       continue;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <compare>
 #include <map>
 #include <string>
 #include <string_view>
@@ -32,6 +33,46 @@ Groups groups_of(const StudyResults& study, Cost cost) {
 
 bool is_empty_of_costs(const StudyResults& study) {
   return study.solves.empty() || !std::isfinite(tolerance_cm(study));
+}
+
+// Orders whatever numbers a target has, NaN too.
+struct InOrder {
+  bool operator()(const std::vector<double>& a, const std::vector<double>& b) const {
+    return std::ranges::lexicographical_compare(a, b, [](double x, double y) { return std::strong_order(x, y) < 0; });
+  }
+};
+using Targets = std::map<std::vector<double>, Successes, InOrder>;
+
+// How many of a solver's solves of each target, position and rotation, came to the tolerance.
+Targets targets_of(const Solves& solves, const StudyResults& study) {
+  Targets targets;
+  for (const SolveRecord* solve : solves) {
+    std::vector<double> target = solve->target_position_m;
+    target.insert(target.end(), solve->target_rotation.begin(), solve->target_rotation.end());
+    Successes& count = targets[std::move(target)];
+    ++count.trials;
+    if (reaches(*solve, tolerance_cm(study))) ++count.successes;
+  }
+  return targets;
+}
+
+// What is independent of its like, so that an interval may count it. Where a solver is given a target more than once,
+// as in the runs of a fixed path, a deterministic one only repeats itself: its solves are no trials.
+enum class Trials { runs, targets, solves };
+
+Trials trials_of(const StudyResults& study) {
+  if (is_chained(study)) return Trials::runs;
+  const bool repeats = std::ranges::any_of(
+      solves_by_solver(study), [&](const Solves& solves) { return targets_of(solves, study).size() < solves.size(); });
+  return repeats ? Trials::targets : Trials::solves;
+}
+
+// One trial a target, however often it was solved.
+Proportion share_reached(const Solves& solves, const StudyResults& study) {
+  const Targets targets = targets_of(solves, study);
+  double shares = 0;
+  for (const auto& [target, count] : targets) shares += static_cast<double>(count.successes) / count.trials;
+  return wilson_of_mean(shares / static_cast<double>(targets.size()), static_cast<int>(targets.size()));
 }
 
 // The complete runs, and those among them in which every point came to the tolerance.
@@ -70,8 +111,13 @@ void append(std::vector<Cell>& cells, const Successes& count, const Proportion& 
   cells.emplace_back(share.high);
 }
 
-std::string dependence_note(const StudyResults& study) {
-  if (!is_chained(study)) {
+std::string dependence_note(Trials trials) {
+  if (trials == Trials::targets) {
+    return "Each solve starts at the initial configuration, and targets repeat: a target is one trial, of which the "
+           "share of its solves that come to the tolerance counts. The interval is Wilson's, at 95 %, of the mean of "
+           "those shares. There is no log-rank test: it would count every repetition.";
+  }
+  if (trials == Trials::solves) {
     return "Solves are independent: each starts at the initial configuration. The interval is Wilson's, at 95 %.";
   }
   return "The solves of a run depend on each other, as each starts where the last answer left the arm: no interval or "
@@ -79,8 +125,8 @@ std::string dependence_note(const StudyResults& study) {
          "of complete runs in which every point comes to the tolerance.";
 }
 
-std::string log_rank_note(const StudyResults& study, const Groups& groups) {
-  if (is_chained(study)) return "";
+std::string log_rank_note(Trials trials, const Groups& groups) {
+  if (trials != Trials::solves) return "";
   Groups present;
   std::ranges::copy_if(groups, std::back_inserter(present), [](const auto& group) { return !group.empty(); });
   const LogRank test = log_rank(present);
@@ -112,6 +158,7 @@ Table cost_table(const StudyResults& study, Cost cost) {
                           {"restricted_mean"}}};
   const Groups groups = groups_of(study, cost);
   const std::vector<Solves> solves = solves_by_solver(study);
+  const Trials trials = trials_of(study);
   std::vector<SurvivalCurve> curves;
   for (const auto& group : groups) curves.push_back(kaplan_meier(group));
   const double horizon = common_horizon(curves);
@@ -121,12 +168,12 @@ Table cost_table(const StudyResults& study, Cost cost) {
     const Successes reached{.successes = static_cast<int>(std::ranges::count_if(groups[i], &CensoredCost::reached)),
                             .trials = static_cast<int>(groups[i].size())};
     std::vector<Cell> cells{study.solvers[i]};
-    if (is_chained(study)) {
+    if (trials == Trials::runs) {
       cells.insert(cells.end(), {std::int64_t{reached.trials}, std::int64_t{reached.successes}, Cell(), Cell()});
       const Successes runs = runs_reached(solves[i], study);
       append(cells, runs, wilson(runs));
     } else {
-      append(cells, reached, wilson(reached));
+      append(cells, reached, share_reached(solves[i], study));
       cells.resize(cells.size() + 4);
     }
     cells.insert(cells.end(), {time.expected, time.sp1, curves[i].median, restricted_mean(curves[i], horizon).mean});
@@ -152,8 +199,8 @@ Table cost_table(const StudyResults& study, Cost cost) {
                     "restricted_mean make their solvers look better than they are.",
                     diverged));
   }
-  table.notes.push_back(dependence_note(study));
-  if (std::string note = log_rank_note(study, groups); !note.empty()) table.notes.push_back(std::move(note));
+  table.notes.push_back(dependence_note(trials));
+  if (std::string note = log_rank_note(trials, groups); !note.empty()) table.notes.push_back(std::move(note));
   for (const std::string& reason : undefined) table.notes.push_back(fmt::format("Not defined for {}.", reason));
   for (std::string& note : status_notes(study)) table.notes.push_back(std::move(note));
   return table;

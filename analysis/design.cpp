@@ -22,9 +22,10 @@ enum class Blocks { none, runs, drawn_targets, path_targets };
 Blocks blocks_of(const StudyResults& study) {
   const Definition definition(study.definition);
   const std::string kind = definition.text("/path/kind");
-  const bool is_chained = definition.text("/start") != "initial";
-  if (kind == "random") return is_chained ? Blocks::runs : Blocks::drawn_targets;
-  return kind.empty() || is_chained ? Blocks::none : Blocks::path_targets;
+  const bool starts_anew = definition.text("/start") == "initial";
+  if (kind == "random") return starts_anew ? Blocks::drawn_targets : Blocks::runs;
+  if (kind.empty()) return Blocks::none;
+  return starts_anew || study.points == 1 ? Blocks::path_targets : Blocks::none;
 }
 
 // The solves of one solver by run and point.
@@ -142,13 +143,14 @@ void add_notes(Observations& result, const StudyResults& study, Metric metric) {
   if (std::string note = timing_note(study); !note.empty() && result.flaw.empty()) result.flaw = std::move(note);
 }
 
-std::string why_not(const StudyResults& study, Blocks blocks) {
+}  // namespace
+
+std::string why_not_blocked(const StudyResults& study) {
+  const Blocks blocks = blocks_of(study);
   if (blocks == Blocks::none) {
     return Definition(study.definition).text("/path/kind").empty()
                ? "There are no blocks: the study does not say what its path is."
-               : "There are no blocks: the solves of a run are chained along a path, so that each solver meets a "
-                 "target "
-                 "from where it left the arm.";
+               : "There are no blocks: each solve starts where the solver's last answer left the arm.";
   }
   if (!were_given_the_same(study, blocks)) return "There are no blocks: the solvers were not given the same targets.";
   const std::size_t count = layout(study, blocks).size();
@@ -156,7 +158,9 @@ std::string why_not(const StudyResults& study, Blocks blocks) {
   return count == 1 ? "There are no blocks to compare: there is only one." : "";
 }
 
-Observations blocked(const StudyResults& study, Metric metric, Blocks blocks) {
+std::optional<Observations> blocked_observations(const StudyResults& study, Metric metric) {
+  if (!why_not_blocked(study).empty()) return std::nullopt;
+  const Blocks blocks = blocks_of(study);
   Observations result = without_groups(metric);
   result.replicate = replicate_of(study, blocks);
   result.block = block_of(blocks);
@@ -165,17 +169,14 @@ Observations blocked(const StudyResults& study, Metric metric, Blocks blocks) {
   return result;
 }
 
-}  // namespace
-
 Observations observations(const StudyResults& study, Metric metric, Unit unit) {
-  const Blocks blocks = blocks_of(study);
-  const bool is_drawn = blocks == Blocks::runs || blocks == Blocks::drawn_targets;
-  if (unit == Unit::run && is_drawn && why_not(study, Blocks::runs).empty()) {
-    return blocked(study, metric, Blocks::runs);
+  if (unit == Unit::run) {
+    if (std::optional<Observations> blocked = blocked_observations(study, metric)) return std::move(*blocked);
   }
   Observations result = without_groups(metric);
   result.replicate = replicate_of(study, unit);
   if (unit == Unit::point) result.flaw = points_flaw;
+  if (unit == Unit::run) result.notes.push_back(why_not_blocked(study));
   for (Sample& sample : samples(study, metric, unit)) {
     if (sample.incomplete_runs > 0) {
       result.notes.push_back(fmt::format("{}: {} of its runs have missing points and give no observation.",
@@ -186,12 +187,5 @@ Observations observations(const StudyResults& study, Metric metric, Unit unit) {
   add_notes(result, study, metric);
   return result;
 }
-
-std::optional<Observations> blocked_observations(const StudyResults& study, Metric metric) {
-  if (!why_not_blocked(study).empty()) return std::nullopt;
-  return blocked(study, metric, blocks_of(study));
-}
-
-std::string why_not_blocked(const StudyResults& study) { return why_not(study, blocks_of(study)); }
 
 }  // namespace ikbench

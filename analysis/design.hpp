@@ -14,8 +14,8 @@ namespace ikbench {
 constexpr std::string_view points_flaw =
     "points of one run depend on each other; used as observations because --force was given";
 
-// The values of samples(), a group for every solver. Where targets are drawn anew in every run, the same for all
-// solvers, observations of runs are in blocks: a block is a run, and runs that are not complete for all are left out.
+// What the statistics are made of: of runs, blocked_observations() where there are some; else the values of samples(),
+// a group for every solver, of runs with a note that says why there are no blocks.
 Observations observations(const StudyResults& study, Metric metric, Unit unit);
 
 // The design in which all solvers are given the same problems, where the study has one:

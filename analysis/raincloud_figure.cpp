@@ -64,18 +64,19 @@ std::string strip_block(std::size_t row, const std::vector<double>& sorted, cons
 }
 
 // The outline, closed along its base.
-std::string violin_block(std::size_t row, const std::vector<double>& sorted, bool logarithmic, const Layout& layout) {
+std::string violin_block(std::size_t row, const std::vector<double>& sorted, const RowAxis& axis,
+                         const Layout& layout) {
   std::vector<double> values;
   for (const double value : sorted) {
-    if (!logarithmic) values.push_back(value);
-    if (logarithmic && value > 0) values.push_back(std::log10(value));
+    if (!axis.logarithmic) values.push_back(value);
+    if (axis.logarithmic && value > 0) values.push_back(std::log10(value));
   }
   const std::vector<DensityPoint> density = kernel_density(values);
   if (density.empty() || layout.violin_base == layout.violin_top) return "NaN NaN\n";
   const double highest = std::ranges::max(density, {}, &DensityPoint::density).density;
   const double base = static_cast<double>(row) + layout.violin_base;
   const auto line = [&](double value, double height) {
-    return fmt::format("{} {:.4f}\n", data_number(logarithmic ? std::pow(10, value) : value),
+    return fmt::format("{} {:.4f}\n", data_number(axis.logarithmic ? std::pow(10, value) : value),
                        base + (layout.violin_top - layout.violin_base) * height);
   };
   std::string block = line(density.front().value, 0);
@@ -148,8 +149,7 @@ Figure raincloud_figure(const Observations& observations, QuantileType quartiles
     undrawn = undrawn || lost > 0 || sorted.empty();
     const std::string title = one_line(group.name);
     boxes += fmt::format("# {}\n{}", title, box_line(row, box(group.values, quartiles)));
-    blocks += fmt::format("\n\n# density of {}: value, height\n{}", title,
-                          violin_block(row, sorted, axis.logarithmic, layout));
+    blocks += fmt::format("\n\n# density of {}: value, height\n{}", title, violin_block(row, sorted, axis, layout));
     blocks += fmt::format("\n\n# values of {}: value, height\n{}", title, strip_block(row, sorted, layout));
     if (lost > 0 || sorted.empty()) {
       const std::string words = group.values.empty() ? "no\\nvalues" : fmt::format("{} not\\ndrawn", lost);
@@ -182,7 +182,8 @@ Figure raincloud_figure(const Observations& observations, QuantileType quartiles
   if (undrawn)
     figure.caption +=
         " Values that are not finite cannot be drawn, nor those beyond 1e300; how many is written beside "
-        "the row. They rank last: where a quartile is one of them, there is no box.";
+        "the row. They keep their ranks, what is not a number the last: where a quartile is one of them, there is no "
+        "box.";
   if (n < observations.groups.size()) {
     figure.caption += fmt::format(" Shown are the first {} of {} groups.", n, observations.groups.size());
   }

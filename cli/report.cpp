@@ -25,8 +25,9 @@ void add_report(CLI::App& app) {
     const Store store(arguments->store, Store::Mode::read);
     const std::filesystem::path folder = arguments->out.empty() ? std::filesystem::path(arguments->store).parent_path()
                                                                 : std::filesystem::path(arguments->out);
-    write_and_announce(store, chosen_study(store, arguments->study).name, folder.empty() ? "." : folder,
-                       arguments->report);
+    write_and_announce(store, {.study = chosen_study(store, arguments->study).name,
+                               .folder = folder.empty() ? "." : folder,
+                               .arguments = arguments->report});
   });
 }
 

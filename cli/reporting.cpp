@@ -80,18 +80,17 @@ void add_run_options(CLI::App& command, RunArguments& arguments) {
       ->capture_default_str();
 }
 
-void write_and_announce(const Store& store, const std::string& study, const std::filesystem::path& folder,
-                        const ReportArguments& arguments, Additions additions) {
-  const AnalysisPlan plan = plan_for(store.study(study), arguments);
-  const Report report = write_report(store, {.study = study,
-                                             .folder = folder,
+void write_and_announce(const Store& store, WrittenReport wanted) {
+  const AnalysisPlan plan = plan_for(store.study(wanted.study), wanted.arguments);
+  const Report report = write_report(store, {.study = wanted.study,
+                                             .folder = wanted.folder,
                                              .plan = plan,
-                                             .figures = {.render = !arguments.without_figures},
-                                             .extra_tables = std::move(additions.tables),
-                                             .extra_figures = std::move(additions.figures)});
+                                             .figures = {.render = !wanted.arguments.without_figures},
+                                             .extra_tables = std::move(wanted.tables),
+                                             .extra_figures = std::move(wanted.figures)});
   fmt::print("\n{}\n", aligned(readable_cells(report.results)));
   for (const std::string& sentence : report.summary) fmt::print("{}\n", printable(sentence));
-  for (const std::string& remark : additions.remarks) fmt::print("{}\n", printable(remark));
+  for (const std::string& remark : wanted.remarks) fmt::print("{}\n", printable(remark));
   for (const std::string& warning : report.warnings) say("warning: " + warning);
   fmt::print("Report: {}\n", printable(report.page.string()));
 }

@@ -28,8 +28,11 @@ void add_report_options(CLI::App& command, ReportArguments& arguments);
 // solved.
 void refuse_points(const ReportArguments& arguments);
 
-// What a command adds to the report of a store.
-struct Additions {
+// Which report is written where, and what a command adds to it.
+struct WrittenReport {
+  std::string study;
+  std::filesystem::path folder;
+  ReportArguments arguments = {};
   std::vector<std::string> remarks = {};  // printed after the summary
   std::vector<Table> tables = {};
   std::vector<Figure> figures = {};
@@ -37,8 +40,7 @@ struct Additions {
 
 // Writes tables, figures, report.md and report.html into the folder; prints the summary, the remarks and, as the last
 // line, the path of report.html.
-void write_and_announce(const Store& store, const std::string& study, const std::filesystem::path& folder,
-                        const ReportArguments& arguments, Additions additions = {});
+void write_and_announce(const Store& store, WrittenReport wanted);
 
 // The study of that name, or the first of the store where the name is empty.
 StudyEntry chosen_study(const Store& store, const std::string& name);

@@ -79,7 +79,7 @@ void add_reproduce(CLI::App& app, Invocation& invocation) {
         return;
       }
     }
-    Additions additions;
+    WrittenReport wanted{.study = "slim2023", .folder = folder, .arguments = arguments->report};
     if (arguments->seeds > 0) {
       const CancelOnSignal signals;
       const ReadingsPlan plan = plan_readings(one_at_a_time(), arguments->seeds, {runs});
@@ -91,13 +91,13 @@ void add_reproduce(CLI::App& app, Invocation& invocation) {
         invocation.exit_code = 130;
         return;
       }
-      additions.tables.push_back(answer.report->table);
-      additions.figures.push_back(answer.report->figure);
+      wanted.tables.push_back(answer.report->table);
+      wanted.figures.push_back(answer.report->figure);
     }
-    additions.tables.push_back(audit_table("slim2023"));
+    wanted.tables.push_back(audit_table("slim2023"));
     const Store store(store_in(folder), Store::Mode::read);
-    for (const auto& [name, overrides] : studies) additions.remarks.push_back(compared_with_reference(store, name));
-    write_and_announce(store, "slim2023", folder, arguments->report, std::move(additions));
+    for (const auto& [name, overrides] : studies) wanted.remarks.push_back(compared_with_reference(store, name));
+    write_and_announce(store, std::move(wanted));
   });
 }
 

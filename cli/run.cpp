@@ -42,7 +42,8 @@ void add_run(CLI::App& app, Invocation& invocation) {
     if (run_and_tell(study, folder, {.jobs = arguments->run.jobs, .command = invocation.command}) == Ended::stopped) {
       invocation.exit_code = 130;
     } else if (!arguments->without_report) {
-      write_and_announce(Store(store_in(folder), Store::Mode::read), study.name, folder, arguments->report);
+      write_and_announce(Store(store_in(folder), Store::Mode::read),
+                         {.study = study.name, .folder = folder, .arguments = arguments->report});
     }
   });
 }

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <boost/math/distributions/fisher_f.hpp>
 #include <cmath>
 #include <cstddef>
@@ -14,7 +15,10 @@ struct Moments {
   double n = 0;
   double shifted_mean = 0;
   double squares = 0;
+  double std = 0;
 };
+
+constexpr const char* too_large = "the sums of squares are too large for double precision";
 
 AnovaTable from_moments(const std::vector<Moments>& groups) {
   AnovaTable table;
@@ -23,8 +27,10 @@ AnovaTable from_moments(const std::vector<Moments>& groups) {
   for (std::size_t i = 0; i < groups.size(); ++i) {
     if (groups[i].n < 1) {
       table.undefined = fmt::format("group {} has no values", i + 1);
-    } else if (!std::isfinite(groups[i].shifted_mean) || !std::isfinite(groups[i].squares)) {
+    } else if (!std::isfinite(groups[i].shifted_mean) || !std::isfinite(groups[i].std)) {
       table.undefined = fmt::format("group {} has values that are not finite", i + 1);
+    } else if (!std::isfinite(groups[i].squares)) {
+      table.undefined = too_large;
     }
     if (!table.undefined.empty()) return table;
   }
@@ -53,12 +59,14 @@ AnovaTable from_moments(const std::vector<Moments>& groups) {
   }
   table.ms_within = table.ss_within / table.df_within;
   if (!(table.ms_within > 0)) {
-    table.undefined = "every group is constant, so there is no spread within groups to compare with";
+    const bool has_spread = std::ranges::any_of(groups, [](const Moments& group) { return group.std > 0; });
+    table.undefined = has_spread ? "the spread within groups is too small for double precision"
+                                 : "every group is constant, so there is no spread within groups to compare with";
     return table;
   }
   table.F = table.ms_between / table.ms_within;
   table.p = f_upper_tail(table.F, table.df_between, table.df_within);
-  if (!std::isfinite(table.p)) table.undefined = "the sums of squares are too large for double precision";
+  if (!std::isfinite(table.p)) table.undefined = too_large;
   return table;
 }
 
@@ -81,7 +89,10 @@ AnovaTable anova(std::span<const std::vector<double>> groups) {
     std::vector<double> shifted;
     shifted.reserve(group.size());
     for (const double value : group) shifted.push_back(value - shift);
-    moments.push_back({static_cast<double>(group.size()), mean(shifted), sum_of_squares(shifted)});
+    moments.push_back({.n = static_cast<double>(group.size()),
+                       .shifted_mean = mean(shifted),
+                       .squares = sum_of_squares(shifted),
+                       .std = shifted.size() == 1 ? 0.0 : standard_deviation(shifted)});
   }
   return from_moments(moments);
 }
@@ -89,8 +100,11 @@ AnovaTable anova(std::span<const std::vector<double>> groups) {
 AnovaTable anova_from_summaries(std::span<const GroupSummary> groups) {
   std::vector<Moments> moments;
   for (const GroupSummary& group : groups) {
-    const double squares = group.n == 1 ? 0.0 : (group.n - 1) * group.std * group.std;
-    moments.push_back({static_cast<double>(group.n), group.mean, squares});
+    const double std = group.n == 1 ? 0.0 : group.std;
+    moments.push_back({.n = static_cast<double>(group.n),
+                       .shifted_mean = group.mean,
+                       .squares = (group.n - 1) * std * std,
+                       .std = std});
   }
   return from_moments(moments);
 }

@@ -17,33 +17,12 @@
 namespace ikbench {
 namespace {
 
-// A resample is which values of each sample are taken; what is done with them is the statistic's business.
-using Picks = std::vector<std::vector<std::size_t>>;
-using PickStatistic = std::function<double(const Picks&)>;
-
 constexpr std::size_t most_left_out = 1000;  // values of a sample that the acceleration leaves out in turn
 constexpr std::size_t most_exhaustive = 7;   // 7^7 = 823543
 
-std::vector<double> picked(std::span<const double> values, const std::vector<std::size_t>& picks) {
-  std::vector<double> result;
-  result.reserve(picks.size());
-  for (const std::size_t pick : picks) result.push_back(values[pick]);
-  return result;
-}
-
-Picks everything(std::span<const std::size_t> sizes) {
-  Picks picks;
-  for (const std::size_t size : sizes) {
-    for (std::size_t i = picks.emplace_back().size(); i < size; ++i) picks.back().push_back(i);
-  }
-  return picks;
-}
-
-std::string too_few(std::span<const std::size_t> sizes) {
-  for (const std::size_t size : sizes) {
-    if (size < 2) return size == 0 ? "a sample has no values" : "a sample of one value cannot be resampled";
-  }
-  return {};
+std::string too_few(std::size_t values) {
+  if (values > 1) return {};
+  return values == 0 ? "a sample has no values" : "a sample of one value cannot be resampled";
 }
 
 // 0 to bound - 1, each equally likely: draws from the incomplete last round of the engine's range are drawn again.
@@ -55,29 +34,26 @@ std::size_t draw(std::mt19937_64& engine, std::uint64_t bound) {
   return static_cast<std::size_t>(number % bound);
 }
 
-// Efron's acceleration from the statistic without each value in turn, of several samples as Davison and Hinkley (5.27).
-// Of a large sample a thousand values, evenly spaced, stand for all, so that the work does not grow with the square.
-double acceleration(std::span<const std::size_t> sizes, const PickStatistic& statistic) {
-  Picks picks = everything(sizes);
+// Efron's acceleration from the statistic without each value in turn (Davison and Hinkley, section 5.3.2). Of a large
+// sample a thousand values, evenly spaced, stand for all, so that the work does not grow with the square.
+double acceleration(std::span<const double> sample, const Statistic& statistic) {
+  const std::size_t left_out = std::min(sample.size(), most_left_out);
+  std::vector<double> influences;
+  for (std::size_t i = 0; i < left_out; ++i) {
+    std::vector<double> rest(sample.begin(), sample.end());
+    rest.erase(rest.begin() + static_cast<std::ptrdiff_t>((2 * i + 1) * sample.size() / (2 * left_out)));
+    influences.push_back(statistic(rest));
+  }
+  const double centre = mean(influences);
+  const auto n = static_cast<double>(sample.size());
+  for (double& influence : influences) influence = (n - 1) / n * (centre - influence);
+  const double unit = power_of_two_below(influences);  // the acceleration has none
+  const double stands_for = n / static_cast<double>(left_out);
   double squares = 0, cubes = 0;
-  for (std::size_t s = 0; s < sizes.size(); ++s) {
-    const std::size_t left_out = std::min(sizes[s], most_left_out);
-    const std::vector<std::size_t> all = picks[s];
-    std::vector<double> without;
-    for (std::size_t i = 0; i < left_out; ++i) {
-      picks[s] = all;
-      picks[s].erase(picks[s].begin() + static_cast<std::ptrdiff_t>((2 * i + 1) * sizes[s] / (2 * left_out)));
-      without.push_back(statistic(picks));
-    }
-    picks[s] = all;
-    const double centre = mean(without);
-    const auto n = static_cast<double>(sizes[s]);
-    const double stands_for = n / static_cast<double>(left_out);
-    for (const double value : without) {
-      const double influence = (n - 1) / n * (centre - value);
-      squares += stands_for * influence * influence;
-      cubes += stands_for * influence * influence * influence;
-    }
+  for (const double influence : influences) {
+    const double scaled = influence / unit;
+    squares += stands_for * scaled * scaled;
+    cubes += stands_for * scaled * scaled * scaled;
   }
   return cubes / (6 * squares * std::sqrt(squares));
 }
@@ -89,8 +65,8 @@ void judge(BootstrapInterval& result, std::vector<double> resampled, double leve
   } else if (!std::ranges::all_of(resampled, [](double value) { return std::isfinite(value); })) {
     result.undefined = "the statistic is not finite on some resamples";
   }
-  const double variance = sum_of_squares(resampled) / static_cast<double>(resampled.size() - 1);
-  if (result.undefined.empty() && !std::isfinite(variance)) {
+  const double spread = standard_deviation(resampled);
+  if (result.undefined.empty() && !std::isfinite(spread)) {
     result.undefined = "the spread is too large for double precision";
   }
   result.bca_undefined = result.undefined;
@@ -98,7 +74,7 @@ void judge(BootstrapInterval& result, std::vector<double> resampled, double leve
 
   std::ranges::sort(resampled);
   const double outside = (1 - level) / 2;
-  result.standard_error = std::sqrt(std::max(0.0, variance));
+  result.standard_error = spread;
   result.low = quantile(resampled, outside, QuantileType::type_7);
   result.high = quantile(resampled, 1 - outside, QuantileType::type_7);
 
@@ -127,78 +103,46 @@ void judge(BootstrapInterval& result, std::vector<double> resampled, double leve
   result.bca_high = quantile(resampled, high, QuantileType::type_7);
 }
 
-BootstrapInterval resample(std::span<const std::size_t> sizes, const PickStatistic& statistic,
-                           const Resampling& settings) {
+}  // namespace
+
+BootstrapInterval bootstrap(std::span<const double> sample, const Statistic& statistic, const Resampling& settings) {
   check_level(settings.level);
   if (settings.resamples < 2) {
     throw std::invalid_argument(fmt::format("{} resamples: expected 2 or more", settings.resamples));
   }
   BootstrapInterval result;
-  result.undefined = result.bca_undefined = too_few(sizes);
+  result.undefined = result.bca_undefined = too_few(sample.size());
   if (!result.undefined.empty()) return result;
 
-  Picks picks = everything(sizes);
-  result.estimate = statistic(picks);
-  result.acceleration = acceleration(sizes, statistic);
+  result.estimate = statistic(sample);
+  result.acceleration = acceleration(sample, statistic);
   std::mt19937_64 engine(settings.seed);
-  std::vector<double> resampled;
+  std::vector<double> resampled, picked(sample.size());
   for (int i = 0; i < settings.resamples; ++i) {
-    for (std::vector<std::size_t>& sample : picks) {
-      for (std::size_t& pick : sample) pick = draw(engine, sample.size());
-    }
-    resampled.push_back(statistic(picks));
+    for (double& value : picked) value = sample[draw(engine, sample.size())];
+    resampled.push_back(statistic(picked));
   }
   judge(result, std::move(resampled), settings.level);
   return result;
 }
 
-}  // namespace
-
-BootstrapInterval bootstrap(std::span<const double> sample, const Statistic& statistic, const Resampling& settings) {
-  const std::size_t sizes[] = {sample.size()};
-  return resample(
-      sizes, [&](const Picks& picks) { return statistic(picked(sample, picks[0])); }, settings);
-}
-
-BootstrapInterval bootstrap_two(std::span<const double> first, std::span<const double> second,
-                                const TwoSampleStatistic& statistic, const Resampling& settings) {
-  const std::size_t sizes[] = {first.size(), second.size()};
-  return resample(
-      sizes, [&](const Picks& picks) { return statistic(picked(first, picks[0]), picked(second, picks[1])); },
-      settings);
-}
-
-BootstrapInterval bootstrap_pairs(std::span<const double> first, std::span<const double> second,
-                                  const TwoSampleStatistic& statistic, const Resampling& settings) {
-  if (first.size() != second.size()) {
-    const std::string reason = fmt::format("{} and {} values are not pairs", first.size(), second.size());
-    return {.undefined = reason, .bca_undefined = reason};
-  }
-  const std::size_t sizes[] = {first.size()};
-  return resample(
-      sizes, [&](const Picks& picks) { return statistic(picked(first, picks[0]), picked(second, picks[0])); },
-      settings);
-}
-
 BootstrapInterval bootstrap_exhaustive(std::span<const double> sample, const Statistic& statistic, double level) {
   check_level(level);
-  const std::size_t sizes[] = {sample.size()};
-  const PickStatistic of_picks = [&](const Picks& picks) { return statistic(picked(sample, picks[0])); };
   BootstrapInterval result;
-  result.undefined = too_few(sizes);
+  result.undefined = too_few(sample.size());
   if (sample.size() > most_exhaustive) {
     result.undefined = fmt::format("{} values have too many resamples to go through", sample.size());
   }
   result.bca_undefined = result.undefined;
   if (!result.undefined.empty()) return result;
 
-  result.estimate = of_picks(everything(sizes));
-  result.acceleration = acceleration(sizes, of_picks);
-  std::vector<double> resampled;
-  Picks picks{std::vector<std::size_t>(sample.size(), 0)};
-  std::vector<std::size_t>& digits = picks[0];  // counts through all of them
+  result.estimate = statistic(sample);
+  result.acceleration = acceleration(sample, statistic);
+  std::vector<double> resampled, picked(sample.begin(), sample.end());
+  std::vector<std::size_t> digits(sample.size(), 0);  // counts through all of them
   for (auto digit = digits.begin(); digit != digits.end();) {
-    resampled.push_back(of_picks(picks));
+    std::ranges::transform(digits, picked.begin(), [&](std::size_t pick) { return sample[pick]; });
+    resampled.push_back(statistic(picked));
     for (digit = digits.begin(); digit != digits.end() && ++*digit == sample.size(); ++digit) *digit = 0;
   }
   judge(result, std::move(resampled), level);

@@ -11,7 +11,7 @@
 
 namespace ikbench {
 
-// The same settings and samples give the same numbers on every machine: std::mt19937_64, whose sequence the standard
+// The same settings and sample give the same numbers on every machine: std::mt19937_64, whose sequence the standard
 // fixes, with a bounded draw of our own.
 struct Resampling {
   int resamples = 10000;
@@ -20,7 +20,7 @@ struct Resampling {
 };
 
 struct BootstrapInterval {
-  double estimate = not_defined;        // of the samples themselves
+  double estimate = not_defined;        // of the sample itself
   double standard_error = not_defined;  // standard deviation over the resamples
   double low = not_defined;             // percentiles (type 7) of the resamples
   double high = not_defined;
@@ -33,17 +33,10 @@ struct BootstrapInterval {
 };
 
 using Statistic = std::function<double(std::span<const double>)>;
-using TwoSampleStatistic = std::function<double(std::span<const double>, std::span<const double>)>;
 
-// A statistic that is not finite on the samples or on a resample (a ratio to a mean of zero) has no interval.
+// A statistic that is not finite on the sample or on a resample (the inverse of a mean of zero) has no interval.
 // Fewer than two resamples or a level outside (0, 1) is std::invalid_argument.
 BootstrapInterval bootstrap(std::span<const double> sample, const Statistic& statistic, const Resampling& = {});
-
-// Of two independent samples, each resampled by itself; or of pairs, resampled together.
-BootstrapInterval bootstrap_two(std::span<const double> first, std::span<const double> second,
-                                const TwoSampleStatistic& statistic, const Resampling& = {});
-BootstrapInterval bootstrap_pairs(std::span<const double> first, std::span<const double> second,
-                                  const TwoSampleStatistic& statistic, const Resampling& = {});
 
 // All n^n resamples of at most seven values.
 BootstrapInterval bootstrap_exhaustive(std::span<const double> sample, const Statistic& statistic, double level = 0.95);

@@ -2,17 +2,39 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "analysis/statistics/quantile.hpp"
 
 namespace ikbench {
+namespace {
+
+// Divided by n - 1, in the square of a unit.
+struct Variance {
+  double variance = not_defined;
+  double unit = 1;
+};
+
+Variance variance_of(std::span<const double> values) {
+  if (values.size() < 2) return {};
+  const double unit = power_of_two_below(values);
+  std::vector<double> scaled(values.begin(), values.end());
+  for (double& value : scaled) value /= unit;
+  return {.variance = sum_of_squares(scaled) / static_cast<double>(values.size() - 1), .unit = unit};
+}
+
+}  // namespace
 
 double mean(std::span<const double> values) {
   if (values.empty()) return not_defined;
   const double shift = values.front();
   double sum = 0;
   for (const double value : values) sum += value - shift;
-  return shift + sum / static_cast<double>(values.size());
+  const double result = shift + sum / static_cast<double>(values.size());
+  if (std::isfinite(result)) return result;
+  double shares = 0;  // the sum overflowed, or a value is not finite
+  for (const double value : values) shares += value / static_cast<double>(values.size());
+  return shares;
 }
 
 double sum_of_squares(std::span<const double> values) {
@@ -31,18 +53,35 @@ double sum_of_squares(std::span<const double> values) {
   return squares - rest * rest / n;
 }
 
+double power_of_two_below(std::span<const double> values) {
+  double largest = 0;
+  for (const double value : values) largest = std::max(largest, std::abs(value));
+  return largest > 0 && std::isfinite(largest) ? std::ldexp(1.0, std::ilogb(largest)) : 1.0;
+}
+
+double standard_deviation(std::span<const double> values) {
+  const auto [variance, unit] = variance_of(values);
+  return unit * std::sqrt(variance);
+}
+
+double standard_error(std::span<const double> values) {
+  const auto [variance, unit] = variance_of(values);
+  return unit * std::sqrt(variance / static_cast<double>(values.size()));
+}
+
 Description describe(std::span<const double> values) {
   Description result;
   result.n = static_cast<int>(values.size());
   const std::vector<double> ranked = ranked_values(values);
-  result.not_finite = static_cast<int>(std::ranges::count(ranked, worse_than_every_number));
+  const auto is_finite = [](double value) { return std::isfinite(value); };
+  result.not_finite = result.n - static_cast<int>(std::ranges::count_if(ranked, is_finite));
   if (ranked.empty()) return result;
   result.median = quantile(ranked, 0.5, QuantileType::type_5);
   result.min = ranked.front();
   result.max = ranked.back();
   if (result.not_finite > 0) return result;
   result.mean = mean(values);
-  if (result.n > 1) result.std = std::sqrt(sum_of_squares(values) / (result.n - 1));
+  result.std = standard_deviation(values);
   return result;
 }
 

@@ -9,8 +9,9 @@ namespace ikbench {
 // A quantity that cannot be had from the data given. Table cells show it as "not defined", never as a number.
 constexpr double not_defined = std::numeric_limits<double>::quiet_NaN();
 
-// Values that are not finite (a solver that diverged) are never left out. They have no mean and no standard deviation,
-// and they rank as worse than every number: the median is that of the whole sample, the maximum is not defined.
+// Values that are not finite (a solver that diverged) are never left out. They have no mean and no standard deviation.
+// The median and the extremes are those of the whole sample: infinite values have their ranks, and what is not a number
+// ranks as worse than every number, infinite.
 struct Description {
   int n = 0;           // all values
   int not_finite = 0;  // those among them that are NaN or infinite
@@ -35,7 +36,14 @@ GroupSummary summarise(std::span<const double> values);
 
 // Two passes, shifted by the first value, so that many equal leading digits cost nothing.
 double mean(std::span<const double> values);
-// Sum of squared deviations from the mean.
+// Sum of squared deviations from the mean. It vanishes below 1e-308 and overflows above 1e308; the two below do not.
 double sum_of_squares(std::span<const double> values);
+// Sample standard deviation, divided by n - 1, and the same by sqrt(n), that of the mean; NaN of fewer than two values.
+double standard_deviation(std::span<const double> values);
+double standard_error(std::span<const double> values);
+
+// The power of two at or next below the largest magnitude: what is divided by it keeps every digit, and its squares
+// neither overflow nor vanish. 1 where all values are 0 or one is infinite.
+double power_of_two_below(std::span<const double> values);
 
 }  // namespace ikbench

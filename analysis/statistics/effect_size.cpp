@@ -1,25 +1,17 @@
 #include "analysis/statistics/effect_size.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <boost/math/distributions/normal.hpp>
 #include <boost/math/special_functions/gamma.hpp>
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 #include <cstdint>
-#include <stdexcept>
 #include <vector>
 
 #include "analysis/statistics/t_distribution.hpp"
+#include "analysis/statistics/tails.hpp"
 
 namespace ikbench {
 namespace {
-
-void check(double level) {
-  if (!(level > 0 && level < 1))
-    throw std::invalid_argument(fmt::format("level {}: expected 0 to 1, without either", level));
-}
 
 // The shift at which the noncentral t exceeds the observed one with probability p; NaN where it is not found.
 double shift_of(double p, double t, double df) {
@@ -107,7 +99,7 @@ double epsilon_squared(const AnovaTable& table) {
 double cohen_f(const AnovaTable& table) { return finite(std::sqrt(table.ss_between / table.ss_within)); }
 
 EffectSize cohen_d(const GroupSummary& a, const GroupSummary& b, double level) {
-  check(level);
+  check_level(level);
   EffectSize effect{.undefined = obstacle(a, b)};
   if (!effect.undefined.empty()) return effect;
   const double df = a.n - 1.0 + b.n - 1.0;
@@ -139,7 +131,7 @@ EffectSize hedges_g(const GroupSummary& a, const GroupSummary& b, double level) 
 }
 
 EffectSize cliffs_delta(std::span<const double> a, std::span<const double> b, double level) {
-  check(level);
+  check_level(level);
   EffectSize effect;
   const auto is_nan = [](double value) { return std::isnan(value); };
   if (a.empty() || b.empty()) {
@@ -154,7 +146,7 @@ EffectSize cliffs_delta(std::span<const double> a, std::span<const double> b, do
     effect.undefined = "a sample of one value has no spread, so there is no interval";
     return effect;
   }
-  const double z = -boost::math::quantile(boost::math::normal(), (1 - level) / 2);
+  const double z = normal_critical(level);
   if (std::abs(delta) == 1) {
     const double n = static_cast<double>(std::min(a.size(), b.size()));
     const double limit = (n - z * z) / (n + z * z);

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "analysis/statistics/anova.hpp"
+#include "analysis/statistics/pairs.hpp"
 #include "analysis/statistics/tails.hpp"
 
 namespace ikbench {
@@ -123,7 +124,7 @@ Friedman friedman_from_ranks(std::span<const double> average_ranks, std::size_t 
 }
 
 std::vector<RankComparison> compare_average_ranks(const Friedman& test) {
-  return compared(test, all_pairs(test.average_ranks.size()));
+  return compared(test, all_pairs<RankComparison>(test.average_ranks.size()));
 }
 
 std::vector<RankComparison> compare_average_ranks(const Friedman& test, std::size_t control) {

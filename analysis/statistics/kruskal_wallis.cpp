@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "analysis/statistics/pairs.hpp"
 #include "analysis/statistics/tails.hpp"
 
 namespace ikbench {
@@ -75,7 +76,7 @@ KruskalWallis kruskal_wallis(std::span<const std::vector<double>> groups) {
 }
 
 std::vector<RankComparison> dunn(std::span<const std::vector<double>> groups) {
-  return compared(groups, all_pairs(groups.size()));
+  return compared(groups, all_pairs<RankComparison>(groups.size()));
 }
 
 std::vector<RankComparison> dunn(std::span<const std::vector<double>> groups, std::size_t control) {

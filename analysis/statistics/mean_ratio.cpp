@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "analysis/statistics/t_distribution.hpp"
+#include "analysis/statistics/tails.hpp"
 
 namespace ikbench {
 namespace {
@@ -19,9 +20,7 @@ void check(const RatioQuestion& question) {
   if (!(question.margin >= 0 && question.margin < 1)) {
     throw std::invalid_argument(fmt::format("margin {}: expected 0 to 1, without 1", question.margin));
   }
-  if (!(question.level > 0 && question.level < 1)) {
-    throw std::invalid_argument(fmt::format("level {}: expected 0 to 1, without either", question.level));
-  }
+  check_level(question.level);
 }
 
 // An estimate of mean(b) - theta mean(a).
@@ -127,8 +126,7 @@ std::string obstacle(std::span<const double> a, std::span<const double> b) {
 }
 
 Contrast of_sample(std::span<const double> values) {
-  const double n = static_cast<double>(values.size());
-  return {.estimate = mean(values), .error = std::sqrt(sum_of_squares(values) / (n - 1) / n), .df = n - 1};
+  return {.estimate = mean(values), .error = standard_error(values), .df = static_cast<double>(values.size()) - 1};
 }
 
 }  // namespace

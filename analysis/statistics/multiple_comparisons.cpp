@@ -7,7 +7,9 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "analysis/statistics/pairs.hpp"
 #include "analysis/statistics/studentized_range.hpp"
+#include "analysis/statistics/tails.hpp"
 
 namespace ikbench {
 namespace {
@@ -19,20 +21,12 @@ std::vector<MeanDifference> differences(std::span<const GroupSummary> groups, st
     throw std::invalid_argument(
         fmt::format("comparisons with group {}: there are {} groups", *only_with, groups.size()));
   }
-  std::vector<MeanDifference> pairs;
-  for (std::size_t first = 0; first < groups.size(); ++first) {
-    for (std::size_t second = first + 1; second < groups.size(); ++second) {
-      if (only_with && first != *only_with && second != *only_with) continue;
-      pairs.push_back({.first = first, .second = second, .difference = groups[first].mean - groups[second].mean});
-    }
+  auto pairs = all_pairs<MeanDifference>(groups.size());
+  if (only_with) {
+    std::erase_if(pairs, [&](const auto& pair) { return pair.first != *only_with && pair.second != *only_with; });
   }
+  for (MeanDifference& pair : pairs) pair.difference = groups[pair.first].mean - groups[pair.second].mean;
   return pairs;
-}
-
-double checked(double level) {
-  if (!(level > 0 && level < 1))
-    throw std::invalid_argument(fmt::format("level {}: expected 0 to 1, without either", level));
-  return level;
 }
 
 // Why a group can have no part in a comparison; empty where it can.
@@ -65,7 +59,7 @@ void judge(MeanDifference& pair, const StudentizedRange& range, double critical)
 
 std::vector<MeanDifference> tukey(std::span<const GroupSummary> groups, double level,
                                   std::optional<std::size_t> only_with) {
-  checked(level);
+  check_level(level);
   std::vector<MeanDifference> pairs = differences(groups, only_with);
   std::string undefined = too_many(groups.size());
   double df = 0, largest = 0;
@@ -97,7 +91,7 @@ std::vector<MeanDifference> tukey(std::span<const GroupSummary> groups, double l
 
 std::vector<MeanDifference> games_howell(std::span<const GroupSummary> groups, double level,
                                          std::optional<std::size_t> only_with) {
-  checked(level);
+  check_level(level);
   std::vector<MeanDifference> pairs = differences(groups, only_with);
   const StudentizedRange range(static_cast<double>(groups.size()));
   for (MeanDifference& pair : pairs) {

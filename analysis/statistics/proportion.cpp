@@ -23,17 +23,23 @@ double share(Successes count) { return static_cast<double>(count.successes) / co
 }  // namespace
 
 Proportion wilson(Successes count, double level) {
+  if (std::string reason = wrong_with(count); !reason.empty()) return {.undefined = reason};
+  return wilson_of_mean(share(count), count.trials, level);
+}
+
+Proportion wilson_of_mean(double p, int trials, double level) {
   const double z = normal_critical(level);
-  Proportion result{.undefined = wrong_with(count)};
+  Proportion result;
+  if (trials < 1) result.undefined = "there are no trials";
+  if (!(p >= 0 && p <= 1)) result.undefined = "the mean of the shares is not a share";
   if (!result.undefined.empty()) return result;
-  const double n = count.trials;
-  const double p = share(count);
+  const double n = trials;
   const double centre = p + z * z / (2 * n);
   const double reach = z * std::sqrt(p * (1 - p) / n + z * z / (4 * n * n));
   const double width = 1 + z * z / n;
   result.estimate = p;
-  result.low = count.successes == 0 ? 0.0 : std::max(0.0, (centre - reach) / width);
-  result.high = count.successes == count.trials ? 1.0 : std::min(1.0, (centre + reach) / width);
+  result.low = p == 0 ? 0.0 : std::max(0.0, (centre - reach) / width);
+  result.high = p == 1 ? 1.0 : std::min(1.0, (centre + reach) / width);
   return result;
 }
 
@@ -49,17 +55,6 @@ Proportion clopper_pearson(Successes count, double level) {
   result.low = x == 0 ? 0.0 : boost::math::quantile(beta_distribution<>(x, n - x + 1), outside);
   result.high =
       x == n ? 1.0 : boost::math::quantile(boost::math::complement(beta_distribution<>(x + 1, n - x), outside));
-  return result;
-}
-
-Proportion newcombe(Successes first, Successes second, double level) {
-  const Proportion a = wilson(first, level);
-  const Proportion b = wilson(second, level);
-  Proportion result{.undefined = a.undefined.empty() ? b.undefined : a.undefined};
-  if (!result.undefined.empty()) return result;
-  result.estimate = a.estimate - b.estimate;
-  result.low = result.estimate - std::hypot(a.estimate - a.low, b.high - b.estimate);
-  result.high = result.estimate + std::hypot(a.high - a.estimate, b.estimate - b.low);
   return result;
 }
 

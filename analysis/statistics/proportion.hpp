@@ -1,4 +1,4 @@
-// Shares of trials that succeeded: intervals of one and of a difference, and Fisher's exact test of two.
+// Shares of trials that succeeded: intervals of one, and Fisher's exact test of two.
 #pragma once
 
 #include <string>
@@ -22,10 +22,12 @@ struct Proportion {
 
 // Wilson's score interval (JASA 22 (1927) 209): near the level on average.
 Proportion wilson(Successes count, double level = 0.95);
+// The same where each trial is a share itself, as of several attempts that are not independent, and `mean` is the mean
+// of those shares. Shares vary no more than successes and failures of the same mean do, so the interval is no narrower
+// than it must be.
+Proportion wilson_of_mean(double mean, int trials, double level = 0.95);
 // Clopper and Pearson's (Biometrika 26 (1934) 404): never less than the level.
 Proportion clopper_pearson(Successes count, double level = 0.95);
-// The share of `first` less that of `second`, by Newcombe's method 10 (Statistics in Medicine 17 (1998) 873).
-Proportion newcombe(Successes first, Successes second, double level = 0.95);
 
 // Have two the same chance? Conditional on the totals; two-sided: all tables no more probable than the one seen.
 struct FisherExact {

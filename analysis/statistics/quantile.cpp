@@ -20,7 +20,7 @@ QuantileType quantile_type(int number) {
 std::vector<double> ranked_values(std::span<const double> values) {
   std::vector<double> ranked(values.begin(), values.end());
   for (double& value : ranked) {
-    if (!std::isfinite(value)) value = worse_than_every_number;
+    if (std::isnan(value)) value = worse_than_every_number;
   }
   std::ranges::sort(ranked);
   return ranked;
@@ -83,7 +83,7 @@ Box box(std::span<const double> values, QuantileType type) {
   result.q1 = quantile(ranked, 0.25, type);
   result.median = quantile(ranked, 0.5, type);
   result.q3 = quantile(ranked, 0.75, type);
-  result.not_finite = static_cast<int>(std::erase(ranked, worse_than_every_number));
+  result.not_finite = static_cast<int>(std::erase_if(ranked, [](double value) { return !std::isfinite(value); }));
   if (!result.drawable()) {
     result.outliers = ranked;  // no box, but every value that can be shown
     return result;

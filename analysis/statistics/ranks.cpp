@@ -43,14 +43,6 @@ std::vector<double> pooled(std::span<const std::vector<double>> groups) {
   return all;
 }
 
-std::vector<RankComparison> all_pairs(std::size_t groups) {
-  std::vector<RankComparison> pairs;
-  for (std::size_t first = 0; first < groups; ++first) {
-    for (std::size_t second = first + 1; second < groups; ++second) pairs.push_back({.first = first, .second = second});
-  }
-  return pairs;
-}
-
 std::vector<RankComparison> pairs_with(std::size_t control, std::size_t groups) {
   if (control >= groups) {
     throw std::invalid_argument(fmt::format("control group {}: there are {} groups, counted from 0", control, groups));

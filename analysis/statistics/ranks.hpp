@@ -33,9 +33,8 @@ struct RankComparison {
   std::string undefined;   // why there is no p; empty where there is
 };
 
-// Every pair first < second; or each other group as `first` with the control as `second`.
-std::vector<RankComparison> all_pairs(std::size_t groups);
-std::vector<RankComparison> pairs_with(std::size_t control,
-                                       std::size_t groups);  // std::invalid_argument: no such group
+// Each other group as `first` with the control as `second`; std::invalid_argument where there is no such group. All
+// pairs: pairs.hpp.
+std::vector<RankComparison> pairs_with(std::size_t control, std::size_t groups);
 
 }  // namespace ikbench

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <cstddef>
@@ -9,8 +10,23 @@
 #include <vector>
 
 #include "analysis/statistics/t_distribution.hpp"
+#include "analysis/statistics/tails.hpp"
 
 namespace ikbench {
+namespace {
+
+double square(double x) { return x * x; }
+
+// Why a group can have no weight; empty where it can.
+std::string obstacle(const GroupSummary& group, std::size_t number) {
+  if (group.n < 2) return fmt::format("group {} has fewer than two values, so no spread", number);
+  if (!std::isfinite(group.mean) || !std::isfinite(group.std) || group.std < 0) {
+    return fmt::format("the mean or the standard deviation of group {} is not defined", number);
+  }
+  return group.std == 0 ? fmt::format("group {} is constant", number) : "";
+}
+
+}  // namespace
 
 WelchTest welch(const GroupSummary& a, const GroupSummary& b) {
   WelchTest test;
@@ -22,18 +38,19 @@ WelchTest welch(const GroupSummary& a, const GroupSummary& b) {
     test.undefined = "a mean or a standard deviation is not defined";
     return test;
   }
-  const double va = a.std * a.std / a.n;
-  const double vb = b.std * b.std / b.n;
-  if (!(va + vb > 0)) {
+  if (a.std == 0 && b.std == 0) {
     test.undefined = "both groups are constant";
     return test;
   }
+  const double unit = power_of_two_below(std::array{a.std, b.std});
+  const double va = square(a.std / unit) / a.n;
+  const double vb = square(b.std / unit) / b.n;
   const double a_part = va / (va + vb);
   const double b_part = vb / (va + vb);
-  test.t = (a.mean - b.mean) / std::sqrt(va + vb);
+  test.t = (a.mean - b.mean) / unit / std::sqrt(va + vb);
   test.df = 1 / (a_part * a_part / (a.n - 1) + b_part * b_part / (b.n - 1));
   if (!std::isfinite(test.t) || !std::isfinite(test.df)) {
-    test.undefined = "the spread is too large for double precision";
+    test = {.undefined = "the difference is too large for double precision"};
     return test;
   }
   test.p = 2 * boost::math::cdf(boost::math::complement(boost::math::students_t(test.df), std::abs(test.t)));
@@ -42,26 +59,35 @@ WelchTest welch(const GroupSummary& a, const GroupSummary& b) {
 
 WelchAnova welch_anova(std::span<const GroupSummary> groups) {
   WelchAnova test;
-  const auto k = static_cast<double>(groups.size());
-  double weights = 0, mean = 0;
-  const auto weight_of = [](const GroupSummary& group) { return group.n / (group.std * group.std); };
-  for (const GroupSummary& group : groups) {
-    if (group.n < 2 || !(group.std > 0) || !std::isfinite(group.mean)) return test;
-    weights += weight_of(group);
+  std::vector<double> spreads;
+  for (std::size_t i = 0; i < groups.size(); ++i) {
+    test.undefined = obstacle(groups[i], i + 1);
+    if (!test.undefined.empty()) return test;
+    spreads.push_back(groups[i].std);
   }
-  if (groups.size() < 2) return test;
+  if (groups.size() < 2) {
+    test.undefined = fmt::format("{} to compare; two or more are needed", groups.empty() ? "no group" : "one group");
+    return test;
+  }
+  const auto k = static_cast<double>(groups.size());
+  const double unit = power_of_two_below(spreads);
+  double weights = 0, mean = 0;
+  const auto weight_of = [unit](const GroupSummary& group) { return group.n / square(group.std / unit); };
+  for (const GroupSummary& group : groups) weights += weight_of(group);
   for (const GroupSummary& group : groups) mean += weight_of(group) / weights * group.mean;
   double between = 0, lambda = 0;
   for (const GroupSummary& group : groups) {
     const double weight = weight_of(group);
-    between += weight * (group.mean - mean) * (group.mean - mean) / (k - 1);
-    lambda += (1 - weight / weights) * (1 - weight / weights) / (group.n - 1);
+    const double deviation = (group.mean - mean) / unit;
+    between += weight * deviation * deviation / (k - 1);
+    lambda += square(1 - weight / weights) / (group.n - 1);
   }
   lambda *= 3 / (k * k - 1);
   test.F = between / (1 + 2 * (k - 2) * lambda / 3);
   test.df_between = k - 1;
   test.df_within = 1 / lambda;
   test.p = f_upper_tail(test.F, test.df_between, test.df_within);
+  if (!std::isfinite(test.p)) test = {.undefined = "the spreads or the means are too far apart for double precision"};
   return test;
 }
 
@@ -87,8 +113,7 @@ PairedTest paired_t(std::span<const double> a, std::span<const double> b, double
 }
 
 MeanInterval mean_interval(const GroupSummary& group, double level) {
-  if (!(level > 0 && level < 1))
-    throw std::invalid_argument(fmt::format("level {}: expected 0 to 1, without either", level));
+  check_level(level);
   if (group.n < 2) return {.undefined = "a group of fewer than two values has no spread"};
   if (!std::isfinite(group.mean) || !std::isfinite(group.std)) {
     return {.undefined = "a mean or a standard deviation is not defined"};

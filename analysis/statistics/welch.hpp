@@ -23,7 +23,8 @@ struct WelchAnova {
   double F = not_defined;
   double df_between = not_defined;
   double df_within = not_defined;
-  double p = not_defined;  // not defined where a group has fewer than two values or no spread, or is alone
+  double p = not_defined;
+  std::string undefined;  // why there is no p; empty where there is
 };
 
 WelchAnova welch_anova(std::span<const GroupSummary> groups);

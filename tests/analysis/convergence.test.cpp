@@ -243,6 +243,12 @@ TEST_CASE("a problem that a solver was not given, or was given otherwise, is lef
   CHECK(profile.left_out == 2);
 }
 
+TEST_CASE("the same place with another rotation is another problem", "[convergence]") {
+  StudyResults study = two_solvers({1, 1, 1}, {2, 2, 2});
+  study.solves.back().target_rotation = {0, 1, 0, 1, 0, 0, 0, 0, -1};
+  CHECK(performance_profile(study, final_error_cm).left_out == 1);
+}
+
 TEST_CASE("a profile of solvers is free of those without a solve", "[convergence]") {
   StudyResults study = two_solvers({1, 1}, {2, 2});
   study.solvers.push_back("C");

@@ -15,9 +15,9 @@ constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 const char* const independent = R"({"stop": {"tolerance_cm": 0.1}, "path": {"kind": "random"}, "start": "initial"})";
 const char* const chained = R"({"stop": {"tolerance_cm": 0.1}, "path": {"kind": "helix"}, "start": "previous"})";
 
-// Eight solves of one solver in two runs, of which five come to the tolerance. By hand: ERT 4320 / 5 = 864, SP1
-// 264 / 0.625 = 422.4, Kaplan-Meier 0.875 0.75 0.625 0.5 0.375 at 80 120 220 340 560, restricted mean to 1000
-// 80 + 0.875 40 + 0.75 100 + 0.625 120 + 0.5 220 + 0.375 440 = 540.
+// Eight solves of one solver in two runs, each of another target, of which five come to the tolerance. By hand: ERT
+// 4320 / 5 = 864, SP1 264 / 0.625 = 422.4, Kaplan-Meier 0.875 0.75 0.625 0.5 0.375 at 80 120 220 340 560, restricted
+// mean to 1000 80 + 0.875 40 + 0.75 100 + 0.625 120 + 0.5 220 + 0.375 440 = 540.
 StudyResults eight_solves(const char* definition) {
   const std::vector<std::int64_t> evaluations{120, 340, 80, 1000, 1000, 560, 1000, 220};
   const std::vector<double> error_cm{0.05, 0.1, 0, 0.2, 3, 0.01, not_a_number, 0.09};
@@ -25,6 +25,7 @@ StudyResults eight_solves(const char* definition) {
   for (std::size_t i = 0; i < solves.size(); ++i) {
     solves[i].evaluations = evaluations[i];
     solves[i].position_error_cm = error_cm[i];
+    solves[i].target_position_m = {0.1 * static_cast<double>(i), 0, 0.5};
   }
   StudyResults study = make_study("eight", std::move(solves));
   study.definition = definition;
@@ -73,6 +74,39 @@ TEST_CASE("dependent solves have neither an interval nor a test, runs do", "[cos
   CHECK(has_note(of_independent, "Log-rank"));
   CHECK(has_note(of_independent, "Solves are independent"));
   CHECK(is_empty(of_independent, 0, "runs"));
+}
+
+TEST_CASE("where runs repeat their targets, a target is one trial and there is no test that counts solves", "[cost]") {
+  // A deterministic solver on a path of four targets: twenty runs alike, of which every one reaches three; and one that
+  // needs twice as much.
+  std::vector<SolveRecord> solves = synthetic::solves({.solvers = {"once", "twice"}, .runs = 20, .points = 4});
+  for (SolveRecord& solve : solves) {
+    solve.evaluations = 100 * solve.point * (solve.solver == "once" ? 1 : 2);
+    solve.position_error_cm = solve.point < 4 ? 0 : 1;
+  }
+  StudyResults study = make_study("path", std::move(solves));
+  study.definition = R"({"stop": {"tolerance_cm": 0.1}, "path": {"kind": "helix"}, "start": "initial"})";
+  const Table table = evaluations_table(study);
+  CHECK(number_at(table, 0, "solves") == 80);
+  CHECK(number_at(table, 0, "reached") == 60);
+  // Wilson's formula for 3 of 4 with z = 1.959964, as of a single run; of 60 in 80 it would be 0.645 to 0.832.
+  CHECK(number_at(table, 0, "share_low") == Approx(0.3006418426).epsilon(1e-8));
+  CHECK(number_at(table, 0, "share_high") == Approx(0.9544127392).epsilon(1e-8));
+  CHECK(!has_note(table, "chi-squared"));
+  CHECK(has_note(table, "targets repeat: a target is one trial"));
+  CHECK(!has_note(table, "Solves are independent"));
+  // Half of the runs come to the fourth: the mean of the shares is 3.5 of 4.
+  for (SolveRecord& solve : study.solves) solve.position_error_cm = solve.point < 4 || solve.run % 2 == 0 ? 0 : 1;
+  const double p = number_at(evaluations_table(study), 0, "share_low");
+  CHECK(0.875 - p == Approx(1.959963984540054 * std::sqrt(p * (1 - p) / 4)));
+}
+
+TEST_CASE("targets of the same place and another rotation, or that are no numbers, are told apart", "[cost]") {
+  StudyResults study = eight_solves(independent);
+  for (SolveRecord& solve : study.solves) solve.target_position_m = {0.5, not_a_number, 0};
+  CHECK(has_note(evaluations_table(study), "targets repeat"));
+  for (std::size_t i = 0; i < study.solves.size(); ++i) study.solves[i].target_rotation = {static_cast<double>(i)};
+  CHECK(has_note(evaluations_table(study), "Solves are independent"));
 }
 
 TEST_CASE("a run with missing points is not counted among those that came to the tolerance", "[cost]") {

@@ -67,10 +67,10 @@ TEST_CASE("on a chained path observations are run means in independent groups, a
   CHECK(found.blocks.empty());
   CHECK(found.block.empty());
   CHECK(found.replicate == "a run's mean over its 3 points");
-  CHECK(found.notes.empty());
+  CHECK(found.notes == Names{"There are no blocks: each solve starts where the solver's last answer left the arm."});
   CHECK(found.flaw.empty());
   CHECK(!blocked_observations(study, error));
-  CHECK(why_not_blocked(study).find("chained along a path") != std::string::npos);
+  CHECK(why_not_blocked(study) == found.notes.front());
 }
 
 TEST_CASE("points as observations have a flaw, and the report says which", "[design]") {
@@ -97,9 +97,8 @@ TEST_CASE("drawn targets that are solved from the same configuration are blocks 
   CHECK(found.blocks == Names{"run 1, point 1", "run 1, point 2", "run 1, point 3"});
   CHECK(found.groups[1].values == Values{202, 204, 206});
   CHECK(found.replicate == "a target's only solve");
-  CHECK(observations(study, error, Unit::run).blocks.empty());  // one run is no block to compare
-  CHECK(observations(study_of({.path = "random", .start = "initial"}), error, Unit::run).blocks ==
-        Names{"run 1", "run 2"});
+  CHECK(observations(study, error, Unit::run).blocks == found.blocks);
+  CHECK(observations(study, error, Unit::point).blocks.empty());
 }
 
 TEST_CASE("targets of a path that are solved from the same configuration are blocks, with the mean over the runs",
@@ -109,8 +108,11 @@ TEST_CASE("targets of a path that are solved from the same configuration are blo
   CHECK(found.blocks == Names{"point 1", "point 2", "point 3"});
   CHECK(found.groups[0].values == Values{151, 152, 153});  // of 101 and 201, ...
   CHECK(found.replicate == "a target's mean over 2 runs");
-  CHECK(observations(study, error, Unit::run).blocks.empty());
-  CHECK(observations(study, error, Unit::run).groups[0].values == Values{102, 202});
+  CHECK(observations(study, error, Unit::run).blocks == found.blocks);
+  CHECK(observations(study, error, Unit::run).groups[0].values == found.groups[0].values);
+  std::vector<SolveRecord> solves = solves_of({.points = 1});  // nothing is chained to
+  for (SolveRecord& solve : solves) solve.start_rad = {0};
+  CHECK(why_not_blocked(study_of({.points = 1}, solves)) == "There are no blocks to compare: there is only one.");
 }
 
 TEST_CASE("a run that is not complete for all solvers is in no block, and that is said", "[design]") {
@@ -128,13 +130,16 @@ TEST_CASE("a run that is not complete for all solvers is in no block, and that i
   solves.pop_back();
   const Observations independent = observations(study_of({}, solves), error, Unit::run);
   CHECK(independent.groups[0].values == Values{102, 202});  // A loses nothing by what B has not done
-  CHECK(independent.notes == Names{"B: 1 of its runs have missing points and give no observation."});
+  CHECK(independent.notes.back() == "B: 1 of its runs have missing points and give no observation.");
 }
 
 TEST_CASE("with fewer than two blocks there is no blocked design, and why is said", "[design]") {
   CHECK(why_not_blocked(study_of({.path = "random", .runs = 1})) ==
         "There are no blocks to compare: there is only one.");
-  CHECK(observations(study_of({.path = "random", .runs = 1}), error, Unit::run).groups[0].values == Values{102});
+  const Observations alone = observations(study_of({.path = "random", .runs = 1}), error, Unit::run);
+  CHECK(alone.groups[0].values == Values{102});
+  CHECK(alone.notes == Names{"There are no blocks to compare: there is only one."});
+  CHECK(observations(study_of({.path = "random", .runs = 1}), error, Unit::point).notes.empty());
   std::vector<SolveRecord> solves = solves_of({.path = "random", .runs = 1});
   solves.pop_back();
   CHECK(why_not_blocked(study_of({.path = "random", .runs = 1}, solves)) ==

@@ -187,7 +187,7 @@ TEST_CASE("intervals are marked where they exclude zero, and in words where ther
 
 TEST_CASE("Demsar's Figure 1a: at 0.10 two bars, C4.5 apart from the two with m", "[figure]") {
   const Figure figure = demsar(1.12, 0.1);
-  const Texts bars = lines_below(figure.data, "# what does not differ");
+  const Texts bars = lines_below(figure.data, "# what is not told apart");
   REQUIRE(bars.size() == 2);
   const auto ends = [](const std::string& line) {
     double from = 0, height = 0, to = 0;
@@ -198,12 +198,13 @@ TEST_CASE("Demsar's Figure 1a: at 0.10 two bars, C4.5 apart from the two with m"
   CHECK(ends(bars[0]).second == Approx(2.893).margin(0.06));
   CHECK(ends(bars[1]).first == Approx(2.893).margin(0.06));
   CHECK(ends(bars[1]).second == Approx(3.143).margin(0.06));
+  CHECK(contains(figure.caption, "Bars join what is not told apart by Nemenyi's test at the significance 0.1: "));
   CHECK(contains(figure.caption, "CD = 1.12"));
-  CHECK(lines_below(demsar(1.25356, 0.05).data, "# what does not differ").size() == 1);  // at 0.05 none differ
+  CHECK(lines_below(demsar(1.25356, 0.05).data, "# what is not told apart").size() == 1);  // at 0.05 none differ
 }
 
 TEST_CASE("without a critical difference nothing is joined, and ranks that are none are told", "[figure]") {
-  CHECK(lines_below(demsar(NAN, 0.05).data, "# what does not differ") == Texts{"NaN NaN NaN"});
+  CHECK(lines_below(demsar(NAN, 0.05).data, "# what is not told apart") == Texts{"NaN NaN NaN"});
   CHECK(contains(demsar(NAN, 0.05).caption, "critical difference is not defined"));
   CHECK(contains(demsar(20, 0.05).caption, "cut at the axis' end"));
   const Figure figure = critical_difference_figure(

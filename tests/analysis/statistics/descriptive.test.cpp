@@ -54,6 +54,60 @@ TEST_CASE("values that are not finite are counted, have no mean, and rank as the
   CHECK(!std::isfinite(d.max));
 }
 
+TEST_CASE("minus infinity is below every number, and what is not a number is not", "[descriptive]") {
+  const std::vector<double> values{NAN, 3, -HUGE_VAL, 1, 2};
+  CHECK(ranked_values(values) == std::vector<double>{-HUGE_VAL, 1, 2, 3, HUGE_VAL});
+  const Description d = describe(values);
+  CHECK(d.not_finite == 2);
+  CHECK(d.median == 2);
+  CHECK(d.min == -HUGE_VAL);
+  CHECK(std::isnan(d.mean));
+  CHECK(std::isnan(describe(std::vector<double>{-HUGE_VAL, HUGE_VAL}).median));  // any number would do
+  const Box b = box(std::vector<double>{-HUGE_VAL, 1, 2, 3, 4, 5, 6, 7, HUGE_VAL}, QuantileType::type_7);
+  CHECK(b.not_finite == 2);
+  CHECK(b.q1 == 2);  // the third of nine
+  CHECK(b.whisker_low == 1);
+  CHECK(b.whisker_high == 7);
+  CHECK(b.outliers.empty());
+}
+
+TEST_CASE("the unit of the values scales their standard deviation, to where squares vanish or overflow",
+          "[descriptive]") {
+  const std::vector<double> values{4, 1, 3, 2};
+  const double unit = GENERATE(0x1p-1060, 0x1p-600, 0x1p-500, 0x1p520, 0x1p1021);  // powers of two: no digit is lost
+  std::vector<double> scaled;
+  for (const double value : values) scaled.push_back(value * unit);
+  CHECK(describe(scaled).mean == 2.5 * unit);
+  CHECK(standard_deviation(scaled) == Approx(std::sqrt(5.0 / 3) * unit).epsilon(1e-3).margin(0));  // subnormals: 2^14
+  CHECK(standard_error(scaled) == Approx(std::sqrt(5.0 / 12) * unit).epsilon(1e-3).margin(0));
+}
+
+TEST_CASE("ordinary values keep the bits of the plain formula", "[descriptive]") {
+  const std::vector<double> values{0.1, 0.37, 1e-3, 12.25, 7.77};
+  CHECK(describe(values).std == std::sqrt(sum_of_squares(values) / 4));
+  CHECK(standard_error(values) == std::sqrt(sum_of_squares(values) / 4 / 5));
+}
+
+TEST_CASE("a mean does not overflow, and one value or none has no standard deviation", "[descriptive]") {
+  CHECK(mean(std::vector<double>{1e308, -1e308}) == 0);
+  CHECK(mean(std::vector<double>{-1.7e308, 1.7e308, 1.7e308}) == Approx(1.7e308 / 3));
+  CHECK(std::isinf(mean(std::vector<double>{HUGE_VAL, 1})));
+  CHECK(std::isnan(mean(std::vector<double>{HUGE_VAL, -HUGE_VAL})));
+  CHECK(std::isnan(standard_deviation({})));
+  CHECK(std::isnan(standard_deviation(std::vector<double>{5})));
+  CHECK(std::isnan(standard_error(std::vector<double>{1, NAN})));
+  CHECK(describe(std::vector<double>{1e308, -1e308}).std == Approx(std::sqrt(2.0) * 1e308));
+}
+
+TEST_CASE("a power of two below the largest magnitude", "[descriptive]") {
+  CHECK(power_of_two_below(std::vector<double>{3, -9, 0}) == 8);
+  CHECK(power_of_two_below(std::vector<double>{0.25}) == 0.25);
+  CHECK(power_of_two_below(std::vector<double>{5e-324}) == 5e-324);
+  CHECK(power_of_two_below({}) == 1);
+  CHECK(power_of_two_below(std::vector<double>{0, 0}) == 1);
+  CHECK(power_of_two_below(std::vector<double>{1, -HUGE_VAL}) == 1);
+}
+
 TEST_CASE("quartiles of 1 2 3 4 9 2 by Hyndman and Fan's types", "[quantile]") {
   const std::vector<double> sorted = ranked_values(std::vector<double>{1, 2, 3, 4, 9, 2});
   // Types 5 to 8: R's quantile; 1 to 4 and 9 by hand from the paper's definitions, n p = 1.5 and 4.5.

@@ -73,7 +73,7 @@ TEST_CASE("where variances cannot be compared the tests say why", "[equal_varian
   CHECK(says(bartlett(Groups{{1, 2}, {}}).undefined, "group 2 has fewer than two values"));
   CHECK(says(bartlett(Groups{{1, 2}, {3, 3}}).undefined, "group 2 is constant"));
   CHECK(says(bartlett(Groups{{1, HUGE_VAL}, {3, 4}}).undefined, "group 1 is not defined"));
-  CHECK(says(bartlett(Groups{{1e308, -1e308}, {3, 4}}).undefined, "group 1 is not defined"));
+  CHECK(bartlett(Groups{{1e308, -1e308}, {3, 4}}).p < 1e-100);
   CHECK(std::isnan(bartlett(Groups{{1, 2}, {3, 3}}).p));
 
   CHECK(says(brown_forsythe({}).undefined, "no group"));

@@ -37,15 +37,19 @@ TEST_CASE("Clopper and Pearson's bounds are where the binomial tails are half of
   CHECK(interval.high == Approx(std::cbrt(0.95)).epsilon(1e-12));
 }
 
-TEST_CASE("Newcombe's own examples of a difference", "[proportion]") {
-  // Newcombe 1998, Table II, method 10: 56/70 - 48/80 is 0.0524 .. 0.3339; 9/10 - 3/10 is 0.1705 .. 0.8090.
-  CHECK(newcombe({56, 70}, {48, 80}).estimate == Approx(0.2));
-  CHECK(newcombe({56, 70}, {48, 80}).low == Approx(0.0524).margin(5e-5));
-  CHECK(newcombe({56, 70}, {48, 80}).high == Approx(0.3339).margin(5e-5));
-  CHECK(newcombe({9, 10}, {3, 10}).low == Approx(0.1705).margin(5e-5));
-  CHECK(newcombe({9, 10}, {3, 10}).high == Approx(0.8090).margin(5e-5));
-  CHECK(newcombe({10, 10}, {0, 20}).low == Approx(0.6791).margin(5e-5));
-  CHECK(newcombe({10, 10}, {0, 20}).high == 1);
+TEST_CASE("a mean of shares has the interval of as many successes, whether or not they are whole", "[proportion]") {
+  CHECK(wilson_of_mean(0.9, 20).low == wilson({18, 20}).low);
+  CHECK(wilson_of_mean(0.9, 20).high == wilson({18, 20}).high);
+  // Wilson's equation at its ends: |0.55 - p| = z sqrt(p (1 - p) / 3).
+  const Proportion between = wilson_of_mean(0.55, 3);
+  for (const double p : {between.low, between.high}) {
+    CHECK(std::abs(0.55 - p) == Approx(1.959963984540054 * std::sqrt(p * (1 - p) / 3)));
+  }
+  CHECK(wilson_of_mean(0, 3).low == 0);
+  CHECK(wilson_of_mean(1, 3).high == 1);
+  CHECK(says(wilson_of_mean(0.5, 0).undefined, "no trials"));
+  CHECK(says(wilson_of_mean(1.01, 3).undefined, "not a share"));
+  CHECK(says(wilson_of_mean(NAN, 3).undefined, "not a share"));
 }
 
 TEST_CASE("Fisher's exact test: the tea, the convictions", "[proportion]") {
@@ -78,10 +82,8 @@ TEST_CASE("counts that cannot be have no interval and no p", "[proportion]") {
   CHECK(says(wilson({3, 2}).undefined, "3 successes in 2 trials"));
   CHECK(says(wilson({-1, 2}).undefined, "cannot be"));
   CHECK(says(clopper_pearson({0, -1}).undefined, "cannot be"));
-  CHECK(says(newcombe({1, 2}, {0, 0}).undefined, "no trials"));
   CHECK(says(fisher_exact({1, 2}, {0, 0}).undefined, "no trials"));
   CHECK(std::isnan(wilson({0, 0}).low));
-  CHECK(std::isnan(newcombe({1, 2}, {0, 0}).estimate));
   CHECK_THROWS_AS(wilson({1, 2}, 95), std::invalid_argument);
   CHECK_THROWS_AS(clopper_pearson({1, 2}, 0), std::invalid_argument);
 }

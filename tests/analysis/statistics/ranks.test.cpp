@@ -3,6 +3,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "analysis/statistics/pairs.hpp"
 #include "tests/catch.hpp"
 
 using namespace ikbench;
@@ -35,7 +36,7 @@ TEST_CASE("no values have no ranks, which is no mistake", "[ranks]") {
 }
 
 TEST_CASE("three groups make three pairs, or two with a control", "[ranks]") {
-  const auto all = all_pairs(3);
+  const auto all = all_pairs<RankComparison>(3);
   REQUIRE(all.size() == 3);
   CHECK((all[1].first == 0 && all[1].second == 2));
   CHECK((all[2].first == 1 && all[2].second == 2));
@@ -43,7 +44,7 @@ TEST_CASE("three groups make three pairs, or two with a control", "[ranks]") {
   REQUIRE(some.size() == 2);
   CHECK((some[0].first == 0 && some[0].second == 1));
   CHECK((some[1].first == 2 && some[1].second == 1));
-  CHECK(all_pairs(0).empty());
-  CHECK(all_pairs(1).empty());
+  CHECK(all_pairs<RankComparison>(0).empty());
+  CHECK(all_pairs<RankComparison>(1).empty());
   CHECK_THROWS_AS(pairs_with(3, 3), std::invalid_argument);
 }

@@ -38,10 +38,34 @@ TEST_CASE("Welch's analysis of two groups is the square of his t", "[welch]") {
 
 TEST_CASE("Welch's analysis of variance needs two groups with spread", "[welch]") {
   const GroupSummary a{1, 1, 5};
-  CHECK(std::isnan(welch_anova({}).p));
-  CHECK(std::isnan(welch_anova(std::vector<GroupSummary>{a}).p));
-  CHECK(std::isnan(welch_anova(std::vector<GroupSummary>{a, {1, 0, 5}}).p));
-  CHECK(std::isnan(welch_anova(std::vector<GroupSummary>{a, {1, 1, 1}}).p));
+  const auto reason = [&](const GroupSummary& other) {
+    const WelchAnova test = welch_anova(std::vector<GroupSummary>{a, other});
+    CHECK(std::isnan(test.p));
+    CHECK(std::isnan(test.F));
+    return test.undefined;
+  };
+  CHECK(welch_anova({}).undefined.find("no group") != std::string::npos);
+  CHECK(welch_anova(std::vector<GroupSummary>{a}).undefined.find("one group") != std::string::npos);
+  CHECK(reason({1, 0, 5}) == "group 2 is constant");
+  CHECK(reason({1, 1, 1}) == "group 2 has fewer than two values, so no spread");
+  CHECK(reason({not_defined, 1, 5}) == "the mean or the standard deviation of group 2 is not defined");
+  CHECK(reason({1, HUGE_VAL, 5}) == "the mean or the standard deviation of group 2 is not defined");
+  CHECK(reason({1, 1e200, 5}).find("too far apart") != std::string::npos);
+  CHECK(reason({1e308, 1, 5}).find("too far apart") != std::string::npos);
+  CHECK(welch_anova(std::vector<GroupSummary>{a, {2, 1, 5}}).undefined.empty());
+}
+
+TEST_CASE("the unit of the values changes none of Welch's tests, to where squares vanish or overflow", "[welch]") {
+  const double unit = GENERATE(0x1p-1000, 0x1p-540, 0x1p600, 0x1p1000);  // powers of two: no digit is lost
+  const auto scaled = [unit](const GroupSummary& group) {
+    return GroupSummary{group.mean * unit, group.std * unit, group.n};
+  };
+  const GroupSummary a{0.75, 1.789010, 10}, b{2.33, 2.002249, 10};
+  CHECK(welch(scaled(a), scaled(b)).p == welch(a, b).p);
+  CHECK(welch(scaled(a), scaled(b)).df == welch(a, b).df);
+  const std::vector<GroupSummary> groups{a, b}, others{scaled(a), scaled(b)};
+  CHECK(welch_anova(others).p == welch_anova(groups).p);
+  CHECK(welch_anova(others).df_within == welch_anova(groups).df_within);
 }
 
 TEST_CASE("equal groups have p = 1", "[welch]") {
@@ -61,7 +85,9 @@ TEST_CASE("where there is no test it says why", "[welch]") {
   CHECK(welch({.mean = 1, .std = not_defined, .n = 1}, good).undefined.find("fewer than two") != std::string::npos);
   CHECK(welch({.mean = not_defined, .std = 1, .n = 5}, good).undefined.find("not defined") != std::string::npos);
   CHECK(welch(constant, constant).undefined.find("constant") != std::string::npos);
-  CHECK(welch({.mean = 1, .std = 1e200, .n = 5}, good).undefined.find("too large") != std::string::npos);
+  CHECK(welch({.mean = 1, .std = 1e200, .n = 5}, good).p == Approx(1));
+  CHECK(welch({.mean = 1e308, .std = 1, .n = 5}, {-1e308, 1, 5}).undefined.find("too large") != std::string::npos);
+  CHECK(std::isnan(welch({.mean = 1e308, .std = 1, .n = 5}, {-1e308, 1, 5}).t));
   CHECK(std::isnan(welch(constant, constant).p));
 }
 
