@@ -14,19 +14,6 @@
 namespace ikbench {
 namespace {
 
-using Place = std::pair<int, int>;  // run and point
-
-// What all solvers are given alike; where solves are chained, where one starts is the solver's own doing.
-enum class Blocks { none, runs, drawn_targets, path_targets };
-
-Blocks blocks_of(const StudyResults& study) {
-  const Definition definition(study.definition);
-  const std::string kind = definition.text("/path/kind");
-  const bool is_chained = definition.text("/start") != "initial";
-  if (kind == "random") return is_chained ? Blocks::runs : Blocks::drawn_targets;
-  return kind.empty() || is_chained ? Blocks::none : Blocks::path_targets;
-}
-
 // The solves of one solver by run and point.
 std::map<Place, const SolveRecord*> solves_of(const StudyResults& study, const std::string& solver) {
   std::map<Place, const SolveRecord*> solves;
@@ -58,11 +45,15 @@ bool were_given_the_same(const StudyResults& study, Blocks blocks) {
   });
 }
 
-// The solves that make each value, block by block.
-struct Block {
-  std::string name;
-  std::vector<Place> places;
-};
+}  // namespace
+
+Blocks blocks_of(const StudyResults& study) {
+  const Definition definition(study.definition);
+  const std::string kind = definition.text("/path/kind");
+  const bool is_chained = definition.text("/start") != "initial";
+  if (kind == "random") return is_chained ? Blocks::runs : Blocks::drawn_targets;
+  return kind.empty() || is_chained ? Blocks::none : Blocks::path_targets;
+}
 
 std::vector<Block> layout(const StudyResults& study, Blocks blocks) {
   const std::vector<int> runs = common_runs(study);
@@ -88,6 +79,8 @@ std::vector<Block> layout(const StudyResults& study, Blocks blocks) {
   }
   return result;
 }
+
+namespace {
 
 std::string replicate_of(const StudyResults& study, Unit unit) {
   if (unit == Unit::point) return "one point of a run";
@@ -178,8 +171,8 @@ Observations observations(const StudyResults& study, Metric metric, Unit unit) {
   if (unit == Unit::point) result.flaw = points_flaw;
   for (Sample& sample : samples(study, metric, unit)) {
     if (sample.incomplete_runs > 0) {
-      result.notes.push_back(
-          fmt::format("{}: {} of its runs have missing points and give no observation.", sample.solver, sample.incomplete_runs));
+      result.notes.push_back(fmt::format("{}: {} of its runs have missing points and give no observation.",
+                                         sample.solver, sample.incomplete_runs));
     }
     result.groups.push_back({.name = std::move(sample.solver), .values = std::move(sample.values)});
   }
