@@ -50,7 +50,7 @@ std::string methods(const Evidence& evidence) {
     text += fmt::format("; p-values of ranks are corrected by {}",
                         whose[static_cast<std::size_t>(evidence.plan.adjustment)]);
   }
-  return text + "; a difference matters from " + percent_words(evidence.plan.margin) +
+  return text + "; a difference matters from " + percent(evidence.plan.margin) +
          " on. The other methods stand beside it and decide nothing.";
 }
 
@@ -148,16 +148,15 @@ std::vector<std::string> limits(const Evidence& evidence) {
     beyond += evidence.blocks == 0 && !std::isfinite(contrast.runs_to_see_margin) ? 1 : 0;
   }
   if (open > 0) {
-    parts.push_back(
-        fmt::format("not told apart is not the same: {}",
-                    most > 0 ? fmt::format("to find a difference of {} with {} certainty in {}, a group "
-                                           "needs {}{:.0f} observations",
-                                           percent_words(evidence.plan.margin), percent_words(evidence.plan.power),
-                                           open == 1    ? "that pair"
-                                           : beyond > 0 ? fmt::format("{} of those pairs", open - beyond)
-                                                        : "each of those pairs",
-                                           open == 1 ? "" : "up to ", most)
-                             : "the data allow for a difference"));
+    parts.push_back(fmt::format("not told apart is not the same: {}",
+                                most > 0 ? fmt::format("to find a difference of {} with {} certainty in {}, a group "
+                                                       "needs {}{:.0f} observations",
+                                                       percent(evidence.plan.margin), percent(evidence.plan.power),
+                                                       open == 1    ? "that pair"
+                                                       : beyond > 0 ? fmt::format("{} of those pairs", open - beyond)
+                                                                    : "each of those pairs",
+                                                       open == 1 ? "" : "up to ", most)
+                                         : "the data allow for a difference"));
   }
   if (beyond > 0) {
     parts.push_back(

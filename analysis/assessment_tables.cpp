@@ -28,8 +28,6 @@ Cell unless_zero(int count) {
   return std::int64_t{count};
 }
 
-std::string percent(double share) { return rounded_number(100 * share, 3) + " %"; }
-
 Table groups_table(const Evidence& evidence) {
   const std::string level = percent(1 - evidence.plan.significance);
   Table table{.name = table_name(evidence, "groups"),

@@ -43,12 +43,12 @@ std::string better_words(const Evidence& evidence, const Contrast& contrast) {
                 ? fmt::format(", by {}", number_words(low))
                 : fmt::format(", by {} to {}", number_words(low), number_words(high));
   }
-  if (contrast.within_margin) text += fmt::format(", which is less than {}", percent_words(evidence.plan.margin));
+  if (contrast.within_margin) text += fmt::format(", which is less than {}", percent(evidence.plan.margin));
   if (std::isfinite(contrast.p)) text += ", " + p_words(contrast.p);
   if (std::isfinite(contrast.superiority.value)) {
     const double chance = first ? contrast.superiority.value : 1 - contrast.superiority.value;
-    text += fmt::format(", ahead in {} of {}", percent_words(chance),
-                        evidence.blocks > 0 ? "blocks" : "pairs of observations");
+    text +=
+        fmt::format(", ahead in {} of {}", percent(chance), evidence.blocks > 0 ? "blocks" : "pairs of observations");
   }
   return text;
 }
@@ -152,7 +152,7 @@ std::vector<std::string> who_differs(const Evidence& evidence) {
   std::vector<std::string> sentences;
   sentences.push_back(fmt::format("Who differs: {}.", who_differs_words(evidence, with_best, of_others)));
   if (!same.empty())
-    sentences.push_back(fmt::format("The same within {}: {}.", percent_words(evidence.plan.margin), listed(same)));
+    sentences.push_back(fmt::format("The same within {}: {}.", percent(evidence.plan.margin), listed(same)));
   if (!others_open.empty()) sentences.push_back(fmt::format("Not told apart: {}.", listed(others_open)));
   if (!undefined.empty()) sentences.push_back(fmt::format("Not defined: {}.", listed(undefined)));
   return sentences;
@@ -225,7 +225,7 @@ std::string in_short(const Evidence& evidence) {
   }
   if (!same.empty()) {
     parts.push_back(fmt::format("{} and {} are the same within {}", name_words(evidence, best), listed(same),
-                                percent_words(evidence.plan.margin)));
+                                percent(evidence.plan.margin)));
   }
   if (!open.empty())
     parts.push_back(fmt::format("{} is not told apart from {}", name_words(evidence, best), listed(open)));

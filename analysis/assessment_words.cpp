@@ -27,8 +27,6 @@ std::string p_words(double p) {
   return p > 0.9995 ? "p > 0.999" : fmt::format("p = {}", rounded_number(p, 3));
 }
 
-std::string percent_words(double share) { return rounded_number(100 * share, 3) + " %"; }
-
 // "a, b and c"; of many the first, and how many more.
 std::string listed(const std::vector<std::string>& items) {
   std::string text;

@@ -14,20 +14,6 @@
 namespace ikbench {
 namespace {
 
-using Place = std::pair<int, int>;  // run and point
-
-// What all solvers are given alike; where solves are chained, where one starts is the solver's own doing.
-enum class Blocks { none, runs, drawn_targets, path_targets };
-
-Blocks blocks_of(const StudyResults& study) {
-  const Definition definition(study.definition);
-  const std::string kind = definition.text("/path/kind");
-  const bool starts_anew = definition.text("/start") == "initial";
-  if (kind == "random") return starts_anew ? Blocks::drawn_targets : Blocks::runs;
-  if (kind.empty()) return Blocks::none;
-  return starts_anew || study.points == 1 ? Blocks::path_targets : Blocks::none;
-}
-
 // The solves of one solver by run and point.
 std::map<Place, const SolveRecord*> solves_of(const StudyResults& study, const std::string& solver) {
   std::map<Place, const SolveRecord*> solves;
@@ -59,11 +45,16 @@ bool were_given_the_same(const StudyResults& study, Blocks blocks) {
   });
 }
 
-// The solves that make each value, block by block.
-struct Block {
-  std::string name;
-  std::vector<Place> places;
-};
+}  // namespace
+
+Blocks blocks_of(const StudyResults& study) {
+  const Definition definition(study.definition);
+  const std::string kind = definition.text("/path/kind");
+  const bool starts_anew = definition.text("/start") == "initial";
+  if (kind == "random") return starts_anew ? Blocks::drawn_targets : Blocks::runs;
+  if (kind.empty()) return Blocks::none;
+  return starts_anew || study.points == 1 ? Blocks::path_targets : Blocks::none;
+}
 
 std::vector<Block> layout(const StudyResults& study, Blocks blocks) {
   const std::vector<int> runs = common_runs(study);
@@ -89,6 +80,8 @@ std::vector<Block> layout(const StudyResults& study, Blocks blocks) {
   }
   return result;
 }
+
+namespace {
 
 std::string replicate_of(const StudyResults& study, Unit unit) {
   if (unit == Unit::point) return "one point of a run";

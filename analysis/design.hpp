@@ -5,6 +5,8 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "analysis/observations.hpp"
 #include "analysis/study.hpp"
@@ -13,6 +15,23 @@ namespace ikbench {
 
 constexpr std::string_view points_flaw =
     "points of one run depend on each other; used as observations because --force was given";
+
+// What all solvers are given alike; where solves are chained, where one starts is the solver's own doing.
+enum class Blocks { none, runs, drawn_targets, path_targets };
+
+// As the study's definition has it: none where it does not say what its path is.
+Blocks blocks_of(const StudyResults& study);
+
+using Place = std::pair<int, int>;  // run and point, from 1
+
+// The solves that make one value.
+struct Block {
+  std::string name;  // "run 2, point 1"
+  std::vector<Place> places;
+};
+
+// Of the runs that all solvers of the study have complete; none for Blocks::none.
+std::vector<Block> layout(const StudyResults& study, Blocks blocks);
 
 // What the statistics are made of: of runs, blocked_observations() where there are some; else the values of samples(),
 // a group for every solver, of runs with a note that says why there are no blocks.

@@ -21,8 +21,6 @@ Zero zero_of(const DifferenceRow& row) {
   return row.low > 0 || row.high < 0 ? Zero::outside : Zero::inside;
 }
 
-std::string percent(double share) { return rounded_number(100 * share, 6) + " %"; }
-
 }  // namespace
 
 Figure differences_figure(const std::vector<DifferenceRow>& rows, const DifferencesWords& words) {
@@ -67,7 +65,8 @@ Figure differences_figure(const std::vector<DifferenceRow>& rows, const Differen
   figure.caption = fmt::format(
       "{}: simultaneous intervals of level {} ({}). Blue, with a filled dot: the interval excludes zero; grey, with a "
       "ring: it does not.",
-      capitalised(words.quantity.empty() ? "difference" : words.quantity), percent(words.level), words.method);
+      capitalised(words.quantity.empty() ? "difference" : words.quantity), rounded_number(100 * words.level, 6) + " %",
+      words.method);
   if (unknown) figure.caption += " Where an interval is not defined or unbounded, the picture says so in words.";
   if (n < rows.size()) figure.caption += fmt::format(" Shown are the first {} of {} rows.", n, rows.size());
   return figure;

@@ -196,4 +196,6 @@ std::string rounded_number(double value, int significant_digits) {
 
 std::string short_number(double value) { return std::isfinite(value) ? rounded_number(value, 3) : "not defined"; }
 
+std::string percent(double share) { return rounded_number(100 * share, 3) + " %"; }
+
 }  // namespace ikbench

@@ -23,5 +23,6 @@ std::string gnuplot_string(std::string_view text);
 
 std::string rounded_number(double value, int significant_digits);
 std::string short_number(double value);  // three digits, or "not defined"
+std::string percent(double share);       // "5 %", three digits
 
 }  // namespace ikbench

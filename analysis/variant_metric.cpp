@@ -4,25 +4,28 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <stdexcept>
+#include <utility>
 
 #include "analysis/statistics/mann_whitney.hpp"
-#include "analysis/statistics/p_adjust.hpp"
 #include "analysis/statistics/power.hpp"
 #include "analysis/statistics/proportion.hpp"
 #include "analysis/statistics/wilcoxon_signed_rank.hpp"
 #include "analysis/text.hpp"
+#include "results/analysis_plan_fields.hpp"
 
 namespace ikbench {
 namespace {
 
 void check(const MarginQuestion& question) {
-  if (!(question.margin >= 0 && question.margin < 1)) {
-    throw std::invalid_argument(fmt::format("margin {}: expected 0 to 1, without 1", question.margin));
-  }
-  if (!(question.significance > 0 && question.significance <= 0.2)) {
-    throw std::invalid_argument(fmt::format("significance {}: expected above 0, to 0.2", question.significance));
-  }
+  const auto refuse_beyond = [](std::string_view name, double value, std::pair<double, double> range) {
+    if (value >= range.first && value <= range.second) return;
+    throw std::invalid_argument(fmt::format("{} {}: expected {} to {}", name, value, range.first, range.second));
+  };
+  refuse_beyond("margin", question.margin, {margins_percent.first / 100, margins_percent.second / 100});
+  refuse_beyond("significance", question.significance, significances);
+  refuse_beyond("power", question.power, powers);
 }
 
 bool is_finite(double value) { return std::isfinite(value); }
@@ -61,21 +64,12 @@ void rank(MetricComparison& result, const MetricSamples& samples, double level) 
   } else {
     result.p_ranks = mann_whitney(a, b, level).p;
   }
+  if (result.a.std == 0 && result.b.std == 0) result.p_ranks = result.ratio.p_difference;  // ties have no exact p there
   result.ranks_favour = favour > 0 ? 1 : favour < 0 ? -1 : 0;
 }
 
-// 1 where the mean of b is the better, -1 where it is the worse.
-int means_favour(const MetricComparison& comparison, Better better) {
-  const double ahead = (comparison.a.mean - comparison.b.mean) * (better == Better::smaller ? 1 : -1);
-  return ahead > 0 ? 1 : ahead < 0 ? -1 : 0;
-}
-
-Better better_of(const MetricComparison& comparison) {
-  return std::ranges::find(compared_metrics, comparison.metric, &ComparedMetric::name)->better;
-}
-
-// The runs a side with which the distance of the ratio from the nearer end of the margin shows.
-double runs_to_decide(const MetricSamples& samples, double ratio, const MarginQuestion& question) {
+// The observations a side with which the distance of the ratio from the nearer end of the margin shows.
+double to_decide(const MetricSamples& samples, double ratio, const MarginQuestion& question) {
   if (!is_finite(ratio)) return not_defined;
   const double end = 1 + std::copysign(question.margin, ratio - 1);
   std::vector<double> scaled(samples.a.begin(), samples.a.end());
@@ -92,89 +86,138 @@ double runs_to_decide(const MetricSamples& samples, double ratio, const MarginQu
   return runs_to_see(first, second, distance, {.power = question.power, .alpha = 2 * alpha}).n;  // one-sided tests
 }
 
-// Runs that are not finite have no mean to compare: their number does.
-void compare_not_finite(MetricComparison& result, const MetricSamples& samples) {
-  const int a = not_finite(samples.a), b = not_finite(samples.b);
+// The chance, were there no difference, that samples lie apart as these do: of independent ones Mann and Whitney's
+// exact p, which is Fisher's of the table of sides; of pairs, that of n signs all being the same.
+double p_of_lying_apart(const MetricSamples& samples) {
   const int of_a = static_cast<int>(samples.a.size()), of_b = static_cast<int>(samples.b.size());
-  const std::string counts = fmt::format("not finite: {} of {} runs of A, {} of {} of B", a, of_a, b, of_b);
-  if (a == 0 || b == 0) return settle(result, a == 0 ? Outcome::worse : Outcome::better, counts);
-  const double p = fisher_exact({.successes = a, .trials = of_a}, {.successes = b, .trials = of_b}).p;
-  const double more_in_b = static_cast<double>(b) / of_b - static_cast<double>(a) / of_a;
-  result.p_worse = more_in_b > 0 ? p : 1;
-  result.p_better = more_in_b < 0 ? p : 1;
-  result.ratio.undefined = counts;
+  if (samples.paired) return std::ldexp(2.0, -of_a);
+  return fisher_exact({.successes = of_a, .trials = of_a}, {.successes = 0, .trials = of_b}).p;
 }
 
-void compare_constants(MetricComparison& result, Better better, double margin) {
+// A count that no run changes is what the solver does, and not a sample of it.
+void compare_counts(MetricComparison& result, double margin) {
   const std::string constant = "constant in both";
   const double beyond = std::abs(result.b.mean - result.a.mean) - margin * std::abs(result.a.mean);
   const double rounding = 4 * std::numeric_limits<double>::epsilon() * std::abs(result.a.mean);
-  const int favoured = means_favour(result, better);
-  if (favoured == 0) return settle(result, Outcome::same, constant + ", and equal");
+  if (result.mean_favours == 0) return settle(result, Outcome::same, constant + ", and equal");
   if (beyond <= rounding) return settle(result, Outcome::same, constant + ", and within the margin");
-  settle(result, favoured > 0 ? Outcome::better : Outcome::worse, constant);
+  settle(result, result.mean_favours > 0 ? Outcome::better : Outcome::worse, constant);
 }
 
-void compare_means(MetricComparison& result, const MetricSamples& samples, const MarginQuestion& question) {
+// That no run of either fails shows less than that measured values are equal: where the chance to fail is the margin,
+// n runs without a failure have the probability (1 - margin)^n, and A's, where it is A that fails, 1 / (1 + margin)^n.
+void limit_by_failures(MetricComparison& result, double margin) {
+  if (result.a.mean != 1 || result.b.mean != 1) return;
+  result.p_not_worse = std::pow(1 - margin, result.b.n);
+  result.ratio.p_equivalent = std::max(result.p_not_worse, std::pow(1 + margin, -result.a.n));
+}
+
+void compare_ratio(MetricComparison& result, const MetricSamples& samples, const MarginQuestion& question) {
   const RatioQuestion about{.margin = question.margin, .level = 1 - 2 * question.significance};
-  result.ratio =
-      samples.paired ? paired_mean_ratio(samples.a, samples.b, about) : mean_ratio(samples.a, samples.b, about);
-  const Better better = samples.metric.better;
-  if (result.a.std == 0 && result.b.std == 0) return compare_constants(result, better, question.margin);
-  if (result.ratio.undefined.empty()) {
-    const bool smaller = better == Better::smaller;
-    result.p_worse = smaller ? result.ratio.p_above : result.ratio.p_below;
-    result.p_better = smaller ? result.ratio.p_below : result.ratio.p_above;
-    result.p_not_worse = 1 - result.p_worse;
-    result.runs_to_decide = runs_to_decide(samples, result.ratio.ratio, question);
-  } else if (is_finite(result.ratio.p_difference)) {  // of a mean of 0 any difference is beyond the margin
-    const double for_it = result.ratio.p_difference / 2, against_it = 1 - for_it;
-    const int favoured = means_favour(result, better);
-    result.p_worse = favoured < 0 ? for_it : against_it;
-    result.p_better = favoured > 0 ? for_it : against_it;
+  RatioComparison& ratio = result.ratio;
+  ratio = samples.paired ? paired_mean_ratio(samples.a, samples.b, about) : mean_ratio(samples.a, samples.b, about);
+  const double least = p_of_lying_apart(samples);  // Student's p of no spread is 0, which no number of runs can show
+  const auto shown = [&](double p) { return p == 0 ? least : p; };
+  ratio.p_difference = shown(ratio.p_difference);
+  if (ratio.undefined.empty()) {
+    const bool smaller = samples.metric.better == Better::smaller;
+    ratio.p_equivalent = shown(ratio.p_equivalent);
+    result.p_worse = shown(smaller ? ratio.p_above : ratio.p_below);
+    result.p_better = shown(smaller ? ratio.p_below : ratio.p_above);
+    result.p_not_worse = shown(1 - result.p_worse);
+    result.n_to_decide = to_decide(samples, ratio.ratio, question);
+  } else if (is_finite(ratio.p_difference)) {  // of a mean of 0 any difference is beyond the margin
+    const bool is_exact = !ratio.exact.empty();
+    const double for_it = is_exact ? ratio.p_difference : ratio.p_difference / 2,
+                 against_it = is_exact ? 1 : 1 - for_it;
+    result.p_worse = result.mean_favours < 0 ? for_it : against_it;
+    result.p_better = result.mean_favours > 0 ? for_it : against_it;
   }
 }
 
-// What is known of a metric that no test has decided.
-std::string what_is_known(const MetricComparison& comparison, const MarginQuestion& question) {
-  if (!comparison.ratio.undefined.empty()) return comparison.ratio.undefined;
-  const double alpha = question.significance;
-  const std::string_view word = means_favour(comparison, better_of(comparison)) > 0 ? "better" : "worse";
-  std::string known = "not told apart";
-  if (comparison.p_worse < alpha || comparison.p_better < alpha) {
-    known = fmt::format("{} by its own p, not by Holm's", word);
-  } else if (comparison.ratio.p_difference < alpha) {
-    known = fmt::format("{}, but not shown to be by more than {}", word, percent(question.margin));
+// Of finite observations.
+void compare_means(MetricComparison& result, const MetricSamples& samples, const MarginQuestion& question) {
+  if (samples.a.size() < 2 || samples.b.size() < 2) {
+    result.ratio.undefined =
+        fmt::format("a single {} has no spread; more runs have one (--set runs=20)", samples.observation);
+    return;
   }
-  if (!is_finite(comparison.runs_to_decide)) return known;
-  return fmt::format("{}; about {:.0f} runs would decide", known, comparison.runs_to_decide);
+  const double ahead = (mean(samples.a) - mean(samples.b)) * (samples.metric.better == Better::smaller ? 1 : -1);
+  result.mean_favours = ahead > 0 ? 1 : ahead < 0 ? -1 : 0;
+  const bool is_constant = result.a.std == 0 && result.b.std == 0;
+  if (is_constant && samples.metric.kind == Kind::counted) return compare_counts(result, question.margin);
+  compare_ratio(result, samples, question);
+  if (is_constant && samples.metric.kind == Kind::share) limit_by_failures(result, question.margin);
 }
 
-// Where the ranks say other than the means; empty where they do not.
-std::string ranks_remark(const MetricComparison& comparison, double alpha) {
-  if (!is_finite(comparison.p_ranks) || !is_finite(comparison.ratio.p_difference)) return "";
-  const bool by_means = comparison.ratio.p_difference < alpha, by_ranks = comparison.p_ranks < alpha;
-  const std::string p = fmt::format("p {}", short_number(comparison.p_ranks));
-  const std::string_view favoured = comparison.ranks_favour > 0 ? "better" : "worse";
-  if (by_means && by_ranks && comparison.ranks_favour == -means_favour(comparison, better_of(comparison))) {
-    return fmt::format("the ranks contradict the mean: by them B is {} ({})", favoured, p);
+bool are_rounding(const MetricSamples& samples) {
+  const auto is_rounding = [&](double value) { return value >= 0 && value <= samples.metric.rounding; };
+  return samples.metric.rounding > 0 && std::ranges::all_of(samples.a, is_rounding) &&
+         std::ranges::all_of(samples.b, is_rounding);
+}
+
+struct FiniteValues {
+  std::vector<double> a, b;
+};
+
+FiniteValues finite_values(const MetricSamples& samples) {
+  FiniteValues finite;
+  if (samples.paired) {
+    for (std::size_t i = 0; i < samples.a.size(); ++i) {
+      if (!is_finite(samples.a[i]) || !is_finite(samples.b[i])) continue;
+      finite.a.push_back(samples.a[i]);
+      finite.b.push_back(samples.b[i]);
+    }
+  } else {
+    std::ranges::copy_if(samples.a, std::back_inserter(finite.a), is_finite);
+    std::ranges::copy_if(samples.b, std::back_inserter(finite.b), is_finite);
   }
-  if (by_ranks && comparison.outcome == Outcome::undecided && !by_means) {
-    return fmt::format("by ranks B is {} ({})", favoured, p);
+  return finite;
+}
+
+// Not finite is worse than any number, but one such run in eight is chance, and says nothing of the other seven: their
+// number and the means of the finite ones are both looked at.
+void compare_not_finite(MetricComparison& result, const MetricSamples& samples, const MarginQuestion& question) {
+  const FiniteValues finite = finite_values(samples);
+  MetricSamples others = samples;
+  others.a = finite.a;
+  others.b = finite.b;
+  if (finite.a.size() < 2 || finite.b.size() < 2) {
+    result.ratio.undefined = "too few are finite to compare these";
+  } else if (are_rounding(others)) {
+    result.ratio.undefined = "those that are finite are rounding";
+  } else {
+    compare_means(result, others, question);
   }
-  if (!by_ranks && (comparison.outcome == Outcome::worse || comparison.outcome == Outcome::better)) {
-    return fmt::format("not told apart by ranks ({})", p);
+  const Successes a{.successes = not_finite(samples.a), .trials = static_cast<int>(samples.a.size())};
+  const Successes b{.successes = not_finite(samples.b), .trials = static_cast<int>(samples.b.size())};
+  const double more_in_b = static_cast<double>(b.successes) / b.trials - static_cast<double>(a.successes) / a.trials;
+  const double p = fisher_exact(a, b).p;  // two-sided: twice the one-sided p where A and B are equally many
+  const auto either = [](double p_of_counts, double p_of_means) {  // Bonferroni's correction for looking at both
+    return std::isnan(p_of_means) ? p_of_counts : std::min({p_of_counts, 2 * p_of_means, 1.0});
+  };
+  const double counts_worse = more_in_b > 0 ? p : 1, counts_better = more_in_b < 0 ? p : 1;
+  const bool counts_against = more_in_b > 0, means_against = result.p_worse < 0.5;  // the mean is beyond the margin
+  const double p_better = either(counts_better, result.p_better);
+  result.remark = fmt::format("not finite: {} of {} {}s of A, {} of {} of B", a.successes, a.trials,
+                              samples.observation, b.successes, b.trials);
+  if (p_better < question.significance && (counts_against || means_against)) {
+    result.remark +=
+        counts_against ? "; the finite ones of B are better, but fewer" : "; more of B are finite, but these are worse";
   }
-  return "";
+  result.p_better = counts_against || means_against ? 1 : p_better;
+  result.p_worse = either(counts_worse, result.p_worse);
+  result.p_not_worse = result.ratio.p_equivalent = result.n_to_decide = not_defined;
 }
 
 }  // namespace
 
-std::string percent(double share) { return fmt::format("{:g} %", 100 * share); }
-
 MetricComparison compare_metric(const MetricSamples& samples, const MarginQuestion& question) {
   check(question);
-  MetricComparison result{.metric = samples.metric.name, .a = summarise(samples.a), .b = summarise(samples.b)};
+  MetricComparison result{.metric = samples.metric.name,
+                          .observation = samples.observation,
+                          .a = summarise(samples.a),
+                          .b = summarise(samples.b)};
   if (!samples.not_compared.empty()) {
     settle(result, Outcome::not_compared, samples.not_compared);
     return result;
@@ -183,56 +226,17 @@ MetricComparison compare_metric(const MetricSamples& samples, const MarginQuesti
     result.ratio.undefined = "there is no complete run to compare";
     return result;
   }
-  const auto is_rounding = [&](double value) { return value >= 0 && value <= samples.metric.rounding; };
   if (samples.same_bits) {
     settle(result, Outcome::same, "to the bit");
   } else if (not_finite(samples.a) + not_finite(samples.b) > 0) {
-    compare_not_finite(result, samples);
-  } else if (samples.metric.rounding > 0 && std::ranges::all_of(samples.a, is_rounding) &&
-             std::ranges::all_of(samples.b, is_rounding)) {
+    compare_not_finite(result, samples, question);
+  } else if (are_rounding(samples)) {
     settle(result, Outcome::same, fmt::format("both are rounding, below {}", short_number(samples.metric.rounding)));
-  } else if (samples.a.size() < 2 || samples.b.size() < 2) {
-    result.ratio.undefined = "a single run has no spread; more runs have one (--set runs=20)";
   } else {
     compare_means(result, samples, question);
   }
   rank(result, samples, 1 - 2 * question.significance);
   return result;
-}
-
-void decide(std::span<MetricComparison> comparisons, const MarginQuestion& question) {
-  check(question);
-  std::vector<double> worse, better;
-  for (const MetricComparison& comparison : comparisons) {
-    worse.push_back(comparison.p_worse);
-    better.push_back(comparison.p_better);
-  }
-  worse = adjusted(worse, Correction::holm);
-  better = adjusted(better, Correction::holm);
-  const double alpha = question.significance;
-  for (std::size_t i = 0; i < comparisons.size(); ++i) {
-    MetricComparison& comparison = comparisons[i];
-    if (comparison.is_fact) continue;
-    if (worse[i] < alpha) {
-      comparison.outcome = Outcome::worse;
-    } else if (better[i] < alpha) {
-      comparison.outcome = Outcome::better;
-    } else if (comparison.ratio.p_equivalent < alpha) {
-      comparison.outcome = Outcome::same;
-    } else if (comparison.p_not_worse < alpha) {
-      comparison.outcome = Outcome::not_worse;
-    }
-    if (comparison.outcome == Outcome::undecided || comparison.outcome == Outcome::not_worse) {
-      comparison.remark = what_is_known(comparison, question);
-    } else if (!comparison.ratio.undefined.empty()) {
-      comparison.remark = comparison.ratio.undefined;
-    }
-    if (const std::string ranks = ranks_remark(comparison, alpha); !ranks.empty()) {
-      comparison.remark += (comparison.remark.empty() ? "" : "; ") + ranks;
-    }
-    comparison.p_worse = worse[i];
-    comparison.p_better = better[i];
-  }
 }
 
 }  // namespace ikbench

@@ -17,23 +17,29 @@
 
 namespace ikbench {
 
+// counted: how often a solver does something, which is a fact where it is constant; share: of what can fail, so that
+// never having failed is no proof.
+enum class Kind { measured, counted, share };
+
 struct ComparedMetric {
   std::string_view name;     // a column of the record, or what is made of one
   std::string_view meaning;  // with its unit
+  Kind kind;
   Better better;
   double rounding;  // up to here a value is none to the verifier, which counts 1e-9 m and rad as rounding
   double (*value)(const SolveRecord& solve);
 };
 
 inline constexpr std::array<ComparedMetric, 5> compared_metrics{{
-    {"position_error_cm", "position error [cm]", Better::smaller, 1e-7,
+    {"position_error_cm", "position error [cm]", Kind::measured, Better::smaller, 1e-7,
      [](const SolveRecord& solve) { return solve.position_error_cm; }},
-    {"variation_deg", "angles variation [deg]", Better::smaller, 1e-9 * 57.29577951308232,
+    {"variation_deg", "angles variation [deg]", Kind::measured, Better::smaller, 1e-9 * 57.29577951308232,
      [](const SolveRecord& solve) { return solve.variation_deg; }},
-    {"evaluations", "candidates evaluated", Better::smaller, 0,
+    {"evaluations", "candidates evaluated", Kind::counted, Better::smaller, 0,
      [](const SolveRecord& solve) { return static_cast<double>(solve.evaluations); }},
-    {"seconds", "computing time [s]", Better::smaller, 0, [](const SolveRecord& solve) { return solve.seconds; }},
-    {"solved", "share of solves with status ok", Better::larger, 0,
+    {"seconds", "computing time [s]", Kind::measured, Better::smaller, 0,
+     [](const SolveRecord& solve) { return solve.seconds; }},
+    {"solved", "share of solves with status ok", Kind::share, Better::larger, 0,
      [](const SolveRecord& solve) { return solve.status == Status::ok ? 1.0 : 0.0; }},
 }};
 
@@ -44,50 +50,53 @@ constexpr std::array<std::string_view, 6> outcome_names{"better",    "same",  "n
                                                         "undecided", "worse", "not compared"};
 constexpr std::string_view name_of(Outcome outcome) { return outcome_names[static_cast<std::size_t>(outcome)]; }
 
+// Within the ranges of results/analysis_plan_fields.hpp.
 struct MarginQuestion {
-  double margin = 0.05;        // relative difference that matters; 0 <= margin < 1
-  double significance = 0.05;  // of each one-sided test; intervals have the level 1 - 2 significance. 0 < ... <= 0.2
-  double power = 0.8;          // of the numbers of runs that would decide
+  double margin = 0.05;        // relative difference that matters
+  double significance = 0.05;  // of each one-sided test; intervals have the level 1 - 2 significance
+  double power = 0.8;          // of the numbers of observations that would decide
 };
 
-// One observation a run, of each side.
 struct MetricSamples {
   const ComparedMetric& metric;
   std::span<const double> a;
   std::span<const double> b;
-  bool paired = false;            // a[i] and b[i] had the same targets, and those of i other than those of j
-  bool same_bits = false;         // every solve has the same value in both
-  int tests = 1;                  // metrics that are decided together
-  std::string not_compared = {};  // why the two cannot be compared; empty where they can
+  std::string_view observation = "run";  // what one value is of: "run" or "target"
+  bool paired = false;                   // a[i] and b[i] had the same targets, and those of i other than those of j
+  bool same_bits = false;                // every solve has the same value in both
+  int tests = 1;                         // metrics that are decided together
+  std::string not_compared = {};         // why the two cannot be compared; empty where they can
 };
 
 struct MetricComparison {
   std::string_view metric;
+  std::string_view observation = "run";
   Outcome outcome = Outcome::undecided;
   bool is_fact = false;  // there is no chance in it, and no p
   std::string remark;    // what the numbers beside it do not say; may be empty
   GroupSummary a;
   GroupSummary b;
-  RatioComparison ratio;             // b / a
+  RatioComparison ratio;             // b / a, of the finite observations; p = 0 of no spread is an exact test's p here
+  int mean_favours = 0;              // 1: the mean of b is the better, -1: the worse; of the finite observations
   double p_worse = not_defined;      // H0: not worse by more than the margin; as `decide` leaves it, corrected by Holm
   double p_better = not_defined;     // H0: not better by more than the margin; likewise
   double p_not_worse = not_defined;  // H0: worse by the margin or more
-  EffectSize b_better;               // Vargha and Delaney's A12: P(a run of b is better) + P(as good) / 2
+  EffectSize b_better;               // Vargha and Delaney's A12: P(one of b is better) + P(as good) / 2, of any two
   double p_ranks = not_defined;      // Wilcoxon's signed ranks where paired, else Mann-Whitney; two-sided
   int ranks_favour = 0;              // 1: the ranks are for b, -1: for a
-  double runs_to_decide = not_defined;  // a side, likely (`power`), if the ratio is what it seems
+  double n_to_decide = not_defined;  // observations a side, likely (`power`), if the ratio is what it seems
 };
 
-// Everything but the outcome, which is undecided here unless it is a fact. std::invalid_argument where the question is
-// out of range, or pairs are not equally many.
+// Everything but the outcome, which is undecided here unless it is a fact. A fact is what is the same to the bit, or
+// rounding, or a constant count. Where some answers are not finite, how many there are (Fisher's exact test) and the
+// means of the others are tested together: either may be worse, and better has neither against it.
+// std::invalid_argument where the question is out of range, or pairs are not equally many.
 MetricComparison compare_metric(const MetricSamples& samples, const MarginQuestion& question);
 
 // The outcomes of several metrics: worse and better where Holm's correction over all of them leaves p below the
 // significance; same where both one-sided tests of equivalence are below it (Schuirmann, J. Pharmacokinetics and
 // Biopharmaceutics 15 (1987) 657), which a claim of "all the same" need not correct (Berger, Technometrics 24 (1982)
-// 295).
+// 295). In analysis/variant_decision.cpp.
 void decide(std::span<MetricComparison> comparisons, const MarginQuestion& question);
-
-std::string percent(double share);  // "5 %"
 
 }  // namespace ikbench

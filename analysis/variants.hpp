@@ -26,22 +26,23 @@ std::vector<Variant> variants(const Store& store, const StudyEntry& study);
 struct VariantComparison {
   std::string label;
   bool paired = false;
-  std::string design;  // whether runs are compared in pairs, and why, in a sentence
+  std::string design;  // whether observations are compared in pairs, and why, in a sentence
   std::vector<MetricComparison> metrics;
   std::vector<std::string> notes;  // what is left out, and in what the two differ beside their numbers
 };
 
-// The metrics named, or all where none is. An observation is a run's mean over its points; runs with points missing
-// give none. Runs are paired by number where a run's targets are the same in both and others than those of the next
-// run; else they are independent samples. Times are compared only where both are clean and of one CPU.
-// std::invalid_argument where a metric is unknown, one side has no complete run, or the two were not given the same to
-// do: another robot, other targets, another configuration to start from.
+// The metrics named, or all where none is. Observations are paired where both were given the same problems, as those of
+// a report are (analysis/design.hpp): targets drawn in every run are paired run by run, and target by target where each
+// starts from the initial configuration; so are the targets of a path then, whose values are means over the runs. Runs
+// chained along a path are independent samples. Runs with points missing give nothing. Times are compared only where
+// both are clean and of one CPU. std::invalid_argument where a metric is unknown, one side has no complete run, or the
+// two were not given the same to do: another robot, other targets, another configuration to start from.
 VariantComparison compare_variants(const Variant& a, const Variant& b, std::span<const std::string> metrics,
                                    const MarginQuestion& question);
 
 int count(std::span<const VariantComparison> comparisons, Outcome outcome);
 
-// One row a label and metric, everything that is known of it. a12: P(a run of B is better than one of A).
+// One row a label and metric, everything that is known of it. a12: P(an observation of B is better than one of A).
 Table variants_table(std::span<const VariantComparison> comparisons, const MarginQuestion& question);
 // The designs and the notes, with their label; what holds for every label is said once, without.
 std::vector<std::string> variants_notes(std::span<const VariantComparison> comparisons);

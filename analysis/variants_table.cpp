@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <nlohmann/json.hpp>
 
+#include "analysis/text.hpp"
 #include "analysis/variants.hpp"
 
 namespace ikbench {
@@ -38,7 +39,7 @@ std::vector<Cell> row_of(const VariantComparison& comparison, const MetricCompar
           defined(metric.b_better.low),
           defined(metric.b_better.high),
           p_value(metric.p_ranks),
-          defined(metric.runs_to_decide),
+          defined(metric.n_to_decide),
           metric.remark.empty() ? Cell() : Cell(metric.remark)};
 }
 
@@ -86,8 +87,8 @@ Table variants_table(std::span<const VariantComparison> comparisons, const Margi
       .columns = {{"label", Align::left},
                   {"metric", Align::left},
                   {"B_is", Align::left},
-                  {"runs_A"},
-                  {"runs_B"},
+                  {"n_A"},
+                  {"n_B"},
                   {"mean_A"},
                   {"mean_B"},
                   {"B_by_A"},
@@ -101,13 +102,16 @@ Table variants_table(std::span<const VariantComparison> comparisons, const Margi
                   {"a12_low"},
                   {"a12_high"},
                   {"p_ranks"},
-                  {"runs_to_decide"},
+                  {"n_to_decide"},
                   {"remark", Align::left}},
       .notes = {fmt::format(
-          "low and high bound B_by_A, and a12 (the chance that a run of B is better than one of A), with a "
-          "confidence of {:g} %, which is that of two one-sided tests at {:g}. p_worse and p_better: that B is "
-          "worse, better by more than the margin, corrected by Holm over the metrics of the label; p_same: that "
-          "it is within it; p_ranks: Wilcoxon's test of signed ranks where runs are paired, else Mann-Whitney's.",
+          "low and high bound B_by_A with a confidence of {:g} %, which is that of two one-sided tests at {:g}. "
+          "p_worse "
+          "and p_better: that B is worse, better by more than the margin, corrected by Holm over the metrics of the "
+          "label; p_same: that it is within it; p_ranks: Wilcoxon's test of signed ranks where observations are "
+          "paired, "
+          "else Mann-Whitney's. a12, with an interval of the same confidence: the chance that any one observation of "
+          "B is better than any one of A, which makes no use of pairs.",
           100 * (1 - 2 * question.significance), question.significance)}};
   for (const VariantComparison& comparison : comparisons) {
     for (const MetricComparison& metric : comparison.metrics) table.rows.push_back(row_of(comparison, metric));

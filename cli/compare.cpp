@@ -12,12 +12,12 @@
 
 #include "analysis/analysis_plan.hpp"
 #include "analysis/files.hpp"
+#include "analysis/text.hpp"
 #include "analysis/variants.hpp"
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
 #include "cli/plan_options.hpp"
 #include "cli/reporting.hpp"
-#include "results/number.hpp"
 #include "robots/names.hpp"
 
 namespace ikbench::cli {
@@ -29,9 +29,9 @@ constexpr int regression = 3;  // exit code
 struct Arguments {
   std::string a, b, store, study, output;
   std::vector<std::string> labels, metrics;
-  double margin = AnalysisPlan{}.margin;
-  bool has_margin = false;  // else the study of A says it
-  std::optional<double> significance;
+  AnalysisPlan plan = {};             // where the options say it
+  std::optional<double> margin = {};  // given; else the study of A says it
+  std::optional<double> significance = {};
   bool strict = false;
 };
 
@@ -45,7 +45,7 @@ struct Compared {
 
 MarginQuestion question_of(const Arguments& arguments, const StudyEntry& study) {
   const AnalysisPlan plan = plan_of(study);
-  return {.margin = arguments.has_margin ? arguments.margin : plan.margin,
+  return {.margin = arguments.margin.value_or(plan.margin),
           .significance = arguments.significance.value_or(plan.significance),
           .power = plan.power};
 }
@@ -177,10 +177,10 @@ void write_output(const Compared& compared, const std::string& file) {
                                     : variants_json(compared.comparisons, compared.question));
 }
 
-int exit_code(const Compared& compared, bool strict) {
+int exit_code(const Compared& compared, const Arguments& arguments) {
   const auto is_there = [&](Outcome outcome) { return count(compared.comparisons, outcome) > 0; };
   if (is_there(Outcome::worse)) return regression;
-  return strict && (is_there(Outcome::undecided) || is_there(Outcome::not_compared)) ? regression : 0;
+  return arguments.strict && (is_there(Outcome::undecided) || is_there(Outcome::not_compared)) ? regression : 0;
 }
 
 void compare(const Arguments& arguments, Invocation& invocation) {
@@ -191,16 +191,10 @@ void compare(const Arguments& arguments, Invocation& invocation) {
              aligned(readable_cells(narrow(variants_table(compared.comparisons, compared.question)))));
   for (const std::string& note : compared.notes) fmt::print("{}\n", printable(note));
   for (const std::string& note : variants_notes(compared.comparisons)) fmt::print("{}\n", printable(note));
-  invocation.exit_code = exit_code(compared, arguments.strict);
+  invocation.exit_code = exit_code(compared, arguments);
   const bool too_little = invocation.exit_code != 0 && count(compared.comparisons, Outcome::worse) == 0;
   fmt::print("{}{}\n", printable(variants_verdict(compared.comparisons, compared.question)),
              too_little ? " With --strict that is not enough." : "");
-}
-
-double significance(const std::string& text) {
-  const auto value = number_from(text);
-  if (value && *value >= 0.0001 && *value <= 0.2) return *value;
-  throw CLI::ValidationError(fmt::format("--significance: {} is not a number from 0.0001 to 0.2", text.substr(0, 100)));
 }
 
 }  // namespace
@@ -221,10 +215,8 @@ void add_compare(CLI::App& app, Invocation& invocation) {
       ->add_option("--metric", arguments->metrics,
                    "position_error_cm, variation_deg, evaluations, seconds or solved; again for more; all if not given")
       ->allow_extra_args(false);
-  add_margin_option(*command, arguments->margin);
-  command->add_option_function<std::string>(
-      "--significance", [arguments](const std::string& text) { arguments->significance = significance(text); },
-      "of each test [0.05]");
+  const CLI::Option *margin = add_margin_option(*command, arguments->plan.margin),
+                    *significance = add_significance_option(*command, arguments->plan.significance);
   command->add_flag("--strict", arguments->strict, "exit code 3 too where a metric is undecided or not compared");
   command->add_option("-o,--output", arguments->output,
                       "also write the table with every column: a .md, .csv or .json file");
@@ -239,12 +231,14 @@ void add_compare(CLI::App& app, Invocation& invocation) {
       "    -o comparison.md\n\n"
       "B is worse, better or the same by tests of the ratio of means against the margin; what they leave open is "
       "undecided,\n"
-      "with the number of runs that would decide. --margin and --significance are those of A's study where not given.\n"
+      "with the number of runs or targets that would decide. --margin and --significance are those of A's study where "
+      "not given.\n"
       "Exit codes: 0 no regression is shown, 3 a regression beyond the margin, 1 a mistake in what was asked, 2 a "
       "fault of\n"
       "the program.");
-  command->callback([arguments, command, &invocation] {
-    arguments->has_margin = command->count("--margin") > 0;
+  command->callback([arguments, margin, significance, &invocation] {
+    if (margin->count() > 0) arguments->margin = arguments->plan.margin;
+    if (significance->count() > 0) arguments->significance = arguments->plan.significance;
     compare(*arguments, invocation);
   });
 }

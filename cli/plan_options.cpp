@@ -6,39 +6,47 @@
 #include <string>
 
 #include "cli/reporting.hpp"
+#include "results/analysis_plan_fields.hpp"
 #include "results/number.hpp"
 
 namespace ikbench::cli {
 namespace {
 
 // A number of the range, digits and point alone: CLI11 reads more than that as numbers.
-CLI::Validator number_in(double least, double most) {
+CLI::Validator number_in(std::pair<double, double> range) {
   return CLI::Validator(
-      [=](const std::string& text) {
+      [range](const std::string& text) {
         const auto value = number_from(text);
-        return value && *value >= least && *value <= most
+        return value && *value >= range.first && *value <= range.second
                    ? std::string()
-                   : fmt::format("{} is not a number from {} to {}", text.substr(0, 100), least, most);
+                   : fmt::format("{} is not a number from {} to {}", text.substr(0, 100), range.first, range.second);
       },
       "");
 }
 
 }  // namespace
 
-void add_margin_option(CLI::App& command, double& margin) {
-  command.add_option_function<std::string>(
+CLI::Option* add_margin_option(CLI::App& command, double& margin) {
+  return command.add_option_function<std::string>(
       "--margin",
       [&margin](const std::string& text) {
         const bool percent = text.ends_with('%');
         const auto value = number_from(percent ? text.substr(0, text.size() - 1) : text);
         const double share = value ? *value / (percent ? 100 : 1) : -1;
-        if (!(share >= 0 && share < 1) || (!percent && share == 0 && text != "0")) {
-          throw CLI::ValidationError(
-              fmt::format("--margin: {} is not a share below one, expected 5% or 0.05", text.substr(0, 100)));
+        const auto [least, most] = margins_percent;
+        if (!(share >= least / 100 && share <= most / 100) || (!percent && share == 0 && text != "0")) {
+          throw CLI::ValidationError(fmt::format("--margin: {} is not a share from {} % to {} %, expected 5% or 0.05",
+                                                 text.substr(0, 100), least, most));
         }
         margin = share;
       },
       fmt::format("relative difference that matters, as 5% or 0.05 [{:g}%]", 100 * margin));
+}
+
+CLI::Option* add_significance_option(CLI::App& command, double& significance) {
+  return command.add_option("--significance", significance, "of tests; the level of intervals is 1 less that")
+      ->check(number_in(significances))
+      ->capture_default_str();
 }
 
 void add_plan_options(CLI::App& command, AnalysisPlan& plan) {
@@ -60,12 +68,10 @@ void add_plan_options(CLI::App& command, AnalysisPlan& plan) {
              "which test decides (by_design: Friedman's with blocks, else Welch's)");
   enumerated("--adjustment", plan.adjustment, adjustment_names, "correction of rank tests for being several");
   command.add_option("--control", plan.control, "group that the others are held against; every pair if not given");
-  command.add_option("--significance", plan.significance, "of tests; the level of intervals is 1 less that")
-      ->check(number_in(0.0001, 0.5))
-      ->capture_default_str();
+  add_significance_option(command, plan.significance);
   add_margin_option(command, plan.margin);
   command.add_option("--power", plan.power, "with which a difference of the margin should be found")
-      ->check(number_in(0.5, 0.999))
+      ->check(number_in(powers))
       ->capture_default_str();
   command.add_option("--quartiles", plan.quartiles, "Hyndman-Fan type; 7 is that of R and NumPy, 5 MATLAB's")
       ->check(whole_number())

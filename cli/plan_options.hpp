@@ -10,7 +10,8 @@ namespace ikbench::cli {
 // --test, --adjustment, --control, --significance, --margin, --power, --quartiles; defaults are what the plan holds.
 void add_plan_options(CLI::App& command, AnalysisPlan& plan);
 
-// --margin alone: "5%" or "0.05".
-void add_margin_option(CLI::App& command, double& margin);
+// Each alone; --margin as "5%" or "0.05".
+CLI::Option* add_margin_option(CLI::App& command, double& margin);
+CLI::Option* add_significance_option(CLI::App& command, double& significance);
 
 }  // namespace ikbench::cli

@@ -1,5 +1,6 @@
 // The fields of an analysis plan, said once: name, field, range and meaning. Study files and the store's JSON are
-// written and read by this list (experiments/), and read back by it where the store is judged (analysis/).
+// written and read by this list (experiments/), and read back by it where the store is judged (analysis/); the command
+// line takes the ranges from it (cli/plan_options.cpp).
 #pragma once
 
 #include <array>
@@ -21,6 +22,11 @@ std::vector<std::pair<std::string, Enum>> choices_of(const std::array<std::strin
   return choices;
 }
 
+// Of study files, the command line and what a comparison is asked (analysis/variant_metric.hpp) alike.
+constexpr std::pair<double, double> significances{0.0001, 0.2}, margins_percent{0, 99}, powers{0.5, 0.999};
+static_assert(2 * significances.second < powers.first,
+              "one-sided tests double the significance; it is below any power");
+
 template <class Io>
 void list_fields(Io& io, AnalysisPlan& plan) {
   constexpr double percent = 0.01;
@@ -29,11 +35,11 @@ void list_fields(Io& io, AnalysisPlan& plan) {
   io.choice("adjustment", plan.adjustment, choices_of<Adjustment>(adjustment_names),
             "how p-values of several contrasts are corrected for being several");
   io.text("control", plan.control, "label that the others are held against; \"\": every pair is compared");
-  io.number("significance", plan.significance, 1, {0.0001, 0.5},
+  io.number("significance", plan.significance, 1, significances,
             "of a test; intervals have the level 1 - significance");
-  io.number("margin_percent", plan.margin, percent, {0, 1000},
+  io.number("margin_percent", plan.margin, percent, margins_percent,
             "relative difference that matters; below it two solvers count as the same");
-  io.number("power", plan.power, 1, {0.5, 0.999}, "with which a difference of that size should be found");
+  io.number("power", plan.power, 1, powers, "with which a difference of that size should be found");
   io.whole("quartiles", plan.quartiles, {1, 9}, "Hyndman-Fan type; 5 is MATLAB's");
   io.choice("unit", plan.unit, choices_of<Unit>(unit_names),
             "what one observation is: a run's mean over its points, or a point, which needs --force");
