@@ -24,36 +24,50 @@ class JsonReader {
 
   void text(const char* key, std::string& field, std::string_view) {
     constexpr std::size_t longest = 200;  // bytes, as in study files
-    const Json* const value = find(key);
-    if (value == nullptr || !value->is_string()) return;
-    const std::string text = value->get<std::string>();
-    if (text.size() <= longest) field = text;
+    const auto read = [&](const Json& value) {
+      if (!value.is_string() || value.get<std::string>().size() > longest) return false;
+      field = value.get<std::string>();
+      return true;
+    };
+    take(key, read);
   }
   template <class Enum>
   void choice(const char* key, Enum& field, const std::vector<std::pair<std::string, Enum>>& choices,
               std::string_view) {
-    const Json* const value = find(key);
-    for (const auto& [name, meant] : choices) {
-      if (value != nullptr && *value == name) field = meant;
-    }
+    take(key, [&](const Json& value) {
+      const auto found = std::ranges::find_if(choices, [&](const auto& choice) { return value == choice.first; });
+      if (found != choices.end()) field = found->second;
+      return found != choices.end();
+    });
   }
   void whole(const char* key, int& field, std::pair<int, int> range, std::string_view) {
-    const Json* const value = find(key);
-    if (value == nullptr || !value->is_number_integer()) return;
-    const auto number = value->get<double>();  // also where it is beyond every integer
-    if (number >= range.first && number <= range.second) field = static_cast<int>(number);
+    take(key, [&](const Json& value) {
+      if (!value.is_number_integer() || !is_within(value, range)) return false;
+      field = value.get<int>();
+      return true;
+    });
   }
   void number(const char* key, double& field, double unit, std::pair<double, double> range, std::string_view) {
-    const Json* const value = find(key);
-    if (value == nullptr || !value->is_number()) return;
-    const auto number = value->get<double>();
-    if (number >= range.first && number <= range.second) field = number * unit;
+    take(key, [&](const Json& value) {
+      if (!value.is_number() || !is_within(value, range)) return false;
+      field = value.get<double>() * unit;
+      return true;
+    });
   }
 
+  std::vector<std::string> unreadable;  // fields that are there and are no such value: the default stands
+
  private:
-  const Json* find(const char* key) const {
+  // As a double: also what is beyond every integer.
+  template <class Number>
+  static bool is_within(const Json& value, std::pair<Number, Number> range) {
+    const auto number = value.get<double>();
+    return number >= range.first && number <= range.second;
+  }
+  template <class Read>
+  void take(const char* key, Read read) {
     const auto found = object_.find(key);
-    return found == object_.end() ? nullptr : &*found;
+    if (found != object_.end() && !read(*found)) unreadable.emplace_back(key);
   }
 
   const Json& object_;
@@ -105,6 +119,21 @@ std::optional<AnalysisPlan> plan_in(const Json& json) {
 Json plan_json(const StudyEntry& entry) {
   const Json definition = Json::parse(entry.definition, nullptr, false);
   return definition.is_object() && definition.contains("analysis") ? definition["analysis"] : Json();
+}
+
+// Of a store that somebody edited: what of its plan is no plan.
+std::string unreadable_note(const StudyEntry& entry) {
+  const Json json = plan_json(entry);
+  if (!json.is_object()) return "";
+  AnalysisPlan plan;
+  JsonReader reader(json);
+  list_fields(reader, plan);
+  if (!plan.control.empty() && std::ranges::find(entry.series, plan.control, &Series::label) == entry.series.end()) {
+    reader.unreadable.emplace_back("control");
+  }
+  if (reader.unreadable.empty()) return "";
+  return fmt::format("The study's analysis plan has values that are none ({}); the program's default stands for them.",
+                     fmt::join(reader.unreadable, ", "));
 }
 
 // Solves by the plan that their session recorded.
@@ -164,6 +193,7 @@ std::vector<std::string> plan_changes(const StudyEntry& entry, const std::vector
     sentences.push_back(fmt::format("The analysis plan was changed after {} of {} solves were made: {}.", count,
                                     solves.size(), changes));
   }
+  if (std::string note = unreadable_note(entry); !note.empty()) sentences.push_back(std::move(note));
   return sentences;
 }
 
@@ -181,7 +211,7 @@ std::vector<std::string> plan_notes(const StudyEntry& entry, const std::vector<S
   for (const Value& value : values_of(plan_of(entry))) values.push_back(value.field + ' ' + value.text);
   return {fmt::format("The methods {} ({}).",
                       solves.empty() ? "are fixed in the study, of which nothing is solved yet"
-                                     : "were fixed in the study before its first solve",
+                                     : "were fixed in the study before its first solve in this store",
                       fmt::join(values, ", "))};
 }
 

@@ -116,8 +116,7 @@ std::vector<Assessment> assessments_of(const StudyResults& study, const Analysis
   if (study.solves.empty()) return {};
   std::vector<Assessment> result;
   for (const Metric metric : all_metrics) {
-    std::optional<Observations> blocked = plan.unit == Unit::run ? blocked_observations(study, metric) : std::nullopt;
-    const Observations observed = blocked ? std::move(*blocked) : observations(study, metric, plan.unit);
+    const Observations observed = observations(study, metric, plan.unit);
     AnalysisPlan possible = plan;  // a foreign store may plan what its data do not have
     if (!can_be_made(plan, observed)) possible.test = DecidingTest::by_design;
     result.push_back(assess(observed, possible));

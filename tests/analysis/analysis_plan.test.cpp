@@ -79,9 +79,11 @@ TEST_CASE("what is nonsense in a plan spoils nothing of the rest", "[analysis_pl
 TEST_CASE("a plan that was there before the first solve is said to be so", "[analysis_plan]") {
   const std::string plan = R"({"significance": 0.01})";
   const auto notes = plan_notes(entry_with(plan), sessions_with({plan, plan}), solves_by_session({3, 2}));
-  CHECK(notes == std::vector<std::string>{
-                     "The methods were fixed in the study before its first solve (test by_design, adjustment holm, "
-                     "control none, significance 0.01, margin_percent 5, power 0.8, quartiles 5, unit run)."});
+  CHECK(
+      notes ==
+      std::vector<std::string>{
+          "The methods were fixed in the study before its first solve in this store (test by_design, adjustment holm, "
+          "control none, significance 0.01, margin_percent 5, power 0.8, quartiles 5, unit run)."});
   CHECK(plan_changes(entry_with(plan), sessions_with({plan, plan}), solves_by_session({3, 2})).empty());
   CHECK(plan_notes(entry_with(plan), {}, {}).at(0).starts_with("The methods are fixed in the study, of which nothing"));
 }
