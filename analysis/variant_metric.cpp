@@ -202,8 +202,8 @@ void compare_not_finite(MetricComparison& result, const MetricSamples& samples, 
   result.remark = fmt::format("not finite: {} of {} {}s of A, {} of {} of B", a.successes, a.trials,
                               samples.observation, b.successes, b.trials);
   if (p_better < question.significance && (counts_against || means_against)) {
-    result.remark +=
-        counts_against ? "; the finite ones of B are better, but fewer" : "; more of B are finite, but these are worse";
+    result.ratio.undefined =
+        counts_against ? "the finite ones of B are better, but fewer" : "more of B are finite, but these are worse";
   }
   result.p_better = counts_against || means_against ? 1 : p_better;
   result.p_worse = either(counts_worse, result.p_worse);

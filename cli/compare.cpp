@@ -217,6 +217,8 @@ void add_compare(CLI::App& app, Invocation& invocation) {
       ->allow_extra_args(false);
   const CLI::Option *margin = add_margin_option(*command, arguments->plan.margin),
                     *significance = add_significance_option(*command, arguments->plan.significance);
+  command->get_option("--significance")
+      ->description("of each one-sided test; the level of intervals is 1 less twice that");
   command->add_flag("--strict", arguments->strict, "exit code 3 too where a metric is undecided or not compared");
   command->add_option("-o,--output", arguments->output,
                       "also write the table with every column: a .md, .csv or .json file");

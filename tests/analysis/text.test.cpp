@@ -53,3 +53,9 @@ TEST_CASE("rounded numbers have the digits asked for", "[text]") {
   CHECK(rounded_number(388.9396, 5) == "388.94");
   CHECK(rounded_number(1.7824e-4, 4) == "0.0001782");
 }
+
+TEST_CASE("shares are said in percent with three digits", "[text]") {
+  CHECK(percent(0.05) == "5 %");
+  CHECK(percent(0.12345) == "12.3 %");
+  CHECK(percent(1) == "100 %");
+}

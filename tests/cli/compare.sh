@@ -59,7 +59,19 @@ for folder in drawn drawn_again; do
   succeeds run slim2023-time --set runs=6 --set path.points=2 --set stop.iterations=10 --no-report --out $folder
 done
 succeeds compare drawn/store.sqlite drawn_again/store.sqlite --metric evaluations
-has "$out" "6 pairs of runs"
+has "$out" "12 pairs of targets, one observation is a target's only solve"
+for folder in chained chained_again; do
+  succeeds run slim2023-time --set runs=6 --set path.points=2 --set start=previous --set stop.iterations=10 --no-report --out $folder
+done
+succeeds compare chained/store.sqlite chained_again/store.sqlite --metric evaluations
+has "$out" "6 pairs of runs, one observation is a run's mean over its 2 points"
+refused 'they were given another configuration to start from' compare drawn/store.sqlite chained/store.sqlite
+
+# A path whose targets are each solved from the initial configuration: target by target.
+study each --set start=initial
+study each_fewer --set start=initial --set stop.iterations=5
+is_worse each/store.sqlite each_fewer/store.sqlite --label K-ABC --metric position_error_cm --significance 0.2
+has "$out" "3 pairs of targets, one observation is a target's mean over the 8 runs of each"
 succeeds run slim2023-time --set runs=6 --set path.points=2 --set stop.iterations=10 --set seed=2 --no-report --out elsewhere
 refused 'they were given other targets (run 1 and 1, point 1: ' compare drawn/store.sqlite elsewhere/store.sqlite
 study longer --set path.points=4
@@ -75,7 +87,7 @@ for type in md csv json; do
   [ -s new/comparison.$type ] || fail "no comparison.$type"
 done
 has "$(<new/comparison.md)" '| MO-PSO | evaluations | better |'
-has "$(head -1 new/comparison.csv)" 'label,metric,B_is,runs_A,runs_B,mean_A,mean_B,B_by_A,low,high,p_worse'
+has "$(head -1 new/comparison.csv)" 'label,metric,B_is,n_A,n_B,mean_A,mean_B,B_by_A,low,high,p_worse'
 [ "$(wc -l <new/comparison.csv)" = 3 ] || fail "comparison.csv has $(wc -l <new/comparison.csv) lines"
 if command -v python3 >/dev/null; then
   python3 -c '
@@ -92,6 +104,19 @@ is_worse $base $fewer --label K-ABC --metric position_error_cm -o new/regression
 study wide --set analysis.margin_percent=30
 succeeds compare wide/store.sqlite $base --label BA --metric evaluations
 has "$out" "margin 30 %"
+
+# What a study's [analysis] allows, all that reads it can work with.
+for edge in "analysis.margin_percent=99 analysis.significance=0.2 analysis.power=0.5" \
+  "analysis.margin_percent=0 analysis.significance=0.0001 analysis.power=0.999"; do
+  read -r margin significance power <<<"$edge"
+  study edge --set "$margin" --set "$significance" --set "$power"
+  succeeds compare edge/store.sqlite $fewer --label K-ABC --metric variation_deg
+  has "$out" "each test at ${significance#*=}"
+  "$program" export edge/store.sqlite >edge.csv
+  succeeds stats edge.csv --value position_error_cm --group solver --run run --no-figures --margin "${margin#*=}%" \
+    --significance "${significance#*=}" --power "${power#*=}" --out edge_stats
+  rm -r edge
+done
 
 # Names are text.
 printf 'name = "a <i>b</i>"\nruns = 2\npopulation = 6\n[stop]\niterations = 5\n[path]\npoints = 2\n[[solvers]]\nsolver = "bat"\nlabel = "x | <b> 関節"\n' >hostile.toml
@@ -110,7 +135,7 @@ refused '--label is for two stores' compare BA DE --store $base --label PSO
 refused 'no label in common (A: IK-BA, BA' compare $base drawn/store.sqlite
 refused 'unknown metric "speed" (there are: position_error_cm, variation_deg, evaluations, seconds, solved)' \
   compare $base $again --metric speed
-refused '--margin: 5 is not a share below one, expected 5% or 0.05' compare $base $again --margin 5
+refused '--margin: 5 is not a share from 0 % to 99 %, expected 5% or 0.05' compare $base $again --margin 5
 refused '--margin: -1% is not a share' compare $base $again --margin=-1%
 refused '--margin: nan is not a share' compare $base $again --margin nan
 refused '--significance: 0.5 is not a number from 0.0001 to 0.2' compare $base $again --significance 0.5

@@ -56,7 +56,7 @@ refused '--set bounds: bounds is "initial", but limits is "enforced"' run slim20
 refused '--set IK-BA.bounds: bounds is "initial", but limits is "enforced"' run slim2023-limits --set IK-BA.bounds=initial
 refused 'dobot_magician has no spherical wrist' run slim2023-dobot --set search=wrist
 
-refused '--set analysis.significance: analysis.significance is 0.75; expected a number from 0.0001 to 0.5' \
+refused '--set analysis.significance: analysis.significance is 0.75; expected a number from 0.0001 to 0.2' \
   run slim2023 --set analysis.significance=0.75
 refused 'the label of a solver of the study: "IK-BA", "BA"' run slim2023 --set analysis.control=IKBA
 refused 'analysis.test is "friedman"; expected another test' run slim2023 --set analysis.test=friedman

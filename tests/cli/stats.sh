@@ -193,11 +193,11 @@ refused "needs the values themselves" stats --summaries summaries.csv --test kru
 refused '--test: welsh is not one of by_design, anova, welch, kruskal_wallis, friedman' stats pandas.csv --value error --test welsh
 refused '--test: 2 is not one of' stats pandas.csv --value error --test 2
 refused '--adjustment: holms is not one of holm,' stats pandas.csv --value error --adjustment holms
-for margin in 5 -1% nan% 150% inf% % 5%% 0x1p-3 1e-400%; do
-  refused "--margin: $margin is not a share below one, expected 5% or 0.05" stats pandas.csv --value error --margin=$margin
+for margin in 5 1 99.5% -1% nan% 150% inf% % 5%% 0x1p-3 1e-400%; do
+  refused "--margin: $margin is not a share from 0 % to 99 %, expected 5% or 0.05" stats pandas.csv --value error --margin=$margin
 done
-for significance in 0 nan 2 -1 0.05x; do
-  refused "--significance: $significance is not a number from 0.0001 to 0.5" \
+for significance in 0 nan 0.3 2 -1 0.05x; do
+  refused "--significance: $significance is not a number from 0.0001 to 0.2" \
     stats pandas.csv --value error --significance=$significance
 done
 refused '--power: 1 is not a number from 0.5 to 0.999' stats pandas.csv --value error --power 1

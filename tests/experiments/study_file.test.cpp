@@ -315,7 +315,7 @@ TEST_CASE("the table of the analysis is read, and --set changes it as it does ot
   CHECK(plan.significance == 0.01);
   CHECK(plan.control == "A");
   CHECK(said_of(entrant, {"analysis.significance=7"}) ==
-        "--set analysis.significance: analysis.significance is 7; expected a number from 0.0001 to 0.5");
+        "--set analysis.significance: analysis.significance is 7; expected a number from 0.0001 to 0.2");
 }
 
 TEST_CASE("targets are blocks where all solvers were given the same ones more than once", "[study][analysis]") {
@@ -395,9 +395,9 @@ TEST_CASE("what an analysis cannot be is told with its place and what it can be"
          {table + "adjustment = 1\n" + entrant,
           "my.toml:2:14: ",
           {"analysis.adjustment is 1", "\"holm\", \"hochberg\", \"bonferroni\", \"benjamini_hochberg\""}},
-         {table + "significance = 0\n" + entrant, "my.toml:2:16: ", {"significance is 0", "from 0.0001 to 0.5"}},
+         {table + "significance = 0\n" + entrant, "my.toml:2:16: ", {"significance is 0", "from 0.0001 to 0.2"}},
          {table + "significance = nan\n" + entrant, "my.toml:2:16: ", {"significance is nan"}},
-         {table + "margin_percent = -1\n" + entrant, "my.toml:2:18: ", {"margin_percent is -1", "from 0 to 1000"}},
+         {table + "margin_percent = -1\n" + entrant, "my.toml:2:18: ", {"margin_percent is -1", "from 0 to 99"}},
          {table + "power = 1\n" + entrant, "my.toml:2:9: ", {"power is 1", "from 0.5 to 0.999"}},
          {table + "quartiles = 10\n" + entrant, "my.toml:2:13: ", {"quartiles is 10", "from 1 to 9"}},
          {table + "control = \"IK\"\n" + entrant + entrant + "label = \"B\"\n",
