@@ -1,0 +1,52 @@
+#!/usr/bin/env bash
+# What docs/statistics.md quotes is what the program prints, word for word.
+source "$(dirname "$0")/common.sh"
+root=$(realpath "$scripts/../..")
+docs=$root/docs/statistics.md
+ln -s "$root/results" results # the commands are said from the root of the project
+
+# section TITLE: its lines, with those of the sections in it.
+section() {
+  awk -v title="$1" '
+    /^```/ { fenced = !fenced }
+    !fenced && /^#+ / {
+      level = index($0, " ") - 1
+      if (inside && level <= depth) inside = 0
+      if (substr($0, level + 2) == title) { inside = 1; depth = level }
+    }
+    inside' "$docs"
+}
+
+# quotations: of the lines given, each quotation as one line; at "[...]" it is two.
+quotations() {
+  awk '
+    function flush() { if (text != "") print text; text = "" }
+    /^> / { text = text (text == "" ? "" : " ") substr($0, 3); next }
+    { flush() }
+    END { flush() }' | sed 's/ *\[\.\.\.] */\n/g' | sed '/^$/d'
+}
+
+quoted=0 # lines
+# prints TITLE COMMAND: what the section quotes, by the command that it says.
+prints() {
+  local title=$1 command=$2 count=0 quotation arguments
+  section "$title" >section.md
+  grep -qxF "$command" section.md || fail "the section '$title' does not say the command: $command"
+  eval "arguments=(${command#ikbench })"
+  succeeds "${arguments[@]}" --no-figures --out out
+  while IFS= read -r quotation; do
+    grep -qF -e "$quotation" .out || fail "$command does not print what '$title' quotes: $quotation"
+    count=$((count + 1))
+  done < <(quotations <section.md)
+  [ $count -gt 0 ] || fail "the section '$title' quotes nothing"
+  quoted=$((quoted + $(grep -c '^> ' section.md)))
+}
+
+prints "How to read a section, line by line" "ikbench stats --summaries results/published/slim2023/table-3.csv"
+
+section "With blocks" | sed -n '/^data set,/,/^```/p' | sed '$d' >demsar.csv
+[ "$(wc -l <demsar.csv)" = 15 ] || fail "Demsar's table has $(wc -l <demsar.csv) lines, expected a header and 14 data sets"
+prints "With blocks" 'ikbench stats demsar.csv --wide --block "data set" --larger-is-better --quantity AUC'
+
+all=$(grep -c '^> ' "$docs")
+[ "$quoted" = "$all" ] || fail "$((all - quoted)) quoted lines are in sections of which this script knows no command"
