@@ -28,13 +28,10 @@ void add_differences(const Evidence& evidence, std::vector<Figure>& figures) {
          .high = contrast.difference.high});
   }
   if (rows.empty() || rows.size() > most_rows) return;
-  figures.push_back(differences_figure(
-      rows, {.name = figure_name(evidence, "differences"),
-             .quantity = "difference: " + evidence.quantity,
-             .level = 1 - evidence.plan.significance,
-             .method = evidence.blocks > 0                         ? "paired t, corrected by Bonferroni"
-                       : evidence.plan.test == DecidingTest::anova ? "Tukey, one variance for all groups"
-                                                                   : "Games-Howell, each group's own variance"}));
+  figures.push_back(differences_figure(rows, {.name = figure_name(evidence, "differences"),
+                                              .quantity = "difference: " + evidence.quantity,
+                                              .level = 1 - evidence.plan.significance,
+                                              .method = std::string(interval_words(evidence))}));
 }
 
 void add_ranks(const Evidence& evidence, std::vector<Figure>& figures) {

@@ -41,7 +41,7 @@ Json group_json(const GroupEvidence& group) {
 }
 
 Json test_json(const TestResult& test) {
-  constexpr std::array<std::string_view, 3> roles{"assumption", "paper", "sound"};
+  constexpr std::array<std::string_view, 3> roles{"assumption", "classical", "sound"};
   Json object{{"test", test.test},
               {"role", roles[static_cast<std::size_t>(test.role)]},
               {"without", test.without},

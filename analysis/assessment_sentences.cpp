@@ -186,7 +186,10 @@ std::vector<std::string> sentences_of(const Evidence& evidence) {
   }
   if (evidence.constant) {
     for (std::string& sentence : who_differs(evidence)) sentences.push_back(std::move(sentence));
-    sentences.push_back("Every group has one value alone: this is a fact of these data, and no test is needed.");
+    sentences.push_back(
+        "Every group has one value alone. p is of Fisher's exact test: could chance have dealt the values so? Of what "
+        "always "
+        "does the same, as a budget of evaluations, a difference is a fact.");
     return sentences;
   }
   sentences.push_back(methods(evidence));

@@ -57,7 +57,7 @@ std::string better_words(const Evidence& evidence, const Contrast& contrast) {
 std::size_t best_group(const Evidence& evidence) {
   std::size_t best = 0;
   const auto worth = [&](const GroupEvidence& group) {
-    if (evidence.plan.test == DecidingTest::friedman) return group.average_rank;
+    if (evidence.plan.test == DecidingTest::friedman && !evidence.constant) return group.average_rank;
     return evidence.better == Better::smaller ? group.described.mean : -group.described.mean;
   };
   for (std::size_t i = 1; i < evidence.groups.size(); ++i) {

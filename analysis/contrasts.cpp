@@ -172,6 +172,7 @@ void judge_constants(const Evidence& evidence, Contrast& contrast) {
   contrast.relation = contrast.p >= evidence.plan.significance ? Relation::not_told_apart
                       : first_ahead                            ? Relation::first_better
                                                                : Relation::second_better;
+  if (contrast.relation == Relation::not_told_apart) contrast.difference.low = contrast.difference.high = not_defined;
 }
 
 // Which of two that differ is ahead is the deciding test's word: by ranks the chance of being better, else the mean.

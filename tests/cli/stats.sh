@@ -120,7 +120,7 @@ has "$pooled" "IK-BA and DE (p = 0.0695 against p = 0.000297)"
 has "$pooled" "IK-BA and K-ABC (p = 0.5 against p = 1.89e-10)"
 has "$error" "IK-BA is better than DE"
 has "$error" "IK-BA is better than K-ABC"
-has "$error" "Games-Howell is the one to believe"
+has "$error" "Games-Howell is the one of the two to believe"
 has "$variation" "Not told apart: IK-BA and MO-PSO (p = 0.997;"
 has_no "$variation" "IK-BA is better than MO-PSO"
 has "$seconds" "PSO is better than IK-BA: 0.207 against 0.244"
@@ -304,8 +304,8 @@ degenerate "of 1 group (A) with 1 observation each" A 1
 degenerate "equal variances could not be tested" A 1 B 2 C 3
 degenerate "Not defined: A and B (A has a single value, so it has no spread)" A 1 B 2
 degenerate "Welch's ANOVA (without B, whose spread is none or not defined): F(1, 4) = 1.5" A "1 2 3" B 7 C "2 3 4" # t^2 = 1 / (2 / 3)
-degenerate "Every group has one value alone" A "1 1 1" B "2 2 2"
-has "$out" "A is better than B: 1 against 2, by 1, ahead in 100 %"
+degenerate "Every group has one value alone" A "1 1 1 1 1" B "2 2 2 2 2"
+has "$out" "A is better than B: 1 against 2, by 1, p = 0.00794, ahead in 100 %" # 2 of 252 arrangements
 degenerate "The same within 5 %: A and B" A "1 1 1" B "1 1 1"
 degenerate "1 of the 3 pairs differs. No pair with A is among them: B is better than C: 2 against 4, by 2" A "1 2 3" B "2 2 2" C "4 4 4"
 has "$out" "dominated by A, while B has none"
