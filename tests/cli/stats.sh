@@ -307,14 +307,14 @@ degenerate "Welch's ANOVA (without B, whose spread is none or not defined): F(1,
 degenerate "Every group has one value alone" A "1 1 1 1 1" B "2 2 2 2 2"
 has "$out" "A is better than B: 1 against 2, by 1, p = 0.00794, ahead in 100 %" # 2 of 252 arrangements
 degenerate "The same within 5 %: A and B" A "1 1 1" B "1 1 1"
-degenerate "1 of the 3 pairs differs. No pair with A is among them: B is better than C: 2 against 4, by 2" A "1 2 3" B "2 2 2" C "4 4 4"
+degenerate "1 of the 3 pairs differs. No pair with A is among them: B is better than C: 2 against 3, by 1" A "1 2 3 1 2 3" B "2 2 2 2 2 2" C "3 3 3 3 3 3"
 has "$out" "dominated by A, while B has none"
 degenerate "A has values that are not finite" A "1 2 Inf" B "2 3 4"
 degenerate "A has values that are not finite" A "Inf Inf" B "-Inf Inf"
 degenerate "Mann and Whitney's test: not defined, all values are equal" A "Inf Inf" B "Inf Inf"
-degenerate "the spread of A is not defined" A "1e308 1.1e308 1.2e308" B "-1e308 -1.1e308 1e307"
+degenerate "the difference or its spread is too large for double precision" A "1e308 1.1e308 1.2e308" B "-1e308 -1.1e308 1e307"
 degenerate "A has no values" A "NaN NaN" B "1 2" C "2 3"
-degenerate "Not defined: A and B" A "1e-320 2e-320 3e-320" B "5e-324 1e-323 9e-320"
+degenerate "Not told apart: A and B" A "1e-320 2e-320 3e-320" B "5e-324 1e-323 9e-320"
 degenerate "of 2 groups" A "-0 0 0" B "0 0 1"
 
 # Two hundred groups: the pairs with the best alone.
