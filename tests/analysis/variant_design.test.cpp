@@ -96,8 +96,8 @@ TEST_CASE("solves that start where the one before ended are not held against tho
   const Variant a = variant({.runs = 2, .points = 3, .definition = path_from_initial}, first_error);
   const Variant b = variant({.runs = 2, .points = 3, .definition = chained_path}, second_error,
                             [](SolveRecord& solve) { solve.start_rad[0] = 0.1 * (solve.point - 1); });
-  for (const auto& [one, other] : {std::pair(a, b), std::pair(b, a)}) {
-    CHECK_THAT(complaint<std::invalid_argument>([&] { compared(one, other); }),
+  for (const auto& sides : {std::pair(a, b), std::pair(b, a)}) {
+    CHECK_THAT(complaint<std::invalid_argument>([&] { compared(sides.first, sides.second); }),
                ContainsSubstring("another configuration to start from (run 1 and 1, point 2)"));
   }
 }
