@@ -38,7 +38,7 @@ std::string design(const Evidence& evidence) {
 }
 
 std::string methods(const Evidence& evidence) {
-  std::string text = fmt::format("Methods: {} decides, at {}", words_of(evidence.plan.test),
+  std::string text = fmt::format("Methods: {} decides, at {}", deciding_words(evidence),
                                  rounded_number(evidence.plan.significance, 3));
   if (!evidence.plan.control.empty()) {
     text += fmt::format(", each against the control {}", row_label(evidence.plan.control, longest_name_in_text));

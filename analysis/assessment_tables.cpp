@@ -113,7 +113,7 @@ Table tests_table(const Evidence& evidence) {
          test.undefined.empty() ? std::string(finding) : "not defined: " + test.undefined});
   }
   table.notes.push_back(fmt::format("Each at {}. {} decides, by the plan and not by the data.",
-                                    rounded_number(evidence.plan.significance, 3), words_of(evidence.plan.test)));
+                                    rounded_number(evidence.plan.significance, 3), deciding_words(evidence)));
   if (!evidence.flaw.empty()) table.notes.push_back("Flawed: " + evidence.flaw);
   return table;
 }
@@ -141,13 +141,12 @@ Cell size_words(const Contrast& contrast) {
 
 // What the p-values and intervals are corrected for.
 std::string family_note(const Evidence& evidence) {
-  if (evidence.pairs == 1) return fmt::format("{} decides.", words_of(evidence.plan.test));
+  if (evidence.pairs == 1) return fmt::format("{} decides.", deciding_words(evidence));
   const std::string all = fmt::format("all {} pairs together", evidence.pairs);
   const std::string with_control = fmt::format("the {} pairs with the control together", evidence.groups.size() - 1);
   const bool by_control = !evidence.plan.control.empty();
-  return fmt::format("{} decides: p holds for {}. Interval of the difference: {}, for {}.",
-                     words_of(evidence.plan.test), by_control && evidence.ranks_decide() ? with_control : all,
-                     interval_words(evidence),
+  return fmt::format("{} decides: p holds for {}. Interval of the difference: {}, for {}.", deciding_words(evidence),
+                     by_control && evidence.ranks_decide() ? with_control : all, interval_words(evidence),
                      by_control && evidence.plan.test == DecidingTest::friedman ? with_control : all);
 }
 

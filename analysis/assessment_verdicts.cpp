@@ -238,7 +238,7 @@ std::string in_short(const Evidence& evidence) {
   if (evidence.contrasts.size() > 1)
     parts.push_back(fmt::format("{} of {} pairs differ", differ, evidence.contrasts.size()));
   return fmt::format("{}{}.", fmt::join(parts, "; "),
-                     evidence.constant ? "" : fmt::format(", by {}", words_of(evidence.plan.test)));
+                     evidence.constant ? "" : fmt::format(", by {}", deciding_words(evidence)));
 }
 
 }  // namespace ikbench

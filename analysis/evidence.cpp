@@ -264,11 +264,14 @@ const TestResult* Evidence::test(std::string_view test_name) const {
   return found == tests.end() ? nullptr : &*found;
 }
 
-std::string_view words_of(DecidingTest test) {
+std::string_view deciding_words(const Evidence& evidence) {
   constexpr std::array<std::string_view, 5> words{"the test of the design", "One-way ANOVA with Tukey's test",
                                                   "Welch's ANOVA with Games and Howell's test",
                                                   "Kruskal and Wallis' test with Dunn's", "Friedman's test of ranks"};
-  return words[static_cast<std::size_t>(test)];
+  if (evidence.groups.size() == 2 && evidence.ranks_decide()) {
+    return evidence.ranks_within_blocks() ? "Wilcoxon's signed-rank test" : "Mann and Whitney's test";
+  }
+  return words[static_cast<std::size_t>(evidence.plan.test)];
 }
 
 const TestResult* deciding_test(const Evidence& evidence) {

@@ -82,7 +82,7 @@ struct Evidence {
   std::vector<std::string> notes = {};
   std::string flaw = {};
   AnalysisPlan plan = {};  // its test is never by_design here, but the one that decides
-  bool constant = false;   // every group has one value alone: there is nothing to test
+  bool constant = false;   // every group has one value alone
   std::vector<GroupEvidence> groups = {};
   double variance_ratio = not_defined;  // the largest by the smallest
   std::size_t most_variable = 0, least_variable = 0;
@@ -92,7 +92,7 @@ struct Evidence {
   // one group, `reference`.
   std::vector<Contrast> contrasts = {};
   std::optional<std::size_t> reference = {};
-  std::size_t pairs = 0;  // that p-values and intervals are corrected for
+  std::size_t pairs = 0;  // of all groups
 
   const TestResult* test(std::string_view test_name) const;  // null where it was not made
   bool ranks_within_blocks() const { return blocks > 0 && plan.test != DecidingTest::kruskal_wallis; }
@@ -114,7 +114,8 @@ constexpr std::string_view anova_name = "One-way ANOVA", welch_name = "Welch's A
                            iman_davenport_name = "Iman and Davenport's form of it",
                            brown_forsythe_name = "Brown and Forsythe's test of equal variances",
                            bartlett_name = "Bartlett's test of equal variances";
-std::string_view words_of(DecidingTest test);
+// The test of pairs that decides, with that of all groups where they go together.
+std::string_view deciding_words(const Evidence& evidence);
 // The test of all groups that goes with the pairs' deciding one; null where it was not made.
 const TestResult* deciding_test(const Evidence& evidence);
 // By which method the differences have their intervals.

@@ -259,6 +259,7 @@ TEST_CASE("two groups in few blocks are told apart by the exact test alone", "[a
                     .block = "a problem"};
   CHECK(evidence(four, {}).contrasts[0].p == Approx(0.125));
   CHECK(evidence(four, {}).contrasts[0].relation == Relation::not_told_apart);
+  CHECK(says(evidence(four, {}), "Methods: Wilcoxon's signed-rank test decides"));
   Observations three = four;
   three.blocks.clear();
   three.groups = {{"A", {1, 2, 3}}, {"B", {4, 5, 6}}};
