@@ -56,7 +56,10 @@ Facts facts_of(const Variant& variant) {
   Facts facts{{"solver", variant.series.algorithm}};
   add_values(facts, variant.study.definition);
   add_values(facts, variant.series.options);
-  for (const char* fact : {"version", "commit", "compiler", "flags", "build_type", "instruction_set", "cpu"}) {
+  facts["source of the solver"] =
+      fmt::format("{}", fmt::join(values_of(variant, "source." + variant.series.algorithm), " and "));
+  for (const char* fact :
+       {"version", "commit", "source", "compiler", "flags", "build_type", "instruction_set", "cpu"}) {
     facts[fact] = fmt::format("{}", fmt::join(values_of(variant, fact), " and "));
   }
   return facts;

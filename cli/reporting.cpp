@@ -1,6 +1,7 @@
 #include "cli/reporting.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
@@ -37,6 +38,16 @@ bool differ_in_analysis_only(const std::string& earlier, const std::string& now)
     if (definition->is_object()) definition->erase("analysis");
   }
   return before == after;
+}
+
+// Why what looks solved already is solved anew.
+void warn_of_left_aside(const Study& study, const Store& store) {
+  const LeftAside aside = left_aside(study, store);
+  if (aside.solves == 0) return;
+  say(
+      fmt::format("warning: {} solves of {} were made by another version of the solver or of the code that all "
+                  "solvers share; they stay in the store, and are solved anew",
+                  aside.solves, fmt::join(aside.labels, ", ")));
 }
 
 }  // namespace
@@ -135,6 +146,7 @@ Ended run_and_tell(const Study& study, const std::filesystem::path& folder, RunR
           folder.string(), study.name));
     }
   }
+  warn_of_left_aside(study, store);
   Progress progress;
   {
     ProgressBar bar(study.name);

@@ -31,7 +31,7 @@ void add_run(CLI::App& app, Invocation& invocation) {
       "  ikbench run my.toml\n"
       "  ikbench run slim2023 --set seed=2 --out out/seed-2\n"
       "  ikbench run slim2023 --set IK-BA.bounds=clamp --set runs=5 --out out/clamped\n\n"
-      "Running it again does only what is missing.");
+      "Running it again does only what is missing. A solver whose source was changed is solved anew.");
   command->callback([arguments, &invocation] {
     refuse_points(arguments->report);
     const Study study =

@@ -11,6 +11,7 @@
 #include <thread>
 
 #include "build_info.hpp"
+#include "experiments/source_digest.hpp"
 #include "robots/instruction_set.hpp"
 
 namespace ikbench {
@@ -53,6 +54,7 @@ std::map<std::string, std::string> environment() {
           {"instruction_set", std::string(name_of(instruction_set()))},
           {"os", operating_system()},
           {"sanitizers", build_info::sanitize},
+          {"source", shared_source_digest()},
           {"version", build_info::version}};
 }
 
@@ -64,6 +66,8 @@ bool is_debug_build() {
 #endif
 }
 
-std::string version() { return fmt::format("{} ({})", build_info::version, build_info::commit); }
+std::string version() {
+  return fmt::format("{} ({}, source {})", build_info::version, build_info::commit, source_digest());
+}
 
 }  // namespace ikbench

@@ -7,6 +7,7 @@
 
 #include "experiments/contest.hpp"
 #include "experiments/environment.hpp"
+#include "experiments/source_digest.hpp"
 #include "experiments/study_file.hpp"
 #include "experiments/workers.hpp"
 
@@ -127,6 +128,9 @@ Progress run(const Study& study, Store& store, const RunRequest& request) {
   if (progress.done == progress.total) return progress;
 
   std::map<std::string, std::string> session = environment();
+  for (const Entrant& entrant : study.solvers) {
+    session["source." + entrant.solver] = solver_source_digest(entrant.solver);
+  }
   session["analysis"] = to_json(study.analysis);  // the study may be saved with another one later
   session["jobs"] = std::to_string(request.jobs);
   session["command"] = request.command;
@@ -140,6 +144,18 @@ Progress run(const Study& study, Store& store, const RunRequest& request) {
     }
   });
   return progress;
+}
+
+LeftAside left_aside(const Study& study, const Store& store) {
+  LeftAside aside;
+  for (const Entrant& entrant : study.solvers) {
+    const std::string key = series_key(study, entrant);
+    const std::map<std::string, std::int64_t> solves = store.series_of_configuration(configuration_of(key));
+    if (solves.empty() || solves.contains(key)) continue;
+    aside.labels.push_back(entrant.label);
+    for (const auto& [other, count] : solves) aside.solves += count;
+  }
+  return aside;
 }
 
 void solve_study(const Study& study, int jobs, const std::function<void(SolveRecord)>& take,

@@ -29,6 +29,14 @@ struct RunRequest {
 // time), on the order of solvers, or on what the store already had.
 Progress run(const Study& study, Store& store, const RunRequest& request);
 
+// What the store has of the study by another version of the source, of entrants of which it has nothing by this one:
+// `run` leaves it where it is, and solves anew.
+struct LeftAside {
+  std::vector<std::string> labels;
+  std::int64_t solves = 0;
+};
+LeftAside left_aside(const Study& study, const Store& store);
+
 // All solves of a study, without a store. `take` gets each as soon as it is done, by one thread at a time: those of a
 // run in the order of its points. `cancelled` is looked at before every solve.
 void solve_study(const Study& study, int jobs, const std::function<void(SolveRecord)>& take,

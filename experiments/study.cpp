@@ -4,6 +4,8 @@
 
 #include <optional>
 
+#include "experiments/source_digest.hpp"
+#include "results/record.hpp"
 #include "robots/spherical_wrist.hpp"
 #include "robots/units.hpp"
 #include "solvers/registry.hpp"
@@ -11,9 +13,6 @@
 namespace ikbench {
 
 namespace {
-
-// To be raised whenever the same study gives other numbers than before, so that a store never mixes the two.
-constexpr int numerics_version = 2;
 
 // Slim et al. 2023, Sec. 5.2, in the readings of docs/paper-notes.md section 2.
 Study slim2023() {
@@ -129,10 +128,10 @@ std::string why_no_blocks(const Study& study) {
   return blocks >= 2 ? "" : "there is only one such target, or one run of them";
 }
 
-std::string series_key(const Study& study, const Entrant& entrant) {
+std::string configuration_key(const Study& study, const Entrant& entrant) {
   // What is new in a study is said only where it is not as before, so that stores keep the solves they have.
   const Robot arm = robot(study.robot);
-  std::string text = fmt::format("numerics {}\nrobot", numerics_version);
+  std::string text = "numerics 2\nrobot";  // as the first stores have it, whose keys are this hash alone
   text += arm.kinematics->definition() + exact(arm.limits.lower) + exact(arm.limits.upper) + "\ntargets ";
   if (const auto* drawn = std::get_if<RandomTargets>(&study.path)) {
     text += fmt::format("random {}", drawn->points);  // from seed and run
@@ -149,6 +148,11 @@ std::string series_key(const Study& study, const Entrant& entrant) {
   text += fmt::format("\nsolver {} label {}", entrant.solver, entrant.label);
   for (const auto& [name, value] : effective_options(study, entrant)) text += fmt::format("\n{} = {}", name, value);
   return fmt::format("{:016x}", Key(0).with(text).value());
+}
+
+std::string series_key(const Study& study, const Entrant& entrant) {
+  const Key source = Key(0).with(shared_source_digest()).with(solver_source_digest(entrant.solver));
+  return fmt::format("{}{}{:016x}", configuration_key(study, entrant), before_source, source.value());
 }
 
 std::vector<Unreachable> unreachable(const Study& study) {

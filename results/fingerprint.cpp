@@ -80,7 +80,8 @@ std::string fingerprint(std::vector<SolveRecord> records) {
   };
   std::sort(records.begin(), records.end(), [&](const auto& a, const auto& b) { return place(a) < place(b); });
   Hash hash;
-  for (const SolveRecord& record : records) {
+  for (SolveRecord& record : records) {
+    record.series = configuration_of(record.series);
     for_each_column([&](std::string_view name, auto member, std::string_view) {
       if (std::ranges::find(not_in_fingerprint, name) == not_in_fingerprint.end()) add_column(hash, record.*member);
     });

@@ -36,11 +36,18 @@ constexpr std::string_view name_of(Enum value) {
   return names_of(value)[static_cast<std::size_t>(value)];
 }
 
+// The key of a series is CONFIGURATION@SOURCE: a hash of what the study asks for, and one of the code that solved it.
+// The first stores have the configuration alone.
+constexpr char before_source = '@';
+constexpr std::string_view configuration_of(std::string_view series) {
+  return series.substr(0, series.find(before_source));
+}
+
 struct SolveRecord {
   std::string study;
   std::string robot;
   std::string solver;                      // the label under which the solver takes part in the study
-  std::string series;                      // hash of everything that decides the numbers of this solver in this study
+  std::string series;                      // key of everything that decides the numbers of this solver in this study
   int run = 1;                             // from 1
   int point = 1;                           // from 1, in the order of the path
   std::vector<double> target_position_m;   // x, y, z
@@ -70,7 +77,8 @@ void for_each_column(Visit&& visit) {
   visit("study", &SolveRecord::study, "name of the study");
   visit("robot", &SolveRecord::robot, "name of the robot");
   visit("solver", &SolveRecord::solver, "label of the solver in the study");
-  visit("series", &SolveRecord::series, "hash of everything that decides the numbers of this solver in this study");
+  visit("series", &SolveRecord::series,
+        "hashes of everything that decides the numbers of this solver in this study, as CONFIGURATION@SOURCE");
   visit("run", &SolveRecord::run, "independent repetition, from 1");
   visit("point", &SolveRecord::point, "target within the run, from 1");
   visit("target_position_m", &SolveRecord::target_position_m, "target x, y, z [m]");

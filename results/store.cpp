@@ -651,6 +651,21 @@ std::vector<SolveRecord> Store::series(const std::string& key) const {
   });
 }
 
+std::map<std::string, std::int64_t> Store::series_of_configuration(std::string_view configuration) const {
+  return guarded(database_->file, [&] {
+    database_->refuse_blobs("solves", "series");
+    SQLite::Statement query(database_->sqlite,
+                            "SELECT series, count(*) FROM solves WHERE series = ?1 OR "
+                            "(series >= ?2 AND series < ?3) GROUP BY series");
+    const std::string first = fmt::format("{}{}", configuration, before_source);
+    const std::string beyond = fmt::format("{}{}", configuration, static_cast<char>(before_source + 1));
+    SQLite::bind(query, std::string(configuration), first, beyond);
+    std::map<std::string, std::int64_t> solves;
+    while (query.executeStep()) solves[value_in<std::string>(query.getColumn(0))] = query.getColumn(1).getInt64();
+    return solves;
+  });
+}
+
 std::vector<SolveRecord> Store::solves(const std::string& study_name) const {
   return guarded(database_->file, [&] {
     const StudyEntry entry = study(study_name);

@@ -11,6 +11,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "results/record.hpp"
@@ -19,7 +20,7 @@ namespace ikbench {
 
 // One solver as it takes part in a study.
 struct Series {
-  std::string key;        // hash of everything that decides its numbers
+  std::string key;        // of everything that decides its numbers (record.hpp)
   std::string label;      // its name in tables and figures, unique within the study
   std::string algorithm;  // registered name of the solver
   std::string options;    // JSON object with every option value
@@ -60,6 +61,8 @@ class Store {
 
   // Solves of one series, ordered by run and point.
   std::vector<SolveRecord> series(const std::string& key) const;
+  // How many solves each series of a configuration has, by its key: one series for every source that solved it.
+  std::map<std::string, std::int64_t> series_of_configuration(std::string_view configuration) const;
   // Current solves of a study, in the order of its series, then run, then point; runs beyond `runs` of the
   // definition are left out. The solver of each is the label of its series.
   std::vector<SolveRecord> solves(const std::string& study) const;

@@ -36,7 +36,7 @@ const std::map<std::string, Names>& may_know() {
 }
 
 // Written by CMake, in the build folder of those that include them.
-const Names generated{"build_info.hpp", "published_tables.inc", "templates.inc"};
+const Names generated{"build_info.hpp", "published_tables.inc", "source_digests.inc", "templates.inc"};
 
 std::string text_of(const fs::path& file) {
   std::ifstream in(file, std::ios::binary);

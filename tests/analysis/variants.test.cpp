@@ -63,6 +63,11 @@ TEST_CASE("in what two variants differ beside their numbers is told", "[variants
   b.sessions[0].environment["commit"] = "def";
   CHECK(compared(a, b).notes.back() ==
         "B differs from A in alpha (0.9, 0.8), commit (abc, def), stop.iterations (200, 100).");
+  Variant edited = a;
+  edited.sessions[0].environment["source"] = "1f";
+  edited.sessions[0].environment["source." + a.series.algorithm] = "2e";
+  CHECK(compared(a, edited).notes.back() ==
+        "B differs from A in source (unknown, 1f), source of the solver (unknown, 2e).");
   b.study.definition = "no JSON";
   b.series.options = "[1";
   b.sessions.clear();

@@ -1,6 +1,7 @@
 // What is noted of the machine and the build.
 #include "experiments/environment.hpp"
 
+#include "experiments/source_digest.hpp"
 #include "tests/catch.hpp"
 
 using namespace ikbench;
@@ -8,7 +9,7 @@ using namespace ikbench;
 TEST_CASE("the environment says something for each of its keys", "[environment]") {
   const std::map<std::string, std::string> noted = environment();
   for (const char* key : {"build_type", "commit", "compiler", "cpu", "cpus", "date", "eigen", "flags",
-                          "instruction_set", "os", "sanitizers", "version"}) {
+                          "instruction_set", "os", "sanitizers", "source", "version"}) {
     INFO(key);
     CHECK(noted.contains(key));
   }
@@ -27,7 +28,8 @@ TEST_CASE("the date is that of ISO 8601 in UTC", "[environment]") {
   CHECK(date.back() == 'Z');
 }
 
-TEST_CASE("the version names the commit", "[environment]") {
+TEST_CASE("the version names the commit and the source", "[environment]") {
   CHECK(version().find(environment().at("commit")) != std::string::npos);
+  CHECK(version().find(source_digest()) != std::string::npos);
   CHECK(version().starts_with(environment().at("version")));
 }

@@ -2,6 +2,7 @@
 #include "experiments/runner.hpp"
 
 #include <SQLiteCpp/SQLiteCpp.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <atomic>
@@ -12,6 +13,7 @@
 #include <numbers>
 
 #include "experiments/environment.hpp"
+#include "experiments/source_digest.hpp"
 #include "experiments/study_file.hpp"
 #include "experiments/verifier.hpp"
 #include "results/published.hpp"
@@ -288,6 +290,45 @@ TEST_CASE("two studies share a store without touching each other", "[runner]") {
   CHECK(scratch.store.studies().size() == 2);
   CHECK(same_numbers(scratch.store.solves("small"), solves_of(small_study())));
   CHECK(same_numbers(scratch.store.solves("other"), solves_of(other)));
+}
+
+TEST_CASE("solves of other source are left aside, told and solved anew, those of the first stores too", "[runner]") {
+  const Study study = small_study();
+  for (const std::string_view source : {"", "@0123456789abcdef"}) {
+    ScratchStore scratch;
+    StudyEntry entry{.name = study.name, .definition = to_json(study), .series = {}};
+    std::vector<SolveRecord> records = solves_of(study);
+    for (SolveRecord& record : records) {
+      record.series = fmt::format("{}{}", configuration_of(record.series), source);
+      record.session = 1;
+    }
+    for (const Entrant& entrant : study.solvers) {
+      entry.series.push_back({.key = fmt::format("{}{}", configuration_key(study, entrant), source),
+                              .label = entrant.label,
+                              .algorithm = entrant.solver,
+                              .options = "{}"});
+    }
+    scratch.store.save_study(entry);
+    scratch.store.append(records);
+    CHECK(scratch.store.solves("small").size() == 24);  // a report reads them
+    LeftAside aside = left_aside(study, scratch.store);
+    CHECK(aside.labels == std::vector<std::string>{"IK-BA", "BA", "DE"});
+    CHECK(aside.solves == 24);
+
+    CHECK(run(study, scratch.store, {}).reused == 0);
+    CHECK(same_numbers(scratch.store.solves("small"), solves_of(study)));
+    CHECK(scratch.store.series(entry.series[0].key).size() == 8);  // they stay
+    CHECK(left_aside(study, scratch.store).solves == 0);           // nothing is solved anew any more
+  }
+}
+
+TEST_CASE("what a study never had solved is not left aside", "[runner]") {
+  ScratchStore scratch;
+  CHECK(left_aside(small_study(), scratch.store).labels.empty());
+  run(small_study(), scratch.store, {});
+  Study other = small_study();
+  other.seed = 7;
+  CHECK(left_aside(other, scratch.store).solves == 0);
 }
 
 TEST_CASE("a study that asks for the same under another name finds it in the store", "[runner]") {
@@ -737,6 +778,8 @@ TEST_CASE("every solve knows its session, and the session its machine and its jo
   CHECK(sessions[0].environment.at("jobs") == "1");
   CHECK(sessions[1].environment.at("jobs") == "2");
   CHECK(sessions[1].environment.at("compiler") == environment().at("compiler"));
+  CHECK(sessions[1].environment.at("source") == shared_source_digest());
+  CHECK(sessions[1].environment.at("source.bat") == solver_source_digest("bat"));
   std::int64_t in_first = 0;
   for (const SolveRecord& record : scratch.store.solves("small")) in_first += record.session == sessions[0].id ? 1 : 0;
   CHECK(in_first == 6);

@@ -1,6 +1,8 @@
 // The hash under which solves are remembered: it changes with everything that decides numbers, and with nothing else.
 #include <set>
 
+#include "experiments/source_digest.hpp"
+#include "results/record.hpp"
 #include "solvers/registry.hpp"
 #include "tests/catch.hpp"
 #include "tests/experiments/samples.hpp"
@@ -71,12 +73,12 @@ TEST_CASE("everything that decides numbers decides the series", "[series]") {
   }
 }
 
-TEST_CASE("the paper's study keeps its series, so that stores keep their solves", "[series][paper]") {
+TEST_CASE("the paper's study keeps its configurations, so that older stores are recognized", "[series][paper]") {
   const Study study = studies().front();
   std::vector<std::string> keys;
-  for (const Entrant& entrant : study.solvers) keys.push_back(series_key(study, entrant));
+  for (const Entrant& entrant : study.solvers) keys.push_back(configuration_key(study, entrant));
   CHECK(keys == std::vector<std::string>{"00c779aa319e4f85", "c92c42fd53421031", "e1cebae5a59075c8", "bdf1079f28571d29",
-                                         "1aa9f79d66899922", "0413d49a464315ff"});  // of numerics 2
+                                         "1aa9f79d66899922", "0413d49a464315ff"});
 }
 
 TEST_CASE("every option of every solver decides the series", "[series]") {
@@ -148,9 +150,27 @@ TEST_CASE("where limits are enforced every solver that has bounds keeps inside, 
   CHECK(effective_options(study, {"A", "differential_evolution", {{"bounds", "reflect"}}}).at("bounds") == "reflect");
 }
 
-TEST_CASE("a series is 16 hexadecimal digits", "[series]") {
-  CHECK(key_of(small_study()).size() == 16);
-  CHECK(key_of(small_study()).find_first_not_of("0123456789abcdef") == std::string::npos);
+TEST_CASE("a series is the configuration and the source, each of 16 hexadecimal digits", "[series]") {
+  const Study study = small_study();
+  const std::string configuration = configuration_key(study, study.solvers.front()), key = key_of(study);
+  CHECK(configuration_of(key) == configuration);
+  CHECK(configuration_of(configuration) == configuration);  // in older stores
+  CHECK(configuration.size() == 16);
+  CHECK(key.size() == 33);
+  CHECK((configuration + key.substr(17)).find_first_not_of("0123456789abcdef") == std::string::npos);
+}
+
+TEST_CASE("every solver has a source of its own, and a series says whose it is", "[series]") {
+  std::set<std::string> digests{shared_source_digest()}, sources;
+  for (const SolverInfo& info : solvers()) {
+    INFO(info.name);
+    CHECK(digests.insert(solver_source_digest(info.name)).second);
+    const std::string key = key_of(changed([&](Study& study) { study.solvers = {{"A", info.name, {}}}; }));
+    CHECK(sources.insert(key.substr(key.find('@'))).second);
+  }
+  // The label, the options and the rest of the study are the configuration's.
+  CHECK(key_of(changed([](Study& study) { study.solvers[0].label = "Another"; })).substr(16) ==
+        key_of(changed([](Study& study) { study.seed = 2; })).substr(16));
 }
 
 TEST_CASE("effective options are the solver's defaults, then the study's bounds, then the entrant's own", "[series]") {

@@ -53,6 +53,13 @@ TEST_CASE("every column but times, timing and session counts to its last bit", "
   CHECK(left_out == not_in_fingerprint.size());
 }
 
+TEST_CASE("which source gave the numbers does not count, which configuration does", "[fingerprint]") {
+  const auto of_series = [](const char* key) { return fingerprint({sample_record(key, 1, 1)}); };
+  CHECK(of_series("key-a@1") == of_series("key-a"));
+  CHECK(of_series("key-a@1") == of_series("key-a@2"));
+  CHECK(of_series("key-a@1") != of_series("key-b@1"));
+}
+
 TEST_CASE("the order of records does not count, which ones there are does", "[fingerprint]") {
   std::vector<SolveRecord> records = sample_records();
   const std::string before = fingerprint(records);

@@ -169,6 +169,17 @@ TEST_CASE("solves of a study are those of its current series and runs, in its or
   CHECK(store.series("z").size() == 4);
 }
 
+TEST_CASE("the series of a configuration are counted, whatever source solved them", "[store]") {
+  const ScratchFolder folder;
+  Store store(folder.path / "a.ikb", Store::Mode::write);
+  store.append({sample_record("00", 1, 1), sample_record("00@1", 1, 1), sample_record("00@1", 1, 2),
+                sample_record("00@2", 1, 1), sample_record("001@1", 1, 1), sample_record("0", 1, 1)});
+  using Counts = std::map<std::string, std::int64_t>;
+  CHECK(store.series_of_configuration("00") == Counts{{"00", 1}, {"00@1", 2}, {"00@2", 1}});
+  CHECK(store.series_of_configuration("0") == Counts{{"0", 1}});
+  CHECK(store.series_of_configuration("1").empty());
+}
+
 TEST_CASE("sessions are numbered and keep what is said of them", "[store]") {
   const ScratchFolder folder;
   Store store(folder.path / "a.ikb", Store::Mode::write);

@@ -1,0 +1,25 @@
+#include "experiments/source_digest.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+namespace ikbench {
+
+namespace {
+
+#include "source_digests.inc"
+
+}  // namespace
+
+std::string source_digest() { return std::string(all); }
+
+std::string shared_source_digest() { return std::string(shared); }
+
+std::string solver_source_digest(std::string_view solver) {
+  const auto* found = std::ranges::find(of_solvers, solver, &std::pair<std::string_view, std::string_view>::first);
+  if (found == std::end(of_solvers)) throw std::logic_error("a solver without a source");
+  return std::string(found->second);
+}
+
+}  // namespace ikbench

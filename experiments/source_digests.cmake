@@ -1,0 +1,48 @@
+# cmake -DROOT=... -DSHARED="file;..." -DSOLVERS="name;..." -DOUTPUT=... -P source_digests.cmake
+# Writes digests of the sources that decide numbers, for source_digest.cpp to include: one of the SHARED files together,
+# one of each solver's own. A digest is of the tokens alone: neither comments nor white space change it. Where no digest
+# changed the output is not touched, so that nothing is compiled anew.
+string(ASCII 1 backslash)
+string(ASCII 2 semicolon)
+string(ASCII 3 opening)
+string(ASCII 4 closing)
+set(literal "\"([^\"${backslash}\n]|${backslash}.)*\"|'(${backslash}.[^'\n]*|[^'${backslash}\n])'")
+set(comment "//[^\n]*|/\\*[^*]*\\*+([^/*][^*]*\\*+)*/")
+set(token "[A-Za-z0-9_]+|[+]+|[-]+|[^ \t\r\n]")  # a++ + b is not a + ++b
+
+function(digest_of file result)
+  file(READ ${file} text)
+  if(NOT text MATCHES "R\"")  # a raw string may hold anything: its file is taken as it stands
+    string(REPLACE "\\" ${backslash} text "${text}")  # four characters that have a meaning in CMake's lists
+    string(REPLACE ";" ${semicolon} text "${text}")
+    string(REPLACE "[" ${opening} text "${text}")
+    string(REPLACE "]" ${closing} text "${text}")
+    string(REGEX MATCHALL "${literal}|${comment}|${token}" text "${text}")
+    list(FILTER text EXCLUDE REGEX "^/[/*]")
+  endif()
+  string(SHA256 digest "${text}")
+  string(SUBSTRING ${digest} 0 16 digest)
+  set(${result} ${digest} PARENT_SCOPE)
+endfunction()
+
+set(digests "")
+foreach(file IN LISTS SHARED)
+  digest_of(${ROOT}/${file} digest)
+  list(APPEND digests ${digest})
+endforeach()
+list(SORT digests)
+string(SHA256 shared "${digests}")
+string(SUBSTRING ${shared} 0 16 shared)
+
+set(solvers "")
+foreach(name IN LISTS SOLVERS)
+  digest_of(${ROOT}/solvers/${name}.cpp digest)
+  string(APPEND solvers "    {\"${name}\", \"${digest}\"},\n")
+endforeach()
+string(SHA256 all "${shared}${solvers}")
+string(SUBSTRING ${all} 0 16 all)
+file(CONFIGURE OUTPUT ${OUTPUT} @ONLY CONTENT "constexpr std::string_view all = \"${all}\";  // of both
+constexpr std::string_view shared = \"${shared}\";
+constexpr std::pair<std::string_view, std::string_view> of_solvers[]{
+${solvers}};
+")
