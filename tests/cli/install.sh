@@ -1,0 +1,33 @@
+#!/usr/bin/env bash
+# What `cmake --install` puts into a folder is a program that needs neither the source nor the build.
+# install.sh PROGRAM CMAKE SOURCE SANITIZERS
+source "$(dirname "$0")/common.sh"
+cmake=$2 tree=$(realpath "$3") sanitizers=${4:-}
+build=$(dirname "$program")
+
+"$cmake" --install "$build" --prefix "$work/prefix" >.log 2>&1 || fail "cannot install: $(<.log)"
+[ "$(cd prefix && find . -type f)" = ./bin/ikbench ] || fail "installed are: $(cd prefix && find . -type f)"
+DESTDIR=$work/staged "$cmake" --install "$build" --prefix /opt/ikbench >.log 2>&1 || fail "cannot install: $(<.log)"
+cmp staged/opt/ikbench/bin/ikbench prefix/bin/ikbench || fail "DESTDIR installs another program"
+
+# No path of the source is in it, but for the lines that a debugger or a sanitizer tells.
+if [ -z "$sanitizers" ] && command -v strip >/dev/null; then
+  strip -o stripped prefix/bin/ikbench
+  ! grep -qF "$tree" stripped || fail "the program holds the path of its source: $(strings stripped | grep -F "$tree" | head)"
+fi
+
+# It runs where the source and the build are not to be seen.
+away=()
+if unshare --map-root-user --mount true 2>/dev/null; then
+  away=(unshare --map-root-user --mount bash -c 'mount -t tmpfs none "$0" && [ -z "$(ls -A "$0")" ] && exec "$@"' "$tree")
+fi
+installed() { "${away[@]}" "$work/prefix/bin/ikbench" "$@" >.out 2>.err || fail "ikbench $*: $(<.err)"; }
+installed run slim2023 "${small[@]}" --out made
+for file in store.sqlite report.md report.html tables/table-3.csv tables/table-3-as-printed.md figures/style.gp; do
+  [ -s "made/$file" ] || fail "no $file"
+done
+if command -v gnuplot >/dev/null; then
+  [ -s made/figures/figure-10.svg ] || fail "no figure 10"
+fi
+installed audit slim2023
+installed list studies slim2023-dobot
