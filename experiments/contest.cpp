@@ -108,16 +108,16 @@ SolveRecord Contest::solve(Solver& solver, const Pose& target, const Configurati
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - started;
   const double cpu_seconds = thread_seconds() - thread_started;
 
-  Verdict verdict = verify(arm_, target, start, answer);
+  Verification verified = verify(arm_, target, start, answer);
   const Status status = solution.stopped == Stopped::not_finite
                             ? Status::not_finite
-                            : judge(verdict, {.claimed_error = solution.best.error,
-                                              .tolerance = study_.stop.tolerance,
-                                              .orientation_is_exact = study_.search == Search::wrist,
-                                              .limits_are_enforced = study_.limits == Limits::enforced});
+                            : judge(verified, {.claimed_error = solution.best.error,
+                                               .tolerance = study_.stop.tolerance,
+                                               .orientation_is_exact = study_.search == Search::wrist,
+                                               .limits_are_enforced = study_.limits == Limits::enforced});
   if (status == Status::refused) {  // the arm stays where it was, and that is what is recorded
     answer = start;
-    verdict = verify(arm_, target, start, answer);
+    verified = verify(arm_, target, start, answer);
   }
   SolveRecord record{.study = study_.name,
                      .robot = arm_.name,
@@ -129,13 +129,13 @@ SolveRecord Contest::solve(Solver& solver, const Pose& target, const Configurati
                      .target_rotation = by_rows(target.linear()),
                      .start_rad = to_vector(start),
                      .answer_rad = to_vector(answer),
-                     .reached_position_m = to_vector(verdict.reached),
-                     .position_error_cm = verdict.position_error / centimetre,
+                     .reached_position_m = to_vector(verified.reached),
+                     .position_error_cm = verified.position_error / centimetre,
                      .claimed_error_cm = solution.best.error / centimetre,
-                     .orientation_error = verdict.orientation_error,
-                     .variation_deg = verdict.variation / degree,
-                     .largest_move_deg = verdict.largest_move / degree,
-                     .limit_violation_deg = verdict.limit_violation / degree,
+                     .orientation_error = verified.orientation_error,
+                     .variation_deg = verified.variation / degree,
+                     .largest_move_deg = verified.largest_move / degree,
+                     .limit_violation_deg = verified.limit_violation / degree,
                      .evaluations = solution.evaluations,
                      .iterations = solution.iterations,
                      .stop_reason = recorded(solution.stopped),

@@ -97,7 +97,8 @@ Eigen::Matrix4d verified_pose(const Kinematics& arm, const Eigen::VectorXd& q) {
   return result;
 }
 
-Verdict verify(const Robot& robot, const Pose& target, const Eigen::VectorXd& start, const Eigen::VectorXd& answer) {
+Verification verify(const Robot& robot, const Pose& target, const Eigen::VectorXd& start,
+                    const Eigen::VectorXd& answer) {
   const Eigen::Matrix4d reached = verified_pose(*robot.kinematics, answer);
   const Eigen::Matrix4d wanted = target.matrix();
   const Eigen::Matrix3d R = reached.topLeftCorner<3, 3>(), R_wanted = wanted.topLeftCorner<3, 3>();
@@ -113,13 +114,13 @@ Verdict verify(const Robot& robot, const Pose& target, const Eigen::VectorXd& st
           .limit_violation = limit_violation <= rounding ? 0 : limit_violation};
 }
 
-Status judge(const Verdict& verdict, const Requirement& requirement) {
-  if (!std::isfinite(verdict.position_error) || !std::isfinite(verdict.orientation_error)) return Status::not_finite;
-  const bool claim_holds = std::abs(verdict.position_error - requirement.claimed_error) <= rounding;  // not for NaN
-  const bool turned_wrong = requirement.orientation_is_exact && verdict.orientation_error > rounding;
+Status judge(const Verification& verified, const Requirement& requirement) {
+  if (!std::isfinite(verified.position_error) || !std::isfinite(verified.orientation_error)) return Status::not_finite;
+  const bool claim_holds = std::abs(verified.position_error - requirement.claimed_error) <= rounding;  // not for NaN
+  const bool turned_wrong = requirement.orientation_is_exact && verified.orientation_error > rounding;
   if (!claim_holds || turned_wrong) return Status::claimed_but_wrong;
-  if (verdict.limit_violation > 0) return requirement.limits_are_enforced ? Status::refused : Status::limit_violated;
-  if (requirement.tolerance > 0 && verdict.position_error > requirement.tolerance + rounding)
+  if (verified.limit_violation > 0) return requirement.limits_are_enforced ? Status::refused : Status::limit_violated;
+  if (requirement.tolerance > 0 && verified.position_error > requirement.tolerance + rounding)
     return Status::tolerance_missed;
   return Status::ok;
 }

@@ -7,7 +7,7 @@
 
 namespace ikbench {
 
-struct Verdict {
+struct Verification {
   Eigen::Vector3d reached = Eigen::Vector3d::Zero();  // position of the tool [m]
   double position_error = 0;                          // [m], Eq. 1
   double orientation_error = 0;                       // ||R - Rd|| / ||Rd||, Eq. 3
@@ -20,7 +20,8 @@ struct Verdict {
 Eigen::Matrix4d verified_pose(const Kinematics& arm, const Eigen::VectorXd& q);
 
 // `answer` and `start` have all joints of the robot. A non-finite answer gives non-finite errors.
-Verdict verify(const Robot& robot, const Pose& target, const Eigen::VectorXd& start, const Eigen::VectorXd& answer);
+Verification verify(const Robot& robot, const Pose& target, const Eigen::VectorXd& start,
+                    const Eigen::VectorXd& answer);
 
 // What is asked of an answer besides being a finite configuration.
 struct Requirement {
@@ -32,6 +33,6 @@ struct Requirement {
 
 // The most severe thing that is wrong with an answer, in the order of Status' description (results/record.hpp).
 // A difference of 1e-9 (m, rad) is rounding.
-Status judge(const Verdict& verdict, const Requirement& requirement);
+Status judge(const Verification& verified, const Requirement& requirement);
 
 }  // namespace ikbench

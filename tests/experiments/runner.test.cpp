@@ -603,12 +603,12 @@ TEST_CASE("the columns of a record are what the verifier says of its answer", "[
   for (const SolveRecord& record : solves_of(study)) {
     const Eigen::VectorXd start = Eigen::Map<const Eigen::VectorXd>(record.start_rad.data(), 7);
     const Eigen::VectorXd answer = Eigen::Map<const Eigen::VectorXd>(record.answer_rad.data(), 7);
-    const Verdict verdict = verify(arm, poses[static_cast<std::size_t>(record.point - 1)], start, answer);
-    CHECK(record.position_error_cm == Approx(verdict.position_error * 100));
-    CHECK(record.orientation_error == verdict.orientation_error);
-    CHECK(record.variation_deg == Approx(verdict.variation / degree));
-    CHECK(record.largest_move_deg == Approx(verdict.largest_move / degree));
-    CHECK(record.limit_violation_deg == Approx(verdict.limit_violation / degree));
+    const Verification verified = verify(arm, poses[static_cast<std::size_t>(record.point - 1)], start, answer);
+    CHECK(record.position_error_cm == Approx(verified.position_error * 100));
+    CHECK(record.orientation_error == verified.orientation_error);
+    CHECK(record.variation_deg == Approx(verified.variation / degree));
+    CHECK(record.largest_move_deg == Approx(verified.largest_move / degree));
+    CHECK(record.limit_violation_deg == Approx(verified.limit_violation / degree));
     CHECK((record.limit_violation_deg > 1e-6) == (record.status == Status::limit_violated));
   }
 }

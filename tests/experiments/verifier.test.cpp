@@ -70,17 +70,17 @@ TEST_CASE("the iiwa with 90 degrees at the second joint points along x", "[verif
 }
 
 TEST_CASE("two links of half a metre at 0 and 90 degrees reach (0.5, 0.5)", "[verifier]") {
-  const Verdict verdict = verify(robot("planar_2"), at(0.5, 0.5, 0), angles({0, 0}), angles({0, pi / 2}));
-  CHECK(verdict.position_error < 1e-15);
-  CHECK(verdict.variation == Approx(pi / 2));
-  CHECK(verdict.largest_move == Approx(pi / 2));
-  CHECK(verdict.limit_violation == 0);
+  const Verification verified = verify(robot("planar_2"), at(0.5, 0.5, 0), angles({0, 0}), angles({0, pi / 2}));
+  CHECK(verified.position_error < 1e-15);
+  CHECK(verified.variation == Approx(pi / 2));
+  CHECK(verified.largest_move == Approx(pi / 2));
+  CHECK(verified.limit_violation == 0);
 }
 
 TEST_CASE("the position error is the Euclidean distance", "[verifier][paper]") {
   // The tool is at (1, 0, 0); the target 0.3 m, 0.4 m, 1.2 m off: 1.3 m away (Eq. 1).
-  const Verdict verdict = verify(robot("planar_2"), at(1.3, 0.4, -1.2), angles({0, 0}), angles({0, 0}));
-  CHECK(verdict.position_error == Approx(1.3));
+  const Verification verified = verify(robot("planar_2"), at(1.3, 0.4, -1.2), angles({0, 0}), angles({0, 0}));
+  CHECK(verified.position_error == Approx(1.3));
 }
 
 TEST_CASE("the orientation error is ||R - Rd|| / ||Rd||", "[verifier][paper]") {
@@ -99,9 +99,9 @@ TEST_CASE("the orientation error is ||R - Rd|| / ||Rd||", "[verifier][paper]") {
 TEST_CASE("the variation is the norm of the joint moves over all joints, the largest move that of one",
           "[verifier][paper]") {
   const Eigen::VectorXd start = angles({0.1, 0.2, 0.3});
-  const Verdict verdict = verify(robot("planar_3"), at(0, 0, 0), start, start + angles({0.3, -0.4, 1.2}));
-  CHECK(verdict.variation == Approx(1.3));  // Eq. 12: sqrt(0.09 + 0.16 + 1.44)
-  CHECK(verdict.largest_move == Approx(1.2));
+  const Verification verified = verify(robot("planar_3"), at(0, 0, 0), start, start + angles({0.3, -0.4, 1.2}));
+  CHECK(verified.variation == Approx(1.3));  // Eq. 12: sqrt(0.09 + 0.16 + 1.44)
+  CHECK(verified.largest_move == Approx(1.2));
   CHECK(verify(robot("planar_3"), at(0, 0, 0), start, start + angles({0.3, -0.4, 0.2})).largest_move ==
         Approx(0.4));  // a move down is a move
 }
@@ -123,12 +123,12 @@ TEST_CASE("an answer that is not finite gives errors that are not finite", "[ver
     for (int joint = 0; joint < 7; ++joint) {
       Eigen::VectorXd answer = Eigen::VectorXd::Zero(7);
       answer[joint] = bad;
-      const Verdict verdict = verify(robot("kuka_iiwa14"), at(0.5, 0, 0.5), Eigen::VectorXd::Zero(7), answer);
-      CHECK_FALSE((std::isfinite(verdict.position_error) && std::isfinite(verdict.orientation_error)));
-      CHECK_FALSE(std::isfinite(verdict.variation));
-      CHECK_FALSE(std::isfinite(verdict.largest_move));
-      CHECK_FALSE(std::isfinite(verdict.limit_violation));
-      CHECK(judge(verdict, any) == Status::not_finite);
+      const Verification verified = verify(robot("kuka_iiwa14"), at(0.5, 0, 0.5), Eigen::VectorXd::Zero(7), answer);
+      CHECK_FALSE((std::isfinite(verified.position_error) && std::isfinite(verified.orientation_error)));
+      CHECK_FALSE(std::isfinite(verified.variation));
+      CHECK_FALSE(std::isfinite(verified.largest_move));
+      CHECK_FALSE(std::isfinite(verified.limit_violation));
+      CHECK(judge(verified, any) == Status::not_finite);
     }
   }
 }
@@ -139,7 +139,7 @@ TEST_CASE("an answer that is exact, inside the limits and as claimed is ok", "[v
 }
 
 TEST_CASE("an error above the tolerance is a missed tolerance, if one was asked for", "[verifier]") {
-  const Verdict off{.position_error = 0.01};
+  const Verification off{.position_error = 0.01};
   CHECK(judge(off, {.claimed_error = 0.01, .tolerance = 0.009}) == Status::tolerance_missed);
   CHECK(judge(off, {.claimed_error = 0.01, .tolerance = 0.01 - 0.5e-9}) == Status::ok);  // rounding
   CHECK(judge(off, {.claimed_error = 0.01, .tolerance = 0.01}) == Status::ok);
@@ -178,13 +178,13 @@ TEST_CASE("an orientation that the closed form should have met and did not is a 
 }
 
 TEST_CASE("of several wrongs the most severe is told", "[verifier]") {
-  Verdict verdict{.position_error = 1, .limit_violation = 1};
+  Verification verified{.position_error = 1, .limit_violation = 1};
   Requirement requirement{.claimed_error = 1, .tolerance = 0.1};
-  CHECK(judge(verdict, requirement) == Status::limit_violated);  // over tolerance_missed
+  CHECK(judge(verified, requirement) == Status::limit_violated);  // over tolerance_missed
   requirement.claimed_error = 0;
-  CHECK(judge(verdict, requirement) == Status::claimed_but_wrong);  // over limit_violated
-  verdict.position_error = infinity;
-  CHECK(judge(verdict, requirement) == Status::not_finite);  // over everything
-  verdict = {.position_error = 0, .orientation_error = not_a_number};
-  CHECK(judge(verdict, requirement) == Status::not_finite);
+  CHECK(judge(verified, requirement) == Status::claimed_but_wrong);  // over limit_violated
+  verified.position_error = infinity;
+  CHECK(judge(verified, requirement) == Status::not_finite);  // over everything
+  verified = {.position_error = 0, .orientation_error = not_a_number};
+  CHECK(judge(verified, requirement) == Status::not_finite);
 }
