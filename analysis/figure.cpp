@@ -7,6 +7,8 @@
 #include <array>
 #include <atomic>
 #include <cstddef>
+#include <optional>
+#include <stdexcept>
 #include <string_view>
 #include <system_error>
 #include <thread>
@@ -40,33 +42,30 @@ class Workshop {
   std::filesystem::path folder_;
 };
 
+// Of an earlier report; a link or a device in their place is not ours to remove.
 void remove_pictures(const std::string& name, const std::filesystem::path& folder) {
   std::error_code ignored;
   for (const std::string_view type : picture_types) {
-    std::filesystem::remove(folder / fmt::format("{}.{}", name, type), ignored);
+    const std::filesystem::path file = folder / fmt::format("{}.{}", name, type);
+    if (std::filesystem::is_regular_file(std::filesystem::symlink_status(file, ignored)))
+      std::filesystem::remove(file, ignored);
   }
 }
 
-// Draws in the workshop, then moves the pictures to their place.
-FigureOutcome draw(const Figure& figure, const std::filesystem::path& workshop, const std::string& gnuplot) {
-  FigureOutcome outcome{.name = figure.name};
+// Draws in the workshop, then writes the pictures to their place. std::invalid_argument says why it could not.
+void draw(const Figure& figure, const std::filesystem::path& workshop, const std::string& gnuplot) {
   // -d: the same look whatever ~/.gnuplot says.
   const ProcessResult result = run_process({gnuplot, "-d", figure.name + ".gp"}, workshop);
   if (!result.succeeded) {
-    outcome.error = result.output.empty() ? fmt::format("{} failed without a message", gnuplot) : result.output;
-    return outcome;
+    throw std::invalid_argument(result.output.empty() ? fmt::format("{} failed without a message", gnuplot)
+                                                      : result.output);
   }
   for (const std::string_view type : picture_types) {
     const std::string file = fmt::format("{}.{}", figure.name, type);
-    std::error_code error;
-    std::filesystem::rename(workshop / file, workshop.parent_path() / file, error);
-    if (!error) continue;
-    outcome.error =
-        fmt::format("{} drew no {}: {}", gnuplot, file, result.output.empty() ? error.message() : result.output);
-    return outcome;
+    const std::optional<std::string> picture = read_file(workshop / file);
+    if (!picture) throw std::invalid_argument(fmt::format("{} drew no {}: {}", gnuplot, file, result.output));
+    write_file(workshop.parent_path() / file, *picture);
   }
-  outcome.rendered = true;
-  return outcome;
 }
 
 }  // namespace
@@ -138,7 +137,7 @@ std::vector<FigureOutcome> write_figures(const std::vector<Figure>& figures, con
   write_sources(folder);
   std::vector<FigureOutcome> outcomes;
   for (const Figure& figure : figures) {
-    remove_pictures(figure.name, folder);
+    if (!options.render) remove_pictures(figure.name, folder);
     outcomes.push_back({.name = figure.name});
   }
   if (!options.render) return outcomes;
@@ -148,8 +147,13 @@ std::vector<FigureOutcome> write_figures(const std::vector<Figure>& figures, con
   std::atomic<std::size_t> next = 0;
   const auto work = [&] {
     for (std::size_t i = next++; i < figures.size(); i = next++) {
-      outcomes[i] = draw(figures[i], workshop.folder(), options.gnuplot);
-      if (!outcomes[i].rendered) remove_pictures(figures[i].name, folder);
+      try {
+        draw(figures[i], workshop.folder(), options.gnuplot);
+        outcomes[i].rendered = true;
+      } catch (const std::invalid_argument& error) {
+        outcomes[i].error = error.what();
+        remove_pictures(figures[i].name, folder);
+      }
     }
   };
   std::vector<std::jthread> others;

@@ -1,6 +1,8 @@
 #include "analysis/files.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -11,29 +13,66 @@
 
 namespace ikbench {
 
-void write_file(const std::filesystem::path& file, std::string_view text) {
-  const auto fail = [&](const std::error_code& error) {
-    throw std::invalid_argument(
-        fmt::format("cannot write '{}': {}; expected a folder that can be written to", file.string(), error.message()));
-  };
-  std::error_code error;
-  if (file.has_parent_path()) std::filesystem::create_directories(file.parent_path(), error);
-  if (error) fail(error);
-  const std::filesystem::path half = file.string() + fmt::format(".half-{}", ::getpid());
-  {
-    std::ofstream stream(half, std::ios::binary);
-    stream.write(text.data(), static_cast<std::streamsize>(text.size()));
-    stream.flush();
-    if (!stream) error.assign(errno, std::generic_category());
-  }
-  if (!error) std::filesystem::rename(half, file, error);
-  if (!error) return;
-  std::error_code ignored;
-  std::filesystem::remove(half, ignored);
-  fail(error);
+namespace {
+
+namespace fs = std::filesystem;
+
+std::error_code last_error() { return {errno, std::generic_category()}; }
+
+// Owner and permissions of the file that a new one takes the place of; the owner only where the system lets us.
+void pass_on(const struct stat& former, int descriptor) {
+  [[maybe_unused]] const int ignored = ::fchown(descriptor, former.st_uid, former.st_gid);
+  ::fchmod(descriptor, former.st_mode & 07777);
 }
 
-std::optional<std::string> read_file(const std::filesystem::path& file) {
+// Writes what is opened by the path: a new file, or whatever is there. `former` is the file that it will replace.
+std::error_code write_into(const fs::path& file, std::string_view text, const struct stat* former = nullptr) {
+  const mode_t mode = former == nullptr ? 0666 : 0600;
+  const int descriptor = ::open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, mode);
+  if (descriptor < 0) return last_error();
+  std::error_code error;
+  while (!text.empty() && !error) {
+    const ssize_t written = ::write(descriptor, text.data(), text.size());
+    if (written >= 0)
+      text.remove_prefix(static_cast<std::size_t>(written));
+    else if (errno != EINTR)
+      error = last_error();
+  }
+  if (former != nullptr) pass_on(*former, descriptor);
+  if (::close(descriptor) != 0 && !error) error = last_error();
+  return error;
+}
+
+std::error_code replace(const fs::path& file, std::string_view text, const struct stat* former) {
+  const fs::path half = file.string() + fmt::format(".half-{}", ::getpid());
+  std::error_code error = write_into(half, text, former);
+  if (!error) fs::rename(half, file, error);
+  std::error_code ignored;
+  if (error) fs::remove(half, ignored);
+  return error;
+}
+
+std::error_code write_whole(const fs::path& file, std::string_view text) {
+  struct stat there {};
+  if (::lstat(file.c_str(), &there) != 0) return replace(file, text, nullptr);
+  if (::stat(file.c_str(), &there) != 0 || !S_ISREG(there.st_mode)) return write_into(file, text);
+  std::error_code error;
+  const fs::path place = fs::canonical(file, error);
+  return error ? error : replace(place, text, &there);
+}
+
+}  // namespace
+
+void write_file(const fs::path& file, std::string_view text) {
+  std::error_code error;
+  if (file.has_parent_path()) fs::create_directories(file.parent_path(), error);
+  if (!error) error = write_whole(file, text);
+  if (!error) return;
+  throw std::invalid_argument(
+      fmt::format("cannot write '{}': {}; expected a place that can be written to", file.string(), error.message()));
+}
+
+std::optional<std::string> read_file(const fs::path& file) {
   std::ifstream stream(file, std::ios::binary);
   std::ostringstream text;
   if (!stream || !(text << stream.rdbuf())) return std::nullopt;

@@ -1,4 +1,5 @@
-// Files that are either whole or not there: written beside their place under another name, then renamed.
+// Files that are either whole or not there: written beside their place under another name, then renamed. What is there
+// and is no regular file (a device, a pipe) is written into.
 #pragma once
 
 #include <filesystem>
@@ -8,7 +9,8 @@
 
 namespace ikbench {
 
-// Creates the folder where missing. std::invalid_argument names the file and the system's reason.
+// Creates the folder where missing, follows links, keeps the owner and the permissions of a file that it replaces.
+// std::invalid_argument names the file and the system's reason.
 void write_file(const std::filesystem::path& file, std::string_view text);
 // Nothing where it cannot be read.
 std::optional<std::string> read_file(const std::filesystem::path& file);

@@ -14,6 +14,29 @@ cp .out first.csv
 succeeds export made/store.sqlite -o file.csv
 [ -z "$out" ] || fail "export -o wrote to the standard output too"
 cmp file.csv first.csv || fail "-o writes something else"
+
+# -o follows links, keeps permissions, and writes into what is no regular file.
+echo old >private.csv
+chmod 600 private.csv
+ln -s private.csv link.csv
+succeeds export made/store.sqlite -o link.csv
+[ -L link.csv ] || fail "-o replaced a link"
+cmp private.csv first.csv || fail "-o through a link writes something else"
+[ "$(stat -c %a private.csv)" = 600 ] || fail "-o made a private file $(stat -c %a private.csv)"
+mkfifo pipe
+cat pipe >from-pipe.csv &
+reader=$!
+succeeds export made/store.sqlite -o pipe
+[ -p pipe ] || fail "-o replaced a pipe"
+wait $reader
+cmp from-pipe.csv first.csv || fail "-o into a pipe writes something else"
+if mknod null c 1 3 2>.mknod && mknod full c 1 7 2>.mknod && : 2>.mknod >null; then # only root may
+  succeeds export made/store.sqlite -o null
+  refused 'No space left on device' export made/store.sqlite -o full
+  [ -c null ] && [ -c full ] || fail "-o replaced a device"
+fi
+"$program" export made/store.sqlite -o /dev/stdout | cmp - first.csv || fail "-o /dev/stdout writes something else"
+
 succeeds export made/store.sqlite --study slim2023-context
 [ "$(wc -l <.out)" = 13 ] || fail "a head and 12 solves expected of the second study"
 has "$out" "DLS"
