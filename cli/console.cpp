@@ -17,6 +17,22 @@ namespace {
 std::atomic<bool> cancel_requested{false};
 static_assert(std::atomic<bool>::is_always_lock_free);
 
+// The one place that writes to standard error: where both go into one file, what was printed before comes before.
+void write_error(const std::string& text) {
+  std::fflush(stdout);
+  std::fputs(text.c_str(), stderr);
+  std::fflush(stderr);
+}
+
+// Rate and time left; there is nothing to say of them before the first solve.
+std::string pace(const Progress& progress, double elapsed) {
+  const std::int64_t solved = progress.done - progress.reused;
+  if (solved <= 0 || elapsed <= 0) return "";
+  const double rate = static_cast<double>(solved) / elapsed;
+  const auto left = static_cast<std::int64_t>(static_cast<double>(progress.total - progress.done) / rate);
+  return fmt::format(", {:.{}f}/s, {}:{:02} left", rate, rate < 10 ? 1 : 0, left / 60, left % 60);
+}
+
 }  // namespace
 
 std::string printable(std::string_view text) {
@@ -35,7 +51,7 @@ std::string printable(std::string_view text) {
   return result + one_line(line);
 }
 
-void say(std::string_view text) { std::fputs((printable(text) + '\n').c_str(), stderr); }
+void say(std::string_view text) { write_error(printable(text) + '\n'); }
 
 std::string shell_command(std::string_view program, const std::vector<std::string>& arguments) {
   constexpr std::string_view harmless = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_=.,:/+@%";
@@ -85,30 +101,36 @@ CancelOnSignal::~CancelOnSignal() {
 
 const std::atomic<bool>& CancelOnSignal::requested() const { return cancel_requested; }
 
-ProgressBar::ProgressBar(std::string title) : title_(std::move(title)), on_terminal_(isatty(STDERR_FILENO) != 0) {}
+ProgressText::ProgressText(std::string title, Medium medium, Clock::time_point started)
+    : title_(printable(title)), medium_(medium), started_(started), next_(started) {
+  if (medium_ == Medium::log) next_ += std::chrono::seconds(30);
+}
+
+std::string ProgressText::at(Clock::time_point now, const Progress& progress) {
+  if (now < next_) return "";
+  const std::string state = fmt::format("{}/{} solves{}", progress.done, progress.total,
+                                        pace(progress, std::chrono::duration<double>(now - started_).count()));
+  if (medium_ == Medium::log) {
+    next_ = now + std::chrono::seconds(30);
+    return fmt::format("{}: {}\n", title_, state);
+  }
+  next_ = now + std::chrono::milliseconds(100);
+  constexpr std::int64_t cells = 30;
+  const std::int64_t full = progress.total == 0 ? cells : cells * progress.done / progress.total;
+  return fmt::format("\r\x1b[K{} [{:#<{}}{:.<{}}] {}", title_, "", full, "", cells - full, state);
+}
+
+ProgressBar::ProgressBar(std::string title)
+    : on_terminal_(isatty(STDERR_FILENO) != 0),
+      text_(std::move(title), on_terminal_ ? ProgressText::Medium::terminal : ProgressText::Medium::log,
+            ProgressText::Clock::now()) {}
 
 ProgressBar::~ProgressBar() {
-  if (on_terminal_) std::fputs("\r\x1b[K", stderr);
+  if (on_terminal_) write_error("\r\x1b[K");
 }
 
 void ProgressBar::show(const Progress& progress) {
-  const Clock::time_point now = Clock::now();
-  if (!on_terminal_ || now - shown_ < std::chrono::milliseconds(100)) return;
-  shown_ = now;
-  constexpr std::int64_t cells = 30;
-  const std::int64_t full = progress.total == 0 ? cells : cells * progress.done / progress.total;
-  const double elapsed = std::chrono::duration<double>(now - started_).count();
-  const std::int64_t solved = progress.done - progress.reused;
-  std::string pace;  // nothing to say before the first solve
-  if (solved > 0 && elapsed > 0) {
-    const double rate = static_cast<double>(solved) / elapsed;
-    const auto left = static_cast<std::int64_t>(static_cast<double>(progress.total - progress.done) / rate);
-    pace = fmt::format(", {:.0f}/s, {}:{:02} left", rate, left / 60, left % 60);
-  }
-  const std::string bar = fmt::format("\r\x1b[K{} [{:#<{}}{:.<{}}] {}/{} solves{}", printable(title_), "", full, "",
-                                      cells - full, progress.done, progress.total, pace);
-  std::fputs(bar.c_str(), stderr);
-  std::fflush(stderr);
+  if (const std::string text = text_.at(ProgressText::Clock::now(), progress); !text.empty()) write_error(text);
 }
 
 std::filesystem::path default_folder(std::string_view study) {

@@ -16,7 +16,8 @@ namespace ikbench::cli {
 // colours a terminal or turns its writing round; newlines stay.
 std::string printable(std::string_view text);
 
-// A line on standard error, printable; that nobody can read it is no failure.
+// A line on standard error, printable, after all that standard output was given before; that nobody can read it is no
+// failure.
 void say(std::string_view text);
 
 // A program and its arguments as a shell would take them again.
@@ -36,19 +37,34 @@ class CancelOnSignal {
   const std::atomic<bool>& requested() const;
 };
 
-// A bar with rate and time left on a terminal; nothing elsewhere.
+// What to write of a progress, and when: on a terminal a bar that moves, in a log a line now and then.
+class ProgressText {
+ public:
+  using Clock = std::chrono::steady_clock;
+  enum class Medium { terminal, log };
+
+  ProgressText(std::string title, Medium medium, Clock::time_point started);
+  std::string at(Clock::time_point now, const Progress& progress);  // empty where it is too soon after the last
+
+ private:
+  std::string title_;
+  Medium medium_;
+  Clock::time_point started_;
+  Clock::time_point next_;
+};
+
+// The progress on standard error, with rate and time left; on a terminal it is wiped at the end.
 class ProgressBar {
  public:
   explicit ProgressBar(std::string title);
   ~ProgressBar();
+  ProgressBar(const ProgressBar&) = delete;
+  ProgressBar& operator=(const ProgressBar&) = delete;
   void show(const Progress& progress);
 
  private:
-  using Clock = std::chrono::steady_clock;
-  std::string title_;
   bool on_terminal_;
-  Clock::time_point started_ = Clock::now();
-  Clock::time_point shown_{};
+  ProgressText text_;
 };
 
 // out/<name>, the name with everything but letters, digits, '-', '_' and '.' replaced.

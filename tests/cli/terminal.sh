@@ -6,6 +6,14 @@ succeeds run slim2023 "${small[@]}" --no-report --out quiet
 quiet
 has_no "$err" "solves,"
 
+# In one log with the results, a warning stands on a line of its own, in the order in which things were said.
+PATH=/nonexistent "$program" run slim2023 "${small[@]}" --out logged >.log 2>&1 || fail "no figures: $(<.log)"
+grep -q '^warning: ' .log || fail "no warning on a line of its own: $(<.log)"
+! grep -q '.warning: ' .log || fail "a warning within a line: $(grep '.warning: ' .log)"
+[ "$(grep -n '^warning: .*gnuplot' .log | head -n 1 | cut -d: -f1)" -gt "$(grep -n '^slim2023: 36 solves in' .log | cut -d: -f1)" ] ||
+  fail "a warning before what was said before it: $(<.log)"
+[[ "$(tail -n 1 .log)" == "Report: "* ]] || fail "the report's path is not the last line: $(<.log)"
+
 script -qec true /dev/null >/dev/null 2>&1 </dev/null || exit 77  # no `script`, or no terminal to be had
 script -qec "'$program' run slim2023 --set runs=4 --set path.points=5 --set stop.iterations=4000 --no-report --out shown" /dev/null >.shown </dev/null ||
   fail "on a terminal: exit code $?; it said: $(<.shown)"
