@@ -50,6 +50,15 @@ void warn_of_left_aside(const Study& study, const Store& store) {
                   aside.solves, fmt::join(aside.labels, ", ")));
 }
 
+// Where somebody else has the store open, it is more than one file.
+void tell_of_log(const std::vector<std::filesystem::path>& files) {
+  if (files.size() < 2) return;
+  say(fmt::format(
+      "warning: another program has {0} open, so part of it still is in {1}: copy both files together, or end "
+      "that program and run this again, which makes one file of them",
+      files[0].string(), files[1].string()));
+}
+
 }  // namespace
 
 CLI::Validator whole_number() {
@@ -155,6 +164,7 @@ Ended run_and_tell(const Study& study, const std::filesystem::path& folder, RunR
     request.cancelled = &signals.requested();
     progress = run(study, store, request);
   }
+  tell_of_log(store.finish());
   const std::string place = printable(store_in(folder).string());
   if (progress.done < progress.total) {
     say(fmt::format("Stopped: {} of {} solves are kept in {}; the same command goes on from there.", progress.done,

@@ -1,15 +1,17 @@
 // The store as an SQLite file, through SQLiteCpp. While it is written it has a write-ahead log beside it
 // (https://www.sqlite.org/wal.html): a process that is killed loses nothing that was committed, and one transaction
-// per solve costs no wait for the disk. The last writer to close folds the log in: a finished store is one plain file.
+// per solve costs no wait for the disk. The last writer to finish folds the log in: a finished store is one plain file.
 #include "results/store.hpp"
 
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <SQLiteCpp/VariadicBind.h>
 #include <fmt/format.h>
 #include <sqlite3.h>
+#include <sys/stat.h>
 
 #include <algorithm>
 #include <cctype>
+#include <chrono>
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
@@ -19,6 +21,7 @@
 #include <string>
 #include <string_view>
 #include <system_error>
+#include <thread>
 #include <type_traits>
 #include <utility>
 
@@ -30,6 +33,7 @@ namespace {
 constexpr std::int64_t application_id = 0x494B424E;  // "IKBN" in the header of the file
 constexpr std::int64_t schema_version = 1;           // docs/data-dictionary.md: when it is raised
 constexpr int busy_timeout_ms = 10'000;
+constexpr std::chrono::seconds folding_patience{5};
 constexpr std::int64_t all_runs = std::numeric_limits<std::int64_t>::max();
 
 // More than any study needs; a file that holds more was not written by us.
@@ -63,6 +67,13 @@ std::string shortened(std::string_view text) {
       fmt::format("'{}' is damaged ({}); restore it from a copy or run its studies into a new store", file, what));
 }
 
+[[noreturn]] void refuse_taken_away(const std::string& file) {
+  throw std::runtime_error(fmt::format(
+      "'{}' was removed, moved or replaced while ikbench wrote to it, so the new solves are not in it; if it "
+      "was moved, move it back; then run again",
+      file));
+}
+
 // SQLite's word for what went wrong, as a sentence about the file.
 [[noreturn]] void refuse(const std::string& file, const SQLite::Exception& error) {
   switch (error.getErrorCode()) {
@@ -76,9 +87,16 @@ std::string shortened(std::string_view text) {
       throw std::invalid_argument(
           fmt::format("'{}' cannot hold a value of more than {} MB; expected a shorter text, list or trace", file,
                       largest_value / 1'000'000));
+    case SQLITE_READONLY:
+      if (error.getExtendedErrorCode() == SQLITE_READONLY_DBMOVED) refuse_taken_away(file);
+      if (error.getExtendedErrorCode() == SQLITE_READONLY_ROLLBACK)
+        throw std::invalid_argument(
+            fmt::format("'{}' was left half-written by an ikbench that was killed; what mends it is in '{}-journal': "
+                        "leave both where they are and run the study again, which undoes the half and goes on",
+                        file, file));
+      [[fallthrough]];
     case SQLITE_CANTOPEN:
     case SQLITE_PERM:
-    case SQLITE_READONLY:
       throw std::invalid_argument(fmt::format(
           "'{}' cannot be opened ({}); it, its folder or a '-wal' file that a run left beside it cannot be read or "
           "written: give permission, or copy the store with its '-wal' file to a folder where you can write",
@@ -372,19 +390,30 @@ std::string checked_path(const std::filesystem::path& file, Store::Mode mode) {
   return path.string();
 }
 
+// Which file a path leads to: its device and number there.
+using FileIdentity = std::pair<dev_t, ino_t>;
+
+std::optional<FileIdentity> identity_of(const std::string& path) {
+  struct stat status {};
+  if (::stat(path.c_str(), &status) != 0) return std::nullopt;
+  return FileIdentity{status.st_dev, status.st_ino};
+}
+
 }  // namespace
 
 struct Store::Database {
   std::string file;  // as the user named it
   Mode mode;
   SQLite::Database sqlite;
+  std::optional<FileIdentity> identity;  // of the file that was opened
 
   Database(const std::filesystem::path& path, Mode open_mode)
       : file(path.string()),
         mode(open_mode),
         sqlite(checked_path(path, mode),
                mode == Mode::write ? SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE : SQLite::OPEN_READONLY,
-               busy_timeout_ms) {
+               busy_timeout_ms),
+        identity(identity_of(sqlite.getFilename())) {
     distrust();
     if (mode == Mode::read) {
       check_header();
@@ -401,17 +430,43 @@ struct Store::Database {
   }
 
   ~Database() {
-    if (mode == Mode::read) return;
-    try {
-      sqlite.setBusyTimeout(0);
-      sqlite.exec("PRAGMA wal_checkpoint(TRUNCATE); PRAGMA journal_mode = DELETE");
-    } catch (const SQLite::Exception&) {
-      // Another process has the store open: what is committed is safe, and the last to close folds the log in.
-    }
+    if (mode == Mode::write) fold();
   }
 
   Database(const Database&) = delete;
   Database& operator=(const Database&) = delete;
+
+  // SQLite goes on writing a file that was unlinked or moved away.
+  bool is_in_place() const { return identity && identity_of(sqlite.getFilename()) == identity; }
+
+  void check_place() const {
+    if (!is_in_place()) refuse_taken_away(file);
+  }
+
+  void commit(SQLite::Transaction& transaction) {
+    transaction.commit();
+    check_place();
+  }
+
+  // Whether the log could be folded in: not while another process reads or writes. What is committed is safe all the
+  // same, and the next to write folds it in.
+  bool fold() {
+    try {
+      sqlite.setBusyTimeout(0);
+      sqlite.exec("PRAGMA wal_checkpoint(TRUNCATE)");
+      if (is_in_place()) sqlite.exec("PRAGMA journal_mode = DELETE");  // else it would remove the log of another file
+      return true;
+    } catch (const SQLite::Exception&) {
+      return false;
+    }
+  }
+
+  void fold_with_patience() {
+    const auto deadline = std::chrono::steady_clock::now() + folding_patience;
+    while (!fold() && std::chrono::steady_clock::now() < deadline)
+      std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    sqlite.setBusyTimeout(busy_timeout_ms);
+  }
 
   std::int64_t number(const char* query) { return sqlite.execAndGet(query).getInt64(); }
 
@@ -566,7 +621,7 @@ void Store::save_study(const StudyEntry& study) {
       add.exec();
       add.reset();
     }
-    transaction.commit();
+    database_->commit(transaction);
   });
 }
 
@@ -607,7 +662,7 @@ std::int64_t Store::begin_session(const std::map<std::string, std::string>& envi
       add.exec();
       add.reset();
     }
-    transaction.commit();
+    database_->commit(transaction);
     return id;
   });
 }
@@ -639,7 +694,22 @@ void Store::append(const std::vector<SolveRecord>& records) {
       insert.exec();
       insert.reset();
     }
-    transaction.commit();
+    database_->commit(transaction);
+  });
+}
+
+std::vector<std::filesystem::path> Store::finish() {
+  return guarded(database_->file, [&] {
+    database_->fold_with_patience();
+    database_->check_place();
+    const std::filesystem::path place = std::filesystem::is_symlink(database_->file)
+                                            ? std::filesystem::canonical(database_->file)
+                                            : std::filesystem::path(database_->file);
+    const std::filesystem::path log = place.string() + "-wal";
+    std::error_code no_log;
+    const auto size = std::filesystem::file_size(log, no_log);
+    if (no_log || size == 0) return std::vector{place};
+    return std::vector{place, log};
   });
 }
 

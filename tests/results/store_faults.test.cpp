@@ -4,8 +4,11 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <functional>
+#include <future>
 #include <random>
+#include <thread>
 
 #include "results/store.hpp"
 #include "tests/catch.hpp"
@@ -428,6 +431,142 @@ TEST_CASE("two processes can write one store, opening and closing it as they lik
   CHECK(store.series("key-a").size() == 200);
   CHECK(store.series("key-b").size() == 200);
   CHECK(store.sessions().size() == 40);
+}
+
+TEST_CASE("a store that is removed, moved or replaced while it is written is a failure, not a success",
+          "[store][faults]") {
+  const ScratchFolder folder;
+  const auto file = folder.path / "out" / "a.ikb", other = folder.path / "other.ikb";
+  write_store(other);
+  const std::vector<std::function<void()>> ways{
+      [&] { std::filesystem::remove_all(file.parent_path()); },
+      [&] { std::filesystem::remove(file); },
+      [&] { std::filesystem::rename(file.parent_path(), folder.path / "moved"); },
+      [&] {
+        std::filesystem::copy_file(other, folder.path / "copy.ikb");
+        std::filesystem::rename(folder.path / "copy.ikb", file);
+      },
+  };
+  for (std::size_t way = 0; way < ways.size(); ++way) {
+    CAPTURE(way);
+    const std::string words = quoted(file) + " was removed, moved or replaced while ikbench wrote to it";
+    for (const bool in_the_middle : {true, false}) {
+      Store store(file, Store::Mode::write);
+      store.save_study(sample_study());
+      store.append({sample_record("key-a", 1, 1)});
+      ways[way]();
+      if (in_the_middle) {
+        CHECK_THAT(complaint<std::runtime_error>([&] { store.append({sample_record("key-a", 1, 2)}); }),
+                   ContainsSubstring(words));
+        CHECK_THAT(complaint<std::runtime_error>([&] { store.save_study(sample_study()); }), ContainsSubstring(words));
+        CHECK_THAT(complaint<std::runtime_error>([&] { store.begin_session({}); }), ContainsSubstring(words));
+      }
+      CHECK_THAT(complaint<std::runtime_error>([&] { store.finish(); }), ContainsSubstring(words));
+      std::filesystem::remove_all(file.parent_path());
+      std::filesystem::remove_all(folder.path / "moved");
+    }
+  }
+}
+
+TEST_CASE("a store that takes the place of one that is written loses nothing", "[store][faults]") {
+  const ScratchFolder folder;
+  const auto file = folder.path / "a.ikb";
+  {
+    Store first(file, Store::Mode::write);
+    first.append({sample_record()});
+    std::filesystem::remove(file);
+    std::filesystem::remove(file.string() + "-wal");
+    std::filesystem::remove(file.string() + "-shm");
+    const pid_t second = in_a_process([&] {
+      Store store(file, Store::Mode::write);
+      for (int run = 1; run <= 3; ++run) store.append({sample_record("key-b", run)});
+      return kill(getpid(), SIGKILL) == 0;  // its solves are in its log
+    });
+    CHECK(exit_code(second) == -1);
+    REQUIRE(std::filesystem::file_size(file.string() + "-wal") > 0);
+  }
+  CHECK(Store(file, Store::Mode::read).series("key-b").size() == 3);
+}
+
+TEST_CASE("the end of writing waits for a reader, and leaves one file that can be copied alone", "[store][faults]") {
+  const ScratchFolder folder;
+  const auto file = folder.path / "a.ikb";
+  write_store(file);
+  Store store(file, Store::Mode::write);
+  store.append({sample_record("key-a", 21)});
+  std::promise<void> reads;
+  std::jthread reader([&] {
+    SQLite::Database sqlite(file.string(), SQLite::OPEN_READONLY);
+    SQLite::Statement query(sqlite, "SELECT * FROM solves");
+    query.executeStep();
+    reads.set_value();
+    std::this_thread::sleep_for(std::chrono::milliseconds(300));
+  });
+  reads.get_future().wait();
+  store.append({sample_record("key-b", 21)});
+  CHECK(store.finish() == std::vector{file});
+  CHECK(!std::filesystem::exists(file.string() + "-wal"));
+  std::filesystem::copy_file(file, folder.path / "copy.ikb");
+  CHECK(Store(folder.path / "copy.ikb", Store::Mode::read).series("key-b").size() == 21);
+}
+
+TEST_CASE("where a reader does not end, the files that belong together are named, and together they are whole",
+          "[store][faults]") {
+  const ScratchFolder folder;
+  const auto file = folder.path / "a.ikb", log = folder.path / "a.ikb-wal";
+  write_store(file);
+  {
+    SQLite::Database reader(file.string(), SQLite::OPEN_READONLY);
+    Store store(file, Store::Mode::write);
+    store.append({sample_record("key-a", 21)});
+    SQLite::Statement query(reader, "SELECT * FROM solves");
+    query.executeStep();
+    store.append({sample_record("key-b", 21)});
+    CHECK(store.finish() == std::vector{file, log});
+    std::filesystem::copy_file(file, folder.path / "copy.ikb");
+    std::filesystem::copy_file(log, folder.path / "copy.ikb-wal");
+  }
+  const auto solves = [](const std::filesystem::path& of) {
+    const Store store(of, Store::Mode::read);
+    return store.series("key-a").size() + store.series("key-b").size();
+  };
+  CHECK(solves(folder.path / "copy.ikb") == 42);
+  CHECK(Store(file, Store::Mode::write).finish() == std::vector{file});  // running again makes one file of them
+  CHECK(solves(file) == 42);
+}
+
+TEST_CASE("a log is folded in while another program has the store open and reads nothing", "[store][faults]") {
+  const ScratchFolder folder;
+  const auto file = folder.path / "a.ikb";
+  write_store(file);
+  SQLite::Database idle(file.string(), SQLite::OPEN_READONLY);
+  Store store(file, Store::Mode::write);
+  store.append({sample_record("key-a", 21)});
+  idle.execAndGet("SELECT count(*) FROM solves");
+  CHECK(store.finish() == std::vector{file});
+  std::filesystem::copy_file(file, folder.path / "copy.ikb");
+  CHECK(Store(folder.path / "copy.ikb", Store::Mode::read).series("key-a").size() == 21);
+}
+
+TEST_CASE("a store that a kill left half-written is told apart, and writing mends it", "[store][faults]") {
+  const ScratchFolder folder;
+  const auto file = folder.path / "a.ikb";
+  write_store(file);
+  const pid_t writer = in_a_process([&] {
+    SQLite::Database sqlite(file.string(), SQLite::OPEN_READWRITE);
+    sqlite.exec("PRAGMA cache_size = 1; BEGIN; UPDATE solves SET trace_cm = '[1]'; UPDATE solves SET trace_cm = '[2]'");
+    return kill(getpid(), SIGKILL) == 0;
+  });
+  CHECK(exit_code(writer) == -1);
+  REQUIRE(std::filesystem::exists(file.string() + "-journal"));
+  const std::string said = refusal(file);
+  CHECK_THAT(said, ContainsSubstring("was left half-written by an ikbench that was killed"));
+  CHECK_THAT(said, ContainsSubstring(quoted(std::filesystem::path(file.string() + "-journal"))));
+  CHECK_THAT(said, ContainsSubstring("run the study again"));
+  CHECK(Store(file, Store::Mode::write).finish() == std::vector{file});
+  const std::vector<SolveRecord> solves = Store(file, Store::Mode::read).solves("table-3");
+  REQUIRE(solves.size() == 40);
+  CHECK(same(solves.front(), sample_record()));
 }
 
 TEST_CASE("a store that another process keeps locked is refused after a wait", "[store][faults][.slow]") {
