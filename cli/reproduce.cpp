@@ -96,7 +96,10 @@ void add_reproduce(CLI::App& app, Invocation& invocation) {
     }
     wanted.tables.push_back(audit_table("slim2023"));
     const Store store(store_in(folder), Store::Mode::read);
-    for (const auto& [name, overrides] : studies) wanted.remarks.push_back(compared_with_reference(store, name));
+    for (const auto& [name, overrides] : studies) {
+      check_is_stored(load_study(name, overrides), store);
+      wanted.remarks.push_back(compared_with_reference(store, name));
+    }
     write_and_announce(store, std::move(wanted));
   });
 }

@@ -42,8 +42,9 @@ void add_run(CLI::App& app, Invocation& invocation) {
     if (run_and_tell(study, folder, {.jobs = arguments->run.jobs, .command = invocation.command}) == Ended::stopped) {
       invocation.exit_code = 130;
     } else if (!arguments->without_report) {
-      write_and_announce(Store(store_in(folder), Store::Mode::read),
-                         {.study = study.name, .folder = folder, .arguments = arguments->report});
+      const Store store(store_in(folder), Store::Mode::read);
+      check_is_stored(study, store);
+      write_and_announce(store, {.study = study.name, .folder = folder, .arguments = arguments->report});
     }
   });
 }

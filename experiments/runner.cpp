@@ -111,27 +111,18 @@ void solve_rest(Plan& plan, int jobs, const std::atomic<bool>* cancelled, Desk::
   });
 }
 
-StudyEntry entry_of(const Study& study, const std::vector<Contest>& contests) {
-  StudyEntry entry{.name = study.name, .definition = to_json(study), .series = {}};
-  for (const Contest& contest : contests) entry.series.push_back(contest.series());
+StudyEntry entry_of(const Plan& plan) {
+  StudyEntry entry{.name = plan.study.name, .definition = to_json(plan.study), .series = {}};
+  for (const Contest& contest : plan.contests) entry.series.push_back(contest.series());
   return entry;
 }
 
-}  // namespace
-
-Progress run(const Study& study, Store& store, const RunRequest& request) {
-  Plan plan(study);
-  store.save_study(entry_of(study, plan.contests));
-  Progress progress{.total = static_cast<std::int64_t>(plan.chains.size()) * plan.points};
-  progress.done = progress.reused = move_past_stored(plan, store);
-  if (request.progress) request.progress(progress);
-  if (progress.done == progress.total) return progress;
-
+void solve_missing(Plan& plan, Store& store, const RunRequest& request, Progress& progress) {
   std::map<std::string, std::string> session = environment();
-  for (const Entrant& entrant : study.solvers) {
+  for (const Entrant& entrant : plan.study.solvers) {
     session["source." + entrant.solver] = solver_source_digest(entrant.solver);
   }
-  session["analysis"] = to_json(study.analysis);  // the study may be saved with another one later
+  session["analysis"] = to_json(plan.study.analysis);  // the study may be saved with another one later
   session["jobs"] = std::to_string(request.jobs);
   session["command"] = request.command;
   const std::int64_t session_id = store.begin_session(session);
@@ -143,6 +134,18 @@ Progress run(const Study& study, Store& store, const RunRequest& request) {
       if (request.progress) request.progress(progress);
     }
   });
+}
+
+}  // namespace
+
+Progress run(const Study& study, Store& store, const RunRequest& request) {
+  Plan plan(study);
+  store.save_study(entry_of(plan));
+  Progress progress{.total = static_cast<std::int64_t>(plan.chains.size()) * plan.points};
+  progress.done = progress.reused = move_past_stored(plan, store);
+  if (request.progress) request.progress(progress);
+  if (progress.done < progress.total) solve_missing(plan, store, request, progress);
+  if (progress.done == progress.total) check_is_stored(study, store);
   return progress;
 }
 
@@ -156,6 +159,14 @@ LeftAside left_aside(const Study& study, const Store& store) {
     for (const auto& [other, count] : solves) aside.solves += count;
   }
   return aside;
+}
+
+void check_is_stored(const Study& study, const Store& store) {
+  if (store.study(study.name).definition == to_json(study)) return;
+  throw std::invalid_argument(fmt::format(
+      "the store has another study named '{}' now, which another ikbench saved meanwhile; no solve is lost: "
+      "run this one again for its report, and give the other another name or --out",
+      study.name));
 }
 
 void solve_study(const Study& study, int jobs, const std::function<void(SolveRecord)>& take,

@@ -27,6 +27,7 @@ struct RunRequest {
 // The points of a run are chained (the arm starts where the previous answer left it) unless the study starts each at
 // its initial configuration; runs are independent. Numbers do not depend on `jobs` (unless a solve ends by its wall
 // time), on the order of solvers, or on what the store already had.
+// What is complete is what the store now has under the study's name: else std::invalid_argument, as below.
 Progress run(const Study& study, Store& store, const RunRequest& request);
 
 // What the store has of the study by another version of the source, of entrants of which it has nothing by this one:
@@ -36,6 +37,9 @@ struct LeftAside {
   std::int64_t solves = 0;
 };
 LeftAside left_aside(const Study& study, const Store& store);
+
+// std::invalid_argument where the store's study of that name is another one, which another process saved meanwhile.
+void check_is_stored(const Study& study, const Store& store);
 
 // All solves of a study, without a store. `take` gets each as soon as it is done, by one thread at a time: those of a
 // run in the order of its points. `cancelled` is looked at before every solve.

@@ -109,9 +109,8 @@ std::string shortened(std::string_view text) {
       if (error.getExtendedErrorCode() != SQLITE_CONSTRAINT_PRIMARYKEY) {
         throw std::logic_error(fmt::format("'{}' already has it: {}", file, error.what()));
       }
-      throw std::runtime_error(fmt::format(
-          "'{}' has that solve already ({}): another ikbench runs the same study into it; wait for it, then run again",
-          file, error.what()));
+      throw std::invalid_argument(fmt::format(
+          "another ikbench is running the same study into '{}'; wait until it has ended, then run again", file));
     default:
       throw std::runtime_error(fmt::format("'{}' cannot be used: {}", file, error.what()));
   }

@@ -1,6 +1,6 @@
 // The store: one SQLite file that remembers studies, sessions and solves. Several studies may share a store.
 // Schema: docs/data-dictionary.md. A user's mistake (no such file, not a store, damaged, a newer schema, no permission,
-// a study of too many solves) is std::invalid_argument; a store kept locked by another
+// a study of too many solves, two processes at one study) is std::invalid_argument; a store kept locked by another
 // process or taken away while it is written, or a full disk std::runtime_error; a mistake of ours (a definition that is
 // not JSON) std::logic_error. The file may be anybody's: whatever in it ikbench would not have written is damage, and
 // no SQL of it is run. A Store belongs to one thread at a time.
@@ -56,7 +56,7 @@ class Store {
   std::vector<Session> sessions() const;
 
   // All of them in one transaction, which outlives the process, however that ends. A solve that is already there
-  // (series, run, point), because another process solves the same, is std::runtime_error; then none of them is kept.
+  // (series, run, point), because another process solves the same, is std::invalid_argument; then none of them is kept.
   void append(const std::vector<SolveRecord>& records);
 
   // The end of writing: makes the store one plain file, and waits some seconds for others who have it open. Gives the

@@ -340,6 +340,39 @@ TEST_CASE("a study that asks for the same under another name finds it in the sto
   CHECK(scratch.store.solves("renamed").size() == 24);
 }
 
+TEST_CASE("a run whose study another process replaces is refused, keeps its solves, and is told what to do",
+          "[runner]") {
+  for (const int jobs : {1, 4}) {
+    const ScratchFolder folder;
+    Store store(folder.path / "store.sqlite", Store::Mode::write);
+    Study other = small_study();
+    other.seed = 2;
+    const auto meddle = [&](const Progress& now) {
+      if (now.done != 5) return;
+      Store rival(folder.path / "store.sqlite", Store::Mode::write);
+      run(other, rival, {});
+    };
+    const std::string said =
+        complaint<std::invalid_argument>([&] { run(small_study(), store, {.jobs = jobs, .progress = meddle}); });
+    CHECK_THAT(said, ContainsSubstring("the store has another study named 'small' now"));
+    CHECK_THAT(said, ContainsSubstring("run this one again for its report"));
+    CHECK(complaint<std::invalid_argument>([&] { check_is_stored(small_study(), store); }) == said);
+    CHECK_NOTHROW(check_is_stored(other, store));
+    CHECK(run(small_study(), store, {}).reused == 24);
+    CHECK(same_numbers(store.solves("small"), solves_of(small_study())));
+  }
+}
+
+TEST_CASE("a run whose analysis plan another process replaces is refused too", "[runner][analysis]") {
+  ScratchStore scratch;
+  Study other = small_study();
+  other.analysis.significance = 0.01;
+  const auto meddle = [&](const Progress& now) {
+    if (now.done == now.total) run_for(other, scratch.store, 24);
+  };
+  CHECK_THROWS_AS(run(small_study(), scratch.store, {.progress = meddle}), std::invalid_argument);
+}
+
 TEST_CASE("a store that was edited is refused and says where", "[runner]") {
   const auto complaint_after = [](const char* edit) {
     ScratchStore scratch;
