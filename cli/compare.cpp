@@ -24,7 +24,7 @@ namespace ikbench::cli {
 
 namespace {
 
-constexpr int regression = 3;  // exit code
+constexpr int regression = 3, undecided = 4;  // exit codes
 
 struct Arguments {
   std::string a, b, store, study, output;
@@ -180,7 +180,7 @@ void write_output(const Compared& compared, const std::string& file) {
 int exit_code(const Compared& compared, const Arguments& arguments) {
   const auto is_there = [&](Outcome outcome) { return count(compared.comparisons, outcome) > 0; };
   if (is_there(Outcome::worse)) return regression;
-  return arguments.strict && (is_there(Outcome::undecided) || is_there(Outcome::not_compared)) ? regression : 0;
+  return arguments.strict && (is_there(Outcome::undecided) || is_there(Outcome::not_compared)) ? undecided : 0;
 }
 
 void compare(const Arguments& arguments, Invocation& invocation) {
@@ -192,9 +192,8 @@ void compare(const Arguments& arguments, Invocation& invocation) {
   for (const std::string& note : compared.notes) fmt::print("{}\n", printable(note));
   for (const std::string& note : variants_notes(compared.comparisons)) fmt::print("{}\n", printable(note));
   invocation.exit_code = exit_code(compared, arguments);
-  const bool too_little = invocation.exit_code != 0 && count(compared.comparisons, Outcome::worse) == 0;
   fmt::print("{}{}\n", printable(variants_verdict(compared.comparisons, compared.question)),
-             too_little ? " With --strict that is not enough." : "");
+             invocation.exit_code == undecided ? " With --strict that is not enough." : "");
 }
 
 }  // namespace
@@ -219,7 +218,8 @@ void add_compare(CLI::App& app, Invocation& invocation) {
                     *significance = add_significance_option(*command, arguments->plan.significance);
   command->get_option("--significance")
       ->description("of each one-sided test; the level of intervals is 1 less twice that");
-  command->add_flag("--strict", arguments->strict, "exit code 3 too where a metric is undecided or not compared");
+  command->add_flag("--strict", arguments->strict,
+                    "exit code 4 where nothing is worse, but a metric is undecided or not compared");
   command->add_option("-o,--output", arguments->output,
                       "also write the table with every column: a .md, .csv or .json file");
   command->footer(
@@ -230,14 +230,13 @@ void add_compare(CLI::App& app, Invocation& invocation) {
       "  ikbench run my.toml --no-report --out new\n"
       "  ikbench compare base.sqlite new/store.sqlite --metric position_error_cm --metric evaluations --metric solved "
       "\\\n"
-      "    -o comparison.md\n\n"
+      "    --strict -o comparison.md\n\n"
       "B is worse, better or the same by tests of the ratio of means against the margin; what they leave open is "
       "undecided,\n"
       "with the number of runs or targets that would decide. --margin and --significance are those of A's study where "
       "not given.\n"
-      "Exit codes: 0 no regression is shown, 3 a regression beyond the margin, 1 a mistake in what was asked, 2 a "
-      "fault of\n"
-      "the program.");
+      "Exit codes: 0 no regression is shown, 3 a regression beyond the margin, 4 with --strict: nothing is worse, but\n"
+      "something is undecided or not compared, 1 a mistake in what was asked, 2 a fault of the program.");
   command->callback([arguments, margin, significance, &invocation] {
     if (margin->count() > 0) arguments->margin = arguments->plan.margin;
     if (significance->count() > 0) arguments->significance = arguments->plan.significance;

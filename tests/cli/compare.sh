@@ -46,8 +46,12 @@ has "$out" "B: IK-BA, against A: BA, in study slim2023"
 succeeds compare $base $fewer --label IK-BA --metric variation_deg
 [ "${out##*$'\n'}" = "No regression beyond 5 % is shown; 1 of 1 metrics is undecided." ] || fail "the last line is: ${out##*$'\n'}"
 run_it compare $base $fewer --label IK-BA --metric variation_deg --strict
-[ "$code" = 3 ] || fail "--strict: exit code $code"
+[ "$code" = 4 ] || fail "--strict, undecided: exit code $code, expected 4"
 has "${out##*$'\n'}" "With --strict that is not enough."
+run_it compare $base $fewer --label IK-BA --label K-ABC --metric position_error_cm --metric variation_deg --strict
+[ "$code" = 3 ] || fail "--strict, worse in one and undecided in another: exit code $code, expected 3"
+has "$out" "undecided"
+has_no "${out##*$'\n'}" "With --strict"
 succeeds compare $base $again --label IK-BA --metric solved --strict
 study single --set runs=1
 succeeds compare single/store.sqlite single/store.sqlite --label BA --metric evaluations
