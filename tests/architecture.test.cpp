@@ -113,9 +113,25 @@ std::vector<std::string> elementary_functions(const std::string& code) {
     std::string name = word.text;
     if (!functions.contains(name) && (name.ends_with('f') || name.ends_with('l'))) name.pop_back();
     const bool function = functions.contains(name) && (word.of_std || word.called);
-    if (function || geometry.contains(name) || name.ends_with("_distribution")) found.push_back(word.text);
+    if (function || geometry.contains(name) || name.ends_with("_distribution")) found.push_back(name);
   }
   return found;
+}
+
+// What to write instead of each, a line each.
+std::string instead_of(const std::vector<std::string>& functions) {
+  static const std::map<std::string, std::string> ours{
+      {"sin", "sin_cos"},       {"cos", "sin_cos"},     {"sincos", "sin_cos"}, {"atan", "arc_tangent"},
+      {"atan2", "arc_tangent"}, {"exp", "exponential"}, {"log", "logarithm"},  {"pow", "power"}};
+  std::string text;
+  for (const std::string& name : functions) {
+    const auto found = ours.find(name);
+    text += "instead of " + name + ' ' +
+            (found == ours.end() ? "make it of those of robots/functions.hpp, or add it there"
+                                 : "use " + found->second + " of robots/functions.hpp") +
+            '\n';
+  }
+  return text;
 }
 
 // The sources that are compiled once for every instruction set, and all of ours that they include.
@@ -246,6 +262,9 @@ TEST_CASE("libraries never print, only programs do", "[architecture]") {
 TEST_CASE("nothing that decides a number calls the C library's elementary functions", "[architecture]") {
   CHECK(elementary_functions("std::sin(x); ::atan2f (y, x); x.array().log(); f(std::pow); AngleAxisd(a, b);").size() ==
         5);
+  CHECK(instead_of(elementary_functions("u.array().pow(y); std::tgamma(x)")) ==
+        "instead of pow use power of robots/functions.hpp\n"
+        "instead of tgamma make it of those of robots/functions.hpp, or add it there\n");
   CHECK(elementary_functions("sin_cos(x); power(x, 2); double log = 0; sines(3); std::sqrt(x);").empty());
   for (const std::string folder : {"robots", "solvers", "experiments"}) {
     for (const fs::path& file : sources_of(folder)) {
@@ -253,8 +272,9 @@ TEST_CASE("nothing that decides a number calls the C library's elementary functi
       // The verifier asks the C library whether our own functions are right, and refuses an answer where they differ;
       // no number of a record is made of what it says.
       const bool witness = file == "experiments/verifier.cpp";
-      CHECK(elementary_functions(code_of(file)) ==
-            (witness ? std::vector<std::string>{"sin", "cos"} : std::vector<std::string>{}));
+      const std::vector<std::string> found = elementary_functions(code_of(file));
+      INFO(instead_of(found));
+      CHECK(found == (witness ? std::vector<std::string>{"sin", "cos"} : std::vector<std::string>{}));
     }
   }
 }
