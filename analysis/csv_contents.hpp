@@ -45,7 +45,8 @@ struct Observation {
   std::size_t row = 0;    // the first, below the header
   std::size_t block = 0;  // 0 for all where there are none; so the run
   std::size_t run = 0;
-  std::size_t count = 1;             // how many it is the mean of
+  std::size_t count = 1;             // of how many values it is the mean
+  std::size_t whole = 1;             // of how many it should be
   std::optional<double> value = {};  // nothing where missing
 };
 

@@ -28,7 +28,7 @@ struct Observations {
   std::string replicate = {};           // what one observation is, in words: "a run's mean over its 20 points"
   std::string block = {};               // what one block is, in words; empty where there are none
   std::vector<std::string> notes = {};  // missing values, incomplete blocks left out, times that are not clean, ...
-  std::string flaw = {};  // why they must not be taken at their word: no independent replicates, times that are not clean
+  std::string flaw = {};  // why not to take them at their word: no replicates, values missing, times that are not clean
 };
 
 struct SummaryGroup {

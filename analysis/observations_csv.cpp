@@ -28,56 +28,77 @@ std::optional<double> mean_of(const std::vector<double>& values) {
   return std::isfinite(exact) ? exact : sum;  // differences of huge numbers overflow, the sum of their shares does not
 }
 
-enum class Missing { spoils_the_mean, is_left_out };
-
-// One observation for all of the same group, block and run.
-std::vector<Observation> averaged(std::vector<Observation> observations, Missing missing) {
+// One observation for all of the same group, block and run. It is whole with as many values as the one of its block
+// that has the most; one that is not has no mean, or where they are taken as given, the mean of what is left.
+std::vector<Observation> averaged(std::vector<Observation> observations, Replicates replicates) {
   const auto key = [](const Observation& o) { return std::tuple(o.group, o.block, o.run); };
   std::ranges::stable_sort(observations, {}, key);
   std::vector<Observation> result;
+  std::unordered_map<std::size_t, std::size_t> most;  // by block; those without a value count
   for (std::size_t first = 0, end = 0; first < observations.size(); first = end) {
     std::vector<double> values;
     for (end = first; end < observations.size() && key(observations[end]) == key(observations[first]); ++end) {
       if (observations[end].value) values.push_back(*observations[end].value);
     }
     result.push_back(observations[first]);
-    result.back().count = end - first;
-    const bool spoilt = missing == Missing::spoils_the_mean && values.size() < end - first;
-    result.back().value = spoilt ? std::nullopt : mean_of(values);
+    result.back().count = values.size();
+    result.back().value = mean_of(values);
+    most[observations[first].block] = std::max(most[observations[first].block], end - first);
+  }
+  for (Observation& observation : result) {
+    observation.whole = most[observation.block];
+    if (observation.count < observation.whole && replicates == Replicates::checked) observation.value.reset();
   }
   return result;
 }
 
-// "20", or "18 to 20".
+// "20", or "18 to 20": of how many those that there are are means.
 std::string counts_in_words(const std::vector<Observation>& observations) {
-  const auto [low, high] = std::ranges::minmax(observations, {}, &Observation::count);
-  return low.count == high.count ? fmt::to_string(low.count) : fmt::format("{} to {}", low.count, high.count);
+  std::size_t low = static_cast<std::size_t>(-1), high = 0;
+  for (const Observation& observation : observations) {
+    if (!observation.value) continue;
+    low = std::min(low, observation.count);
+    high = std::max(high, observation.count);
+  }
+  return low >= high ? fmt::to_string(high) : fmt::format("{} to {}", low, high);
 }
 
-// "3 of 20 values of IK-BA, 1 of 20 of BA": a note, empty where nothing is missing.
-struct LeftOut {
-  std::string_view what, why;
+// What of each group is not whole.
+struct Lack {
+  std::size_t missing = 0, all = 0;
 };
-std::string missing_note(const Contents& contents, LeftOut left_out) {
-  constexpr std::size_t most_groups = 12;
-  std::vector<std::array<std::size_t, 2>> counts(contents.groups.all().size());
+
+std::vector<Lack> lacks_of(const Contents& contents) {
+  std::vector<Lack> lacks(contents.groups.all().size());
   for (const Observation& observation : contents.observations) {
-    counts[observation.group][0] += observation.value ? 0 : 1;
-    ++counts[observation.group][1];
+    Lack& lack = lacks[observation.group];
+    lack.missing += !observation.value || observation.count < observation.whole ? 1 : 0;
+    ++lack.all;
   }
-  std::string groups;
-  std::size_t listed = 0;
-  for (std::size_t group = 0; group < counts.size(); ++group) {
-    const auto [absent, all] = counts[group];
-    if (absent == 0) continue;
-    if (listed++ >= most_groups) continue;
-    groups += groups.empty() ? fmt::format("{} of {} {}", absent, all, left_out.what)
-                             : fmt::format(", {} of {}", absent, all);
-    groups += fmt::format(" of {}", one_line(contents.groups.all()[group]));
-  }
-  if (listed > most_groups) groups += fmt::format(" and of {} more groups", listed - most_groups);
-  return groups.empty() ? "" : fmt::format("Left out because {}: {}.", left_out.why, groups);
+  return lacks;
 }
+
+// "3 of 20 values of IK-BA, 1 of 20 of BA"; empty where nothing is missing.
+std::string in_words(const std::vector<Lack>& lacks, std::string_view what, const Names& groups) {
+  constexpr std::size_t most_groups = 12;
+  std::string words;
+  std::size_t listed = 0;
+  for (std::size_t group = 0; group < lacks.size(); ++group) {
+    const auto [missing, all] = lacks[group];
+    if (missing == 0 || listed++ >= most_groups) continue;
+    words += words.empty() ? fmt::format("{} of {} {}", missing, all, what) : fmt::format(", {} of {}", missing, all);
+    words += fmt::format(" of {}", one_line(groups.all()[group]));
+  }
+  if (listed > most_groups) words += fmt::format(" and of {} more groups", listed - most_groups);
+  return words;
+}
+
+void add_flaw(Observations& result, const std::string& flaw) {
+  if (flaw.empty()) return;
+  result.flaw += (result.flaw.empty() ? "" : "; ") + flaw;
+}
+
+constexpr std::string_view flattered = "a group that failed there looks better than it is";
 
 // The first group's run that several rows share, as a sentence; empty where every row is a run of its own.
 std::string shared_run(const CsvFile& file, const Contents& contents, std::size_t column) {
@@ -111,43 +132,66 @@ std::string flaw_of(const CsvFile& file, const Contents& contents, const CsvRequ
 }
 
 // The values of a group in a block, where a block is given: one each.
-void expect_one_a_block(const CsvFile& file, const std::vector<Observation>& cells, const Observations& result) {
-  const auto several = std::ranges::find_if(cells, [](const Observation& cell) { return cell.count > 1; });
-  if (several == cells.end()) return;
+void expect_one_a_block(const CsvFile& file, const Contents& contents, const Observations& result) {
+  std::map<std::pair<std::size_t, std::size_t>, std::size_t> rows;  // by group and block
+  for (const Observation& observation : contents.observations) ++rows[{observation.group, observation.block}];
+  const auto several = std::ranges::find_if(rows, [](const auto& row) { return row.second > 1; });
+  if (several == rows.end()) return;
   std::string run = "COLUMN";
   for (const std::string& title : file.table.header) {
     if (names_replicates(title) && run == "COLUMN") run = one_line(title);
   }
-  file.refuse(fmt::format(
-      "{} rows of {} in block {}, expected one; average the rows of a run and the runs of a block "
-      "with --run {}, or average the rows as they are with --force",
-      several->count, quoted(result.groups[several->group].name), quoted(result.blocks[several->block]), run));
+  const auto& [group, block] = several->first;
+  file.refuse(
+      fmt::format("{} rows of {} in block {}, expected one; average the rows of a run and the runs of a block "
+                  "with --run {}, or average the rows as they are with --force",
+                  several->second, quoted(result.groups[group].name), quoted(result.blocks[block]), run));
 }
 
-// One value of each group in each block; the blocks that lack one are left out.
-void fill_blocks(const CsvFile& file, const std::vector<Observation>& cells, Observations& result) {
-  const std::size_t groups = result.groups.size();
-  std::vector<std::vector<std::optional<double>>> values(result.blocks.size(),
-                                                         std::vector<std::optional<double>>(groups));
-  for (const Observation& cell : cells) values[cell.block][cell.group] = cell.value;
-  std::vector<std::string> complete;
-  std::string example;
-  for (std::size_t block = 0; block < values.size(); ++block) {
-    const auto absent = std::ranges::find_if_not(values[block], &std::optional<double>::has_value);
-    if (absent == values[block].end()) {
-      complete.push_back(result.blocks[block]);
-      for (std::size_t group = 0; group < groups; ++group) {
-        result.groups[group].values.push_back(*values[block][group]);
-      }
-    } else if (example.empty()) {
-      const auto group = static_cast<std::size_t>(absent - values[block].begin());
-      example = fmt::format("{} has no value of {}", quoted(result.blocks[block]), quoted(result.groups[group].name));
+// "'p4' has 2 of 3 runs of 'B'"
+std::string lack_in_words(const Observation& cell, std::string_view what, const Observations& result) {
+  const std::string block = quoted(result.blocks[cell.block]), group = quoted(result.groups[cell.group].name);
+  if (cell.count == 0) return fmt::format("{} has no value of {}", block, group);
+  return fmt::format("{} has {} of {} {} of {}", block, cell.count, cell.whole, what, group);
+}
+
+// One value of each group in each block; the blocks that lack one are left out. `what` a value is the mean of.
+void fill_blocks(const CsvFile& file, const Contents& cells, std::string_view what, Observations& result) {
+  std::vector<std::vector<Observation>> blocks(result.blocks.size());
+  for (std::size_t block = 0; block < blocks.size(); ++block) {
+    for (std::size_t group = 0; group < result.groups.size(); ++group) {
+      blocks[block].push_back({.group = group, .block = block, .count = 0});
     }
   }
-  if (complete.empty()) file.refuse("no block has a value of every group: " + example);
-  if (const std::size_t left_out = values.size() - complete.size(); left_out > 0) {
+  for (const Observation& cell : cells.observations) blocks[cell.block][cell.group] = cell;
+  std::vector<std::string> complete;
+  std::string example;
+  bool some_left = false, some_averaged = false;
+  std::vector<Lack> lacks(result.groups.size(), Lack{0, blocks.size()});
+  for (const std::vector<Observation>& block : blocks) {
+    const auto absent = std::ranges::find_if(block, [](const Observation& cell) { return !cell.value; });
+    for (const Observation& cell : block) {
+      lacks[cell.group].missing += cell.count < cell.whole ? 1 : 0;
+      some_left = some_left || (cell.count > 0 && !cell.value);
+      some_averaged = some_averaged || (cell.count < cell.whole && cell.value);
+      if (absent == block.end()) result.groups[cell.group].values.push_back(*cell.value);
+    }
+    if (absent == block.end()) complete.push_back(result.blocks[block.front().block]);
+    if (absent != block.end() && example.empty()) example = lack_in_words(*absent, what, result);
+  }
+  if (complete.empty()) {
+    file.refuse(fmt::format("no block has a value of every group: {}{}", example,
+                            some_left ? "; --force averages what is left of each" : ""));
+  }
+  if (const std::size_t left_out = blocks.size() - complete.size(); left_out > 0) {
     result.notes.push_back(
-        fmt::format("Left out because incomplete: {} of {} blocks ({}).", left_out, values.size(), example));
+        fmt::format("Left out because incomplete: {} of {} blocks ({}).", left_out, blocks.size(), example));
+  }
+  if (const std::string words = in_words(lacks, "blocks", cells.groups); !words.empty()) {
+    add_flaw(result, fmt::format("values are missing in {}; {}; {}", words,
+                                 some_averaged ? "of each of these blocks what is left is averaged"
+                                               : "these blocks are left out for all groups",
+                                 flattered));
   }
   result.blocks = std::move(complete);
 }
@@ -170,6 +214,22 @@ std::vector<std::string> label(const CsvFile& file, const CsvRequest& request, C
   return blocks;
 }
 
+// What the means over the rows of a run are, and which runs have none.
+void add_run_notes(const CsvFile& file, const CsvRequest& request, const Contents& runs, Observations& result) {
+  if (std::ranges::none_of(runs.observations, [](const Observation& run) { return run.value.has_value(); })) {
+    file.refuse("no run has a value in each of its rows, expected some; --force averages the rows that have one");
+  }
+  const std::string rows = counts_in_words(runs.observations);
+  if (std::ranges::all_of(runs.observations, [](const Observation& run) { return run.whole == 1; })) return;
+  result.replicate = fmt::format("a run's mean over its {} rows of {}", rows, file.name());
+  result.notes.push_back(
+      fmt::format("Each observation is the mean over the {} rows of a run (column {}).", rows, quoted(request.run)));
+  if (request.replicates == Replicates::as_given) return;
+  if (const std::string words = in_words(lacks_of(runs), "runs", runs.groups); !words.empty()) {
+    result.notes.push_back(fmt::format("Left out because rows of them are missing: {}.", words));
+  }
+}
+
 }  // namespace
 
 Observations read_observations(std::string_view text, std::string_view source, const CsvRequest& request) {
@@ -185,47 +245,40 @@ Observations read_observations(std::string_view text, std::string_view source, c
   for (const std::string& name : contents.groups.all()) result.groups.push_back({.name = name});
   result.blocks = label(file, request, contents);
   result.replicate = "a row of " + file.name();
-  if (const std::string note = missing_note(contents, {.what = "values", .why = "missing"}); !note.empty()) {
-    result.notes.push_back(note +
-                           (request.better == Better::smaller
-                                ? " A failure without a number is better written Inf, which ranks as the worst."
-                                : " A failure without a number is better written -Inf, which ranks as the worst."));
+  if (const std::string words = in_words(lacks_of(contents), "values", contents.groups); !words.empty()) {
+    result.notes.push_back(fmt::format(
+        "Left out because missing: {}. A failure without a number is better written {}, which ranks as the worst.",
+        words, request.better == Better::smaller ? "Inf" : "-Inf"));
   }
 
   if (!request.run.empty()) {
-    contents.observations = averaged(std::move(contents.observations), Missing::spoils_the_mean);
-    const std::string rows = counts_in_words(contents.observations);
-    if (rows != "1") {
-      result.replicate = fmt::format("a run's mean over its {} rows of {}", rows, file.name());
-      result.notes.push_back(fmt::format("Each observation is the mean over the {} rows of a run (column {}).", rows,
-                                         quoted(request.run)));
-      if (const std::string note = missing_note(contents, {.what = "runs", .why = "a row of them has no value"});
-          !note.empty()) {
-        result.notes.push_back(note);
-      }
-    }
+    contents.observations = averaged(std::move(contents.observations), request.replicates);
+    add_run_notes(file, request, contents, result);
   } else if (request.block.empty()) {
-    result.flaw = flaw_of(file, contents, request);
+    add_flaw(result, flaw_of(file, contents, request));
   }
 
+  const std::string_view what = request.run.empty() ? "rows" : "runs";
   if (result.blocks.empty()) {
     for (const Observation& observation : contents.observations) {
       if (observation.value) result.groups[observation.group].values.push_back(*observation.value);
     }
+    const std::string words = in_words(lacks_of(contents), request.run.empty() ? "values" : "runs", contents.groups);
+    if (!words.empty())
+      add_flaw(result, fmt::format("{}: {}; {}", request.run.empty() ? "missing" : "incomplete", words, flattered));
     return result;
   }
+  if (request.run.empty() && request.replicates == Replicates::checked) expect_one_a_block(file, contents, result);
   for (Observation& observation : contents.observations) observation.run = 0;
-  const auto cells = averaged(std::move(contents.observations), Missing::is_left_out);
-  if (request.run.empty() && request.replicates == Replicates::checked) expect_one_a_block(file, cells, result);
-  if (const std::string count = counts_in_words(cells); count != "1") {
-    const std::string_view what = request.run.empty() ? "rows" : "runs";
+  contents.observations = averaged(std::move(contents.observations), request.replicates);
+  if (const std::string count = counts_in_words(contents.observations); count != "1") {
     result.replicate = fmt::format("the mean over the {} {} of a block in {}", count, what, file.name());
     result.notes.push_back(
         fmt::format("Each observation is the mean over the {} {} of a group in a block.", count, what));
   }
   result.block = request.block.empty() ? "a row of " + file.name()
                                        : fmt::format("a value of {} in {}", quoted(request.block), file.name());
-  fill_blocks(file, cells, result);
+  fill_blocks(file, contents, what, result);
   return result;
 }
 

@@ -162,9 +162,10 @@ void add_stats(CLI::App& app, Invocation& invocation) {
       ->allow_extra_args(false);
   command->add_option("--group", arguments->csv.group, "column of the groups; group, solver or algorithm if not given");
   command->add_option("--block", arguments->csv.block,
-                      "column of what all groups were given alike: a problem, a target");
+                      "column of what all groups were given alike: a problem, a target; with --run, each run of it");
   command->add_option("--run", arguments->csv.run,
-                      "column of the runs: the rows of a group's run are averaged into one observation");
+                      "column of the runs: the rows of a group's run are averaged into one observation; with --block, "
+                      "the runs of a block");
   command->add_flag("--wide", arguments->wide, "every column is a group");
   command->add_flag("--rows-are-blocks", arguments->rows_are_blocks,
                     "with --wide: the values of a row belong together");
@@ -172,7 +173,8 @@ void add_stats(CLI::App& app, Invocation& invocation) {
   command->add_option("--quantity", arguments->quantity,
                       "what the numbers are, with the unit: \"position error [cm]\"");
   command->add_flag("--force", arguments->forced,
-                    "take rows that repeat a run as observations all the same; the report says so");
+                    "take rows that repeat a run as observations all the same, and average what is left of runs and "
+                    "blocks that lack some; the report says so");
   add_plan_options(*command, arguments->plan);
   command->add_option("--out", arguments->out, "folder of the report; out/stats-<file> if not given");
   command->add_flag("--no-figures", arguments->without_figures, "tables only");
@@ -180,9 +182,15 @@ void add_stats(CLI::App& app, Invocation& invocation) {
       "Examples:\n"
       "  ikbench stats results.csv --value error --group solver\n"
       "  ikbench stats auc.csv --value auc --group classifier --block dataset --larger-is-better\n"
+      "  ikbench stats benchmark.csv --value error --group solver --block problem --run seed\n"
       "  ikbench export out/slim2023/store.sqlite | ikbench stats - --value position_error_cm --group solver --run "
       "run\n"
       "  ikbench stats --summaries published.csv --quantity \"position error [cm]\"\n\n"
+      "Several problems, several seeds of each: --block problem --run seed, whatever the problems' scales.\n"
+      "Rows that depend on each other, such as the points of one path: --run alone.\n"
+      "A run or a block in which a group has fewer values than the fullest one is left out, and the first lines warn:\n"
+      "what crashed may be absent, empty or NaN. Better write it Inf, which ranks last (-Inf where larger is "
+      "better).\n\n"
       "What each line means: docs/statistics.md");
   command->callback([arguments, &invocation] {
     check(*arguments);

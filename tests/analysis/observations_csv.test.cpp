@@ -126,7 +126,7 @@ TEST_CASE("names with commas, quotes, line ends and of any script are kept", "[c
 
 TEST_CASE("rows that share a run are not replicates", "[csv]") {
   const std::string text = "solver,run,point,error\nA,1,1,1\nA,1,2,3\nA,2,1,5\nA,2,2,7\nB,1,1,2\nB,1,2,4\n";
-  CHECK(refusal(text) ==
+  CHECK(refusal("solver,run,error\nA,1,1\nA,1,3\nA,2,5\nB,1,2\n") ==
         "a/folder/file.csv: 2 rows share run 1 of A; points of one run depend on each other and are not replicates; "
         "average them with --run run, or insist with --force");
 
@@ -169,9 +169,37 @@ TEST_CASE("a run with a missing row has no mean and is left out", "[csv]") {
   const Observations seen = read("solver,run,error\nA,1,1\nA,1,NA\nA,2,2\nA,2,4\nA,3,Inf\nA,3,1\n",
                                  {.value = "error", .group = "solver", .run = "run"});
   CHECK(seen.groups[0].values == Values{3, HUGE_VAL});
-  CHECK(seen.notes.back() == "Left out because a row of them has no value: 1 of 3 runs of A.");
+  CHECK(seen.notes.back() == "Left out because rows of them are missing: 1 of 3 runs of A.");
+  CHECK(seen.flaw == "incomplete: 1 of 3 runs of A; a group that failed there looks better than it is");
   CHECK(says(refusal("solver,run,error\nA,,1\nA,2,1\n", {.value = "error", .group = "solver", .run = "run"}),
              {"row 1 below the header, column 'run': '', expected which one it is"}));
+}
+
+TEST_CASE("a run that lacks a row which others have has no mean, whether the row is there without a value or not",
+          "[csv]") {
+  const CsvRequest by_run{.value = "error", .group = "solver", .run = "run"};
+  for (const char* failed : {"", "B,1,NA\n"}) {
+    CAPTURE(failed);
+    const Observations seen =
+        read(std::string("solver,run,error\nA,1,1\nA,1,9\nA,2,2\nA,2,8\nB,1,1\nB,2,4\nB,2,6\n") + failed, by_run);
+    CHECK(seen.groups[0].values == Values{5, 5});
+    CHECK(seen.groups[1].values == Values{5});  // not 1, which is the easier row alone
+    CHECK(seen.replicate == "a run's mean over its 2 rows of file.csv");
+    CHECK(seen.flaw == "incomplete: 1 of 2 runs of B; a group that failed there looks better than it is");
+  }
+  CHECK(says(refusal("solver,run,error\nA,1,1\nA,1,NA\nB,1,1\n", by_run), {"no run has a value in each of its rows"}));
+  CsvRequest forced = by_run;
+  forced.replicates = Replicates::as_given;
+  const Observations seen = read("solver,run,error\nA,1,1\nA,1,9\nB,1,1\n", forced);
+  CHECK(seen.groups[1].values == Values{1});
+  CHECK(seen.replicate == "a run's mean over its 1 to 2 rows of file.csv");
+  CHECK(says(seen.flaw, {"incomplete: 1 of 1 runs of B"}));
+}
+
+TEST_CASE("a missing value without blocks is a flaw, because a group that failed there looks better", "[csv]") {
+  CHECK(read("solver,error\nA,1\nA,NA\nB,2\n").flaw ==
+        "missing: 1 of 2 values of A; a group that failed there looks better than it is");
+  CHECK(read("solver,error\nA,1\nA,Inf\nB,2\n").flaw.empty());  // written as a failure, which ranks last
 }
 
 TEST_CASE("the mean of huge values does not overflow", "[csv]") {
@@ -205,9 +233,47 @@ TEST_CASE("runs of a block are averaged where the runs are named", "[csv]") {
       "with --run run, or average the rows as they are with --force");
   request.run = "run";
   const Observations seen = read(text, request);
-  CHECK(seen.groups[0].values == Values{2, 5});  // of the run that has its value
-  CHECK(seen.groups[1].values == Values{15, 3});
+  CHECK(seen.blocks == Texts{"p"});
+  CHECK(seen.groups[0].values == Values{2});
+  CHECK(seen.groups[1].values == Values{15});
   CHECK(seen.replicate == "the mean over the 2 runs of a block in file.csv");
+}
+
+TEST_CASE("a group with fewer runs than another in a block has no value there", "[csv]") {
+  // B crashes in the worst run of p: not told, its mean there would be 1, and A's 34.
+  const CsvRequest request{.value = "error", .group = "solver", .block = "problem", .run = "seed"};
+  const std::string text =
+      "solver,problem,seed,error\nA,p,1,1\nA,p,2,1\nA,p,3,100\nB,p,1,1\nB,p,2,1\n"
+      "A,q,1,2\nA,q,2,4\nB,q,1,6\nB,q,2,8\nA,r,1,3\nA,r,2,3\nA,r,3,3\nB,r,1,4\nB,r,2,4\nB,r,3,4\n";
+  for (const char* failed : {"", "B,p,3,\n", "B,p,3,NaN\n"}) {
+    CAPTURE(failed);
+    const Observations seen = read(text + failed, request);
+    CHECK(seen.blocks == Texts{"q", "r"});  // all groups have two runs of q
+    CHECK(seen.groups[0].values == Values{3, 3});
+    CHECK(seen.groups[1].values == Values{7, 4});
+    CHECK(seen.notes.back() == "Left out because incomplete: 1 of 3 blocks ('p' has 2 of 3 runs of 'B').");
+    CHECK(seen.replicate == "the mean over the 2 to 3 runs of a block in file.csv");
+    CHECK(seen.flaw ==
+          "values are missing in 1 of 3 blocks of B; these blocks are left out for all groups; a group that failed "
+          "there looks better than it is");
+  }
+  CHECK(read(text + "B,p,3,Inf\n", request).groups[1].values == Values{HUGE_VAL, 7, 4});
+  CHECK(read(text + "B,p,3,Inf\n", request).flaw.empty());
+
+  CsvRequest forced = request;
+  forced.replicates = Replicates::as_given;
+  const Observations seen = read(text, forced);
+  CHECK(seen.groups[1].values == Values{1, 7, 4});
+  CHECK(seen.flaw ==
+        "values are missing in 1 of 3 blocks of B; of each of these blocks what is left is averaged; a group that "
+        "failed there looks better than it is");
+}
+
+TEST_CASE("a group that has fewer runs in every block is refused with the way to insist", "[csv]") {
+  const std::string text = "solver,problem,seed,error\nA,p,1,1\nA,p,2,1\nB,p,1,1\nA,q,1,1\nA,q,2,1\nB,q,1,1\n";
+  CHECK(refusal(text, {.value = "error", .group = "solver", .block = "problem", .run = "seed"}) ==
+        "a/folder/file.csv: no block has a value of every group: 'p' has 1 of 2 runs of 'B'; --force averages what is "
+        "left of each");
 }
 
 TEST_CASE("a run that is the block gives one mean a run and group", "[csv]") {

@@ -48,5 +48,9 @@ section "With blocks" | sed -n '/^data set,/,/^```/p' | sed '$d' >demsar.csv
 [ "$(wc -l <demsar.csv)" = 15 ] || fail "Demsar's table has $(wc -l <demsar.csv) lines, expected a header and 14 data sets"
 prints "With blocks" 'ikbench stats demsar.csv --wide --block "data set" --larger-is-better --quantity AUC'
 
+section "Several problems, several seeds" | sed -n '/^problem,seed,/,/^```/p' | sed '$d' >problems.csv
+[ "$(wc -l <problems.csv)" = 16 ] || fail "the table of problems has $(wc -l <problems.csv) lines, expected a header and 15 rows"
+prints "Several problems, several seeds" 'ikbench stats problems.csv --wide --block problem --run seed --quantity error'
+
 all=$(grep -c '^> ' "$docs")
 [ "$quoted" = "$all" ] || fail "$((all - quoted)) quoted lines are in sections of which this script knows no command"

@@ -89,6 +89,27 @@ succeeds stats blocks.csv --value error --block problem --test friedman --no-fig
 has "$out" "in 3 blocks"
 has "$out" "Left out because incomplete: 1 of 4 blocks ('p4' has no value of 'B')."
 
+# Problems of any scale, three seeds each: B crashes in the worst seed of the hardest, its row is not there.
+{
+  echo problem,seed,solver,error
+  for seed in 1 2 3; do
+    for problem in 0.01 0.1 1 10 100; do
+      for solver in A B; do
+        [ $seed$problem$solver = 3100B ] || echo "$problem,$seed,$solver,$(awk "BEGIN { print $problem * (1 + $seed / 100) }")"
+      done
+    done
+  done
+} >crashes.csv
+succeeds stats crashes.csv --value error --block problem --run seed --no-figures --out crashes
+[[ $(grep -m 1 '^- ' .out) == "- Flawed: values are missing in 1 of 5 blocks of B; "* ]] ||
+  fail "the first lines do not warn of what B lacks: $out"
+has "$err" "warning: values are missing in 1 of 5 blocks of B"
+has "$out" "Left out because incomplete: 1 of 5 blocks ('100' has 2 of 3 runs of 'B')."
+has "$out" "with 4 observations each. One observation is the mean over the 3 runs of a block"
+succeeds stats crashes.csv --value error --block problem --run seed --force --no-figures --out crashes
+has "$out" "One observation is the mean over the 2 to 3 runs of a block"
+has "$out" "- Flawed: values are missing in 1 of 5 blocks of B; of each of these blocks what is left is averaged; "
+
 # Two columns that are one name for a file, one of them without a Latin letter.
 printf 'solver,a b,a-b,誤差,плечо\nA,1,2,3,1\nA,2,3,5,1.5\nB,2,2,8,2\nB,2.5,1,3,3\n' >names.csv
 succeeds stats names.csv --value 'a b' --value a-b --value 誤差 --value плечо --no-figures --out names
