@@ -100,33 +100,70 @@ void add_flaw(Observations& result, const std::string& flaw) {
 
 constexpr std::string_view flattered = "a group that failed there looks better than it is";
 
-// The first group's run that several rows share, as a sentence; empty where every row is a run of its own.
-std::string shared_run(const CsvFile& file, const Contents& contents, std::size_t column) {
-  const Labels labels = labels_of(file, column);
-  std::map<std::pair<std::size_t, std::size_t>, std::size_t> counts;
-  const auto key = [&](const Observation& o) { return std::pair(o.group, labels.of_row[o.row]); };
-  for (const Observation& observation : contents.observations) ++counts[key(observation)];
-  for (const Observation& observation : contents.observations) {
-    const std::size_t label = labels.of_row[observation.row];
-    if (label == no_label || counts[key(observation)] == 1) continue;
-    return fmt::format("{} rows share {} {} of {}; points of one run depend on each other and are not replicates",
-                       counts[key(observation)], one_line(file.table.header[column]),
-                       shortened(labels.names.all()[label], 40),
-                       shortened(contents.groups.all()[observation.group], 40));
+// The rows of the first run that several rows of a group share.
+struct SharedRun {
+  std::string words = {};    // "12 rows share seed 1 of A"; empty where every row is a run of its own
+  std::string told_by = {};  // the column that tells the rows of every run apart, by the same names: problem; or empty
+};
+
+// Whether the column has another name for each row of a run, and no names but those of the fullest run: what the groups
+// were given in every run, such as problems or points.
+bool tells_rows_apart(const CsvFile& file, const Contents& contents, std::size_t column, const Labels& runs) {
+  const Labels names = labels_of(file, column);
+  std::map<std::pair<std::size_t, std::size_t>, std::size_t> rows;
+  std::size_t most = 0;
+  for (const Observation& o : contents.observations) {
+    if (runs.of_row[o.row] != no_label) most = std::max(most, ++rows[{o.group, runs.of_row[o.row]}]);
   }
-  return {};
+  if (rows.size() < 2 || names.names.all().size() != most) return false;
+  std::set<std::tuple<std::size_t, std::size_t, std::size_t>> seen;
+  return std::ranges::all_of(contents.observations, [&](const Observation& o) {
+    const std::size_t run = runs.of_row[o.row], name = names.of_row[o.row];
+    return run == no_label || (name != no_label && seen.insert({o.group, run, name}).second);
+  });
+}
+
+SharedRun shared_run(const CsvFile& file, const Contents& contents, const CsvRequest& request, std::size_t column) {
+  const Labels runs = labels_of(file, column);
+  std::map<std::pair<std::size_t, std::size_t>, std::size_t> counts;
+  const auto key = [&](const Observation& o) { return std::pair(o.group, runs.of_row[o.row]); };
+  for (const Observation& observation : contents.observations) ++counts[key(observation)];
+  const auto shared = std::ranges::find_if(contents.observations, [&](const Observation& o) {
+    return runs.of_row[o.row] != no_label && counts[key(o)] > 1;
+  });
+  if (shared == contents.observations.end()) return {};
+  SharedRun result{.words = fmt::format("{} rows share {} {} of {}", counts[key(*shared)],
+                                        one_line(file.table.header[column]),
+                                        shortened(runs.names.all()[runs.of_row[shared->row]], 40),
+                                        shortened(contents.groups.all()[shared->group], 40))};
+  if (request.layout == Layout::one_column_a_group) return result;
+  for (std::size_t other = 0; other < file.table.header.size() && result.told_by.empty(); ++other) {
+    const std::string& title = file.table.header[other];
+    if (title.empty() || title == request.value || names_replicates(title)) continue;
+    if (tells_rows_apart(file, contents, other, runs)) result.told_by = one_line(title);
+  }
+  return result;
 }
 
 // Refuses rows that are no replicates, or says why they are none.
 std::string flaw_of(const CsvFile& file, const Contents& contents, const CsvRequest& request) {
+  constexpr std::string_view why = "points of one run depend on each other and are not replicates";
   for (std::size_t column = 0; column < file.table.header.size(); ++column) {
     const std::string& title = file.table.header[column];
     if (!names_replicates(title) || title == request.group || title == request.value || title == request.block)
       continue;
-    const std::string shared = shared_run(file, contents, column);
+    const auto [shared, told_by] = shared_run(file, contents, request, column);
     if (shared.empty()) continue;
-    if (request.replicates == Replicates::as_given) return shared + "; used as observations all the same";
-    file.refuse(fmt::format("{}; average them with --run {}, or insist with --force", shared, one_line(title)));
+    if (request.replicates == Replicates::as_given)
+      return fmt::format("{}; {}; used as observations all the same", shared, why);
+    const std::string run = one_line(title);
+    if (told_by.empty())
+      file.refuse(fmt::format("{}; {}; average them with --run {}, or insist with --force", shared, why, run));
+    file.refuse(fmt::format(
+        "{0}, one for each {1}, and are not replicates; compare the groups {1} by {1} with --block {1} --run {2}, or "
+        "where the rows of a run depend on each other, as points of one path do, average them with --run {2}, or "
+        "insist with --force",
+        shared, told_by, run));
   }
   return {};
 }

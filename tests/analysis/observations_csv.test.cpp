@@ -143,6 +143,27 @@ TEST_CASE("rows that share a run are not replicates", "[csv]") {
   CHECK(says(read(text, forced).flaw, {"2 rows share run 1 of A", "all the same"}));
 }
 
+TEST_CASE("where a column tells the rows of a run apart, the advice is to take it for blocks", "[csv]") {
+  const auto text_with = [](const std::string& last_row) {
+    return "scale,solver,problem,seed,error,seconds\n1,A,p,1,0.01,3\n1,A,q,1,100,4\n1,A,p,2,0.02,5\n1,A,q,2,110,6\n"
+           "1,B,p,1,0.03,7\n1,B,q,1,99,8\n1,B,p,2,0.04,9\n" +
+           last_row;
+  };
+  const std::string advice =
+      "a/folder/file.csv: 2 rows share seed 1 of A, one for each problem, and are not replicates; compare the groups "
+      "problem by problem with --block problem --run seed, or where the rows of a run depend on each other, as points "
+      "of one path do, average them with --run seed, or insist with --force";
+  CHECK(refusal(text_with("1,B,q,2,120,10\n")) == advice);
+  CHECK(refusal(text_with("")) == advice);  // B crashed there
+  CHECK(refusal(text_with(""), {.value = "error", .group = "solver", .block = "problem", .run = "seed"}) ==
+        "not refused");
+  // A name that no other run has, a name twice, a row without one: nobody says that these are problems.
+  for (const char* other : {"1,B,r,2,120,10\n", "1,B,p,2,120,10\n", "1,B,,2,120,10\n"}) {
+    CAPTURE(other);
+    CHECK(says(refusal(text_with(other)), {"2 rows share seed 1 of A; points of one run", "with --run seed, or"}));
+  }
+}
+
 TEST_CASE("the solves that the program exports are refused as replicates and averaged by run", "[csv]") {
   const std::string text = to_csv(synthetic::solves({.solvers = {"IK-BA", "BA"}, .runs = 3, .points = 5}));
   const CsvRequest errors{.value = "position_error_cm", .group = "solver"};

@@ -100,6 +100,8 @@ has "$out" "Left out because incomplete: 1 of 4 blocks ('p4' has no value of 'B'
     done
   done
 } >crashes.csv
+refused "5 rows share seed 1 of A, one for each problem, and are not replicates; compare the groups problem by problem \
+with --block problem --run seed" stats crashes.csv --value error
 succeeds stats crashes.csv --value error --block problem --run seed --no-figures --out crashes
 [[ $(grep -m 1 '^- ' .out) == "- Flawed: values are missing in 1 of 5 blocks of B; "* ]] ||
   fail "the first lines do not warn of what B lacks: $out"
@@ -165,8 +167,8 @@ from_store() { # ARGUMENTS...: as `ikbench export STORE | ikbench stats - ...`
 from_store --no-figures --out dependent
 [ "$code" = 1 ] || fail "points of one run were taken as replicates: $out"
 [ -z "$out" ] && [ "$(wc -l <.err)" = 1 ] || fail "not one line: $out $err"
-has "$err" "share run 1 of IK-BA; points of one run depend on each other and are not replicates"
-has "$err" "--run run, or insist with --force"
+has "$err" "share run 1 of IK-BA, one for each point, and are not replicates; compare the groups point by point with"
+has "$err" "average them with --run run, or insist with --force"
 [ ! -e dependent ] || fail "a refused report was written"
 from_store --run run --no-figures --out means
 [ "$code" = 0 ] || fail "--run run: $err"
