@@ -1,6 +1,7 @@
 # What the tests of the program share: a folder that vanishes with the test, and checks that say what they saw.
 # Every script takes the path of the program as its argument; 77 is: skipped.
 set -uo pipefail
+export LC_ALL=C.UTF-8 # else, where no locale is set, bash writes $'\u202e' as letters
 program=$(realpath "$1")
 scripts=$(realpath "$(dirname "${BASH_SOURCE[0]}")")
 work=$(mktemp -d)
