@@ -7,6 +7,7 @@
 #include <initializer_list>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <numbers>
 
 #include "analysis/files.hpp"
 #include "analysis/text.hpp"
@@ -30,8 +31,23 @@ Json rounded(const std::vector<double>& values) {
 
 Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
+// The joints of an answer that are outside their limits, and by how much. That any is has been recorded; up to 1e-9 rad
+// is rounding, as it is to the verifier (experiments/verifier.cpp). Decided here, since the page has rounded angles.
+Json joints_outside(const SolveRecord& solve, const Json& arm) {
+  constexpr double degree = std::numbers::pi / 180, rounding_deg = 1e-9 / degree;
+  Json list = Json::array();
+  if (!(solve.limit_violation_deg > 0)) return list;
+  for (std::size_t joint = 0; joint < solve.answer_rad.size(); ++joint) {
+    const double angle_deg = solve.answer_rad[joint] / degree;
+    const double outside_deg =
+        std::max(arm["lower_deg"][joint].get<double>() - angle_deg, angle_deg - arm["upper_deg"][joint].get<double>());
+    if (outside_deg > rounding_deg) list.push_back({{"joint", joint}, {"deg", outside_deg}});
+  }
+  return list;
+}
+
 // The first run of a solver, point by point; a start only where it is not the answer before.
-Json first_run(const StudyResults& study, const std::string& solver) {
+Json first_run(const StudyResults& study, const std::string& solver, const Json& arm) {
   std::map<std::pair<int, int>, const SolveRecord*> solves;
   for (const SolveRecord& solve : study.solves) {
     if (solve.solver == solver) solves[{solve.run, solve.point}] = &solve;
@@ -47,7 +63,7 @@ Json first_run(const StudyResults& study, const std::string& solver) {
               {"answer", rounded(solve->answer_rad)},
               {"error_cm", number(solve->position_error_cm)},
               {"variation_deg", number(solve->variation_deg)},
-              {"outside_deg", number(solve->limit_violation_deg)}};
+              {"outside", joints_outside(*solve, arm)}};
     if (!before || before->answer_rad != solve->start_rad) step["start"] = rounded(solve->start_rad);
     steps.push_back(std::move(step));
     before = solve;
@@ -103,7 +119,7 @@ std::optional<std::string> moving_arm(const StudyEntry& entry, const StudyResult
   Json solvers = Json::array();
   for (const std::string& solver : study.solvers) {
     if (solvers.size() == most_solvers) break;
-    Json run = first_run(study, solver);
+    Json run = first_run(study, solver, definition["arm"]);
     if (!run.is_null()) solvers.push_back(std::move(run));
   }
   if (solvers.empty()) return std::nullopt;

@@ -10,8 +10,8 @@
 namespace ikbench {
 
 // JSON, harmless inside a script element: the arm as the definition has it, the targets, and of every solver the first
-// run's starts and answers (at most 200 points of 24 solvers). Nothing where the definition does not describe the arm
-// or nothing is solved.
+// run's starts and answers with the joints that are outside their limits (at most 200 points of 24 solvers). Nothing
+// where the definition does not describe the arm or nothing is solved.
 std::optional<std::string> moving_arm(const StudyEntry& entry, const StudyResults& study);
 
 // three.js and its OrbitControls as they are installed; nothing where they are not.

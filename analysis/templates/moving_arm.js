@@ -4,7 +4,6 @@
   const data = JSON.parse(document.getElementById('motion-data').textContent);
   const stage = document.getElementById('stage');
   const arm = data.arm;
-  const degree = Math.PI / 180;
   const still = matchMedia('(prefers-reduced-motion: reduce)').matches;
   const metal = 0x8a94a3, joint = 0x0072b2, outside = 0xd62728, way = 0xe69f00, goal = 0x009e73;
 
@@ -41,7 +40,6 @@
   if (!forward || !document.createElement('canvas').getContext('webgl')) return;  // the figure stays
 
   const known = list => Array.isArray(list) && list.every(Number.isFinite);
-  const violation = (q, i) => Math.max(0, q[i] / degree - arm.upper_deg[i], arm.lower_deg[i] - q[i] / degree) || 0;
 
   // A solver's configurations: from where each step starts to what it came to; an answer that is none stays.
   function movesOf(solver) {
@@ -166,8 +164,9 @@
       }
       this.moving.remove(...this.moving.children);
       const corners = forward(q);
+      const wrongJoints = time > 0 ? move.outside.map(each => each.joint) : [];  // of the answer it is on its way to
       corners.forEach((corner, i) => {
-        const wrong = corner.turning >= 0 && violation(q, corner.turning) > 0;
+        const wrong = wrongJoints.includes(corner.turning);
         const last = i === corners.length - 1;
         this.moving.add(this.ball(corner.at, wrong ? 0.03 : last ? 0.012 : 0.021, wrong ? outside : last ? way : joint));
         if (i > 0 && corners[i - 1].at.distanceTo(corner.at) > 1e-6) this.moving.add(this.bar(corners[i - 1].at, corner.at));
@@ -180,8 +179,7 @@
 
     tell(index, move) {
       const digits = (value, count) => value === null ? 'not finite' : Number(value.toPrecision(count)).toString();
-      const joints = [...move.end.keys()].filter(i => violation(move.end, i) > 0)
-        .map(i => `joint ${i + 1} by ${digits(violation(move.end, i), 2)}\u00b0`);
+      const joints = move.outside.map(each => `joint ${each.joint + 1} by ${digits(each.deg, 2)}\u00b0`);
       const words = `Point ${move.point}: joints move ${digits(move.variation_deg, 3)}\u00b0, error ${digits(move.error_cm, 2)} cm.`;
       if (this.told === index + words) return;
       this.told = index + words;

@@ -259,6 +259,50 @@ TEST_CASE("the moving arm has the first run, in few digits, and no way out of it
   CHECK(!moving_arm(entry, make_study("s", solves)));
 }
 
+TEST_CASE("the moving arm has the joint limits violated where the store has them so, and nowhere else", "[report]") {
+  constexpr double degree = std::numbers::pi / 180, limit = 170 * degree;
+  const nlohmann::json link{{"a_m", 0.1}, {"alpha_rad", 0}, {"d_m", 0.2}, {"offset_rad", 0}};
+  const nlohmann::json arm{{"kind", "denavit_hartenberg"},
+                           {"links", std::vector(2, link)},
+                           {"tip_m", {0, 0, 0}},
+                           {"lower_deg", std::vector(2, -170)},
+                           {"upper_deg", std::vector(2, 170)}};
+  struct Answer {
+    double first, second;     // [rad]
+    double recorded_deg = 0;  // by the verifier: the worst joint, and 0 up to 1e-9 rad
+    std::vector<int> joints = {};
+  };
+  const std::vector<Answer> answers{
+      {.first = limit, .second = -limit},  // 2.967059..., which five digits make 2.96706: beyond
+      {.first = limit + 0.9e-9, .second = 0},
+      {.first = 0, .second = limit + 1e-6, .recorded_deg = 1e-6 / degree, .joints = {1}},
+      {.first = limit, .second = -3, .recorded_deg = 3 / degree - 170, .joints = {1}},
+      {.first = -limit - 0.1, .second = limit + 0.2, .recorded_deg = 0.2 / degree, .joints = {0, 1}},
+      {.first = not_defined, .second = 3, .recorded_deg = not_defined}};
+  std::vector<SolveRecord> solves = synthetic::solves({.solvers = {"A"}, .runs = 1, .points = 6});
+  for (std::size_t i = 0; i < answers.size(); ++i) {
+    solves[i].answer_rad = {answers[i].first, answers[i].second};
+    solves[i].start_rad = {0, 0};
+    solves[i].limit_violation_deg = answers[i].recorded_deg;
+  }
+  const StudyEntry entry{.name = "s", .definition = nlohmann::json{{"arm", arm}}.dump(), .series = {}};
+  const auto text = moving_arm(entry, make_study("s", solves));
+  REQUIRE(text);
+  const auto steps = nlohmann::json::parse(*text)["solvers"][0]["steps"];
+  REQUIRE(steps.size() == answers.size());
+  for (std::size_t i = 0; i < answers.size(); ++i) {
+    CAPTURE(i);
+    std::vector<int> joints;
+    double worst_deg = 0;
+    for (const auto& outside : steps[i]["outside"]) {
+      joints.push_back(outside["joint"]);
+      worst_deg = std::max(worst_deg, outside["deg"].get<double>());
+    }
+    CHECK(joints == answers[i].joints);
+    if (std::isfinite(answers[i].recorded_deg)) CHECK(worst_deg == Approx(answers[i].recorded_deg).margin(1e-12));
+  }
+}
+
 TEST_CASE("a page says why it has no moving arm, and a picture too large for it is a link", "[report]") {
   const TestFolder folder;
   {

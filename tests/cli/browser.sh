@@ -127,6 +127,36 @@ document.head.append(meta);
 E2
   probe plain/report.html motion.js
   [ "$found" = "2; false; Point 1: Point 1:; Point 2: Point 2:; The arm, moved by DE; Pause" ] || fail "the moving arm: $found"
+
+  # It shows the joint limits violated at the points where the store has them so, and nowhere else.
+  succeeds run slim2023 --set runs=1 --set stop.iterations=20 --set population=10 --no-figures --out violations
+  "$program" export violations/store.sqlite | awk -F, '
+    NR == 1 { for (i = 1; i <= NF; ++i) column[$i] = i; next }
+    { outside[$column["solver"]] = outside[$column["solver"]] ($column["limit_violation_deg"] > 0 ? 1 : 0)
+      if (!($column["solver"] in seen)) order[++solvers] = $column["solver"]
+      seen[$column["solver"]] = 1 }
+    END { for (i = 1; i <= solvers; ++i) printf "%s ", outside[order[i]] }' >recorded
+  grep -q 1 recorded || fail "no limit is violated: $(<recorded)"
+  cat >limits.js <<'E2'
+const select = document.querySelector('.view select'), place = document.getElementById('place');
+let words = '';
+for (const option of [...select.options]) {
+  select.value = option.value;
+  select.dispatchEvent(new Event('change'));
+  for (let point = 1; point <= Number(place.max); ++point) {
+    place.value = point;
+    place.dispatchEvent(new Event('input'));
+    words += document.querySelector('.view p').textContent.includes('Outside its limits') ? 1 : 0;
+  }
+  words += ' ';
+}
+const meta = document.createElement('meta');
+meta.name = 'found';
+meta.content = words;
+document.head.append(meta);
+E2
+  probe violations/report.html limits.js
+  [ "$found" = "$(<recorded)" ] || fail "outside the limits, by the page: $found; by the store: $(<recorded)"
 fi
 
 # It can be printed.
