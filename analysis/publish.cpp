@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "analysis/files.hpp"
+#include "analysis/latex_table.hpp"
 #include "analysis/moving_arm.hpp"
 #include "analysis/report_html.hpp"
 #include "analysis/report_markdown.hpp"

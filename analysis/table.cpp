@@ -23,24 +23,6 @@ struct Overloaded : Visitors... {
 template <class... Visitors>
 Overloaded(Visitors...) -> Overloaded<Visitors...>;  // clang++ 14 wants the guide spelled out
 
-// 1.2e-05 as $1.2 \times 10^{-5}$; a number needs mathematics for its minus sign too.
-std::string latex_cell(const Cell& cell) {
-  const std::string text = readable(cell);
-  if (std::holds_alternative<std::string>(cell) || text.empty() || text == "not defined") return latex_text(text);
-  if (text.starts_with('<')) return "$<10^{-300}$";
-  const std::size_t e = text.find('e');
-  if (e == std::string::npos) return text.starts_with('-') ? "$" + text + "$" : text;
-  return fmt::format("${} \\times 10^{{{}}}$", text.substr(0, e), std::stoi(text.substr(e + 1)));
-}
-
-// "Table 3: errors" as "errors": LaTeX counts tables itself.
-std::string without_number(const std::string& caption) {
-  const std::size_t colon = caption.find(": ");
-  const bool numbered = caption.starts_with("Table ") && colon != std::string::npos &&
-                        caption.find_first_not_of("0123456789", 6) == colon;
-  return numbered ? caption.substr(colon + 2) : caption;
-}
-
 }  // namespace
 
 std::string readable(const Cell& cell) {
@@ -104,25 +86,6 @@ std::string to_markdown(const Table& table) {
   }
   for (const std::string& note : table.notes) text += fmt::format("\n{}\n", markdown_text(note));
   return text;
-}
-
-std::string to_latex(const Table& table) {
-  const std::vector<std::size_t> used = columns_in_use(table);
-  std::string text = fmt::format("% needs \\usepackage{{booktabs}}\n\\begin{{table}}\n\\centering\n\\caption{{{}}}\n",
-                                 latex_text(without_number(table.caption)));
-  text += fmt::format("\\label{{tab:{}}}\n\\begin{{tabular}}{{", table.name);
-  for (const std::size_t c : used) text += table.columns[c].align == Align::left ? 'l' : 'r';
-  text += "}\n\\toprule\n";
-  const auto add_row = [&](auto&& cell_text) {
-    for (std::size_t i = 0; i < used.size(); ++i) text += fmt::format("{}{}", i == 0 ? "" : " & ", cell_text(used[i]));
-    text += " \\\\\n";
-  };
-  add_row([&](std::size_t c) { return latex_text(table.columns[c].name); });
-  text += "\\midrule\n";
-  for (const auto& row : table.rows) add_row([&](std::size_t c) { return latex_cell(row[c]); });
-  text += "\\bottomrule\n\\end{tabular}\n";
-  for (const std::string& note : table.notes) text += fmt::format("\n\\footnotesize {}\n", latex_text(note));
-  return text + "\\end{table}\n";
 }
 
 std::string to_csv(const Table& table) {

@@ -1,4 +1,5 @@
-// A table as every part of the report makes it, and its three forms: Markdown and LaTeX to read, CSV to compute with.
+// A table as every part of the report makes it, as Markdown to read and as CSV to compute with (LaTeX:
+// latex_table.hpp).
 #pragma once
 
 #include <cstddef>
@@ -38,9 +39,8 @@ struct Table {
   std::vector<std::string> notes = {};       // what a reader must know; not in the CSV
 };
 
-// Columns that are empty in every row are left out of Markdown and LaTeX; the CSV has them all, with every digit.
+// Columns that are empty in every row are left out of Markdown; the CSV has them all, with every digit.
 std::string to_markdown(const Table& table);
-std::string to_latex(const Table& table);
 std::string to_csv(const Table& table);
 
 // A cell as it is read, and with every digit as CSV has it.

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "analysis/latex_table.hpp"
 #include "analysis/published_numbers.hpp"
 #include "tests/analysis/synthetic.hpp"
 #include "tests/catch.hpp"
