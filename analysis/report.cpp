@@ -125,8 +125,21 @@ std::vector<Assessment> assessments_of(const StudyResults& study, const Analysis
   return result;
 }
 
+// As the program found it before it solved the study.
+std::string out_of_reach_warning(const StudyResults& study) {
+  const Definition definition(study.definition);
+  const auto of = [&](const char* name) { return definition.number(fmt::format("/out_of_reach/{}", name)); };
+  if (!(of("points") > 0)) return "";
+  return fmt::format(
+      "{} of the {} targets of a run are out of the arm's reach: the farthest, point {}, is {} cm from the shoulder; "
+      "the reach is {} cm. No solver can come to them, so errors there say nothing of the solvers.",
+      of("points"), study.points, of("farthest_point"), rounded_number(of("farthest_cm"), 4),
+      rounded_number(of("reach_cm"), 4));
+}
+
 std::vector<std::string> warnings_of(const StudyResults& study) {
   std::vector<std::string> warnings;
+  if (std::string warning = out_of_reach_warning(study); !warning.empty()) warnings.push_back(std::move(warning));
   const auto papers = published::papers();
   if (!study.published.empty() && std::ranges::find(papers, study.published) == papers.end()) {
     warnings.push_back(fmt::format("no published tables of '{}' to compare with; there are: {}", study.published,

@@ -60,9 +60,9 @@ std::string markdown(const std::vector<Section>& sections) {
 std::string to_markdown(const ReportContent& content) {
   std::string text = fmt::format("# {}\n\n", markdown_text(content.title));
   text += fmt::format("{} {}.\n\n", content.kind, markdown_text(content.study));
+  if (!content.warnings.empty()) text += "## Warnings\n\n" + bullets(content.warnings);
   text += markdown(content.findings) + "## Summary\n\n";
   text += bullets(content.summary);
-  if (!content.warnings.empty()) text += "### Warnings\n\n" + bullets(content.warnings);
   if (!content.command.empty()) {
     text += fmt::format("To get these numbers again:\n\n    {}\n\n", one_line(content.command));
   }

@@ -22,11 +22,12 @@ using Facts = std::map<std::string, std::string>;
 constexpr std::size_t longest_value = 60;
 constexpr std::size_t most_named = 20;
 
-// What decides or describes numbers; a name does neither, and the arm and the departures follow from the rest.
+// What decides or describes numbers; a name does neither, and the arm, the departures and what is out of reach
+// follow from the rest.
 bool counts(std::string_view key) {
   constexpr std::array<std::string_view, 4> names{"name", "title", "published", "trace"};
   return std::ranges::find(names, key) == names.end() && !key.starts_with("departures") && !key.starts_with("arm.") &&
-         !key.starts_with("analysis.");
+         !key.starts_with("out_of_reach.") && !key.starts_with("analysis.");
 }
 
 // {"stop": {"iterations": 200}} as stop.iterations: 200.

@@ -245,6 +245,13 @@ std::string to_json(const Study& study) {
   json["points"] = points(study.path);
   json["arm"] = arm_definition(robot(study.robot));
   json["departures"] = departures(study);
+  if (const std::vector<Unreachable> found = unreachable(study); !found.empty()) {
+    const Unreachable& farthest = *std::ranges::max_element(found, {}, &Unreachable::distance);
+    json["out_of_reach"] = {{"points", found.size()},
+                            {"farthest_point", farthest.point},
+                            {"farthest_cm", farthest.distance / centimetre},
+                            {"reach_cm", farthest.reach / centimetre}};
+  }
   return dumped(json);
 }
 

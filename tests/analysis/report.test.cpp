@@ -141,7 +141,7 @@ TEST_CASE("without gnuplot the tables are written and the report says what is mi
   CHECK(contains(report.warnings[0], "figure-12"));
   CHECK(std::filesystem::exists(folder.path() / "out/tables/table-3.csv"));
   const std::string text = text_of_file(report.file);
-  CHECK(contains(text, "### Warnings"));
+  CHECK(contains(text, "## Warnings"));
   CHECK(!contains(text, "!["));
 }
 
@@ -194,6 +194,22 @@ TEST_CASE("an incomplete study, parallel times and answers outside the limits ar
   CHECK(says("1 of 359 answers are outside the joint limits ("));
   CHECK(says("Solves: 359 of 360 expected"));
   CHECK(says("Times are not comparable"));
+}
+
+TEST_CASE("targets that no configuration reaches are told first", "[report]") {
+  const TestFolder folder;
+  Store store(folder.path() / "store.db", Store::Mode::write);
+  save(store, {.definition = R"({"runs": 20, "points": 20, "out_of_reach": {"points": 3, "farthest_point": 7,
+                                 "farthest_cm": 1012.345, "reach_cm": 82}})"});
+  const Report report =
+      write_report(store, {.study = "slim2023", .folder = folder.path() / "out", .figures = {.render = false}});
+  REQUIRE(!report.warnings.empty());
+  CHECK(report.warnings[0] ==
+        "3 of the 20 targets of a run are out of the arm's reach: the farthest, point 7, is 1012 cm from the shoulder; "
+        "the reach is 82 cm. No solver can come to them, so errors there say nothing of the solvers.");
+  const std::string text = text_of_file(report.file), page = text_of_file(report.page);
+  CHECK(text.find("3 of the 20 targets") < text.find("## Summary"));
+  CHECK(page.find("3 of the 20 targets") < page.find("In words, number by number"));
 }
 
 TEST_CASE("the summary says which findings of the paper hold", "[report]") {

@@ -64,6 +64,13 @@ succeeds report made/store.sqlite --no-figures --study slim2023-context --out se
 has "$(<second/report.md)" "slim2023-context"
 has "$(<second/tables/table-3.csv)" "DLS"
 
+# Targets that no configuration reaches are told at the top of the report, of a store made elsewhere too.
+succeeds run slim2023 "${small[@]}" --set 'path.centre_cm=[1000,0,0]' --no-report --out far
+has "$err" "warning: point 1 is out of reach"
+succeeds report far/store.sqlite --no-figures
+has "$(head -n 8 far/report.md)" "3 of the 3 targets of a run are out of the arm's reach: the farthest, point "
+has "$err" "warning: 3 of the 3 targets of a run are out of the arm's reach"
+
 # A store that may only be read, in a folder that may only be read, by somebody who is not root.
 mkdir closed
 cp copy/theirs.sqlite closed/store.sqlite
