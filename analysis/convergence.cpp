@@ -205,18 +205,31 @@ std::vector<double> log_spaced(double first, double last, std::size_t count) {
 
 std::string closest_point_by_point(const StudyResults& study) {
   const Profile profile = performance_profile(study, final_error_cm);
-  std::vector<std::pair<double, std::string>> shares;
-  for (std::size_t i = 0; i < profile.ratios.size(); ++i) {
-    if (profile.ratios[i].empty()) continue;
-    const auto closest = std::ranges::count_if(profile.ratios[i], [](double ratio) { return ratio <= 1; });
-    shares.emplace_back(100.0 * static_cast<double>(closest) / profile.problems, one_line(study.solvers[i]));
+  const auto is_closest = [&](std::size_t solver, std::size_t problem) {
+    return !profile.ratios[solver].empty() && profile.ratios[solver][problem] <= 1;
+  };
+  std::vector<int> wins(study.solvers.size());  // alone: a tie counts for nobody
+  int tied = 0;
+  for (std::size_t problem = 0; problem < static_cast<std::size_t>(profile.problems); ++problem) {
+    std::vector<std::size_t> closest;
+    for (std::size_t i = 0; i < wins.size(); ++i) {
+      if (is_closest(i, problem)) closest.push_back(i);
+    }
+    if (closest.size() == 1) ++wins[closest.front()];
+    if (closest.size() > 1) ++tied;
   }
-  if (shares.size() < 2 || profile.problems == 0) return "";
-  std::ranges::stable_sort(shares, std::greater{}, &std::pair<double, std::string>::first);
+  const auto share_of = [&](int problems) { return percent(static_cast<double>(problems) / profile.problems); };
+  std::vector<std::pair<int, std::string>> winners;
+  for (std::size_t i = 0; i < wins.size(); ++i) {
+    if (!profile.ratios[i].empty()) winners.emplace_back(wins[i], one_line(study.solvers[i]));
+  }
+  if (winners.size() < 2 || profile.problems == 0) return "";
+  std::ranges::stable_sort(winners, std::greater{}, &std::pair<int, std::string>::first);
   std::string list;
-  for (const auto& [share, solver] : shares) {
-    list += fmt::format("{}{} in {} %", list.empty() ? "" : ", ", solver, rounded_number(share, 3));
+  for (const auto& [problems, solver] : winners) {
+    list += fmt::format("{}{} in {}", list.empty() ? "" : ", ", solver, share_of(problems));
   }
+  if (tied > 0) list += fmt::format("; in {} it is a tie", share_of(tied));
   return fmt::format(
       "Point by point, of {} solves by each, the closest to the target is {}. (A run's mean is decided by its "
       "worst points.)",

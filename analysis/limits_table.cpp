@@ -18,6 +18,12 @@ namespace {
 
 bool is_enforced(const StudyResults& study) { return Definition(study.definition).text("/limits") == "enforced"; }
 
+// Among several: 1 is the smallest mean. Means that are equal to the bit share a place.
+struct Place {
+  int rank = 0;  // 0 where there is no mean
+  bool shared = false;
+};
+
 // What one study says of one solver.
 struct Side {
   std::string solver;
@@ -28,8 +34,8 @@ struct Side {
   double accepted_variation_deg = not_defined;
   Description accepted_variation_of_runs;  // the same of every run that has such an answer
   SolverCounts counts;
-  int error_rank = 0;  // 1 is the smallest mean among the solvers of both studies; 0 where there is no mean
-  int variation_rank = 0;
+  Place error_place = {};  // among the solvers of both studies
+  Place variation_place = {};
 };
 
 bool has_solver(const StudyResults& study, const std::string& solver) {
@@ -37,10 +43,11 @@ bool has_solver(const StudyResults& study, const std::string& solver) {
 }
 
 template <class Mean>
-int rank_of(const Side& side, const std::vector<Side>& sides, Mean&& mean_of) {
-  if (!std::isfinite(mean_of(side))) return 0;
-  return 1 + static_cast<int>(
-                 std::ranges::count_if(sides, [&](const Side& other) { return mean_of(other) < mean_of(side); }));
+Place place_of(const Side& side, const std::vector<Side>& sides, Mean&& mean_of) {
+  if (!std::isfinite(mean_of(side))) return {};
+  const auto count = [&](auto&& is_such) { return static_cast<int>(std::ranges::count_if(sides, is_such)); };
+  return {.rank = 1 + count([&](const Side& other) { return mean_of(other) < mean_of(side); }),
+          .shared = count([&](const Side& other) { return mean_of(other) == mean_of(side); }) > 1};
 }
 
 std::vector<Side> sides_of(const StudyResults& study, const StudyResults& other, Unit unit) {
@@ -68,8 +75,8 @@ std::vector<Side> sides_of(const StudyResults& study, const StudyResults& other,
                      .counts = all_counts[i]});
   }
   for (Side& side : sides) {
-    side.error_rank = rank_of(side, sides, [](const Side& of) { return of.error_cm.mean; });
-    side.variation_rank = rank_of(side, sides, [](const Side& of) { return of.accepted_variation_deg; });
+    side.error_place = place_of(side, sides, [](const Side& of) { return of.error_cm.mean; });
+    side.variation_place = place_of(side, sides, [](const Side& of) { return of.accepted_variation_deg; });
   }
   return sides;
 }
@@ -81,18 +88,24 @@ std::string change(double before, double after, std::string_view unit) {
                      std::isfinite(ratio) ? fmt::format(" ({} x)", rounded_number(ratio, 3)) : "");
 }
 
-std::string place(int before, int after, std::size_t of, std::string_view measure, const std::string& overtaken) {
-  const std::string where = fmt::format("in {} place {} -> {} of {}", measure, before, after, of);
-  if (before == 0 || after == 0) return fmt::format("in {} not in both rankings", measure);
-  if (before == after) return where + (before == 1 ? ", still the first" : ", as before");
-  return where + (before == 1 ? ", no longer the first" + overtaken : after == 1 ? ", now the first" : "");
+std::string place_words(Place place) { return fmt::format("{}{}", place.rank, place.shared ? " (shared)" : ""); }
+
+std::string places_words(Place before, Place after, std::size_t of, std::string_view measure,
+                         const std::string& overtaken) {
+  if (before.rank == 0 || after.rank == 0) return fmt::format("in {} not in both rankings", measure);
+  const std::string where =
+      fmt::format("in {} place {} -> {} of {}", measure, place_words(before), place_words(after), of);
+  const auto is_first = [](Place place) { return place.rank == 1 && !place.shared; };
+  if (is_first(before)) return where + (is_first(after) ? ", still the first" : ", no longer the first" + overtaken);
+  if (is_first(after)) return where + ", now the first";
+  return where + (before.rank == after.rank && before.shared == after.shared ? ", as before" : "");
 }
 
 // Who is first now, and whether that may be chance. Points of a run depend on each other, so it is asked of runs alone.
-std::string overtaken(const Side& side, const std::vector<Side>& sides, int Side::*rank, Description Side::*measure,
+std::string overtaken(const Side& side, const std::vector<Side>& sides, Place Side::*place, Description Side::*measure,
                       Unit unit) {
-  const auto first = std::ranges::find(sides, 1, rank);
-  if (unit == Unit::point || first == sides.end()) return "";
+  const auto first = std::ranges::find_if(sides, [&](const Side& other) { return (other.*place).rank == 1; });
+  if (unit == Unit::point || first == sides.end() || (side.*place).rank == 1) return "";
   const auto summary = [](const Description& of) { return GroupSummary{.mean = of.mean, .std = of.std, .n = of.n}; };
   const double p = welch(summary(side.*measure), summary((*first).*measure)).p;
   return std::isfinite(p) ? fmt::format(" (that is {}; Welch's test, p = {})", first->solver, rounded_number(p, 2))
@@ -108,10 +121,10 @@ std::string sentence(const Side& free, const Side& enforced, const std::vector<S
       free.solver, change(free.error_cm.mean, enforced.error_cm.mean, "cm"), short_number(enforced.accepted_error_cm),
       change(free.accepted_variation_deg, enforced.accepted_variation_deg, "deg"), free.counts.outside_limits,
       free.counts.solves, enforced.counts.of(Status::refused), enforced.counts.solves,
-      place(free.error_rank, enforced.error_rank, solvers, "error",
-            overtaken(enforced, after, &Side::error_rank, &Side::error_cm, unit)),
-      place(free.variation_rank, enforced.variation_rank, solvers, "variation",
-            overtaken(enforced, after, &Side::variation_rank, &Side::accepted_variation_of_runs, unit)));
+      places_words(free.error_place, enforced.error_place, solvers, "error",
+                   overtaken(enforced, after, &Side::error_place, &Side::error_cm, unit)),
+      places_words(free.variation_place, enforced.variation_place, solvers, "variation",
+                   overtaken(enforced, after, &Side::variation_place, &Side::accepted_variation_of_runs, unit)));
 }
 
 Table table_of(const StudyResults& free, const StudyResults& enforced, Unit unit) {
@@ -132,7 +145,7 @@ Table table_of(const StudyResults& free, const StudyResults& enforced, Unit unit
   for (const std::string_view status : status_names) table.columns.push_back({std::string(status)});
   const std::vector<Side> before = sides_of(free, enforced, unit), after = sides_of(enforced, free, unit);
   const auto add_row = [&](const Side& side, const StudyResults& study, const char* limits) {
-    const auto rank = [](int place) { return place == 0 ? Cell(not_defined) : Cell(std::int64_t{place}); };
+    const auto rank = [](Place place) { return place.rank == 0 ? Cell(not_defined) : Cell(std::int64_t{place.rank}); };
     std::vector<Cell> row{side.solver,
                           study.name,
                           std::string(limits),
@@ -142,8 +155,8 @@ Table table_of(const StudyResults& free, const StudyResults& enforced, Unit unit
                           side.accepted_error_cm,
                           side.variation_deg.mean,
                           side.accepted_variation_deg,
-                          rank(side.error_rank),
-                          rank(side.variation_rank),
+                          rank(side.error_place),
+                          rank(side.variation_place),
                           std::int64_t{side.counts.outside_limits}};
     for (const int number_of : side.counts.by_status) row.emplace_back(std::int64_t{number_of});
     table.rows.push_back(std::move(row));

@@ -14,6 +14,7 @@
 #include "analysis/paper_tables.hpp"
 #include "analysis/provenance.hpp"
 #include "analysis/published_numbers.hpp"
+#include "analysis/ranking.hpp"
 #include "analysis/statistics/descriptive.hpp"
 #include "analysis/statistics/studentized_range.hpp"
 #include "analysis/statistics/welch.hpp"
@@ -31,7 +32,14 @@ struct Pair {
   GroupSummary printed;
 };
 
+double our_mean(const Pair& pair) { return pair.ours.mean; }
 double printed_mean(const Pair& pair) { return pair.printed.mean; }
+
+std::vector<Standing> standings(const std::vector<Pair>& pairs, double (*mean_of)(const Pair&)) {
+  std::vector<Standing> result;
+  for (const Pair& pair : pairs) result.push_back({pair.solver, mean_of(pair)});
+  return ranked(std::move(result));
+}
 
 // In the printed order, the smallest first.
 std::vector<Pair> pairs(const StudyResults& study, const std::vector<Comparison>& rows, Metric metric) {
@@ -43,11 +51,6 @@ std::vector<Pair> pairs(const StudyResults& study, const std::vector<Comparison>
   }
   std::ranges::stable_sort(result, {}, printed_mean);
   return result;
-}
-
-// A mean that is not defined, for an answer that is not finite, ranks as the worst.
-double rank_of(const Pair& pair) {
-  return std::isfinite(pair.ours.mean) ? pair.ours.mean : std::numeric_limits<double>::infinity();
 }
 
 GroupSummary summary_of(const Description& of) { return {.mean = of.mean, .std = of.std, .n = of.n}; }
@@ -100,38 +103,54 @@ std::string_view how_tested(Unit unit) {
              : " Points of one run depend on each other: no test here; printed, p by Games and Howell's test.";
 }
 
-// The printed ranking against ours: holds when all stand in the same order, in part when the first is the same or most
-// pairs stand. On the printed numbers: holds when all pairs differ, in part when the first two do.
-std::optional<Finding> ranking(const StudyResults& study, const std::vector<Comparison>& rows, Metric metric,
-                               std::string_view what, std::string_view unit) {
-  const std::vector<Pair> printed = pairs(study, rows, metric);
+// What is ranked: "Accuracy", in "cm".
+struct Ranked {
+  Metric metric;
+  std::string_view name;
+  std::string_view unit;
+};
+
+// How our ranking stands to the printed one: holds when every pair stands in the same order, in part when the first is
+// the same or most of the pairs that are not tied stand.
+struct Held {
+  Verdict verdict = Verdict::undecided;
+  std::string evidence;
+};
+Held held_against_printed(const std::vector<Pair>& pairs, const Ranked& what) {
+  const std::vector<Standing> ours = standings(pairs, our_mean), printed = standings(pairs, printed_mean);
+  const PairOrder order = compare_pairs(printed, ours);
+  const bool same_first = first_of(ours) == first_of(printed);
+  std::string list;
+  for (const Standing& standing : ours) {
+    list +=
+        fmt::format("{}{} {} {}", list.empty() ? "" : ", ", standing.solver, short_number(standing.mean), what.unit);
+  }
+  return {.verdict = order.tied == order.pairs                                 ? Verdict::undecided
+                     : order.same == order.pairs                               ? Verdict::holds
+                     : same_first || 2 * order.same > order.pairs - order.tied ? Verdict::in_part
+                                                                               : Verdict::does_not_hold,
+          .evidence = fmt::format("Here: {}. {}; first is {}{}.", list, printed_order_words(order), first_words(ours),
+                                  same_first ? ", as printed" : "")};
+}
+
+// The printed ranking. On the printed numbers it holds when all pairs differ, in part when the first two do.
+std::optional<Finding> ranking(const StudyResults& study, const std::vector<Comparison>& rows, const Ranked& what) {
+  const std::vector<Pair> printed = pairs(study, rows, what.metric);
   if (printed.size() < 2) return std::nullopt;
-  std::vector<Pair> ours = printed;
-  std::ranges::stable_sort(ours, {}, rank_of);
-  int all = 0, in_order = 0, differ = 0;
+  int all = 0, differ = 0;
   for (std::size_t i = 0; i < printed.size(); ++i) {
     for (std::size_t j = i + 1; j < printed.size(); ++j) {
       ++all;
-      if (rank_of(printed[i]) < rank_of(printed[j])) ++in_order;
       if (smaller(printed[i].printed, printed[j].printed, printed.size()).verdict == Verdict::holds) ++differ;
     }
   }
-  std::string order, list;
-  for (const Pair& pair : printed) order += (order.empty() ? "" : " < ") + pair.solver;
-  for (const Pair& pair : ours) {
-    list += fmt::format("{}{} {} {}", list.empty() ? "" : ", ", pair.solver, short_number(pair.ours.mean), unit);
-  }
-  const bool same_first = ours.front().solver == printed.front().solver;
   const Smaller first_two = smaller(printed[0].printed, printed[1].printed, printed.size());
+  const Held here = held_against_printed(printed, what);
   return Finding{
-      .claim = fmt::format("{}: {}", what, order),
-      .verdict = in_order == all                    ? Verdict::holds
-                 : same_first || 2 * in_order > all ? Verdict::in_part
-                                                    : Verdict::does_not_hold,
-      .evidence = fmt::format("Here: {}. {} of {} pairs stand in the printed order; first is {}{}. Printed: {} of {} "
-                              "pairs differ by Games and Howell's test, {} and {} {}{}.",
-                              list, in_order, all, ours.front().solver, same_first ? ", as printed" : "", differ, all,
-                              printed[0].solver, printed[1].solver,
+      .claim = fmt::format("{}: {}", what.name, order_words(standings(printed, printed_mean))),
+      .verdict = here.verdict,
+      .evidence = fmt::format("{} Printed: {} of {} pairs differ by Games and Howell's test, {} and {} {}{}.",
+                              here.evidence, differ, all, printed[0].solver, printed[1].solver,
                               first_two.verdict == Verdict::holds ? "among them" : "do not", in_brackets(first_two.p)),
       .table = "table-3",
       .printed = differ == all                         ? Verdict::holds
@@ -140,7 +159,7 @@ std::optional<Finding> ranking(const StudyResults& study, const std::vector<Comp
 }
 
 std::optional<Finding> computing_time(const StudyResults& study, const std::vector<Comparison>& rows) {
-  std::optional<Finding> finding = ranking(study, rows, Metric::seconds, "Computing time", "s");
+  std::optional<Finding> finding = ranking(study, rows, {Metric::seconds, "Computing time", "s"});
   if (finding) finding->evidence += " The implementation decides it: the paper timed MATLAB, here it is C++.";
   return finding;
 }
@@ -149,8 +168,8 @@ std::optional<Finding> most_accurate(const StudyResults& study, const std::vecto
   std::vector<Pair> all = pairs(study, rows, Metric::position_error_cm);
   if (all.size() < 2 || all[0].solver != time_reference) return std::nullopt;
   const Pair first = all[0], printed_second = all[1];
-  std::ranges::stable_sort(all, {}, rank_of);
-  const Pair& other = all[0].solver == first.solver ? all[1] : all[0];
+  const std::vector<Standing> ours = standings(all, our_mean);
+  const Standing& other = ours[0].solver == first.solver ? ours[1] : ours[0];
   Smaller here{Verdict::holds, not_defined}, printed{Verdict::holds, not_defined};
   for (const Pair& each : all) {
     if (each.solver == first.solver) continue;
@@ -162,8 +181,8 @@ std::optional<Finding> most_accurate(const StudyResults& study, const std::vecto
                  .evidence = fmt::format(
                      "Mean position error {} cm; {} comes to {} cm, {} times as much{}. Printed: {} cm; {} {} "
                      "cm{}.{} {}",
-                     short_number(first.ours.mean), other.solver, short_number(other.ours.mean),
-                     short_number(other.ours.mean / first.ours.mean), at_most(here.p), short_number(first.printed.mean),
+                     short_number(first.ours.mean), other.solver, short_number(other.mean),
+                     short_number(other.mean / first.ours.mean), at_most(here.p), short_number(first.printed.mean),
                      printed_second.solver, short_number(printed_second.printed.mean), at_most(printed.p),
                      how_tested(unit), closest_point_by_point(study)),
                  .table = "table-3",
@@ -416,7 +435,7 @@ std::vector<Finding> findings(const StudyResults& study, const std::vector<Study
   const auto is_printed = [](const Comparison& row) { return std::isfinite(row.paper_mean); };
   if (std::ranges::any_of(rows, is_printed)) {
     add(most_accurate(study, rows, unit));
-    add(ranking(study, rows, Metric::position_error_cm, "Accuracy", "cm"));
+    add(ranking(study, rows, {Metric::position_error_cm, "Accuracy", "cm"}));
     for (Finding& finding : variation(study, rows, unit)) result.push_back(std::move(finding));
     add(comparable_times(study, computing_time(study, rows)));
     add(solvers_differ(study, unit));

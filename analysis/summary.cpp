@@ -4,11 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "analysis/circle.hpp"
 #include "analysis/figure_parts.hpp"
 #include "analysis/paper_tables.hpp"
 #include "analysis/published_numbers.hpp"
+#include "analysis/ranking.hpp"
 #include "analysis/statistics/welch.hpp"
 #include "analysis/text.hpp"
 #include "analysis/time_assessment.hpp"
@@ -16,19 +18,13 @@
 namespace ikbench {
 namespace {
 
-struct Standing {
-  std::string solver;
-  double mean;
-};
-
-// The solvers that have a mean, the smallest first.
+// The solvers that have a mean.
 std::vector<Standing> ranking(const std::vector<Comparison>& rows, Metric metric) {
   std::vector<Standing> standings;
   for (const Comparison& row : rows) {
     if (row.metric == metric && std::isfinite(row.ours.mean)) standings.push_back({row.solver, row.ours.mean});
   }
-  std::ranges::stable_sort(standings, {}, &Standing::mean);
-  return standings;
+  return ranked(std::move(standings));
 }
 
 // The printed ranking of those solvers that are in ours.
@@ -38,30 +34,7 @@ std::vector<Standing> printed_ranking(const StudyResults& study, Metric metric, 
     if (std::ranges::find(ours, row.algorithm, &Standing::solver) == ours.end()) continue;
     standings.push_back({row.algorithm, row.summary.mean});
   }
-  std::ranges::stable_sort(standings, {}, &Standing::mean);
-  return standings;
-}
-
-std::string names(const std::vector<Standing>& standings) {
-  std::string text;
-  for (const Standing& standing : standings) text += (text.empty() ? "" : " < ") + standing.solver;
-  return text;
-}
-
-// How many pairs of the printed order stand in the same order here.
-std::string pairs_in_order(const std::vector<Standing>& printed, const std::vector<Standing>& ours) {
-  const auto place = [&](const Standing& standing) {
-    return std::ranges::find(ours, standing.solver, &Standing::solver);
-  };
-  int pairs = 0;
-  int same = 0;
-  for (std::size_t i = 0; i < printed.size(); ++i) {
-    for (std::size_t j = i + 1; j < printed.size(); ++j) {
-      ++pairs;
-      if (place(printed[i]) < place(printed[j])) ++same;
-    }
-  }
-  return fmt::format("{} of {} pairs stand in the printed order", same, pairs);
+  return ranked(std::move(standings));
 }
 
 std::string ranking_sentence(const StudyResults& study, const std::vector<Comparison>& rows, Metric metric) {
@@ -71,17 +44,17 @@ std::string ranking_sentence(const StudyResults& study, const std::vector<Compar
   std::string text = fmt::format(
       "{}, smallest first): {}",
       metric == Metric::position_error_cm ? fmt::format("Accuracy (mean {}", name) : capitalised(name) + " (mean",
-      names(ours));
+      order_words(ours));
   if (ours.size() < study.solvers.size()) {
     text += fmt::format("; {} without a mean", study.solvers.size() - ours.size());
   }
   const auto printed = printed_ranking(study, metric, ours);
   if (printed.size() < 2) return text + ".";
-  const bool same_first = printed.front().solver == ours.front().solver;
-  return text + fmt::format(". The paper: {}. {} is first in the paper, and {}; {}.", names(printed),
-                            printed.front().solver,
-                            same_first ? std::string("here too") : fmt::format("here it is {}", ours.front().solver),
-                            pairs_in_order(printed, ours));
+  const bool same_first = first_of(printed) == first_of(ours);
+  return text + fmt::format(". The paper: {}. {} is first in the paper, and {}; {}.", order_words(printed),
+                            first_words(printed),
+                            same_first ? std::string("here too") : fmt::format("here it is {}", first_words(ours)),
+                            printed_order_words(compare_pairs(printed, ours)));
 }
 
 // The paper's second finding: its solver moves the joints less than every other. Welch's test says where the difference
@@ -103,7 +76,7 @@ std::string variation_sentence(const StudyResults& study, const std::vector<Comp
     const Description other = description(standing.solver);
     const WelchTest test = welch({.mean = reference.mean, .std = reference.std, .n = reference.n},
                                  {.mean = other.mean, .std = other.std, .n = other.n});
-    const bool undecided = test.p >= significance;
+    const bool undecided = reference.mean == other.mean || test.p >= significance;
     std::string& list = undecided ? alike : reference.mean < other.mean ? less : more;
     list +=
         fmt::format("{}{} ({:.0f} %)", list.empty() ? "" : ", ", standing.solver, 100 * reference.mean / other.mean);

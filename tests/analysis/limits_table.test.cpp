@@ -101,6 +101,18 @@ TEST_CASE("a solver gains no place in variation by being refused", "[limits]") {
   CHECK(has_note(table, "A refused answer leaves the arm where it stood"));
 }
 
+TEST_CASE("a place that is shared makes no solver the first", "[limits]") {
+  const StudyResults alike = study_of("free", "recorded", {{"IK-BA", 1, 40}, {"DE", 1, 40}});
+  const Table table =
+      *limits_table({alike, study_of("held", "enforced", {{"IK-BA", 1, 40}, {"DE", 2, 40}})}, Unit::run);
+  CHECK(has_note(table,
+                 "in error place 1 (shared) -> 1 of 2, now the first; in variation place 1 (shared) -> 1 (shared) "
+                 "of 2, as before."));
+  CHECK(has_note(table, "in error place 1 (shared) -> 2 of 2; "));
+  CHECK(number_at(table, 0, "rank_error") == 1);
+  CHECK(number_at(table, 2, "rank_error") == 1);
+}
+
 TEST_CASE("the reported study may be either of the two", "[limits]") {
   const Table table = *limits_table({enforced, recorded}, Unit::run);
   CHECK(std::get<std::string>(cell_at(table, 0, "study")) == "free");

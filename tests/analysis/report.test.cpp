@@ -196,6 +196,28 @@ TEST_CASE("an incomplete study, parallel times and answers outside the limits ar
   CHECK(says("Times are not comparable"));
 }
 
+TEST_CASE("the summary writes solvers that are the same to the bit as equal, and none of them as first", "[report]") {
+  std::vector<SolveRecord> solves = synthetic::solves({.solvers = {"IK-BA", "BA", "DE"}, .runs = 3});
+  for (std::size_t i = 60; i < solves.size(); ++i) {  // of 60 a solver
+    const SolveRecord& same = solves[i % 60];
+    solves[i].position_error_cm = same.position_error_cm;
+    solves[i].variation_deg = same.variation_deg;
+    solves[i].seconds = solves[i].cpu_seconds = same.seconds;
+    solves[i].answer_rad = same.answer_rad;
+  }
+  StudyResults study = make_study("s", solves);
+  study.published = "slim2023";
+  std::string all;
+  for (const std::string& sentence : summary(study, Unit::run)) all += sentence + '\n';
+  CHECK(contains(all,
+                 "smallest first): IK-BA = BA = DE. The paper: IK-BA < DE < BA. IK-BA is first in the paper, and "
+                 "here it is IK-BA, BA and DE, which share the place; 0 of 3 pairs stand in the printed order, 3 "
+                 "are tied."));
+  CHECK(!contains(all, "here too"));
+  CHECK(!contains(all, "Here it is less"));
+  CHECK(!contains(all, "Here it is not less"));
+}
+
 TEST_CASE("targets that no configuration reaches are told first", "[report]") {
   const TestFolder folder;
   Store store(folder.path() / "store.db", Store::Mode::write);

@@ -124,6 +124,25 @@ TEST_CASE("findings hold, hold in part, are undecided or do not hold, by the sto
   CHECK(findings(make_study("unpublished", synthetic::solves({})), {}, Unit::run).empty());
 }
 
+TEST_CASE("where all solvers are the same to the bit, no printed ranking can be decided", "[report]") {
+  std::vector<SolveRecord> solves = synthetic::solves({.runs = 3});
+  for (SolveRecord& solve : solves) {
+    solve.position_error_cm = solve.claimed_error_cm = 1 + 0.1 * solve.run;
+    solve.variation_deg = 10 + solve.run;
+    solve.seconds = solve.cpu_seconds = 0.001 * solve.run;
+  }
+  const auto tied = findings(study_of(solves), {}, Unit::run);
+  const Finding& accuracy = finding_of(tied, "Accuracy: IK-BA < K-ABC < DE < MO-PSO < PSO < BA");
+  CHECK(accuracy.verdict == Verdict::undecided);
+  CHECK(contains(accuracy.evidence, "0 of 15 pairs stand in the printed order, 15 are tied; first is IK-BA, "));
+  CHECK(contains(accuracy.evidence, ", which share the place."));
+  CHECK(!contains(accuracy.evidence, "as printed"));
+  CHECK(verdict_of(tied, "Computing time") == Verdict::undecided);
+  CHECK(verdict_of(tied, "is the most accurate") == Verdict::undecided);
+  CHECK(verdict_of(tied, "less than the other solvers") == Verdict::undecided);
+  CHECK(verdict_of(tied, "The solvers differ") == Verdict::does_not_hold);
+}
+
 TEST_CASE("findings are judged on the printed numbers too, by Games and Howell's test", "[report]") {
   const auto all = findings(study_of(synthetic::solves({})), {}, Unit::run);
   const auto printed = [&](const char* claim) { return finding_of(all, claim).printed; };
