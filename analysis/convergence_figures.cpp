@@ -200,7 +200,7 @@ std::optional<Figure> profile_figure(const StudyResults& study, ProfileOf of) {
 
 std::vector<Figure> convergence_figures(const StudyResults& study) {
   if (study.solves.empty()) return {};
-  const bool has_clean_times = timing_note(study).empty();
+  const bool has_clean_times = times_are_comparable(study);
   std::vector<Figure> figures;
   const auto add = [&](std::optional<Figure> figure) {
     if (figure) figures.push_back(std::move(*figure));

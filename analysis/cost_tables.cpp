@@ -219,7 +219,7 @@ std::vector<CensoredCost> censored_costs(const Solves& solves, double tolerance_
 std::vector<Table> cost_tables(const StudyResults& study) {
   if (is_empty_of_costs(study)) return {};
   std::vector<Table> tables{cost_table(study, Cost::evaluations)};
-  if (timing_note(study).empty()) tables.push_back(cost_table(study, Cost::seconds));
+  if (times_are_comparable(study)) tables.push_back(cost_table(study, Cost::seconds));
   return tables;
 }
 

@@ -62,12 +62,19 @@ void hold_against_printed_time(Comparison& row, double our_reference, const Stud
   row.agreement = by_ratio(row.ratio);
 }
 
+Comparison without_agreement(Comparison row) {
+  row.ratio = not_defined;
+  row.agreement = Agreement::not_comparable;
+  return row;
+}
+
 Cell verdict(const Comparison& row) {
   if (!std::isfinite(row.paper_mean)) return {};
   if (row.metric != Metric::seconds) {
     if (row.agreement == Agreement::none) return text("not defined");
     return rests_on_spread(row) ? "agrees, for its spread only" : text(name_of(row.agreement));
   }
+  if (row.agreement == Agreement::not_comparable) return text(name_of(row.agreement));
   if (row.agreement == Agreement::none) return fmt::format("no time of {} to relate to", time_reference);
   if (row.solver == time_reference) return text("relative only: the reference");
   return fmt::format("relative only: {}", name_of(row.agreement));
@@ -112,7 +119,7 @@ std::vector<Column> anova_columns() {
 }  // namespace
 
 std::string_view name_of(Agreement agreement) {
-  constexpr std::array<std::string_view, 4> names{"", "agrees", "close", "differs"};
+  constexpr std::array<std::string_view, 5> names{"", "agrees", "close", "differs", times_not_judged};
   return names[static_cast<std::size_t>(agreement)];
 }
 
@@ -129,9 +136,11 @@ std::vector<Comparison> compare(const StudyResults& study, Unit unit) {
   }
   if (study.published.empty()) return rows;
   const double our_reference = mean_of(rows, time_reference, Metric::seconds);
+  const bool has_comparable_times = times_are_comparable(study);
   for (Comparison& row : rows) {
     if (row.metric == Metric::seconds) {
       hold_against_printed_time(row, our_reference, study);
+      if (!has_comparable_times) row = without_agreement(row);
     } else if (const auto printed = printed_row(study, row.solver, row.metric)) {
       hold_against_printed(row, *printed, unit);
     }
@@ -215,8 +224,10 @@ Table anova_table(const StudyResults& study, Metric metric, Unit unit) {
   if (!ours.table.undefined.empty()) table.notes.push_back("F and p are not defined: " + ours.table.undefined + ".");
   table.notes.insert(table.notes.end(), ours.left_out.begin(), ours.left_out.end());
   add_notes(table, study, unit);
-  std::string note = timing_note(study);
-  if (metric == Metric::seconds && !note.empty()) table.notes.push_back(std::move(note));
+  if (metric == Metric::seconds && !times_are_comparable(study)) {
+    table.notes.push_back(timing_note(study) +
+                          " So F and p are no evidence that the solvers differ, or that they do not.");
+  }
   return table;
 }
 
@@ -253,7 +264,11 @@ Table status_table(const StudyResults& study) {
        {"solves", "expected", "complete_runs", "incomplete_runs", "outside_limits", "worst_outside_deg"}) {
     table.columns.push_back({name});
   }
-  for (const std::string_view name : timing_names) table.columns.push_back({"timing_" + std::string(name)});
+  for (const std::string_view name : timing_names) {
+    table.columns.push_back({"timing_" + std::string(name)});
+    if (name == name_of(Timing::clean)) table.columns.push_back({"timing_disturbed"});
+  }
+  const bool disturbed = times_were_disturbed(study);
   for (const SolverCounts& solver : counts(study)) {
     std::vector<Cell> row{solver.solver};
     for (const int number : solver.by_status) row.push_back(count(number));
@@ -262,7 +277,11 @@ Table status_table(const StudyResults& study) {
       row.push_back(count(number));
     }
     row.emplace_back(solver.worst_outside_deg);
-    for (const int number : solver.by_timing) row.push_back(count(number));
+    const int alone = solver.of(Timing::clean);
+    for (const int number :
+         {disturbed ? 0 : alone, disturbed ? alone : 0, solver.of(Timing::parallel), solver.of(Timing::debug_build)}) {
+      row.push_back(count(number));
+    }
     table.rows.push_back(std::move(row));
   }
   table.notes = status_notes(study);
@@ -271,7 +290,9 @@ Table status_table(const StudyResults& study) {
       "limit_violated, tolerance_missed, ok. So ok means: finite, as claimed, inside the joint limits, and within the "
       "tolerance where "
       "the study has one. outside_limits counts every answer with a joint outside its limits, whatever its status; "
-      "worst_outside_deg is how far the worst of them is.");
+      "worst_outside_deg is how far the worst of them is. timing_disturbed: run one by one, while other programs were "
+      "at "
+      "work on the machine.");
   if (std::string note = timing_note(study); !note.empty()) table.notes.push_back(std::move(note));
   return table;
 }

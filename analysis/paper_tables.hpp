@@ -15,8 +15,9 @@
 namespace ikbench {
 
 // How a number of ours stands to the printed one: `agrees` when Welch's test from the two summaries has p >= 0.05,
-// `close` when their ratio is within 0.5 to 2, else `differs`; `none` where there is nothing to hold it against.
-enum class Agreement { none, agrees, close, differs };
+// `close` when their ratio is within 0.5 to 2, else `differs`; `none` where there is nothing to hold it against, and
+// `not_comparable` of times that are not.
+enum class Agreement { none, agrees, close, differs, not_comparable };
 std::string_view name_of(Agreement agreement);
 
 // One row of Table 3, with the printed mean.

@@ -137,7 +137,7 @@ std::string out_of_reach_warning(const StudyResults& study) {
       rounded_number(of("reach_cm"), 4));
 }
 
-std::vector<std::string> warnings_of(const StudyResults& study) {
+std::vector<std::string> warnings_of(const StudyResults& study, const std::vector<StudyResults>& companions) {
   std::vector<std::string> warnings;
   if (std::string warning = out_of_reach_warning(study); !warning.empty()) warnings.push_back(std::move(warning));
   const auto papers = published::papers();
@@ -151,6 +151,11 @@ std::vector<std::string> warnings_of(const StudyResults& study) {
         fmt::format("{}: {} of {} solves are there", one_line(count.solver), count.solves, count.expected));
   }
   if (std::string note = timing_note(study); !note.empty()) warnings.push_back(std::move(note));
+  for (const StudyResults& companion : companions) {
+    for (const std::string& warning : {out_of_reach_warning(companion), timing_note(companion)}) {
+      if (!warning.empty()) warnings.push_back(fmt::format("{}: {}", companion.name, warning));
+    }
+  }
   return warnings;
 }
 
@@ -181,7 +186,7 @@ Report write_report(const Store& store, const ReportRequest& request) {
                         .title = study.title.empty() ? study.name : study.title,
                         .findings = findings(study, companions, plan.unit),
                         .summary = summary(study, plan.unit),
-                        .warnings = warnings_of(study),
+                        .warnings = warnings_of(study, companions),
                         .command = command_of(study, sessions)};
   std::ranges::copy(plan_changes(entry, sessions, study.solves), std::back_inserter(content.warnings));
   if (plan.test == DecidingTest::friedman && !blocked_observations(study, Metric::position_error_cm)) {
@@ -199,6 +204,7 @@ Report write_report(const Store& store, const ReportRequest& request) {
   }
   std::vector<Assessment> assessments = assessments_of(study, plan);
   for (const Assessment& assessment : assessments) {
+    if (!assessment.warnings.empty()) continue;  // of flawed observations there is no headline
     std::ranges::copy(assessment.headlines, std::back_inserter(content.summary));
   }
   const Table results = *std::ranges::find(tables, "table-3", &Table::name);

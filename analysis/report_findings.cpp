@@ -111,12 +111,14 @@ struct Ranked {
 };
 
 // How our ranking stands to the printed one: holds when every pair stands in the same order, in part when the first is
-// the same or most of the pairs that are not tied stand.
+// the same or most of the pairs that are not tied stand. Times that are not comparable are not ranked.
 struct Held {
   Verdict verdict = Verdict::undecided;
   std::string evidence;
 };
-Held held_against_printed(const std::vector<Pair>& pairs, const Ranked& what) {
+Held held_against_printed(const StudyResults& study, const std::vector<Pair>& pairs, const Ranked& what) {
+  if (what.metric == Metric::seconds && !times_are_comparable(study))
+    return {.evidence = fmt::format("Here: not ranked, {} (see the warnings).", times_not_judged)};
   const std::vector<Standing> ours = standings(pairs, our_mean), printed = standings(pairs, printed_mean);
   const PairOrder order = compare_pairs(printed, ours);
   const bool same_first = first_of(ours) == first_of(printed);
@@ -145,7 +147,7 @@ std::optional<Finding> ranking(const StudyResults& study, const std::vector<Comp
     }
   }
   const Smaller first_two = smaller(printed[0].printed, printed[1].printed, printed.size());
-  const Held here = held_against_printed(printed, what);
+  const Held here = held_against_printed(study, printed, what);
   return Finding{
       .claim = fmt::format("{}: {}", what.name, order_words(standings(printed, printed_mean))),
       .verdict = here.verdict,
@@ -224,29 +226,34 @@ std::vector<Finding> variation(const StudyResults& study, const std::vector<Comp
   return result;
 }
 
+// As many of the metrics as are judged; times that are not comparable are not.
 std::optional<Finding> solvers_differ(const StudyResults& study, Unit unit) {
-  constexpr std::array<Metric, 3> metrics{Metric::position_error_cm, Metric::variation_deg, Metric::seconds};
   std::string list;
-  int alike = 0, printed_alike = 0;
-  const auto verdict_of = [](int number_alike) {
-    return number_alike == 0 ? Verdict::holds : number_alike == 3 ? Verdict::does_not_hold : Verdict::in_part;
-  };
-  for (const Metric metric : metrics) {
+  int alike = 0, differ = 0, printed_alike = 0;
+  for (const Metric metric : paper_metrics) {
     const std::optional<AnovaTable> printed = comparable_printed_anova(study, metric, unit);
     if (!printed) return std::nullopt;
+    if (printed->p >= significance) ++printed_alike;
+    list += fmt::format("{}{} ", list.empty() ? "" : "; ", name_of(metric));
+    if (metric == Metric::seconds && !times_are_comparable(study)) {
+      list += fmt::format("not tested, {} (see the warnings)", times_not_judged);
+      continue;
+    }
     const AnovaTable table = anova(study, metric, unit).table;
     if (!std::isfinite(table.p)) return std::nullopt;
-    const bool flawed = metric == Metric::seconds && !timing_note(study).empty();
-    if (table.p >= significance || flawed) ++alike;
-    if (printed->p >= significance) ++printed_alike;
-    list += fmt::format("{}{} F = {}, p = {}{}", list.empty() ? "" : "; ", name_of(metric), short_number(table.F),
-                        rounded_number(table.p, 2), flawed ? " (not clean, and counted as not shown)" : "");
+    ++(table.p >= significance ? alike : differ);
+    list += fmt::format("F = {}, p = {}", short_number(table.F), rounded_number(table.p, 2));
   }
+  const auto verdict_of = [](int number_alike, int number_differing) {
+    if (number_differing == static_cast<int>(paper_metrics.size())) return Verdict::holds;
+    if (number_differing > 0) return Verdict::in_part;
+    return number_alike == static_cast<int>(paper_metrics.size()) ? Verdict::does_not_hold : Verdict::undecided;
+  };
   return Finding{.claim = "The solvers differ in error, variation and time (ANOVA)",
-                 .verdict = verdict_of(alike),
+                 .verdict = verdict_of(alike, differ),
                  .evidence = list + ".",
                  .table = "table-4",
-                 .printed = verdict_of(printed_alike)};
+                 .printed = verdict_of(printed_alike, static_cast<int>(paper_metrics.size()) - printed_alike)};
 }
 
 std::optional<Finding> inside_limits(const StudyResults& study) {
@@ -275,20 +282,25 @@ std::optional<Finding> real_time(const StudyResults& study) {
   const std::vector<TimeAssessment> rows = assess_times(study);
   const auto row = std::ranges::find(rows, fmt::format("{} bats", printed.bats), &TimeAssessment::solver);
   if (row == rows.end() || row->solves == 0) return std::nullopt;
-  return Finding{.claim = fmt::format("With {} bats IK-BA answers in real time", printed.bats),
-                 .verdict = row->in_time == row->solves        ? Verdict::holds
-                            : row->time_ms.max >= real_time_ms ? Verdict::does_not_hold
-                                                               : Verdict::in_part,
-                 .evidence = fmt::format("This program on the machine of the run, not MATLAB: {} of {} targets within "
-                                         "{} cm in less than {} ms; mean {} "
-                                         "ms, the slowest {} ms. Printed, of MATLAB on another machine, {}.",
-                                         row->in_time, row->solves, tolerance_cm(study), real_time_ms,
-                                         short_number(row->time_ms.mean), short_number(row->time_ms.max),
-                                         printed_real_time(printed)),
-                 .table = "table-7",
-                 .printed = printed.max_ms < real_time_ms    ? Verdict::holds
-                            : printed.mean_ms < real_time_ms ? Verdict::in_part
-                                                             : Verdict::does_not_hold};
+  const bool comparable = times_are_comparable(study);
+  const std::string here =
+      comparable ? fmt::format(
+                       "This program on the machine of the run, not MATLAB: {} of {} targets within {} cm in "
+                       "less than {} ms; mean {} ms, the slowest {} ms.",
+                       row->in_time, row->solves, tolerance_cm(study), real_time_ms, short_number(row->time_ms.mean),
+                       short_number(row->time_ms.max))
+                 : fmt::format("Not judged: {} (see the warnings).", times_not_judged);
+  return Finding{
+      .claim = fmt::format("With {} bats IK-BA answers in real time", printed.bats),
+      .verdict = !comparable                        ? Verdict::undecided
+                 : row->in_time == row->solves      ? Verdict::holds
+                 : row->time_ms.max >= real_time_ms ? Verdict::does_not_hold
+                                                    : Verdict::in_part,
+      .evidence = fmt::format("{} Printed, of MATLAB on another machine, {}.", here, printed_real_time(printed)),
+      .table = "table-7",
+      .printed = printed.max_ms < real_time_ms    ? Verdict::holds
+                 : printed.mean_ms < real_time_ms ? Verdict::in_part
+                                                  : Verdict::does_not_hold};
 }
 
 // Table 8: errors of the order of rounding, which is a double's step times the length that is computed.
@@ -396,15 +408,6 @@ std::optional<Finding> better_than_classical(const StudyResults& study, const St
                  .table = "perspective"};
 }
 
-// Times that were taken among other work decide nothing.
-std::optional<Finding> comparable_times(const StudyResults& study, std::optional<Finding> finding) {
-  const std::string note = timing_note(study);
-  if (!finding || note.empty()) return finding;
-  finding->verdict = Verdict::undecided;
-  finding->evidence += ' ' + note;
-  return finding;
-}
-
 }  // namespace
 
 std::string_view name_of(Verdict verdict) {
@@ -437,7 +440,7 @@ std::vector<Finding> findings(const StudyResults& study, const std::vector<Study
     add(most_accurate(study, rows, unit));
     add(ranking(study, rows, {Metric::position_error_cm, "Accuracy", "cm"}));
     for (Finding& finding : variation(study, rows, unit)) result.push_back(std::move(finding));
-    add(comparable_times(study, computing_time(study, rows)));
+    add(computing_time(study, rows));
     add(solvers_differ(study, unit));
     add(inside_limits(study));
     for (const StudyResults& companion : companions) {
@@ -445,10 +448,10 @@ std::vector<Finding> findings(const StudyResults& study, const std::vector<Study
       if (companion.name == study.name + "-context") add(better_than_classical(study, companion, unit));
     }
   }
-  add(comparable_times(study, real_time(study)));
+  add(real_time(study));
   add(circle(study));
   for (const StudyResults& companion : companions) {
-    add(comparable_times(companion, real_time(companion)));
+    add(real_time(companion));
     add(circle(companion));
   }
   return result;

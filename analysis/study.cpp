@@ -220,26 +220,38 @@ std::vector<std::string> status_notes(const StudyResults& study) {
   return notes;
 }
 
-std::string timing_note(const StudyResults& study) {
-  std::vector<int> by_timing(timing_names.size());
-  for (const SolveRecord& solve : study.solves) ++by_timing[static_cast<std::size_t>(solve.timing)];
-  const int parallel = by_timing[static_cast<std::size_t>(Timing::parallel)];
-  const int debug = by_timing[static_cast<std::size_t>(Timing::debug_build)];
-  if (parallel + debug == 0) {
-    double seconds = 0, cpu_seconds = 0;
-    for (const SolveRecord& solve : study.solves) {
-      seconds += solve.seconds;
-      cpu_seconds += solve.cpu_seconds;
-    }
-    if (!(seconds > 1.1 * cpu_seconds) || !(cpu_seconds > 0)) return "";
-    return fmt::format(
-        "Times are not comparable: the wall time of the solves is {:.2f} times their CPU time, so other programs were "
-        "at work on the machine.",
-        seconds / cpu_seconds);
+namespace {
+
+// Wall time by CPU time of the solves that are recorded as clean; not defined where none has any.
+double clean_slowdown(const StudyResults& study) {
+  double seconds = 0, cpu_seconds = 0;
+  for (const SolveRecord& solve : study.solves) {
+    if (solve.timing != Timing::clean) continue;
+    seconds += solve.seconds;
+    cpu_seconds += solve.cpu_seconds;
   }
-  return fmt::format(
-      "Times are not comparable: of {} solves, {} were timed while others ran in parallel and {} in a debug build.",
-      study.solves.size(), parallel, debug);
+  return cpu_seconds > 0 ? seconds / cpu_seconds : not_defined;
 }
+
+}  // namespace
+
+bool times_were_disturbed(const StudyResults& study) { return clean_slowdown(study) > 1.1; }
+
+std::string timing_note(const StudyResults& study) {
+  const auto timed = [&](Timing how) { return std::ranges::count(study.solves, how, &SolveRecord::timing); };
+  const auto parallel = timed(Timing::parallel), debug = timed(Timing::debug_build);
+  if (parallel + debug > 0) {
+    return fmt::format(
+        "Times are not comparable: of {} solves, {} were timed while others ran in parallel and {} in a debug build.",
+        study.solves.size(), parallel, debug);
+  }
+  if (!times_were_disturbed(study)) return "";
+  return fmt::format(
+      "Times are not comparable: the wall time of the solves is {:.2f} times their CPU time, so other programs were at "
+      "work on the machine.",
+      clean_slowdown(study));
+}
+
+bool times_are_comparable(const StudyResults& study) { return timing_note(study).empty(); }
 
 }  // namespace ikbench

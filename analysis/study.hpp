@@ -77,8 +77,15 @@ struct SolverCounts {
 
 std::vector<SolverCounts> counts(const StudyResults& study);
 
-// The counts as sentences, to stand beside every table and figure: statuses, what is missing, times that are not clean.
+// The counts as sentences, to stand beside every table and figure: statuses, what is missing.
 std::vector<std::string> status_notes(const StudyResults& study);
-std::string timing_note(const StudyResults& study);  // empty where every time is clean
+
+// Whether the times of a study can be compared is decided here alone, and for all of them together: all that is said of
+// them follows it. The note says why they cannot be; it is empty where they can.
+std::string timing_note(const StudyResults& study);
+bool times_are_comparable(const StudyResults& study);
+// Whether other programs were at work while the solves ran that are recorded as clean: by their wall and CPU time.
+bool times_were_disturbed(const StudyResults& study);
+constexpr std::string_view times_not_judged = "times are not comparable";
 
 }  // namespace ikbench

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <utility>
 
 #include "analysis/circle.hpp"
@@ -155,6 +156,13 @@ std::string limits_sentence(const StudyResults& study) {
                      study.solves.size(), list, rounded_number(worst, 3));
 }
 
+// The paper's metrics without the times where those cannot be compared.
+std::span<const Metric> judged_metrics(const StudyResults& study) {
+  static_assert(paper_metrics.back() == Metric::seconds);
+  const std::span<const Metric> all = paper_metrics;
+  return times_are_comparable(study) ? all : all.first(all.size() - 1);
+}
+
 std::string wrong_claims_sentence(const StudyResults& study) {
   int wrong = 0;
   for (const SolverCounts& count : counts(study)) wrong += count.of(Status::claimed_but_wrong);
@@ -167,18 +175,22 @@ std::vector<std::string> summary(const StudyResults& study, Unit unit) {
   if (study.solves.empty()) return {"Nothing of this study is solved yet."};
   const auto rows = compare(study, unit);
   std::vector<std::string> sentences{departures_sentence(study)};
-  for (const Metric metric : paper_metrics) {
+  const std::span<const Metric> judged = judged_metrics(study);
+  for (const Metric metric : judged) {
     sentences.push_back(ranking_sentence(study, rows, metric));
     if (metric == Metric::position_error_cm) sentences.push_back(limits_sentence(study));
     if (metric == Metric::variation_deg) sentences.push_back(variation_sentence(study, rows, unit));
   }
+  if (judged.size() < paper_metrics.size()) {
+    sentences.push_back(
+        fmt::format("Computing time is neither ranked nor tested: {} (see the warnings).", times_not_judged));
+  }
   sentences.push_back(real_time_verdict(study));
   sentences.push_back(printed_angles_verdict(study));
-  for (const Metric metric : paper_metrics) sentences.push_back(anova_sentence(study, metric, unit));
+  for (const Metric metric : judged) sentences.push_back(anova_sentence(study, metric, unit));
   for (std::string& sentence : number_sentences(rows)) sentences.push_back(std::move(sentence));
   sentences.push_back(wrong_claims_sentence(study));
   for (std::string& note : status_notes(study)) sentences.push_back(std::move(note));
-  sentences.push_back(timing_note(study));
   std::erase(sentences, "");
   return sentences;
 }
@@ -193,12 +205,14 @@ std::string perspective(const StudyResults& other, Unit unit) {
   };
   const auto error = means(Metric::position_error_cm, 2), variation = means(Metric::variation_deg, 3);
   const auto seconds = means(Metric::seconds, 2), evaluations = means(Metric::evaluations, 3);
+  const bool comparable = times_are_comparable(other);
   std::string list;
   for (std::size_t i = 0; i < other.solvers.size(); ++i) {
-    list += fmt::format("{}{} {} cm, {} deg, {} s and {} evaluations", i == 0 ? "" : "; ", other.solvers[i], error[i],
-                        variation[i], seconds[i], evaluations[i]);
+    list += fmt::format("{}{} {} cm, {} deg, {}{} evaluations", i == 0 ? "" : "; ", other.solvers[i], error[i],
+                        variation[i], comparable ? seconds[i] + " s and " : "and ", evaluations[i]);
   }
-  return fmt::format("For perspective, means of the study {} on the same targets: {}.", other.name, list);
+  return fmt::format("For perspective, means of the study {} on the same targets: {}{}.", other.name, list,
+                     comparable ? "" : fmt::format("; its {}", times_not_judged));
 }
 
 }  // namespace ikbench

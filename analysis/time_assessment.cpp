@@ -77,7 +77,7 @@ std::string scaling_verdict(const StudyResults& study, const std::vector<TimeAss
                             const std::vector<PrintedTime>& printed) {
   const auto first = std::ranges::find(rows, label_of(printed.front()), &TimeAssessment::solver);
   const auto last = std::ranges::find(rows, label_of(printed.back()), &TimeAssessment::solver);
-  if (first == rows.end() || last == rows.end() || first == last) return "";
+  if (first == rows.end() || last == rows.end() || first == last || !times_are_comparable(study)) return "";
   const auto ours_of = [](const TimeAssessment& row) {
     return GroupSummary{.mean = row.reached_ms.mean, .std = row.reached_ms.std, .n = row.reached_ms.n};
   };
@@ -207,7 +207,7 @@ std::optional<Table> table_7(const StudyResults& study) {
     table.rows.push_back(std::move(cells));
   }
 
-  table.notes.push_back(verdict(rows, tolerance, printed));
+  table.notes.push_back(real_time_verdict(study));
   if (std::string scaling = scaling_verdict(study, rows, printed); !scaling.empty()) {
     table.notes.push_back(std::move(scaling));
   }
@@ -229,24 +229,26 @@ std::optional<Table> table_7(const StudyResults& study) {
                                    return fmt::format("{} {} of {}", row.solver, row.never_reached, row.solves);
                                  })));
   }
-  table.notes.push_back(
-      fmt::format("The printed times are of MATLAB on another machine: only ratios can be compared. ratio_reached and "
-                  "paper_ratio are "
-                  "mean times by that of {}, ours of the solves that reach the tolerance.",
-                  reference));
-  table.notes.push_back(
-      fmt::format("Mean time per bat [ms], printed: {}; ours, of the solves that reach the tolerance: {}. Were it the "
-                  "same for all, "
-                  "the number of iterations would not depend on the number of bats.",
-                  listed(printed,
-                         [](const PrintedTime& row) {
-                           return fmt::format("{} {}", label_of(row), rounded_number(row.mean_ms / row.bats, 3));
-                         }),
-                  listed(rows, [&](const TimeAssessment& row) {
-                    const auto same = std::ranges::find(printed, row.solver, label_of);
-                    if (same == printed.end() || !std::isfinite(row.reached_ms.mean)) return std::string();
-                    return fmt::format("{} {}", row.solver, rounded_number(row.reached_ms.mean / same->bats, 3));
-                  })));
+  const std::string printed_per_bat = listed(printed, [](const PrintedTime& row) {
+    return fmt::format("{} {}", label_of(row), rounded_number(row.mean_ms / row.bats, 3));
+  });
+  if (times_are_comparable(study)) {
+    table.notes.push_back(fmt::format(
+        "The printed times are of MATLAB on another machine: only ratios can be compared. ratio_reached and "
+        "paper_ratio are mean times by that of {}, ours of the solves that reach the tolerance.",
+        reference));
+    table.notes.push_back(fmt::format(
+        "Mean time per bat [ms], printed: {}; ours, of the solves that reach the tolerance: {}. Were it the "
+        "same for all, the number of iterations would not depend on the number of bats.",
+        printed_per_bat, listed(rows, [&](const TimeAssessment& row) {
+          const auto same = std::ranges::find(printed, row.solver, label_of);
+          if (same == printed.end() || !std::isfinite(row.reached_ms.mean)) return std::string();
+          return fmt::format("{} {}", row.solver, rounded_number(row.reached_ms.mean / same->bats, 3));
+        })));
+  } else {
+    table.notes.push_back(timing_note(study));
+    table.notes.push_back(fmt::format("Mean time per bat [ms], printed: {}.", printed_per_bat));
+  }
   const std::string misprinted = listed(printed, [](const PrintedTime& row) {
     return row.mean_ms <= row.max_ms ? "" : fmt::format("{} ({} by {})", label_of(row), row.mean_ms, row.max_ms);
   });
@@ -254,13 +256,13 @@ std::optional<Table> table_7(const StudyResults& study) {
     table.notes.push_back(fmt::format("Misprint: the printed mean exceeds the printed maximum: {}.", misprinted));
   }
   for (std::string& note : status_notes(study)) table.notes.push_back(std::move(note));
-  if (std::string note = timing_note(study); !note.empty()) table.notes.push_back(std::move(note));
   return table;
 }
 
 std::string real_time_verdict(const StudyResults& study) {
-  return is_time_study(study) ? verdict(assess_times(study), tolerance_cm(study), printed_table_7(study.published))
-                              : std::string();
+  if (!is_time_study(study)) return "";
+  if (!times_are_comparable(study)) return fmt::format("Real time: not judged, {}.", times_not_judged);
+  return verdict(assess_times(study), tolerance_cm(study), printed_table_7(study.published));
 }
 
 }  // namespace ikbench

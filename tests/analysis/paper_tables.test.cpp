@@ -242,8 +242,9 @@ TEST_CASE("the status table has every solve, every status, and how far answers l
   CHECK(
       to_csv(table) ==
       "algorithm,ok,tolerance_missed,limit_violated,refused,claimed_but_wrong,not_finite,solves,expected,complete_runs,"
-      "incomplete_runs,outside_limits,worst_outside_deg,timing_clean,timing_parallel,timing_debug_build\n"
-      "IK-BA,1,0,1,1,1,0,4,4,1,0,2,12.5,3,1,0\n");
+      "incomplete_runs,outside_limits,worst_outside_deg,timing_clean,timing_disturbed,timing_parallel,"
+      "timing_debug_build\n"
+      "IK-BA,1,0,1,1,1,0,4,4,1,0,2,12.5,3,0,1,0\n");
   CHECK(contains(table.notes, "Times are not comparable: of 4 solves, 1 were timed while others ran in parallel"));
   CHECK(contains(table.notes, "A refused answer leaves the arm where it was"));
   solves[3].status = Status::ok;

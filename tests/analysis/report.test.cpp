@@ -193,7 +193,7 @@ TEST_CASE("an incomplete study, parallel times and answers outside the limits ar
   };
   CHECK(says("1 of 359 answers are outside the joint limits ("));
   CHECK(says("Solves: 359 of 360 expected"));
-  CHECK(says("Times are not comparable"));
+  CHECK(says("Computing time is neither ranked nor tested: times are not comparable (see the warnings)."));
 }
 
 TEST_CASE("the summary writes solvers that are the same to the bit as equal, and none of them as first", "[report]") {
@@ -232,6 +232,64 @@ TEST_CASE("targets that no configuration reaches are told first", "[report]") {
   const std::string text = text_of_file(report.file), page = text_of_file(report.page);
   CHECK(text.find("3 of the 20 targets") < text.find("## Summary"));
   CHECK(page.find("3 of the 20 targets") < page.find("In words, number by number"));
+}
+
+TEST_CASE("what is said of times follows one state of them, in every part of a report", "[report]") {
+  const TestFolder folder;
+  Store store(folder.path() / "store.db", Store::Mode::write);
+  const auto report_of = [&](double slowdown, const std::string& name) {
+    StudyEntry entry{.name = name, .definition = R"({"runs": 20, "published": "slim2023"})", .series = {}};
+    std::vector<SolveRecord> solves = synthetic::solves({});
+    const std::int64_t session = store.begin_session({{"cpu", "one"}});
+    for (std::size_t i = 0; i < 6; ++i) {
+      entry.series.push_back(
+          {.key = name + std::to_string(i), .label = synthetic::Shape{}.solvers[i], .algorithm = "a", .options = "{}"});
+    }
+    for (SolveRecord& solve : solves) {
+      solve.study = name;
+      solve.series = name + solve.series.substr(7);
+      solve.session = session;
+      solve.cpu_seconds = solve.seconds / slowdown;
+    }
+    store.save_study(entry);
+    store.append(solves);
+    const Report report =
+        write_report(store, {.study = name, .folder = folder.path() / name, .figures = {.render = false}});
+    return text_of_file(report.file);
+  };
+  const auto table = [&](const std::string& name, const std::string& which) {
+    return text_of_file(folder.path() / name / "tables" / (which + ".md"));
+  };
+  const std::string clean = report_of(1, "clean");
+  CHECK(!contains(clean, "not comparable"));
+  CHECK(contains(clean, "ANOVA of seconds: F(5, 114)"));
+  CHECK(contains(clean, "- computing time \\[s\\]: "));
+  CHECK(contains(table("clean", "table-3"), "relative only: close"));
+  CHECK(contains(table("clean", "status"), "| 400 | 0 | 0 | 0 |"));  // clean, disturbed, parallel, debug build
+
+  const std::string busy = report_of(2, "busy");
+  std::size_t said = 0;
+  const std::string head = busy.substr(0, busy.find("## What was run"));
+  for (std::size_t at = head.find("2.00 times their CPU time"); at != std::string::npos;
+       at = head.find("2.00 times their CPU time", at + 1))
+    ++said;
+  CHECK(said == 1);  // the reason, among the warnings
+  CHECK(contains(head, "Computing time is neither ranked nor tested: times are not comparable"));
+  CHECK(!contains(head, "ANOVA of seconds"));
+  CHECK(!contains(head, "Computing time (mean, smallest first)"));
+  CHECK(!contains(head, "relative time"));
+  CHECK(!contains(head, "computing time \\[s\\]: "));
+  CHECK(contains(head, "| undecided | in part | Here: not ranked, times are not comparable (see the warnings)."));
+  CHECK(contains(head, "seconds not tested, times are not comparable (see the warnings)."));
+  CHECK(!contains(table("busy", "table-3"), "relative only: agrees"));
+  CHECK(!contains(table("busy", "table-3"), "relative only: close"));
+  CHECK(!contains(table("busy", "table-3"), "relative only: differs"));
+  CHECK(contains(table("busy", "table-3"), "| not defined | times are not comparable |"));
+  CHECK(contains(table("busy", "table-6"), "So F and p are no evidence"));
+  CHECK(contains(table("busy", "status"), "| 0 | 400 | 0 | 0 |"));
+  const std::size_t section = busy.find("## Statistics: computing time");
+  REQUIRE(section != std::string::npos);
+  CHECK(busy.find("- Flawed: Times are not comparable", section) < busy.find("- In short:", section));
 }
 
 TEST_CASE("the summary says which findings of the paper hold", "[report]") {

@@ -118,10 +118,14 @@ TEST_CASE("Table 7 tells whether our time grows with the bats as the printed doe
   CHECK(!has_note(*table_7(study_of(by_hand)), "Scaling:"));
 }
 
-TEST_CASE("times that are not clean are told beside Table 7", "[time]") {
+TEST_CASE("times that are not clean are told beside Table 7, and judge nothing", "[time]") {
   StudyResults study = study_of(by_hand);
   for (SolveRecord& solve : study.solves) solve.timing = Timing::debug_build;
-  CHECK(has_note(*table_7(study), "Times are not comparable"));
+  const Table table = *table_7(study);
+  CHECK(has_note(table, "Times are not comparable"));
+  CHECK(has_note(table, "Real time: not judged, times are not comparable."));
+  CHECK(!has_note(table, "Real time of this program"));
+  CHECK(!has_note(table, "only ratios can be compared"));
 }
 
 TEST_CASE("Table 7 stands without the printed reference, a tolerance, or anything solved", "[time]") {
