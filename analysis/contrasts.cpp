@@ -102,7 +102,7 @@ void add_rank_tests(const Evidence& evidence, Values values, std::vector<Contras
   }
   const std::vector<double> p = adjusted(raw, correction_of(evidence.plan.adjustment));
   for (std::size_t i = 0; i < all.size(); ++i) all[i].p_ranks = p[i];
-  if (evidence.ranks_within_blocks()) add_nemenyi(evidence, all);
+  if (evidence.ranks_within_blocks() && std::isfinite(evidence.critical_difference)) add_nemenyi(evidence, all);
 }
 
 // Where groups have blocks in common: the share of blocks in which the first is better. An interval needs whole blocks,
@@ -242,6 +242,7 @@ void add_friedman(Evidence& evidence, Values values) {
                             .symbol = "F",
                             .statistic = test.F,
                             .df = test.F_df_between,
+  if (!test.undefined.empty()) return;
                             .df_within = test.F_df_within,
                             .p = test.F_p,
                             .undefined = test.undefined});

@@ -74,7 +74,7 @@ std::vector<RankComparison> compared(const Friedman& test, std::vector<RankCompa
 }  // namespace
 
 Friedman friedman(std::span<const std::vector<double>> groups) {
-  Friedman test;
+  Friedman test{.average_ranks = std::vector<double>(groups.size(), not_defined)};
   for (std::size_t i = 1; i < groups.size(); ++i) {
     if (groups[i].size() == groups[0].size()) continue;
     test.undefined = fmt::format("group {} has {} values and group 1 has {}; each needs one a block", i + 1,
@@ -83,7 +83,7 @@ Friedman friedman(std::span<const std::vector<double>> groups) {
   }
   test.blocks = groups.empty() ? 0 : groups[0].size();
   test.undefined = too_few(groups.size(), test.blocks);
-  if (!test.undefined.empty()) return test;
+  if (test.blocks == 0) return test;
 
   const auto k = static_cast<double>(groups.size());
   const auto n = static_cast<double>(test.blocks);
@@ -99,7 +99,8 @@ Friedman friedman(std::span<const std::vector<double>> groups) {
     for (std::size_t i = 0; i < groups.size(); ++i) rank_sums[i] += ranking.ranks[i];
     tie_sum += ranking.tie_sum();
   }
-  for (const double sum : rank_sums) test.average_ranks.push_back(sum / n);
+  for (std::size_t i = 0; i < groups.size(); ++i) test.average_ranks[i] = rank_sums[i] / n;
+  if (!test.undefined.empty()) return test;
   if (tie_sum >= n * (k * k * k - k)) {
     test.undefined = "in every block all values are equal";
     return test;

@@ -13,7 +13,7 @@ namespace ikbench {
 
 struct Friedman {
   std::size_t blocks = 0;
-  std::vector<double> average_ranks;  // of the groups in their order; 1 is the smallest value of a block
+  std::vector<double> average_ranks;  // of the groups in their order, of one block too; 1 is a block's smallest value
   double chi_squared = not_defined;   // corrected for ties
   int df = 0;
   double p = not_defined;          // upper tail of chi-square

@@ -342,6 +342,15 @@ degenerate "of 2 groups" A "-0 0 0" B "0 0 1"
 
 # Two hundred groups: the pairs with the best alone.
 { echo solver,error && for i in {1..200}; do printf 'g%d,%d\ng%d,%d\ng%d,%d\n' $i $i $i $((i + 1)) $i $((i + 3)); done; } >many.csv
+# One block that is complete: ranks, and no test of them.
+printf 'A,B,C\n1,2,3\n' >block.csv
+succeeds stats block.csv --wide --rows-are-blocks --out block
+has "$out" "Not defined: A and B (one block; two or more are needed)"
+printf 'A,B,C\n1,2,3\n4,,5\n' >block.csv
+succeeds stats block.csv --wide --rows-are-blocks --no-figures --out block
+has "$out" "Left out because incomplete: 1 of 2 blocks"
+has "$out" "Friedman's test: not defined, one block; two or more are needed"
+
 succeeds stats many.csv --value error --no-figures --out many
 has "$out" "pairs with g1"
 has_outputs many error groups tests contrasts
