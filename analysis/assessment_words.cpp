@@ -61,7 +61,7 @@ std::string flaw_words(const Evidence& evidence) {
 // Brown and Forsythe's test has the word where the values are there: Bartlett's takes normal ones for granted.
 const TestResult* variance_test(const Evidence& evidence) {
   const TestResult* by_values = evidence.test(brown_forsythe_name);
-  return by_values != nullptr && by_values->undefined.empty() ? by_values : evidence.test(bartlett_name);
+  return by_values != nullptr ? by_values : evidence.test(bartlett_name);
 }
 
 bool variances_differ(const Evidence& evidence) {

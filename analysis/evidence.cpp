@@ -21,6 +21,8 @@
 #include "analysis/statistics/mann_whitney.hpp"
 #include "analysis/statistics/median_interval.hpp"
 #include "analysis/statistics/quantile.hpp"
+#include "analysis/statistics/ranks.hpp"
+#include "analysis/statistics/rounding.hpp"
 #include "analysis/statistics/shapiro_wilk.hpp"
 #include "analysis/statistics/welch.hpp"
 #include "analysis/statistics/wilcoxon_signed_rank.hpp"
@@ -249,6 +251,18 @@ Values rankable(const Observations& observations) {
     for (double& value : ranked) value = std::isnan(value) ? worst : value;
   }
   return values;
+// What rounding alone keeps apart is equal, also from group to group.
+Observations exact(Observations observations) {
+  Values values;
+  for (const Group& group : observations.groups) values.push_back(group.values);
+  const std::vector<double> all = without_rounding(pooled(values));
+  auto next = all.begin();
+  for (Group& group : observations.groups) {
+    for (double& value : group.values) value = *next++;
+  }
+  return observations;
+}
+
 }
 
 }  // namespace
@@ -304,10 +318,11 @@ Evidence evidence(const Summaries& summaries, const AnalysisPlan& plan) {
   result.notes = summaries.notes;
   std::vector<GroupSummary> numbers;
   for (const SummaryGroup& group : summaries.groups) {
-    numbers.push_back(group.summary);
+    GroupSummary& summary = numbers.emplace_back(group.summary);
+    summary.std = without_rounding(summary.std, std::abs(summary.mean));
     result.groups.push_back({.name = group.name,
-                             .described = {.n = group.summary.n, .mean = group.summary.mean, .std = group.summary.std},
-                             .mean = interval_of(group.summary, 1 - plan.significance)});
+                             .described = {.n = summary.n, .mean = summary.mean, .std = summary.std},
+                             .mean = interval_of(summary, 1 - plan.significance)});
   }
   check_control(result);
   settle_test(result);
@@ -320,7 +335,8 @@ Evidence evidence(const Summaries& summaries, const AnalysisPlan& plan) {
   return result;
 }
 
-Evidence evidence(const Observations& observations, const AnalysisPlan& plan) {
+Evidence evidence(const Observations& given, const AnalysisPlan& plan) {
+  const Observations observations = exact(given);
   Evidence result = begin(observations.name, observations.quantity, observations.better, plan);
   result.replicate = observations.replicate;
   result.block = observations.block;

@@ -11,6 +11,7 @@
 #include "analysis/statistics/mann_whitney.hpp"
 #include "analysis/statistics/power.hpp"
 #include "analysis/statistics/proportion.hpp"
+#include "analysis/statistics/rounding.hpp"
 #include "analysis/statistics/wilcoxon_signed_rank.hpp"
 #include "analysis/text.hpp"
 #include "results/analysis_plan_fields.hpp"
@@ -97,10 +98,9 @@ double p_of_lying_apart(const MetricSamples& samples) {
 // A count that no run changes is what the solver does, and not a sample of it.
 void compare_counts(MetricComparison& result, double margin) {
   const std::string constant = "constant in both";
-  const double beyond = std::abs(result.b.mean - result.a.mean) - margin * std::abs(result.a.mean);
-  const double rounding = 4 * std::numeric_limits<double>::epsilon() * std::abs(result.a.mean);
+  const double size = std::abs(result.a.mean), beyond = std::abs(result.b.mean - result.a.mean) - margin * size;
   if (result.mean_favours == 0) return settle(result, Outcome::same, constant + ", and equal");
-  if (beyond <= rounding) return settle(result, Outcome::same, constant + ", and within the margin");
+  if (without_rounding(beyond, size) <= 0) return settle(result, Outcome::same, constant + ", and within the margin");
   settle(result, result.mean_favours > 0 ? Outcome::better : Outcome::worse, constant);
 }
 

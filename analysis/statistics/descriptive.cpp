@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "analysis/statistics/quantile.hpp"
+#include "analysis/statistics/rounding.hpp"
 
 namespace ikbench {
 namespace {
@@ -20,7 +21,10 @@ Variance variance_of(std::span<const double> values) {
   const double unit = power_of_two_below(values);
   std::vector<double> scaled(values.begin(), values.end());
   for (double& value : scaled) value /= unit;
-  return {.variance = sum_of_squares(scaled) / static_cast<double>(values.size() - 1), .unit = unit};
+  const double variance = sum_of_squares(scaled) / static_cast<double>(values.size() - 1);
+  const double size = std::ranges::max(scaled, {}, [](double value) { return std::abs(value); });
+  const bool is_rounding = without_rounding(std::sqrt(variance), std::abs(size)) == 0;
+  return {.variance = is_rounding ? 0.0 : variance, .unit = unit};
 }
 
 }  // namespace

@@ -38,7 +38,8 @@ GroupSummary summarise(std::span<const double> values);
 double mean(std::span<const double> values);
 // Sum of squared deviations from the mean. It vanishes below 1e-308 and overflows above 1e308; the two below do not.
 double sum_of_squares(std::span<const double> values);
-// Sample standard deviation, divided by n - 1, and the same by sqrt(n), that of the mean; NaN of fewer than two values.
+// Sample standard deviation, divided by n - 1, and the same by sqrt(n), that of the mean; NaN of fewer than two values,
+// 0 where it is rounding (rounding.hpp).
 double standard_deviation(std::span<const double> values);
 double standard_error(std::span<const double> values);
 

@@ -7,6 +7,7 @@
 #include <cstddef>
 
 #include "analysis/statistics/anova.hpp"
+#include "analysis/statistics/rounding.hpp"
 #include "analysis/statistics/tails.hpp"
 
 namespace ikbench {
@@ -56,8 +57,12 @@ BrownForsythe brown_forsythe(std::span<const std::vector<double>> groups) {
   std::vector<std::vector<double>> deviations;
   for (const auto& group : groups) {
     const double median = describe(group).median;
-    std::vector<double>& own = deviations.emplace_back();
-    for (const double value : group) own.push_back(std::abs(value - median));
+    std::vector<double> own, sizes;
+    for (const double value : group) {
+      own.push_back(std::abs(value - median));
+      sizes.push_back(std::max(std::abs(value), std::abs(median)));
+    }
+    deviations.push_back(without_rounding(own, sizes));
   }
   const AnovaTable table = anova(deviations);
   BrownForsythe test{.F = table.F, .df_between = table.df_between, .df_within = table.df_within, .p = table.p};

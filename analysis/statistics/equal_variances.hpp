@@ -29,7 +29,8 @@ struct BrownForsythe {
   std::string undefined;   // why there is no p; empty where there is
 };
 
-// The analysis of variance of the absolute deviations from the groups' medians.
+// The analysis of variance of the absolute deviations from the groups' medians. Two values have the same deviation, so
+// groups of two have no spread of it.
 BrownForsythe brown_forsythe(std::span<const std::vector<double>> groups);
 
 }  // namespace ikbench

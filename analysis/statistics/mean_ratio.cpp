@@ -6,10 +6,10 @@
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <stdexcept>
 #include <vector>
 
+#include "analysis/statistics/rounding.hpp"
 #include "analysis/statistics/t_distribution.hpp"
 #include "analysis/statistics/tails.hpp"
 
@@ -31,10 +31,9 @@ struct Contrast {
 };
 
 // Without spread, a difference that rounding alone can make of values of this size is none.
-Contrast without_rounding(Contrast contrast, double size) {
-  const double rounding = 4 * std::numeric_limits<double>::epsilon() * size;
-  if (contrast.error <= rounding) contrast.error = 0;
-  if (contrast.error == 0 && std::abs(contrast.estimate) <= rounding) contrast.estimate = 0;
+Contrast exact(Contrast contrast, double size) {
+  contrast.error = without_rounding(contrast.error, size);
+  if (contrast.error == 0) contrast.estimate = without_rounding(contrast.estimate, size);
   return contrast;
 }
 
@@ -142,8 +141,8 @@ RatioComparison mean_ratio(std::span<const double> a, std::span<const double> b,
     const double b_part = error > 0 ? std::pow(of_b.error / error, 4) : 1;
     const double df = 1 / (a_part / of_a.df + b_part / of_b.df);
     const double of_theta_a = theta * of_a.estimate;
-    return without_rounding({.estimate = of_b.estimate - of_theta_a, .error = error, .df = df},
-                            std::max(std::abs(of_b.estimate), std::abs(of_theta_a)));
+    return exact({.estimate = of_b.estimate - of_theta_a, .error = error, .df = df},
+                 std::max(std::abs(of_b.estimate), std::abs(of_theta_a)));
   };
   RatioComparison result = compare(contrast_at, of_a, question);
   if (of_a.error == 0 && of_b.error == 0) result.exact = "both samples are constant";
@@ -163,7 +162,7 @@ RatioComparison paired_mean_ratio(std::span<const double> a, std::span<const dou
       rest[i] = b[i] - theta * a[i];
       largest = std::max({largest, std::abs(b[i]), std::abs(theta * a[i])});
     }
-    return without_rounding(of_sample(rest), largest);
+    return exact(of_sample(rest), largest);
   };
   const Contrast same = contrast_at(1);
   RatioComparison result = compare(contrast_at, of_sample(a), question);

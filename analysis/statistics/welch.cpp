@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "analysis/statistics/rounding.hpp"
 #include "analysis/statistics/t_distribution.hpp"
 #include "analysis/statistics/tails.hpp"
 
@@ -95,10 +96,7 @@ PairedTest paired_t(std::span<const double> a, std::span<const double> b, double
   if (a.size() != b.size()) {
     throw std::invalid_argument(fmt::format("pairs of {} and {} values: expected equally many", a.size(), b.size()));
   }
-  std::vector<double> differences;
-  differences.reserve(a.size());
-  for (std::size_t i = 0; i < a.size(); ++i) differences.push_back(a[i] - b[i]);
-  const GroupSummary summary = summarise(differences);
+  const GroupSummary summary = summarise(differences_without_rounding(a, b));
   const MeanInterval interval = mean_interval(summary, level);
   PairedTest test{.difference = summary.mean, .undefined = interval.undefined};
   if (test.undefined.empty() && summary.std == 0)

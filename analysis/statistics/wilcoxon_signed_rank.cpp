@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "analysis/statistics/ranks.hpp"
+#include "analysis/statistics/rounding.hpp"
 #include "analysis/statistics/tails.hpp"
 
 namespace ikbench {
@@ -92,9 +93,9 @@ WilcoxonSignedRank wilcoxon_signed_rank(std::span<const double> first, std::span
   if (first.size() != second.size()) {
     return {.undefined = fmt::format("{} and {} values are not pairs", first.size(), second.size())};
   }
-  std::vector<double> differences;
+  std::vector<double> differences = differences_without_rounding(first, second);
   for (std::size_t i = 0; i < first.size(); ++i) {
-    differences.push_back(first[i] == second[i] ? 0.0 : first[i] - second[i]);
+    if (first[i] == second[i]) differences[i] = 0;
   }
   return wilcoxon_signed_rank(differences, level);
 }

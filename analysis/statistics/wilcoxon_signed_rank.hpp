@@ -22,8 +22,8 @@ struct WilcoxonSignedRank {
 
 WilcoxonSignedRank wilcoxon_signed_rank(std::span<const double> differences, double level = 0.95);
 
-// Of first - second, pair by pair. Equal values differ by zero, two infinite ones too. Samples of different sizes have
-// no p.
+// Of first - second, pair by pair, without what rounding alone puts between them (rounding.hpp). Equal values differ by
+// zero, two infinite ones too. Samples of different sizes have no p.
 WilcoxonSignedRank wilcoxon_signed_rank(std::span<const double> first, std::span<const double> second,
                                         double level = 0.95);
 

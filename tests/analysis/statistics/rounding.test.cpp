@@ -1,0 +1,49 @@
+// Differences of decimals have wrong last bits. No test takes them for data.
+#include <cmath>
+#include <vector>
+
+#include "analysis/statistics/equal_variances.hpp"
+#include "analysis/statistics/welch.hpp"
+#include "analysis/statistics/wilcoxon_signed_rank.hpp"
+#include "tests/analysis/statistics/samples.hpp"
+#include "tests/catch.hpp"
+
+using namespace ikbench;
+using namespace ikbench::samples;
+
+using Sample = std::vector<double>;
+
+TEST_CASE("two values lie equally far from their median, so they have no spread about it", "[rounding]") {
+  const Groups pairs{{1.1, 1.4}, {2.3, 9.7}, {0.1, 0.7}, {3.3, 1e3}, {1e-3, 12.2}, {5.1, 5.2}};
+  const BrownForsythe test = brown_forsythe(pairs);
+  CHECK(std::isnan(test.p));
+  CHECK(says(test.undefined, "constant"));
+  // Three values have: the deviations are 0.1 0 0.1 and 0.1 0 2.1.
+  CHECK(std::isfinite(brown_forsythe(Groups{{1.1, 1.2, 1.3}, {1.1, 1.2, 3.3}}).p));
+}
+
+TEST_CASE("pairs of decimals that differ by the same have no spread", "[rounding]") {
+  const Sample a{1.1, 2.2, 3.3, 14.7, 0.3}, b{1.2, 2.3, 3.4, 14.8, 0.4};
+  const PairedTest test = paired_t(a, b, 0.95);
+  CHECK(says(test.undefined, "differ by the same"));
+  CHECK(std::isnan(test.p));
+  CHECK(test.difference == Approx(-0.1));
+}
+
+TEST_CASE("differences of decimals that are equal share their ranks", "[rounding]") {
+  // 0.1 0.1 0.1 -0.1 0.2 -0.3 and 0: ranks 2.5 2.5 2.5 2.5 5 6, so V = 3 * 2.5 + 5.
+  const Sample a{1.2, 7.4, 0.3, 0.6, 3.3, 0.1, 0.3}, b{1.1, 7.3, 0.2, 0.7, 3.1, 0.4, 0.1 + 0.2};
+  const WilcoxonSignedRank test = wilcoxon_signed_rank(a, b);
+  CHECK(test.V == 12.5);
+  CHECK(test.n == 6);
+  CHECK(test.zeros == 1);
+  CHECK(test.method == "normal approximation");
+}
+
+TEST_CASE("one huge pair takes no small difference for rounding", "[rounding]") {
+  const Sample a{1e-9, 3e-9, 2e-9, 1e12}, b{2e-9, 1e-9, 5e-9, 2e12};
+  const WilcoxonSignedRank test = wilcoxon_signed_rank(a, b);
+  CHECK(test.n == 4);
+  CHECK(test.V == 2);
+  CHECK(test.method == "exact");
+}
