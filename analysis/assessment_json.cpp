@@ -37,6 +37,7 @@ Json group_json(const GroupEvidence& group) {
           {"max", number(of.max)},
           {"shapiro_wilk_w", number(group.normality_w)},
           {"shapiro_wilk_p", number(group.normality)},
+          {"mean_rank", number(group.mean_rank)},
           {"average_rank", number(group.average_rank)}};
 }
 

@@ -193,10 +193,9 @@ Table contrasts_table(const Evidence& evidence) {
                                                 "interval is for that pair alone.");
   }
   if (evidence.reference) {
-    table.notes.push_back(fmt::format("Shown are the pairs with {}{}.", evidence.groups[*evidence.reference].name,
-                                      evidence.plan.control.empty()
-                                          ? ", the best by its mean; all pairs of so many groups are not shown"
-                                          : ", the control"));
+    table.notes.push_back(fmt::format(
+        "Shown are the pairs with {}{}.", evidence.groups[*evidence.reference].name,
+        evidence.plan.control.empty() ? ", the best; all pairs of so many groups are not shown" : ", the control"));
   }
   if (!evidence.flaw.empty()) table.notes.push_back("Flawed: " + evidence.flaw);
   return table;

@@ -25,6 +25,22 @@ std::string against(double mean, double other) {
   return fmt::format("{} against {}", one, two);
 }
 
+// "the mean or by A12": what says that the other of a pair is better than the one for which the deciding test is. Empty
+// where nothing does.
+std::string dissent_words(const Evidence& evidence, const Contrast& contrast) {
+  const Description& first = evidence.groups[contrast.first].described;
+  const Description& second = evidence.groups[contrast.second].described;
+  const int smaller_is_ahead = evidence.better == Better::smaller ? 1 : -1;
+  const auto is_against = [&](double for_first) { return sign_of(for_first) == -contrast.ahead; };
+  std::vector<std::string> measures;
+  if (is_against((second.mean - first.mean) * smaller_is_ahead)) measures.emplace_back("the mean");
+  if (is_against((second.median - first.median) * smaller_is_ahead)) measures.emplace_back("the median");
+  if (is_against(contrast.superiority.value - 0.5)) {
+    measures.emplace_back(evidence.blocks > 0 ? "the share of blocks" : "A12");
+  }
+  return fmt::format("{}", fmt::join(measures, " or by "));
+}
+
 // "IK-BA is better than DE: 0.00190 against 0.365, difference -0.363 (95 % interval ...), p = ..., A12 = 0.98"
 std::string better_words(const Evidence& evidence, const Contrast& contrast) {
   const bool first = contrast.relation == Relation::first_better;
@@ -32,13 +48,14 @@ std::string better_words(const Evidence& evidence, const Contrast& contrast) {
   std::string text =
       fmt::format("{} is better than {}: {}", name_words(evidence, winner), name_words(evidence, loser),
                   against(evidence.groups[winner].described.mean, evidence.groups[loser].described.mean));
-  if (std::isfinite(contrast.difference.low)) {
+  const std::string dissent = dissent_words(evidence, contrast);
+  if (!dissent.empty()) text += ", though not by " + dissent;
+  if (std::isfinite(contrast.difference.low) && !dissent.starts_with("the mean")) {
     const double low = std::min(std::abs(contrast.difference.low), std::abs(contrast.difference.high));
     const double high = std::max(std::abs(contrast.difference.low), std::abs(contrast.difference.high));
     const bool includes_zero = contrast.difference.low < 0 && contrast.difference.high > 0;
-    const bool first_by_mean = (contrast.difference.value < 0) == (evidence.better == Better::smaller);
-    text += first_by_mean != first ? ", though not by the mean"
-            : includes_zero        ? ", though the interval of the difference of means includes zero"
+    text += includes_zero ? fmt::format(", {} the interval of the difference of means includes zero",
+                                        dissent.empty() ? "though" : "and")
             : number_words(low) == number_words(high)
                 ? fmt::format(", by {}", number_words(low))
                 : fmt::format(", by {} to {}", number_words(low), number_words(high));
@@ -53,18 +70,14 @@ std::string better_words(const Evidence& evidence, const Contrast& contrast) {
   return text;
 }
 
-// The group that the planned test puts first: by average ranks where they decide, else by the mean.
+// The group that what decides puts first.
 std::size_t best_group(const Evidence& evidence) {
-  std::size_t best = 0;
-  const auto worth = [&](const GroupEvidence& group) {
-    if (evidence.plan.test == DecidingTest::friedman && !evidence.constant) return group.average_rank;
-    return evidence.better == Better::smaller ? group.described.mean : -group.described.mean;
-  };
-  for (std::size_t i = 1; i < evidence.groups.size(); ++i) {
-    if (worth(evidence.groups[i]) < worth(evidence.groups[best]) || !std::isfinite(worth(evidence.groups[best])))
-      best = i;
+  const auto& groups = evidence.groups;
+  if (evidence.contrasts.size() == 1 && evidence.contrasts[0].ahead != 0) {
+    return evidence.contrasts[0].ahead > 0 ? evidence.contrasts[0].first : evidence.contrasts[0].second;
   }
-  return best;
+  const auto worth = [&](const GroupEvidence& group) { return standing(evidence, group); };
+  return static_cast<std::size_t>(std::ranges::min_element(groups, {}, worth) - groups.begin());
 }
 
 // "10 of the 15 pairs differ. IK-BA is better than BA: ..."; of pairs with the best, or of the others where none of
@@ -210,7 +223,8 @@ std::string in_short(const Evidence& evidence) {
     const std::string other = name_words(evidence, is_first ? contrast.second : contrast.first);
     if (decided) {
       const bool wins = is_first == (contrast.relation == Relation::first_better);
-      (wins ? ahead : behind).push_back(other);
+      const std::string dissent = dissent_words(evidence, contrast);
+      (wins ? ahead : behind).push_back(dissent.empty() ? other : fmt::format("{} (not by {})", other, dissent));
       if (std::isfinite(contrast.p)) largest_p = std::max(largest_p, contrast.p);
     }
     if (contrast.relation == Relation::not_told_apart) open.push_back(other);

@@ -54,10 +54,7 @@ std::optional<std::size_t> reference_of(const Evidence& evidence) {
     return static_cast<std::size_t>(control - groups.begin());
   }
   if (groups.size() <= most_groups_in_pairs) return std::nullopt;
-  const auto worth = [&](const GroupEvidence& group) {
-    const double mean = evidence.better == Better::smaller ? group.described.mean : -group.described.mean;
-    return std::isfinite(mean) ? mean : std::numeric_limits<double>::infinity();
-  };
+  const auto worth = [&](const GroupEvidence& group) { return standing(evidence, group); };
   return static_cast<std::size_t>(std::ranges::min_element(groups, {}, worth) - groups.begin());
 }
 
@@ -77,16 +74,17 @@ RankComparison rank_test_of_two(const Evidence& evidence, const std::vector<doub
                                 const std::vector<double>& second) {
   if (evidence.ranks_within_blocks()) {
     const WilcoxonSignedRank test = wilcoxon_signed_rank(first, second);
-    return {.first = 0, .second = 1, .p = test.p, .undefined = test.undefined};
+    return {.first = 0, .second = 1, .p = test.p, .direction = test.direction, .undefined = test.undefined};
   }
   const MannWhitney test = mann_whitney(first, second);
-  return {.first = 0, .second = 1, .p = test.p, .undefined = test.undefined};
+  return {.first = 0, .second = 1, .p = test.p, .direction = test.direction, .undefined = test.undefined};
 }
 
+// The one that ranks higher is the worse.
 std::vector<RankComparison> rank_tests(const Evidence& evidence, Values values) {
-  if (values.size() == 2) return {rank_test_of_two(evidence, values[0], values[1])};
-  return evidence.ranks_within_blocks() ? compare_average_ranks(friedman(smaller_is_better(evidence, values)))
-                                        : dunn(values);
+  const std::vector<std::vector<double>> ranked = smaller_is_better(evidence, values);
+  if (ranked.size() == 2) return {rank_test_of_two(evidence, ranked[0], ranked[1])};
+  return evidence.ranks_within_blocks() ? compare_average_ranks(friedman(ranked)) : dunn(ranked);
 }
 
 // Of all pairs in order. Corrected for the family that is compared: what is not of it does not count.
@@ -98,7 +96,9 @@ void add_rank_tests(const Evidence& evidence, Values values, std::vector<Contras
     const bool of_family =
         evidence.plan.control.empty() || all[i].first == *evidence.reference || all[i].second == *evidence.reference;
     raw.push_back(of_family ? tests[i].p : not_defined);
-    if (evidence.ranks_decide()) all[i].undefined = std::move(tests[i].undefined);
+    if (!evidence.ranks_decide()) continue;
+    all[i].ahead = -tests[i].direction;
+    all[i].undefined = std::move(tests[i].undefined);
   }
   const std::vector<double> p = adjusted(raw, correction_of(evidence.plan.adjustment));
   for (std::size_t i = 0; i < all.size(); ++i) all[i].p_ranks = p[i];
@@ -151,6 +151,15 @@ double margin_of(const Evidence& evidence, const Contrast& contrast) {
                                          std::abs(evidence.groups[contrast.second].described.mean));
 }
 
+int ahead_by_means(const Evidence& evidence, double difference) {
+  return evidence.better == Better::smaller ? -sign_of(difference) : sign_of(difference);
+}
+
+// Of two that differ.
+Relation better_of(const Contrast& contrast) {
+  return contrast.ahead > 0 ? Relation::first_better : Relation::second_better;
+}
+
 bool is_constant(const Description& of) { return of.n > 1 && of.not_finite == 0 && of.min == of.max; }
 
 // Two groups of one value each: what chance has it, were they alike? By Fisher's exact test, for all pairs together.
@@ -159,6 +168,7 @@ void judge_constants(const Evidence& evidence, Contrast& contrast) {
   const Description& second = evidence.groups[contrast.second].described;
   const double difference = first.mean - second.mean;
   contrast.difference = {difference, difference, difference};
+  contrast.ahead = ahead_by_means(evidence, difference);
   contrast.undefined.clear();
   contrast.within_margin = std::abs(difference) <= margin_of(evidence, contrast);
   if (difference == 0) {
@@ -168,20 +178,8 @@ void judge_constants(const Evidence& evidence, Contrast& contrast) {
   const FisherExact test =
       fisher_exact({.successes = first.n, .trials = first.n}, {.successes = 0, .trials = second.n});
   contrast.p = std::min(1.0, test.p * static_cast<double>(evidence.family()));
-  const bool first_ahead = (difference < 0) == (evidence.better == Better::smaller);
-  contrast.relation = contrast.p >= evidence.plan.significance ? Relation::not_told_apart
-                      : first_ahead                            ? Relation::first_better
-                                                               : Relation::second_better;
+  contrast.relation = contrast.p >= evidence.plan.significance ? Relation::not_told_apart : better_of(contrast);
   if (contrast.relation == Relation::not_told_apart) contrast.difference.low = contrast.difference.high = not_defined;
-}
-
-// Which of two that differ is ahead is the deciding test's word: by ranks the chance of being better, else the mean.
-bool is_first_ahead(const Evidence& evidence, const Contrast& contrast) {
-  const GroupEvidence& first = evidence.groups[contrast.first];
-  const GroupEvidence& second = evidence.groups[contrast.second];
-  if (evidence.plan.test == DecidingTest::friedman) return first.average_rank < second.average_rank;
-  if (evidence.plan.test == DecidingTest::kruskal_wallis) return contrast.superiority.value > 0.5;
-  return (first.described.mean < second.described.mean) == (evidence.better == Better::smaller);
 }
 
 void judge(const Evidence& evidence, Contrast& contrast) {
@@ -204,7 +202,7 @@ void judge(const Evidence& evidence, Contrast& contrast) {
   const bool found =
       contrast.p < evidence.plan.significance && (!evidence.ranks_decide() || evidence.groups.size() == 2 ||
                                                   together == nullptr || together->p < evidence.plan.significance);
-  contrast.relation = found ? (is_first_ahead(evidence, contrast) ? Relation::first_better : Relation::second_better)
+  contrast.relation = found                    ? better_of(contrast)
                       : contrast.within_margin ? Relation::equivalent
                                                : Relation::not_told_apart;
 }
@@ -242,10 +240,10 @@ void add_friedman(Evidence& evidence, Values values) {
                             .symbol = "F",
                             .statistic = test.F,
                             .df = test.F_df_between,
-  if (!test.undefined.empty()) return;
                             .df_within = test.F_df_within,
                             .p = test.F_p,
                             .undefined = test.undefined});
+  if (!test.undefined.empty()) return;
   const auto k = static_cast<double>(evidence.groups.size());
   const double q =
       studentized_range_quantile(1 - evidence.plan.significance, k, std::numeric_limits<double>::infinity());
@@ -280,7 +278,10 @@ void add_contrasts(Evidence& evidence, std::span<const GroupSummary> summaries, 
     contrast.p_unpooled = unpooled[i].p;
     const MeanDifference& shown = evidence.plan.test == DecidingTest::anova ? pooled[i] : unpooled[i];
     contrast.difference = {.value = first.mean - second.mean, .low = shown.low, .high = shown.high};
-    if (!evidence.ranks_decide()) contrast.undefined = shown.undefined;
+    if (!evidence.ranks_decide()) {
+      contrast.ahead = ahead_by_means(evidence, shown.difference);
+      contrast.undefined = shown.undefined;
+    }
     const EffectSize g = hedges_g(first, second, level);
     contrast.g = {.value = g.value, .low = g.low, .high = g.high};
     if (evidence.blocks == 0) {

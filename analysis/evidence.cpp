@@ -223,6 +223,15 @@ TestResult of_two(const std::vector<double>& first, const std::vector<double>& s
           .undefined = test.undefined};
 }
 
+void add_mean_ranks(Evidence& evidence, const KruskalWallis& test) {
+  double values = 0;
+  for (const GroupEvidence& group : evidence.groups) values += group.described.n;
+  for (std::size_t i = 0; i < test.mean_ranks.size(); ++i) {
+    const double rank = test.mean_ranks[i];  // 1 is the smallest value
+    evidence.groups[i].mean_rank = evidence.better == Better::smaller ? rank : values + 1 - rank;
+  }
+}
+
 GroupEvidence describe_group(const Group& group, const AnalysisPlan& plan) {
   GroupEvidence result{.name = group.name, .described = describe(group.values)};
   const double level = 1 - plan.significance;
@@ -242,15 +251,6 @@ GroupEvidence describe_group(const Group& group, const AnalysisPlan& plan) {
   return result;
 }
 
-// Values that rank: what is not a number is worse than every number.
-Values rankable(const Observations& observations) {
-  const double worst = observations.better == Better::smaller ? worse_than_every_number : -worse_than_every_number;
-  Values values;
-  for (const Group& group : observations.groups) {
-    std::vector<double>& ranked = values.emplace_back(group.values);
-    for (double& value : ranked) value = std::isnan(value) ? worst : value;
-  }
-  return values;
 // What rounding alone keeps apart is equal, also from group to group.
 Observations exact(Observations observations) {
   Values values;
@@ -263,6 +263,15 @@ Observations exact(Observations observations) {
   return observations;
 }
 
+// Values that rank: what is not a number is worse than every number.
+Values rankable(const Observations& observations) {
+  const double worst = observations.better == Better::smaller ? worse_than_every_number : -worse_than_every_number;
+  Values values;
+  for (const Group& group : observations.groups) {
+    std::vector<double>& ranked = values.emplace_back(group.values);
+    for (double& value : ranked) value = std::isnan(value) ? worst : value;
+  }
+  return values;
 }
 
 }  // namespace
@@ -299,6 +308,15 @@ const TestResult* deciding_test(const Evidence& evidence) {
     default:
       return evidence.test(welch_name);
   }
+}
+
+double standing(const Evidence& evidence, const GroupEvidence& group) {
+  const double rank = evidence.plan.test == DecidingTest::friedman         ? group.average_rank
+                      : evidence.plan.test == DecidingTest::kruskal_wallis ? group.mean_rank
+                                                                           : not_defined;
+  if (std::isfinite(rank)) return rank;
+  const double mean = evidence.better == Better::smaller ? group.described.mean : -group.described.mean;
+  return std::isfinite(mean) ? mean : std::numeric_limits<double>::infinity();
 }
 
 std::string_view interval_words(const Evidence& evidence) {
@@ -356,10 +374,12 @@ Evidence evidence(const Observations& given, const AnalysisPlan& plan) {
   if (result.groups.size() < 2) return result;
   result.constant = std::ranges::all_of(result.groups, [](const GroupEvidence& g) { return is_constant(g.described); });
   const Values ranks = rankable(observations);
+  const KruskalWallis by_ranks = kruskal_wallis(ranks);
+  add_mean_ranks(result, by_ranks);
   if (!result.constant) {
     compare_variances(result, summaries);
     result.tests = {of_brown_forsythe(brown_forsythe(values)), of_bartlett(bartlett(values)), of_anova(anova(values)),
-                    of_welch(result.groups, summaries), of_kruskal_wallis(kruskal_wallis(ranks))};
+                    of_welch(result.groups, summaries), of_kruskal_wallis(by_ranks)};
     if (ranks.size() == 2) result.tests.push_back(of_two(ranks[0], ranks[1], result));
   }
   if (result.blocks > 0 && !result.constant) add_friedman(result, ranks);

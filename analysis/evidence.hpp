@@ -31,6 +31,7 @@ struct GroupEvidence {
   double normality = not_defined;  // p of Shapiro and Wilk's test
   double normality_w = not_defined;
   std::string normality_undefined = {};
+  double mean_rank = not_defined;     // of all values together, 1 is best; only where there are values
   double average_rank = not_defined;  // over the blocks, 1 is best; only where there are blocks
 };
 
@@ -59,6 +60,7 @@ struct Contrast {
   std::size_t first = 0, second = 0;
   Estimate difference = {};         // mean of first - mean of second, simultaneous over all pairs
   double p = not_defined;           // of the deciding test, corrected for all pairs
+  int ahead = 0;                    // the sign of that test's own statistic: 1 where it is for first, -1 for second
   double p_pooled = not_defined;    // Tukey
   double p_unpooled = not_defined;  // Games and Howell
   double p_paired =
@@ -116,6 +118,9 @@ constexpr std::string_view anova_name = "One-way ANOVA", welch_name = "Welch's A
                            bartlett_name = "Bartlett's test of equal variances";
 // The test of pairs that decides, with that of all groups where they go together.
 std::string_view deciding_words(const Evidence& evidence);
+// How good a group is by what decides: its mean rank, average rank or mean, the smaller the better; infinite where it
+// is not defined.
+double standing(const Evidence& evidence, const GroupEvidence& group);
 // The test of all groups that goes with the pairs' deciding one; null where it was not made.
 const TestResult* deciding_test(const Evidence& evidence);
 // By which method the differences have their intervals.

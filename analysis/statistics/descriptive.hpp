@@ -9,6 +9,9 @@ namespace ikbench {
 // A quantity that cannot be had from the data given. Table cells show it as "not defined", never as a number.
 constexpr double not_defined = std::numeric_limits<double>::quiet_NaN();
 
+// 1 above 0, -1 below it, else 0.
+constexpr int sign_of(double value) { return value > 0 ? 1 : value < 0 ? -1 : 0; }
+
 // Values that are not finite (a solver that diverged) are never left out. They have no mean and no standard deviation.
 // The median and the extremes are those of the whole sample: infinite values have their ranks, and what is not a number
 // ranks as worse than every number, infinite.

@@ -67,6 +67,7 @@ std::vector<RankComparison> compared(const Friedman& test, std::vector<RankCompa
     pair.z = (test.average_ranks[pair.first] - test.average_ranks[pair.second]) /
              standard_error(test.average_ranks.size(), test.blocks);
     pair.p = normal_two_sided(pair.z);
+    pair.direction = sign_of(pair.z);
   }
   return pairs;
 }

@@ -53,6 +53,7 @@ std::vector<RankComparison> compared(std::span<const std::vector<double>> groups
                          1 / static_cast<double>(groups[pair.second].size());
     pair.z = (ranked.mean_ranks[pair.first] - ranked.mean_ranks[pair.second]) / std::sqrt(ranked.variance * sizes);
     pair.p = normal_two_sided(pair.z);
+    pair.direction = sign_of(pair.z);
   }
   return pairs;
 }

@@ -65,6 +65,7 @@ MannWhitney mann_whitney(std::span<const double> first, std::span<const double> 
     distribution.standard_deviation = std::sqrt(n1 * n2 / 12 * (n + 1 - ranking.tie_sum() / (n * (n - 1))));
   }
   test.p = distribution.two_sided(test.U);
+  test.direction = distribution.direction(test.U);
   test.method = distribution.method();
 
   if (n1 * n2 > static_cast<double>(most_differences)) return test;

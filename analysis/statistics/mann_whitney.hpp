@@ -12,6 +12,7 @@ namespace ikbench {
 struct MannWhitney {
   double U = not_defined;  // pairs in which the value of `first` is the larger, an equal pair counted half (R's W)
   double p = not_defined;  // two-sided
+  int direction = 0;       // 1 where U is above its mean: `first` is the larger; -1 below, 0 at it
   std::string method;      // "exact": both samples have fewer than 50 values and no two values are equal; else
                            // "normal approximation", corrected for ties and continuity
   Shift shift;             // of first - second, with an interval of at least the level (about it, where not exact);

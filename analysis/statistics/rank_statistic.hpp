@@ -19,6 +19,7 @@ struct RankDistribution {
 
   // Twice the smaller tail, at most 1; the normal's with a continuity correction of one half.
   double two_sided(double statistic) const;
+  int direction(double statistic) const { return sign_of(statistic - mean); }
   // The largest r with P(statistic < r) <= (1 - level) / 2: the interval runs from the r-th smallest difference to the
   // r-th largest. 0 where there are too few values for the level.
   std::size_t interval_rank(double level) const;

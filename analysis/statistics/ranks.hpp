@@ -24,13 +24,15 @@ Ranking midranks(std::span<const double> values);
 // The values of all groups, one group after the other.
 std::vector<double> pooled(std::span<const std::vector<double>> groups);
 
-// Two groups compared by their mean ranks: z is positive where `first` ranks higher, that is, has the larger values.
+// Two groups compared by their ranks. The direction is the sign of what p is of, and of nothing else: 1 where `first`
+// ranks higher, that is, has the larger values; -1 where `second` does.
 struct RankComparison {
   std::size_t first = 0;
   std::size_t second = 0;
-  double z = not_defined;
+  double z = not_defined;  // where mean ranks are compared
   double p = not_defined;  // two-sided, not adjusted for the number of comparisons
-  std::string undefined;   // why there is no p; empty where there is
+  int direction = 0;
+  std::string undefined;  // why there is no p; empty where there is
 };
 
 // Each other group as `first` with the control as `second`; std::invalid_argument where there is no such group. All

@@ -77,6 +77,7 @@ WilcoxonSignedRank wilcoxon_signed_rank(std::span<const double> differences, dou
     distribution.standard_deviation = std::sqrt(n * (n + 1) * (2 * n + 1) / 24 - ranking.tie_sum() / 48);
   }
   test.p = distribution.two_sided(test.V);
+  test.direction = distribution.direction(test.V);
   test.method = distribution.method();
 
   if (test.zeros > 0) {  // the interval is of all differences, so its rank is that of a sum over all of them

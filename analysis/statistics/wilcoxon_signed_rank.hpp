@@ -13,6 +13,7 @@ struct WilcoxonSignedRank {
   int zeros = 0;           // differences left out of V, as Wilcoxon did
   double V = not_defined;  // the sum of the ranks, by size, of the positive differences
   double p = not_defined;  // two-sided
+  int direction = 0;       // 1 where V is above its mean: the differences are above zero; -1 below, 0 at it
   std::string method;      // "exact": n < 50, no zeros, no two differences of one size; else "normal approximation",
                            // corrected for ties and continuity
   Shift shift;             // the pseudo-median: of the means of all pairs of differences, zeros too, with an interval;
