@@ -133,6 +133,16 @@ std::string together_or_apart(const Evidence& evidence) {
              : fmt::format("Some pairs differ, and all groups together are not shown to ({})", p_words(together->p));
 }
 
+// What is known of two that are not told apart.
+std::string open_words(const Contrast& contrast) {
+  if (contrast.p == 1 && contrast.difference.value == 0 && !std::isfinite(contrast.difference.low)) {
+    return "equal in all observations; so few show no more";
+  }
+  if (!std::isfinite(contrast.difference.low)) return p_words(contrast.p);
+  return fmt::format("{}; the difference is between {} and {}", p_words(contrast.p),
+                     number_words(contrast.difference.low), number_words(contrast.difference.high));
+}
+
 std::string rank_test_words(const Evidence& evidence) {
   if (evidence.groups.size() == 2)
     return evidence.ranks_within_blocks() ? "Wilcoxon's test" : "Mann and Whitney's test";
@@ -150,12 +160,7 @@ std::vector<std::string> who_differs(const Evidence& evidence) {
     const bool of_best = contrast.first == best || contrast.second == best;
     if (decided) (of_best ? with_best : of_others).push_back(better_words(evidence, contrast));
     if (contrast.relation == Relation::not_told_apart) {
-      others_open.push_back(
-          fmt::format("{} ({}{})", pair_words(evidence, contrast), p_words(contrast.p),
-                      std::isfinite(contrast.difference.low)
-                          ? fmt::format("; the difference is between {} and {}", number_words(contrast.difference.low),
-                                        number_words(contrast.difference.high))
-                          : ""));
+      others_open.push_back(fmt::format("{} ({})", pair_words(evidence, contrast), open_words(contrast)));
     }
     if (contrast.relation == Relation::equivalent) same.push_back(pair_words(evidence, contrast));
     if (contrast.relation == Relation::undefined) {

@@ -131,18 +131,17 @@ Estimate superiority(const Evidence& evidence, const std::vector<double>& first,
 
 // Of the differences within blocks; p and interval hold for the whole family by Bonferroni.
 void compare_in_blocks(const Evidence& evidence, Values values, Contrast& contrast) {
-  const auto family = static_cast<double>(evidence.family());
+  const auto family = static_cast<double>(evidence.family()), blocks = static_cast<double>(evidence.blocks);
   const PairedTest test =
       paired_t(values[contrast.first], values[contrast.second], 1 - evidence.plan.significance / family);
   contrast.p_paired = std::min(1.0, family * test.p);
   if (std::isnan(test.p)) contrast.p_paired = not_defined;
-  if (values[contrast.first] == values[contrast.second]) {  // equal in every block
-    contrast.p_paired = 1;
-    contrast.difference = {0, 0, 0};
-    return;
-  }
+  const bool is_equal = values[contrast.first] == values[contrast.second];  // in every block
+  if (is_equal) contrast.p_paired = 1;
   if (evidence.plan.test != DecidingTest::friedman) return;
   contrast.difference = {.value = test.difference, .low = test.low, .high = test.high};
+  const double by_chance = 2 * std::exp2(-blocks);  // that no difference has the other sign
+  if (is_equal && family * by_chance < evidence.plan.significance) contrast.difference = {0, 0, 0};
 }
 
 // The difference of means that matters: the planned share of the smaller of the two.
@@ -162,24 +161,24 @@ Relation better_of(const Contrast& contrast) {
 
 bool is_constant(const Description& of) { return of.n > 1 && of.not_finite == 0 && of.min == of.max; }
 
-// Two groups of one value each: what chance has it, were they alike? By Fisher's exact test, for all pairs together.
+// Two groups of one value each: what chance has it, were they alike? By Fisher's exact test, for all pairs together. So
+// many values are needed to find a difference, and as many to find that there is none.
 void judge_constants(const Evidence& evidence, Contrast& contrast) {
   const Description& first = evidence.groups[contrast.first].described;
   const Description& second = evidence.groups[contrast.second].described;
   const double difference = first.mean - second.mean;
-  contrast.difference = {difference, difference, difference};
-  contrast.ahead = ahead_by_means(evidence, difference);
-  contrast.undefined.clear();
-  contrast.within_margin = std::abs(difference) <= margin_of(evidence, contrast);
-  if (difference == 0) {
-    contrast.relation = Relation::equivalent;
-    return;
-  }
   const FisherExact test =
       fisher_exact({.successes = first.n, .trials = first.n}, {.successes = 0, .trials = second.n});
-  contrast.p = std::min(1.0, test.p * static_cast<double>(evidence.family()));
-  contrast.relation = contrast.p >= evidence.plan.significance ? Relation::not_told_apart : better_of(contrast);
-  if (contrast.relation == Relation::not_told_apart) contrast.difference.low = contrast.difference.high = not_defined;
+  const double by_chance = std::min(1.0, test.p * static_cast<double>(evidence.family()));
+  contrast.p = difference == 0 ? 1 : by_chance;
+  contrast.ahead = ahead_by_means(evidence, difference);
+  contrast.undefined.clear();
+  contrast.difference = {.value = difference};
+  contrast.relation = Relation::not_told_apart;
+  if (by_chance >= evidence.plan.significance) return;
+  contrast.difference = {difference, difference, difference};
+  contrast.within_margin = std::abs(difference) <= margin_of(evidence, contrast);
+  contrast.relation = contrast.ahead == 0 ? Relation::equivalent : better_of(contrast);
 }
 
 void judge(const Evidence& evidence, Contrast& contrast) {

@@ -179,7 +179,7 @@ TEST_CASE("degenerate data are explained and never a crash", "[assessment]") {
   CHECK(says(evidence(with({}), {}), "There is no group"));
   CHECK(says(evidence(with({{1, 2, 3}}), {}), "One group alone"));
   CHECK(says(evidence(with({{1, 1, 1}, {2, 2, 2}}), {}), "one value alone"));
-  CHECK(says(evidence(with({{1, 1, 1}, {1, 1, 1}}), {}), "The same within 5 %: g0 and g1"));
+  CHECK(says(evidence(with({{1, 1, 1, 1}, {1, 1, 1, 1}}), {}), "The same within 5 %: g0 and g1"));
   CHECK(evidence(with({{1}, {2}, {3}}), {}).contrasts[0].relation == Relation::undefined);
   for (const auto& values : std::vector<std::vector<std::vector<double>>>{{{1}, {2, 3}},
                                                                           {{}, {1, 2}},

@@ -329,7 +329,9 @@ degenerate "Not defined: A and B (A has a single value, so it has no spread)" A 
 degenerate "Welch's ANOVA (without B, whose spread is none or not defined): F(1, 4) = 1.5" A "1 2 3" B 7 C "2 3 4" # t^2 = 1 / (2 / 3)
 degenerate "Every group has one value alone" A "1 1 1 1 1" B "2 2 2 2 2"
 has "$out" "A is better than B: 1 against 2, by 1, p = 0.00794, ahead in 100 %" # 2 of 252 arrangements
-degenerate "The same within 5 %: A and B" A "1 1 1" B "1 1 1"
+degenerate "The same within 5 %: A and B" A "1 1 1 1" B "1 1 1 1"
+degenerate "Not told apart: A and B (equal in all observations; so few show no more)" A "1 1 1" B "1 1 1"
+degenerate "equal variances could not be tested" A "1.1 1.4" B "2.3 9.7" C "0.1 0.7"
 degenerate "1 of the 3 pairs differs. No pair with A is among them: B is better than C: 2 against 3, by 1" A "1 2 3 1 2 3" B "2 2 2 2 2 2" C "3 3 3 3 3 3"
 has "$out" "dominated by A, while B has none"
 degenerate "A has values that are not finite" A "1 2 Inf" B "2 3 4"
@@ -340,8 +342,6 @@ degenerate "A has no values" A "NaN NaN" B "1 2" C "2 3"
 degenerate "Not told apart: A and B" A "1e-320 2e-320 3e-320" B "5e-324 1e-323 9e-320"
 degenerate "of 2 groups" A "-0 0 0" B "0 0 1"
 
-# Two hundred groups: the pairs with the best alone.
-{ echo solver,error && for i in {1..200}; do printf 'g%d,%d\ng%d,%d\ng%d,%d\n' $i $i $i $((i + 1)) $i $((i + 3)); done; } >many.csv
 # One block that is complete: ranks, and no test of them.
 printf 'A,B,C\n1,2,3\n' >block.csv
 succeeds stats block.csv --wide --rows-are-blocks --out block
@@ -351,6 +351,8 @@ succeeds stats block.csv --wide --rows-are-blocks --no-figures --out block
 has "$out" "Left out because incomplete: 1 of 2 blocks"
 has "$out" "Friedman's test: not defined, one block; two or more are needed"
 
+# Two hundred groups: the pairs with the best alone.
+{ echo solver,error && for i in {1..200}; do printf 'g%d,%d\ng%d,%d\ng%d,%d\n' $i $i $i $((i + 1)) $i $((i + 3)); done; } >many.csv
 succeeds stats many.csv --value error --no-figures --out many
 has "$out" "pairs with g1"
 has_outputs many error groups tests contrasts
