@@ -129,9 +129,22 @@ Estimate superiority(const Evidence& evidence, const std::vector<double>& first,
   return {.value = found.value, .low = found.low, .high = found.high};
 }
 
+bool is_constant(const Description& of) { return of.n > 1 && of.not_finite == 0 && of.min == of.max; }
+
+// Where every value says the same of a pair, which has it that one is ahead or that they are equal: what chance has it,
+// were they alike? In blocks that no difference has the other sign, else by Fisher's exact test; for all pairs
+// together.
+double chance_of_unanimity(const Evidence& evidence, const Contrast& contrast) {
+  const int n = evidence.groups[contrast.first].described.n, m = evidence.groups[contrast.second].described.n;
+  const double chance = evidence.blocks > 0
+                            ? 2 * std::exp2(-static_cast<double>(evidence.blocks))
+                            : fisher_exact({.successes = n, .trials = n}, {.successes = 0, .trials = m}).p;
+  return std::min(1.0, chance * static_cast<double>(evidence.family()));
+}
+
 // Of the differences within blocks; p and interval hold for the whole family by Bonferroni.
 void compare_in_blocks(const Evidence& evidence, Values values, Contrast& contrast) {
-  const auto family = static_cast<double>(evidence.family()), blocks = static_cast<double>(evidence.blocks);
+  const auto family = static_cast<double>(evidence.family());
   const PairedTest test =
       paired_t(values[contrast.first], values[contrast.second], 1 - evidence.plan.significance / family);
   contrast.p_paired = std::min(1.0, family * test.p);
@@ -140,8 +153,10 @@ void compare_in_blocks(const Evidence& evidence, Values values, Contrast& contra
   if (is_equal) contrast.p_paired = 1;
   if (evidence.plan.test != DecidingTest::friedman) return;
   contrast.difference = {.value = test.difference, .low = test.low, .high = test.high};
-  const double by_chance = 2 * std::exp2(-blocks);  // that no difference has the other sign
-  if (is_equal && family * by_chance < evidence.plan.significance) contrast.difference = {0, 0, 0};
+  if (!is_equal) return;
+  if (std::isnan(contrast.p_ranks)) contrast.p_ranks = 1;  // of two groups alone: no difference has a rank
+  contrast.undefined.clear();
+  if (chance_of_unanimity(evidence, contrast) < evidence.plan.significance) contrast.difference = {0, 0, 0};
 }
 
 // The difference of means that matters: the planned share of the smaller of the two.
@@ -159,17 +174,12 @@ Relation better_of(const Contrast& contrast) {
   return contrast.ahead > 0 ? Relation::first_better : Relation::second_better;
 }
 
-bool is_constant(const Description& of) { return of.n > 1 && of.not_finite == 0 && of.min == of.max; }
-
-// Two groups of one value each: what chance has it, were they alike? By Fisher's exact test, for all pairs together. So
-// many values are needed to find a difference, and as many to find that there is none.
+// Two groups of one value each. So many values are needed to find a difference, and as many to find that there is none.
 void judge_constants(const Evidence& evidence, Contrast& contrast) {
   const Description& first = evidence.groups[contrast.first].described;
   const Description& second = evidence.groups[contrast.second].described;
   const double difference = first.mean - second.mean;
-  const FisherExact test =
-      fisher_exact({.successes = first.n, .trials = first.n}, {.successes = 0, .trials = second.n});
-  const double by_chance = std::min(1.0, test.p * static_cast<double>(evidence.family()));
+  const double by_chance = chance_of_unanimity(evidence, contrast);
   contrast.p = difference == 0 ? 1 : by_chance;
   contrast.ahead = ahead_by_means(evidence, difference);
   contrast.undefined.clear();

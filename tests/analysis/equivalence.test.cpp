@@ -69,6 +69,17 @@ TEST_CASE("what is equal in every block is the same where there are enough block
   CHECK_FALSE(is_same(equal_in(2)));
   CHECK_FALSE(is_same(equal_in(6)));  // 6 / 64
   CHECK(is_same(equal_in(7)));        // 6 / 128
+
+  const auto two_equal_in = [](std::size_t blocks) {
+    std::vector<double> values;
+    for (std::size_t i = 0; i < blocks; ++i) values.push_back(10.0 + static_cast<double>(i));
+    return evidence(in_blocks({values, values}), {});
+  };
+  CHECK(two_equal_in(5).contrasts[0].relation == Relation::not_told_apart);  // 2 / 32
+  CHECK(is_same(two_equal_in(6)));                                           // 2 / 64
+  CHECK(two_equal_in(6).contrasts[0].p == 1);
+  CHECK_FALSE(is_same(evidence(in_blocks({{1, 1, 1, 1, 1}, {1, 1, 1, 1, 1}}), {})));  // constants too
+  CHECK(is_same(evidence(in_blocks({{1, 1, 1, 1, 1, 1}, {1, 1, 1, 1, 1, 1}}), {})));
 }
 
 TEST_CASE("equal values that are too few are said to be equal, and no more", "[assessment][equivalence]") {
