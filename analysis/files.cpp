@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstdio>
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
@@ -19,10 +20,26 @@ namespace fs = std::filesystem;
 
 std::error_code last_error() { return {errno, std::generic_category()}; }
 
-// Owner and permissions of the file that a new one takes the place of; the owner only where the system lets us.
+// Owner and permissions of the file that a new one takes the place of. Where the system does not let us keep the group,
+// what it was allowed is not allowed to another.
 void pass_on(const struct stat& former, int descriptor) {
-  [[maybe_unused]] const int ignored = ::fchown(descriptor, former.st_uid, former.st_gid);
-  ::fchmod(descriptor, former.st_mode & 07777);
+  const uid_t same = static_cast<uid_t>(-1);
+  mode_t mode = former.st_mode & 07777;
+  if (::fchown(descriptor, former.st_uid, former.st_gid) != 0 && ::fchown(descriptor, same, former.st_gid) != 0) {
+    mode &= ~static_cast<mode_t>(S_IRWXG);
+  }
+  ::fchmod(descriptor, mode);
+}
+
+std::error_code write_all(int descriptor, std::string_view text) {
+  while (!text.empty()) {
+    const ssize_t written = ::write(descriptor, text.data(), text.size());
+    if (written >= 0)
+      text.remove_prefix(static_cast<std::size_t>(written));
+    else if (errno != EINTR)
+      return last_error();
+  }
+  return {};
 }
 
 // Writes what is opened by the path: a new file, or whatever is there. `former` is the file that it will replace.
@@ -30,14 +47,7 @@ std::error_code write_into(const fs::path& file, std::string_view text, const st
   const mode_t mode = former == nullptr ? 0666 : 0600;
   const int descriptor = ::open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, mode);
   if (descriptor < 0) return last_error();
-  std::error_code error;
-  while (!text.empty() && !error) {
-    const ssize_t written = ::write(descriptor, text.data(), text.size());
-    if (written >= 0)
-      text.remove_prefix(static_cast<std::size_t>(written));
-    else if (errno != EINTR)
-      error = last_error();
-  }
+  std::error_code error = write_all(descriptor, text);
   if (former != nullptr) pass_on(*former, descriptor);
   if (::close(descriptor) != 0 && !error) error = last_error();
   return error;
@@ -52,10 +62,23 @@ std::error_code replace(const fs::path& file, std::string_view text, const struc
   return error;
 }
 
+// Standard output or error, where that is the file: what the shell has opened, for appending perhaps.
+std::optional<int> open_already(const struct stat& file) {
+  for (const int descriptor : {STDOUT_FILENO, STDERR_FILENO}) {
+    struct stat open {};
+    if (::fstat(descriptor, &open) == 0 && open.st_dev == file.st_dev && open.st_ino == file.st_ino) return descriptor;
+  }
+  return std::nullopt;
+}
+
 std::error_code write_whole(const fs::path& file, std::string_view text) {
   struct stat there {};
   if (::lstat(file.c_str(), &there) != 0) return replace(file, text, nullptr);
   if (::stat(file.c_str(), &there) != 0 || !S_ISREG(there.st_mode)) return write_into(file, text);
+  if (const std::optional<int> descriptor = open_already(there)) {
+    std::fflush(nullptr);  // what was printed comes first
+    return write_all(*descriptor, text);
+  }
   std::error_code error;
   const fs::path place = fs::canonical(file, error);
   return error ? error : replace(place, text, &there);

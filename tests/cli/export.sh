@@ -37,6 +37,12 @@ if mknod null c 1 3 2>.mknod && mknod full c 1 7 2>.mknod && : 2>.mknod >null; t
 fi
 "$program" export made/store.sqlite -o /dev/stdout | cmp - first.csv || fail "-o /dev/stdout writes something else"
 
+# A redirected standard output keeps what is in it before and after.
+echo before >log
+"$program" export made/store.sqlite -o /dev/stdout >>log
+echo after >>log
+{ echo before; cat first.csv; echo after; } | cmp - log || fail "-o /dev/stdout lost what its file had"
+
 succeeds export made/store.sqlite --study slim2023-context
 [ "$(wc -l <.out)" = 13 ] || fail "a head and 12 solves expected of the second study"
 has "$out" "DLS"
