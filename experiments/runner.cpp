@@ -162,7 +162,10 @@ LeftAside left_aside(const Study& study, const Store& store) {
 }
 
 void check_is_stored(const Study& study, const Store& store) {
-  if (store.study(study.name).definition == to_json(study)) return;
+  const StudyEntry stored = store.study(study.name);
+  const bool same_series = std::ranges::equal(stored.series, study.solvers, {}, &Series::key,
+                                              [&](const Entrant& entrant) { return series_key(study, entrant); });
+  if (stored.definition == to_json(study) && same_series) return;
   throw std::invalid_argument(fmt::format(
       "the store has another study named '{}' now, which another ikbench saved meanwhile; no solve is lost: "
       "run this one again for its report, and give the other another name or --out",

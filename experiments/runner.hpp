@@ -38,7 +38,8 @@ struct LeftAside {
 };
 LeftAside left_aside(const Study& study, const Store& store);
 
-// std::invalid_argument where the store's study of that name is another one, which another process saved meanwhile.
+// std::invalid_argument where the store's study of that name is another one, or is solved by another version of the
+// source: another process saved it meanwhile.
 void check_is_stored(const Study& study, const Store& store);
 
 // All solves of a study, without a store. `take` gets each as soon as it is done, by one thread at a time: those of a

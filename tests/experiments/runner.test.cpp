@@ -373,6 +373,17 @@ TEST_CASE("a run whose analysis plan another process replaces is refused too", "
   CHECK_THROWS_AS(run(small_study(), scratch.store, {.progress = meddle}), std::invalid_argument);
 }
 
+TEST_CASE("a run whose study another version of a solver replaces is refused too", "[runner]") {
+  ScratchStore scratch;
+  const auto meddle = [&](const Progress& now) {
+    if (now.done != now.total) return;
+    StudyEntry entry = scratch.store.study("small");
+    entry.series.front().key += "0";  // as of another source
+    scratch.store.save_study(entry);
+  };
+  CHECK_THROWS_AS(run(small_study(), scratch.store, {.progress = meddle}), std::invalid_argument);
+}
+
 TEST_CASE("a store that was edited is refused and says where", "[runner]") {
   const auto complaint_after = [](const char* edit) {
     ScratchStore scratch;
