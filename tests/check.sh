@@ -2,6 +2,7 @@
 # Whether ./check runs both of its stages, also where one of them fails: check.sh CHECK
 # Its copy is run in a folder where ./setup and ctest only write down that they were called, and with what.
 set -euo pipefail
+export LC_ALL=C.UTF-8
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 cp "$1" "$work/check"

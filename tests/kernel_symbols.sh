@@ -2,6 +2,7 @@
 # Whether an object file of kernels defines one symbol that the linker sees: kernel_symbols.sh SET OBJECT
 # Of a weak symbol, such as an inline function, the linker keeps any one: it might be compiled for another processor.
 set -euo pipefail
+export LC_ALL=C.UTF-8
 set=$1 object=$2
 command -v "${NM:=nm}" >/dev/null || { echo "skipped: no nm"; exit 77; }
 

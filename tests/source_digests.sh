@@ -2,6 +2,7 @@
 # When the build makes the digests of the sources anew, and which of them a change to the sources changes, in a copy of
 # the tree: source_digests.sh CMAKE GENERATOR COMPILER
 set -uo pipefail
+export LC_ALL=C.UTF-8
 cmake=$1 generator=$2 compiler=$3
 source=$(realpath "$(dirname "$0")/..")
 tree=$(mktemp -d)

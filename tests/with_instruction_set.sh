@@ -3,6 +3,7 @@
 # PROGRAM ARGUMENT... Skipped where the machine does not run it, and where it is the machine's best: every test by itself
 # has run with that.
 set -euo pipefail
+export LC_ALL=C.UTF-8
 ikbench=$1 set=$IKBENCH_INSTRUCTION_SET
 shift
 listed=$(env -u IKBENCH_INSTRUCTION_SET "$ikbench" list instruction-sets)
