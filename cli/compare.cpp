@@ -236,7 +236,8 @@ void add_compare(CLI::App& app, Invocation& invocation) {
       "with the number of runs or targets that would decide. --margin and --significance are those of A's study where "
       "not given.\n"
       "Exit codes: 0 no regression is shown, 3 a regression beyond the margin, 4 with --strict: nothing is worse, but\n"
-      "something is undecided or not compared, 1 a mistake in what was asked, 2 a fault of the program.");
+      "something is undecided or not compared, 1 a mistake in what was asked, 2 a failure of the program, "
+      "the disk or the store.");
   command->callback([arguments, margin, significance, &invocation] {
     if (margin->count() > 0) arguments->margin = arguments->plan.margin;
     if (significance->count() > 0) arguments->significance = arguments->plan.significance;

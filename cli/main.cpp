@@ -26,8 +26,9 @@ int main(int argc, char** argv) {
       "  ikbench readings slim2023                which reading of the paper moves which number\n"
       "  ikbench compare old.sqlite new.sqlite    whether a variant of a solver is better, the same or worse\n"
       "  ikbench COMMAND --help                   more examples\n\n"
-      "Exit codes: 0 done, 1 a mistake in what was asked, 2 a fault of the program,\n"
-      "3 a regression beyond the margin, 4 undecided (compare --strict), 130 stopped by Ctrl-C.");
+      "Exit codes: 0 done, 1 a mistake in what was asked, 2 a failure of the program,\n"
+      "the disk or the store, 3 a regression beyond the margin, 4 undecided (compare --strict), 130 stopped by "
+      "Ctrl-C.");
   app.set_version_flag("--version", "ikbench " + version());
   app.require_subcommand(1);
   app.failure_message([](const CLI::App*, const CLI::Error& error) {

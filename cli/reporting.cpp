@@ -31,11 +31,13 @@ AnalysisPlan plan_for(const StudyEntry& entry, const ReportArguments& arguments)
   return plan;
 }
 
-// Whether two definitions of a study are the same but for how it is judged.
+// Whether two definitions of a study are the same but for how it is judged, and for what is only said of it.
 bool differ_in_analysis_only(const std::string& earlier, const std::string& now) {
   auto before = nlohmann::json::parse(earlier, nullptr, false), after = nlohmann::json::parse(now, nullptr, false);
   for (auto* definition : {&before, &after}) {
-    if (definition->is_object()) definition->erase("analysis");
+    for (const char* key : {"analysis", "out_of_reach"}) {
+      if (definition->is_object()) definition->erase(key);
+    }
   }
   return before == after;
 }
@@ -44,17 +46,17 @@ bool differ_in_analysis_only(const std::string& earlier, const std::string& now)
 void warn_of_left_aside(const Study& study, const Store& store) {
   const LeftAside aside = left_aside(study, store);
   if (aside.solves == 0) return;
-  say(
-      fmt::format("warning: {} solves of {} were made by another version of the solver or of the code that all "
-                  "solvers share; they stay in the store, and are solved anew",
-                  aside.solves, fmt::join(aside.labels, ", ")));
+  say(fmt::format(
+      "warning: {} solves of {} were made by another version of the solver or of the code that all solvers share; they "
+      "stay in the store, and this run solves those points again",
+      aside.solves, fmt::join(aside.labels, ", ")));
 }
 
 // Where somebody else has the store open, it is more than one file.
 void tell_of_log(const std::vector<std::filesystem::path>& files) {
   if (files.size() < 2) return;
   say(fmt::format(
-      "warning: another program has {0} open, so part of it still is in {1}: copy both files together, or end "
+      "warning: another program has {0} open, so part of it is still in {1}: copy both files together, or end "
       "that program and run this again, which makes one file of them",
       files[0].string(), files[1].string()));
 }

@@ -8,7 +8,7 @@ string(ASCII 3 opening)
 string(ASCII 4 closing)
 set(literal "\"([^\"${backslash}\n]|${backslash}.)*\"|'(${backslash}.[^'\n]*|[^'${backslash}\n])'")
 set(comment "//[^\n]*|/\\*[^*]*\\*+([^/*][^*]*\\*+)*/")
-set(token "[A-Za-z0-9_]+|[+]+|[-]+|[^ \t\r\n]")  # a++ + b is not a + ++b
+set(token "[A-Za-z0-9_]+|[+]+|[-]+|[&]+|[^ \t\r\n]")  # a++ + b is not a + ++b
 
 function(digest_of file result)
   file(READ ${file} text)

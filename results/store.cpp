@@ -91,8 +91,8 @@ std::string shortened(std::string_view text) {
       if (error.getExtendedErrorCode() == SQLITE_READONLY_DBMOVED) refuse_taken_away(file);
       if (error.getExtendedErrorCode() == SQLITE_READONLY_ROLLBACK)
         throw std::invalid_argument(
-            fmt::format("'{}' was left half-written by an ikbench that was killed; what mends it is in '{}-journal': "
-                        "leave both where they are and run the study again, which undoes the half and goes on",
+            fmt::format("'{}' was left half-written by an ikbench that was killed: keep '{}-journal' beside it and run the "
+                        "study again, which undoes the unfinished write and goes on",
                         file, file));
       [[fallthrough]];
     case SQLITE_CANTOPEN:
