@@ -63,6 +63,74 @@ std::string counts_in_words(const std::vector<Observation>& observations) {
   return low >= high ? fmt::to_string(high) : fmt::format("{} to {}", low, high);
 }
 
+void add_flaw(Observations& result, const std::string& flaw) {
+  if (flaw.empty()) return;
+  result.flaw += (result.flaw.empty() ? "" : "; ") + flaw;
+}
+
+// Whether the column numbers repetitions, and was not given as anything else.
+bool numbers_runs(const std::string& title, const CsvRequest& request) {
+  return names_replicates(title) && title != request.group && title != request.value && title != request.block;
+}
+
+// The number of rows of a whole run where there are no blocks: that of most runs, of equals the larger. Runs with more
+// are refused, or told where rows are taken as given.
+std::size_t rows_of_a_run(const CsvFile& file, const CsvRequest& request, const Contents& contents,
+                          Observations& result) {
+  std::map<std::pair<std::size_t, std::size_t>, std::vector<std::size_t>> runs;  // their rows, by group and run
+  for (const Observation& o : contents.observations) runs[{o.group, o.run}].push_back(o.row);
+  std::map<std::size_t, std::size_t> counts;  // of runs, by their number of rows
+  for (const auto& [run, rows] : runs) ++counts[rows.size()];
+  std::size_t whole = counts.begin()->first;
+  for (const auto& [rows, count] : counts) whole = count >= counts[whole] ? rows : whole;
+  const auto longer = std::ranges::find_if(runs, [&](const auto& run) { return run.second.size() > whole; });
+  if (longer == runs.end()) return whole;
+  const auto& [run, rows] = *longer;
+  const std::string words = fmt::format("{} {} of {} has {} rows where other runs have {}", one_line(request.run),
+                                        shortened(file.table.rows[rows.front()][file.column(request.run)], 40),
+                                        shortened(contents.groups.all()[run.first], 40), rows.size(), whole);
+  if (request.replicates == Replicates::checked)
+    file.refuse(words + ": is one of them there twice, or do the others lack some? --force averages them as they are");
+  add_flaw(result, words + "; averaged all the same");
+  return whole;
+}
+
+// Adds the runs that are absent as a whole, without a value. Groups that share more than half of the runs of the
+// smaller one were given the same runs; others have seeds of their own, of which none is absent.
+void add_absent_runs(Contents& contents) {
+  const std::size_t groups = contents.groups.all().size(), whole = contents.observations.front().whole;
+  std::map<std::size_t, std::set<std::size_t>> groups_of;  // by run
+  for (const Observation& o : contents.observations) {
+    if (o.run != no_label) groups_of[o.run].insert(o.group);
+  }
+  if (std::ranges::all_of(groups_of, [&](const auto& run) { return run.second.size() == groups; })) return;
+  std::vector<std::vector<std::size_t>> shared(groups, std::vector<std::size_t>(groups));
+  for (const auto& [run, present] : groups_of) {
+    for (const std::size_t one : present) {
+      for (const std::size_t other : present) ++shared[one][other];
+    }
+  }
+  for (const auto& [run, present] : groups_of) {
+    for (std::size_t group = 0; group < groups; ++group) {
+      const bool is_absent = !present.contains(group) && std::ranges::any_of(present, [&](std::size_t other) {
+        return 2 * shared[group][other] > std::min(shared[group][group], shared[other][other]);
+      });
+      if (is_absent) contents.observations.push_back({.group = group, .run = run, .count = 0, .whole = whole});
+    }
+  }
+}
+
+// Where each row is a run of its own, numbered by a column: its label on the observations, and those that are absent.
+void add_absent_rows(const CsvFile& file, const CsvRequest& request, Contents& contents) {
+  const std::size_t rows = contents.observations.size();
+  for (std::size_t column = 0; column < file.table.header.size(); ++column) {
+    if (!numbers_runs(file.table.header[column], request) || contents.observations.size() > rows) continue;
+    const Labels labels = labels_of(file, column);
+    for (Observation& observation : contents.observations) observation.run = labels.of_row[observation.row];
+    add_absent_runs(contents);
+  }
+}
+
 // What of each group is not whole.
 struct Lack {
   std::size_t missing = 0, all = 0;
@@ -91,11 +159,6 @@ std::string in_words(const std::vector<Lack>& lacks, std::string_view what, cons
   }
   if (listed > most_groups) words += fmt::format(" and of {} more groups", listed - most_groups);
   return words;
-}
-
-void add_flaw(Observations& result, const std::string& flaw) {
-  if (flaw.empty()) return;
-  result.flaw += (result.flaw.empty() ? "" : "; ") + flaw;
 }
 
 constexpr std::string_view flattered = "a group that failed there looks better than it is";
@@ -150,8 +213,7 @@ std::string flaw_of(const CsvFile& file, const Contents& contents, const CsvRequ
   constexpr std::string_view why = "points of one run depend on each other and are not replicates";
   for (std::size_t column = 0; column < file.table.header.size(); ++column) {
     const std::string& title = file.table.header[column];
-    if (!names_replicates(title) || title == request.group || title == request.value || title == request.block)
-      continue;
+    if (!numbers_runs(title, request)) continue;
     const auto [shared, told_by] = shared_run(file, contents, request, column);
     if (shared.empty()) continue;
     if (request.replicates == Replicates::as_given)
@@ -159,6 +221,13 @@ std::string flaw_of(const CsvFile& file, const Contents& contents, const CsvRequ
     const std::string run = one_line(title);
     if (told_by.empty())
       file.refuse(fmt::format("{}; {}; average them with --run {}, or insist with --force", shared, why, run));
+    const std::string name = lower_case(told_by);
+    if (name.starts_with("point") || name.starts_with("step")) {  // of a path
+      file.refuse(fmt::format(
+          "{0}, one for each {1}, and are not replicates; where each {1} leads to the next, average them with --run "
+          "{2}; where each was solved by itself, compare {1} by {1} with --block {1} --run {2}; or insist with --force",
+          shared, told_by, run));
+    }
     file.refuse(fmt::format(
         "{0}, one for each {1}, and are not replicates; compare the groups {1} by {1} with --block {1} --run {2}, or "
         "where the rows of a run depend on each other, as points of one path do, average them with --run {2}, or "
@@ -282,6 +351,10 @@ Observations read_observations(std::string_view text, std::string_view source, c
   for (const std::string& name : contents.groups.all()) result.groups.push_back({.name = name});
   result.blocks = label(file, request, contents);
   result.replicate = "a row of " + file.name();
+  if (request.run.empty() && request.block.empty()) {
+    add_flaw(result, flaw_of(file, contents, request));
+    if (result.flaw.empty()) add_absent_rows(file, request, contents);
+  }
   if (const std::string words = in_words(lacks_of(contents), "values", contents.groups); !words.empty()) {
     result.notes.push_back(fmt::format(
         "Left out because missing: {}. A failure without a number is better written {}, which ranks as the worst.",
@@ -289,10 +362,11 @@ Observations read_observations(std::string_view text, std::string_view source, c
   }
 
   if (!request.run.empty()) {
+    const std::size_t whole = result.blocks.empty() ? rows_of_a_run(file, request, contents, result) : 0;
     contents.observations = averaged(std::move(contents.observations), request.replicates);
+    for (Observation& run : contents.observations) run.whole = whole == 0 ? run.whole : whole;
+    if (result.blocks.empty()) add_absent_runs(contents);
     add_run_notes(file, request, contents, result);
-  } else if (request.block.empty()) {
-    add_flaw(result, flaw_of(file, contents, request));
   }
 
   const std::string_view what = request.run.empty() ? "rows" : "runs";

@@ -35,11 +35,12 @@ struct CsvRequest {
 // Groups and blocks in the order of their first row; a group without a name is "(empty)". Missing values (NA, NaN,
 // empty) are left out and counted in the notes; Inf is a value. The mean of a run's rows, and of a block's runs, is
 // taken of whole ones alone: one with fewer values than the fullest of the same block is missing, whether its rows are
-// absent or have no value, or else a group that crashes would lose its failures from its means. Blocks without a value
-// of every group are left out and counted, and Observations::flaw says which groups lack any. Rows that repeat a
-// group's run, trial, seed, repetition or replicate are no replicates: refused unless they are averaged (`run`) or
-// taken as given, which Observations::flaw then says; so is the mean of what is left of a run or a block that is not
-// whole.
+// absent or have no value, or else a group that crashes would lose its failures from its means. Without blocks a
+// whole run has as many rows as most have, and one with more is refused. Blocks without a value of every group are left
+// out and counted, and Observations::flaw says which groups lack any; so it does of runs that other groups have, unless
+// a group's runs have names of their own. Rows that repeat a group's run, trial, seed, repetition or replicate are no
+// replicates: refused unless they are averaged (`run`) or taken as given, which Observations::flaw then says; so is the
+// mean of what is left of a run or a block that is not whole.
 Observations read_observations(std::string_view text, std::string_view source, const CsvRequest& request);
 
 // Columns, in any case: name (or group, solver, algorithm), mean, sd (or std, stddev), n (or count); and where several

@@ -188,9 +188,9 @@ void add_stats(CLI::App& app, Invocation& invocation) {
       "  ikbench stats --summaries published.csv --quantity \"position error [cm]\"\n\n"
       "Several problems, several seeds of each: --block problem --run seed, whatever the problems' scales.\n"
       "Rows that depend on each other, such as the points of one path: --run alone.\n"
-      "A run or a block in which a group has fewer values than the fullest one is left out, and the first lines warn:\n"
-      "what crashed may be absent, empty or NaN. Better write it Inf, which ranks last (-Inf where larger is "
-      "better).\n\n"
+      "A run or a block in which a group has fewer values than others is left out, and the first lines warn, also of\n"
+      "whole runs that others have: what crashed may be absent, empty or NaN. Better write it Inf, which ranks last\n"
+      "(-Inf where larger is better).\n\n"
       "What each line means: docs/statistics.md");
   command->callback([arguments, &invocation] {
     check(*arguments);

@@ -134,8 +134,9 @@ TEST_CASE("rows that share a run are not replicates", "[csv]") {
   CHECK(means.groups[0].values == Values{2, 6});
   CHECK(means.groups[1].values == Values{3});
   CHECK(means.replicate == "a run's mean over its 2 rows of file.csv");
-  CHECK(means.notes == Texts{"Each observation is the mean over the 2 rows of a run (column 'run')."});
-  CHECK(means.flaw.empty());
+  CHECK(means.notes == Texts{"Each observation is the mean over the 2 rows of a run (column 'run').",
+                             "Left out because rows of them are missing: 1 of 2 runs of B."});
+  CHECK(means.flaw == "incomplete: 1 of 2 runs of B; a group that failed there looks better than it is");
 
   CsvRequest forced = by_solver;
   forced.replicates = Replicates::as_given;
@@ -164,10 +165,23 @@ TEST_CASE("where a column tells the rows of a run apart, the advice is to take i
   }
 }
 
+TEST_CASE("rows of a path may lead to one another, and the advice says what to do in either case", "[csv]") {
+  for (const std::string title : {"point", "Step"}) {
+    CAPTURE(title);
+    CHECK(
+        refusal("solver,run," + title + ",error\nA,1,1,1\nA,1,2,2\nA,2,1,3\nA,2,2,4\n") ==
+        fmt::format("a/folder/file.csv: 2 rows share run 1 of A, one for each {0}, and are not replicates; where each "
+                    "{0} leads to the next, average them with --run run; where each was solved by itself, compare "
+                    "{0} by {0} with --block {0} --run run; or insist with --force",
+                    title));
+  }
+}
+
 TEST_CASE("the solves that the program exports are refused as replicates and averaged by run", "[csv]") {
   const std::string text = to_csv(synthetic::solves({.solvers = {"IK-BA", "BA"}, .runs = 3, .points = 5}));
   const CsvRequest errors{.value = "position_error_cm", .group = "solver"};
-  CHECK(says(refusal(text, errors), {"5 rows share run 1 of IK-BA"}));
+  CHECK(says(refusal(text, errors), {"5 rows share run 1 of IK-BA, one for each point, and are not replicates; where "
+                                     "each point leads to the next, average them with --run run; "}));
   CsvRequest by_run = errors;
   by_run.run = "run";
   CHECK(read(text, by_run).groups[1].values.size() == 3);
@@ -215,6 +229,58 @@ TEST_CASE("a run that lacks a row which others have has no mean, whether the row
   CHECK(seen.groups[1].values == Values{1});
   CHECK(seen.replicate == "a run's mean over its 1 to 2 rows of file.csv");
   CHECK(says(seen.flaw, {"incomplete: 1 of 1 runs of B"}));
+}
+
+TEST_CASE("a run that is absent as a whole counts as one that the group lacks", "[csv]") {
+  // Runs of two rows; of A 1 to 20, of B what `of_b` says.
+  const auto text_with = [](const std::vector<int>& of_b) {
+    std::string text = "solver,run,error\n";
+    for (int run = 1; run <= 20; ++run) text += fmt::format("A,{0},{0}\nA,{0},{0}\n", run);
+    for (const int run : of_b) text += fmt::format("B,{0},{0}\nB,{0},{0}\n", run);
+    return text;
+  };
+  const auto flaw = [](const std::string& text) {
+    return read(text, {.value = "error", .group = "solver", .run = "run"}).flaw;
+  };
+  const std::string why = "; a group that failed there looks better than it is";
+  std::vector<int> runs;
+  for (int run = 1; run <= 15; ++run) runs.push_back(run);
+  CHECK(flaw(text_with(runs)) == "incomplete: 5 of 20 runs of B" + why);
+  CHECK(flaw(text_with({7})) == "incomplete: 19 of 20 runs of B" + why);
+  CHECK(flaw(text_with(runs) + "C,1,1\nC,1,1\nC,99,1\nC,99,1\n") ==  // nothing says that C was given the runs of A
+        "incomplete: 5 of 20 runs of B" + why);
+  runs.push_back(21);  // which A lacks
+  CHECK(flaw(text_with(runs)) == "incomplete: 1 of 21 runs of A, 5 of 21 of B" + why);
+  CHECK(flaw(text_with({21, 22, 23})).empty());      // seeds of its own
+  CHECK(flaw(text_with({19, 20, 21, 22})).empty());  // of which two are the other's by chance
+
+  CsvRequest forced{.value = "error", .group = "solver", .run = "run", .replicates = Replicates::as_given};
+  CHECK(read(text_with({1, 2}), forced).flaw == "incomplete: 18 of 20 runs of B" + why);
+}
+
+TEST_CASE("a row that is absent counts as missing where a column numbers the runs", "[csv]") {
+  const Observations seen = read("solver,seed,error\nA,1,1\nA,2,2\nA,3,3\nB,1,1\nB,3,2\n");
+  CHECK(seen.groups[1].values == Values{1, 2});
+  CHECK(seen.flaw == "missing: 1 of 3 values of B; a group that failed there looks better than it is");
+  CHECK(seen.notes == Texts{"Left out because missing: 1 of 3 values of B." + as_failure});
+  CHECK(read("solver,seed,error\nA,1,1\nA,2,2\nA,3,3\nB,4,1\nB,5,2\n").flaw.empty());
+}
+
+TEST_CASE("a row that is there twice is refused, and takes nothing from the other runs", "[csv]") {
+  std::string text = "solver,run,error\n";
+  for (const char* solver : {"A", "B"}) {
+    for (int run = 1; run <= 10; ++run) text += fmt::format("{0},{1},1\n{0},{1},2\n{0},{1},3\n", solver, run);
+  }
+  CsvRequest request{.value = "error", .group = "solver", .run = "run"};
+  CHECK(read(text, request).flaw.empty());
+  CHECK(
+      refusal(text + "A,1,6\n", request) ==
+      "a/folder/file.csv: run 1 of A has 4 rows where other runs have 3: is one of them there twice, or do the others "
+      "lack some? --force averages them as they are");
+  request.replicates = Replicates::as_given;
+  const Observations seen = read(text + "A,1,6\n", request);
+  CHECK(seen.groups[0].values == Values{3, 2, 2, 2, 2, 2, 2, 2, 2, 2});
+  CHECK(seen.flaw == "run 1 of A has 4 rows where other runs have 3; averaged all the same");
 }
 
 TEST_CASE("a missing value without blocks is a flaw, because a group that failed there looks better", "[csv]") {

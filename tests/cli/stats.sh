@@ -112,6 +112,21 @@ succeeds stats crashes.csv --value error --block problem --run seed --force --no
 has "$out" "One observation is the mean over the 2 to 3 runs of a block"
 has "$out" "- Flawed: values are missing in 1 of 5 blocks of B; of each of these blocks what is left is averaged; "
 
+# Twenty runs of two rows each, of which B crashed on five altogether: they are not there.
+{
+  echo solver,run,error
+  for run in {1..20}; do
+    echo "A,$run,$run" && echo "A,$run,$((run + 2))"
+    [ $run -gt 15 ] || { echo "B,$run,$run" && echo "B,$run,$((run + 1))"; }
+  done
+} >absent.csv
+succeeds stats absent.csv --value error --run run --no-figures --out absent
+[[ $(grep -m 1 '^- ' .out) == "- Flawed: incomplete: 5 of 20 runs of B; a group that failed there looks better"* ]] ||
+  fail "the first lines do not warn of runs that B lacks: $out"
+has "$err" "warning: incomplete: 5 of 20 runs of B"
+{ cat absent.csv && echo A,1,1; } >doubled.csv
+refused "run 1 of A has 3 rows where other runs have 2: is one of them there twice" stats doubled.csv --value error --run run
+
 # Two columns that are one name for a file, one of them without a Latin letter.
 printf 'solver,a b,a-b,誤差,плечо\nA,1,2,3,1\nA,2,3,5,1.5\nB,2,2,8,2\nB,2.5,1,3,3\n' >names.csv
 succeeds stats names.csv --value 'a b' --value a-b --value 誤差 --value плечо --no-figures --out names
@@ -167,8 +182,8 @@ from_store() { # ARGUMENTS...: as `ikbench export STORE | ikbench stats - ...`
 from_store --no-figures --out dependent
 [ "$code" = 1 ] || fail "points of one run were taken as replicates: $out"
 [ -z "$out" ] && [ "$(wc -l <.err)" = 1 ] || fail "not one line: $out $err"
-has "$err" "share run 1 of IK-BA, one for each point, and are not replicates; compare the groups point by point with"
-has "$err" "average them with --run run, or insist with --force"
+has "$err" "share run 1 of IK-BA, one for each point, and are not replicates; where each point leads to the next, average \
+them with --run run; where each was solved by itself, compare point by point with --block point --run run; or insist"
 [ ! -e dependent ] || fail "a refused report was written"
 from_store --run run --no-figures --out means
 [ "$code" = 0 ] || fail "--run run: $err"
