@@ -9,6 +9,7 @@
 #include <string>
 
 #include "analysis/definition.hpp"
+#include "analysis/ranking.hpp"
 #include "analysis/statistics/descriptive.hpp"
 #include "analysis/statistics/welch.hpp"
 #include "analysis/text.hpp"
@@ -17,12 +18,6 @@ namespace ikbench {
 namespace {
 
 bool is_enforced(const StudyResults& study) { return Definition(study.definition).text("/limits") == "enforced"; }
-
-// Among several: 1 is the smallest mean. Means that are equal to the bit share a place.
-struct Place {
-  int rank = 0;  // 0 where there is no mean
-  bool shared = false;
-};
 
 // What one study says of one solver.
 struct Side {
@@ -34,20 +29,30 @@ struct Side {
   double accepted_variation_deg = not_defined;
   Description accepted_variation_of_runs;  // the same of every run that has such an answer
   SolverCounts counts;
-  Place error_place = {};  // among the solvers of both studies
-  Place variation_place = {};
+  Placing error_placing = {};  // among the solvers of both studies; no place where there is no mean
+  Placing variation_placing = {};
 };
+
+// What solvers are placed by, and what a test of a place looks at.
+struct Measure {
+  const char* name;
+  Placing Side::*placing;
+  Description Side::*tested;
+};
+constexpr Measure by_error{"error", &Side::error_placing, &Side::error_cm};
+constexpr Measure by_variation{"variation", &Side::variation_placing, &Side::accepted_variation_of_runs};
 
 bool has_solver(const StudyResults& study, const std::string& solver) {
   return std::ranges::find(study.solvers, solver) != study.solvers.end();
 }
 
 template <class Mean>
-Place place_of(const Side& side, const std::vector<Side>& sides, Mean&& mean_of) {
-  if (!std::isfinite(mean_of(side))) return {};
-  const auto count = [&](auto&& is_such) { return static_cast<int>(std::ranges::count_if(sides, is_such)); };
-  return {.rank = 1 + count([&](const Side& other) { return mean_of(other) < mean_of(side); }),
-          .shared = count([&](const Side& other) { return mean_of(other) == mean_of(side); }) > 1};
+void place(std::vector<Side>& sides, Placing Side::*placing, Mean&& mean_of) {
+  std::vector<Standing> standings;
+  for (const Side& side : sides) standings.push_back({side.solver, mean_of(side)});
+  for (std::size_t i = 0; i < sides.size(); ++i) {
+    if (std::isfinite(standings[i].mean)) sides[i].*placing = placing_of(standings[i], standings);
+  }
 }
 
 std::vector<Side> sides_of(const StudyResults& study, const StudyResults& other, Unit unit) {
@@ -74,10 +79,8 @@ std::vector<Side> sides_of(const StudyResults& study, const StudyResults& other,
                      .accepted_variation_of_runs = describe(means_of_runs),
                      .counts = all_counts[i]});
   }
-  for (Side& side : sides) {
-    side.error_place = place_of(side, sides, [](const Side& of) { return of.error_cm.mean; });
-    side.variation_place = place_of(side, sides, [](const Side& of) { return of.accepted_variation_deg; });
-  }
+  place(sides, &Side::error_placing, [](const Side& of) { return of.error_cm.mean; });
+  place(sides, &Side::variation_placing, [](const Side& of) { return of.accepted_variation_deg; });
   return sides;
 }
 
@@ -88,43 +91,45 @@ std::string change(double before, double after, std::string_view unit) {
                      std::isfinite(ratio) ? fmt::format(" ({} x)", rounded_number(ratio, 3)) : "");
 }
 
-std::string place_words(Place place) { return fmt::format("{}{}", place.rank, place.shared ? " (shared)" : ""); }
-
-std::string places_words(Place before, Place after, std::size_t of, std::string_view measure,
-                         const std::string& overtaken) {
-  if (before.rank == 0 || after.rank == 0) return fmt::format("in {} not in both rankings", measure);
-  const std::string where =
-      fmt::format("in {} place {} -> {} of {}", measure, place_words(before), place_words(after), of);
-  const auto is_first = [](Place place) { return place.rank == 1 && !place.shared; };
-  if (is_first(before)) return where + (is_first(after) ? ", still the first" : ", no longer the first" + overtaken);
-  if (is_first(after)) return where + ", now the first";
-  return where + (before.rank == after.rank && before.shared == after.shared ? ", as before" : "");
+const Side& side_of(const std::vector<Side>& sides, const std::string& solver) {
+  return *std::ranges::find(sides, solver, &Side::solver);
 }
 
 // Who is first now, and whether that may be chance. Points of a run depend on each other, so it is asked of runs alone.
-std::string overtaken(const Side& side, const std::vector<Side>& sides, Place Side::*place, Description Side::*measure,
-                      Unit unit) {
-  const auto first = std::ranges::find_if(sides, [&](const Side& other) { return (other.*place).rank == 1; });
-  if (unit == Unit::point || first == sides.end() || (side.*place).rank == 1) return "";
+std::string overtaken(const Side& side, const std::vector<Side>& sides, const Measure& measure, Unit unit) {
+  const auto is_first = [&](const Side& other) { return (other.*measure.placing).place == 1; };
+  const auto first = std::ranges::find_if(sides, is_first);
+  if (unit == Unit::point || first == sides.end() || is_first(side)) return "";
   const auto summary = [](const Description& of) { return GroupSummary{.mean = of.mean, .std = of.std, .n = of.n}; };
-  const double p = welch(summary(side.*measure), summary((*first).*measure)).p;
+  const double p = welch(summary(side.*measure.tested), summary((*first).*measure.tested)).p;
   return std::isfinite(p) ? fmt::format(" (that is {}; Welch's test, p = {})", first->solver, rounded_number(p, 2))
                           : "";
 }
 
-std::string sentence(const Side& free, const Side& enforced, const std::vector<Side>& after, Unit unit) {
-  const std::size_t solvers = after.size();
+std::string placing_words(Placing of) { return fmt::format("{}{}", of.place, of.shared ? " (shared)" : ""); }
+
+std::string move_words(const Side& free, const std::vector<Side>& all_enforced, const Measure& measure, Unit unit) {
+  const Side& enforced = side_of(all_enforced, free.solver);
+  const Placing before = free.*measure.placing, after = enforced.*measure.placing;
+  if (before.place == 0 || after.place == 0) return fmt::format("in {} not in both rankings", measure.name);
+  const std::string where = fmt::format("in {} place {} -> {} of {}", measure.name, placing_words(before),
+                                        placing_words(after), all_enforced.size());
+  const auto is_first = [](Placing of) { return of.place == 1 && !of.shared; };
+  if (is_first(before) && is_first(after)) return where + ", still the first";
+  if (is_first(before)) return where + ", no longer the first" + overtaken(enforced, all_enforced, measure, unit);
+  if (is_first(after)) return where + ", now the first";
+  return where + (before.place == after.place && before.shared == after.shared ? ", as before" : "");
+}
+
+std::string sentence(const Side& free, const std::vector<Side>& all_enforced, Unit unit) {
+  const Side& enforced = side_of(all_enforced, free.solver);
   return fmt::format(
       "{}: position error {}, {} cm over the answers that are not refused; variation of such answers {}; answers "
-      "outside the limits {} "
-      "of {} -> refused {} of {}; {}; {}.",
+      "outside the limits {} of {} -> refused {} of {}; {}; {}.",
       free.solver, change(free.error_cm.mean, enforced.error_cm.mean, "cm"), short_number(enforced.accepted_error_cm),
       change(free.accepted_variation_deg, enforced.accepted_variation_deg, "deg"), free.counts.outside_limits,
       free.counts.solves, enforced.counts.of(Status::refused), enforced.counts.solves,
-      places_words(free.error_place, enforced.error_place, solvers, "error",
-                   overtaken(enforced, after, &Side::error_place, &Side::error_cm, unit)),
-      places_words(free.variation_place, enforced.variation_place, solvers, "variation",
-                   overtaken(enforced, after, &Side::variation_place, &Side::accepted_variation_of_runs, unit)));
+      move_words(free, all_enforced, by_error, unit), move_words(free, all_enforced, by_variation, unit));
 }
 
 Table table_of(const StudyResults& free, const StudyResults& enforced, Unit unit) {
@@ -145,7 +150,7 @@ Table table_of(const StudyResults& free, const StudyResults& enforced, Unit unit
   for (const std::string_view status : status_names) table.columns.push_back({std::string(status)});
   const std::vector<Side> before = sides_of(free, enforced, unit), after = sides_of(enforced, free, unit);
   const auto add_row = [&](const Side& side, const StudyResults& study, const char* limits) {
-    const auto rank = [](Place place) { return place.rank == 0 ? Cell(not_defined) : Cell(std::int64_t{place.rank}); };
+    const auto rank = [](Placing of) { return of.place == 0 ? Cell(not_defined) : Cell(std::int64_t{of.place}); };
     std::vector<Cell> row{side.solver,
                           study.name,
                           std::string(limits),
@@ -155,17 +160,16 @@ Table table_of(const StudyResults& free, const StudyResults& enforced, Unit unit
                           side.accepted_error_cm,
                           side.variation_deg.mean,
                           side.accepted_variation_deg,
-                          rank(side.error_place),
-                          rank(side.variation_place),
+                          rank(side.error_placing),
+                          rank(side.variation_placing),
                           std::int64_t{side.counts.outside_limits}};
     for (const int number_of : side.counts.by_status) row.emplace_back(std::int64_t{number_of});
     table.rows.push_back(std::move(row));
   };
   for (const Side& side : before) {
-    const Side& other = *std::ranges::find(after, side.solver, &Side::solver);
     add_row(side, free, "recorded");
-    add_row(other, enforced, "enforced");
-    table.notes.push_back(sentence(side, other, after, unit));
+    add_row(side_of(after, side.solver), enforced, "enforced");
+    table.notes.push_back(sentence(side, after, unit));
   }
   table.notes.emplace_back(
       "Both studies have the same targets. recorded: answers outside the joint limits are kept and counted; enforced: "

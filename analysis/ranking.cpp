@@ -20,6 +20,13 @@ std::vector<Standing> ranked(std::vector<Standing> standings) {
   return standings;
 }
 
+Placing placing_of(const Standing& standing, const std::vector<Standing>& all) {
+  const double own = worth(standing);
+  const auto count = [&](auto&& is_such) { return static_cast<int>(std::ranges::count_if(all, is_such, worth)); };
+  return {.place = 1 + count([&](double other) { return other < own; }),
+          .shared = count([&](double other) { return other == own; }) > 1};
+}
+
 std::string order_words(const std::vector<Standing>& ranking) {
   std::string text;
   for (std::size_t i = 0; i < ranking.size(); ++i) {
@@ -32,7 +39,7 @@ std::string order_words(const std::vector<Standing>& ranking) {
 std::vector<std::string> first_of(const std::vector<Standing>& ranking) {
   std::vector<std::string> names;
   for (const Standing& standing : ranking) {
-    if (worth(standing) == worth(ranking.front())) names.push_back(standing.solver);
+    if (placing_of(standing, ranking).place == 1) names.push_back(standing.solver);
   }
   return names;
 }

@@ -14,6 +14,13 @@ struct Standing {
 // The smallest first; ties in the order given.
 std::vector<Standing> ranked(std::vector<Standing> standings);
 
+// 1 is the place of the smallest mean.
+struct Placing {
+  int place = 0;
+  bool shared = false;
+};
+Placing placing_of(const Standing& standing, const std::vector<Standing>& all);
+
 // "A < B = C", of a ranking.
 std::string order_words(const std::vector<Standing>& ranking);
 

@@ -23,6 +23,19 @@ TEST_CASE("means that are equal to the bit are written as equal, and others as a
   CHECK(order_words({}).empty());
 }
 
+TEST_CASE("equal means share a place, and the next place is behind all of them", "[ranking]") {
+  const std::vector<Standing> all{{"A", 2}, {"B", 1}, {"C", 2}, {"D", 3}};
+  const auto is = [&](std::size_t i, int place, bool shared) {
+    const Placing found = placing_of(all[i], all);
+    CHECK(found.place == place);
+    CHECK(found.shared == shared);
+  };
+  is(0, 2, true);
+  is(1, 1, false);
+  is(2, 2, true);
+  is(3, 4, false);
+}
+
 TEST_CASE("a first place that is shared is said to be", "[ranking]") {
   CHECK(first_words(printed) == "A");
   CHECK(first_of(ranked({{"A", 2}, {"B", 1}, {"C", 1}})) == std::vector<std::string>{"B", "C"});
