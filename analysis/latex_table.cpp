@@ -124,22 +124,15 @@ std::string breakable(std::string_view text) {
   return result;
 }
 
-struct CellText {
-  std::string latex;
-  double width = 0;
-};
+bool is_words(const Cell& cell, const std::string& text) {
+  return std::holds_alternative<std::string>(cell) || text.empty() || text == "not defined";
+}
 
-CellText cell_text(const Cell& cell, bool wraps) {
+double cell_width(const Cell& cell) {
   const std::string text = readable(cell);
-  if (std::holds_alternative<std::string>(cell) || text.empty() || text == "not defined") {
-    return {wraps ? breakable(text) : words_in_latex(text), width_of(text)};
-  }
-  if (text.starts_with('<')) return {"$<10^{-300}$", 4.5};
-  const std::size_t to = text.find(" to ");  // of a range
-  const std::string latex = to == std::string::npos
-                                ? latex_number(text)
-                                : latex_number(text.substr(0, to)) + " to " + latex_number(text.substr(to + 4));
-  return {latex, width_of(text) + static_cast<double>(std::ranges::count(text, 'e'))};
+  if (is_words(cell, text)) return width_of(text);
+  if (text.starts_with('<')) return 4.5;
+  return width_of(text) + static_cast<double>(std::ranges::count(text, 'e'));
 }
 
 struct LatexColumn {
@@ -153,6 +146,15 @@ struct LatexColumn {
     return std::max(head_width, wraps() ? std::min(natural, widest_text) : natural);
   }
 };
+
+std::string cell_latex(const Cell& cell, const LatexColumn& column) {
+  const std::string text = readable(cell);
+  if (is_words(cell, text)) return column.wraps() ? breakable(text) : words_in_latex(text);
+  if (text.starts_with('<')) return "$<10^{-300}$";
+  const std::size_t to = text.find(" to ");  // of a range
+  return to == std::string::npos ? latex_number(text)
+                                 : latex_number(text.substr(0, to)) + " to " + latex_number(text.substr(to + 4));
+}
 
 // A head is as wide as its cells are, or as its longest word.
 void break_head(LatexColumn& column, const std::string& name) {
@@ -174,7 +176,7 @@ std::vector<LatexColumn> columns_of(const Table& table) {
   std::vector<LatexColumn> columns;
   for (const std::size_t c : columns_in_use(table)) {
     LatexColumn column{.index = c, .is_text = table.columns[c].align == Align::left, .head = {}};
-    for (const auto& row : table.rows) column.natural = std::max(column.natural, cell_text(row[c], false).width);
+    for (const auto& row : table.rows) column.natural = std::max(column.natural, cell_width(row[c]));
     break_head(column, table.columns[c].name);
     columns.push_back(std::move(column));
   }
@@ -249,7 +251,7 @@ std::string rows_of(const Table& table, const std::vector<LatexColumn>& columns)
   std::string text;
   for (const auto& row : table.rows) {
     std::vector<std::string> cells;
-    for (const LatexColumn& column : columns) cells.push_back(cell_text(row[column.index], column.wraps()).latex);
+    for (const LatexColumn& column : columns) cells.push_back(cell_latex(row[column.index], column));
     text += fmt::format("{} \\\\\n", fmt::join(cells, " & "));
   }
   return text;
