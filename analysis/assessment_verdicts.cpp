@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "analysis/assessment_words.hpp"
+#include "analysis/statistics/rounding.hpp"
 #include "analysis/text.hpp"
 
 namespace ikbench {
@@ -25,20 +26,52 @@ std::string against(double mean, double other) {
   return fmt::format("{} against {}", one, two);
 }
 
-// "the mean or by A12": what says that the other of a pair is better than the one for which the deciding test is. Empty
-// where nothing does.
-std::string dissent_words(const Evidence& evidence, const Contrast& contrast) {
+// What says that the other of a pair is better than the one for which the deciding test is.
+struct Dissent {
+  bool mean = false, median = false, share = false;
+};
+
+Dissent dissent(const Evidence& evidence, const Contrast& contrast) {
   const Description& first = evidence.groups[contrast.first].described;
   const Description& second = evidence.groups[contrast.second].described;
-  const int smaller_is_ahead = evidence.better == Better::smaller ? 1 : -1;
   const auto is_against = [&](double for_first) { return sign_of(for_first) == -contrast.ahead; };
+  const auto is_smaller_against = [&](double of_first, double of_second) {
+    const double difference = without_rounding(of_second - of_first, std::max(std::abs(of_first), std::abs(of_second)));
+    return is_against(evidence.better == Better::smaller ? difference : -difference);
+  };
+  return {.mean = is_smaller_against(first.mean, second.mean),
+          .median = is_smaller_against(first.median, second.median),
+          .share = is_against(contrast.superiority.value - 0.5)};
+}
+
+// "the median and A12 point the other way"; empty where nothing does.
+std::string dissent_words(const Evidence& evidence, const Dissent& dissent) {
   std::vector<std::string> measures;
-  if (is_against((second.mean - first.mean) * smaller_is_ahead)) measures.emplace_back("the mean");
-  if (is_against((second.median - first.median) * smaller_is_ahead)) measures.emplace_back("the median");
-  if (is_against(contrast.superiority.value - 0.5)) {
-    measures.emplace_back(evidence.blocks > 0 ? "the share of blocks" : "A12");
+  if (dissent.mean) measures.emplace_back("the mean");
+  if (dissent.median) measures.emplace_back("the median");
+  if (dissent.share) measures.emplace_back(evidence.blocks > 0 ? "the share of blocks" : "A12");
+  if (measures.empty()) return "";
+  return fmt::format("{} {} the other way", listed(measures), measures.size() == 1 ? "points" : "point");
+}
+
+// ", by 0.1 to 0.5, though the median points the other way". An interval around a mean that does is left out.
+std::string extent_words(const Evidence& evidence, const Contrast& contrast) {
+  const Dissent found = dissent(evidence, contrast);
+  std::string text;
+  std::vector<std::string> doubts;
+  if (std::isfinite(contrast.difference.low) && !found.mean) {
+    const double low = std::min(std::abs(contrast.difference.low), std::abs(contrast.difference.high));
+    const double high = std::max(std::abs(contrast.difference.low), std::abs(contrast.difference.high));
+    if (contrast.difference.low < 0 && contrast.difference.high > 0) {
+      doubts.emplace_back("the interval of the difference of means includes zero");
+    } else {
+      text = number_words(low) == number_words(high)
+                 ? fmt::format(", by {}", number_words(low))
+                 : fmt::format(", by {} to {}", number_words(low), number_words(high));
+    }
   }
-  return fmt::format("{}", fmt::join(measures, " or by "));
+  if (std::string words = dissent_words(evidence, found); !words.empty()) doubts.push_back(std::move(words));
+  return doubts.empty() ? text : fmt::format("{}, though {}", text, fmt::join(doubts, " and "));
 }
 
 // "IK-BA is better than DE: 0.00190 against 0.365, difference -0.363 (95 % interval ...), p = ..., A12 = 0.98"
@@ -48,18 +81,7 @@ std::string better_words(const Evidence& evidence, const Contrast& contrast) {
   std::string text =
       fmt::format("{} is better than {}: {}", name_words(evidence, winner), name_words(evidence, loser),
                   against(evidence.groups[winner].described.mean, evidence.groups[loser].described.mean));
-  const std::string dissent = dissent_words(evidence, contrast);
-  if (!dissent.empty()) text += ", though not by " + dissent;
-  if (std::isfinite(contrast.difference.low) && !dissent.starts_with("the mean")) {
-    const double low = std::min(std::abs(contrast.difference.low), std::abs(contrast.difference.high));
-    const double high = std::max(std::abs(contrast.difference.low), std::abs(contrast.difference.high));
-    const bool includes_zero = contrast.difference.low < 0 && contrast.difference.high > 0;
-    text += includes_zero ? fmt::format(", {} the interval of the difference of means includes zero",
-                                        dissent.empty() ? "though" : "and")
-            : number_words(low) == number_words(high)
-                ? fmt::format(", by {}", number_words(low))
-                : fmt::format(", by {} to {}", number_words(low), number_words(high));
-  }
+  text += extent_words(evidence, contrast);
   if (contrast.within_margin) text += fmt::format(", which is less than {}", percent(evidence.plan.margin));
   if (std::isfinite(contrast.p)) text += ", " + p_words(contrast.p);
   if (std::isfinite(contrast.superiority.value)) {
@@ -136,7 +158,7 @@ std::string together_or_apart(const Evidence& evidence) {
 // What is known of two that are not told apart.
 std::string open_words(const Contrast& contrast) {
   if (contrast.p == 1 && contrast.difference.value == 0 && !std::isfinite(contrast.difference.low)) {
-    return "equal in all observations; so few show no more";
+    return "equal in all observations, but too few to call them the same";
   }
   if (!std::isfinite(contrast.difference.low)) return p_words(contrast.p);
   return fmt::format("{}; the difference is between {} and {}", p_words(contrast.p),
@@ -228,8 +250,8 @@ std::string in_short(const Evidence& evidence) {
     const std::string other = name_words(evidence, is_first ? contrast.second : contrast.first);
     if (decided) {
       const bool wins = is_first == (contrast.relation == Relation::first_better);
-      const std::string dissent = dissent_words(evidence, contrast);
-      (wins ? ahead : behind).push_back(dissent.empty() ? other : fmt::format("{} (not by {})", other, dissent));
+      const std::string doubt = dissent_words(evidence, dissent(evidence, contrast));
+      (wins ? ahead : behind).push_back(doubt.empty() ? other : fmt::format("{} (though {})", other, doubt));
       if (std::isfinite(contrast.p)) largest_p = std::max(largest_p, contrast.p);
     }
     if (contrast.relation == Relation::not_told_apart) open.push_back(other);

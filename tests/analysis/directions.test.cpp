@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdint>
 #include <numbers>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -63,11 +64,19 @@ double draw(Law law, Random& random) {
 struct Made {
   Groups groups;
   bool blocked = false;
+  std::optional<std::size_t> control = {};
 };
 
-Made make(Random& random) {
+// all_pairs: of two to four groups. control: of three or four, against one of them. many: of more groups than are shown
+// in pairs, so against the best.
+enum class Design { all_pairs, control, many };
+
+Made make(Design design, Random& random) {
   Made made{.blocked = random.below(2) == 0};
-  const int groups = 2 + random.below(3);
+  const int groups = design == Design::many      ? static_cast<int>(most_groups_in_pairs) + 1 + random.below(3)
+                     : design == Design::control ? 3 + random.below(2)
+                                                 : 2 + random.below(3);
+  if (design == Design::control) made.control = static_cast<std::size_t>(random.below(groups));
   const int size = 4 + random.below(40);
   std::vector<double> of_block;
   for (int i = 0; i < size; ++i) of_block.push_back(3 * random.normal());
@@ -144,15 +153,20 @@ double deciding_statistic(DecidingTest test, const Groups& groups, const Contras
 }
 
 // As evidence() has it, without what takes longer and decides nothing: bootstrap, normality.
-Evidence judged(const Groups& groups, Better better, DecidingTest test, std::size_t blocks) {
-  Evidence found{.name = "x", .quantity = "x", .better = better, .blocks = blocks, .plan = {.test = test}};
+Evidence judged(const Made& made, Better better, DecidingTest test) {
+  const auto name = [](std::size_t group) { return fmt::format("g{}", group); };
+  Evidence found{.name = "x",
+                 .quantity = "x",
+                 .better = better,
+                 .blocks = made.blocked ? made.groups[0].size() : 0,
+                 .plan = {.test = test, .control = made.control ? name(*made.control) : ""}};
   std::vector<GroupSummary> summaries;
-  for (std::size_t i = 0; i < groups.size(); ++i) {
-    found.groups.push_back({.name = fmt::format("g{}", i), .described = describe(groups[i])});
-    summaries.push_back(summarise(groups[i]));
+  for (std::size_t i = 0; i < made.groups.size(); ++i) {
+    found.groups.push_back({.name = name(i), .described = describe(made.groups[i])});
+    summaries.push_back(summarise(made.groups[i]));
   }
-  if (blocks > 0) add_friedman(found, groups);
-  add_contrasts(found, summaries, groups);
+  if (made.blocked) add_friedman(found, made.groups);
+  add_contrasts(found, summaries, made.groups);
   return found;
 }
 
@@ -162,11 +176,56 @@ Relation turned(Relation relation) {
                                                : relation;
 }
 
-Groups negated(Groups groups) {
-  for (auto& group : groups) {
+Made negated(Made made) {
+  for (auto& group : made.groups) {
     for (double& value : group) value = -value;
   }
-  return groups;
+  return made;
+}
+
+Made reversed(Made made) {
+  std::ranges::reverse(made.groups);
+  if (made.control) made.control = made.groups.size() - 1 - *made.control;
+  return made;
+}
+
+// How many pairs were decided, and in how many of them another measure is for the other of the two.
+struct Decided {
+  int pairs = 0, against_the_mean = 0, against_the_median = 0, against_the_share = 0;
+};
+
+void count(const Evidence& found, const Contrast& pair, Decided& decided) {
+  const int ahead = pair.relation == Relation::first_better ? 1 : -1;
+  const Description& first = found.groups[pair.first].described;
+  const Description& second = found.groups[pair.second].described;
+  ++decided.pairs;
+  decided.against_the_mean += sign(second.mean - first.mean) == -ahead ? 1 : 0;
+  decided.against_the_median += sign(second.median - first.median) == -ahead ? 1 : 0;
+  decided.against_the_share += sign(pair.superiority.value - 0.5) == -ahead ? 1 : 0;
+}
+
+void check_directions(const Made& made, DecidingTest test, Decided& decided) {
+  const Evidence found = judged(made, Better::smaller, test);
+  const Evidence other = judged(negated(made), Better::larger, test);
+  const Evidence swapped = judged(reversed(made), Better::smaller, test);
+  const std::size_t last = made.groups.size() - 1;
+  // Of several groups that are the best, the first is the reference: turned round it may be another.
+  const bool same_reference = !found.reference || *swapped.reference == last - *found.reference;
+  CHECK(found.reference.has_value() == (made.control || last >= most_groups_in_pairs));
+  for (std::size_t i = 0; i < found.contrasts.size(); ++i) {
+    const Contrast& pair = found.contrasts[i];
+    CHECK(other.contrasts[i].relation == pair.relation);
+    const auto same = [&](const Contrast& c) { return c.first == last - pair.second && c.second == last - pair.first; };
+    if (same_reference) {
+      const auto there = std::ranges::find_if(swapped.contrasts, same);
+      REQUIRE(there != swapped.contrasts.end());
+      CHECK(there->relation == turned(pair.relation));
+    }
+    if (pair.relation != Relation::first_better && pair.relation != Relation::second_better) continue;
+    count(found, pair, decided);
+    const int ahead = pair.relation == Relation::first_better ? 1 : -1;
+    CHECK(sign(deciding_statistic(test, made.groups, pair)) == -ahead);
+  }
 }
 
 }  // namespace
@@ -176,35 +235,24 @@ TEST_CASE("the better one is better by the statistic that decides", "[assessment
       GENERATE(DecidingTest::anova, DecidingTest::welch, DecidingTest::kruskal_wallis, DecidingTest::friedman);
   CAPTURE(name_of(test));
   Random random(2023);
-  int decided = 0, against_the_share = 0, against_the_mean = 0;
+  Decided decided;
+  std::array<int, 3> of_design{};
   for (int set = 0; set < 1000; ++set) {
-    const Made made = make(random);
+    const Design design = set % 100 == 0 ? Design::many : set % 10 == 1 ? Design::control : Design::all_pairs;
+    const Made made = make(design, random);
     if (test == DecidingTest::friedman && !made.blocked) continue;
     CAPTURE(set, made.blocked, made.groups.size());
-    const std::size_t blocks = made.blocked ? made.groups[0].size() : 0;
-    const Evidence found = judged(made.groups, Better::smaller, test, blocks);
-    const Evidence other = judged(negated(made.groups), Better::larger, test, blocks);
-    Groups reversed(made.groups.rbegin(), made.groups.rend());
-    const Evidence swapped = judged(reversed, Better::smaller, test, blocks);
-    for (std::size_t i = 0; i < found.contrasts.size(); ++i) {
-      const Contrast& pair = found.contrasts[i];
-      CHECK(other.contrasts[i].relation == pair.relation);
-      const std::size_t last = made.groups.size() - 1;
-      const auto same = [&](const Contrast& c) {
-        return c.first == last - pair.second && c.second == last - pair.first;
-      };
-      CHECK(std::ranges::find_if(swapped.contrasts, same)->relation == turned(pair.relation));
-      if (pair.relation != Relation::first_better && pair.relation != Relation::second_better) continue;
-      ++decided;
-      const int ahead = pair.relation == Relation::first_better ? 1 : -1;
-      CHECK(sign(deciding_statistic(test, made.groups, pair)) == -ahead);
-      against_the_share += sign(pair.superiority.value - 0.5) == -ahead ? 1 : 0;
-      against_the_mean += sign(of_means(made.groups[pair.first], made.groups[pair.second])) == ahead ? 1 : 0;
-    }
+    const int before = decided.pairs;
+    check_directions(made, test, decided);
+    of_design[static_cast<std::size_t>(design)] += decided.pairs - before;
   }
-  CHECK(decided > 100);
-  // The sets are such that other measures would have said otherwise.
-  CHECK(against_the_share + against_the_mean > 0);
+  for (const int pairs : of_design) CHECK(pairs > 10);
+  // The sets are such that every other measure would have said otherwise of some pair. Tests of means decide by means.
+  const bool by_ranks = test == DecidingTest::kruskal_wallis || test == DecidingTest::friedman;
+  if (by_ranks) CHECK(decided.against_the_mean > 0);
+  if (!by_ranks) CHECK(decided.against_the_mean == 0);
+  CHECK(decided.against_the_median > 0);
+  CHECK(decided.against_the_share > 0);
 }
 
 namespace {
@@ -237,9 +285,12 @@ TEST_CASE("of two groups in blocks, the better is the one that the signed ranks 
   CHECK(found.contrasts[0].p < 1e-4);
   CHECK(found.contrasts[0].relation == Relation::second_better);
   INFO(text_of(found));
-  CHECK(text_of(found).find("In short: y is better than x (not by the median or by the share of blocks)") !=
+  CHECK(text_of(found).find(
+            "In short: y is better than x (though the median and the share of blocks point the other way)") !=
         std::string::npos);
-  CHECK(text_of(found).find("though not by the median or by the share of blocks, by 0.") != std::string::npos);
+  const std::string sentence = text_of(found).substr(text_of(found).find("Who differs: y is better than x"));
+  CHECK(sentence.find(", by 0.") < sentence.find(", though the median and the share of blocks point the other way, p"));
+  CHECK(sentence.find(", though the median") < sentence.find('\n'));
   CHECK(text_of(found).find("ahead in 49 % of blocks") != std::string::npos);
   std::swap(pairs.groups[0], pairs.groups[1]);
   CHECK(evidence(pairs, {}).contrasts[0].relation == Relation::first_better);
@@ -259,5 +310,20 @@ TEST_CASE("of several groups, the better is the one that Dunn's ranks are for, w
   CHECK(pair.p < 0.001);
   CHECK(pair.relation == Relation::first_better);
   INFO(text_of(found));
-  CHECK(text_of(found).find("b (not by the median or by A12)") != std::string::npos);
+  CHECK(text_of(found).find("b (though the median and A12 point the other way)") != std::string::npos);
+}
+
+TEST_CASE("means and medians that rounding alone keeps apart point nowhere", "[assessment][directions]") {
+  const auto text_with = [](double of_first) {
+    Evidence found{.name = "x", .quantity = "x", .plan = {.test = DecidingTest::kruskal_wallis}, .pairs = 1};
+    found.groups = {{.name = "x"}, {.name = "y"}};
+    found.groups[0].described.mean = found.groups[0].described.median = of_first;
+    found.groups[1].described.mean = found.groups[1].described.median = 0.3;
+    found.contrasts = {{.first = 0, .second = 1, .p = 0.01, .ahead = 1, .relation = Relation::first_better}};
+    return text_of(found);
+  };
+  REQUIRE(0.1 + 0.2 > 0.3);
+  CHECK(text_with(0.1 + 0.2).find("x is better than y") != std::string::npos);
+  CHECK(text_with(0.1 + 0.2).find("the other way") == std::string::npos);
+  CHECK(text_with(0.301).find("though the mean and the median point the other way") != std::string::npos);
 }
