@@ -92,20 +92,34 @@ Assessment assessment_of(const Evidence& evidence) {
   return result;
 }
 
-}  // namespace
-
-Assessment assess(const Observations& observations, const AnalysisPlan& plan) {
-  const Evidence found = evidence(observations, plan);
+Assessment with_observations(const Evidence& found, const Observations& observations) {
   Assessment result = assessment_of(found);
   if (is_worth_drawing(found)) {
-    result.figures.insert(result.figures.begin(), raincloud_figure(observations, quantile_type(plan.quartiles),
+    result.figures.insert(result.figures.begin(), raincloud_figure(observations, quantile_type(found.plan.quartiles),
                                                                    figure_name(found, "observations")));
   }
   return result;
 }
 
+}  // namespace
+
+Assessment assess(const Observations& observations, const AnalysisPlan& plan) {
+  return with_observations(evidence(observations, plan), observations);
+}
+
 Assessment assess(const Summaries& summaries, const AnalysisPlan& plan) {
   return assessment_of(evidence(summaries, plan));
+}
+
+Assessment describe(const Observations& observations, const AnalysisPlan& plan) {
+  Evidence found = evidence(observations, plan);
+  found.tests.clear();
+  found.contrasts.clear();
+  found.critical_difference = not_defined;
+  for (GroupEvidence& group : found.groups) {
+    group.normality = group.normality_w = group.mean_rank = group.average_rank = not_defined;
+  }
+  return with_observations(found, observations);
 }
 
 }  // namespace ikbench

@@ -26,6 +26,8 @@ struct Assessment {
 
 Assessment assess(const Observations& observations, const AnalysisPlan& plan);
 Assessment assess(const Summaries& summaries, const AnalysisPlan& plan);
+// What was observed, and no verdict on it: nothing is ranked, tested or compared. The observations' flaw is the reason.
+Assessment describe(const Observations& observations, const AnalysisPlan& plan);
 
 std::vector<std::string> sentences_of(const Evidence& evidence);
 std::vector<std::string> headlines_of(const Evidence& evidence);

@@ -176,6 +176,14 @@ std::vector<std::string> limits(const Evidence& evidence) {
 std::vector<std::string> sentences_of(const Evidence& evidence) {
   if (evidence.groups.empty()) return {"There is no group."};
   std::vector<std::string> sentences;
+  if (evidence.groups.size() > 1 && evidence.contrasts.empty()) {
+    sentences.emplace_back(
+        "Not judged: what was observed is described, and no group is ranked, tested or compared with another. The note "
+        "under the table says why.");
+    sentences.push_back(design(evidence));
+    for (const std::string& note : evidence.notes) sentences.push_back("Note: " + note);
+    return sentences;
+  }
   if (!evidence.flaw.empty()) sentences.push_back(flaw_words(evidence));
   if (std::string words = in_short(evidence); !words.empty()) sentences.push_back("In short: " + words);
   sentences.push_back(design(evidence));

@@ -102,6 +102,14 @@ void add_anova_rows(Table& table, const AnovaTable& ours, const std::optional<An
   }
 }
 
+// Our F and p; the printed ones stay.
+void leave_out_test(Table& table) {
+  for (const char* name : {"F", "p"}) {
+    const auto column = std::ranges::find(table.columns, name, &Column::name) - table.columns.begin();
+    for (auto& row : table.rows) row[static_cast<std::size_t>(column)] = {};
+  }
+}
+
 std::vector<Column> anova_columns() {
   return {{"source", Align::left},
           {"SS"},
@@ -220,14 +228,14 @@ Table anova_table(const StudyResults& study, Metric metric, Unit unit) {
               .caption = fmt::format("Table {}: one-way ANOVA of the {}", number, quantity(metric)),
               .columns = anova_columns()};
   const StudyAnova ours = anova(study, metric, unit);
+  const bool is_judged = metric != Metric::seconds || times_are_comparable(study);
   add_anova_rows(table, ours.table, comparable_printed_anova(study, metric, unit));
-  if (!ours.table.undefined.empty()) table.notes.push_back("F and p are not defined: " + ours.table.undefined + ".");
+  if (!is_judged) leave_out_test(table);
+  if (is_judged && !ours.table.undefined.empty())
+    table.notes.push_back("F and p are not defined: " + ours.table.undefined + ".");
   table.notes.insert(table.notes.end(), ours.left_out.begin(), ours.left_out.end());
   add_notes(table, study, unit);
-  if (metric == Metric::seconds && !times_are_comparable(study)) {
-    table.notes.push_back(timing_note(study) +
-                          " So F and p are no evidence that the solvers differ, or that they do not.");
-  }
+  if (!is_judged) table.notes.push_back(timing_note(study) + " So our F and p are left out.");
   return table;
 }
 
@@ -288,11 +296,9 @@ Table status_table(const StudyResults& study) {
   table.notes.emplace_back(
       "A solve counts under the first status that applies: not_finite, claimed_but_wrong, refused, "
       "limit_violated, tolerance_missed, ok. So ok means: finite, as claimed, inside the joint limits, and within the "
-      "tolerance where "
-      "the study has one. outside_limits counts every answer with a joint outside its limits, whatever its status; "
-      "worst_outside_deg is how far the worst of them is. timing_disturbed: run one by one, while other programs were "
-      "at "
-      "work on the machine.");
+      "tolerance where the study has one. outside_limits counts every answer with a joint outside its limits, whatever "
+      "its status; worst_outside_deg is how far the worst of them is. timing_disturbed: run one by one, while other "
+      "programs were at work on the machine.");
   if (std::string note = timing_note(study); !note.empty()) table.notes.push_back(std::move(note));
   return table;
 }

@@ -116,10 +116,15 @@ std::vector<Assessment> assessments_of(const StudyResults& study, const Analysis
   if (study.solves.empty()) return {};
   std::vector<Assessment> result;
   for (const Metric metric : all_metrics) {
-    const Observations observed = observations(study, metric, plan.unit);
+    Observations observed = observations(study, metric, plan.unit);
     AnalysisPlan possible = plan;  // a foreign store may plan what its data do not have
     if (!can_be_made(plan, observed)) possible.test = DecidingTest::by_design;
-    result.push_back(assess(observed, possible));
+    if (metric != Metric::seconds || times_are_comparable(study)) {
+      result.push_back(assess(observed, possible));
+      continue;
+    }
+    observed.flaw = timing_note(study);
+    result.push_back(describe(observed, possible));
   }
   std::ranges::move(printed_assessments(study, plan), std::back_inserter(result));
   return result;

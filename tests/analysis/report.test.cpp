@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <stdexcept>
 
 #include "analysis/files.hpp"
 #include "analysis/provenance.hpp"
 #include "analysis/summary.hpp"
+#include "results/csv.hpp"
 #include "tests/analysis/folder.hpp"
 #include "tests/analysis/synthetic.hpp"
 #include "tests/catch.hpp"
@@ -23,6 +25,7 @@ struct Example {
       R"({"robot": "iiwa", "path": {"kind": "helix", "points": 20}, "runs": 20, "published": "slim2023"})";
   synthetic::Shape shape = {};
   std::string command = "ikbench run slim2023 --out out";
+  double slowdown = 1;  // wall time by CPU time
 };
 
 // Saves a study of made-up solves; its keys begin with its name.
@@ -41,6 +44,7 @@ void save(Store& store, const Example& example) {
     solve.study = example.name;
     solve.series = example.name + "-" + solve.series;
     solve.session = session;
+    solve.cpu_seconds = solve.seconds / example.slowdown;
   }
   store.save_study(entry);
   store.append(solves);
@@ -238,24 +242,9 @@ TEST_CASE("what is said of times follows one state of them, in every part of a r
   const TestFolder folder;
   Store store(folder.path() / "store.db", Store::Mode::write);
   const auto report_of = [&](double slowdown, const std::string& name) {
-    StudyEntry entry{.name = name, .definition = R"({"runs": 20, "published": "slim2023"})", .series = {}};
-    std::vector<SolveRecord> solves = synthetic::solves({});
-    const std::int64_t session = store.begin_session({{"cpu", "one"}});
-    for (std::size_t i = 0; i < 6; ++i) {
-      entry.series.push_back(
-          {.key = name + std::to_string(i), .label = synthetic::Shape{}.solvers[i], .algorithm = "a", .options = "{}"});
-    }
-    for (SolveRecord& solve : solves) {
-      solve.study = name;
-      solve.series = name + solve.series.substr(7);
-      solve.session = session;
-      solve.cpu_seconds = solve.seconds / slowdown;
-    }
-    store.save_study(entry);
-    store.append(solves);
-    const Report report =
-        write_report(store, {.study = name, .folder = folder.path() / name, .figures = {.render = false}});
-    return text_of_file(report.file);
+    save(store, {.name = name, .definition = R"({"runs": 20, "published": "slim2023"})", .slowdown = slowdown});
+    write_report(store, {.study = name, .folder = folder.path() / name, .figures = {.render = false}});
+    return text_of_file(folder.path() / name / "report.md");
   };
   const auto table = [&](const std::string& name, const std::string& which) {
     return text_of_file(folder.path() / name / "tables" / (which + ".md"));
@@ -285,11 +274,82 @@ TEST_CASE("what is said of times follows one state of them, in every part of a r
   CHECK(!contains(table("busy", "table-3"), "relative only: close"));
   CHECK(!contains(table("busy", "table-3"), "relative only: differs"));
   CHECK(contains(table("busy", "table-3"), "| not defined | times are not comparable |"));
-  CHECK(contains(table("busy", "table-6"), "So F and p are no evidence"));
   CHECK(contains(table("busy", "status"), "| 0 | 400 | 0 | 0 |"));
-  const std::size_t section = busy.find("## Statistics: computing time");
-  REQUIRE(section != std::string::npos);
-  CHECK(busy.find("- Flawed: Times are not comparable", section) < busy.find("- In short:", section));
+}
+
+namespace {
+
+// From a heading to the next one of its level, and empty where there is no such heading.
+std::string section_of(const std::string& report, const std::string& heading, const std::string& next) {
+  const std::size_t at = report.find(heading);
+  return at == std::string::npos ? "" : report.substr(at, report.find(next, at + heading.size()) - at);
+}
+
+std::size_t times_said(const std::string& text, const std::string& words) {
+  std::size_t count = 0;
+  for (std::size_t at = text.find(words); at != std::string::npos; at = text.find(words, at + 1)) ++count;
+  return count;
+}
+
+}  // namespace
+
+TEST_CASE("times that are not comparable have no verdict anywhere in a report", "[report]") {
+  const Unit unit = GENERATE(Unit::run, Unit::point);
+  const TestFolder folder;
+  Store store(folder.path() / "store.db", Store::Mode::write);
+  save(store, {.slowdown = 2});
+  write_report(
+      store,
+      {.study = "slim2023", .folder = folder.path(), .plan = AnalysisPlan{.unit = unit}, .figures = {.render = false}});
+  const std::string text = text_of_file(folder.path() / "report.md");
+  const std::string page = text_of_file(folder.path() / "report.html");
+  const std::string in_text = section_of(text, "## Statistics: computing time \\[s\\]\n", "\n## ");
+  const std::string in_page = section_of(page, ">Statistics: computing time [s]</h2>", "<h2");
+  for (const std::string& section : {in_text, in_page}) {
+    CAPTURE(section);
+    CHECK(contains(section, "What was observed: computing time"));
+    CHECK(contains(section, "Not judged"));
+    CHECK(times_said(section, "2.00 times their CPU time") == 2);  // once with the table, once with the figure
+    for (const char* verdict :
+         {"In short", "Who differs", "Not told apart", "Methods", "Assumptions", "classical analysis", "sound analysis",
+          "Where methods disagree", "is better than", "are the same within", "p = ", "Shapiro", "Tests of all groups",
+          "average rank", "A12"}) {
+      CAPTURE(verdict);
+      CHECK(!contains(section, verdict));
+    }
+  }
+  const auto files = files_in(folder.path());
+  CHECK(files.contains("tables/statistics-time-groups.csv"));
+  for (const char* part : {"tests", "contrasts"}) {
+    CHECK(!files.contains("tables/statistics-time-" + std::string(part) + ".csv"));
+  }
+  for (const char* part : {"differences", "ranks", "effects"}) {
+    CHECK(!files.contains("figures/statistics-time-" + std::string(part) + ".dat"));
+  }
+  // What the printed times say among themselves has a section of its own: "computing time, as printed [s]".
+  for (const std::string& whole : {text, page}) {
+    for (const char* verdict :
+         {"computing time [s]: ", "computing time \\[s\\]: ", "Who differs from whom: computing time [s]",
+          "Tests of all groups together: computing time [s]", "ANOVA of seconds",
+          "Computing time (mean, smallest first)", "relative only: agrees", "relative only: close",
+          "relative only: differs"}) {
+      CAPTURE(verdict);
+      CHECK(!contains(whole, verdict));
+    }
+  }
+  const CsvTable table_6 = parse_csv(text_of_file(folder.path() / "tables/table-6.csv"), "table-6.csv");
+  for (const auto& row : table_6.rows) {
+    CHECK(row[table_6.column("F")].empty());
+    CHECK(row[table_6.column("p")].empty());
+  }
+  CHECK(contains(text_of_file(folder.path() / "tables/table-6.md"), "Times are not comparable"));
+  const auto statistics = nlohmann::json::parse(text_of_file(folder.path() / "statistics.json"));
+  for (const auto& assessment : statistics) {
+    if (assessment["quantity"] != "computing time [s]") continue;
+    CHECK(assessment["tests"].empty());
+    CHECK(assessment["contrasts"].empty());
+    CHECK(assessment["groups"].size() == 6);
+  }
 }
 
 TEST_CASE("the summary says which findings of the paper hold", "[report]") {
