@@ -134,12 +134,15 @@ std::vector<Assessment> assessments_of(const StudyResults& study, const Analysis
 std::string out_of_reach_warning(const StudyResults& study) {
   const Definition definition(study.definition);
   const auto of = [&](const char* name) { return definition.number(fmt::format("/out_of_reach/{}", name)); };
-  if (!(of("points") > 0)) return "";
+  const double points = of("points");
+  if (!(points > 0)) return "";
+  const bool is_one = points == 1;
   return fmt::format(
-      "{} of the {} targets of a run are out of the arm's reach: the farthest, point {}, is {} cm from the shoulder; "
-      "the reach is {} cm. No solver can come to them, so errors there say nothing of the solvers.",
-      of("points"), study.points, of("farthest_point"), rounded_number(of("farthest_cm"), 4),
-      rounded_number(of("reach_cm"), 4));
+      "{} of the {} targets of a run {} out of the arm's reach ({}point {}: {} {} cm from the shoulder; the reach "
+      "is {} cm). No solver can reach {}, so errors there say nothing about the solvers.",
+      points, study.points, is_one ? "is" : "are", is_one ? "" : "the farthest is ", of("farthest_point"),
+      definition.text("/search") == "wrist" ? "the wrist's centre would be" : "it is",
+      rounded_number(of("farthest_cm"), 4), rounded_number(of("reach_cm"), 4), is_one ? "it" : "them");
 }
 
 std::vector<std::string> warnings_of(const StudyResults& study, const std::vector<StudyResults>& companions) {
