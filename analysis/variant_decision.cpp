@@ -17,7 +17,7 @@ std::string of_constants(const MetricComparison& comparison) {
   const std::string number = a == b ? fmt::format("{}", a) : fmt::format("{} and {}", a, b);
   return comparison.mean_favours == 0
              ? fmt::format("equal in these {} {}s", number, comparison.observation)
-             : fmt::format("differs in these {} {}s; so few show no more", number, comparison.observation);
+             : fmt::format("differs in these {} {}s; too few to show more", number, comparison.observation);
 }
 
 // What is known of a metric that no test has decided.

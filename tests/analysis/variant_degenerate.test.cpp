@@ -40,7 +40,7 @@ TEST_CASE("what is constant in few runs differs in these runs, and shows no more
   const MetricComparison two = comparison_of(2, {});
   CHECK(two.outcome == Outcome::undecided);
   CHECK_FALSE(two.is_fact);
-  CHECK(two.remark == "differs in these 2 runs; so few show no more");
+  CHECK(two.remark == "differs in these 2 runs; too few to show more");
   CHECK(two.p_worse == Approx(1 / 3.0));  // 2 of the 6 ways to choose two of four
   CHECK(two.p_ranks == Approx(1 / 3.0));
   CHECK(comparison_of(3, {}).outcome == Outcome::undecided);  // 2 of 20
@@ -52,7 +52,7 @@ TEST_CASE("what is constant in few runs differs in these runs, and shows no more
   const MetricComparison from_none =
       compared(solved(2, Status::tolerance_missed, {}), solved(2, Status::ok, {}), {"solved"}).metrics.front();
   CHECK(from_none.outcome == Outcome::undecided);
-  CHECK(from_none.remark == "differs in these 2 runs; so few show no more");
+  CHECK(from_none.remark == "differs in these 2 runs; too few to show more");
   CHECK(compared(solved(4, Status::tolerance_missed, {}), solved(4, Status::ok, {}), {"solved"})
             .metrics.front()
             .outcome == Outcome::better);

@@ -345,7 +345,7 @@ degenerate "Welch's ANOVA (without B, whose spread is none or not defined): F(1,
 degenerate "Every group has one value alone" A "1 1 1 1 1" B "2 2 2 2 2"
 has "$out" "A is better than B: 1 against 2, by 1, p = 0.00794, ahead in 100 %" # 2 of 252 arrangements
 degenerate "The same within 5 %: A and B" A "1 1 1 1" B "1 1 1 1"
-degenerate "Not told apart: A and B (equal in all observations; so few show no more)" A "1 1 1" B "1 1 1"
+degenerate "Not told apart: A and B (equal in all observations, but too few to call them the same)" A "1 1 1" B "1 1 1"
 degenerate "equal variances could not be tested" A "1.1 1.4" B "2.3 9.7" C "0.1 0.7"
 degenerate "1 of the 3 pairs differs. No pair with A is among them: B is better than C: 2 against 3, by 1" A "1 2 3 1 2 3" B "2 2 2 2 2 2" C "3 3 3 3 3 3"
 has "$out" "dominated by A, while B has none"

@@ -2,7 +2,7 @@
 # ik_bat there, and writes the digests of the copy.
 file(COPY ${SOURCE}/robots ${SOURCE}/solvers ${SOURCE}/experiments DESTINATION ${ROOT})
 file(READ ${SOURCE}/solvers/ik_bat.cpp text)
-string(REPLACE "0.5 * (best + theta_s)" "0.6 * (best + theta_s)" edited "${text}")
+string(REPLACE "options_.step_factor * loudness_" "0.9 * options_.step_factor * loudness_" edited "${text}")
 if(edited STREQUAL text)
   message(FATAL_ERROR "solvers/ik_bat.cpp has no longer what is to be edited")
 endif()
