@@ -42,33 +42,46 @@ std::error_code write_all(int descriptor, std::string_view text) {
   return {};
 }
 
-// Writes what is opened by the path: a new file, or whatever is there. `former` is the file that it will replace.
-std::error_code write_into(const fs::path& file, std::string_view text, const struct stat* former = nullptr) {
-  const mode_t mode = former == nullptr ? 0666 : 0600;
-  const int descriptor = ::open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, mode);
+std::error_code closed(int descriptor, std::error_code error) {
+  return ::close(descriptor) != 0 && !error ? last_error() : error;
+}
+
+// Writes what is opened by the path: a new file, or whatever is there.
+std::error_code write_into(const fs::path& file, std::string_view text) {
+  const int descriptor = ::open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  return descriptor < 0 ? last_error() : closed(descriptor, write_all(descriptor, text));
+}
+
+// Whole or not at all. `former` is the file whose place it takes.
+std::error_code replace(const fs::path& file, std::string_view text, const struct stat* former) {
+  const fs::path half = file.string() + fmt::format(".half-{}", ::getpid());
+  std::error_code ignored;
+  fs::remove(half, ignored);  // of a process that had our number
+  const int descriptor = ::open(half.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, former == nullptr ? 0666 : 0600);
   if (descriptor < 0) return last_error();
   std::error_code error = write_all(descriptor, text);
   if (former != nullptr) pass_on(*former, descriptor);
-  if (::close(descriptor) != 0 && !error) error = last_error();
-  return error;
-}
-
-std::error_code replace(const fs::path& file, std::string_view text, const struct stat* former) {
-  const fs::path half = file.string() + fmt::format(".half-{}", ::getpid());
-  std::error_code error = write_into(half, text, former);
+  error = closed(descriptor, error);
   if (!error) fs::rename(half, file, error);
-  std::error_code ignored;
   if (error) fs::remove(half, ignored);
   return error;
 }
 
-// Standard output or error, where that is the file: what the shell has opened, for appending perhaps.
+// The descriptor that the shell has opened the file with, for appending perhaps: standard output, or another as in
+// `exec 3>>log`, which /dev/fd/3 names.
 std::optional<int> open_already(const struct stat& file) {
-  for (const int descriptor : {STDOUT_FILENO, STDERR_FILENO}) {
+  constexpr int most = 256;
+  for (int descriptor = 0; descriptor < most; ++descriptor) {
     struct stat open {};
-    if (::fstat(descriptor, &open) == 0 && open.st_dev == file.st_dev && open.st_ino == file.st_ino) return descriptor;
+    if (::fstat(descriptor, &open) != 0 || open.st_dev != file.st_dev || open.st_ino != file.st_ino) continue;
+    if ((::fcntl(descriptor, F_GETFL) & O_ACCMODE) != O_RDONLY) return descriptor;
   }
   return std::nullopt;
+}
+
+// A file that has other names, or whose folder takes no new file, stays the file that it is.
+bool must_stay(const fs::path& place, const struct stat& file) {
+  return file.st_nlink > 1 || ::access(place.parent_path().c_str(), W_OK) != 0;
 }
 
 std::error_code write_whole(const fs::path& file, std::string_view text) {
@@ -79,9 +92,11 @@ std::error_code write_whole(const fs::path& file, std::string_view text) {
     std::fflush(nullptr);  // what was printed comes first
     return write_all(*descriptor, text);
   }
+  if (::access(file.c_str(), W_OK) != 0) return last_error();
   std::error_code error;
   const fs::path place = fs::canonical(file, error);
-  return error ? error : replace(place, text, &there);
+  if (error) return error;
+  return must_stay(place, there) ? write_into(place, text) : replace(place, text, &there);
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 namespace ikbench {
 
 // Creates the folder where missing, follows links, keeps the owner and the permissions of a file that it replaces.
+// A file that has other names, that the shell has open, or whose folder takes no new file is written in its place.
 // std::invalid_argument names the file and the system's reason.
 void write_file(const std::filesystem::path& file, std::string_view text);
 // Nothing where it cannot be read.

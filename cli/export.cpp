@@ -40,9 +40,11 @@ void add_export(CLI::App& app) {
     if (arguments->file == "-") {
       std::fwrite(text.data(), 1, text.size(), stdout);  // main sees whether it could be written
     } else {
-      std::error_code error;
-      if (std::filesystem::equivalent(arguments->file, arguments->store, error)) {
-        throw std::invalid_argument(fmt::format("-o {} is the store itself; expected another file", arguments->file));
+      for (const char* part : {"", "-wal", "-shm", "-journal"}) {
+        std::error_code error;
+        if (!std::filesystem::equivalent(arguments->file, arguments->store + part, error)) continue;
+        throw std::invalid_argument(
+            fmt::format("-o {} is the store itself, or a part of it; expected another file", arguments->file));
       }
       write_file(arguments->file, text);
     }

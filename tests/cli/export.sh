@@ -42,6 +42,21 @@ echo before >log
 "$program" export made/store.sqlite -o /dev/stdout >>log
 echo after >>log
 { echo before; cat first.csv; echo after; } | cmp - log || fail "-o /dev/stdout lost what its file had"
+echo before >log
+exec 3>>log
+succeeds export made/store.sqlite -o /dev/fd/3
+echo after >&3
+exec 3>&-
+{ echo before; cat first.csv; echo after; } | cmp - log || fail "-o /dev/fd/3 lost what its file had"
+echo old >one.csv
+ln one.csv other.csv
+succeeds export made/store.sqlite -o one.csv
+cmp other.csv first.csv || fail "-o parted a file from its other name"
+for part in '' -wal -shm -journal; do
+  [ -e "made/store.sqlite$part" ] || : >"made/store.sqlite$part"
+  refused 'is the store itself, or a part of it' export made/store.sqlite -o "made/store.sqlite$part"
+  [ -s "made/store.sqlite$part" ] || rm "made/store.sqlite$part"
+done
 
 succeeds export made/store.sqlite --study slim2023-context
 [ "$(wc -l <.out)" = 13 ] || fail "a head and 12 solves expected of the second study"
