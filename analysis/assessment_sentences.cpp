@@ -194,10 +194,10 @@ std::vector<std::string> sentences_of(const Evidence& evidence) {
   }
   if (evidence.constant) {
     for (std::string& sentence : who_differs(evidence)) sentences.push_back(std::move(sentence));
-    sentences.push_back(
-        "Every group has one value alone. p is of Fisher's exact test: could chance have dealt the values so? Of what "
-        "always "
-        "does the same, as a budget of evaluations, a difference is a fact.");
+    sentences.push_back(fmt::format(
+        "Every group has one value alone. p is of {}: could chance have dealt the values so? Of what always does the "
+        "same, as a budget of evaluations, a difference is a fact.",
+        evidence.blocks > 0 ? "the sign test within blocks" : "Fisher's exact test"));
     return sentences;
   }
   sentences.push_back(methods(evidence));

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <iterator>
 #include <optional>
 #include <string_view>
@@ -134,8 +135,9 @@ std::vector<Assessment> assessments_of(const StudyResults& study, const Analysis
 std::string out_of_reach_warning(const StudyResults& study) {
   const Definition definition(study.definition);
   const auto of = [&](const char* name) { return definition.number(fmt::format("/out_of_reach/{}", name)); };
-  const double points = of("points");
-  if (!(points > 0)) return "";
+  const double points = of("points"), all = of("farthest_point") + of("farthest_cm") + of("reach_cm");
+  const bool is_count = points >= 1 && points <= study.points && points == std::floor(points);
+  if (!is_count || !std::isfinite(all)) return "";  // nothing, or somebody's own
   const bool is_one = points == 1;
   return fmt::format(
       "{} of the {} targets of a run {} out of the arm's reach ({}point {}: {} {} cm from the shoulder; the reach "
