@@ -3,7 +3,7 @@ width_cm = 8.5
 height_cm = 6.4
 load 'style.gp'
 
-set yrange [0:0.45484362]
+set yrange [0:1.8388814325]
 shown(y) = y * 1000
 set ylabel 'computing time [ms]'
 unset key

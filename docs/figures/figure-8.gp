@@ -3,7 +3,7 @@ width_cm = 8.5
 height_cm = 7.42
 load 'style.gp'
 
-set yrange [0:0.6156368925000001]
+set yrange [0:1.9102539749999998]
 shown(y) = y * 1000
 set ylabel 'computing time [ms]'
 set xlabel 'point'

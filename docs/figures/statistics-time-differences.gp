@@ -11,8 +11,8 @@ set ytics scale 0
 set grid noytics
 set xtics enhanced
 set format x '%.6g'
-set xrange [-0.0003478692552036698:0.00020718864920645736]
-set xtics 1e-04
+set xrange [-0.001389412354837792:0.0008238257264939619]
+set xtics 5e-04
 shown(x) = x
 set xlabel 'difference: computing time [s]' noenhanced
 set arrow from 0, graph 0 to 0, graph 1 nohead back lw 0.8 lc rgb '#888888' dt 2

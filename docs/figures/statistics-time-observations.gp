@@ -11,8 +11,8 @@ set ytics scale 0
 set grid noytics
 set xtics enhanced
 set format x '%.6g'
-set xrange [6.5866151e-05:0.000453975999]
-set xtics 1e-04
+set xrange [0.00018628681200000003:0.0018399021880000001]
+set xtics 5e-04
 shown(x) = x
 set xlabel 'computing time [s]' noenhanced
 
