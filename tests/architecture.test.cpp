@@ -1,7 +1,6 @@
 // The house, as the includes build it: which folder may know which, and that a solver is one file and one line.
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <map>
 #include <set>
 #include <sstream>
@@ -9,6 +8,7 @@
 #include <vector>
 
 #include "tests/catch.hpp"
+#include "tests/sources.hpp"
 
 namespace {
 
@@ -37,14 +37,6 @@ const std::map<std::string, Names>& may_know() {
 
 // Written by CMake, in the build folder of those that include them.
 const Names generated{"build_info.hpp", "published_tables.inc", "source_digests.inc", "templates.inc"};
-
-std::string text_of(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  REQUIRE(in);
-  std::ostringstream text;
-  text << in.rdbuf();
-  return text.str();
-}
 
 // The folder of the table that a path in the repository lies in; the innermost, or else its first part.
 std::string folder_of(const std::string& path) {

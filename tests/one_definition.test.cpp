@@ -8,16 +8,15 @@
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
-#include <fstream>
 #include <map>
 #include <regex>
 #include <set>
-#include <sstream>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "tests/catch.hpp"
+#include "tests/sources.hpp"
 
 namespace {
 
@@ -146,14 +145,6 @@ std::vector<fs::path> sources() {
   }
   std::sort(files.begin(), files.end());
   return files;
-}
-
-std::string text_of(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  REQUIRE(in);
-  std::ostringstream text;
-  text << in.rdbuf();
-  return text.str();
 }
 
 }  // namespace
