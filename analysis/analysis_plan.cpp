@@ -73,10 +73,6 @@ class JsonReader {
   const Json& object_;
 };
 
-struct Value {
-  std::string field, text, meaning;
-};
-
 class Lister {
  public:
   void text(std::string_view key, const std::string& field, std::string_view meaning) {
@@ -94,19 +90,13 @@ class Lister {
     add(key, fmt::format("{:.12g}", field / unit), meaning);
   }
 
-  std::vector<Value> values;
+  std::vector<PlanValue> values;
 
  private:
   void add(std::string_view key, std::string text, std::string_view meaning) {
     values.push_back({std::string(key), std::move(text), std::string(meaning)});
   }
 };
-
-std::vector<Value> values_of(AnalysisPlan plan) {  // list_fields serves readers too
-  Lister lister;
-  list_fields(lister, plan);
-  return lister.values;
-}
 
 std::optional<AnalysisPlan> plan_in(const Json& json) {
   if (!json.is_object()) return std::nullopt;
@@ -170,6 +160,12 @@ Recorded recorded(const StudyEntry& entry, const std::vector<Session>& sessions,
 
 }  // namespace
 
+std::vector<PlanValue> values_of(AnalysisPlan plan) {  // list_fields serves readers too
+  Lister lister;
+  list_fields(lister, plan);
+  return lister.values;
+}
+
 AnalysisPlan plan_of(const StudyEntry& entry) {
   AnalysisPlan plan = plan_in(plan_json(entry)).value_or(AnalysisPlan{});
   if (std::ranges::find(entry.series, plan.control, &Series::label) == entry.series.end()) plan.control.clear();
@@ -177,7 +173,7 @@ AnalysisPlan plan_of(const StudyEntry& entry) {
 }
 
 std::string changes_between(const AnalysisPlan& before, const AnalysisPlan& after) {
-  const std::vector<Value> old = values_of(before), now = values_of(after);
+  const std::vector<PlanValue> old = values_of(before), now = values_of(after);
   std::vector<std::string> changes;
   for (std::size_t i = 0; i < now.size(); ++i) {
     if (old[i].text != now[i].text)
@@ -208,23 +204,11 @@ std::vector<std::string> plan_notes(const StudyEntry& entry, const std::vector<S
     notes.emplace_back("The study has no analysis plan; this is the program's default.");
   if (!notes.empty()) return notes;
   std::vector<std::string> values;
-  for (const Value& value : values_of(plan_of(entry))) values.push_back(value.field + ' ' + value.text);
+  for (const PlanValue& value : values_of(plan_of(entry))) values.push_back(value.field + ' ' + value.text);
   return {fmt::format("The methods {} ({}).",
                       solves.empty() ? "are fixed in the study, of which nothing is solved yet"
                                      : "were fixed in the study before its first solve in this store",
                       fmt::join(values, ", "))};
-}
-
-Table plan_table(const StudyEntry& entry, const AnalysisPlan& used, std::vector<std::string> notes) {
-  Table table{.name = "analysis-plan",
-              .caption = "How the study is judged",
-              .columns = {{"method", Align::left}, {"value", Align::left}, {"meaning", Align::left}},
-              .notes = std::move(notes)};
-  for (const Value& value : values_of(used)) table.rows.push_back({value.field, value.text, value.meaning});
-  if (const std::string given = changes_between(plan_of(entry), used); !given.empty()) {
-    table.notes.push_back(fmt::format("Given on the command line, after the data, and not by the study: {}.", given));
-  }
-  return table;
 }
 
 }  // namespace ikbench

@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "analysis/table.hpp"
 #include "results/analysis_plan.hpp"
 #include "results/record.hpp"
 #include "results/store.hpp"
@@ -14,6 +13,11 @@ namespace ikbench {
 
 // As the study's definition has it; a control that is no label of the study is none.
 AnalysisPlan plan_of(const StudyEntry& entry);
+
+struct PlanValue {
+  std::string field, text, meaning;
+};
+std::vector<PlanValue> values_of(AnalysisPlan plan);
 
 // "significance 0.05 -> 0.01, unit run -> point"; empty where the plans are the same.
 std::string changes_between(const AnalysisPlan& before, const AnalysisPlan& after);
@@ -25,8 +29,5 @@ std::vector<std::string> plan_changes(const StudyEntry& entry, const std::vector
 // Those, or that nothing was changed; and how many solves have a session that recorded no plan.
 std::vector<std::string> plan_notes(const StudyEntry& entry, const std::vector<Session>& sessions,
                                     const std::vector<SolveRecord>& solves);
-
-// The plan that is used, value by value, with those notes; they say too where it is not the study's.
-Table plan_table(const StudyEntry& entry, const AnalysisPlan& used, std::vector<std::string> notes);
 
 }  // namespace ikbench

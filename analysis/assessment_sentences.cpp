@@ -7,7 +7,6 @@
 
 #include "analysis/assessment.hpp"
 #include "analysis/assessment_words.hpp"
-#include "analysis/row_chart.hpp"
 #include "analysis/text.hpp"
 
 namespace ikbench {

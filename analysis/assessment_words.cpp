@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstddef>
 
-#include "analysis/row_chart.hpp"
 #include "analysis/text.hpp"
 
 namespace ikbench {

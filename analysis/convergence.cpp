@@ -13,7 +13,6 @@
 #include "analysis/definition.hpp"
 #include "analysis/statistics/quantile.hpp"
 #include "analysis/text.hpp"
-#include "analysis/time_assessment.hpp"
 
 namespace ikbench {
 namespace {
@@ -135,6 +134,18 @@ std::vector<double> target_errors_cm(const StudyResults& study) {
     smallest = std::max(smallest_target_cm, std::pow(10, std::floor(std::log10(std::max(best, smallest_target_cm)))));
   }
   return log_spaced(std::max(largest_target_cm, 10 * smallest), smallest, target_count);
+}
+
+std::vector<std::vector<CensoredCost>> censored_costs(const StudyResults& study, Cost cost) {
+  const double tolerance = tolerance_cm(study);
+  std::vector<std::vector<CensoredCost>> costs;
+  for (const Solves& solves : solves_by_solver(study)) {
+    auto& of_solver = costs.emplace_back();
+    for (const SolveRecord* solve : solves) {
+      of_solver.push_back({.spent = total_cost(*solve, cost), .reached = reaches(*solve, tolerance)});
+    }
+  }
+  return costs;
 }
 
 std::vector<Share> shares_within(std::vector<double> values) {

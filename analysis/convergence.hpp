@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "analysis/statistics/running_time.hpp"
 #include "analysis/study.hpp"
 
 namespace ikbench {
@@ -56,6 +57,10 @@ std::vector<double> evaluations_axis(const std::vector<Solves>& courses);
 // 51 log-spaced errors [cm], descending: from 10 (or ten times a larger tolerance) down to the tolerance of the study,
 // or without one to the whole decade below the smallest error that any solve came to, at the least 1e-8.
 std::vector<double> target_errors_cm(const StudyResults& study);
+
+// Of each solver, in the order of study.solvers: a solve that comes to the tolerance of the study has spent its whole
+// cost on it; one that does not is given up at its cost.
+std::vector<std::vector<CensoredCost>> censored_costs(const StudyResults& study, Cost cost);
 
 // The share of values that are at or below `at`.
 struct Share {

@@ -8,12 +8,11 @@
 #include <string>
 
 #include "analysis/convergence.hpp"
-#include "analysis/cost_tables.hpp"
 #include "analysis/definition.hpp"
 #include "analysis/figure_parts.hpp"
 #include "analysis/share_curves.hpp"
+#include "analysis/statistics/survival.hpp"
 #include "analysis/text.hpp"
-#include "analysis/time_assessment.hpp"
 #include "results/number.hpp"
 
 namespace ikbench {
@@ -192,6 +191,30 @@ std::optional<Figure> profile_figure(const StudyResults& study, ProfileOf of) {
   if (profile.left_out > 0) {
     figure.caption += fmt::format(" {} problems that not every solver was given are left out.", profile.left_out);
   }
+  draw_shares(figure, study, shares);
+  return figure;
+}
+
+// The share of solves that have not come to the tolerance yet.
+Figure survival_figure(const StudyResults& study) {
+  ShareCurves shares{.label = std::string(quantity(Metric::evaluations)),
+                     .share_of = "share not yet at the tolerance",
+                     .start = 1,
+                     .ends_with_last = true};
+  for (const auto& group : censored_costs(study, Cost::evaluations)) {
+    const SurvivalCurve curve = kaplan_meier(group);
+    std::vector<Share> stairs;
+    for (const SurvivalStep& step : curve.steps) stairs.push_back({.at = step.cost, .share = step.survival});
+    if (curve.undefined.empty() && (stairs.empty() || stairs.back().at < curve.last_cost)) {
+      stairs.push_back({.at = curve.last_cost, .share = stairs.empty() ? 1 : stairs.back().share});
+    }
+    shares.curves.push_back(thinned(stairs));
+  }
+  Figure figure{.name = "statistics-survival-evaluations"};
+  figure.caption = fmt::format(
+      "Share of the solves whose position error is not yet {} cm (Kaplan and Meier). A solve that does not come to it "
+      "is given up at what it spent; a curve ends with the longest solve.{}",
+      rounded_number(tolerance_cm(study), 3), is_chained(study) ? dependence(study) : "");
   draw_shares(figure, study, shares);
   return figure;
 }

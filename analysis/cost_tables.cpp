@@ -11,25 +11,15 @@
 
 #include "analysis/definition.hpp"
 #include "analysis/figure_parts.hpp"
-#include "analysis/share_curves.hpp"
 #include "analysis/statistics/log_rank.hpp"
 #include "analysis/statistics/proportion.hpp"
 #include "analysis/statistics/survival.hpp"
 #include "analysis/text.hpp"
-#include "analysis/time_assessment.hpp"
 
 namespace ikbench {
 namespace {
 
 using Groups = std::vector<std::vector<CensoredCost>>;
-
-Groups groups_of(const StudyResults& study, Cost cost) {
-  Groups groups;
-  for (const Solves& solves : solves_by_solver(study)) {
-    groups.push_back(censored_costs(solves, tolerance_cm(study), cost));
-  }
-  return groups;
-}
 
 bool is_empty_of_costs(const StudyResults& study) {
   return study.solves.empty() || !std::isfinite(tolerance_cm(study));
@@ -156,7 +146,7 @@ Table cost_table(const StudyResults& study, Cost cost) {
                           {"sp1"},
                           {"median"},
                           {"restricted_mean"}}};
-  const Groups groups = groups_of(study, cost);
+  const Groups groups = censored_costs(study, cost);
   const std::vector<Solves> solves = solves_by_solver(study);
   const Trials trials = trials_of(study);
   std::vector<SurvivalCurve> curves;
@@ -208,46 +198,11 @@ Table cost_table(const StudyResults& study, Cost cost) {
 
 }  // namespace
 
-std::vector<CensoredCost> censored_costs(const Solves& solves, double tolerance_cm, Cost cost) {
-  std::vector<CensoredCost> costs;
-  for (const SolveRecord* solve : solves) {
-    costs.push_back({.spent = total_cost(*solve, cost), .reached = reaches(*solve, tolerance_cm)});
-  }
-  return costs;
-}
-
 std::vector<Table> cost_tables(const StudyResults& study) {
   if (is_empty_of_costs(study)) return {};
   std::vector<Table> tables{cost_table(study, Cost::evaluations)};
   if (times_are_comparable(study)) tables.push_back(cost_table(study, Cost::seconds));
   return tables;
-}
-
-std::optional<Figure> survival_figure(const StudyResults& study) {
-  if (is_empty_of_costs(study)) return std::nullopt;
-  ShareCurves shares{.label = std::string(quantity(Metric::evaluations)),
-                     .share_of = "share not yet at the tolerance",
-                     .start = 1,
-                     .ends_with_last = true};
-  for (const auto& group : groups_of(study, Cost::evaluations)) {
-    const SurvivalCurve curve = kaplan_meier(group);
-    std::vector<Share> stairs;
-    for (const SurvivalStep& step : curve.steps) stairs.push_back({.at = step.cost, .share = step.survival});
-    if (curve.undefined.empty() && (stairs.empty() || stairs.back().at < curve.last_cost)) {
-      stairs.push_back({.at = curve.last_cost, .share = stairs.empty() ? 1 : stairs.back().share});
-    }
-    shares.curves.push_back(thinned(stairs));
-  }
-  Figure figure{.name = "statistics-survival-evaluations"};
-  figure.caption = fmt::format(
-      "Share of the solves whose position error is not yet {} cm (Kaplan and Meier). A solve that does not come to it "
-      "is given up at what it spent; a curve ends with the longest solve.{}",
-      rounded_number(tolerance_cm(study), 3),
-      is_chained(study) ? " The solves of a run depend on each other, so the curves describe them and no interval is "
-                          "claimed."
-                        : "");
-  draw_shares(figure, study, shares);
-  return figure;
 }
 
 }  // namespace ikbench

@@ -12,7 +12,6 @@
 #include <stdexcept>
 
 #include "analysis/contrasts.hpp"
-#include "analysis/row_chart.hpp"
 #include "analysis/statistics/anova.hpp"
 #include "analysis/statistics/bootstrap.hpp"
 #include "analysis/statistics/effect_size.hpp"

@@ -62,6 +62,18 @@ Table options_table(const StudyEntry& entry) {
   return table;
 }
 
+Table plan_table(const StudyEntry& entry, const AnalysisPlan& used, std::vector<std::string> notes) {
+  Table table{.name = "analysis-plan",
+              .caption = "How the study is judged",
+              .columns = {{"method", Align::left}, {"value", Align::left}, {"meaning", Align::left}},
+              .notes = std::move(notes)};
+  for (const PlanValue& value : values_of(used)) table.rows.push_back({value.field, value.text, value.meaning});
+  if (const std::string given = changes_between(plan_of(entry), used); !given.empty()) {
+    table.notes.push_back(fmt::format("Given on the command line, after the data, and not by the study: {}.", given));
+  }
+  return table;
+}
+
 Table environment_table(const StudyResults& study, const std::vector<Session>& sessions) {
   Table table{.name = "environment",
               .caption = "Environment",

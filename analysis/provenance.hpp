@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "analysis/analysis_plan.hpp"
 #include "analysis/study.hpp"
 #include "analysis/table.hpp"
 #include "results/store.hpp"
@@ -13,6 +14,8 @@ namespace ikbench {
 
 Table definition_table(const StudyEntry& entry);
 Table options_table(const StudyEntry& entry);
+// The plan that is used, value by value, with those notes; they say too where it is not the study's.
+Table plan_table(const StudyEntry& entry, const AnalysisPlan& used, std::vector<std::string> notes);
 // The sessions in which the study's solves were made.
 Table environment_table(const StudyResults& study, const std::vector<Session>& sessions);
 // What was typed to make the last of the study's solves; empty where the store does not say.

@@ -43,23 +43,6 @@ std::string linear_settings(const RowAxis& axis) {
 
 bool is_drawable(double value) { return std::abs(value) <= largest_drawable; }
 
-std::string row_label(std::string_view text, std::size_t length) {
-  if (text.empty()) return "(empty)";
-  const std::string line = one_line(text);
-  const std::size_t characters = character_count(line);
-  if (characters <= length) return line;
-  const std::size_t head = length / 2;
-  const std::size_t tail = characters - (length - head - 1);
-  std::string label;
-  std::size_t count = 0;
-  for (const char c : line) {
-    const bool continues = (static_cast<unsigned char>(c) & 0xC0) == 0x80;  // of a character of several bytes
-    if (!continues && ++count == head + 1) label += "…";
-    if (count <= head || count > tail) label += c;
-  }
-  return label;
-}
-
 double label_cm(std::string_view label) {
   constexpr std::string_view narrow = "fijlrt.,:;|!'()[] -";
   constexpr std::string_view wide = "mwMW@%";

@@ -18,8 +18,6 @@ constexpr double largest_drawable = 1e300;  // gnuplot works in doubles
 // Finite and not too large for an axis.
 bool is_drawable(double value);
 
-// A label of at most `length` characters, cut in its middle: variants of one solver differ at the end of their names.
-std::string row_label(std::string_view text, std::size_t length);
 // About how wide a label is in 7 pt text.
 double label_cm(std::string_view label);
 

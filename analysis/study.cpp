@@ -10,6 +10,7 @@
 #include <stdexcept>
 #include <tuple>
 
+#include "analysis/definition.hpp"
 #include "analysis/statistics/descriptive.hpp"
 
 namespace ikbench {
@@ -116,6 +117,11 @@ StudyResults make_study(std::string name, std::vector<SolveRecord> solves) {
   StudyResults study{.name = std::move(name), .solves = std::move(solves)};
   check_and_count(study);
   return study;
+}
+
+double tolerance_cm(const StudyResults& study) {
+  const double tolerance = Definition(study.definition).number("/stop/tolerance_cm");
+  return tolerance > 0 ? tolerance : not_defined;
 }
 
 const MetricInfo& info_of(Metric metric) {

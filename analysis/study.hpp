@@ -34,6 +34,9 @@ StudyResults make_study(const StudyEntry& entry, std::vector<SolveRecord> solves
 // Without a definition (a CSV of solves): solvers in the order of their first solve.
 StudyResults make_study(std::string name, std::vector<SolveRecord> solves);
 
+// The position error at which a solve ends; not defined where the study has none.
+double tolerance_cm(const StudyResults& study);
+
 enum class Metric { position_error_cm, variation_deg, seconds, evaluations };
 constexpr std::array<Metric, 4> all_metrics{Metric::position_error_cm, Metric::variation_deg, Metric::seconds,
                                             Metric::evaluations};

@@ -79,6 +79,22 @@ std::string shortened(std::string_view text, std::size_t length) {
   return line + "…";
 }
 
+std::string row_label(std::string_view text, std::size_t length) {
+  if (text.empty()) return "(empty)";
+  const std::string line = one_line(text);
+  const std::size_t characters = character_count(line);
+  if (characters <= length) return line;
+  const std::size_t head = length / 2;
+  const std::size_t tail = characters - (length - head - 1);
+  std::string label;
+  std::size_t count = 0;
+  for (const char c : line) {
+    if (!is_continuation(c) && ++count == head + 1) label += "…";
+    if (count <= head || count > tail) label += c;
+  }
+  return label;
+}
+
 std::string markdown_text(std::string_view text) {
   const std::string line = one_line(text);
   std::string result;

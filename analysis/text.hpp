@@ -12,6 +12,8 @@ namespace ikbench {
 std::string one_line(std::string_view text);
 // At most `length` characters of one line; what is cut is shown by an ellipsis.
 std::string shortened(std::string_view text, std::size_t length);
+// A label of at most `length` characters, cut in its middle: variants of one solver differ at the end of their names.
+std::string row_label(std::string_view text, std::size_t length);
 std::size_t character_count(std::string_view utf8);
 
 std::string markdown_text(std::string_view text);

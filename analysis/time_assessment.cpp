@@ -106,11 +106,6 @@ std::string scaling_verdict(const StudyResults& study, const std::vector<TimeAss
 
 }  // namespace
 
-double tolerance_cm(const StudyResults& study) {
-  const double tolerance = Definition(study.definition).number("/stop/tolerance_cm");
-  return tolerance > 0 ? tolerance : not_defined;
-}
-
 std::vector<TimeAssessment> assess_times(const StudyResults& study) {
   const double tolerance = tolerance_cm(study);
   std::vector<TimeAssessment> rows;

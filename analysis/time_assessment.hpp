@@ -28,9 +28,6 @@ struct TimeAssessment {
 };
 std::vector<TimeAssessment> assess_times(const StudyResults& study);
 
-// Of the study's definition; not defined where it has none.
-double tolerance_cm(const StudyResults& study);
-
 // What the printed mean and maximum say of real time.
 std::string printed_real_time(const PrintedTime& printed);
 

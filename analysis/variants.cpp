@@ -96,4 +96,12 @@ VariantComparison compare_variants(const Variant& a, const Variant& b, std::span
   return comparison;
 }
 
+int count(std::span<const VariantComparison> comparisons, Outcome outcome) {
+  std::int64_t result = 0;
+  for (const VariantComparison& comparison : comparisons) {
+    result += std::ranges::count(comparison.metrics, outcome, &MetricComparison::outcome);
+  }
+  return static_cast<int>(result);
+}
+
 }  // namespace ikbench

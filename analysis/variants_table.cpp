@@ -1,3 +1,5 @@
+#include "analysis/variants_table.hpp"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -7,7 +9,6 @@
 #include <nlohmann/json.hpp>
 
 #include "analysis/text.hpp"
-#include "analysis/variants.hpp"
 
 namespace ikbench {
 namespace {
@@ -71,14 +72,6 @@ std::string regressions(std::span<const VariantComparison> comparisons) {
 }
 
 }  // namespace
-
-int count(std::span<const VariantComparison> comparisons, Outcome outcome) {
-  std::int64_t result = 0;
-  for (const VariantComparison& comparison : comparisons) {
-    result += std::ranges::count(comparison.metrics, outcome, &MetricComparison::outcome);
-  }
-  return static_cast<int>(result);
-}
 
 Table variants_table(std::span<const VariantComparison> comparisons, const MarginQuestion& question) {
   Table table{

@@ -13,7 +13,7 @@
 #include "analysis/analysis_plan.hpp"
 #include "analysis/files.hpp"
 #include "analysis/text.hpp"
-#include "analysis/variants.hpp"
+#include "analysis/variants_table.hpp"
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
 #include "cli/plan_options.hpp"

@@ -1,6 +1,7 @@
 // Whether the methods were fixed before the data were seen, as the store has it; and stores that say nothing, or
 // nonsense.
 #include "analysis/analysis_plan.hpp"
+#include "analysis/provenance.hpp"
 
 #include "results/analysis_plan_fields.hpp"
 #include "tests/catch.hpp"

@@ -1,5 +1,7 @@
+#include "analysis/convergence_figures.hpp"
 #include "analysis/cost_tables.hpp"
 
+#include <optional>
 #include <limits>
 #include <sstream>
 
@@ -37,6 +39,13 @@ Table evaluations_table(const StudyResults& study) {
   REQUIRE(!tables.empty());
   CHECK(tables.front().name == "statistics-cost");
   return tables.front();
+}
+
+std::optional<Figure> survival_figure_of(const StudyResults& study) {
+  for (Figure& figure : convergence_figures(study)) {
+    if (figure.name == "statistics-survival-evaluations") return std::move(figure);
+  }
+  return std::nullopt;
 }
 
 }  // namespace
@@ -117,13 +126,13 @@ TEST_CASE("a run with missing points is not counted among those that came to the
 }
 
 TEST_CASE("the error of the verifier may be above the tolerance by its rounding, not by more", "[cost]") {
-  SolveRecord solve;
-  solve.evaluations = 7;
-  solve.position_error_cm = 0.1 + 5e-8;
-  CHECK(censored_costs({&solve}, 0.1, Cost::evaluations).front().reached);
-  CHECK(censored_costs({&solve}, 0.1, Cost::evaluations).front().spent == 7);
-  solve.position_error_cm = 0.1 + 2e-7;
-  CHECK(!censored_costs({&solve}, 0.1, Cost::evaluations).front().reached);
+  StudyResults study = eight_solves(R"({"stop": {"tolerance_cm": 0.1}})");
+  study.solves.front().evaluations = 7;
+  study.solves.front().position_error_cm = 0.1 + 5e-8;
+  CHECK(censored_costs(study, Cost::evaluations).front().front().reached);
+  CHECK(censored_costs(study, Cost::evaluations).front().front().spent == 7);
+  study.solves.front().position_error_cm = 0.1 + 2e-7;
+  CHECK(!censored_costs(study, Cost::evaluations).front().front().reached);
 }
 
 TEST_CASE("restricted means of all solvers go to the same cost, where every curve is known", "[cost]") {
@@ -159,7 +168,7 @@ TEST_CASE("costs in seconds are told only where times are comparable", "[cost]")
 TEST_CASE("without a tolerance, or without solves, there is nothing to cost", "[cost]") {
   CHECK(cost_tables(eight_solves("")).empty());
   CHECK(cost_tables(eight_solves(R"({"stop": {"tolerance_cm": 0}})")).empty());
-  CHECK(!survival_figure(eight_solves("")));
+  CHECK(!survival_figure_of(eight_solves("")));
   StudyResults study = eight_solves(independent);
   study.solves.clear();
   CHECK(cost_tables(study).empty());
@@ -179,7 +188,7 @@ TEST_CASE("every row has a cell for every column, and a time that is no number i
 }
 
 TEST_CASE("the survival curve falls from 1 where solves come to the tolerance, and ends with the longest", "[cost]") {
-  const std::optional<Figure> figure = survival_figure(eight_solves(independent));
+  const std::optional<Figure> figure = survival_figure_of(eight_solves(independent));
   REQUIRE(figure);
   std::istringstream lines(figure->data);
   std::vector<std::pair<double, double>> corners;

@@ -1,4 +1,4 @@
-#include "analysis/variants.hpp"
+#include "analysis/variants_table.hpp"
 
 #include <cmath>
 #include <stdexcept>
