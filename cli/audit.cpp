@@ -1,16 +1,22 @@
 // ikbench audit: what a paper's printed numbers say about each other; nothing is solved.
-#include "analysis/audit.hpp"
+#include "analysis/slim2023/audit.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <memory>
 
-#include "analysis/report.hpp"
+#include "analysis/report/report.hpp"
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
 
 namespace ikbench::cli {
+
+using namespace numerics;
+using namespace results;
+using namespace inference;
+using namespace report;
+using namespace slim2023;
 
 namespace {
 

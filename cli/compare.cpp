@@ -10,23 +10,30 @@
 #include <optional>
 #include <stdexcept>
 
-#include "analysis/analysis_plan.hpp"
-#include "analysis/files.hpp"
-#include "analysis/text.hpp"
-#include "analysis/variants_table.hpp"
+#include "analysis/inference/analysis_plan.hpp"
+#include "results/files.hpp"
+#include "analysis/inference/text.hpp"
+#include "analysis/report/variants_table.hpp"
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
 #include "cli/plan_options.hpp"
 #include "cli/reporting.hpp"
-#include "robots/names.hpp"
+#include "numerics/names.hpp"
 
 namespace ikbench::cli {
+
+using namespace numerics;
+using namespace solvers;
+using namespace results;
+using namespace experiments;
+using namespace inference;
+using namespace report;
 
 namespace {
 
 constexpr int regression = 3, undecided = 4;  // exit codes
 
-struct Arguments {
+struct CompareArguments {
   std::string a, b, store, study, output;
   std::vector<std::string> labels, metrics;
   AnalysisPlan plan = {};             // where the options say it
@@ -43,7 +50,7 @@ struct Compared {
   std::vector<std::string> notes;
 };
 
-MarginQuestion question_of(const Arguments& arguments, const StudyEntry& study) {
+MarginQuestion question_of(const CompareArguments& arguments, const StudyEntry& study) {
   const AnalysisPlan plan = plan_of(study);
   return {.margin = arguments.margin.value_or(plan.margin),
           .significance = arguments.significance.value_or(plan.significance),
@@ -70,7 +77,7 @@ std::string asked(const MarginQuestion& question) {
   return fmt::format("margin {}, each test at {:g}", percent(question.margin), question.significance);
 }
 
-Compared compare_labels(const Arguments& arguments) {
+Compared compare_labels(const CompareArguments& arguments) {
   if (!arguments.labels.empty())
     throw std::invalid_argument("--label is for two stores; with --store, A and B are labels");
   if (arguments.a == arguments.b)
@@ -93,7 +100,7 @@ Store opened(const std::string& file) {
 }
 
 // Of the name of A's study, where the store has one and no other is asked for.
-StudyEntry partner(const Store& store, const Arguments& arguments, const StudyEntry& of_a) {
+StudyEntry partner(const Store& store, const CompareArguments& arguments, const StudyEntry& of_a) {
   if (!arguments.study.empty()) return store.study(arguments.study);
   for (StudyEntry& study : store.studies()) {
     if (study.name == of_a.name) return std::move(study);
@@ -117,7 +124,7 @@ std::vector<std::string> common_labels(const std::vector<Variant>& a, const std:
   return common;
 }
 
-Compared compare_stores(const Arguments& arguments) {
+Compared compare_stores(const CompareArguments& arguments) {
   const Store of_a = opened(arguments.a), of_b = opened(arguments.b);
   const StudyEntry first = chosen_study(of_a, arguments.study), second = partner(of_b, arguments, first);
   const std::vector<Variant> a = variants(of_a, first), b = variants(of_b, second);
@@ -154,7 +161,7 @@ std::string markdown(const Compared& compared, Table table) {
   return to_markdown(table);
 }
 
-void refuse_output(const Arguments& arguments) {
+void refuse_output(const CompareArguments& arguments) {
   const std::filesystem::path file(arguments.output);
   const std::string type = file.extension().string();
   if (type != ".md" && type != ".csv" && type != ".json") {
@@ -177,13 +184,13 @@ void write_output(const Compared& compared, const std::string& file) {
                                     : variants_json(compared.comparisons, compared.question));
 }
 
-int exit_code(const Compared& compared, const Arguments& arguments) {
+int exit_code(const Compared& compared, const CompareArguments& arguments) {
   const auto is_there = [&](Outcome outcome) { return count(compared.comparisons, outcome) > 0; };
   if (is_there(Outcome::worse)) return regression;
   return arguments.strict && (is_there(Outcome::undecided) || is_there(Outcome::not_compared)) ? undecided : 0;
 }
 
-void compare(const Arguments& arguments, Invocation& invocation) {
+void compare(const CompareArguments& arguments, Invocation& invocation) {
   if (!arguments.output.empty()) refuse_output(arguments);
   const Compared compared = arguments.store.empty() ? compare_stores(arguments) : compare_labels(arguments);
   if (!arguments.output.empty()) write_output(compared, arguments.output);
@@ -199,7 +206,7 @@ void compare(const Arguments& arguments, Invocation& invocation) {
 }  // namespace
 
 void add_compare(CLI::App& app, Invocation& invocation) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<CompareArguments>();
   CLI::App* command =
       app.add_subcommand("compare", "Is a variant of a solver better, the same or worse? Exit code 3 on a regression");
   command->add_option("A", arguments->a, "the baseline: a store.sqlite, or with --store a label")->required();

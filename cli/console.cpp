@@ -8,9 +8,12 @@
 #include <csignal>
 #include <cstdio>
 
-#include "analysis/text.hpp"
+#include "analysis/inference/text.hpp"
 
 namespace ikbench::cli {
+
+using namespace experiments;
+using namespace inference;
 
 namespace {
 

@@ -44,7 +44,7 @@ class ProgressText {
   enum class Medium { terminal, log };
 
   ProgressText(std::string title, Medium medium, Clock::time_point started);
-  std::string at(Clock::time_point now, const Progress& progress);  // empty where it is too soon after the last
+  std::string at(Clock::time_point now, const experiments::Progress& progress);  // empty where it is too soon after the last
 
  private:
   std::string title_;
@@ -60,7 +60,7 @@ class ProgressBar {
   ~ProgressBar();
   ProgressBar(const ProgressBar&) = delete;
   ProgressBar& operator=(const ProgressBar&) = delete;
-  void show(const Progress& progress);
+  void show(const experiments::Progress& progress);
 
  private:
   bool on_terminal_;

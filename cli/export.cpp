@@ -8,12 +8,16 @@
 #include <memory>
 #include <stdexcept>
 
-#include "analysis/files.hpp"
+#include "results/files.hpp"
 #include "cli/commands.hpp"
 #include "cli/reporting.hpp"
 #include "results/store.hpp"
 
 namespace ikbench::cli {
+
+using namespace results;
+using namespace experiments;
+using namespace report;
 
 void add_export(CLI::App& app) {
   struct Arguments {

@@ -11,6 +11,9 @@
 
 namespace ikbench::cli {
 
+using namespace results;
+using namespace experiments;
+
 void add_fingerprint(CLI::App& app) {
   struct Arguments {
     std::string store, study;

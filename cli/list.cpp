@@ -9,12 +9,18 @@
 #include "cli/console.hpp"
 #include "experiments/study_file.hpp"
 #include "results/export.hpp"
-#include "robots/instruction_set.hpp"
-#include "robots/names.hpp"
-#include "robots/units.hpp"
+#include "numerics/instruction_set.hpp"
+#include "numerics/names.hpp"
+#include "numerics/units.hpp"
 #include "solvers/registry.hpp"
 
 namespace ikbench::cli {
+
+using namespace numerics;
+using namespace robots;
+using namespace solvers;
+using namespace results;
+using namespace experiments;
 
 namespace {
 
@@ -22,7 +28,7 @@ using Rows = std::vector<std::vector<std::string>>;
 
 std::string solver_list() {
   Rows rows{{"NAME", "WHAT", "FROM"}};
-  for (const SolverInfo& info : solvers()) rows.push_back({info.name, info.summary, info.source});
+  for (const SolverInfo& info : all_solvers()) rows.push_back({info.name, info.summary, info.source});
   return aligned(rows);
 }
 
@@ -39,7 +45,7 @@ std::string solver_details(std::string_view name) {
 
 std::string robot_list() {
   Rows rows{{"NAME", "JOINTS", "WHAT"}};
-  for (const Robot& arm : robots()) rows.push_back({arm.name, std::to_string(arm.joints()), arm.summary});
+  for (const Robot& arm : all_robots()) rows.push_back({arm.name, std::to_string(arm.joints()), arm.summary});
   return aligned(rows);
 }
 

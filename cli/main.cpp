@@ -8,11 +8,13 @@
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
 #include "experiments/environment.hpp"
-#include "robots/instruction_set.hpp"
-#include "robots/names.hpp"
+#include "numerics/instruction_set.hpp"
+#include "numerics/names.hpp"
 
 int main(int argc, char** argv) {
-  using namespace ikbench;
+  namespace cli = ikbench::cli;
+  using namespace ikbench::numerics;
+  using namespace ikbench::experiments;
   CLI::App app("Runs inverse-kinematics solvers on studies, remembers every solve, and says what the numbers mean.",
                "ikbench");
   app.footer(

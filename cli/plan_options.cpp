@@ -7,9 +7,15 @@
 
 #include "cli/reporting.hpp"
 #include "results/analysis_plan_fields.hpp"
-#include "results/number.hpp"
+#include "numerics/number.hpp"
 
 namespace ikbench::cli {
+
+using namespace numerics;
+using namespace solvers;
+using namespace results;
+using namespace report;
+
 namespace {
 
 // A number of the range, digits and point alone: CLI11 reads more than that as numbers.

@@ -8,7 +8,7 @@
 namespace ikbench::cli {
 
 // --test, --adjustment, --control, --significance, --margin, --power, --quartiles; defaults are what the plan holds.
-void add_plan_options(CLI::App& command, AnalysisPlan& plan);
+void add_plan_options(CLI::App& command, results::AnalysisPlan& plan);
 
 // Each alone; --margin as "5%" or "0.05".
 CLI::Option* add_margin_option(CLI::App& command, double& margin);

@@ -7,8 +7,8 @@
 #include <atomic>
 #include <memory>
 
-#include "analysis/report.hpp"
-#include "analysis/study.hpp"
+#include "analysis/report/report.hpp"
+#include "analysis/inference/study.hpp"
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
 #include "cli/reporting.hpp"
@@ -16,9 +16,18 @@
 
 namespace ikbench::cli {
 
+using namespace numerics;
+using namespace solvers;
+using namespace results;
+using namespace experiments;
+using namespace inference;
+using namespace figures;
+using namespace report;
+using namespace slim2023;
+
 namespace {
 
-struct Arguments {
+struct ReadingsArguments {
   std::string study, out;
   std::vector<std::string> grid;
   Overrides overrides;
@@ -100,7 +109,7 @@ std::string reading_list() {
   return aligned(rows);
 }
 
-void write_and_tell(const ReadingsReport& report, const Arguments& arguments) {
+void write_and_tell(const ReadingsReport& report, const ReadingsArguments& arguments) {
   fmt::print("{}\n", aligned(readable_cells(report.table)));
   for (const std::string& note : report.table.notes) fmt::print("{}\n", printable(note));
   if (arguments.out.empty()) return;
@@ -126,7 +135,7 @@ Read read(const std::string& paper, const ReadingsPlan& plan, int jobs, const st
 }
 
 void add_readings(CLI::App& app, Invocation& invocation) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<ReadingsArguments>();
   CLI::App* command = app.add_subcommand(
       "readings", "Each reading of the paper against the default: which one moves which number of Table 3");
   command->add_option("STUDY", arguments->study, "the study whose readings they are: slim2023")

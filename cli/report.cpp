@@ -6,6 +6,8 @@
 
 namespace ikbench::cli {
 
+using namespace results;
+
 void add_report(CLI::App& app) {
   struct Arguments {
     std::string store, study, out;

@@ -7,14 +7,21 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
-#include "analysis/analysis_plan.hpp"
-#include "analysis/report.hpp"
+#include "analysis/inference/analysis_plan.hpp"
+#include "analysis/report/report.hpp"
 #include "cli/console.hpp"
 #include "experiments/environment.hpp"
 #include "experiments/runner.hpp"
 #include "experiments/study_file.hpp"
 
 namespace ikbench::cli {
+
+using namespace numerics;
+using namespace results;
+using namespace experiments;
+using namespace inference;
+using namespace report;
+using namespace slim2023;
 
 namespace {
 

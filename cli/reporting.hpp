@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "analysis/figure.hpp"
-#include "analysis/table.hpp"
+#include "analysis/figures/figure.hpp"
+#include "analysis/report/table.hpp"
 #include "experiments/runner.hpp"
 #include "results/store.hpp"
 
@@ -34,16 +34,16 @@ struct WrittenReport {
   std::filesystem::path folder;
   ReportArguments arguments = {};
   std::vector<std::string> remarks = {};  // printed after the summary
-  std::vector<Table> tables = {};
-  std::vector<Figure> figures = {};
+  std::vector<report::Table> tables = {};
+  std::vector<figures::Figure> figures = {};
 };
 
 // Writes tables, figures, report.md and report.html into the folder; prints the summary, the remarks and, as the last
 // line, the path of report.html.
-void write_and_announce(const Store& store, WrittenReport wanted);
+void write_and_announce(const results::Store& store, WrittenReport wanted);
 
 // The study of that name, or the first of the store where the name is empty.
-StudyEntry chosen_study(const Store& store, const std::string& name);
+results::StudyEntry chosen_study(const results::Store& store, const std::string& name);
 
 struct RunArguments {
   std::string out;
@@ -53,13 +53,13 @@ struct RunArguments {
 void add_run_options(CLI::App& command, RunArguments& arguments);
 
 // On standard error, where there are any.
-void warn_of_unreachable(const Study& study);
+void warn_of_unreachable(const experiments::Study& study);
 
 enum class Ended { complete, stopped };
 
 // Runs a study into the folder's store.sqlite with progress; warns of targets out of reach; says what was done, and
 // after Ctrl-C how to go on.
-Ended run_and_tell(const Study& study, const std::filesystem::path& folder, RunRequest request);
+Ended run_and_tell(const experiments::Study& study, const std::filesystem::path& folder, experiments::RunRequest request);
 
 std::filesystem::path store_in(const std::filesystem::path& folder);
 

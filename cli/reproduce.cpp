@@ -6,7 +6,7 @@
 #include <thread>
 #include <utility>
 
-#include "analysis/audit.hpp"
+#include "analysis/slim2023/audit.hpp"
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
 #include "cli/readings.hpp"
@@ -15,6 +15,11 @@
 #include "results/fingerprint.hpp"
 
 namespace ikbench::cli {
+
+using namespace results;
+using namespace experiments;
+using namespace report;
+using namespace slim2023;
 
 namespace {
 

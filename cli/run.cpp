@@ -8,6 +8,9 @@
 
 namespace ikbench::cli {
 
+using namespace results;
+using namespace experiments;
+
 void add_run(CLI::App& app, Invocation& invocation) {
   struct Arguments {
     std::string study;

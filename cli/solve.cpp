@@ -11,14 +11,21 @@
 #include "experiments/runner.hpp"
 #include "experiments/study_file.hpp"
 #include "robots/spherical_wrist.hpp"
-#include "robots/units.hpp"
+#include "numerics/units.hpp"
 #include "solvers/registry.hpp"
 
 namespace ikbench::cli {
 
+using namespace numerics;
+using namespace robots;
+using namespace solvers;
+using namespace results;
+using namespace experiments;
+using namespace report;
+
 namespace {
 
-struct Arguments {
+struct SolveArguments {
   std::string robot = "kuka_iiwa14", solver = "damped_least_squares", tool = "down", search;
   std::vector<double> position_cm, rpy_deg, start_deg;
   Overrides overrides;
@@ -27,7 +34,7 @@ struct Arguments {
 };
 
 // The study that asks for just this; read as a file would be, so that the same ranges hold.
-Study study_of(const Arguments& arguments) {
+Study study_of(const SolveArguments& arguments) {
   solver(arguments.solver);
   const Robot arm = robot(arguments.robot);
   const int joints = arm.joints();
@@ -58,7 +65,7 @@ Study study_of(const Arguments& arguments) {
   return parse_study(to_toml(study), "the command line", overrides);
 }
 
-Pose target_of(const Arguments& arguments) {
+Pose target_of(const SolveArguments& arguments) {
   Pose target = Pose::Identity();
   target.translation() = Eigen::Map<const Eigen::Vector3d>(arguments.position_cm.data()) / 100;
   if (arguments.rpy_deg.empty()) {
@@ -90,7 +97,7 @@ std::string shown(const SolveRecord& record, Search search) {
 }  // namespace
 
 void add_solve(CLI::App& app) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<SolveArguments>();
   CLI::App* command = app.add_subcommand("solve", "Solve one target, and say how well it was solved");
   command->add_option("--position-cm", arguments->position_cm, "target x y z")->required()->expected(3)->delimiter(',');
   command->add_option("--rpy-deg", arguments->rpy_deg, "tool's roll, pitch, yaw (else --tool)")

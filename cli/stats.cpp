@@ -9,10 +9,10 @@
 #include <set>
 #include <stdexcept>
 
-#include "analysis/assessment.hpp"
-#include "analysis/observations_csv.hpp"
-#include "analysis/statistics_report.hpp"
-#include "analysis/text.hpp"
+#include "analysis/report/assessment.hpp"
+#include "analysis/inference/observations_csv.hpp"
+#include "analysis/report/statistics_report.hpp"
+#include "analysis/inference/text.hpp"
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
 #include "cli/plan_options.hpp"
@@ -20,9 +20,15 @@
 #include "results/csv.hpp"
 
 namespace ikbench::cli {
+
+using namespace results;
+using namespace experiments;
+using namespace inference;
+using namespace report;
+
 namespace {
 
-struct Arguments {
+struct StatsArguments {
   std::string file, summaries;
   std::vector<std::string> values;
   CsvRequest csv;
@@ -64,7 +70,7 @@ std::string distinct(const std::string& name, std::set<std::string>& taken) {
 
 std::string name_of_source(const std::string& file) { return file == "-" ? "standard input" : file; }
 
-std::vector<Assessment> assessments_of(const Arguments& arguments) {
+std::vector<Assessment> assessments_of(const StatsArguments& arguments) {
   std::vector<Assessment> result;
   std::set<std::string> names;
   const Better better = arguments.larger ? Better::larger : Better::smaller;
@@ -100,7 +106,7 @@ std::vector<Assessment> assessments_of(const Arguments& arguments) {
   return result;
 }
 
-void check(const Arguments& arguments) {
+void check(const StatsArguments& arguments) {
   if (arguments.file.empty() == arguments.summaries.empty()) {
     throw std::invalid_argument("expected either a CSV file of observations or --summaries FILE.csv; see --help");
   }
@@ -152,7 +158,7 @@ void print(const Assessment& assessment) {
 }  // namespace
 
 void add_stats(CLI::App& app, Invocation& invocation) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<StatsArguments>();
   CLI::App* command =
       app.add_subcommand("stats", "The statistics of a CSV: which group is better, by how much, on what evidence");
   command->add_option("FILE", arguments->file, "CSV of observations, one row a value; - is standard input");

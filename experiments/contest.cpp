@@ -8,9 +8,14 @@
 
 #include "experiments/environment.hpp"
 #include "experiments/verifier.hpp"
-#include "robots/units.hpp"
+#include "numerics/units.hpp"
 
-namespace ikbench {
+namespace ikbench::experiments {
+
+using namespace numerics;
+using namespace robots;
+using namespace solvers;
+using namespace results;
 
 namespace {
 
@@ -103,7 +108,7 @@ SolveRecord Contest::solve(Solver& solver, const Pose& target, const Configurati
 
   const double thread_started = thread_seconds();
   const auto started = std::chrono::steady_clock::now();
-  const Solution solution = ikbench::solve(solver, problem, objective, random, study_.stop, study_.trace);
+  const Solution solution = solvers::solve(solver, problem, objective, random, study_.stop, study_.trace);
   Configuration answer = task_.completed(solution.best.q, target, start);
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - started;
   const double cpu_seconds = thread_seconds() - thread_started;
@@ -147,4 +152,4 @@ SolveRecord Contest::solve(Solver& solver, const Pose& target, const Configurati
   return record;
 }
 
-}  // namespace ikbench
+}  // namespace ikbench::experiments

@@ -10,45 +10,45 @@
 #include "robots/spherical_wrist.hpp"
 #include "solvers/registry.hpp"
 
-namespace ikbench {
+namespace ikbench::experiments {
 
 // What is searched for one target: all joints, or those before the wrist.
 class Task {
  public:
-  Task(const Study& study, const Robot& arm);
+  Task(const Study& study, const robots::Robot& arm);
 
-  const Kinematics& arm() const { return wrist_ ? wrist_->arm() : *arm_.kinematics; }
-  Eigen::Vector3d goal(const Pose& target) const { return wrist_ ? wrist_->centre(target) : target.translation(); }
-  Problem problem(const Configuration& start, int population) const;
+  const robots::Kinematics& arm() const { return wrist_ ? wrist_->arm() : *arm_.kinematics; }
+  Eigen::Vector3d goal(const robots::Pose& target) const { return wrist_ ? wrist_->centre(target) : target.translation(); }
+  solvers::Problem problem(const robots::Configuration& start, int population) const;
   // All joints of the answer: those searched, and the wrist's by the closed form.
-  Configuration completed(const Configuration& found, const Pose& target, const Configuration& start) const;
+  robots::Configuration completed(const robots::Configuration& found, const robots::Pose& target, const robots::Configuration& start) const;
 
  private:
   std::size_t chosen(const std::array<Eigen::Vector3d, 2>& branches, const Eigen::Vector3d& near) const;
 
   const Study& study_;
-  const Robot& arm_;
-  std::optional<SphericalWrist> wrist_;
+  const robots::Robot& arm_;
+  std::optional<robots::SphericalWrist> wrist_;
 };
 
 // Study, entrant and arm outlive it. It may be used by several threads at once, each with a solver of its own.
 class Contest {
  public:
-  Contest(const Study& study, const Entrant& entrant, const Robot& arm);
+  Contest(const Study& study, const Entrant& entrant, const robots::Robot& arm);
 
-  const Series& series() const { return series_; }
+  const results::Series& series() const { return series_; }
   // Good for any number of solves, one after the other: a solver that is started anew remembers nothing.
-  std::unique_ptr<Solver> make_solver() const { return info_.make(options_); }
-  SolveRecord solve(Solver& solver, const Pose& target, const Configuration& start, int run, int point) const;
+  std::unique_ptr<solvers::Solver> make_solver() const { return info_.make(options_); }
+  results::SolveRecord solve(solvers::Solver& solver, const robots::Pose& target, const robots::Configuration& start, int run, int point) const;
 
  private:
   const Study& study_;
   const Entrant& entrant_;
-  const Robot& arm_;
+  const robots::Robot& arm_;
   Task task_;
-  SolverInfo info_;
-  Settings options_;
-  Series series_;
+  solvers::SolverInfo info_;
+  solvers::Settings options_;
+  results::Series series_;
 };
 
-}  // namespace ikbench
+}  // namespace ikbench::experiments

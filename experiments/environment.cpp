@@ -12,9 +12,11 @@
 
 #include "build_info.hpp"
 #include "experiments/source_digest.hpp"
-#include "robots/instruction_set.hpp"
+#include "numerics/instruction_set.hpp"
 
-namespace ikbench {
+namespace ikbench::experiments {
+
+using namespace numerics;
 
 namespace {
 
@@ -70,4 +72,4 @@ std::string version() {
   return fmt::format("{} ({}, source {})", build_info::version, build_info::commit, source_digest());
 }
 
-}  // namespace ikbench
+}  // namespace ikbench::experiments

@@ -4,11 +4,11 @@
 #include <map>
 #include <string>
 
-namespace ikbench {
+namespace ikbench::experiments {
 
 std::map<std::string, std::string> environment();
 // Times of a debug or sanitized build say nothing about a solver.
 bool is_debug_build();
 std::string version();
 
-}  // namespace ikbench
+}  // namespace ikbench::experiments

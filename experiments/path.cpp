@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <numbers>
 
-#include "robots/functions.hpp"
+#include "numerics/functions.hpp"
 
-namespace ikbench {
+namespace ikbench::experiments {
+
+using namespace numerics;
+using namespace robots;
 
 int points(const Path& path) {
   return std::visit(
@@ -84,4 +87,4 @@ Eigen::Matrix3d rotation_from_rpy(const Eigen::Vector3d& rpy) {
   return R;
 }
 
-}  // namespace ikbench
+}  // namespace ikbench::experiments

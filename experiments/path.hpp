@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "robots/robot.hpp"
-#include "solvers/random.hpp"
+#include "numerics/random.hpp"
 
-namespace ikbench {
+namespace ikbench::experiments {
 
 // How the tool is held along a path: down is R = diag(-1, 1, -1); eq27 has (0, 1, 0) as its third column, a horizontal
 // tool, as Eq. 27 prints (its other columns are our choice).
@@ -43,17 +43,17 @@ struct RandomTargets {
   int points = 20;
 };
 
-using Path = std::variant<Helix, Circle, RandomTargets, std::vector<Pose>>;
+using Path = std::variant<Helix, Circle, RandomTargets, std::vector<robots::Pose>>;
 
 int points(const Path& path);
-std::vector<Pose> along(const Helix& helix);
-std::vector<Pose> along(const Circle& circle);
+std::vector<robots::Pose> along(const Helix& helix);
+std::vector<robots::Pose> along(const Circle& circle);
 // Of joint angles that are uniform within the limits.
-std::vector<Pose> random_poses(const Robot& arm, int count, Random& random);
+std::vector<robots::Pose> random_poses(const robots::Robot& arm, int count, numerics::Random& random);
 Eigen::Matrix3d rotation(Tool tool);
 // The nine elements, row by row.
 std::vector<double> by_rows(const Eigen::Matrix3d& R);
 // Rz(yaw) Ry(pitch) Rx(roll).
 Eigen::Matrix3d rotation_from_rpy(const Eigen::Vector3d& rpy);
 
-}  // namespace ikbench
+}  // namespace ikbench::experiments

@@ -6,9 +6,12 @@
 #include <map>
 #include <stdexcept>
 
-#include "robots/names.hpp"
+#include "numerics/names.hpp"
 
-namespace ikbench {
+namespace ikbench::experiments {
+
+using namespace numerics;
+using namespace solvers;
 
 namespace {
 
@@ -137,4 +140,4 @@ ReadingsPlan plan_readings(const std::vector<Combination>& combinations, int see
   return plan;
 }
 
-}  // namespace ikbench
+}  // namespace ikbench::experiments

@@ -8,7 +8,7 @@
 
 #include "experiments/study_file.hpp"
 
-namespace ikbench {
+namespace ikbench::experiments {
 
 // One alternative, known by what --set takes: "path.tool=eq27".
 struct Reading {
@@ -45,4 +45,4 @@ struct ReadingsPlan {
 // `overrides` hold for the default and all combinations; the seeds are 1 to `seeds`.
 ReadingsPlan plan_readings(const std::vector<Combination>& combinations, int seeds, const Overrides& overrides = {});
 
-}  // namespace ikbench
+}  // namespace ikbench::experiments

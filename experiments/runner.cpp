@@ -11,7 +11,11 @@
 #include "experiments/study_file.hpp"
 #include "experiments/workers.hpp"
 
-namespace ikbench {
+namespace ikbench::experiments {
+
+using namespace robots;
+using namespace solvers;
+using namespace results;
 
 namespace {
 
@@ -25,7 +29,7 @@ struct Chained {  // one run of one entrant, and how far it is
 // A study laid out for work. Runs outside, solvers inside: whatever drifts on the machine meanwhile touches all solvers
 // alike.
 struct Plan {
-  explicit Plan(const Study& of) : study(of), arm(robot(of.robot)), points(ikbench::points(of.path)) {
+  explicit Plan(const Study& of) : study(of), arm(robot(of.robot)), points(experiments::points(of.path)) {
     for (const Entrant& entrant : study.solvers) contests.emplace_back(study, entrant, arm);
     chains.reserve(contests.size() * static_cast<std::size_t>(study.runs));
     for (int run = 1; run <= study.runs; ++run) {
@@ -186,4 +190,4 @@ SolveRecord solve_once(const Study& study, const Entrant& entrant, const Pose& t
   return contest.solve(*contest.make_solver(), target, study.initial, 1, 1);
 }
 
-}  // namespace ikbench
+}  // namespace ikbench::experiments

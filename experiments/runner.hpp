@@ -8,7 +8,7 @@
 #include "experiments/study.hpp"
 #include "results/store.hpp"
 
-namespace ikbench {
+namespace ikbench::experiments {
 
 struct Progress {
   std::int64_t done = 0;  // solves, with those that the store already had
@@ -28,7 +28,7 @@ struct RunRequest {
 // its initial configuration; runs are independent. Numbers do not depend on `jobs` (unless a solve ends by its wall
 // time), on the order of solvers, or on what the store already had.
 // What is complete is what the store now has under the study's name: else std::invalid_argument, as below.
-Progress run(const Study& study, Store& store, const RunRequest& request);
+Progress run(const Study& study, results::Store& store, const RunRequest& request);
 
 // What the store has of the study by another version of the source, of entrants of which it has nothing by this one:
 // `run` leaves it where it is, and solves anew.
@@ -36,18 +36,18 @@ struct LeftAside {
   std::vector<std::string> labels;
   std::int64_t solves = 0;
 };
-LeftAside left_aside(const Study& study, const Store& store);
+LeftAside left_aside(const Study& study, const results::Store& store);
 
 // std::invalid_argument where the store's study of that name is another one, or is solved by another version of the
 // source: another process saved it meanwhile.
-void check_is_stored(const Study& study, const Store& store);
+void check_is_stored(const Study& study, const results::Store& store);
 
 // All solves of a study, without a store. `take` gets each as soon as it is done, by one thread at a time: those of a
 // run in the order of its points. `cancelled` is looked at before every solve.
-void solve_study(const Study& study, int jobs, const std::function<void(SolveRecord)>& take,
+void solve_study(const Study& study, int jobs, const std::function<void(results::SolveRecord)>& take,
                  const std::atomic<bool>* cancelled = nullptr);
 
 // One target, by one entrant, with every number that a study would record.
-SolveRecord solve_once(const Study& study, const Entrant& entrant, const Pose& target);
+results::SolveRecord solve_once(const Study& study, const Entrant& entrant, const robots::Pose& target);
 
-}  // namespace ikbench
+}  // namespace ikbench::experiments

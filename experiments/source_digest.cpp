@@ -4,7 +4,7 @@
 #include <stdexcept>
 #include <utility>
 
-namespace ikbench {
+namespace ikbench::experiments {
 
 namespace {
 
@@ -22,4 +22,4 @@ std::string solver_source_digest(std::string_view solver) {
   return std::string(found->second);
 }
 
-}  // namespace ikbench
+}  // namespace ikbench::experiments

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-namespace ikbench {
+namespace ikbench::experiments {
 
 // Of all of it.
 std::string source_digest();
@@ -14,4 +14,4 @@ std::string shared_source_digest();
 // Of a registered solver's own file.
 std::string solver_source_digest(std::string_view solver);
 
-}  // namespace ikbench
+}  // namespace ikbench::experiments

@@ -7,10 +7,15 @@
 #include "experiments/source_digest.hpp"
 #include "results/record.hpp"
 #include "robots/spherical_wrist.hpp"
-#include "robots/units.hpp"
+#include "numerics/units.hpp"
 #include "solvers/registry.hpp"
 
-namespace ikbench {
+namespace ikbench::experiments {
+
+using namespace numerics;
+using namespace robots;
+using namespace solvers;
+using namespace results;
 
 namespace {
 
@@ -173,4 +178,4 @@ std::vector<Unreachable> unreachable(const Study& study) {
   return found;
 }
 
-}  // namespace ikbench
+}  // namespace ikbench::experiments

@@ -12,7 +12,7 @@
 #include "solvers/options.hpp"
 #include "solvers/solve.hpp"
 
-namespace ikbench {
+namespace ikbench::experiments {
 
 // wrist: the solver searches the joints before a spherical wrist, whose angles follow in closed form (Eqs. 15-17).
 // all_joints: it searches all joints for the position alone.
@@ -37,7 +37,7 @@ enum class Start { previous, initial };
 struct Entrant {
   std::string label;   // unique within the study; its name in tables and figures
   std::string solver;  // registered name
-  Settings options;    // those that differ from the solver's defaults
+  solvers::Settings options;    // those that differ from the solver's defaults
   int population = 0;  // 0: the study's
 };
 
@@ -54,12 +54,12 @@ struct Study {
   Start start = Start::previous;
   Eigen::VectorXd initial;  // [rad], all joints; where the arm is before the first point of a run
   int population = 50;
-  StopRule stop;
+  solvers::StopRule stop;
   int runs = 20;
   std::uint64_t seed = 1;
-  Trace trace = Trace::none;
+  solvers::Trace trace = solvers::Trace::none;
   std::vector<Entrant> solvers;
-  AnalysisPlan analysis;  // how the solves will be judged; decides no number of them
+  results::AnalysisPlan analysis;  // how the solves will be judged; decides no number of them
 };
 
 // The built-in studies by name.
@@ -67,12 +67,12 @@ std::vector<Study> studies();
 
 // What each entrant's solver is really made with: the study's bounds applied, its own options over them, defaults
 // filled in.
-Settings effective_options(const Study& study, const Entrant& entrant);
+solvers::Settings effective_options(const Study& study, const Entrant& entrant);
 int effective_population(const Study& study, const Entrant& entrant);
 
 // Where the tool has to go in a run, the same for all entrants. Only random targets differ from run to run; those of
 // one with more points begin with those of one with fewer.
-std::vector<Pose> targets(const Study& study, int run);
+std::vector<robots::Pose> targets(const Study& study, int run);
 
 // Why no two solvers of the study were given the same problem, so that there are no blocks to compare them in; empty
 // where there are: targets drawn anew in every run are the same for all solvers, and so is each target of a path whose
@@ -94,4 +94,4 @@ struct Unreachable {
 };
 std::vector<Unreachable> unreachable(const Study& study);
 
-}  // namespace ikbench
+}  // namespace ikbench::experiments

@@ -10,9 +10,9 @@
 
 #include "experiments/study.hpp"
 #include "results/analysis_plan_fields.hpp"
-#include "robots/units.hpp"
+#include "numerics/units.hpp"
 
-namespace ikbench {
+namespace ikbench::experiments {
 
 template <class Enum>
 using Choices = std::vector<std::pair<std::string, Enum>>;
@@ -20,9 +20,9 @@ using Choices = std::vector<std::pair<std::string, Enum>>;
 constexpr std::int64_t no_limit = std::numeric_limits<std::int64_t>::max();
 
 template <class Io>
-void list_fields(Io& io, StopRule& stop) {
+void list_fields(Io& io, solvers::StopRule& stop) {
   io.whole("iterations", stop.iterations, {0, 1'000'000'000}, "iterations at most");
-  io.number("tolerance_cm", stop.tolerance, centimetre, {0, 1e6}, "position error at which a solve ends; 0: none");
+  io.number("tolerance_cm", stop.tolerance, numerics::centimetre, {0, 1e6}, "position error at which a solve ends; 0: none");
   io.whole("evaluations", stop.evaluations, {0, no_limit}, "evaluations after which a solve ends; 0: no such rule");
   io.number("seconds", stop.seconds, 1, {0, 1e6},
             "wall time after which a solve ends, and numbers depend on the machine; 0: no such rule");
@@ -30,7 +30,7 @@ void list_fields(Io& io, StopRule& stop) {
 
 // In the order of the variant.
 inline const Choices<Path> path_kinds{
-    {"helix", Helix{}}, {"circle", Circle{}}, {"random", RandomTargets{}}, {"poses", std::vector<Pose>{}}};
+    {"helix", Helix{}}, {"circle", Circle{}}, {"random", RandomTargets{}}, {"poses", std::vector<robots::Pose>{}}};
 
 inline const std::string& kind_of(const Path& path) { return path_kinds[path.index()].first; }
 
@@ -44,11 +44,11 @@ void list_tool(Io& io, Tool& tool) {
 
 template <class Io>
 void list_fields(Io& io, Helix& helix) {
-  io.number("length_cm", helix.length, centimetre, {-1e6, 1e6}, "rise along z");
+  io.number("length_cm", helix.length, numerics::centimetre, {-1e6, 1e6}, "rise along z");
   io.number("turns", helix.turns, 1, {-1e3, 1e3}, "");
-  io.numbers("centre_cm", helix.centre, centimetre, 3, "centre of the bottom");
-  io.number("radius_cm", helix.radius, centimetre, {0, 1e6}, "");
-  io.number("start_deg", helix.start, degree, {-1e5, 1e5}, "angle t of the first point");
+  io.numbers("centre_cm", helix.centre, numerics::centimetre, 3, "centre of the bottom");
+  io.number("radius_cm", helix.radius, numerics::centimetre, {0, 1e6}, "");
+  io.number("start_deg", helix.start, numerics::degree, {-1e5, 1e5}, "angle t of the first point");
   io.whole("points", helix.points, point_counts, "");
   io.choice("phase", helix.phase, Choices<Phase>{{"sin_cos", Phase::sin_cos}, {"cos_sin", Phase::cos_sin}},
             "(x, y) from the centre: radius (sin t, cos t), or radius (cos t, sin t)");
@@ -60,8 +60,8 @@ void list_fields(Io& io, Helix& helix) {
 
 template <class Io>
 void list_fields(Io& io, Circle& circle) {
-  io.numbers("centre_cm", circle.centre, centimetre, 3, "");
-  io.number("radius_cm", circle.radius, centimetre, {0, 1e6}, "");
+  io.numbers("centre_cm", circle.centre, numerics::centimetre, 3, "");
+  io.number("radius_cm", circle.radius, numerics::centimetre, {0, 1e6}, "");
   io.whole("points", circle.points, point_counts,
            "point k = 0 ... n - 1 is the centre + radius (cos t, sin t, 0) with t = 360 k/n deg");
   list_tool(io, circle.tool);
@@ -97,13 +97,13 @@ void list_fields(Io& io, Study& study) {
             "inside, and an answer outside is refused: the arm stays where it was");
   io.choice("start", study.start, Choices<Start>{{"previous", Start::previous}, {"initial", Start::initial}},
             "a solve starts where the one before it left the arm, or each at initial_deg");
-  io.numbers("initial_deg", study.initial, degree, 0, "configuration before the first point of a run");
+  io.numbers("initial_deg", study.initial, numerics::degree, 0, "configuration before the first point of a run");
   io.whole("population", study.population, populations,
            "candidates an iteration; an entry of [[solvers]] may have its own");
   io.whole("runs", study.runs, {1, 1'000'000}, "independent repetitions");
   io.whole("seed", study.seed, {0, no_limit}, "");
-  io.choice("trace", study.trace, Choices<Trace>{{"none", Trace::none}, {"best_error", Trace::best_error}},
+  io.choice("trace", study.trace, Choices<solvers::Trace>{{"none", solvers::Trace::none}, {"best_error", solvers::Trace::best_error}},
             "best error after every iteration, kept in the store");
 }
 
-}  // namespace ikbench
+}  // namespace ikbench::experiments

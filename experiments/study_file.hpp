@@ -8,7 +8,7 @@
 
 #include "experiments/study.hpp"
 
-namespace ikbench {
+namespace ikbench::experiments {
 
 // "key=value" over what the study says: `runs=5`, `path.tool=eq27`, or an option of the entrants with that label or
 // solver: `IK-BA.bounds=clamp`.
@@ -32,6 +32,6 @@ std::string to_toml(const Study& study);
 // The whole study without its solvers and with its number of points and its arm, as the store keeps it.
 std::string to_json(const Study& study);
 // A plan as it stands there, at "/analysis".
-std::string to_json(const AnalysisPlan& plan);
+std::string to_json(const results::AnalysisPlan& plan);
 
-}  // namespace ikbench
+}  // namespace ikbench::experiments

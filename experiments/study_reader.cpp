@@ -12,13 +12,18 @@
 
 #include "experiments/study_fields.hpp"
 #include "experiments/study_file.hpp"
-#include "experiments/toml_table.hpp"
+#include "numerics/toml_table.hpp"
 #include "results/published.hpp"
-#include "robots/names.hpp"
+#include "numerics/names.hpp"
 #include "robots/spherical_wrist.hpp"
 #include "solvers/registry.hpp"
 
-namespace ikbench {
+namespace ikbench::experiments {
+
+using namespace numerics;
+using namespace robots;
+using namespace solvers;
+using namespace results;
 
 namespace {
 
@@ -409,4 +414,4 @@ Study load_study(const std::string& name_or_file, const Overrides& overrides,
   return parse_study(content.str(), name_or_file, overrides, points_as_observations);
 }
 
-}  // namespace ikbench
+}  // namespace ikbench::experiments

@@ -10,10 +10,15 @@
 
 #include "experiments/study_fields.hpp"
 #include "experiments/study_file.hpp"
-#include "results/number.hpp"
+#include "numerics/number.hpp"
 #include "robots/dobot_magician.hpp"
 
-namespace ikbench {
+namespace ikbench::experiments {
+
+using namespace numerics;
+using namespace robots;
+using namespace solvers;
+using namespace results;
 
 namespace {
 
@@ -257,4 +262,4 @@ std::string to_json(const Study& study) {
 
 std::string to_json(const AnalysisPlan& plan) { return dumped(json_of(plan)); }
 
-}  // namespace ikbench
+}  // namespace ikbench::experiments

@@ -6,9 +6,13 @@
 #include <limits>
 
 #include "robots/dobot_magician.hpp"
-#include "robots/functions.hpp"
+#include "numerics/functions.hpp"
 
-namespace ikbench {
+namespace ikbench::experiments {
+
+using namespace numerics;
+using namespace robots;
+using namespace results;
 
 namespace {
 
@@ -125,4 +129,4 @@ Status judge(const Verification& verified, const Requirement& requirement) {
   return Status::ok;
 }
 
-}  // namespace ikbench
+}  // namespace ikbench::experiments

@@ -5,7 +5,7 @@
 #include "results/record.hpp"
 #include "robots/robot.hpp"
 
-namespace ikbench {
+namespace ikbench::experiments {
 
 struct Verification {
   Eigen::Vector3d reached = Eigen::Vector3d::Zero();  // position of the tool [m]
@@ -17,10 +17,10 @@ struct Verification {
 };
 
 // Tool pose of a configuration by the verifier's own route, of which there is one for every kind of arm.
-Eigen::Matrix4d verified_pose(const Kinematics& arm, const Eigen::VectorXd& q);
+Eigen::Matrix4d verified_pose(const robots::Kinematics& arm, const Eigen::VectorXd& q);
 
 // `answer` and `start` have all joints of the robot. A non-finite answer gives non-finite errors.
-Verification verify(const Robot& robot, const Pose& target, const Eigen::VectorXd& start,
+Verification verify(const robots::Robot& robot, const robots::Pose& target, const Eigen::VectorXd& start,
                     const Eigen::VectorXd& answer);
 
 // What is asked of an answer besides being a finite configuration.
@@ -33,6 +33,6 @@ struct Requirement {
 
 // The most severe thing that is wrong with an answer, in the order of Status' description (results/record.hpp).
 // A difference of 1e-9 (m, rad) is rounding.
-Status judge(const Verification& verified, const Requirement& requirement);
+results::Status judge(const Verification& verified, const Requirement& requirement);
 
-}  // namespace ikbench
+}  // namespace ikbench::experiments

@@ -6,7 +6,9 @@
 
 #include <utility>
 
-namespace ikbench {
+namespace ikbench::experiments {
+
+using namespace results;
 
 namespace {
 
@@ -54,4 +56,4 @@ void Desk::hand_in(SolveRecord record) {
   is_busy_ = false;
 }
 
-}  // namespace ikbench
+}  // namespace ikbench::experiments

@@ -7,7 +7,7 @@
 
 #include "results/record.hpp"
 
-namespace ikbench {
+namespace ikbench::experiments {
 
 // Calls `worker` `jobs` times, side by side, and returns when all have ended; one job is this thread's own. What a
 // worker throws is thrown here.
@@ -17,16 +17,16 @@ void work_together(int jobs, const std::function<void()>& worker);
 // thread that is at it, so that no worker ever waits for another's. Once passing on has failed it is not tried again.
 class Desk {
  public:
-  using PassOn = std::function<void(std::vector<SolveRecord>)>;
+  using PassOn = std::function<void(std::vector<results::SolveRecord>)>;
 
   explicit Desk(PassOn pass_on) : pass_on_(std::move(pass_on)) {}
-  void hand_in(SolveRecord record);
+  void hand_in(results::SolveRecord record);
 
  private:
   PassOn pass_on_;
   std::mutex mutex_;
   bool is_busy_ = false;
-  std::vector<SolveRecord> waiting_;
+  std::vector<results::SolveRecord> waiting_;
 };
 
-}  // namespace ikbench
+}  // namespace ikbench::experiments

@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-namespace ikbench {
+namespace ikbench::results {
 
 // Which test decides. by_design: Friedman where the same targets are given to all (blocks), else Welch; the data have
 // no say in it. The others are computed beside it all the same.
@@ -42,4 +42,4 @@ struct AnalysisPlan {
   Unit unit = Unit::run;
 };
 
-}  // namespace ikbench
+}  // namespace ikbench::results

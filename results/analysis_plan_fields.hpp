@@ -12,7 +12,7 @@
 
 #include "results/analysis_plan.hpp"
 
-namespace ikbench {
+namespace ikbench::results {
 
 // Names and values, as `choice` of an Io takes them.
 template <class Enum, std::size_t count>
@@ -22,7 +22,7 @@ std::vector<std::pair<std::string, Enum>> choices_of(const std::array<std::strin
   return choices;
 }
 
-// Of study files, the command line and what a comparison is asked (analysis/variant_metric.hpp) alike.
+// Of study files, the command line and what a comparison is asked (analysis/inference/variant_metric.hpp) alike.
 constexpr std::pair<double, double> significances{0.0001, 0.2}, margins_percent{0, 99}, powers{0.5, 0.999};
 static_assert(2 * significances.second < powers.first,
               "one-sided tests double the significance; it is below any power");
@@ -45,4 +45,4 @@ void list_fields(Io& io, AnalysisPlan& plan) {
             "what one observation is: a run's mean over its points, or a point, which needs --force");
 }
 
-}  // namespace ikbench
+}  // namespace ikbench::results

@@ -7,9 +7,12 @@
 #include <stdexcept>
 #include <utility>
 
-#include "results/number.hpp"
+#include "numerics/number.hpp"
 
-namespace ikbench {
+namespace ikbench::results {
+
+using namespace numerics;
+
 namespace {
 
 constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
@@ -154,4 +157,4 @@ std::string to_csv(const CsvTable& table) {
   return text;
 }
 
-}  // namespace ikbench
+}  // namespace ikbench::results

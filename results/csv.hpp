@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-namespace ikbench {
+namespace ikbench::results {
 
 constexpr std::size_t max_csv_bytes = std::size_t{1} << 30;
 constexpr std::size_t max_csv_columns = 10'000;
@@ -29,4 +29,4 @@ std::string to_csv(const CsvTable& table);
 // One line of CSV at the end of `text`.
 void append_csv_row(std::string& text, const std::vector<std::string>& cells);
 
-}  // namespace ikbench
+}  // namespace ikbench::results

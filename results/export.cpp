@@ -6,9 +6,12 @@
 #include <type_traits>
 
 #include "results/csv.hpp"
-#include "results/number.hpp"
+#include "numerics/number.hpp"
 
-namespace ikbench {
+namespace ikbench::results {
+
+using namespace numerics;
+
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -137,4 +140,4 @@ std::string to_json(const StudyEntry& study, const std::vector<Session>& session
   return text;
 }
 
-}  // namespace ikbench
+}  // namespace ikbench::results

@@ -8,7 +8,7 @@
 #include "results/record.hpp"
 #include "results/store.hpp"
 
-namespace ikbench {
+namespace ikbench::results {
 
 struct ColumnInfo {
   std::string_view name;
@@ -29,4 +29,4 @@ std::string to_csv(const std::vector<SolveRecord>& records);
 std::string to_json(const StudyEntry& study, const std::vector<Session>& sessions,
                     const std::vector<SolveRecord>& records);
 
-}  // namespace ikbench
+}  // namespace ikbench::results

@@ -10,7 +10,7 @@
 #include <tuple>
 #include <type_traits>
 
-namespace ikbench {
+namespace ikbench::results {
 
 namespace {
 
@@ -94,4 +94,4 @@ std::string_view reference_fingerprint(std::string_view study) {
   return found == std::end(references) ? std::string_view() : found->fingerprint;
 }
 
-}  // namespace ikbench
+}  // namespace ikbench::results

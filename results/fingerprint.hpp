@@ -8,7 +8,7 @@
 
 #include "results/record.hpp"
 
-namespace ikbench {
+namespace ikbench::results {
 
 // Columns that differ from one run of the program to the next; every other is part of the fingerprint.
 constexpr std::array<std::string_view, 4> not_in_fingerprint{"seconds", "cpu_seconds", "timing", "session"};
@@ -21,4 +21,4 @@ std::string fingerprint(std::vector<SolveRecord> records);
 // The committed fingerprint of a built-in study (results/reference.inc); empty where there is none.
 std::string_view reference_fingerprint(std::string_view study);
 
-}  // namespace ikbench
+}  // namespace ikbench::results

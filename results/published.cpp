@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-namespace ikbench::published {
+namespace ikbench::results::published {
 namespace {
 
 struct Embedded {
@@ -47,4 +47,4 @@ std::vector<std::string_view> tables(std::string_view paper) {
   return names;
 }
 
-}  // namespace ikbench::published
+}  // namespace ikbench::results::published

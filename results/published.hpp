@@ -6,7 +6,7 @@
 
 #include "results/csv.hpp"
 
-namespace ikbench::published {
+namespace ikbench::results::published {
 
 // The table as printed, e.g. table("slim2023", "table-3"); std::invalid_argument where there is none.
 CsvTable table(std::string_view paper, std::string_view name);
@@ -14,4 +14,4 @@ std::vector<std::string_view> papers();
 // Names of the tables of a paper; none for a paper that is not there.
 std::vector<std::string_view> tables(std::string_view paper);
 
-}  // namespace ikbench::published
+}  // namespace ikbench::results::published

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-namespace ikbench {
+namespace ikbench::results {
 
 // Why a solve ended.
 enum class StopReason { iterations, tolerance, evaluations, time, not_finite };
@@ -113,4 +113,4 @@ void for_each_column(Visit&& visit) {
   visit("trace_cm", &SolveRecord::trace_cm, "best error after each iteration [cm], where the study asked for a trace");
 }
 
-}  // namespace ikbench
+}  // namespace ikbench::results

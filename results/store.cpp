@@ -25,9 +25,12 @@
 #include <type_traits>
 #include <utility>
 
-#include "results/number.hpp"
+#include "numerics/number.hpp"
 
-namespace ikbench {
+namespace ikbench::results {
+
+using namespace numerics;
+
 namespace {
 
 constexpr std::int64_t application_id = 0x494B424E;  // "IKBN" in the header of the file
@@ -753,4 +756,4 @@ std::vector<SolveRecord> Store::solves(const std::string& study_name) const {
   });
 }
 
-}  // namespace ikbench
+}  // namespace ikbench::results

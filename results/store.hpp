@@ -16,7 +16,7 @@
 
 #include "results/record.hpp"
 
-namespace ikbench {
+namespace ikbench::results {
 
 // One solver as it takes part in a study.
 struct Series {
@@ -77,4 +77,4 @@ class Store {
   std::unique_ptr<Database> database_;
 };
 
-}  // namespace ikbench
+}  // namespace ikbench::results

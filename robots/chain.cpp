@@ -5,9 +5,14 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "robots/functions.hpp"
+#include "numerics/functions.hpp"
+#include "numerics/instruction_set.hpp"
 
-namespace ikbench {
+namespace ikbench::robots {
+
+using namespace numerics;
+
+IKBENCH_DEFINE_KERNELS
 
 namespace {
 
@@ -102,7 +107,7 @@ void Chain::position_errors(const CandidatesRef& q, const Eigen::Vector3d& targe
                                             q.cols(), q.rows(), errors.size(), joints()));
   }
   const KernelChain chain{kernel_links_.data(), joints(), {tip_.x(), tip_.y(), tip_.z()}};
-  robot_kernels().position_errors(chain, target.data(), q.data(), q.outerStride(), q.cols(), errors.data());
+  kernels().position_errors(chain, target.data(), q.data(), q.outerStride(), q.cols(), errors.data());
 }
 
 Kinematics::Ball Chain::reach() const {
@@ -122,4 +127,4 @@ std::string Chain::definition() const {
   return text + fmt::format("{} {} {} ", tip_.x(), tip_.y(), tip_.z());
 }
 
-}  // namespace ikbench
+}  // namespace ikbench::robots

@@ -5,7 +5,7 @@
 
 #include "robots/kinematics.hpp"
 
-namespace ikbench {
+namespace ikbench::robots {
 
 struct DhLink {
   double a = 0;       // [m] along x
@@ -46,4 +46,4 @@ class Chain final : public Kinematics {
   Eigen::Vector3d tip_;
 };
 
-}  // namespace ikbench
+}  // namespace ikbench::robots

@@ -6,9 +6,12 @@
 #include <array>
 #include <cmath>
 
-#include "robots/functions.hpp"
+#include "numerics/functions.hpp"
+#include "numerics/kernels.hpp"
 
-namespace ikbench {
+namespace ikbench::robots {
+
+using namespace numerics;
 
 Pose DobotMagician::forward(const ConfigurationRef& q) const {
   const auto [s1, c1] = sin_cos(q[0]);
@@ -40,7 +43,7 @@ void DobotMagician::position_errors(const CandidatesRef& q, const Eigen::Vector3
     const Eigen::Index count = std::min(batch, q.cols() - first);
     for (std::size_t j = 0; j < 3; ++j) {
       const double* const angles = q.data() + static_cast<Eigen::Index>(j) * q.outerStride() + first;
-      robot_kernels().sines_and_cosines(angles, count, sines[j].data(), cosines[j].data());
+      numerics::kernels().sines_and_cosines(angles, count, sines[j].data(), cosines[j].data());
     }
     for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
       const double radius = upper_arm * sines[1][i] + forearm * cosines[2][i] + wrist_to_tool;
@@ -57,4 +60,4 @@ std::string DobotMagician::definition() const {
   return fmt::format(" dobot magician {} {} {} {} ", upper_arm, forearm, wrist_to_tool, height);
 }
 
-}  // namespace ikbench
+}  // namespace ikbench::robots

@@ -5,7 +5,7 @@
 
 #include "robots/kinematics.hpp"
 
-namespace ikbench {
+namespace ikbench::robots {
 
 // Three joints place the tool: the base's turn, the upper arm from the vertical, the forearm below the horizontal. The
 // fourth turns the tool about the vertical and moves it nowhere; in Table 8 it is always equal to the first.
@@ -25,4 +25,4 @@ class DobotMagician final : public Kinematics {
   std::string definition() const override;
 };
 
-}  // namespace ikbench
+}  // namespace ikbench::robots

@@ -1,10 +1,12 @@
 // Compiled once for every instruction set, with IKBENCH_KERNELS naming it; read lanes.hpp before including anything.
 #include "robots/kernels.hpp"
 
-#include "robots/elementary.hpp"
+#include "numerics/elementary.hpp"
 
-namespace ikbench {
+namespace ikbench::robots {
 namespace {
+
+using namespace numerics;
 
 // `load` gives joint j of the candidates in the lanes.
 template <class Load>
@@ -52,19 +54,10 @@ void position_errors(const KernelChain& chain, const double* target, const doubl
   });
 }
 
-void sines_and_cosines(const double* angles, ptrdiff_t count, double* sines, double* cosines) {
-  for_lanes(count, [&](ptrdiff_t i, auto some) IKBENCH_INLINE {
-    const auto [of, turns] = sin_cos(some.load(angles + i));
-    const Bits refused = angle_refused(turned_too_far(turns));
-    some.store(sines + i, reals(bits(of.sine) | refused));
-    some.store(cosines + i, reals(bits(of.cosine) | refused));
-  });
-}
-
 }  // namespace
 
 namespace IKBENCH_KERNELS {
-RobotKernels robot_kernels() { return {&position_errors, &sines_and_cosines}; }
+Kernels kernels() { return {&position_errors}; }
 }  // namespace IKBENCH_KERNELS
 
-}  // namespace ikbench
+}  // namespace ikbench::robots

@@ -1,12 +1,15 @@
-// What is computed in lanes for an arm: positions of many candidates, sines and cosines of many angles. One set of
-// functions for each instruction set, compiled from kernels.cpp; their bits are the same.
+// What is computed in lanes for an arm: the position errors of many candidates. One function for each instruction set,
+// compiled from kernels.cpp; their bits are the same.
 #pragma once
 
 #include <stddef.h>
 
-namespace ikbench {
-
+namespace ikbench::numerics {
 enum class InstructionSet;
+}
+
+namespace ikbench::robots {
+
 
 // A link as the way from the tip to the base meets it; plain data, because kernels know nothing else.
 struct KernelLink {
@@ -25,28 +28,26 @@ struct KernelChain {
   double tip[3];
 };
 
-struct RobotKernels {
+struct Kernels {
   // Distance to the target of `count` candidates; joint j of candidate i is q[j * row + i]. Not a finite number where
   // an angle is infinite, NaN or 2^51 quarter turns or more.
   void (*position_errors)(const KernelChain& chain, const double* target, const double* q, ptrdiff_t row,
                           ptrdiff_t count, double* errors);
-  // NaN for such angles.
-  void (*sines_and_cosines)(const double* angles, ptrdiff_t count, double* sines, double* cosines);
 };
 
 namespace portable {
-RobotKernels robot_kernels();
+Kernels kernels();
 }
 namespace x86_64_v3 {
-RobotKernels robot_kernels();
+Kernels kernels();
 }
 namespace x86_64_v4 {
-RobotKernels robot_kernels();
+Kernels kernels();
 }
 
 // Of a set that this machine runs.
-RobotKernels robot_kernels(InstructionSet set);
+Kernels kernels(numerics::InstructionSet set);
 // Of the set in use, looked up once.
-const RobotKernels& robot_kernels();
+const Kernels& kernels();
 
-}  // namespace ikbench
+}  // namespace ikbench::robots

@@ -7,7 +7,7 @@
 
 #include "robots/kernels.hpp"
 
-namespace ikbench {
+namespace ikbench::robots {
 
 using Pose = Eigen::Isometry3d;
 
@@ -45,4 +45,4 @@ class Kinematics {
   Eigen::Vector3d position(const ConfigurationRef& q) const { return forward(q).translation(); }
 };
 
-}  // namespace ikbench
+}  // namespace ikbench::robots

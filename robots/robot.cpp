@@ -5,10 +5,12 @@
 #include <stdexcept>
 
 #include "robots/dobot_magician.hpp"
-#include "robots/names.hpp"
-#include "robots/units.hpp"
+#include "numerics/names.hpp"
+#include "numerics/units.hpp"
 
-namespace ikbench {
+namespace ikbench::robots {
+
+using namespace numerics;
 
 namespace {
 
@@ -54,15 +56,15 @@ double JointLimits::violation(const ConfigurationRef& q) const {
   return std::max({0.0, (lower - q).maxCoeff(), (q - upper).maxCoeff()});
 }
 
-std::vector<Robot> robots() { return {kuka_iiwa14(), dobot_magician(), planar(2), planar(3)}; }
+std::vector<Robot> all_robots() { return {kuka_iiwa14(), dobot_magician(), planar(2), planar(3)}; }
 
 Robot robot(std::string_view name) {
   std::vector<std::string> names;
-  for (Robot& candidate : robots()) {
+  for (Robot& candidate : all_robots()) {
     if (candidate.name == name) return std::move(candidate);
     names.push_back(candidate.name);
   }
   throw std::invalid_argument(unknown_name("robot", name, names));
 }
 
-}  // namespace ikbench
+}  // namespace ikbench::robots

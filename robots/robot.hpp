@@ -8,7 +8,7 @@
 
 #include "robots/chain.hpp"
 
-namespace ikbench {
+namespace ikbench::robots {
 
 struct JointLimits {
   Configuration lower, upper;  // [rad], Eq. 4
@@ -28,8 +28,8 @@ struct Robot {
   const Chain* chain() const { return dynamic_cast<const Chain*>(kinematics.get()); }
 };
 
-std::vector<Robot> robots();
+std::vector<Robot> all_robots();
 // std::invalid_argument names those there are.
 Robot robot(std::string_view name);
 
-}  // namespace ikbench
+}  // namespace ikbench::robots

@@ -4,9 +4,11 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "robots/functions.hpp"
+#include "numerics/functions.hpp"
 
-namespace ikbench {
+namespace ikbench::robots {
+
+using namespace numerics;
 
 namespace {
 
@@ -62,4 +64,4 @@ std::array<Eigen::Vector3d, 2> SphericalWrist::angles(const ConfigurationRef& q_
   return both;
 }
 
-}  // namespace ikbench
+}  // namespace ikbench::robots

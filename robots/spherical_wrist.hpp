@@ -6,7 +6,7 @@
 
 #include "robots/chain.hpp"
 
-namespace ikbench {
+namespace ikbench::robots {
 
 class SphericalWrist {
  public:
@@ -36,4 +36,4 @@ class SphericalWrist {
   Eigen::Vector3d tool_in_tool_;  // tool point from the wrist's centre, in the tool's frame
 };
 
-}  // namespace ikbench
+}  // namespace ikbench::robots

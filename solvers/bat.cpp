@@ -1,11 +1,14 @@
 // BA, the bat algorithm: Yang 2010, with the parameters of Slim et al. 2023, Algorithm 1 and Table 1.
 // The reading is argued in docs/paper-notes.md 2.6.
-#include "robots/functions.hpp"
+#include "numerics/functions.hpp"
 #include "solvers/bounds.hpp"
 #include "solvers/kernels.hpp"
 #include "solvers/registry.hpp"
 
-namespace ikbench {
+namespace ikbench::solvers {
+
+using namespace numerics;
+using namespace robots;
 
 namespace {
 
@@ -100,7 +103,7 @@ class Bat final : public Solver {
   }
 
   Options options_;
-  const SolverKernels& kernels_ = solver_kernels();
+  const Kernels& kernels_ = kernels();
   Problem problem_;
   Candidates x_, v_, v_next_, candidates_, epsilon_;
   Eigen::RowVectorXd loudness_, pulse_rate_, frequency_, local_, chance_;
@@ -113,4 +116,4 @@ class Bat final : public Solver {
 
 SolverInfo bat() { return solver_info<Bat>("bat", "bat algorithm (BA)", "Yang 2010; Slim et al. 2023, Algorithm 1"); }
 
-}  // namespace ikbench
+}  // namespace ikbench::solvers

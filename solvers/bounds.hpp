@@ -1,10 +1,11 @@
 // The joint limits as solvers treat them: first candidates inside, and what becomes of one that leaves them.
 #pragma once
 
+#include "solvers/kernels.hpp"
 #include "solvers/options.hpp"
 #include "solvers/solver.hpp"
 
-namespace ikbench {
+namespace ikbench::solvers {
 
 enum class Bounds {
   initial,  // only the first candidates are inside; later ones go where they like
@@ -17,11 +18,11 @@ inline void list_bounds(OptionList& list, Bounds& bounds) {
 }
 
 // Uniform between the limits.
-inline void draw_within_limits(const Problem& problem, Random& random, Candidates& out) {
+inline void draw_within_limits(const Problem& problem, numerics::Random& random, robots::Candidates& out) {
   random.uniforms(out);
   for (Eigen::Index j = 0; j < out.rows(); ++j) {
     double* const q = &out(j, 0);
-    solver_kernels().scatter(problem.lower[j], problem.upper[j] - problem.lower[j], q, q, out.cols());
+    kernels().scatter(problem.lower[j], problem.upper[j] - problem.lower[j], q, q, out.cols());
   }
 }
 
@@ -33,9 +34,9 @@ void keep_inside(Bounds bounds, const Problem& problem, Some&& q) {
     if (q.cols() == 1) {
       q(j, 0) = std::clamp(q(j, 0), problem.lower[j], problem.upper[j]);
     } else {
-      solver_kernels().clamp(problem.lower[j], problem.upper[j], &q.coeffRef(j, 0), q.cols());
+      kernels().clamp(problem.lower[j], problem.upper[j], &q.coeffRef(j, 0), q.cols());
     }
   }
 }
 
-}  // namespace ikbench
+}  // namespace ikbench::solvers

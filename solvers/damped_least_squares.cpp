@@ -4,11 +4,14 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 
-#include "robots/functions.hpp"
+#include "numerics/functions.hpp"
 #include "solvers/bounds.hpp"
 #include "solvers/registry.hpp"
 
-namespace ikbench {
+namespace ikbench::solvers {
+
+using namespace numerics;
+using namespace robots;
 
 namespace {
 
@@ -105,4 +108,4 @@ SolverInfo damped_least_squares() {
                                          "Wampler 1986; Madsen, Nielsen and Tingleff 2004, Algorithm 3.16");
 }
 
-}  // namespace ikbench
+}  // namespace ikbench::solvers

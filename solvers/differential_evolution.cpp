@@ -11,7 +11,10 @@
 #include "solvers/kernels.hpp"
 #include "solvers/registry.hpp"
 
-namespace ikbench {
+namespace ikbench::solvers {
+
+using namespace numerics;
+using namespace robots;
 
 namespace {
 
@@ -141,7 +144,7 @@ class DifferentialEvolution final : public Solver {
   }
 
   Options options_;
-  const SolverKernels& kernels_ = solver_kernels();
+  const Kernels& kernels_ = kernels();
   Problem problem_;
   Candidates x_, trials_, chance_, crossover_, fresh_;
   std::vector<std::array<int, 3>> partners_;
@@ -157,4 +160,4 @@ SolverInfo differential_evolution() {
                                             "Storn and Price 1997", least_population);
 }
 
-}  // namespace ikbench
+}  // namespace ikbench::solvers

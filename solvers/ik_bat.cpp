@@ -1,12 +1,15 @@
 // IK-BA, the bat algorithm for inverse kinematics: Slim et al. 2023, Algorithm 2.
 // Every candidate is drawn between the best configuration and the one the arm is in (Eq. 14), so Eqs. 5, 13 and 7 move
 // the bats without any effect on the result (docs/paper-notes.md 2.4); they are kept as the paper has them.
-#include "robots/functions.hpp"
+#include "numerics/functions.hpp"
 #include "solvers/bounds.hpp"
 #include "solvers/kernels.hpp"
 #include "solvers/registry.hpp"
 
-namespace ikbench {
+namespace ikbench::solvers {
+
+using namespace numerics;
+using namespace robots;
 
 namespace {
 
@@ -120,7 +123,7 @@ class IkBat final : public Solver {
   }
 
   Options options_;
-  const SolverKernels& kernels_ = solver_kernels();
+  const Kernels& kernels_ = kernels();
   Problem problem_;
   Candidates x_, v_, x_next_, v_next_, candidates_, epsilon_;
   Eigen::RowVectorXd frequency_, chance_;
@@ -136,4 +139,4 @@ SolverInfo ik_bat() {
   return solver_info<IkBat>("ik_bat", "bat algorithm for inverse kinematics (IK-BA)", "Slim et al. 2023, Algorithm 2");
 }
 
-}  // namespace ikbench
+}  // namespace ikbench::solvers

@@ -3,12 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
-#include "robots/units.hpp"
+#include "numerics/units.hpp"
 #include "solvers/bounds.hpp"
 #include "solvers/registry.hpp"
 #include "solvers/roulette.hpp"
 
-namespace ikbench {
+namespace ikbench::solvers {
+
+using namespace numerics;
+using namespace robots;
 
 namespace {
 
@@ -169,4 +172,4 @@ SolverInfo k_artificial_bee_colony() {
                                            "El-Sherbiny, Elhosseini and Haikal 2018; Karaboga 2005");
 }
 
-}  // namespace ikbench
+}  // namespace ikbench::solvers

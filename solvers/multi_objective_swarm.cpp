@@ -9,12 +9,15 @@
 #include <utility>
 #include <vector>
 
-#include "robots/functions.hpp"
+#include "numerics/functions.hpp"
 #include "solvers/bounds.hpp"
 #include "solvers/registry.hpp"
 #include "solvers/roulette.hpp"
 
-namespace ikbench {
+namespace ikbench::solvers {
+
+using namespace numerics;
+using namespace robots;
 
 namespace {
 
@@ -342,4 +345,4 @@ SolverInfo multi_objective_swarm() {
                                           "Coello, Pulido and Lechuga 2004; Martinez-Cagigal's MOPSO");
 }
 
-}  // namespace ikbench
+}  // namespace ikbench::solvers

@@ -6,22 +6,22 @@
 
 #include "robots/kinematics.hpp"
 
-namespace ikbench {
+namespace ikbench::solvers {
 
 class Objective {
  public:
-  Objective(const Kinematics& arm, Eigen::Vector3d target) : arm_(arm), target_(std::move(target)) {}
+  Objective(const robots::Kinematics& arm, Eigen::Vector3d target) : arm_(arm), target_(std::move(target)) {}
   virtual ~Objective() = default;
 
   // Position error [m] of every candidate (a column of q) into `errors`; counts one evaluation a candidate.
-  void errors(const CandidatesRef& q, Eigen::Ref<Eigen::VectorXd> errors) {
+  void errors(const robots::CandidatesRef& q, Eigen::Ref<Eigen::VectorXd> errors) {
     evaluations_ += q.cols();
     evaluate(q, errors);
   }
 
   // Position error [m] of one candidate; counts one evaluation.
-  double error(const ConfigurationRef& q) {
-    using AsCandidate = Eigen::Map<const Candidates, 0, Eigen::OuterStride<>>;
+  double error(const robots::ConfigurationRef& q) {
+    using AsCandidate = Eigen::Map<const robots::Candidates, 0, Eigen::OuterStride<>>;
     Eigen::Matrix<double, 1, 1> error;
     errors(AsCandidate(q.data(), q.size(), 1, Eigen::OuterStride<>(q.innerStride())), error);
     return error[0];
@@ -34,7 +34,7 @@ class Objective {
   //   proposals after it depend on. If so, those are proposed anew.
   // What is decided on counts as an evaluation, as in the loop as it is written; proposals that are dropped do not.
   template <class Propose, class Decide>
-  void one_by_one(Candidates& q, Eigen::VectorXd& errors, Propose&& propose, Decide&& decide) {
+  void one_by_one(robots::Candidates& q, Eigen::VectorXd& errors, Propose&& propose, Decide&& decide) {
     for (Eigen::Index i = 0; i < q.cols();) {
       const Eigen::Index count = std::min(look_ahead_, q.cols() - i), last = i + count;
       propose(i, count);
@@ -50,7 +50,7 @@ class Objective {
 
   // The way still to go, target - position [m], and the position's Jacobian (3 x joints) into `jacobian`; counts one
   // evaluation.
-  Eigen::Vector3d linearize(const ConfigurationRef& q, Eigen::Ref<Eigen::Matrix3Xd> jacobian) {
+  Eigen::Vector3d linearize(const robots::ConfigurationRef& q, Eigen::Ref<Eigen::Matrix3Xd> jacobian) {
     ++evaluations_;
     return evaluate_linear(q, jacobian);
   }
@@ -59,21 +59,21 @@ class Objective {
 
  protected:
   // With 1 candidate to look ahead at most, one_by_one is that loop as it is written.
-  Objective(const Kinematics& arm, Eigen::Vector3d target, Eigen::Index furthest_ahead)
+  Objective(const robots::Kinematics& arm, Eigen::Vector3d target, Eigen::Index furthest_ahead)
       : arm_(arm), target_(std::move(target)), look_ahead_(furthest_ahead), furthest_ahead_(furthest_ahead) {}
 
-  virtual void evaluate(const CandidatesRef& q, Eigen::Ref<Eigen::VectorXd> errors) {
+  virtual void evaluate(const robots::CandidatesRef& q, Eigen::Ref<Eigen::VectorXd> errors) {
     arm_.position_errors(q, target_, errors);
   }
-  virtual Eigen::Vector3d evaluate_linear(const ConfigurationRef& q, Eigen::Ref<Eigen::Matrix3Xd> jacobian) {
+  virtual Eigen::Vector3d evaluate_linear(const robots::ConfigurationRef& q, Eigen::Ref<Eigen::Matrix3Xd> jacobian) {
     return target_ - arm_.linearize(q, jacobian);
   }
 
  private:
-  const Kinematics& arm_;
+  const robots::Kinematics& arm_;
   Eigen::Vector3d target_;
   Eigen::Index look_ahead_ = 64, furthest_ahead_ = 64;  // candidates
   std::int64_t evaluations_ = 0;
 };
 
-}  // namespace ikbench
+}  // namespace ikbench::solvers

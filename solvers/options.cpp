@@ -6,9 +6,11 @@
 #include <charconv>
 #include <stdexcept>
 
-#include "robots/names.hpp"
+#include "numerics/names.hpp"
 
-namespace ikbench {
+namespace ikbench::solvers {
+
+using namespace numerics;
 
 namespace {
 
@@ -87,4 +89,4 @@ Settings OptionList::values() const {
   return values;
 }
 
-}  // namespace ikbench
+}  // namespace ikbench::solvers

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-namespace ikbench {
+namespace ikbench::solvers {
 
 // Option name -> value as text.
 using Settings = std::map<std::string, std::string, std::less<>>;
@@ -66,4 +66,4 @@ class OptionList {
   std::vector<Option> options_;
 };
 
-}  // namespace ikbench
+}  // namespace ikbench::solvers

@@ -4,7 +4,10 @@
 #include "solvers/kernels.hpp"
 #include "solvers/registry.hpp"
 
-namespace ikbench {
+namespace ikbench::solvers {
+
+using namespace numerics;
+using namespace robots;
 
 namespace {
 
@@ -91,7 +94,7 @@ class ParticleSwarm final : public Solver {
   }
 
   Options options_;
-  const SolverKernels& kernels_ = solver_kernels();
+  const Kernels& kernels_ = kernels();
   Problem problem_;
   Candidates x_, v_, x_next_, v_next_, personal_, u1_, u2_;
   Eigen::VectorXd errors_, found_;  // of the personal bests; of x_next_
@@ -105,4 +108,4 @@ SolverInfo particle_swarm() {
                                     "Kennedy and Eberhart 1995; Shi and Eberhart 1998");
 }
 
-}  // namespace ikbench
+}  // namespace ikbench::solvers

@@ -2,7 +2,10 @@
 #include "solvers/bounds.hpp"
 #include "solvers/registry.hpp"
 
-namespace ikbench {
+namespace ikbench::solvers {
+
+using namespace numerics;
+using namespace robots;
 
 namespace {
 
@@ -43,4 +46,4 @@ SolverInfo random_search() {
   return solver_info<RandomSearch>("random_search", "uniform random search within the limits", "Brooks 1958");
 }
 
-}  // namespace ikbench
+}  // namespace ikbench::solvers

@@ -2,15 +2,17 @@
 
 #include <stdexcept>
 
-#include "robots/names.hpp"
+#include "numerics/names.hpp"
 
-namespace ikbench {
+namespace ikbench::solvers {
+
+using namespace numerics;
 
 #define SOLVER(name) SolverInfo name();
 #include "solvers/registry.inc"
 #undef SOLVER
 
-std::vector<SolverInfo> solvers() {
+std::vector<SolverInfo> all_solvers() {
   return {
 #define SOLVER(name) name(),
 #include "solvers/registry.inc"
@@ -20,11 +22,11 @@ std::vector<SolverInfo> solvers() {
 
 SolverInfo solver(std::string_view name) {
   std::vector<std::string> names;
-  for (SolverInfo& info : solvers()) {
+  for (SolverInfo& info : all_solvers()) {
     if (info.name == name) return std::move(info);
     names.push_back(info.name);
   }
   throw std::invalid_argument(unknown_name("solver", name, names));
 }
 
-}  // namespace ikbench
+}  // namespace ikbench::solvers

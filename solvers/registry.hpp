@@ -9,7 +9,7 @@
 #include "solvers/options.hpp"
 #include "solvers/solver.hpp"
 
-namespace ikbench {
+namespace ikbench::solvers {
 
 struct SolverInfo {
   std::string name;
@@ -22,7 +22,7 @@ struct SolverInfo {
   std::function<void(const std::function<void(const OptionList&)>& visit)> describe;
 };
 
-std::vector<SolverInfo> solvers();
+std::vector<SolverInfo> all_solvers();
 // std::invalid_argument names those there are.
 SolverInfo solver(std::string_view name);
 
@@ -60,4 +60,4 @@ SolverInfo solver_info(std::string name, std::string summary, std::string source
               }};
 }
 
-}  // namespace ikbench
+}  // namespace ikbench::solvers

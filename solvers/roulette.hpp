@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace ikbench {
+namespace ikbench::solvers {
 
 class Roulette {
  public:
@@ -27,4 +27,4 @@ class Roulette {
   std::vector<double> sums_;
 };
 
-}  // namespace ikbench
+}  // namespace ikbench::solvers

@@ -4,7 +4,14 @@
 #include <chrono>
 #include <cmath>
 
-namespace ikbench {
+#include "numerics/instruction_set.hpp"
+#include "solvers/kernels.hpp"
+
+namespace ikbench::solvers {
+
+using namespace numerics;
+
+IKBENCH_DEFINE_KERNELS
 
 Solution solve(Solver& solver, const Problem& problem, Objective& objective, Random& random, const StopRule& stop,
                Trace trace) {
@@ -41,4 +48,4 @@ Solution solve(Solver& solver, const Problem& problem, Objective& objective, Ran
   return solution;
 }
 
-}  // namespace ikbench
+}  // namespace ikbench::solvers

@@ -6,7 +6,7 @@
 
 #include "solvers/solver.hpp"
 
-namespace ikbench {
+namespace ikbench::solvers {
 
 // A solve ends at the first that is reached. 0 means: no such rule, except for iterations.
 struct StopRule {
@@ -29,7 +29,7 @@ struct Solution {
 };
 
 // `not_finite` where the best error or the answer is not a finite number.
-Solution solve(Solver& solver, const Problem& problem, Objective& objective, Random& random, const StopRule& stop,
+Solution solve(Solver& solver, const Problem& problem, Objective& objective, numerics::Random& random, const StopRule& stop,
                Trace trace = Trace::none);
 
-}  // namespace ikbench
+}  // namespace ikbench::solvers

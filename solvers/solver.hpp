@@ -5,15 +5,15 @@
 #include <limits>
 
 #include "solvers/objective.hpp"
-#include "solvers/random.hpp"
+#include "numerics/random.hpp"
 
-namespace ikbench {
+namespace ikbench::solvers {
 
 // What a solver is told of the task besides the objective.
 struct Problem {
-  Configuration start;  // Theta_s: the configuration the arm is in [rad]; its size is the number of joints searched
-  Configuration lower;  // joint limits [rad], Eq. 4
-  Configuration upper;
+  robots::Configuration start;  // Theta_s: the configuration the arm is in [rad]; its size is the number of joints searched
+  robots::Configuration lower;  // joint limits [rad], Eq. 4
+  robots::Configuration upper;
   int population = 50;   // candidates an iteration
   int iterations = 200;  // planned; for schedules that end with the solve
 
@@ -21,7 +21,7 @@ struct Problem {
 };
 
 struct Best {
-  Configuration q;                                         // [rad]
+  robots::Configuration q;                                         // [rad]
   double error = std::numeric_limits<double>::infinity();  // [m], as the objective gave it
 
   // Keeps the candidate if it is better; says whether it did.
@@ -40,11 +40,11 @@ class Solver {
 
   // Draws and evaluates the first candidates. All memory is taken here; a second start for a problem of the same size
   // needs none.
-  virtual void start(const Problem& problem, Objective& objective, Random& random) = 0;
+  virtual void start(const Problem& problem, Objective& objective, numerics::Random& random) = 0;
   // One iteration.
-  virtual void step(Objective& objective, Random& random) = 0;
+  virtual void step(Objective& objective, numerics::Random& random) = 0;
   // The best so far; its error never grows and is exactly what the objective says of its q.
   virtual const Best& best() const = 0;
 };
 
-}  // namespace ikbench
+}  // namespace ikbench::solvers

@@ -7,7 +7,7 @@ cmake=$1 generator=$2 compiler=$3
 source=$(realpath "$(dirname "$0")/..")
 tree=$(mktemp -d)
 trap 'rm -rf "$tree"' EXIT
-(cd "$source" && cp -r CMakeLists.txt analysis cli experiments results robots solvers tests "$tree") || exit 1
+(cd "$source" && cp -r CMakeLists.txt analysis cli experiments numerics results robots solvers tests "$tree") || exit 1
 cd "$tree" || exit 1
 digests=build/experiments/source_digests.inc
 
@@ -47,7 +47,7 @@ expect "" "formatting"
 # A number: of that solver alone, or of what all share.
 sed -i '0,/0\.5/s//0.25/' solvers/bat.cpp
 expect bat "a number in bat.cpp"
-for file in solvers/kernels.cpp robots/lanes.hpp solvers/objective.hpp solvers/solve.cpp solvers/random.cpp robots/spherical_wrist.cpp \
+for file in solvers/kernels.cpp numerics/lanes.hpp solvers/objective.hpp solvers/solve.cpp numerics/random.cpp robots/spherical_wrist.cpp \
   experiments/path.cpp experiments/verifier.cpp experiments/contest.cpp experiments/runner.cpp; do
   echo 'constexpr int another = 1;' >>$file
   expect shared $file
@@ -70,7 +70,7 @@ echo 'const char* raw = R"(one)";' >>solvers/random_search.cpp
 expect random_search "a raw text"
 
 # What decides no number.
-for file in experiments/environment.cpp experiments/study_reader.cpp experiments/workers.cpp results/store.cpp analysis/study.cpp; do
+for file in experiments/environment.cpp experiments/study_reader.cpp experiments/workers.cpp results/store.cpp analysis/inference/study.cpp; do
   echo 'constexpr int another = 1;' >>$file
   expect "" $file
 done

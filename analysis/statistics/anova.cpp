@@ -7,7 +7,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace ikbench {
+namespace ikbench::statistics {
 namespace {
 
 // A group as the sums need it: its mean less a shift common to all, and its sum of squares.
@@ -109,4 +109,4 @@ AnovaTable anova_from_summaries(std::span<const GroupSummary> groups) {
   return from_moments(moments);
 }
 
-}  // namespace ikbench
+}  // namespace ikbench::statistics

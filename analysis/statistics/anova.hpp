@@ -7,7 +7,7 @@
 
 #include "analysis/statistics/descriptive.hpp"
 
-namespace ikbench {
+namespace ikbench::statistics {
 
 struct AnovaTable {
   double ss_between = not_defined;
@@ -31,4 +31,4 @@ AnovaTable anova_from_summaries(std::span<const GroupSummary> groups);
 // Upper tail of the F distribution; NaN where F is not a number or a degree of freedom is missing.
 double f_upper_tail(double F, double df_between, double df_within);
 
-}  // namespace ikbench
+}  // namespace ikbench::statistics

@@ -14,7 +14,7 @@
 #include "analysis/statistics/quantile.hpp"
 #include "analysis/statistics/tails.hpp"
 
-namespace ikbench {
+namespace ikbench::statistics {
 namespace {
 
 constexpr std::size_t most_left_out = 1000;  // values of a sample that the acceleration leaves out in turn
@@ -149,4 +149,4 @@ BootstrapInterval bootstrap_exhaustive(std::span<const double> sample, const Sta
   return result;
 }
 
-}  // namespace ikbench
+}  // namespace ikbench::statistics

@@ -9,7 +9,7 @@
 
 #include "analysis/statistics/descriptive.hpp"
 
-namespace ikbench {
+namespace ikbench::statistics {
 
 // The same settings and sample give the same numbers on every machine: std::mt19937_64, whose sequence the standard
 // fixes, with a bounded draw of our own.
@@ -41,4 +41,4 @@ BootstrapInterval bootstrap(std::span<const double> sample, const Statistic& sta
 // All n^n resamples of at most seven values.
 BootstrapInterval bootstrap_exhaustive(std::span<const double> sample, const Statistic& statistic, double level = 0.95);
 
-}  // namespace ikbench
+}  // namespace ikbench::statistics

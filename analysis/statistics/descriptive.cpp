@@ -7,7 +7,7 @@
 #include "analysis/statistics/quantile.hpp"
 #include "analysis/statistics/rounding.hpp"
 
-namespace ikbench {
+namespace ikbench::statistics {
 namespace {
 
 // Divided by n - 1, in the square of a unit.
@@ -94,4 +94,4 @@ GroupSummary summarise(std::span<const double> values) {
   return {.mean = described.mean, .std = described.std, .n = described.n};
 }
 
-}  // namespace ikbench
+}  // namespace ikbench::statistics

@@ -4,7 +4,7 @@
 #include <limits>
 #include <span>
 
-namespace ikbench {
+namespace ikbench::statistics {
 
 // A quantity that cannot be had from the data given. Table cells show it as "not defined", never as a number.
 constexpr double not_defined = std::numeric_limits<double>::quiet_NaN();
@@ -26,6 +26,9 @@ struct Description {
 };
 
 Description describe(std::span<const double> values);
+
+// Of two values or more, all finite, each the same.
+constexpr bool is_constant(const Description& of) { return of.n > 1 && of.not_finite == 0 && of.min == of.max; }
 
 // What a paper prints of a group.
 struct GroupSummary {
@@ -50,4 +53,4 @@ double standard_error(std::span<const double> values);
 // neither overflow nor vanish. 1 where all values are 0 or one is infinite.
 double power_of_two_below(std::span<const double> values);
 
-}  // namespace ikbench
+}  // namespace ikbench::statistics

@@ -10,7 +10,7 @@
 #include "analysis/statistics/t_distribution.hpp"
 #include "analysis/statistics/tails.hpp"
 
-namespace ikbench {
+namespace ikbench::statistics {
 namespace {
 
 // The shift at which the noncentral t exceeds the observed one with probability p; NaN where it is not found.
@@ -179,4 +179,4 @@ std::string_view effect_words(double delta) {
   return "large";
 }
 
-}  // namespace ikbench
+}  // namespace ikbench::statistics

@@ -8,7 +8,7 @@
 
 #include "analysis/statistics/anova.hpp"
 
-namespace ikbench {
+namespace ikbench::statistics {
 
 // Shares of the variance between groups; not defined where the table has no sums of squares. Omega and epsilon squared
 // are corrected for chance and can be below 0 (Olejnik and Algina, Psychological Methods 8 (2003) 434).
@@ -44,4 +44,4 @@ EffectSize vargha_delaney(std::span<const double> a, std::span<const double> b, 
 // 2006).
 std::string_view effect_words(double delta);
 
-}  // namespace ikbench
+}  // namespace ikbench::statistics

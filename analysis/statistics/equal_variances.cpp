@@ -10,7 +10,7 @@
 #include "analysis/statistics/rounding.hpp"
 #include "analysis/statistics/tails.hpp"
 
-namespace ikbench {
+namespace ikbench::statistics {
 
 Bartlett bartlett_from_summaries(std::span<const GroupSummary> groups) {
   Bartlett test;
@@ -70,4 +70,4 @@ BrownForsythe brown_forsythe(std::span<const std::vector<double>> groups) {
   return test;
 }
 
-}  // namespace ikbench
+}  // namespace ikbench::statistics

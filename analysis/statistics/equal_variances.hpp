@@ -8,7 +8,7 @@
 
 #include "analysis/statistics/descriptive.hpp"
 
-namespace ikbench {
+namespace ikbench::statistics {
 
 struct Bartlett {
   double chi_squared = not_defined;
@@ -33,4 +33,4 @@ struct BrownForsythe {
 // groups of two have no spread of it.
 BrownForsythe brown_forsythe(std::span<const std::vector<double>> groups);
 
-}  // namespace ikbench
+}  // namespace ikbench::statistics

@@ -11,12 +11,12 @@
 #include "analysis/statistics/pairs.hpp"
 #include "analysis/statistics/tails.hpp"
 
-namespace ikbench {
+namespace ikbench::statistics {
 namespace {
 
 constexpr double rounding = 1e-10;  // of W, which is built from sums of ranks
 
-double standard_error(std::size_t groups, std::size_t blocks) {
+double rank_difference_error(std::size_t groups, std::size_t blocks) {
   const auto k = static_cast<double>(groups);
   return std::sqrt(k * (k + 1) / (6 * static_cast<double>(blocks)));
 }
@@ -65,7 +65,7 @@ std::vector<RankComparison> compared(const Friedman& test, std::vector<RankCompa
     pair.undefined = test.undefined;
     if (!test.undefined.empty()) continue;
     pair.z = (test.average_ranks[pair.first] - test.average_ranks[pair.second]) /
-             standard_error(test.average_ranks.size(), test.blocks);
+             rank_difference_error(test.average_ranks.size(), test.blocks);
     pair.p = normal_two_sided(pair.z);
     pair.direction = sign_of(pair.z);
   }
@@ -134,7 +134,7 @@ std::vector<RankComparison> compare_average_ranks(const Friedman& test, std::siz
 }
 
 double critical_difference(double q_alpha, std::size_t groups, std::size_t blocks) {
-  return groups < 2 || blocks == 0 ? not_defined : q_alpha * standard_error(groups, blocks);
+  return groups < 2 || blocks == 0 ? not_defined : q_alpha * rank_difference_error(groups, blocks);
 }
 
-}  // namespace ikbench
+}  // namespace ikbench::statistics

@@ -9,7 +9,7 @@
 
 #include "analysis/statistics/ranks.hpp"
 
-namespace ikbench {
+namespace ikbench::statistics {
 
 struct Friedman {
   std::size_t blocks = 0;
@@ -41,4 +41,4 @@ std::vector<RankComparison> compare_average_ranks(const Friedman& test, std::siz
 // where there are fewer than two groups or no blocks.
 double critical_difference(double q_alpha, std::size_t groups, std::size_t blocks);
 
-}  // namespace ikbench
+}  // namespace ikbench::statistics

@@ -8,7 +8,7 @@
 #include "analysis/statistics/pairs.hpp"
 #include "analysis/statistics/tails.hpp"
 
-namespace ikbench {
+namespace ikbench::statistics {
 namespace {
 
 struct RankedGroups {
@@ -84,4 +84,4 @@ std::vector<RankComparison> dunn(std::span<const std::vector<double>> groups, st
   return compared(groups, pairs_with(control, groups.size()));
 }
 
-}  // namespace ikbench
+}  // namespace ikbench::statistics

@@ -8,7 +8,7 @@
 
 #include "analysis/statistics/ranks.hpp"
 
-namespace ikbench {
+namespace ikbench::statistics {
 
 struct KruskalWallis {
   double H = not_defined;
@@ -26,4 +26,4 @@ KruskalWallis kruskal_wallis(std::span<const std::vector<double>> groups);
 std::vector<RankComparison> dunn(std::span<const std::vector<double>> groups);
 std::vector<RankComparison> dunn(std::span<const std::vector<double>> groups, std::size_t control);
 
-}  // namespace ikbench
+}  // namespace ikbench::statistics

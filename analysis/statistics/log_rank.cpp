@@ -9,7 +9,7 @@
 
 #include "analysis/statistics/tails.hpp"
 
-namespace ikbench {
+namespace ikbench::statistics {
 namespace {
 
 struct Trial {
@@ -111,4 +111,4 @@ LogRank log_rank(std::span<const std::vector<CensoredCost>> groups) {
   return test;
 }
 
-}  // namespace ikbench
+}  // namespace ikbench::statistics

@@ -8,7 +8,7 @@
 
 #include "analysis/statistics/running_time.hpp"
 
-namespace ikbench {
+namespace ikbench::statistics {
 
 struct LogRank {
   double chi_squared = not_defined;
@@ -21,4 +21,4 @@ struct LogRank {
 
 LogRank log_rank(std::span<const std::vector<CensoredCost>> groups);
 
-}  // namespace ikbench
+}  // namespace ikbench::statistics

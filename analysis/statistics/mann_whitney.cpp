@@ -8,7 +8,7 @@
 #include "analysis/statistics/ranks.hpp"
 #include "analysis/statistics/tails.hpp"
 
-namespace ikbench {
+namespace ikbench::statistics {
 namespace {
 
 constexpr std::size_t exact_below = 50;
@@ -78,4 +78,4 @@ MannWhitney mann_whitney(std::span<const double> first, std::span<const double> 
   return test;
 }
 
-}  // namespace ikbench
+}  // namespace ikbench::statistics

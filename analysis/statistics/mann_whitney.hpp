@@ -7,7 +7,7 @@
 
 #include "analysis/statistics/rank_statistic.hpp"
 
-namespace ikbench {
+namespace ikbench::statistics {
 
 struct MannWhitney {
   double U = not_defined;  // pairs in which the value of `first` is the larger, an equal pair counted half (R's W)
@@ -22,4 +22,4 @@ struct MannWhitney {
 
 MannWhitney mann_whitney(std::span<const double> first, std::span<const double> second, double level = 0.95);
 
-}  // namespace ikbench
+}  // namespace ikbench::statistics

@@ -13,7 +13,7 @@
 #include "analysis/statistics/t_distribution.hpp"
 #include "analysis/statistics/tails.hpp"
 
-namespace ikbench {
+namespace ikbench::statistics {
 namespace {
 
 void check(const RatioQuestion& question) {
@@ -170,4 +170,4 @@ RatioComparison paired_mean_ratio(std::span<const double> a, std::span<const dou
   return result;
 }
 
-}  // namespace ikbench
+}  // namespace ikbench::statistics

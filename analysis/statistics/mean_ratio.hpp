@@ -8,7 +8,7 @@
 
 #include "analysis/statistics/descriptive.hpp"
 
-namespace ikbench {
+namespace ikbench::statistics {
 
 struct RatioQuestion {
   double margin = 0.05;  // 0 <= margin < 1
@@ -34,4 +34,4 @@ struct RatioComparison {
 RatioComparison mean_ratio(std::span<const double> a, std::span<const double> b, const RatioQuestion& question);
 RatioComparison paired_mean_ratio(std::span<const double> a, std::span<const double> b, const RatioQuestion& question);
 
-}  // namespace ikbench
+}  // namespace ikbench::statistics

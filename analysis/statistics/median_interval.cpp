@@ -8,7 +8,7 @@
 
 #include "analysis/statistics/tails.hpp"
 
-namespace ikbench {
+namespace ikbench::statistics {
 
 MedianInterval median_interval(std::span<const double> sorted, double level) {
   check_level(level);
@@ -40,4 +40,4 @@ MedianInterval median_interval(std::span<const double> sorted, double level) {
   return interval;
 }
 
-}  // namespace ikbench
+}  // namespace ikbench::statistics

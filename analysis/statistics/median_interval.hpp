@@ -8,7 +8,7 @@
 
 #include "analysis/statistics/descriptive.hpp"
 
-namespace ikbench {
+namespace ikbench::statistics {
 
 struct MedianInterval {
   double low = not_defined;
@@ -23,4 +23,4 @@ struct MedianInterval {
 // Sorted ascending (ranked_values); infinite values are ranked as any other.
 MedianInterval median_interval(std::span<const double> sorted, double level = 0.95);
 
-}  // namespace ikbench
+}  // namespace ikbench::statistics

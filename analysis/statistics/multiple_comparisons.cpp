@@ -11,7 +11,7 @@
 #include "analysis/statistics/studentized_range.hpp"
 #include "analysis/statistics/tails.hpp"
 
-namespace ikbench {
+namespace ikbench::statistics {
 namespace {
 
 constexpr double root_two = boost::math::constants::root_two<double>();
@@ -30,7 +30,7 @@ std::vector<MeanDifference> differences(std::span<const GroupSummary> groups, st
 }
 
 // Why a group can have no part in a comparison; empty where it can.
-std::string obstacle(const GroupSummary& group, std::size_t index) {
+std::string group_obstacle(const GroupSummary& group, std::size_t index) {
   if (group.n < 1) return fmt::format("group {} has no values", index + 1);
   if (!std::isfinite(group.mean)) return fmt::format("group {} has values that are not finite", index + 1);
   if (group.n > 1 && !(group.std >= 0 && std::isfinite(group.std))) {
@@ -64,7 +64,7 @@ std::vector<MeanDifference> tukey(std::span<const GroupSummary> groups, double l
   std::string undefined = too_many(groups.size());
   double df = 0, largest = 0;
   for (std::size_t i = 0; i < groups.size(); ++i) {
-    if (undefined.empty()) undefined = obstacle(groups[i], i);
+    if (undefined.empty()) undefined = group_obstacle(groups[i], i);
     df += groups[i].n - 1;
     if (groups[i].n > 1) largest = std::max(largest, groups[i].std);
   }
@@ -99,7 +99,7 @@ std::vector<MeanDifference> games_howell(std::span<const GroupSummary> groups, d
     const GroupSummary& b = groups[pair.second];
     pair.undefined = too_many(groups.size());
     for (const std::size_t index : {pair.first, pair.second}) {
-      if (pair.undefined.empty()) pair.undefined = obstacle(groups[index], index);
+      if (pair.undefined.empty()) pair.undefined = group_obstacle(groups[index], index);
       if (pair.undefined.empty() && groups[index].n < 2) {
         pair.undefined = fmt::format("group {} has a single value, so it has no spread", index + 1);
       }
@@ -117,4 +117,4 @@ std::vector<MeanDifference> games_howell(std::span<const GroupSummary> groups, d
   return pairs;
 }
 
-}  // namespace ikbench
+}  // namespace ikbench::statistics

@@ -10,7 +10,7 @@
 
 #include "analysis/statistics/descriptive.hpp"
 
-namespace ikbench {
+namespace ikbench::statistics {
 
 struct MeanDifference {
   std::size_t first = 0;  // groups as they were given, from 0
@@ -35,4 +35,4 @@ std::vector<MeanDifference> tukey(std::span<const GroupSummary> groups, double l
 std::vector<MeanDifference> games_howell(std::span<const GroupSummary> groups, double level,
                                          std::optional<std::size_t> only_with = std::nullopt);
 
-}  // namespace ikbench
+}  // namespace ikbench::statistics

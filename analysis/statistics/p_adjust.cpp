@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <stdexcept>
 
-namespace ikbench {
+namespace ikbench::statistics {
 namespace {
 
 // What the p of the given rank, 1 for the smallest, is multiplied by among m.
@@ -53,4 +53,4 @@ std::vector<double> adjusted(std::span<const double> p, Correction correction) {
   return result;
 }
 
-}  // namespace ikbench
+}  // namespace ikbench::statistics

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-namespace ikbench {
+namespace ikbench::statistics {
 
 enum class Correction {
   holm,                // Scandinavian J. Statistics 6 (1979) 65: family-wise, any dependence
@@ -17,4 +17,4 @@ enum class Correction {
 // 1, anything else is std::invalid_argument.
 std::vector<double> adjusted(std::span<const double> p, Correction correction);
 
-}  // namespace ikbench
+}  // namespace ikbench::statistics

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace ikbench {
+namespace ikbench::statistics {
 
 // A comparison of each pair first < second, groups counted from 0: (0, 1), (0, 2), ..., (1, 2), ...
 template <class Comparison>
@@ -16,4 +16,4 @@ std::vector<Comparison> all_pairs(std::size_t groups) {
   return pairs;
 }
 
-}  // namespace ikbench
+}  // namespace ikbench::statistics

@@ -11,7 +11,7 @@
 
 #include "analysis/statistics/t_distribution.hpp"
 
-namespace ikbench {
+namespace ikbench::statistics {
 namespace {
 
 constexpr double most_runs = 1e7;
@@ -100,4 +100,4 @@ RunsNeeded runs_for_rank_test(double a12, const PowerGoal& goal) {
   return {.n = std::max(n, 2.0)};
 }
 
-}  // namespace ikbench
+}  // namespace ikbench::statistics

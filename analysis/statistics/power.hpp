@@ -7,7 +7,7 @@
 
 #include "analysis/statistics/descriptive.hpp"
 
-namespace ikbench {
+namespace ikbench::statistics {
 
 struct PowerGoal {
   double power = 0.8;   // the chance to find a difference that is there
@@ -37,4 +37,4 @@ RunsNeeded runs_to_see(const GroupSummary& a, const GroupSummary& b, double diff
 // (6 (a12 - 1/2)^2), for large samples (Noether, J. American Statistical Association 82 (1987) 645).
 RunsNeeded runs_for_rank_test(double a12, const PowerGoal& goal);
 
-}  // namespace ikbench
+}  // namespace ikbench::statistics

@@ -9,7 +9,7 @@
 
 #include "analysis/statistics/tails.hpp"
 
-namespace ikbench {
+namespace ikbench::statistics {
 namespace {
 
 std::string wrong_with(Successes count) {
@@ -95,4 +95,4 @@ FisherExact fisher_exact(Successes first, Successes second) {
   return test;
 }
 
-}  // namespace ikbench
+}  // namespace ikbench::statistics

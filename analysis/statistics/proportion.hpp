@@ -5,7 +5,7 @@
 
 #include "analysis/statistics/descriptive.hpp"
 
-namespace ikbench {
+namespace ikbench::statistics {
 
 // So many of so many; neither negative nor more successes than trials, and at least one trial, or nothing is defined.
 struct Successes {
@@ -38,4 +38,4 @@ struct FisherExact {
 
 FisherExact fisher_exact(Successes first, Successes second);
 
-}  // namespace ikbench
+}  // namespace ikbench::statistics

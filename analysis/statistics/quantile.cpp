@@ -8,7 +8,7 @@
 #include <cstddef>
 #include <stdexcept>
 
-namespace ikbench {
+namespace ikbench::statistics {
 
 QuantileType quantile_type(int number) {
   if (number < 1 || number > 9) {
@@ -102,4 +102,4 @@ Box box(std::span<const double> values, QuantileType type) {
   return result;
 }
 
-}  // namespace ikbench
+}  // namespace ikbench::statistics

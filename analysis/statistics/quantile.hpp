@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-namespace ikbench {
+namespace ikbench::statistics {
 
 enum class QuantileType { type_1 = 1, type_2, type_3, type_4, type_5, type_6, type_7, type_8, type_9 };
 
@@ -37,4 +37,4 @@ struct Box {
 
 Box box(std::span<const double> values, QuantileType type);
 
-}  // namespace ikbench
+}  // namespace ikbench::statistics

@@ -5,7 +5,7 @@
 
 #include "analysis/statistics/tails.hpp"
 
-namespace ikbench {
+namespace ikbench::statistics {
 
 double RankDistribution::two_sided(double statistic) const {
   if (probabilities.empty()) {
@@ -48,4 +48,4 @@ Shift shift_of(std::vector<double> differences, std::size_t rank) {
   return shift;
 }
 
-}  // namespace ikbench
+}  // namespace ikbench::statistics

@@ -9,7 +9,7 @@
 
 #include "analysis/statistics/descriptive.hpp"
 
-namespace ikbench {
+namespace ikbench::statistics {
 
 // Symmetric about its mean. Where the probabilities of 0, 1, 2, ... are given it is exact, else it is taken as normal.
 struct RankDistribution {
@@ -39,4 +39,4 @@ constexpr std::size_t most_differences = 1'000'000;
 // `rank` from interval_rank; no differences give no estimate, rank 0 no interval.
 Shift shift_of(std::vector<double> differences, std::size_t rank);
 
-}  // namespace ikbench
+}  // namespace ikbench::statistics

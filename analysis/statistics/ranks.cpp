@@ -7,7 +7,7 @@
 #include <numeric>
 #include <stdexcept>
 
-namespace ikbench {
+namespace ikbench::statistics {
 
 double Ranking::tie_sum() const {
   double sum = 0;
@@ -54,4 +54,4 @@ std::vector<RankComparison> pairs_with(std::size_t control, std::size_t groups) 
   return pairs;
 }
 
-}  // namespace ikbench
+}  // namespace ikbench::statistics

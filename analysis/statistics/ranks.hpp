@@ -8,7 +8,7 @@
 
 #include "analysis/statistics/descriptive.hpp"
 
-namespace ikbench {
+namespace ikbench::statistics {
 
 struct Ranking {
   std::vector<double> ranks;      // of the values in their order; 1 is the smallest
@@ -39,4 +39,4 @@ struct RankComparison {
 // pairs: pairs.hpp.
 std::vector<RankComparison> pairs_with(std::size_t control, std::size_t groups);
 
-}  // namespace ikbench
+}  // namespace ikbench::statistics

@@ -9,7 +9,7 @@
 #include <set>
 #include <tuple>
 
-namespace ikbench {
+namespace ikbench::statistics {
 
 double without_rounding(double difference, double size) {
   const double rounding = 4 * std::numeric_limits<double>::epsilon() * size;
@@ -55,4 +55,4 @@ std::vector<double> differences_without_rounding(std::span<const double> first, 
   return without_rounding(differences, sizes);
 }
 
-}  // namespace ikbench
+}  // namespace ikbench::statistics

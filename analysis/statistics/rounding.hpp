@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-namespace ikbench {
+namespace ikbench::statistics {
 
 // 0 where rounding alone can have made the difference of two values up to that size.
 double without_rounding(double difference, double size);
@@ -22,4 +22,4 @@ std::vector<double> without_rounding(std::span<const double> values);
 // first[i] - second[i]; as many as there are pairs.
 std::vector<double> differences_without_rounding(std::span<const double> first, std::span<const double> second);
 
-}  // namespace ikbench
+}  // namespace ikbench::statistics

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace ikbench {
+namespace ikbench::statistics {
 
 std::string wrong_with(std::span<const CensoredCost> costs) {
   if (costs.empty()) return "there are no trials";
@@ -39,4 +39,4 @@ RunningTime running_time(std::span<const CensoredCost> costs) {
   return result;
 }
 
-}  // namespace ikbench
+}  // namespace ikbench::statistics

@@ -7,7 +7,7 @@
 
 #include "analysis/statistics/descriptive.hpp"
 
-namespace ikbench {
+namespace ikbench::statistics {
 
 // What a trial spent, in evaluations or seconds, until it reached the tolerance or was given up (censored).
 struct CensoredCost {
@@ -29,4 +29,4 @@ RunningTime running_time(std::span<const CensoredCost> costs);
 // Why costs cannot be judged: there are none, or one is negative or not finite. Empty where they can.
 std::string wrong_with(std::span<const CensoredCost> costs);
 
-}  // namespace ikbench
+}  // namespace ikbench::statistics

@@ -10,7 +10,7 @@
 
 #include "analysis/statistics/tails.hpp"
 
-namespace ikbench {
+namespace ikbench::statistics {
 namespace {
 
 constexpr std::size_t fewest = 3, most = 5000;
@@ -108,4 +108,4 @@ ShapiroWilk shapiro_wilk(std::span<const double> values) {
   return test;
 }
 
-}  // namespace ikbench
+}  // namespace ikbench::statistics

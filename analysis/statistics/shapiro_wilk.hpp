@@ -7,7 +7,7 @@
 
 #include "analysis/statistics/descriptive.hpp"
 
-namespace ikbench {
+namespace ikbench::statistics {
 
 struct ShapiroWilk {
   double W = not_defined;
@@ -17,4 +17,4 @@ struct ShapiroWilk {
 
 ShapiroWilk shapiro_wilk(std::span<const double> values);
 
-}  // namespace ikbench
+}  // namespace ikbench::statistics

@@ -13,7 +13,7 @@
 
 #include "analysis/statistics/descriptive.hpp"
 
-namespace ikbench {
+namespace ikbench::statistics {
 namespace {
 
 constexpr double largest_range = 50;  // beyond it the tail of the range is below 1e-265
@@ -195,4 +195,4 @@ double studentized_range_upper_tail(double q, double k, double df) {
 
 double studentized_range_quantile(double p, double k, double df) { return StudentizedRange(k).quantile(p, df); }
 
-}  // namespace ikbench
+}  // namespace ikbench::statistics

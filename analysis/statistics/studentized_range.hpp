@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace ikbench {
+namespace ikbench::statistics {
 
 // P(Q > q) of k groups, k a whole number from 2 to 1000, df from 1 to infinity; NaN outside. q <= 0 has the tail 1.
 // Summed from positive terms, never as 1 - cdf, so that small tails have their digits too: relative error below 1e-13
@@ -35,4 +35,4 @@ class StudentizedRange {
   std::vector<Piece> pieces_;  // Chebyshev series of ln P(range > w); none where k is out of range
 };
 
-}  // namespace ikbench
+}  // namespace ikbench::statistics

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace ikbench {
+namespace ikbench::statistics {
 namespace {
 
 // Greenwood's term of a step, the relative variance that it adds. Where all that were at risk reach it nothing is left.
@@ -63,4 +63,4 @@ RestrictedMean restricted_mean(const SurvivalCurve& curve, double horizon) {
   return result;
 }
 
-}  // namespace ikbench
+}  // namespace ikbench::statistics

@@ -9,7 +9,7 @@
 
 #include "analysis/statistics/running_time.hpp"
 
-namespace ikbench {
+namespace ikbench::statistics {
 
 // The curve falls where trials reach the tolerance. A trial given up at that very cost was still at risk there.
 struct SurvivalStep {
@@ -37,4 +37,4 @@ struct RestrictedMean {
 
 RestrictedMean restricted_mean(const SurvivalCurve& curve, double horizon);
 
-}  // namespace ikbench
+}  // namespace ikbench::statistics

@@ -9,7 +9,7 @@
 
 #include "analysis/statistics/descriptive.hpp"
 
-namespace ikbench {
+namespace ikbench::statistics {
 
 double t_upper_tail(double t, double df) {
   if (std::isnan(t) || !(df > 0)) return not_defined;
@@ -44,4 +44,4 @@ double noncentral_t_upper_tail(double t, double df, double shift) {
   }
 }
 
-}  // namespace ikbench
+}  // namespace ikbench::statistics

@@ -2,7 +2,7 @@
 // NaN where there is no answer, never an exception.
 #pragma once
 
-namespace ikbench {
+namespace ikbench::statistics {
 
 // P(T > t), df > 0.
 double t_upper_tail(double t, double df);
@@ -13,4 +13,4 @@ double t_quantile(double p, double df);
 // which then changes nothing before the fourth digit, is left out.
 double noncentral_t_upper_tail(double t, double df, double shift);
 
-}  // namespace ikbench
+}  // namespace ikbench::statistics

@@ -10,7 +10,7 @@
 
 #include "analysis/statistics/descriptive.hpp"
 
-namespace ikbench {
+namespace ikbench::statistics {
 
 double normal_two_sided(double z) { return std::erfc(std::abs(z) / std::sqrt(2.0)); }
 
@@ -37,4 +37,4 @@ void check_level(double level) {
   }
 }
 
-}  // namespace ikbench
+}  // namespace ikbench::statistics

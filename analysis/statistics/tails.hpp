@@ -1,7 +1,7 @@
 // Tails and quantiles of the normal and the chi-square distribution, as tests and intervals ask for them.
 #pragma once
 
-namespace ikbench {
+namespace ikbench::statistics {
 
 // P(|Z| >= |z|) of the standard normal; NaN where z is NaN.
 double normal_two_sided(double z);
@@ -19,4 +19,4 @@ double chi_squared_upper_tail(double x, double df);
 // Refuses a confidence level outside (0, 1) by std::invalid_argument.
 void check_level(double level);
 
-}  // namespace ikbench
+}  // namespace ikbench::statistics

@@ -13,13 +13,13 @@
 #include "analysis/statistics/t_distribution.hpp"
 #include "analysis/statistics/tails.hpp"
 
-namespace ikbench {
+namespace ikbench::statistics {
 namespace {
 
 double square(double x) { return x * x; }
 
 // Why a group can have no weight; empty where it can.
-std::string obstacle(const GroupSummary& group, std::size_t number) {
+std::string undefined_spread(const GroupSummary& group, std::size_t number) {
   if (group.n < 2) return fmt::format("group {} has fewer than two values, so no spread", number);
   if (!std::isfinite(group.mean) || !std::isfinite(group.std) || group.std < 0) {
     return fmt::format("the mean or the standard deviation of group {} is not defined", number);
@@ -62,7 +62,7 @@ WelchAnova welch_anova(std::span<const GroupSummary> groups) {
   WelchAnova test;
   std::vector<double> spreads;
   for (std::size_t i = 0; i < groups.size(); ++i) {
-    test.undefined = obstacle(groups[i], i + 1);
+    test.undefined = undefined_spread(groups[i], i + 1);
     if (!test.undefined.empty()) return test;
     spreads.push_back(groups[i].std);
   }
@@ -123,4 +123,4 @@ MeanInterval mean_interval(const GroupSummary& group, double level) {
   return {.low = group.mean - reach, .high = group.mean + reach};
 }
 
-}  // namespace ikbench
+}  // namespace ikbench::statistics

@@ -7,7 +7,7 @@
 
 #include "analysis/statistics/anova.hpp"
 
-namespace ikbench {
+namespace ikbench::statistics {
 
 struct WelchTest {
   double t = not_defined;
@@ -51,4 +51,4 @@ struct MeanInterval {
 // Student's t interval; of a constant group its one value. std::invalid_argument where `level` is not between 0 and 1.
 MeanInterval mean_interval(const GroupSummary& group, double level);
 
-}  // namespace ikbench
+}  // namespace ikbench::statistics

@@ -11,10 +11,10 @@
 #include "analysis/statistics/rounding.hpp"
 #include "analysis/statistics/tails.hpp"
 
-namespace ikbench {
+namespace ikbench::statistics {
 namespace {
 
-constexpr int exact_below = 50;
+constexpr int exact_pairs_below = 50;
 
 // Of V: each rank is in the sum or not, with equal chances.
 std::vector<double> probabilities(int n) {
@@ -71,7 +71,7 @@ WilcoxonSignedRank wilcoxon_signed_rank(std::span<const double> differences, dou
   }
   const auto n = static_cast<double>(test.n);
   RankDistribution distribution{.mean = n * (n + 1) / 4};
-  if (test.n < exact_below && test.zeros == 0 && ranking.ties.empty()) {
+  if (test.n < exact_pairs_below && test.zeros == 0 && ranking.ties.empty()) {
     distribution.probabilities = probabilities(test.n);
   } else {
     distribution.standard_deviation = std::sqrt(n * (n + 1) * (2 * n + 1) / 24 - ranking.tie_sum() / 48);
@@ -101,4 +101,4 @@ WilcoxonSignedRank wilcoxon_signed_rank(std::span<const double> first, std::span
   return wilcoxon_signed_rank(differences, level);
 }
 
-}  // namespace ikbench
+}  // namespace ikbench::statistics

@@ -6,7 +6,7 @@
 
 #include "analysis/statistics/rank_statistic.hpp"
 
-namespace ikbench {
+namespace ikbench::statistics {
 
 struct WilcoxonSignedRank {
   int n = 0;               // differences that are not zero: those that are ranked
@@ -28,4 +28,4 @@ WilcoxonSignedRank wilcoxon_signed_rank(std::span<const double> differences, dou
 WilcoxonSignedRank wilcoxon_signed_rank(std::span<const double> first, std::span<const double> second,
                                         double level = 0.95);
 
-}  // namespace ikbench
+}  // namespace ikbench::statistics

@@ -5,10 +5,13 @@
 #include <limits>
 
 #include "experiments/microbenchmarks/harness.hpp"
-#include "robots/functions.hpp"
-#include "robots/units.hpp"
+#include "numerics/functions.hpp"
+#include "numerics/units.hpp"
 
 namespace ikbench::microbenchmarks {
+
+using namespace numerics;
+using namespace robots;
 
 namespace {
 

@@ -6,6 +6,9 @@
 
 namespace ikbench::microbenchmarks {
 
+using namespace numerics;
+using namespace solvers;
+
 namespace {
 
 void count(benchmark::State& state, const SolverInfo& info) {
@@ -28,7 +31,7 @@ void count(benchmark::State& state, const SolverInfo& info) {
 }
 
 void register_solvers() {
-  for (const SolverInfo& info : solvers()) {
+  for (const SolverInfo& info : all_solvers()) {
     benchmark::RegisterBenchmark(("allocations/" + info.name).c_str(), count, info)
         ->Iterations(1)
         ->Unit(benchmark::kMillisecond);

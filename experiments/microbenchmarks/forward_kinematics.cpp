@@ -7,6 +7,9 @@
 
 namespace ikbench::microbenchmarks {
 
+using namespace robots;
+using namespace solvers;
+
 namespace {
 
 constexpr int batch = 50;

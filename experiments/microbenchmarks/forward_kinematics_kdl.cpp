@@ -7,6 +7,9 @@
 
 namespace ikbench::microbenchmarks {
 
+using namespace robots;
+using namespace solvers;
+
 namespace {
 
 KDL::Chain kdl_chain(const Chain& chain) {

@@ -12,6 +12,7 @@
 
 namespace ikbench::microbenchmarks {
 
+
 namespace {
 
 using Values = std::vector<double>;  // one a repetition

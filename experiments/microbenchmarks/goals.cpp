@@ -5,9 +5,9 @@
 #include <stdexcept>
 
 #include "experiments/microbenchmarks/goal_table.hpp"
-#include "robots/instruction_set.hpp"
+#include "numerics/instruction_set.hpp"
 
-using namespace ikbench;
+using namespace ikbench::numerics;
 using namespace ikbench::microbenchmarks;
 
 namespace {

@@ -11,6 +11,11 @@
 
 namespace ikbench::microbenchmarks {
 
+using namespace numerics;
+using namespace robots;
+using namespace solvers;
+using namespace experiments;
+
 namespace {
 
 // Google Benchmark would print mean, median, deviation and every repetition.

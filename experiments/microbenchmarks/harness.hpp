@@ -14,9 +14,9 @@ int run(int argc, char** argv);
 
 // Joints that bring the end of a chain to a target.
 struct Reach {
-  Chain chain;
+  robots::Chain chain;
   Eigen::Vector3d target;
-  Problem problem;
+  solvers::Problem problem;
 };
 
 // The first point of the paper's helix with the iiwa: the wrist's centre by four joints, the flange by all seven.
@@ -24,10 +24,10 @@ Reach wrist_reach(int population = 50);
 Reach flange_reach(int population = 50);
 
 // Within the limits, the same ones every time.
-Candidates drawn_candidates(const Problem& problem, int count);
+robots::Candidates drawn_candidates(const solvers::Problem& problem, int count);
 
 // Ends the benchmark with an error unless a peer's position [m] of a candidate is that of our chain.
-bool is_same_position(benchmark::State& state, const Chain& chain, const ConfigurationRef& q,
+bool is_same_position(benchmark::State& state, const robots::Chain& chain, const robots::ConfigurationRef& q,
                       const Eigen::Vector3d& position);
 
 // Shown and stored: how much work an iteration was.

@@ -2,13 +2,17 @@
 // that updates once an iteration, and against a textbook program.
 #include "experiments/microbenchmarks/harness.hpp"
 #include "experiments/microbenchmarks/textbook_ik_bat.hpp"
-#include "robots/functions.hpp"
+#include "numerics/functions.hpp"
 #include "solvers/bounds.hpp"
 #include "solvers/registry.hpp"
 #include "solvers/kernels.hpp"
 #include "solvers/solve.hpp"
 
 namespace ikbench::microbenchmarks {
+
+using namespace numerics;
+using namespace robots;
+using namespace solvers;
 
 namespace {
 
@@ -66,7 +70,7 @@ class SynchronousIkBat final : public Solver {
  private:
   Eigen::VectorXd theta_s_, errors_, frequency_, chance_;
   Candidates x_, v_, epsilon_, candidates_;
-  const SolverKernels& kernels_ = solver_kernels();
+  const solvers::Kernels& kernels_ = solvers::kernels();
   double loudness_ = 1;
   int iteration_ = 0;
   Best best_;

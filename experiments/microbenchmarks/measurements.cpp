@@ -5,6 +5,7 @@
 
 namespace ikbench::microbenchmarks {
 
+
 namespace {
 
 // Google Benchmark appends to a name how it was run.

@@ -14,6 +14,9 @@
 
 namespace ikbench::microbenchmarks {
 
+using namespace numerics;
+using namespace solvers;
+
 namespace {
 
 constexpr unsigned generations = 200, population_size = 50;

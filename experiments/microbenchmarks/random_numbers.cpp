@@ -5,6 +5,9 @@
 
 namespace ikbench::microbenchmarks {
 
+using namespace numerics;
+using namespace robots;
+
 namespace {
 
 constexpr int joints = 7, batch = 50;

@@ -11,7 +11,8 @@
 #include "experiments/runner.hpp"
 #include "results/fingerprint.hpp"
 
-using namespace ikbench;
+using namespace ikbench::results;
+using namespace ikbench::experiments;
 
 int main(int argc, char** argv) {
   if (argc != 3) {

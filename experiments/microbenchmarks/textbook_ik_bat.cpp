@@ -5,6 +5,7 @@
 
 namespace ikbench::microbenchmarks::textbook {
 
+
 namespace {
 
 Matrix multiply(const Matrix& a, const Matrix& b) {

@@ -10,6 +10,10 @@
 
 namespace ikbench::microbenchmarks {
 
+using namespace numerics;
+using namespace robots;
+using namespace solvers;
+
 namespace {
 
 void to_tolerance(benchmark::State& state) {

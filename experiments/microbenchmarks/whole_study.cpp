@@ -5,6 +5,9 @@
 
 namespace ikbench::microbenchmarks {
 
+using namespace results;
+using namespace experiments;
+
 namespace {
 
 void whole_study(benchmark::State& state) {

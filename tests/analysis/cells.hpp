@@ -8,29 +8,29 @@
 #include <string>
 #include <variant>
 
-#include "analysis/table.hpp"
+#include "analysis/report/table.hpp"
 
 namespace ikbench {
 
-inline const Cell& cell_at(const Table& table, std::size_t row, const std::string& column) {
-  const auto found = std::ranges::find(table.columns, column, &Column::name);
+inline const report::Cell& cell_at(const report::Table& table, std::size_t row, const std::string& column) {
+  const auto found = std::ranges::find(table.columns, column, &report::Column::name);
   if (found == table.columns.end()) throw std::invalid_argument("no column " + column);
   return table.rows.at(row).at(static_cast<std::size_t>(found - table.columns.begin()));
 }
 
 // NaN where the cell is no number.
-inline double number_at(const Table& table, std::size_t row, const std::string& column) {
-  const Cell& cell = cell_at(table, row, column);
+inline double number_at(const report::Table& table, std::size_t row, const std::string& column) {
+  const report::Cell& cell = cell_at(table, row, column);
   if (const auto* count = std::get_if<std::int64_t>(&cell)) return static_cast<double>(*count);
   if (const auto* value = std::get_if<double>(&cell)) return *value;
   return std::numeric_limits<double>::quiet_NaN();
 }
 
-inline bool is_empty(const Table& table, std::size_t row, const std::string& column) {
+inline bool is_empty(const report::Table& table, std::size_t row, const std::string& column) {
   return std::holds_alternative<std::monostate>(cell_at(table, row, column));
 }
 
-inline bool has_note(const Table& table, const std::string& words) {
+inline bool has_note(const report::Table& table, const std::string& words) {
   return std::ranges::any_of(table.notes,
                              [&](const std::string& note) { return note.find(words) != std::string::npos; });
 }

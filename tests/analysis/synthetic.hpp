@@ -30,17 +30,17 @@ struct Shape {
 };
 
 // Errors, variations and times near those of the paper's Table 3, in the order of the solvers; times in milliseconds.
-inline std::vector<SolveRecord> solves(const Shape& shape) {
+inline std::vector<results::SolveRecord> solves(const Shape& shape) {
   const std::vector<double> error_cm{0.0019, 1.68, 0.365, 0.438, 0.232, 0.4075};
   const std::vector<double> variation_deg{87, 301, 304, 275, 277, 90};
   const std::vector<double> seconds{0.0024, 0.0028, 0.0041, 0.0021, 0.0046, 0.0128};
   Noise noise;
-  std::vector<SolveRecord> records;
+  std::vector<results::SolveRecord> records;
   for (std::size_t s = 0; s < shape.solvers.size(); ++s) {
     for (int run = 1; run <= shape.runs; ++run) {
       for (int point = 1; point <= shape.points; ++point) {
         const double t = 4 * std::numbers::pi * (point - 1) / 20;
-        SolveRecord r;
+        results::SolveRecord r;
         r.study = "synthetic";
         r.robot = "iiwa";
         r.solver = shape.solvers[s];
@@ -76,16 +76,16 @@ inline const char* const dobot_definition =
                 "height_m": 0.058, "lower_deg": [-90, 0, -10], "upper_deg": [90, 85, 95]}})";
 
 // One run on that circle. The angles are those that reach the points: in the arm's plane the two links are a triangle.
-inline std::vector<SolveRecord> dobot_solves(int points = 20) {
+inline std::vector<results::SolveRecord> dobot_solves(int points = 20) {
   Noise noise;
-  std::vector<SolveRecord> records;
+  std::vector<results::SolveRecord> records;
   for (int point = 1; point <= points; ++point) {
     const double t = std::numbers::pi / 10 * (point - 1);
     const double x = 0.16 + 0.07 * std::cos(t), y = 0.16 + 0.07 * std::sin(t);
     const double level = std::hypot(x, y) - 0.061, rise = -0.058, far = std::hypot(level, rise);
     const double lean = std::acos((0.135 * 0.135 + far * far - 0.147 * 0.147) / (2 * 0.135 * far));
     const double theta2 = std::atan2(level, rise) - lean;
-    SolveRecord r;
+    results::SolveRecord r;
     r.study = "slim2023-dobot";
     r.robot = "dobot_magician";
     r.solver = "IK-BA";

@@ -3,8 +3,7 @@
 
 #include "tests/catch.hpp"
 
-using namespace ikbench;
-using cli::ProgressText;
+using ikbench::cli::ProgressText;
 using namespace std::chrono_literals;
 
 TEST_CASE("in a log a line tells the progress every thirty seconds, with rate and time left", "[console]") {

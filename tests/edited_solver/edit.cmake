@@ -1,6 +1,6 @@
 # cmake -DSOURCE=... -DROOT=... ... -P edit.cmake: copies the sources that decide numbers to ROOT, changes a constant of
 # ik_bat there, and writes the digests of the copy.
-file(COPY ${SOURCE}/robots ${SOURCE}/solvers ${SOURCE}/experiments DESTINATION ${ROOT})
+file(COPY ${SOURCE}/numerics ${SOURCE}/robots ${SOURCE}/solvers ${SOURCE}/experiments DESTINATION ${ROOT})
 file(READ ${SOURCE}/solvers/ik_bat.cpp text)
 string(REPLACE "options_.step_factor * loudness_" "0.9 * options_.step_factor * loudness_" edited "${text}")
 if(edited STREQUAL text)

@@ -5,6 +5,8 @@
 #include "tests/catch.hpp"
 
 using namespace ikbench;
+using namespace ikbench::results;
+using namespace ikbench::experiments;
 
 namespace {
 

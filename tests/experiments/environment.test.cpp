@@ -5,6 +5,7 @@
 #include "tests/catch.hpp"
 
 using namespace ikbench;
+using namespace ikbench::experiments;
 
 TEST_CASE("the environment says something for each of its keys", "[environment]") {
   const std::map<std::string, std::string> noted = environment();

@@ -6,6 +6,7 @@
 
 #include "tests/catch.hpp"
 
+using namespace ikbench;
 using namespace ikbench::microbenchmarks;
 using nlohmann::json;
 

@@ -8,6 +8,9 @@
 #include "tests/catch.hpp"
 
 using namespace ikbench;
+using namespace ikbench::numerics;
+using namespace ikbench::robots;
+using namespace ikbench::experiments;
 
 namespace {
 
@@ -72,7 +75,7 @@ TEST_CASE("a circle has its own centre, radius, points and tool", "[path]") {
 }
 
 TEST_CASE("random targets are tool poses of configurations within the limits, on every arm", "[path]") {
-  for (const Robot& arm : robots()) {
+  for (const Robot& arm : all_robots()) {
     INFO(arm.name);
     Random random(Key(1)), again(Key(1));
     const std::vector<Pose> poses = random_poses(arm, 200, random);

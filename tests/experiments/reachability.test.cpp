@@ -8,6 +8,9 @@
 #include "tests/catch.hpp"
 
 using namespace ikbench;
+using namespace ikbench::numerics;
+using namespace ikbench::robots;
+using namespace ikbench::experiments;
 
 namespace {
 

@@ -9,6 +9,9 @@
 #include "tests/experiments/samples.hpp"
 
 using namespace ikbench;
+using namespace ikbench::solvers;
+using namespace ikbench::results;
+using namespace ikbench::experiments;
 
 namespace {
 

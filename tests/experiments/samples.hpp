@@ -11,10 +11,10 @@
 namespace ikbench {
 
 // Two runs of three solvers over four points of the paper's helix: 24 solves.
-inline Study small_study() {
-  Study study;
+inline experiments::Study small_study() {
+  experiments::Study study;
   study.name = "small";
-  study.path = Helix{.points = 4};
+  study.path = experiments::Helix{.points = 4};
   study.initial = Eigen::VectorXd::Zero(7);
   study.population = 6;
   study.stop.iterations = 5;
@@ -24,31 +24,31 @@ inline Study small_study() {
 }
 
 // A solve without what differs from one run of the program to the next.
-inline SolveRecord without_times(SolveRecord record) {
+inline results::SolveRecord without_times(results::SolveRecord record) {
   record.seconds = 0;
   record.cpu_seconds = 0;
-  record.timing = Timing::clean;
+  record.timing = results::Timing::clean;
   record.session = 0;
   return record;
 }
 
-inline bool same_numbers(const std::vector<SolveRecord>& a, const std::vector<SolveRecord>& b) {
+inline bool same_numbers(const std::vector<results::SolveRecord>& a, const std::vector<results::SolveRecord>& b) {
   return a.size() == b.size() && std::equal(a.begin(), a.end(), b.begin(), [](const auto& x, const auto& y) {
            return same(without_times(x), without_times(y));
          });
 }
 
 // The solves of a study that is run into a store of its own.
-inline std::vector<SolveRecord> solves_of(const Study& study, int jobs = 1) {
+inline std::vector<results::SolveRecord> solves_of(const experiments::Study& study, int jobs = 1) {
   const ScratchFolder folder;
-  Store store(folder.path / "store.sqlite", Store::Mode::write);
-  run(study, store, {.jobs = jobs});
+  results::Store store(folder.path / "store.sqlite", results::Store::Mode::write);
+  experiments::run(study, store, {.jobs = jobs});
   return store.solves(study.name);
 }
 
-inline std::vector<SolveRecord> only(const std::string& solver, const std::vector<SolveRecord>& records) {
-  std::vector<SolveRecord> chosen;
-  for (const SolveRecord& record : records) {
+inline std::vector<results::SolveRecord> only(const std::string& solver, const std::vector<results::SolveRecord>& records) {
+  std::vector<results::SolveRecord> chosen;
+  for (const results::SolveRecord& record : records) {
     if (record.solver == solver) chosen.push_back(record);
   }
   return chosen;

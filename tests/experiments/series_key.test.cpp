@@ -8,6 +8,11 @@
 #include "tests/experiments/samples.hpp"
 
 using namespace ikbench;
+using namespace ikbench::numerics;
+using namespace ikbench::robots;
+using namespace ikbench::solvers;
+using namespace ikbench::results;
+using namespace ikbench::experiments;
 
 namespace {
 
@@ -82,7 +87,7 @@ TEST_CASE("the paper's study keeps its configurations, so that older stores are 
 }
 
 TEST_CASE("every option of every solver decides the series", "[series]") {
-  for (const SolverInfo& info : solvers()) {
+  for (const SolverInfo& info : all_solvers()) {
     const Study plain = changed([&](Study& study) { study.solvers = {{"A", info.name, {}}}; });
     info.describe([&](const OptionList& list) {
       for (const Option& option : list.options()) {
@@ -142,7 +147,7 @@ TEST_CASE("where limits are enforced every solver that has bounds keeps inside, 
           "[series]") {
   Study study = small_study();
   study.limits = Limits::enforced;
-  for (const SolverInfo& info : solvers()) {
+  for (const SolverInfo& info : all_solvers()) {
     INFO(info.name);
     const Settings options = effective_options(study, {"A", info.name, {}});
     if (options.contains("bounds")) CHECK(options.at("bounds") == "clamp");
@@ -162,7 +167,7 @@ TEST_CASE("a series is the configuration and the source, each of 16 hexadecimal 
 
 TEST_CASE("every solver has a source of its own, and a series says whose it is", "[series]") {
   std::set<std::string> digests{shared_source_digest()}, sources;
-  for (const SolverInfo& info : solvers()) {
+  for (const SolverInfo& info : all_solvers()) {
     INFO(info.name);
     CHECK(digests.insert(solver_source_digest(info.name)).second);
     const std::string key = key_of(changed([&](Study& study) { study.solvers = {{"A", info.name, {}}}; }));
@@ -190,7 +195,7 @@ TEST_CASE("the study's bounds reach every solver that has bounds, and trouble no
   Study study = small_study();
   for (const auto& [bounds, name] : {std::pair{StudyBounds::clamp, "clamp"}, {StudyBounds::initial, "initial"}}) {
     study.bounds = bounds;
-    for (const SolverInfo& info : solvers()) {
+    for (const SolverInfo& info : all_solvers()) {
       INFO(info.name);
       const Settings options = effective_options(study, {"A", info.name, {}});
       if (options.contains("bounds")) CHECK(options.at("bounds") == name);

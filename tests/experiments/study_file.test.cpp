@@ -7,12 +7,17 @@
 #include <numbers>
 #include <random>
 
-#include "robots/names.hpp"
+#include "numerics/names.hpp"
 #include "solvers/registry.hpp"
 #include "tests/catch.hpp"
 #include "tests/experiments/samples.hpp"
 
 using namespace ikbench;
+using namespace ikbench::numerics;
+using namespace ikbench::robots;
+using namespace ikbench::solvers;
+using namespace ikbench::results;
+using namespace ikbench::experiments;
 
 namespace {
 

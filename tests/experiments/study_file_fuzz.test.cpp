@@ -7,6 +7,8 @@
 #include "tests/experiments/samples.hpp"
 
 using namespace ikbench;
+using namespace ikbench::solvers;
+using namespace ikbench::experiments;
 
 namespace {
 

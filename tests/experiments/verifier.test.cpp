@@ -10,6 +10,10 @@
 #include "tests/catch.hpp"
 
 using namespace ikbench;
+using namespace ikbench::numerics;
+using namespace ikbench::robots;
+using namespace ikbench::results;
+using namespace ikbench::experiments;
 
 namespace {
 
@@ -30,7 +34,7 @@ constexpr Requirement any{.claimed_error = 0};
 TEST_CASE("the verifier's forward kinematics agrees with the chain's to 1e-12", "[verifier]") {
   std::mt19937_64 random(12);
   std::uniform_real_distribution<double> angle(-2 * pi, 2 * pi);
-  for (const Robot& arm : robots()) {
+  for (const Robot& arm : all_robots()) {
     INFO(arm.name);
     double largest = 0;
     for (int i = 0; i < 10'000; ++i) {

@@ -9,6 +9,8 @@
 #include "tests/results/samples.hpp"
 
 using namespace ikbench;
+using namespace ikbench::results;
+using namespace ikbench::experiments;
 
 TEST_CASE("a worker is called as often as there are jobs, one job by the calling thread", "[workers]") {
   for (const int jobs : {1, 2, 5}) {

@@ -6,12 +6,20 @@
 #include <map>
 #include <vector>
 
-#include "analysis/paper_tables.hpp"
+#include "analysis/slim2023/paper_tables.hpp"
 #include "experiments/runner.hpp"
 #include "experiments/study_file.hpp"
 #include "tests/catch.hpp"
 
 using namespace ikbench;
+using namespace ikbench::numerics;
+using namespace ikbench::solvers;
+using namespace ikbench::results;
+using namespace ikbench::experiments;
+using namespace ikbench::statistics;
+using namespace ikbench::inference;
+using namespace ikbench::report;
+using namespace ikbench::slim2023;
 
 namespace {
 

@@ -6,11 +6,13 @@
 #include <limits>
 #include <random>
 
-#include "results/number.hpp"
+#include "numerics/number.hpp"
 #include "tests/catch.hpp"
 #include "tests/results/samples.hpp"
 
 using namespace ikbench;
+using namespace ikbench::numerics;
+using namespace ikbench::results;
 
 namespace {
 

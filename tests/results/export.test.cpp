@@ -9,6 +9,7 @@
 #include "tests/results/samples.hpp"
 
 using namespace ikbench;
+using namespace ikbench::results;
 
 TEST_CASE("CSV has a row per solve and a column per joint", "[export]") {
   SolveRecord four_joints = sample_record("key-b", 2, 3);

@@ -8,6 +8,7 @@
 #include "tests/results/samples.hpp"
 
 using namespace ikbench;
+using namespace ikbench::results;
 
 namespace {
 

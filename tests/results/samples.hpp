@@ -66,7 +66,7 @@ std::string complaint(Action&& action) {
 }
 
 // A record with a value of its own in every column; of the series of sample_study, with its label.
-inline SolveRecord sample_record(const std::string& series = "key-a", int run = 1, int point = 1) {
+inline results::SolveRecord sample_record(const std::string& series = "key-a", int run = 1, int point = 1) {
   return {.study = "table-3",
           .robot = "iiwa14",
           .solver = series == "key-b" ? "BA" : "IK-BA",
@@ -86,16 +86,16 @@ inline SolveRecord sample_record(const std::string& series = "key-a", int run = 
           .limit_violation_deg = 0.5,
           .evaluations = 10000,
           .iterations = 200,
-          .stop_reason = StopReason::tolerance,
-          .status = Status::limit_violated,
+          .stop_reason = results::StopReason::tolerance,
+          .status = results::Status::limit_violated,
           .seconds = 0.2439,
           .cpu_seconds = 0.2438,
-          .timing = Timing::parallel,
+          .timing = results::Timing::parallel,
           .session = 1,
           .trace_cm = {12.5, 0.25, 0.0019}};
 }
 
-inline StudyEntry sample_study(const std::string& name = "table-3") {
+inline results::StudyEntry sample_study(const std::string& name = "table-3") {
   return {.name = name,
           .definition = R"({"robot":"iiwa14","runs":20,"points":20})",
           .series = {{.key = "key-a", .label = "IK-BA", .algorithm = "ik_ba", .options = R"({"gamma":0.1})"},
@@ -116,9 +116,9 @@ bool same(const Value& a, const Value& b) {
   return a == b;
 }
 
-inline bool same(const SolveRecord& a, const SolveRecord& b) {
+inline bool same(const results::SolveRecord& a, const results::SolveRecord& b) {
   bool equal = true;
-  for_each_column([&](std::string_view, auto member, std::string_view) { equal &= same(a.*member, b.*member); });
+  results::for_each_column([&](std::string_view, auto member, std::string_view) { equal &= same(a.*member, b.*member); });
   return equal;
 }
 

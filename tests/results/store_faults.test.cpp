@@ -15,6 +15,7 @@
 #include "tests/results/samples.hpp"
 
 using namespace ikbench;
+using namespace ikbench::results;
 
 namespace {
 

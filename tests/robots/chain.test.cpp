@@ -5,13 +5,15 @@
 #include <numbers>
 #include <vector>
 
-#include "robots/functions.hpp"
+#include "numerics/functions.hpp"
 #include "robots/robot.hpp"
 #include "tests/catch.hpp"
 #include "tests/robots/random_configuration.hpp"
-#include "tests/robots/reference.hpp"
+#include "tests/numerics/reference.hpp"
 
 using namespace ikbench;
+using namespace ikbench::numerics;
+using namespace ikbench::robots;
 using std::numbers::pi;
 
 namespace {
@@ -89,7 +91,7 @@ TEST_CASE("the iiwa's axes at rest are those of its base", "[chain]") {
 
 TEST_CASE("position alone is the translation of the whole pose", "[chain]") {
   RandomConfigurations random;
-  for (const Robot& arm : robots()) {
+  for (const Robot& arm : all_robots()) {
     if (arm.chain() == nullptr) continue;
     const Chain with_tool(arm.chain()->links(), {0.01, -0.02, 0.15});
     for (int trial = 0; trial < 10000; ++trial) {
@@ -101,7 +103,7 @@ TEST_CASE("position alone is the translation of the whole pose", "[chain]") {
 
 TEST_CASE("position agrees with 4x4 products in long double to 1e-13 cm", "[chain]") {
   RandomConfigurations random;
-  for (const Robot& arm : robots()) {
+  for (const Robot& arm : all_robots()) {
     if (arm.chain() == nullptr) continue;
     const Chain with_tool(arm.chain()->links(), {0.01, -0.02, 0.15});
     for (int trial = 0; trial < 2000; ++trial) {
@@ -115,7 +117,7 @@ TEST_CASE("position agrees with 4x4 products in long double to 1e-13 cm", "[chai
 TEST_CASE("the Jacobian is what central differences say", "[chain]") {
   RandomConfigurations random;
   const double h = 1e-5;  // truncation h^2 / 6 = 2e-11
-  for (const Robot& arm : robots()) {
+  for (const Robot& arm : all_robots()) {
     Eigen::Matrix3Xd jacobian(3, arm.kinematics->joints());
     for (int trial = 0; trial < 100; ++trial) {
       const Eigen::VectorXd q = random(arm.limits);
@@ -144,7 +146,7 @@ TEST_CASE("the error of a batch is the distance of each candidate, Eq. 1", "[cha
 
 TEST_CASE("no tool point leaves the ball of reach", "[chain]") {
   RandomConfigurations random;
-  for (const Robot& arm : robots()) {
+  for (const Robot& arm : all_robots()) {
     if (arm.chain() == nullptr) continue;
     const Chain with_tool(arm.chain()->links(), {0.01, -0.02, 0.15});
     const Chain::Ball ball = with_tool.reach();
@@ -155,7 +157,7 @@ TEST_CASE("no tool point leaves the ball of reach", "[chain]") {
 }
 
 TEST_CASE("a stretched arm touches the ball of reach", "[chain]") {
-  for (const Robot& arm : robots()) {
+  for (const Robot& arm : all_robots()) {
     if (arm.chain() == nullptr) continue;
     const Chain::Ball ball = arm.kinematics->reach();
     const double stretched =

@@ -6,11 +6,13 @@
 #include <numbers>
 
 #include "robots/robot.hpp"
-#include "robots/units.hpp"
+#include "numerics/units.hpp"
 #include "tests/catch.hpp"
 #include "tests/robots/random_configuration.hpp"
 
 using namespace ikbench;
+using namespace ikbench::numerics;
+using namespace ikbench::robots;
 
 namespace {
 

@@ -14,15 +14,18 @@
 #include <string>
 #include <vector>
 
-#include "robots/elementary.hpp"
-#include "robots/instruction_set.hpp"
+#include "numerics/elementary.hpp"
+#include "numerics/instruction_set.hpp"
+#include "numerics/kernels.hpp"
 #include "robots/robot.hpp"
 #include "tests/catch.hpp"
-#include "tests/robots/guarded.hpp"
+#include "tests/numerics/guarded.hpp"
 #include "tests/robots/random_configuration.hpp"
-#include "tests/robots/reference.hpp"
+#include "tests/numerics/reference.hpp"
 
 using namespace ikbench;
+using namespace ikbench::numerics;
+using namespace ikbench::robots;
 using std::numbers::pi;
 
 namespace {
@@ -81,7 +84,7 @@ void check_errors(const Arm& arm, Dice& dice, ptrdiff_t count, ptrdiff_t row, pt
   const Eigen::Vector3d target = random_target(dice);
   std::vector<double> expected(static_cast<std::size_t>(count));
   const KernelChain chain = arm.chain();
-  robot_kernels(InstructionSet::portable)
+  robots::kernels(InstructionSet::portable)
       .position_errors(chain, target.data(), q.data() + from, row, count, expected.data());
   for (const InstructionSet set : instruction_sets()) {
     CAPTURE(name_of(set));
@@ -89,7 +92,7 @@ void check_errors(const Arm& arm, Dice& dice, ptrdiff_t count, ptrdiff_t row, pt
     const std::size_t before = page == Guarded::Page::after ? 5 : 0, behind = page == Guarded::Page::after ? 0 : 5;
     Guarded errors(expected.size() + before + behind, page);
     std::fill_n(errors.data(), errors.size(), untouched);
-    robot_kernels(set).position_errors(chain, target.data(), q.data() + from, row, count, errors.data() + before);
+    robots::kernels(set).position_errors(chain, target.data(), q.data() + from, row, count, errors.data() + before);
     REQUIRE(same_bits(errors.data() + before, expected.data(), expected.size()));
     for (std::size_t i = 0; i < before; ++i) REQUIRE(errors[i] == untouched);
     for (std::size_t i = errors.size() - behind; i < errors.size(); ++i) REQUIRE(errors[i] == untouched);
@@ -137,8 +140,8 @@ TEST_CASE("no candidates at all are read and written by no instruction set", "[k
   const Arm arm(RandomArm(dice, 3));
   const double target[3]{};
   for (const InstructionSet set : instruction_sets()) {
-    robot_kernels(set).position_errors(arm.chain(), target, nullptr, 0, 0, nullptr);
-    robot_kernels(set).sines_and_cosines(nullptr, 0, nullptr, nullptr);
+    robots::kernels(set).position_errors(arm.chain(), target, nullptr, 0, 0, nullptr);
+    numerics::kernels(set).sines_and_cosines(nullptr, 0, nullptr, nullptr);
   }
 }
 
@@ -152,12 +155,11 @@ TEST_CASE("every instruction set gives the portable sines and cosines bit for bi
         if (dice.below(20) == 0) angles[i] = i % 2 == 0 ? infinity : not_a_number;
       }
       std::vector<double> sines(count), cosines(count);
-      robot_kernels(InstructionSet::portable)
-          .sines_and_cosines(angles.data(), static_cast<ptrdiff_t>(count), sines.data(), cosines.data());
+      numerics::kernels(InstructionSet::portable).sines_and_cosines(angles.data(), static_cast<ptrdiff_t>(count), sines.data(), cosines.data());
       for (const InstructionSet set : instruction_sets()) {
         CAPTURE(name_of(set), count);
         Guarded s(count, page), c(count, page);
-        robot_kernels(set).sines_and_cosines(angles.data(), static_cast<ptrdiff_t>(count), s.data(), c.data());
+        numerics::kernels(set).sines_and_cosines(angles.data(), static_cast<ptrdiff_t>(count), s.data(), c.data());
         REQUIRE(same_bits(s.data(), sines.data(), count));
         REQUIRE(same_bits(c.data(), cosines.data(), count));
       }
@@ -171,7 +173,7 @@ TEST_CASE("sines and cosines of fewer angles than there are lanes leave the numb
       CAPTURE(name_of(set), count);
       const std::vector<double> angles(count, 0.5);
       std::vector<double> sines(count + 10, -2), cosines(count + 10, -2);
-      robot_kernels(set).sines_and_cosines(angles.data(), static_cast<ptrdiff_t>(count), sines.data(), cosines.data());
+      numerics::kernels(set).sines_and_cosines(angles.data(), static_cast<ptrdiff_t>(count), sines.data(), cosines.data());
       CHECK(std::count(sines.begin(), sines.end(), -2) == 10);
       CHECK(std::count(cosines.begin(), cosines.end(), -2) == 10);
       CHECK(sines[count] == -2);
@@ -193,7 +195,7 @@ TEST_CASE("the errors of the iiwa are within 1e-13 cm of 4x4 products in long do
       const long double expected = reference_distance(reference_position(chain.links(), tip, q), target);
       double error = 0;
       for (const InstructionSet set : instruction_sets()) {
-        robot_kernels(set).position_errors(arm.chain(), target.data(), q.data(), 1, 1, &error);
+        robots::kernels(set).position_errors(arm.chain(), target.data(), q.data(), 1, 1, &error);
         REQUIRE(std::abs(static_cast<double>(error - expected)) < 1e-15);  // [m]
       }
       Eigen::VectorXd by_chain(1);
@@ -217,7 +219,7 @@ TEST_CASE("the errors of any arm are within 1e-9 m of long double for angles up 
     Chain(random.links, random.tip).position_errors(q, target, error);
     REQUIRE(std::abs(static_cast<double>(error[0] - expected)) < 1e-9);
     for (const InstructionSet set : instruction_sets()) {
-      robot_kernels(set).position_errors(arm.chain(), target.data(), q.data(), 1, 1, error.data());
+      robots::kernels(set).position_errors(arm.chain(), target.data(), q.data(), 1, 1, error.data());
       REQUIRE(std::abs(static_cast<double>(error[0] - expected)) < 1e-9);
     }
   }
@@ -237,10 +239,10 @@ TEST_CASE("an angle that is none spoils its own candidate, in whatever joint, an
         for (Eigen::Index i = 0; i < q.size(); ++i) q.data()[i] = dice.between(-2, 2);
         const Eigen::Vector3d target = random_target(dice);
         std::vector<double> good(count), errors(count);
-        robot_kernels(set).position_errors(arm.chain(), target.data(), q.data(), count, count, good.data());
+        robots::kernels(set).position_errors(arm.chain(), target.data(), q.data(), count, count, good.data());
         const auto victim = static_cast<std::size_t>(dice.below(count));
         q(joint, static_cast<Eigen::Index>(victim)) = bad;
-        robot_kernels(set).position_errors(arm.chain(), target.data(), q.data(), count, count, errors.data());
+        robots::kernels(set).position_errors(arm.chain(), target.data(), q.data(), count, count, errors.data());
         CHECK_FALSE(std::isfinite(errors[victim]));
         errors[victim] = good[victim];
         CHECK(errors == good);
@@ -263,7 +265,7 @@ TEST_CASE("a target that is none, or a link beyond all squares, gives no finite 
       for (Eigen::Index coordinate = 0; coordinate < 3; ++coordinate) {
         Eigen::Vector3d target(0.1, 0.2, 0.3);
         target[coordinate] = bad;
-        robot_kernels(set).position_errors(arm.chain(), target.data(), q.data(), 11, 11, errors.data());
+        robots::kernels(set).position_errors(arm.chain(), target.data(), q.data(), 11, 11, errors.data());
         for (const double error : errors) CHECK_FALSE(std::isfinite(error));
       }
       for (std::size_t joint = 0; joint < 7; ++joint) {
@@ -271,7 +273,7 @@ TEST_CASE("a target that is none, or a link beyond all squares, gives no finite 
         for (const auto length : {&KernelLink::a, &KernelLink::d}) {
           Arm huge = arm;
           huge.links[joint].*length = bad;
-          robot_kernels(set).position_errors(huge.chain(), target.data(), q.data(), 11, 11, errors.data());
+          robots::kernels(set).position_errors(huge.chain(), target.data(), q.data(), 11, 11, errors.data());
           for (const double error : errors) CHECK_FALSE(std::isfinite(error));
         }
       }

@@ -10,7 +10,7 @@ namespace ikbench {
 class RandomConfigurations {
  public:
   // Uniform within the limits.
-  Eigen::VectorXd operator()(const JointLimits& limits) {
+  Eigen::VectorXd operator()(const robots::JointLimits& limits) {
     Eigen::VectorXd q(limits.lower.size());
     for (Eigen::Index j = 0; j < q.size(); ++j) q[j] = between(limits.lower[j], limits.upper[j]);
     return q;

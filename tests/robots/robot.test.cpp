@@ -5,9 +5,10 @@
 #include "tests/catch.hpp"
 
 using namespace ikbench;
+using namespace ikbench::robots;
 
 TEST_CASE("every robot is found by its name, and has limits for each joint", "[robot]") {
-  for (const Robot& arm : robots()) {
+  for (const Robot& arm : all_robots()) {
     CHECK(robot(arm.name).name == arm.name);
     CHECK_FALSE(arm.summary.empty());
     CHECK(arm.limits.lower.size() == arm.kinematics->joints());

@@ -9,6 +9,7 @@
 #include "tests/robots/random_configuration.hpp"
 
 using namespace ikbench;
+using namespace ikbench::robots;
 using std::numbers::pi;
 
 namespace {

@@ -10,6 +10,9 @@
 #include "tests/solvers/objectives.hpp"
 
 using namespace ikbench;
+using namespace ikbench::numerics;
+using namespace ikbench::robots;
+using namespace ikbench::solvers;
 
 namespace {
 
@@ -76,7 +79,7 @@ void check_best(Solver& solver, const Task& task, Objective& objective) {
 }  // namespace
 
 TEST_CASE("every solver says what it is and where it comes from", "[contract]") {
-  for (const SolverInfo& info : solvers()) {
+  for (const SolverInfo& info : all_solvers()) {
     CAPTURE(info.name);
     CHECK(solver(info.name).name == info.name);
     CHECK_FALSE(info.summary.empty());
@@ -92,14 +95,14 @@ TEST_CASE("every solver says what it is and where it comes from", "[contract]") 
 }
 
 TEST_CASE("an option given its default's text is the default", "[contract]") {
-  for (const SolverInfo& info : solvers()) {
+  for (const SolverInfo& info : all_solvers()) {
     const Settings defaults = info.options({});
     CHECK(info.options(defaults) == defaults);
   }
 }
 
 TEST_CASE("best never worsens and is exactly as good as it says, in every corner of the options", "[contract]") {
-  for (const SolverInfo& info : solvers()) {
+  for (const SolverInfo& info : all_solvers()) {
     for (const Settings& settings : corners(info)) {
       CAPTURE(info.name, text(settings));
       const Task task = iiwa_task();
@@ -110,7 +113,7 @@ TEST_CASE("best never worsens and is exactly as good as it says, in every corner
 }
 
 TEST_CASE("best stays honest where some errors are not numbers", "[contract]") {
-  for (const SolverInfo& info : solvers()) {
+  for (const SolverInfo& info : all_solvers()) {
     for (const Settings& settings : corners(info)) {
       for (const double value : {not_a_number, infinity}) {
         CAPTURE(info.name, text(settings), value);
@@ -123,7 +126,7 @@ TEST_CASE("best stays honest where some errors are not numbers", "[contract]") {
 }
 
 TEST_CASE("a solve in which no error is a number ends as not finite", "[contract]") {
-  for (const SolverInfo& info : solvers()) {
+  for (const SolverInfo& info : all_solvers()) {
     for (const Settings& settings : corners(info)) {
       CAPTURE(info.name, text(settings));
       const Task task = iiwa_task();
@@ -136,7 +139,7 @@ TEST_CASE("a solve in which no error is a number ends as not finite", "[contract
 }
 
 TEST_CASE("the same key gives the same answer, also from a solver used before", "[contract]") {
-  for (const SolverInfo& info : solvers()) {
+  for (const SolverInfo& info : all_solvers()) {
     for (const Settings& settings : corners(info)) {
       CAPTURE(info.name, text(settings));
       const Task task = iiwa_task(), other = snake_task(3, 6);
@@ -153,7 +156,7 @@ TEST_CASE("the same key gives the same answer, also from a solver used before", 
 }
 
 TEST_CASE("looking ahead changes no bit, in every corner of the options", "[contract]") {
-  for (const SolverInfo& info : solvers()) {
+  for (const SolverInfo& info : all_solvers()) {
     for (const Settings& settings : corners(info)) {
       for (const int population : {10, 37}) {
         CAPTURE(info.name, text(settings), population);
@@ -171,7 +174,7 @@ TEST_CASE("looking ahead changes no bit, in every corner of the options", "[cont
 }
 
 TEST_CASE("different keys give different draws", "[contract]") {
-  for (const SolverInfo& info : solvers()) {
+  for (const SolverInfo& info : all_solvers()) {
     CAPTURE(info.name);
     Task task = iiwa_task();
     task.target = {2, 2, 2};  // out of reach: solvers that draw only when they are stuck are stuck
@@ -184,7 +187,7 @@ TEST_CASE("different keys give different draws", "[contract]") {
 }
 
 TEST_CASE("every candidate goes through the objective, which counts it", "[contract]") {
-  for (const SolverInfo& info : solvers()) {
+  for (const SolverInfo& info : all_solvers()) {
     for (const Settings& settings : corners(info)) {
       CAPTURE(info.name, text(settings));
       const Task task = iiwa_task();
@@ -201,7 +204,7 @@ TEST_CASE("every candidate goes through the objective, which counts it", "[contr
 }
 
 TEST_CASE("with bounds = clamp no candidate is outside the limits", "[contract]") {
-  for (const SolverInfo& info : solvers()) {
+  for (const SolverInfo& info : all_solvers()) {
     if (!has_choice(info, "bounds", "clamp")) continue;
     for (Settings settings : corners(info)) {
       settings["bounds"] = "clamp";
@@ -219,7 +222,7 @@ TEST_CASE("with bounds = clamp no candidate is outside the limits", "[contract]"
 }
 
 TEST_CASE("solvers without a choice of bounds stay inside the limits", "[contract]") {
-  for (const SolverInfo& info : solvers()) {
+  for (const SolverInfo& info : all_solvers()) {
     if (info.options({}).contains("bounds")) continue;
     CAPTURE(info.name);
     const Task task = iiwa_task();
@@ -232,7 +235,7 @@ TEST_CASE("solvers without a choice of bounds stay inside the limits", "[contrac
 }
 
 TEST_CASE("a small population works or is refused in a sentence", "[contract]") {
-  for (const SolverInfo& info : solvers()) {
+  for (const SolverInfo& info : all_solvers()) {
     for (const Settings& settings : corners(info)) {
       for (int population = 1; population <= 7; ++population) {
         CAPTURE(info.name, text(settings), population);
@@ -251,7 +254,7 @@ TEST_CASE("a small population works or is refused in a sentence", "[contract]") 
 }
 
 TEST_CASE("a population of 100000 is started and takes a step", "[contract][large]") {
-  for (const SolverInfo& info : solvers()) {
+  for (const SolverInfo& info : all_solvers()) {
     CAPTURE(info.name);
     // BA adds the mean loudness up anew for each bat that accepts: a square of the population, with sanitizers 18 s.
     const Task task = iiwa_task(info.name == "bat" ? 20'000 : 100'000);
@@ -264,7 +267,7 @@ TEST_CASE("a population of 100000 is started and takes a step", "[contract][larg
 }
 
 TEST_CASE("one joint, two, twenty and sixty-four are searched alike", "[contract]") {
-  for (const SolverInfo& info : solvers()) {
+  for (const SolverInfo& info : all_solvers()) {
     for (const int joints : {1, 2, 20, most_joints}) {
       CAPTURE(info.name, joints);
       const Task task = snake_task(joints);
@@ -275,7 +278,7 @@ TEST_CASE("one joint, two, twenty and sixty-four are searched alike", "[contract
 }
 
 TEST_CASE("a solve may start at the limits, or where a joint is locked", "[contract]") {
-  for (const SolverInfo& info : solvers()) {
+  for (const SolverInfo& info : all_solvers()) {
     CAPTURE(info.name);
     Task task = iiwa_task();
     task.problem.start = task.problem.upper;
@@ -287,7 +290,7 @@ TEST_CASE("a solve may start at the limits, or where a joint is locked", "[contr
 }
 
 TEST_CASE("an iteration takes no memory from the heap", "[contract]") {
-  for (const SolverInfo& info : solvers()) {
+  for (const SolverInfo& info : all_solvers()) {
     for (const Settings& settings : corners(info)) {
       for (const int joints : {4, 20}) {
         CAPTURE(info.name, text(settings), joints);
@@ -306,7 +309,7 @@ TEST_CASE("an iteration takes no memory from the heap", "[contract]") {
 }
 
 TEST_CASE("a second solve of the same size takes no memory from the heap", "[contract]") {
-  for (const SolverInfo& info : solvers()) {
+  for (const SolverInfo& info : all_solvers()) {
     for (const Settings& settings : corners(info)) {
       for (const int joints : {1, 4, most_joints}) {
         CAPTURE(info.name, text(settings), joints);
@@ -360,7 +363,7 @@ TEST_CASE("every solver but the floor beats random search on the iiwa", "[contra
     return sum / 10;
   };
   const double floor = mean_error(solver("random_search"));
-  for (const SolverInfo& info : solvers()) {
+  for (const SolverInfo& info : all_solvers()) {
     CAPTURE(info.name);
     if (info.name != "random_search") CHECK(mean_error(info) < floor);
   }

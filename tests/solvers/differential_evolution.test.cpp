@@ -11,6 +11,8 @@
 #include "tests/solvers/objectives.hpp"
 
 using namespace ikbench;
+using namespace ikbench::numerics;
+using namespace ikbench::solvers;
 
 namespace {
 
@@ -22,7 +24,7 @@ struct Started {
   std::vector<Eigen::VectorXd> x;  // the population
 
   Started(const Settings& settings, std::vector<double> script)
-      : objective(task.chain, std::move(script)), solver(ikbench::solver("differential_evolution").make(settings)) {
+      : objective(task.chain, std::move(script)), solver(solvers::solver("differential_evolution").make(settings)) {
     solver->start(task.problem, objective, random);
     x = objective.candidates;
   }

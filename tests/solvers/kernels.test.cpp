@@ -9,12 +9,14 @@
 #include <limits>
 #include <vector>
 
-#include "robots/instruction_set.hpp"
+#include "numerics/instruction_set.hpp"
 #include "tests/catch.hpp"
-#include "tests/robots/guarded.hpp"
-#include "tests/robots/reference.hpp"
+#include "tests/numerics/guarded.hpp"
+#include "tests/numerics/reference.hpp"
 
 using namespace ikbench;
+using namespace ikbench::numerics;
+using namespace ikbench::solvers;
 
 namespace {
 
@@ -90,7 +92,7 @@ void for_each_case(Check check) {
       for (const Guarded::Page page : {Guarded::Page::after, Guarded::Page::before}) {
         for (const bool in_place : {false, true}) {
           CAPTURE(name_of(set), size, page == Guarded::Page::after, in_place);
-          check(solver_kernels(set), size, page, in_place);
+          check(solvers::kernels(set), size, page, in_place);
         }
       }
     }
@@ -101,7 +103,7 @@ void for_each_case(Check check) {
 
 TEST_CASE("every instruction set flies as the plain loop does, also in place, and touches nothing else", "[kernels]") {
   Dice dice;
-  for_each_case([&](const SolverKernels& kernels, std::size_t size, Guarded::Page page, bool in_place) {
+  for_each_case([&](const solvers::Kernels& kernels, std::size_t size, Guarded::Page page, bool in_place) {
     const double pole = drawn(dice);
     const Numbers frequency = drawn(dice, size), x = drawn(dice, size), v = drawn(dice, size);
     Numbers x_next(size), v_next(size);
@@ -129,7 +131,7 @@ TEST_CASE("every instruction set flies as the plain loop does, also in place, an
 
 TEST_CASE("every instruction set swarms as the plain loop does, also in place, and touches nothing else", "[kernels]") {
   Dice dice;
-  for_each_case([&](const SolverKernels& kernels, std::size_t size, Guarded::Page page, bool in_place) {
+  for_each_case([&](const solvers::Kernels& kernels, std::size_t size, Guarded::Page page, bool in_place) {
     const double inertia = dice.between(0, 1), cognitive = dice.between(0, 3), social = dice.between(0, 3);
     const double best = drawn(dice);
     const Numbers x = drawn(dice, size), v = drawn(dice, size), personal = drawn(dice, size);
@@ -165,7 +167,7 @@ TEST_CASE("every instruction set swarms as the plain loop does, also in place, a
 TEST_CASE("every instruction set scatters as the plain loop does, also in place, and touches nothing else",
           "[kernels]") {
   Dice dice;
-  for_each_case([&](const SolverKernels& kernels, std::size_t size, Guarded::Page page, bool in_place) {
+  for_each_case([&](const solvers::Kernels& kernels, std::size_t size, Guarded::Page page, bool in_place) {
     const double centre = drawn(dice), step = drawn(dice);
     const Numbers draws = drawn(dice, size);
     Numbers q(size);
@@ -206,7 +208,7 @@ TEST_CASE("every instruction set clamps as the plain loop does, with every bit, 
           }
           for (std::size_t i = 0; i < size; ++i) expected[i] = q[i] < lower ? lower : q[i] > upper ? upper : q[i];
           Row row(q, page);
-          solver_kernels(set).clamp(lower, upper, row.data(), static_cast<ptrdiff_t>(size));
+          solvers::kernels(set).clamp(lower, upper, row.data(), static_cast<ptrdiff_t>(size));
           REQUIRE(same_bits(row.data(), expected.data(), size));  // NaN is the NaN that it was
           REQUIRE(row.kept_within());
         }
@@ -222,7 +224,7 @@ TEST_CASE("NaN, an infinity and -0.0 are clamped in whatever lane", "[kernels]")
       const auto clamped = [&](double x) {
         Numbers q(21, 0.5);
         q[place] = x;
-        solver_kernels(set).clamp(-2, 3, q.data(), 21);
+        solvers::kernels(set).clamp(-2, 3, q.data(), 21);
         CHECK(std::count(q.begin(), q.end(), 0.5) == 20);
         return q[place];
       };
@@ -245,7 +247,7 @@ TEST_CASE("every instruction set chooses by chance as the plain loop does, and t
         Numbers expected(size);
         for (std::size_t i = 0; i < size; ++i) expected[i] = chance[i] < limit ? before[i] : other[i];
         Row chance_row(chance, page), other_row(other, page), row(before, page);
-        solver_kernels(set).choose(chance_row.data(), limit, other_row.data(), row.data(),
+        solvers::kernels(set).choose(chance_row.data(), limit, other_row.data(), row.data(),
                                    static_cast<ptrdiff_t>(size));
         REQUIRE(same_bits(row.data(), expected.data(), size));
         REQUIRE(row.kept_within());

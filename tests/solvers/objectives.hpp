@@ -12,19 +12,19 @@
 namespace ikbench {
 
 // Logs every candidate, one by one. Its errors are the real ones, or those of `script` in turn and then infinity.
-class RecordingObjective final : public Objective {
+class RecordingObjective final : public solvers::Objective {
  public:
-  RecordingObjective(const Chain& chain, const Eigen::Vector3d& target) : Objective(chain, target, 1) {}
-  RecordingObjective(const Chain& chain, std::vector<double> script)
-      : Objective(chain, Eigen::Vector3d::Zero(), 1), scripted_(true), script_(std::move(script)) {}
+  RecordingObjective(const robots::Chain& chain, const Eigen::Vector3d& target) : solvers::Objective(chain, target, 1) {}
+  RecordingObjective(const robots::Chain& chain, std::vector<double> script)
+      : solvers::Objective(chain, Eigen::Vector3d::Zero(), 1), scripted_(true), script_(std::move(script)) {}
 
   std::vector<Eigen::VectorXd> candidates;
   std::vector<double> given;  // the error of each
   std::vector<Eigen::VectorXd> linearized;
 
  private:
-  void evaluate(const CandidatesRef& q, Eigen::Ref<Eigen::VectorXd> errors) override {
-    Objective::evaluate(q, errors);
+  void evaluate(const robots::CandidatesRef& q, Eigen::Ref<Eigen::VectorXd> errors) override {
+    solvers::Objective::evaluate(q, errors);
     for (Eigen::Index i = 0; i < q.cols(); ++i) {
       const std::size_t turn = candidates.size();
       if (scripted_) errors[i] = turn < script_.size() ? script_[turn] : std::numeric_limits<double>::infinity();
@@ -32,9 +32,9 @@ class RecordingObjective final : public Objective {
       given.push_back(errors[i]);
     }
   }
-  Eigen::Vector3d evaluate_linear(const ConfigurationRef& q, Eigen::Ref<Eigen::Matrix3Xd> jacobian) override {
+  Eigen::Vector3d evaluate_linear(const robots::ConfigurationRef& q, Eigen::Ref<Eigen::Matrix3Xd> jacobian) override {
     linearized.push_back(q);
-    return Objective::evaluate_linear(q, jacobian);
+    return solvers::Objective::evaluate_linear(q, jacobian);
   }
 
   bool scripted_ = false;
@@ -42,26 +42,26 @@ class RecordingObjective final : public Objective {
 };
 
 // Looks no further ahead than the candidate at hand, as the pseudo-codes do.
-class OneAheadObjective final : public Objective {
+class OneAheadObjective final : public solvers::Objective {
  public:
-  OneAheadObjective(const Chain& chain, const Eigen::Vector3d& target) : Objective(chain, target, 1) {}
+  OneAheadObjective(const robots::Chain& chain, const Eigen::Vector3d& target) : solvers::Objective(chain, target, 1) {}
 };
 
 // Gives `value` instead of the error of every `period`-th candidate.
-class SpoiltObjective final : public Objective {
+class SpoiltObjective final : public solvers::Objective {
  public:
-  SpoiltObjective(const Chain& chain, const Eigen::Vector3d& target, double value, int period)
-      : Objective(chain, target), value_(value), period_(period) {}
+  SpoiltObjective(const robots::Chain& chain, const Eigen::Vector3d& target, double value, int period)
+      : solvers::Objective(chain, target), value_(value), period_(period) {}
 
  private:
-  void evaluate(const CandidatesRef& q, Eigen::Ref<Eigen::VectorXd> errors) override {
-    Objective::evaluate(q, errors);
+  void evaluate(const robots::CandidatesRef& q, Eigen::Ref<Eigen::VectorXd> errors) override {
+    solvers::Objective::evaluate(q, errors);
     for (double& error : errors) {
       if (++turn_ % period_ == 0) error = value_;
     }
   }
-  Eigen::Vector3d evaluate_linear(const ConfigurationRef& q, Eigen::Ref<Eigen::Matrix3Xd> jacobian) override {
-    const Eigen::Vector3d to_go = Objective::evaluate_linear(q, jacobian);
+  Eigen::Vector3d evaluate_linear(const robots::ConfigurationRef& q, Eigen::Ref<Eigen::Matrix3Xd> jacobian) override {
+    const Eigen::Vector3d to_go = solvers::Objective::evaluate_linear(q, jacobian);
     if (++turn_ % period_ != 0) return to_go;
     jacobian.setConstant(value_);
     return Eigen::Vector3d::Constant(value_);
@@ -73,16 +73,16 @@ class SpoiltObjective final : public Objective {
 };
 
 struct Task {
-  Chain chain;
+  robots::Chain chain;
   Eigen::Vector3d target;
-  Problem problem;
+  solvers::Problem problem;
 };
 
 // The iiwa's first four joints placing its wrist's centre, which is within reach.
 inline Task iiwa_task(int population = 10) {
-  const Robot iiwa = robot("kuka_iiwa14");
-  const std::vector<DhLink>& links = iiwa.chain()->links();
-  return {Chain({links.begin(), links.begin() + 4}, {0, 0, links[4].d}),
+  const robots::Robot iiwa = robots::robot("kuka_iiwa14");
+  const std::vector<robots::DhLink>& links = iiwa.chain()->links();
+  return {robots::Chain({links.begin(), links.begin() + 4}, {0, 0, links[4].d}),
           {0.6, 0.2, 0.3},
           {.start = Eigen::VectorXd::Zero(4),
            .lower = iiwa.limits.lower.head(4),
@@ -93,9 +93,9 @@ inline Task iiwa_task(int population = 10) {
 
 // Any number of joints, about axes in turn upright and level; half of the stretched arm away.
 inline Task snake_task(int joints, int population = 10) {
-  std::vector<DhLink> links;
+  std::vector<robots::DhLink> links;
   for (int j = 0; j < joints; ++j) links.push_back({.a = 0.1, .alpha = j % 2 == 0 ? 1.5 : -1.5});
-  return {Chain(links),
+  return {robots::Chain(links),
           {0.05 * joints, 0.02 * joints, 0.01},
           {.start = Eigen::VectorXd::Constant(joints, 0.1),
            .lower = Eigen::VectorXd::Constant(joints, -2),
@@ -106,7 +106,7 @@ inline Task snake_task(int joints, int population = 10) {
 
 // Two joints of a planar arm within +-1 rad, for equations by hand; its start is inside.
 inline Task planar_task(int population) {
-  return {*robot("planar_2").chain(),
+  return {*robots::robot("planar_2").chain(),
           {0.5, 0.5, 0},
           {.start = Eigen::Vector2d(0.3, -0.2),
            .lower = Eigen::Vector2d(-1, -1),
@@ -119,19 +119,19 @@ inline bool same(const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
   return a.size() == b.size() && (a - b).cwiseAbs().maxCoeff() <= 4e-16 * (1 + b.cwiseAbs().maxCoeff());
 }
 
-inline Candidates drawn_uniforms(Random& random, int rows, int columns) {
-  Candidates out(rows, columns);
+inline robots::Candidates drawn_uniforms(numerics::Random& random, int rows, int columns) {
+  robots::Candidates out(rows, columns);
   random.uniforms(out);
   return out;
 }
 
-inline Candidates drawn_normals(Random& random, int rows, int columns) {
-  Candidates out(rows, columns);
+inline robots::Candidates drawn_normals(numerics::Random& random, int rows, int columns) {
+  robots::Candidates out(rows, columns);
   random.normals(out);
   return out;
 }
 
-inline Eigen::VectorXd drawn_vector(Random& random, int size) {
+inline Eigen::VectorXd drawn_vector(numerics::Random& random, int size) {
   Eigen::VectorXd out(size);
   random.uniforms(out);
   return out;

@@ -7,12 +7,15 @@
 #include <string>
 #include <vector>
 
-#include "robots/functions.hpp"
-#include "robots/units.hpp"
+#include "numerics/functions.hpp"
+#include "numerics/units.hpp"
 #include "tests/catch.hpp"
 #include "tests/solvers/objectives.hpp"
 
 using namespace ikbench;
+using namespace ikbench::numerics;
+using namespace ikbench::robots;
+using namespace ikbench::solvers;
 
 namespace {
 

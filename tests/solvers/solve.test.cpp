@@ -7,6 +7,8 @@
 #include "tests/solvers/objectives.hpp"
 
 using namespace ikbench;
+using namespace ikbench::numerics;
+using namespace ikbench::solvers;
 
 namespace {
 

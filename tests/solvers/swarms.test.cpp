@@ -10,6 +10,9 @@
 #include "tests/solvers/objectives.hpp"
 
 using namespace ikbench;
+using namespace ikbench::numerics;
+using namespace ikbench::robots;
+using namespace ikbench::solvers;
 
 namespace {
 

@@ -8,6 +8,7 @@
 #include "tests/catch.hpp"
 
 using namespace ikbench;
+using namespace ikbench::statistics;
 
 TEST_CASE("mean, median, standard deviation, maximum and minimum by hand", "[descriptive]") {
   const Description d = describe(std::vector<double>{4, 1, 3, 2});

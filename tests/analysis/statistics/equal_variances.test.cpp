@@ -6,6 +6,7 @@
 #include "tests/catch.hpp"
 
 using namespace ikbench;
+using namespace ikbench::statistics;
 using namespace ikbench::samples;
 
 namespace {

@@ -7,6 +7,7 @@
 #include "tests/catch.hpp"
 
 using namespace ikbench;
+using namespace ikbench::statistics;
 using namespace ikbench::samples;
 
 TEST_CASE("the Kruskal-Wallis test of PlantGrowth is that of R, ties and all", "[kruskal_wallis]") {

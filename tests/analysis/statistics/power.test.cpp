@@ -6,6 +6,7 @@
 #include "tests/catch.hpp"
 
 using namespace ikbench;
+using namespace ikbench::statistics;
 
 TEST_CASE("power of the t-test is that of R's power.t.test", "[power]") {
   // R 4.2.2, help of power.t.test: n = 20, delta = 1: power 0.8689528; power .90, delta 1: n = 22.02110.

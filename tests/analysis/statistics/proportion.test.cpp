@@ -7,6 +7,7 @@
 #include "tests/catch.hpp"
 
 using namespace ikbench;
+using namespace ikbench::statistics;
 using namespace ikbench::samples;
 
 TEST_CASE("18 of 20: Wilson's interval and Clopper and Pearson's", "[proportion]") {

@@ -7,6 +7,7 @@
 #include "tests/catch.hpp"
 
 using namespace ikbench;
+using namespace ikbench::statistics;
 
 TEST_CASE("equal values share the mean of their ranks", "[ranks]") {
   const Ranking ranking = midranks(std::vector<double>{30, 10, 20, 10, 30, 30});  // 10 10 20 30 30 30

@@ -7,6 +7,7 @@
 #include "tests/catch.hpp"
 
 using namespace ikbench;
+using namespace ikbench::statistics;
 using namespace ikbench::samples;
 
 using Costs = std::vector<CensoredCost>;

@@ -6,6 +6,7 @@
 #include "tests/catch.hpp"
 
 using namespace ikbench;
+using namespace ikbench::statistics;
 
 TEST_CASE("Student's t on one and two degrees of freedom is elementary", "[t_distribution]") {
   for (const double t : {-3.0, -0.5, 0.0, 1.0, 12.7062047}) {

@@ -6,6 +6,7 @@
 #include "tests/catch.hpp"
 
 using namespace ikbench;
+using namespace ikbench::statistics;
 
 TEST_CASE("the normal's tails and quantiles are those of the tables", "[tails]") {
   CHECK(normal_critical(0.95) == Approx(1.959963984540054).epsilon(1e-14));  // R 4.2.2, qnorm(0.975)

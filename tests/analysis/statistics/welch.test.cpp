@@ -7,6 +7,7 @@
 #include "tests/catch.hpp"
 
 using namespace ikbench;
+using namespace ikbench::statistics;
 
 TEST_CASE("Welch's test of Student's sleep data is that of R", "[welch]") {
   // R's help page of t.test: t = -1.8608, df = 17.776, p-value = 0.07939; means 0.75 and 2.33.

@@ -1,0 +1,254 @@
+#include "analysis/figures/convergence_figures.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+
+#include "analysis/inference/convergence.hpp"
+#include "analysis/inference/definition.hpp"
+#include "analysis/figures/figure_parts.hpp"
+#include "analysis/figures/share_curves.hpp"
+#include "analysis/statistics/survival.hpp"
+#include "analysis/inference/text.hpp"
+#include "numerics/number.hpp"
+
+namespace ikbench::figures {
+
+using namespace numerics;
+using namespace results;
+using namespace statistics;
+using namespace inference;
+
+namespace {
+
+constexpr std::size_t most_bands = 6;  // more lie on top of each other
+
+std::string dependence(const StudyResults& study) {
+  return is_chained(study)
+             ? " The solves of a run depend on each other, so the curves describe them and no interval is "
+               "claimed."
+             : " The curves describe the solves; no interval is claimed.";
+}
+
+std::string without_course(const StudyResults& study) {
+  const auto missing = std::ranges::count_if(study.solves, [](const SolveRecord& solve) { return !has_course(solve); });
+  return missing == 0 ? "" : fmt::format(" {} solves without a trace are left out.", missing);
+}
+
+std::optional<Figure> convergence_figure(const StudyResults& study, const std::vector<Solves>& courses) {
+  const std::vector<double> positions = evaluations_axis(courses);
+  if (positions.empty()) return std::nullopt;
+  Figure figure{.name = "statistics-convergence"};
+  figure.data = "# evaluations; 25, 50 and 75 % quantiles over the solves of the best position error [cm]\n";
+  const bool has_bands = study.solvers.size() <= most_bands;
+  std::vector<std::string> fills, lines, labels = study.solvers;
+  std::vector<double> all;
+  int block = 0;
+  for (std::size_t i = 0; i < courses.size(); ++i) {
+    const std::vector<Band> bands = error_bands(courses[i], positions);
+    if (std::ranges::all_of(bands, [](const Band& band) { return band.median == never; })) {
+      labels[i] = add_missing_curve(lines, i, study.solvers[i]);
+      continue;
+    }
+    double last = 0;
+    for (const SolveRecord* solve : courses[i]) last = std::max(last, total_cost(*solve, Cost::evaluations));
+    figure.data += fmt::format("{}# {}\n", block == 0 ? "" : "\n\n", one_line(study.solvers[i]));
+    std::size_t rows = 0, rows_before_band = 0;
+    for (std::size_t k = 0; k < positions.size() && (k == 0 || positions[k - 1] < last); ++k) {
+      const auto& [low, median, high] = bands[k];
+      if (median == never) continue;
+      figure.data +=
+          fmt::format("{} {} {} {}\n", text_of(positions[k]), data_number(low), data_number(median), data_number(high));
+      ++rows;
+      if (high == never) rows_before_band = rows;
+      all.push_back(median);
+      if (has_bands) all.insert(all.end(), {low, high});
+    }
+    if (rows_before_band < rows) {
+      fills.push_back(
+          fmt::format("'{}.dat' index {} every ::{} using 1:(shown($2)):(shown($4)) with filledcurves ls {} fillstyle "
+                      "transparent solid 0.15 noborder notitle",
+                      figure.name, block, rows_before_band, i + 1));
+    }
+    add_curve(lines, {.source = fmt::format("'{}.dat' index {} using 1:(shown($3))", figure.name, block),
+                      .rows = rows,
+                      .solver = i,
+                      .label = study.solvers[i]});
+    ++block;
+  }
+  figure.caption = fmt::format(
+      "Best position error [cm] against evaluations, over all solves: median{}. Iteration i of n stands for "
+      "i/n of a solve's evaluations; a solve that has ended keeps its last error, and a curve ends with the longest "
+      "solve; an answer that is not "
+      "finite, refused or not as good as claimed ranks as worse than every number, and where half of the solves have "
+      "none there is no line.{}{}",
+      has_bands ? ", and the quartiles as a band" : " (the quartiles are in the data file)", dependence(study),
+      without_course(study));
+  const Axis axis = value_axis(all, quantity(Metric::position_error_cm), Scale::logarithmic);
+  figure.caption = with_notes(figure.caption, study, Metric::position_error_cm, axis);
+  figure.settings =
+      axis.settings + cost_axis(positions.front(), positions.back()).settings + "set xlabel 'evaluations'\n";
+  add_legend(figure, labels);
+  std::vector<std::string> clauses{"NaN notitle"};
+  if (has_bands) clauses.insert(clauses.end(), fills.begin(), fills.end());
+  clauses.insert(clauses.end(), lines.begin(), lines.end());
+  figure.plot = plot_command(clauses);
+  return figure;
+}
+
+Figure runtime_figure(const StudyResults& study, const std::vector<Solves>& courses, Cost cost) {
+  const std::vector<double> targets = target_errors_cm(study);
+  ShareCurves shares{.label = std::string(quantity(cost == Cost::seconds ? Metric::seconds : Metric::evaluations)),
+                     .share_of = "share of solves and targets"};
+  for (const Solves& solves : courses) {
+    std::vector<double> costs;
+    costs.reserve(solves.size() * targets.size());
+    for (const SolveRecord* solve : solves) {
+      const std::vector<double> of_solve = costs_to_targets(*solve, targets, cost);
+      costs.insert(costs.end(), of_solve.begin(), of_solve.end());
+    }
+    shares.curves.push_back(shares_within(std::move(costs)));
+  }
+  const bool has_tolerance = std::isfinite(tolerance_cm(study));
+  Figure figure{.name = fmt::format("statistics-ecdf-{}", cost == Cost::seconds ? "seconds" : "evaluations")};
+  figure.caption = fmt::format(
+      "Share of the pairs of a solve and a target error that were reached within so {} (after COCO). The targets are "
+      "{} "
+      "errors, evenly spaced in logarithm from {} cm to {} cm, {}. Iteration i of n stands for i/n of a solve's "
+      "{}; beyond its longest solve a curve stays level.{}{}",
+      cost == Cost::seconds ? "much time" : "many evaluations", targets.size(), rounded_number(targets.front(), 3),
+      rounded_number(targets.back(), 3),
+      has_tolerance ? "the tolerance of the study"
+                    : "the decade below the smallest error of any solve, at least 1e-8 cm",
+      cost == Cost::seconds ? "time" : "evaluations", dependence(study), without_course(study));
+  draw_shares(figure, study, shares);
+  return figure;
+}
+
+Figure error_figure(const StudyResults& study) {
+  ShareCurves shares{.label = std::string(quantity(Metric::position_error_cm)), .share_of = "share of solves"};
+  bool has_zero = false;
+  for (const Solves& solves : solves_by_solver(study)) {
+    std::vector<double> errors;
+    for (const SolveRecord* solve : solves) errors.push_back(std::max(0.0, final_error_cm(*solve)));
+    shares.curves.push_back(shares_within(std::move(errors)));
+    has_zero |= !shares.curves.back().empty() && shares.curves.back().front().at == 0;
+  }
+  Figure figure{.name = "statistics-ecdf-error",
+                .caption =
+                    "Share of the solves whose position error is at most so large; an answer that is not finite "
+                    "counts among the solves and has no error." +
+                    dependence(study)};
+  if (has_zero) figure.caption += " Errors of zero are drawn at the left edge.";
+  draw_shares(figure, study, shares);
+  return figure;
+}
+
+enum class ProfileOf { evaluations, seconds, error };
+
+// What a problem is, for the caption.
+std::string problem(const StudyResults& study) {
+  const Definition definition(study.definition);
+  const std::string start = definition.text("/start");
+  std::string words = " A problem is one target in one run";
+  if (start == "initial" || study.points == 1) words += ", from the same start for all solvers.";
+  if (start == "previous" && study.points > 1) {
+    words += "; after the first, each solver starts where its own last answer left the arm.";
+  }
+  if (start.empty() && study.points > 1) words += ".";
+  const std::string kind = definition.text("/path/kind");
+  if (!kind.empty() && kind != "random" && study.runs > 1) words += " The runs repeat the same targets.";
+  return words;
+}
+
+std::optional<Figure> profile_figure(const StudyResults& study, ProfileOf of) {
+  const double tolerance = tolerance_cm(study);
+  const Cost cost = of == ProfileOf::seconds ? Cost::seconds : Cost::evaluations;
+  const Profile profile = performance_profile(study, [&](const SolveRecord& solve) {
+    if (of == ProfileOf::error) return final_error_cm(solve);
+    return reaches(solve, tolerance) ? total_cost(solve, cost) : never;
+  });
+  const auto entrants = std::ranges::count_if(profile.ratios, [](const auto& ratios) { return !ratios.empty(); });
+  if (entrants < 2) return std::nullopt;
+
+  const std::string_view name = of == ProfileOf::error ? "error" : of == ProfileOf::seconds ? "seconds" : "evaluations";
+  const std::string_view words = of == ProfileOf::error     ? "position error"
+                                 : of == ProfileOf::seconds ? "time"
+                                                            : "number of evaluations";
+  ShareCurves shares{.label = fmt::format("{} / smallest of all solvers", of == ProfileOf::error ? words : name),
+                     .share_of = "share of problems",
+                     .is_ratio = true};
+  for (const auto& ratios : profile.ratios) shares.curves.push_back(shares_within(ratios));
+  Figure figure{.name = fmt::format("statistics-profile-{}", name)};
+  figure.caption = fmt::format(
+      "Performance profiles (Dolan and Moré, 2002): share of {} problems at which a solver's {}{} is at most so many "
+      "times the smallest of all solvers.{}",
+      profile.problems, words,
+      of == ProfileOf::error ? "" : fmt::format(" until the position error is {} cm", rounded_number(tolerance, 3)),
+      problem(study));
+  if (profile.unsolved > 0) figure.caption += fmt::format(" {} of them no solver solves.", profile.unsolved);
+  if (profile.has_zero_costs) {
+    figure.caption +=
+        fmt::format(" Where the smallest {} is zero, another than zero is infinitely many times as large.", words);
+  }
+  if (profile.left_out > 0) {
+    figure.caption += fmt::format(" {} problems that not every solver was given are left out.", profile.left_out);
+  }
+  draw_shares(figure, study, shares);
+  return figure;
+}
+
+// The share of solves that have not come to the tolerance yet.
+Figure survival_figure(const StudyResults& study) {
+  ShareCurves shares{.label = std::string(quantity(Metric::evaluations)),
+                     .share_of = "share not yet at the tolerance",
+                     .start = 1,
+                     .ends_with_last = true};
+  for (const auto& group : censored_costs(study, Cost::evaluations)) {
+    const SurvivalCurve curve = kaplan_meier(group);
+    std::vector<Share> stairs;
+    for (const SurvivalStep& step : curve.steps) stairs.push_back({.at = step.cost, .share = step.survival});
+    if (curve.undefined.empty() && (stairs.empty() || stairs.back().at < curve.last_cost)) {
+      stairs.push_back({.at = curve.last_cost, .share = stairs.empty() ? 1 : stairs.back().share});
+    }
+    shares.curves.push_back(thinned(stairs));
+  }
+  Figure figure{.name = "statistics-survival-evaluations"};
+  figure.caption = fmt::format(
+      "Share of the solves whose position error is not yet {} cm (Kaplan and Meier). A solve that does not come to it "
+      "is given up at what it spent; a curve ends with the longest solve.{}",
+      rounded_number(tolerance_cm(study), 3), is_chained(study) ? dependence(study) : "");
+  draw_shares(figure, study, shares);
+  return figure;
+}
+
+}  // namespace
+
+std::vector<Figure> convergence_figures(const StudyResults& study) {
+  if (study.solves.empty()) return {};
+  const bool has_clean_times = times_are_comparable(study);
+  std::vector<Figure> figures;
+  const auto add = [&](std::optional<Figure> figure) {
+    if (figure) figures.push_back(std::move(*figure));
+  };
+  if (std::ranges::any_of(study.solves, [](const SolveRecord& solve) { return !solve.trace_cm.empty(); })) {
+    const std::vector<Solves> courses = courses_by_solver(study);
+    add(convergence_figure(study, courses));
+    add(runtime_figure(study, courses, Cost::evaluations));
+    if (has_clean_times) add(runtime_figure(study, courses, Cost::seconds));
+  }
+  add(error_figure(study));
+  if (std::isfinite(tolerance_cm(study))) {
+    add(profile_figure(study, ProfileOf::evaluations));
+    if (has_clean_times) add(profile_figure(study, ProfileOf::seconds));
+    add(survival_figure(study));
+  } else {
+    add(profile_figure(study, ProfileOf::error));
+  }
+  return figures;
+}
+
+}  // namespace ikbench::figures

@@ -1,0 +1,170 @@
+#include "analysis/figures/figure.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cstddef>
+#include <optional>
+#include <stdexcept>
+#include <string_view>
+#include <system_error>
+#include <thread>
+
+#include "results/files.hpp"
+#include "analysis/figures/process.hpp"
+#include "analysis/inference/text.hpp"
+#include "numerics/number.hpp"
+
+namespace ikbench::figures {
+
+using namespace numerics;
+using namespace results;
+
+namespace {
+
+constexpr std::array<std::string_view, 3> picture_types{"svg", "pdf", "png"};
+
+// A folder for half-drawn pictures, gone at the end.
+class Workshop {
+ public:
+  explicit Workshop(std::filesystem::path folder) : folder_(std::move(folder)) {
+    std::filesystem::create_directories(folder_);
+  }
+  ~Workshop() {
+    std::error_code ignored;
+    std::filesystem::remove_all(folder_, ignored);
+  }
+  Workshop(const Workshop&) = delete;
+  Workshop& operator=(const Workshop&) = delete;
+
+  const std::filesystem::path& folder() const { return folder_; }
+
+ private:
+  std::filesystem::path folder_;
+};
+
+// Of an earlier report; a link or a device in their place is not ours to remove.
+void remove_pictures(const std::string& name, const std::filesystem::path& folder) {
+  std::error_code ignored;
+  for (const std::string_view type : picture_types) {
+    const std::filesystem::path file = folder / fmt::format("{}.{}", name, type);
+    if (std::filesystem::is_regular_file(std::filesystem::symlink_status(file, ignored)))
+      std::filesystem::remove(file, ignored);
+  }
+}
+
+// Draws in the workshop, then writes the pictures to their place. std::invalid_argument says why it could not.
+void draw(const Figure& figure, const std::filesystem::path& workshop, const std::string& gnuplot) {
+  // -d: the same look whatever ~/.gnuplot says.
+  const ProcessResult result = run_process({gnuplot, "-d", figure.name + ".gp"}, workshop);
+  if (!result.succeeded) {
+    throw std::invalid_argument(result.output.empty() ? fmt::format("{} failed without a message", gnuplot)
+                                                      : result.output);
+  }
+  for (const std::string_view type : picture_types) {
+    const std::string file = fmt::format("{}.{}", figure.name, type);
+    const std::optional<std::string> picture = read_file(workshop / file);
+    if (!picture) throw std::invalid_argument(fmt::format("{} drew no {}: {}", gnuplot, file, result.output));
+    write_file(workshop.parent_path() / file, *picture);
+  }
+}
+
+}  // namespace
+
+std::string_view figure_style() {
+  return R"(# The look of every figure in this folder. Change it here, then draw again: gnuplot NAME.gp
+# A new report writes this file anew.
+set encoding utf8
+
+# Characters that mean something to gnuplot, for labels.
+array character[126]
+do for [i = 33:126] { character[i] = sprintf("%c", i) }
+
+# Okabe and Ito's palette (2008), told apart by the colour-blind; markers tell the curves apart without colour, and
+# dashes those that would repeat a colour.
+colours = "#0072B2 #D55E00 #009E73 #CC79A7 #E69F00 #56B4E9 #000000"
+markers = "7 5 9 11 13 4 2 6 8 10 12 1 3"
+dashes = "1 11 12 13 14"
+set dashtype 11 (5, 2)
+set dashtype 12 (1.5, 2)
+set dashtype 13 (6, 2, 1.5, 2)
+set dashtype 14 (2.5, 1.5)
+do for [i = 1:91] {
+  set style line i lw 0.9 ps 0.45 lc rgb word(colours, (i - 1) % 7 + 1) pt int(word(markers, (i - 1) % 13 + 1)) \
+    dt int(word(dashes, int((i - 1) / 7) % 5 + 1))
+}
+set style line 100 lw 0.4 lc rgb "#DDDDDD" dt 1
+set style line 101 lw 1.3 lc rgb "#000000" dt 1
+
+set border 3 lw 0.6
+set tics out nomirror scale 0.6, 0.3
+set grid xtics ytics ls 100
+set key below horizontal Left reverse noenhanced samplen 2 spacing 1.1 height 0.8
+set xtics noenhanced offset 0, 0.3
+set xlabel offset 0, 0.85
+set ylabel offset 0.5, 0
+
+# Three outputs of the same size, 8 pt text and thin lines in each: SVG in units of a point, PDF, PNG at 300 dpi. To Cairo a
+# point of text is 1/96 inch.
+svg = sprintf("svg enhanced size %d,%d dynamic font 'Liberation Sans,8' linewidth 0.8 background '#FFFFFF'", \
+  width_cm / 2.54 * 72, height_cm / 2.54 * 72)
+pdf = sprintf("pdfcairo enhanced size %gcm,%gcm font 'Liberation Sans,8' fontscale 0.75 linewidth 1.2 pointscale 1.1", width_cm, height_cm)
+png = sprintf("pngcairo enhanced size %d,%d font 'Liberation Sans,8' fontscale 3.125 linewidth 4 pointscale 3.5", \
+  width_cm / 2.54 * 300, height_cm / 2.54 * 300)
+)";
+}
+
+std::string script_of(const Figure& figure) {
+  std::string script = fmt::format("# To draw it again: gnuplot {}.gp\n", figure.name);
+  script += fmt::format("width_cm = {}\nheight_cm = {}\nload 'style.gp'\n\n", text_of(figure.width_cm),
+                        text_of(figure.height_cm));
+  script += figure.settings + '\n';
+  for (const std::string_view type : picture_types) {
+    script += fmt::format("set terminal @{}\nset output '{}.{}'\n", type, figure.name, type);
+    script += type == picture_types.front() ? figure.plot + '\n' : "replot\n";
+  }
+  return script + "unset output\n";
+}
+
+std::vector<FigureOutcome> write_figures(const std::vector<Figure>& figures, const std::filesystem::path& folder,
+                                         const RenderOptions& options) {
+  const auto write_sources = [&](const std::filesystem::path& place) {
+    write_file(place / "style.gp", figure_style());
+    for (const Figure& figure : figures) {
+      write_file(place / (figure.name + ".gp"), script_of(figure));
+      write_file(place / (figure.name + ".dat"), figure.data);
+    }
+  };
+  write_sources(folder);
+  std::vector<FigureOutcome> outcomes;
+  for (const Figure& figure : figures) {
+    if (!options.render) remove_pictures(figure.name, folder);
+    outcomes.push_back({.name = figure.name});
+  }
+  if (!options.render) return outcomes;
+
+  const Workshop workshop(folder / fmt::format(".drawing-{}", ::getpid()));
+  write_sources(workshop.folder());
+  std::atomic<std::size_t> next = 0;
+  const auto work = [&] {
+    for (std::size_t i = next++; i < figures.size(); i = next++) {
+      try {
+        draw(figures[i], workshop.folder(), options.gnuplot);
+        outcomes[i].rendered = true;
+      } catch (const std::invalid_argument& error) {
+        outcomes[i].error = error.what();
+        remove_pictures(figures[i].name, folder);
+      }
+    }
+  };
+  std::vector<std::jthread> others;
+  for (int job = 1; job < options.jobs; ++job) others.emplace_back(work);
+  work();
+  others.clear();  // joins
+  return outcomes;
+}
+
+}  // namespace ikbench::figures

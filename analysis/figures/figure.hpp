@@ -1,0 +1,42 @@
+// Figures: a gnuplot script and a data file each, kept beside the pictures so that anyone can restyle and draw again
+// with `gnuplot NAME.gp`. Every figure of the program goes through this module.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace ikbench::figures {
+
+struct Figure {
+  std::string name;       // stable, the files' name: "figure-6"
+  std::string caption;    // plain text
+  double width_cm = 8.5;  // one column of a journal
+  double height_cm = 6.4;
+  std::string settings = {};  // gnuplot commands before the plot; any foreign text through gnuplot_string
+  std::string plot = {};      // the one plot or splot command; reads NAME.dat
+  std::string data = {};      // the numbers as drawn; comment lines start with '#'
+};
+
+struct RenderOptions {
+  bool render = true;               // else only scripts and data are written
+  std::string gnuplot = "gnuplot";  // the program, sought on the PATH
+  int jobs = 2;                     // figures drawn at once
+};
+
+struct FigureOutcome {
+  std::string name;
+  bool rendered = false;
+  std::string error = {};  // gnuplot's message, where it should have been rendered and was not
+};
+
+// Writes NAME.gp, NAME.dat and style.gp into the folder and draws NAME.svg, NAME.pdf, NAME.png. Pictures that could not
+// be drawn are not left over from before. A folder that cannot be written to is std::invalid_argument.
+std::vector<FigureOutcome> write_figures(const std::vector<Figure>& figures, const std::filesystem::path& folder,
+                                         const RenderOptions& options);
+
+// The complete script of a figure, and the style that all scripts load.
+std::string script_of(const Figure& figure);
+std::string_view figure_style();
+
+}  // namespace ikbench::figures

@@ -1,0 +1,114 @@
+#include "analysis/figures/figure_parts.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+
+#include "analysis/statistics/descriptive.hpp"
+#include "analysis/inference/text.hpp"
+#include "numerics/number.hpp"
+
+namespace ikbench::figures {
+
+using namespace numerics;
+using namespace results;
+using namespace statistics;
+using namespace inference;
+
+std::string capitalised(std::string_view text) {
+  std::string result(text);
+  result[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(result[0])));
+  return result;
+}
+
+std::string tick_label(std::string_view text) {
+  std::string doubled;
+  for (const char c : text) doubled.append(c == '%' ? 2 : 1, c);
+  return gnuplot_string(doubled);
+}
+
+std::string data_number(double value) { return std::isfinite(value) ? text_of(value) : "NaN"; }
+
+std::string with_notes(std::string caption, const StudyResults& study, Metric metric, const Axis& axis) {
+  if (axis.shows_at_edge) caption += " Values of zero are drawn at the lower edge.";
+  if (metric == Metric::seconds) {
+    if (const std::string note = timing_note(study); !note.empty()) caption += ' ' + note;
+  }
+  return caption;
+}
+
+void add_legend(Figure& figure, const std::vector<std::string>& labels) {
+  std::size_t longest = 1;
+  for (const std::string& label : labels) longest = std::max(longest, character_count(shortened(label, longest_label)));
+  const double characters = figure.width_cm * 6.5;
+  const auto columns =
+      std::max<std::size_t>(1, static_cast<std::size_t>(characters / static_cast<double>(longest + 7)));
+  const std::size_t rows = (labels.size() + columns - 1) / columns;
+  figure.settings += fmt::format("set key maxcols {}\n", columns);
+  figure.height_cm += 0.3 + 0.36 * static_cast<double>(rows);
+}
+
+std::string point_axis(int points) {
+  int step = 1;
+  for (int decade = 1; points > 10 * step; decade *= 10) {
+    for (const int round : {1, 2, 5}) {
+      if (points > 5 * step) step = decade * round;
+    }
+  }
+  return fmt::format("set xlabel 'point'\nset xrange [0.5:{}.5]\nset xtics {}\n{}", points, step,
+                     step > 1 ? "set xtics add ('1' 1)\n" : "");
+}
+
+std::string plot_command(const std::vector<std::string>& clauses, std::string_view command) {
+  return fmt::format("{} {}", command, fmt::join(clauses, ", \\\n  "));
+}
+
+std::vector<double> means_by_point(const StudyResults& study, const std::string& solver, Metric metric) {
+  std::vector<std::vector<double>> values(static_cast<std::size_t>(study.points));
+  for (const SolveRecord& solve : study.solves) {
+    if (solve.solver == solver) values[static_cast<std::size_t>(solve.point) - 1].push_back(value_of(solve, metric));
+  }
+  std::vector<double> means;
+  for (const auto& at_point : values) means.push_back(mean(at_point));
+  return means;
+}
+
+std::map<int, const SolveRecord*> first_run(const StudyResults& study, const std::string& solver) {
+  int run = 0;
+  for (const SolveRecord& solve : study.solves) {
+    if (solve.solver == solver && (run == 0 || solve.run < run)) run = solve.run;
+  }
+  std::map<int, const SolveRecord*> solves;
+  for (const SolveRecord& solve : study.solves) {
+    if (solve.solver == solver && solve.run == run) solves[solve.point] = &solve;
+  }
+  return solves;
+}
+
+std::string space_axes(const std::array<std::vector<double>, 3>& coordinates_cm) {
+  double longest = 0;
+  std::array<double, 3> centre{};
+  for (std::size_t axis = 0; axis < coordinates_cm.size(); ++axis) {
+    if (coordinates_cm[axis].empty()) continue;
+    const auto [low, high] = std::ranges::minmax(coordinates_cm[axis]);
+    centre[axis] = (low + high) / 2;
+    longest = std::max(longest, high - low);
+  }
+  const double half = longest > 0 ? 0.55 * longest : 1;
+  const double decade = std::pow(10, std::floor(std::log10(2 * half / 3)));
+  const double rest = 2 * half / 3 / decade;
+  const double step = decade * (rest > 7 ? 10 : rest > 3.5 ? 5 : rest > 1.5 ? 2 : 1);
+  std::string settings;
+  for (std::size_t axis = 0; axis < coordinates_cm.size(); ++axis) {
+    settings += fmt::format("set {0}range [{1}:{2}]\nset {0}tics {3} offset 0, 0\n", "xyz"[axis],
+                            text_of(centre[axis] - half), text_of(centre[axis] + half), text_of(step));
+  }
+  return settings +
+         "set xlabel 'x [cm]' offset -1, 0.3\nset ylabel 'y [cm]'\nset zlabel 'z [cm]' rotate parallel\n"
+         "set view 62, 32, 1.1\nset view equal xyz\nset xyplane relative 0\nset border 127 lw 0.5 lc rgb '#AAAAAA'\n"
+         "set tics textcolor rgb '#000000'\nset grid xtics ytics ztics\n";
+}
+
+}  // namespace ikbench::figures

@@ -1,0 +1,217 @@
+#include "analysis/inference/analysis_plan.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+#include "results/analysis_plan_fields.hpp"
+
+namespace ikbench::inference {
+
+using namespace results;
+
+namespace {
+
+using Json = nlohmann::json;
+
+// Visits the fields of a plan, and takes those that JSON says within their range.
+class JsonReader {
+ public:
+  explicit JsonReader(const Json& object) : object_(object) {}
+
+  void text(const char* key, std::string& field, std::string_view) {
+    constexpr std::size_t longest = 200;  // bytes, as in study files
+    const auto read = [&](const Json& value) {
+      if (!value.is_string() || value.get<std::string>().size() > longest) return false;
+      field = value.get<std::string>();
+      return true;
+    };
+    take(key, read);
+  }
+  template <class Enum>
+  void choice(const char* key, Enum& field, const std::vector<std::pair<std::string, Enum>>& choices,
+              std::string_view) {
+    take(key, [&](const Json& value) {
+      const auto found = std::ranges::find_if(choices, [&](const auto& choice) { return value == choice.first; });
+      if (found != choices.end()) field = found->second;
+      return found != choices.end();
+    });
+  }
+  void whole(const char* key, int& field, std::pair<int, int> range, std::string_view) {
+    take(key, [&](const Json& value) {
+      if (!value.is_number_integer() || !is_within(value, range)) return false;
+      field = value.get<int>();
+      return true;
+    });
+  }
+  void number(const char* key, double& field, double unit, std::pair<double, double> range, std::string_view) {
+    take(key, [&](const Json& value) {
+      if (!value.is_number() || !is_within(value, range)) return false;
+      field = value.get<double>() * unit;
+      return true;
+    });
+  }
+
+  std::vector<std::string> unreadable;  // fields that are there and are no such value: the default stands
+
+ private:
+  // As a double: also what is beyond every integer.
+  template <class Number>
+  static bool is_within(const Json& value, std::pair<Number, Number> range) {
+    const auto number = value.get<double>();
+    return number >= range.first && number <= range.second;
+  }
+  template <class Read>
+  void take(const char* key, Read read) {
+    const auto found = object_.find(key);
+    if (found != object_.end() && !read(*found)) unreadable.emplace_back(key);
+  }
+
+  const Json& object_;
+};
+
+class Lister {
+ public:
+  void text(std::string_view key, const std::string& field, std::string_view meaning) {
+    add(key, field.empty() ? "none" : fmt::format("\"{}\"", field), meaning);
+  }
+  template <class Enum>
+  void choice(std::string_view key, Enum field, const std::vector<std::pair<std::string, Enum>>&,
+              std::string_view meaning) {
+    add(key, std::string(name_of(field)), meaning);
+  }
+  void whole(std::string_view key, int field, std::pair<int, int>, std::string_view meaning) {
+    add(key, fmt::format("{}", field), meaning);
+  }
+  void number(std::string_view key, double field, double unit, std::pair<double, double>, std::string_view meaning) {
+    add(key, fmt::format("{:.12g}", field / unit), meaning);
+  }
+
+  std::vector<PlanValue> values;
+
+ private:
+  void add(std::string_view key, std::string text, std::string_view meaning) {
+    values.push_back({std::string(key), std::move(text), std::string(meaning)});
+  }
+};
+
+std::optional<AnalysisPlan> plan_in(const Json& json) {
+  if (!json.is_object()) return std::nullopt;
+  AnalysisPlan plan;
+  JsonReader reader(json);
+  list_fields(reader, plan);
+  return plan;
+}
+
+Json plan_json(const StudyEntry& entry) {
+  const Json definition = Json::parse(entry.definition, nullptr, false);
+  return definition.is_object() && definition.contains("analysis") ? definition["analysis"] : Json();
+}
+
+// Of a store that somebody edited: what of its plan is no plan.
+std::string unreadable_note(const StudyEntry& entry) {
+  const Json json = plan_json(entry);
+  if (!json.is_object()) return "";
+  AnalysisPlan plan;
+  JsonReader reader(json);
+  list_fields(reader, plan);
+  if (!plan.control.empty() && std::ranges::find(entry.series, plan.control, &Series::label) == entry.series.end()) {
+    reader.unreadable.emplace_back("control");
+  }
+  if (reader.unreadable.empty()) return "";
+  return fmt::format("The study's analysis plan has values that are none ({}); the program's default stands for them.",
+                     fmt::join(reader.unreadable, ", "));
+}
+
+// Solves by the plan that their session recorded.
+struct Recorded {
+  std::int64_t nowhere = 0;
+  std::vector<std::pair<std::string, std::int64_t>> changed;  // what is other now, in the order of the sessions
+};
+
+Recorded recorded(const StudyEntry& entry, const std::vector<Session>& sessions,
+                  const std::vector<SolveRecord>& solves) {
+  const AnalysisPlan plan = plan_of(entry);
+  std::map<std::int64_t, std::int64_t> solves_of;
+  for (const SolveRecord& solve : solves) ++solves_of[solve.session];
+  Recorded result;
+  for (const auto& [id, count] : solves_of) {
+    const auto session = std::ranges::find(sessions, id, &Session::id);
+    std::optional<AnalysisPlan> then;
+    if (session != sessions.end() && session->environment.contains("analysis")) {
+      then = plan_in(Json::parse(session->environment.at("analysis"), nullptr, false));
+    }
+    if (!then) {
+      result.nowhere += count;
+    } else if (const std::string changes = changes_between(*then, plan); !changes.empty()) {
+      const auto same = std::ranges::find(result.changed, changes, &std::pair<std::string, std::int64_t>::first);
+      if (same != result.changed.end()) {
+        same->second += count;
+      } else {
+        result.changed.emplace_back(changes, count);
+      }
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
+std::vector<PlanValue> values_of(AnalysisPlan plan) {  // list_fields serves readers too
+  Lister lister;
+  list_fields(lister, plan);
+  return lister.values;
+}
+
+AnalysisPlan plan_of(const StudyEntry& entry) {
+  AnalysisPlan plan = plan_in(plan_json(entry)).value_or(AnalysisPlan{});
+  if (std::ranges::find(entry.series, plan.control, &Series::label) == entry.series.end()) plan.control.clear();
+  return plan;
+}
+
+std::string changes_between(const AnalysisPlan& before, const AnalysisPlan& after) {
+  const std::vector<PlanValue> old = values_of(before), now = values_of(after);
+  std::vector<std::string> changes;
+  for (std::size_t i = 0; i < now.size(); ++i) {
+    if (old[i].text != now[i].text)
+      changes.push_back(fmt::format("{} {} -> {}", now[i].field, old[i].text, now[i].text));
+  }
+  return fmt::format("{}", fmt::join(changes, ", "));
+}
+
+std::vector<std::string> plan_changes(const StudyEntry& entry, const std::vector<Session>& sessions,
+                                      const std::vector<SolveRecord>& solves) {
+  std::vector<std::string> sentences;
+  for (const auto& [changes, count] : recorded(entry, sessions, solves).changed) {
+    sentences.push_back(fmt::format("The analysis plan was changed after {} of {} solves were made: {}.", count,
+                                    solves.size(), changes));
+  }
+  if (std::string note = unreadable_note(entry); !note.empty()) sentences.push_back(std::move(note));
+  return sentences;
+}
+
+std::vector<std::string> plan_notes(const StudyEntry& entry, const std::vector<Session>& sessions,
+                                    const std::vector<SolveRecord>& solves) {
+  std::vector<std::string> notes = plan_changes(entry, sessions, solves);
+  if (const std::int64_t nowhere = recorded(entry, sessions, solves).nowhere; nowhere > 0) {
+    notes.push_back(
+        fmt::format("{} of {} solves were made by a version that recorded no analysis plan.", nowhere, solves.size()));
+  }
+  if (!plan_json(entry).is_object())
+    notes.emplace_back("The study has no analysis plan; this is the program's default.");
+  if (!notes.empty()) return notes;
+  std::vector<std::string> values;
+  for (const PlanValue& value : values_of(plan_of(entry))) values.push_back(value.field + ' ' + value.text);
+  return {fmt::format("The methods {} ({}).",
+                      solves.empty() ? "are fixed in the study, of which nothing is solved yet"
+                                     : "were fixed in the study before its first solve in this store",
+                      fmt::join(values, ", "))};
+}
+
+}  // namespace ikbench::inference

@@ -1,0 +1,311 @@
+#include "analysis/inference/contrasts.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "analysis/statistics/effect_size.hpp"
+#include "analysis/statistics/friedman.hpp"
+#include "analysis/statistics/kruskal_wallis.hpp"
+#include "analysis/statistics/mann_whitney.hpp"
+#include "analysis/statistics/multiple_comparisons.hpp"
+#include "analysis/statistics/p_adjust.hpp"
+#include "analysis/statistics/power.hpp"
+#include "analysis/statistics/proportion.hpp"
+#include "analysis/statistics/studentized_range.hpp"
+#include "analysis/statistics/welch.hpp"
+#include "analysis/statistics/wilcoxon_signed_rank.hpp"
+
+namespace ikbench::inference {
+
+using namespace results;
+using namespace statistics;
+
+namespace {
+
+using Values = std::span<const std::vector<double>>;
+
+Correction correction_of(Adjustment adjustment) {
+  switch (adjustment) {
+    case Adjustment::hochberg:
+      return Correction::hochberg;
+    case Adjustment::bonferroni:
+      return Correction::bonferroni;
+    case Adjustment::benjamini_hochberg:
+      return Correction::benjamini_hochberg;
+    default:
+      return Correction::holm;
+  }
+}
+
+// The better one has the smaller value here.
+std::vector<std::vector<double>> smaller_is_better(const Evidence& evidence, Values values) {
+  std::vector<std::vector<double>> result(values.begin(), values.end());
+  if (evidence.better == Better::smaller) return result;
+  for (std::vector<double>& group : result) {
+    for (double& value : group) value = -value;
+  }
+  return result;
+}
+
+// The group that pairs are shown with, where not all are.
+std::optional<std::size_t> reference_of(const Evidence& evidence) {
+  const auto& groups = evidence.groups;
+  if (!evidence.plan.control.empty()) {
+    const auto control = std::ranges::find(groups, evidence.plan.control, &GroupEvidence::name);
+    return static_cast<std::size_t>(control - groups.begin());
+  }
+  if (groups.size() <= most_groups_in_pairs) return std::nullopt;
+  const auto worth = [&](const GroupEvidence& group) { return standing(evidence, group); };
+  return static_cast<std::size_t>(std::ranges::min_element(groups, {}, worth) - groups.begin());
+}
+
+void add_nemenyi(const Evidence& evidence, std::vector<Contrast>& all) {
+  const auto k = static_cast<double>(evidence.groups.size()), n = static_cast<double>(evidence.blocks);
+  const double error = std::sqrt(k * (k + 1) / (6 * n));
+  const StudentizedRange range(k);
+  for (Contrast& contrast : all) {
+    const double apart =
+        std::abs(evidence.groups[contrast.first].average_rank - evidence.groups[contrast.second].average_rank);
+    contrast.p_nemenyi = range.upper_tail(apart / error * std::sqrt(2.0), std::numeric_limits<double>::infinity());
+  }
+}
+
+// Two groups alone have exact tests, where a normal approximation of few values would find too much.
+RankComparison rank_test_of_two(const Evidence& evidence, const std::vector<double>& first,
+                                const std::vector<double>& second) {
+  if (evidence.ranks_within_blocks()) {
+    const WilcoxonSignedRank test = wilcoxon_signed_rank(first, second);
+    return {.first = 0, .second = 1, .p = test.p, .direction = test.direction, .undefined = test.undefined};
+  }
+  const MannWhitney test = mann_whitney(first, second);
+  return {.first = 0, .second = 1, .p = test.p, .direction = test.direction, .undefined = test.undefined};
+}
+
+// The one that ranks higher is the worse.
+std::vector<RankComparison> rank_tests(const Evidence& evidence, Values values) {
+  const std::vector<std::vector<double>> ranked = smaller_is_better(evidence, values);
+  if (ranked.size() == 2) return {rank_test_of_two(evidence, ranked[0], ranked[1])};
+  return evidence.ranks_within_blocks() ? compare_average_ranks(friedman(ranked)) : dunn(ranked);
+}
+
+// Of all pairs in order. Corrected for the family that is compared: what is not of it does not count.
+void add_rank_tests(const Evidence& evidence, Values values, std::vector<Contrast>& all) {
+  if (values.empty()) return;
+  std::vector<RankComparison> tests = rank_tests(evidence, values);
+  std::vector<double> raw;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const bool of_family =
+        evidence.plan.control.empty() || all[i].first == *evidence.reference || all[i].second == *evidence.reference;
+    raw.push_back(of_family ? tests[i].p : not_defined);
+    if (!evidence.ranks_decide()) continue;
+    all[i].ahead = -tests[i].direction;
+    all[i].undefined = std::move(tests[i].undefined);
+  }
+  const std::vector<double> p = adjusted(raw, correction_of(evidence.plan.adjustment));
+  for (std::size_t i = 0; i < all.size(); ++i) all[i].p_ranks = p[i];
+  if (evidence.ranks_within_blocks() && std::isfinite(evidence.critical_difference)) add_nemenyi(evidence, all);
+}
+
+// Where groups have blocks in common: the share of blocks in which the first is better. An interval needs whole blocks,
+// so there is one where no two values of a block are equal.
+Estimate share_of_blocks(const std::vector<double>& first, const std::vector<double>& second, double level) {
+  int wins = 0, ties = 0;
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    wins += first[i] < second[i] ? 1 : 0;
+    ties += first[i] == second[i] ? 1 : 0;
+  }
+  Estimate result{.value = (wins + 0.5 * ties) / static_cast<double>(first.size())};
+  if (ties > 0) return result;
+  const Proportion interval = wilson({.successes = wins, .trials = static_cast<int>(first.size())}, level);
+  result.low = interval.low;
+  result.high = interval.high;
+  return result;
+}
+
+Estimate superiority(const Evidence& evidence, const std::vector<double>& first, const std::vector<double>& second) {
+  const double level = 1 - evidence.plan.significance;
+  if (first.empty() || second.empty()) return {};
+  if (evidence.blocks > 0) return share_of_blocks(first, second, level);
+  const EffectSize found = vargha_delaney(second, first, level);  // the chance that second is larger, so first better
+  return {.value = found.value, .low = found.low, .high = found.high};
+}
+
+// Where every value says the same of a pair, which has it that one is ahead or that they are equal: what chance has it,
+// were they alike? In blocks that no difference has the other sign, else by Fisher's exact test; for all pairs
+// together.
+double chance_of_unanimity(const Evidence& evidence, const Contrast& contrast) {
+  const int n = evidence.groups[contrast.first].described.n, m = evidence.groups[contrast.second].described.n;
+  const double chance = evidence.blocks > 0
+                            ? 2 * std::exp2(-static_cast<double>(evidence.blocks))
+                            : fisher_exact({.successes = n, .trials = n}, {.successes = 0, .trials = m}).p;
+  return std::min(1.0, chance * static_cast<double>(evidence.family()));
+}
+
+// Of the differences within blocks; p and interval hold for the whole family by Bonferroni.
+void compare_in_blocks(const Evidence& evidence, Values values, Contrast& contrast) {
+  const auto family = static_cast<double>(evidence.family());
+  const PairedTest test =
+      paired_t(values[contrast.first], values[contrast.second], 1 - evidence.plan.significance / family);
+  contrast.p_paired = std::min(1.0, family * test.p);
+  if (std::isnan(test.p)) contrast.p_paired = not_defined;
+  const bool is_equal = values[contrast.first] == values[contrast.second];  // in every block
+  if (is_equal) contrast.p_paired = 1;
+  if (evidence.plan.test != DecidingTest::friedman) return;
+  contrast.difference = {.value = test.difference, .low = test.low, .high = test.high};
+  if (!is_equal) return;
+  if (std::isnan(contrast.p_ranks)) contrast.p_ranks = 1;  // of two groups alone: no difference has a rank
+  contrast.undefined.clear();
+  if (chance_of_unanimity(evidence, contrast) < evidence.plan.significance) contrast.difference = {0, 0, 0};
+}
+
+// The difference of means that matters: the planned share of the smaller of the two.
+double margin_of(const Evidence& evidence, const Contrast& contrast) {
+  return evidence.plan.margin * std::min(std::abs(evidence.groups[contrast.first].described.mean),
+                                         std::abs(evidence.groups[contrast.second].described.mean));
+}
+
+int ahead_by_means(const Evidence& evidence, double difference) {
+  return evidence.better == Better::smaller ? -sign_of(difference) : sign_of(difference);
+}
+
+// Of two that differ.
+Relation better_of(const Contrast& contrast) {
+  return contrast.ahead > 0 ? Relation::first_better : Relation::second_better;
+}
+
+// Two groups of one value each. So many values are needed to find a difference, and as many to find that there is none.
+void judge_constants(const Evidence& evidence, Contrast& contrast) {
+  const Description& first = evidence.groups[contrast.first].described;
+  const Description& second = evidence.groups[contrast.second].described;
+  const double difference = first.mean - second.mean;
+  const double by_chance = chance_of_unanimity(evidence, contrast);
+  contrast.p = difference == 0 ? 1 : by_chance;
+  contrast.ahead = ahead_by_means(evidence, difference);
+  contrast.undefined.clear();
+  contrast.difference = {.value = difference};
+  contrast.relation = Relation::not_told_apart;
+  if (by_chance >= evidence.plan.significance) return;
+  contrast.difference = {difference, difference, difference};
+  contrast.within_margin = std::abs(difference) <= margin_of(evidence, contrast);
+  contrast.relation = contrast.ahead == 0 ? Relation::equivalent : better_of(contrast);
+}
+
+void judge(const Evidence& evidence, Contrast& contrast) {
+  if (!evidence.from_summaries && is_constant(evidence.groups[contrast.first].described) &&
+      is_constant(evidence.groups[contrast.second].described)) {
+    judge_constants(evidence, contrast);
+    return;
+  }
+  if (!std::isfinite(contrast.p)) {
+    if (contrast.undefined.empty()) {
+      contrast.undefined = "a group has fewer than two values, or values that are not finite";
+    }
+    return;
+  }
+  contrast.undefined.clear();
+  const double room = margin_of(evidence, contrast);
+  contrast.within_margin = std::abs(contrast.difference.low) <= room && std::abs(contrast.difference.high) <= room;
+  // Ranks of few values are no more normal than these: a pair is only found where all groups together are.
+  const TestResult* together = deciding_test(evidence);
+  const bool found =
+      contrast.p < evidence.plan.significance && (!evidence.ranks_decide() || evidence.groups.size() == 2 ||
+                                                  together == nullptr || together->p < evidence.plan.significance);
+  contrast.relation = found                    ? better_of(contrast)
+                      : contrast.within_margin ? Relation::equivalent
+                                               : Relation::not_told_apart;
+}
+
+double deciding_p(const Evidence& evidence, const Contrast& contrast) {
+  switch (evidence.plan.test) {
+    case DecidingTest::anova:
+      return contrast.p_pooled;
+    case DecidingTest::kruskal_wallis:
+    case DecidingTest::friedman:
+      return contrast.p_ranks;
+    default:
+      return contrast.p_unpooled;
+  }
+}
+
+}  // namespace
+
+void add_friedman(Evidence& evidence, Values values) {
+  const Friedman test = friedman(smaller_is_better(evidence, values));
+  for (std::size_t i = 0; i < test.average_ranks.size(); ++i) {
+    evidence.groups[i].average_rank = test.average_ranks[i];
+  }
+  evidence.tests.push_back({.test = std::string(friedman_name),
+                            .role = Role::sound,
+                            .symbol = "chi^2",
+                            .statistic = test.chi_squared,
+                            .df = static_cast<double>(test.df),
+                            .p = test.p,
+                            .effect_symbol = "W",
+                            .effect = test.kendall_w,
+                            .undefined = test.undefined});
+  evidence.tests.push_back({.test = std::string(iman_davenport_name),
+                            .role = Role::sound,
+                            .symbol = "F",
+                            .statistic = test.F,
+                            .df = test.F_df_between,
+                            .df_within = test.F_df_within,
+                            .p = test.F_p,
+                            .undefined = test.undefined});
+  if (!test.undefined.empty()) return;
+  const auto k = static_cast<double>(evidence.groups.size());
+  const double q =
+      studentized_range_quantile(1 - evidence.plan.significance, k, std::numeric_limits<double>::infinity());
+  evidence.critical_difference = critical_difference(q / std::sqrt(2.0), evidence.groups.size(), evidence.blocks);
+}
+
+void add_contrasts(Evidence& evidence, std::span<const GroupSummary> summaries, Values values) {
+  const std::size_t k = evidence.groups.size();
+  evidence.pairs = k * (k - 1) / 2;
+  evidence.reference = reference_of(evidence);
+  std::vector<Contrast> all;
+  all.reserve(evidence.pairs);
+  for (std::size_t i = 0; i < k; ++i) {
+    for (std::size_t j = i + 1; j < k; ++j) all.push_back({.first = i, .second = j});
+  }
+  add_rank_tests(evidence, values, all);
+  if (evidence.reference) {
+    std::erase_if(all,
+                  [&](const Contrast& c) { return c.first != *evidence.reference && c.second != *evidence.reference; });
+  }
+
+  const double level = 1 - evidence.plan.significance;
+  const PowerGoal goal{.power = evidence.plan.power,
+                       .alpha = evidence.plan.significance / static_cast<double>(evidence.family())};
+  const std::vector<MeanDifference> pooled = tukey(summaries, level, evidence.reference);
+  const std::vector<MeanDifference> unpooled = games_howell(summaries, level, evidence.reference);
+  const auto ahead = smaller_is_better(evidence, values);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    Contrast& contrast = all[i];
+    const GroupSummary &first = summaries[contrast.first], &second = summaries[contrast.second];
+    contrast.p_pooled = pooled[i].p;
+    contrast.p_unpooled = unpooled[i].p;
+    const MeanDifference& shown = evidence.plan.test == DecidingTest::anova ? pooled[i] : unpooled[i];
+    contrast.difference = {.value = first.mean - second.mean, .low = shown.low, .high = shown.high};
+    if (!evidence.ranks_decide()) {
+      contrast.ahead = ahead_by_means(evidence, shown.difference);
+      contrast.undefined = shown.undefined;
+    }
+    const EffectSize g = hedges_g(first, second, level);
+    contrast.g = {.value = g.value, .low = g.low, .high = g.high};
+    if (evidence.blocks == 0) {
+      contrast.runs_to_see_margin = runs_to_see(first, second, margin_of(evidence, contrast), goal).n;
+    }
+    if (!ahead.empty()) {
+      contrast.superiority = superiority(evidence, ahead[contrast.first], ahead[contrast.second]);
+      if (evidence.blocks > 0) compare_in_blocks(evidence, values, contrast);
+    }
+    contrast.p = deciding_p(evidence, contrast);
+    judge(evidence, contrast);
+  }
+  evidence.contrasts = std::move(all);
+}
+
+}  // namespace ikbench::inference

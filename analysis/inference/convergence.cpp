@@ -1,0 +1,254 @@
+#include "analysis/inference/convergence.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <map>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "analysis/inference/definition.hpp"
+#include "analysis/statistics/quantile.hpp"
+#include "analysis/inference/text.hpp"
+
+namespace ikbench::inference {
+
+using namespace results;
+using namespace statistics;
+
+namespace {
+
+constexpr double verifier_rounding_cm = 1e-7;
+constexpr double largest_target_cm = 10;
+constexpr double smallest_target_cm = 1e-8;
+constexpr std::size_t target_count = 51;  // as COCO has
+
+double or_never(double value) { return std::isfinite(value) ? value : never; }
+
+bool is_verified(const SolveRecord& solve) {
+  return solve.status != Status::refused && solve.status != Status::claimed_but_wrong &&
+         solve.status != Status::not_finite;
+}
+
+double cost_of_iterations(const SolveRecord& solve, std::size_t iterations, Cost cost) {
+  const double share =
+      solve.trace_cm.empty() ? 1 : static_cast<double>(iterations) / static_cast<double>(solve.trace_cm.size());
+  return total_cost(solve, cost) * share;
+}
+
+// The best error when so many evaluations were made.
+double error_at(const SolveRecord& solve, double evaluations) {
+  const double total = total_cost(solve, Cost::evaluations);
+  if (!is_verified(solve)) return never;
+  if (solve.trace_cm.empty()) return evaluations < total ? never : final_error_cm(solve);
+  const double all = static_cast<double>(solve.trace_cm.size());
+  constexpr double fuzz = 1e-9;  // i n / n is not always i
+  const double done = evaluations < total ? std::floor(all * evaluations / total + fuzz) : all;
+  return done < 1 ? never : or_never(solve.trace_cm[static_cast<std::size_t>(done) - 1]);
+}
+
+double ratio_of(double cost, double smallest) {
+  if (cost == never) return never;
+  return cost == smallest ? 1 : cost / smallest;
+}
+
+}  // namespace
+
+double total_cost(const SolveRecord& solve, Cost cost) {
+  const double total = cost == Cost::seconds ? solve.seconds : static_cast<double>(solve.evaluations);
+  return std::max(0.0, or_never(total));
+}
+
+std::vector<Solves> solves_by_solver(const StudyResults& study) {
+  std::map<std::string_view, std::size_t> index;
+  for (std::size_t i = 0; i < study.solvers.size(); ++i) index.emplace(study.solvers[i], i);
+  std::vector<Solves> result(study.solvers.size());
+  for (const SolveRecord& solve : study.solves) {
+    if (const auto found = index.find(solve.solver); found != index.end()) result[found->second].push_back(&solve);
+  }
+  return result;
+}
+
+bool is_chained(const StudyResults& study) {
+  return study.points > 1 && Definition(study.definition).text("/start") != "initial";
+}
+
+bool has_course(const SolveRecord& solve) { return !solve.trace_cm.empty() || solve.iterations == 0; }
+
+std::vector<Solves> courses_by_solver(const StudyResults& study) {
+  std::vector<Solves> result = solves_by_solver(study);
+  for (Solves& solves : result) std::erase_if(solves, [](const SolveRecord* solve) { return !has_course(*solve); });
+  return result;
+}
+
+double final_error_cm(const SolveRecord& solve) { return or_never(solve.position_error_cm); }
+
+bool reaches(const SolveRecord& solve, double tolerance_cm) {
+  return final_error_cm(solve) <= tolerance_cm + verifier_rounding_cm;
+}
+
+std::vector<double> costs_to_targets(const SolveRecord& solve, std::span<const double> targets_cm, Cost cost) {
+  std::vector<double> costs(targets_cm.size(), never);
+  if (!is_verified(solve)) return costs;
+  std::size_t next = 0;
+  const auto passes = [&](double error_cm, std::size_t iterations) {
+    for (; next < targets_cm.size() && error_cm <= targets_cm[next]; ++next) {
+      costs[next] = cost_of_iterations(solve, iterations, cost);
+    }
+  };
+  if (solve.trace_cm.empty()) passes(final_error_cm(solve), 0);
+  for (std::size_t i = 0; i < solve.trace_cm.size() && next < targets_cm.size(); ++i) passes(solve.trace_cm[i], i + 1);
+  return costs;
+}
+
+std::vector<Band> error_bands(const Solves& courses, std::span<const double> evaluations) {
+  std::vector<Band> bands;
+  std::vector<double> errors;
+  for (const double position : evaluations) {
+    errors.clear();
+    for (const SolveRecord* solve : courses) errors.push_back(error_at(*solve, position));
+    const std::vector<double> ranked = ranked_values(errors);
+    const auto at = [&](double p) { return or_never(quantile(ranked, p, QuantileType::type_5)); };
+    bands.push_back({.low = at(0.25), .median = at(0.5), .high = at(0.75)});
+  }
+  return bands;
+}
+
+std::vector<double> evaluations_axis(const std::vector<Solves>& courses) {
+  double first = never, last = 0;
+  for (const Solves& solves : courses) {
+    for (const SolveRecord* solve : solves) {
+      const double total = total_cost(*solve, Cost::evaluations);
+      if (!(total > 0)) continue;
+      first = std::min(first, cost_of_iterations(*solve, 1, Cost::evaluations));
+      last = std::max(last, total);
+    }
+  }
+  return last > 0 ? log_spaced(first, last, most_positions) : std::vector<double>();
+}
+
+std::vector<double> target_errors_cm(const StudyResults& study) {
+  double smallest = tolerance_cm(study);
+  if (!std::isfinite(smallest)) {
+    double best = largest_target_cm / 10;
+    for (const SolveRecord& solve : study.solves) best = std::min(best, final_error_cm(solve));
+    smallest = std::max(smallest_target_cm, std::pow(10, std::floor(std::log10(std::max(best, smallest_target_cm)))));
+  }
+  return log_spaced(std::max(largest_target_cm, 10 * smallest), smallest, target_count);
+}
+
+std::vector<std::vector<CensoredCost>> censored_costs(const StudyResults& study, Cost cost) {
+  const double tolerance = tolerance_cm(study);
+  std::vector<std::vector<CensoredCost>> costs;
+  for (const Solves& solves : solves_by_solver(study)) {
+    auto& of_solver = costs.emplace_back();
+    for (const SolveRecord* solve : solves) {
+      of_solver.push_back({.spent = total_cost(*solve, cost), .reached = reaches(*solve, tolerance)});
+    }
+  }
+  return costs;
+}
+
+std::vector<Share> shares_within(std::vector<double> values) {
+  std::ranges::sort(values);
+  const double all = static_cast<double>(values.size());
+  values.erase(std::ranges::lower_bound(values, never), values.end());
+  std::vector<Share> shares;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (i + 1 < values.size() && values[i + 1] == values[i]) continue;
+    shares.push_back({.at = values[i], .share = static_cast<double>(i + 1) / all});
+  }
+  return thinned(shares);
+}
+
+std::vector<Share> thinned(const std::vector<Share>& stairs) {
+  if (stairs.size() <= most_positions) return stairs;
+  std::vector<Share> kept;
+  const auto positive = std::ranges::upper_bound(stairs, 0.0, {}, &Share::at);
+  if (positive != stairs.begin()) kept.push_back(*(positive - 1));
+  for (const double at : log_spaced(positive->at, stairs.back().at, most_positions - kept.size())) {
+    kept.push_back({.at = at, .share = (std::ranges::upper_bound(stairs, at, {}, &Share::at) - 1)->share});
+  }
+  return kept;
+}
+
+Profile performance_profile(const StudyResults& study, const CostOf& cost_of) {
+  const std::vector<Solves> solves = solves_by_solver(study);
+  std::map<std::pair<int, int>, std::map<std::size_t, const SolveRecord*>> problems;
+  std::size_t entrants = 0;
+  for (std::size_t i = 0; i < solves.size(); ++i) {
+    if (!solves[i].empty()) ++entrants;
+    for (const SolveRecord* solve : solves[i]) problems[{solve->run, solve->point}].emplace(i, solve);
+  }
+  Profile profile{.ratios = std::vector<std::vector<double>>(study.solvers.size())};
+  for (const auto& [run_and_point, of_solver] : problems) {
+    const SolveRecord& first = *of_solver.begin()->second;
+    const bool is_shared = std::ranges::all_of(of_solver, [&](const auto& entry) {
+      return entry.second->target_position_m == first.target_position_m &&
+             entry.second->target_rotation == first.target_rotation;
+    });
+    if (of_solver.size() < entrants || !is_shared) {
+      ++profile.left_out;
+      continue;
+    }
+    ++profile.problems;
+    double smallest = never;
+    for (const auto& [i, solve] : of_solver) smallest = std::min(smallest, std::max(0.0, or_never(cost_of(*solve))));
+    if (smallest == never) ++profile.unsolved;
+    if (smallest == 0) profile.has_zero_costs = true;
+    for (const auto& [i, solve] : of_solver) {
+      profile.ratios[i].push_back(ratio_of(std::max(0.0, or_never(cost_of(*solve))), smallest));
+    }
+  }
+  return profile;
+}
+
+std::vector<double> log_spaced(double first, double last, std::size_t count) {
+  std::vector<double> numbers{first};
+  if (first == last) return numbers;
+  const double steps = static_cast<double>(count - 1);
+  for (std::size_t i = 1; i + 1 < count; ++i) {
+    const double part = static_cast<double>(i) / steps;
+    numbers.push_back(std::pow(10, (1 - part) * std::log10(first) + part * std::log10(last)));
+  }
+  numbers.push_back(last);
+  return numbers;
+}
+
+std::string closest_point_by_point(const StudyResults& study) {
+  const Profile profile = performance_profile(study, final_error_cm);
+  const auto is_closest = [&](std::size_t solver, std::size_t problem) {
+    return !profile.ratios[solver].empty() && profile.ratios[solver][problem] <= 1;
+  };
+  std::vector<int> wins(study.solvers.size());  // alone: a tie counts for nobody
+  int tied = 0;
+  for (std::size_t problem = 0; problem < static_cast<std::size_t>(profile.problems); ++problem) {
+    std::vector<std::size_t> closest;
+    for (std::size_t i = 0; i < wins.size(); ++i) {
+      if (is_closest(i, problem)) closest.push_back(i);
+    }
+    if (closest.size() == 1) ++wins[closest.front()];
+    if (closest.size() > 1) ++tied;
+  }
+  const auto share_of = [&](int problems) { return percent(static_cast<double>(problems) / profile.problems); };
+  std::vector<std::pair<int, std::string>> winners;
+  for (std::size_t i = 0; i < wins.size(); ++i) {
+    if (!profile.ratios[i].empty()) winners.emplace_back(wins[i], one_line(study.solvers[i]));
+  }
+  if (winners.size() < 2 || profile.problems == 0) return "";
+  std::ranges::stable_sort(winners, std::greater{}, &std::pair<int, std::string>::first);
+  std::string list;
+  for (const auto& [problems, solver] : winners) {
+    list += fmt::format("{}{} in {}", list.empty() ? "" : ", ", solver, share_of(problems));
+  }
+  if (tied > 0) list += fmt::format("; in {} it is a tie", share_of(tied));
+  return fmt::format(
+      "Point by point, of {} solves by each, the closest to the target is {}. (A run's mean is decided by its "
+      "worst points.)",
+      profile.problems, list);
+}
+
+}  // namespace ikbench::inference

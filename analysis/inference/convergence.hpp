@@ -1,0 +1,98 @@
+// How the error of solves falls with what is spent on them: quantiles over solves, costs to reach an error after COCO
+// (Hansen et al. 2021, doi 10.1080/10556788.2020.1808977), performance profiles after Dolan and Moré (2002, doi
+// 10.1007/s101070100263). Iteration i of n stands for i/n of what the whole solve cost.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <limits>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "analysis/statistics/running_time.hpp"
+#include "analysis/inference/study.hpp"
+
+namespace ikbench::inference {
+
+// The cost of what is not reached, and the error of an answer that is none.
+constexpr double never = std::numeric_limits<double>::infinity();
+// More positions on an axis cannot be told apart in a figure.
+constexpr std::size_t most_positions = 200;
+
+enum class Cost { evaluations, seconds };
+double total_cost(const results::SolveRecord& solve, Cost cost);  // never where it is not finite; 0 where it is negative
+
+using Solves = std::vector<const results::SolveRecord*>;
+std::vector<Solves> solves_by_solver(const StudyResults& study);  // in the order of study.solvers
+
+// Whether solves of a run depend on each other, as where each starts at the answer of the one before, or may do so.
+bool is_chained(const StudyResults& study);
+
+// Whether it is known how the solve went: it has a trace, or it ended before its first iteration.
+bool has_course(const results::SolveRecord& solve);
+std::vector<Solves> courses_by_solver(const StudyResults& study);  // those alone
+
+// The error as the verifier has it [cm]; never where it is not finite.
+double final_error_cm(const results::SolveRecord& solve);
+// Whether the verifier's error is within the tolerance, but for rounding.
+bool reaches(const results::SolveRecord& solve, double tolerance_cm);
+
+// What the solve had cost when its best error first was at or below each target; targets descend. A solve whose answer
+// is not finite, refused or not as good as claimed reaches none: its trace is the solver's own word.
+std::vector<double> costs_to_targets(const results::SolveRecord& solve, std::span<const double> targets_cm, Cost cost);
+
+// 25, 50 and 75 % quantiles (Hyndman and Fan's type 5) of the best error [cm]; never where so many have no answer yet.
+struct Band {
+  double low = never;
+  double median = never;
+  double high = never;
+};
+
+// At each of these numbers of evaluations. A solve that has ended keeps its last error.
+std::vector<Band> error_bands(const Solves& courses, std::span<const double> evaluations);
+// Log-spaced, from the cheapest first iteration to the dearest solve; none where there are no courses.
+std::vector<double> evaluations_axis(const std::vector<Solves>& courses);
+
+// 51 log-spaced errors [cm], descending: from 10 (or ten times a larger tolerance) down to the tolerance of the study,
+// or without one to the whole decade below the smallest error that any solve came to, at the least 1e-8.
+std::vector<double> target_errors_cm(const StudyResults& study);
+
+// Of each solver, in the order of study.solvers: a solve that comes to the tolerance of the study has spent its whole
+// cost on it; one that does not is given up at its cost.
+std::vector<std::vector<statistics::CensoredCost>> censored_costs(const StudyResults& study, Cost cost);
+
+// The share of values that are at or below `at`.
+struct Share {
+  double at;
+  double share;
+};
+
+// The empirical distribution function, at every value or at most_positions log-spaced ones. Values of never count in
+// the whole and nowhere else.
+std::vector<Share> shares_within(std::vector<double> values);
+// Stairs, ascending and not negative in `at`, at no more than most_positions.
+std::vector<Share> thinned(const std::vector<Share>& stairs);
+
+// By how much the cost of each solver exceeds the smallest of all solvers at the same problem, which is a point of a
+// run. Solvers without solves take no part and have no ratios.
+struct Profile {
+  std::vector<std::vector<double>> ratios;  // of each solver at each problem; never where it fails
+  int problems = 0;
+  int left_out = 0;  // where a solver has no solve, or another target
+  int unsolved = 0;  // of the problems: where every solver fails
+  bool has_zero_costs = false;
+};
+
+// The cost of a solve, never where it fails. 0/0 is 1; a cost above a smallest of 0 is infinitely many times as much.
+using CostOf = std::function<double(const results::SolveRecord&)>;
+Profile performance_profile(const StudyResults& study, const CostOf& cost_of);
+
+// How often each solver comes closest to the target, in a sentence: what means over runs, which their worst points decide,
+// do not show. Empty where fewer than two solvers share a problem.
+std::string closest_point_by_point(const StudyResults& study);
+
+// `count` numbers, the first and last exactly as given, which are positive; a single one where they are the same.
+std::vector<double> log_spaced(double first, double last, std::size_t count);
+
+}  // namespace ikbench::inference

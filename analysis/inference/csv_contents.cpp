@@ -1,0 +1,113 @@
+#include "analysis/inference/csv_contents.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+
+#include "analysis/inference/text.hpp"
+
+namespace ikbench::inference {
+
+using namespace results;
+
+namespace {
+
+void expect_few(const CsvFile& file, const Names& groups) {
+  if (groups.all().size() <= max_groups) return;
+  file.refuse(fmt::format("more than {} groups, the last {}; expected the names of what is compared", max_groups,
+                          in_quotes(groups.all().back())));
+}
+
+std::size_t group_column(const CsvFile& file, const CsvRequest& request) {
+  constexpr std::array<std::string_view, 3> titles{"group", "solver", "algorithm"};
+  if (!request.group.empty()) return file.column(request.group);
+  if (const auto column = file.column_like(titles)) return *column;
+  file.refuse(fmt::format("which column names the groups? (--group) There are: {}", file.columns()));
+}
+
+// The numbers of rows that pandas and R write, and the empty columns that spreadsheets do.
+bool is_index(const CsvFile& file, std::size_t column) {
+  const std::string& title = file.table.header[column];
+  if (column == 0 && (title.empty() || title == "Unnamed: 0")) return true;
+  return title.empty() && std::ranges::all_of(file.table.rows, [&](const auto& row) { return row[column].empty(); });
+}
+
+}  // namespace
+
+Contents read_long(const CsvFile& file, const CsvRequest& request) {
+  if (request.value.empty()) {
+    file.refuse(fmt::format("which column holds the values? (--value) There are: {}", file.columns()));
+  }
+  const std::size_t value = file.column(request.value);
+  const std::size_t group = group_column(file, request);
+  Contents contents;
+  for (std::size_t row = 0; row < file.table.rows.size(); ++row) {
+    if (file.is_blank(row)) continue;
+    contents.observations.push_back(
+        {.group = contents.groups.index_of(file.group_name(row, group)), .row = row, .value = file.number(row, value)});
+    expect_few(file, contents.groups);
+  }
+  return contents;
+}
+
+Contents read_wide(const CsvFile& file, const CsvRequest& request) {
+  if (!request.group.empty()) {
+    file.refuse(
+        fmt::format("--group {}: where every column is a group, no column names the groups", in_quotes(request.group)));
+  }
+  Contents contents;
+  for (std::size_t column = 0; column < file.table.header.size(); ++column) {
+    const std::string& title = file.table.header[column];
+    const bool is_asked_for = !title.empty() && (title == request.block || title == request.run);
+    if (is_index(file, column) || is_asked_for) continue;
+    if (names_replicates(title)) {
+      contents.notes.push_back(fmt::format("Column {} numbers the repetitions and is no group.", in_quotes(title)));
+      continue;
+    }
+    const std::size_t groups_before = contents.groups.all().size();
+    if (title.size() > longest_name) {
+      file.refuse(fmt::format("column {} has a name of {} bytes, expected at most {}", in_quotes(title), title.size(),
+                              longest_name));
+    }
+    const std::size_t group = contents.groups.index_of(title.empty() ? "(empty)" : title);
+    if (group < groups_before) file.refuse(fmt::format("two columns {}, expected one", in_quotes(title)));
+    expect_few(file, contents.groups);
+    for (std::size_t row = 0; row < file.table.rows.size(); ++row) {
+      if (file.is_blank(row)) continue;
+      contents.observations.push_back({.group = group, .row = row, .value = file.number(row, column)});
+    }
+  }
+  if (contents.groups.all().empty()) file.refuse("no column of values, expected one a group");
+  return contents;
+}
+
+bool names_replicates(std::string_view title) {
+  constexpr std::array<std::string_view, 7> words{"run", "trial", "seed", "repetition", "replicate", "rep", "repeat"};
+  std::string letters;
+  std::ranges::copy_if(lower_case(title), std::back_inserter(letters), [](char c) { return c >= 'a' && c <= 'z'; });
+  for (const std::string_view suffix : {"id", "index", "number"}) {
+    if (letters.ends_with(suffix)) letters.resize(letters.size() - suffix.size());
+  }
+  return std::ranges::find(words, letters) != words.end();
+}
+
+Labels labels_of(const CsvFile& file, std::size_t column) {
+  Labels labels;
+  for (const auto& row : file.table.rows) {
+    labels.of_row.push_back(is_missing(row[column]) ? no_label : labels.names.index_of(row[column]));
+  }
+  return labels;
+}
+
+Labels expect_labels(const CsvFile& file, std::size_t column) {
+  Labels labels = labels_of(file, column);
+  const auto missing = [&](std::size_t row) { return labels.of_row[row] == no_label && !file.is_blank(row); };
+  for (std::size_t row = 0; row < labels.of_row.size(); ++row) {
+    if (missing(row)) file.refuse_cell(row, column, "expected which one it is");
+  }
+  return labels;
+}
+
+}  // namespace ikbench::inference

@@ -1,0 +1,26 @@
+// What the definition of a study (JSON, as the store has it) says. Any of it may be missing or be something else.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace ikbench::inference {
+
+// Values are named by JSON pointers: "/path/kind".
+class Definition {
+ public:
+  explicit Definition(std::string_view json) : json_(nlohmann::json::parse(json, nullptr, false)) {}
+
+  std::string text(const std::string& pointer) const;             // empty where there is none
+  double number(const std::string& pointer) const;                // not_defined where there is none
+  std::vector<double> numbers(const std::string& pointer) const;  // none where not all of them are numbers
+
+ private:
+  const nlohmann::json* find(const std::string& pointer) const;
+
+  nlohmann::json json_;
+};
+
+}  // namespace ikbench::inference

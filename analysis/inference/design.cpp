@@ -1,0 +1,188 @@
+#include "analysis/inference/design.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "analysis/inference/definition.hpp"
+
+namespace ikbench::inference {
+
+using namespace results;
+using namespace statistics;
+
+namespace {
+
+// The solves of one solver by run and point.
+std::map<Place, const SolveRecord*> solves_of(const StudyResults& study, const std::string& solver) {
+  std::map<Place, const SolveRecord*> solves;
+  for (const SolveRecord& solve : study.solves) {
+    if (solve.solver == solver) solves[{solve.run, solve.point}] = &solve;
+  }
+  return solves;
+}
+
+// Those that every solver has complete.
+std::vector<int> common_runs(const StudyResults& study) {
+  std::map<int, std::int64_t> counts;
+  for (const SolveRecord& solve : study.solves) ++counts[solve.run];
+  const std::int64_t all = std::int64_t{study.points} * static_cast<std::int64_t>(study.solvers.size());
+  std::vector<int> runs;
+  for (const auto& [run, count] : counts) {
+    if (count == all) runs.push_back(run);
+  }
+  return runs;
+}
+
+// A foreign store may say what is not so.
+bool were_given_the_same(const StudyResults& study, Blocks blocks) {
+  std::map<Place, const SolveRecord*> first;
+  return std::ranges::all_of(study.solves, [&](const SolveRecord& solve) {
+    const SolveRecord& other = *first.try_emplace({solve.run, solve.point}, &solve).first->second;
+    return solve.target_position_m == other.target_position_m && solve.target_rotation == other.target_rotation &&
+           (blocks == Blocks::runs || solve.start_rad == other.start_rad);
+  });
+}
+
+}  // namespace
+
+Blocks blocks_of(const StudyResults& study) {
+  const Definition definition(study.definition);
+  const std::string kind = definition.text("/path/kind");
+  const bool starts_anew = definition.text("/start") == "initial";
+  if (kind == "random") return starts_anew ? Blocks::drawn_targets : Blocks::runs;
+  if (kind.empty()) return Blocks::none;
+  return starts_anew || study.points == 1 ? Blocks::path_targets : Blocks::none;
+}
+
+std::vector<Block> layout(const StudyResults& study, Blocks blocks) {
+  const std::vector<int> runs = common_runs(study);
+  std::vector<Block> result;
+  if (blocks == Blocks::path_targets && !runs.empty()) {
+    for (int point = 1; point <= study.points; ++point) {
+      Block block{.name = fmt::format("point {}", point), .places = {}};
+      for (const int run : runs) block.places.emplace_back(run, point);
+      result.push_back(std::move(block));
+    }
+  } else if (blocks == Blocks::runs) {
+    for (const int run : runs) {
+      Block block{.name = fmt::format("run {}", run), .places = {}};
+      for (int point = 1; point <= study.points; ++point) block.places.emplace_back(run, point);
+      result.push_back(std::move(block));
+    }
+  } else if (blocks == Blocks::drawn_targets) {
+    for (const int run : runs) {
+      for (int point = 1; point <= study.points; ++point) {
+        result.push_back({.name = fmt::format("run {}, point {}", run, point), .places = {{run, point}}});
+      }
+    }
+  }
+  return result;
+}
+
+namespace {
+
+std::string replicate_of(const StudyResults& study, Unit unit) {
+  if (unit == Unit::point) return "one point of a run";
+  return study.points == 1 ? "a run's only solve" : fmt::format("a run's mean over its {} points", study.points);
+}
+
+std::string replicate_of(const StudyResults& study, Blocks blocks) {
+  if (blocks == Blocks::runs) return replicate_of(study, Unit::run);
+  if (blocks == Blocks::drawn_targets) return "a target's only solve";
+  const std::size_t runs = common_runs(study).size();
+  return runs == 1 ? "a target's only solve" : fmt::format("a target's mean over {} runs", runs);
+}
+
+std::string block_of(Blocks blocks) {
+  if (blocks == Blocks::runs) return "a run, its targets drawn anew and the same for all";
+  if (blocks == Blocks::drawn_targets) return "a target, drawn anew and the same for all";
+  return "a target of the path, solved by all from the same configuration";
+}
+
+Observations without_groups(Metric metric) {
+  const MetricInfo& info = info_of(metric);
+  return {.name = std::string(info.slug), .quantity = std::string(info.quantity), .better = Better::smaller};
+}
+
+void fill_blocks(Observations& result, const StudyResults& study, const std::vector<Block>& blocks, Metric metric) {
+  for (const Block& block : blocks) result.blocks.push_back(block.name);
+  for (const std::string& solver : study.solvers) {
+    const auto solves = solves_of(study, solver);
+    Group group{.name = solver};
+    for (const Block& block : blocks) {
+      std::vector<double> values;
+      for (const Place& place : block.places) values.push_back(value_of(*solves.at(place), metric));
+      group.values.push_back(mean(values));
+    }
+    result.groups.push_back(std::move(group));
+  }
+  const std::size_t runs = common_runs(study).size();
+  if (const auto all = static_cast<std::size_t>(study.runs); runs < all) {
+    result.notes.push_back(
+        fmt::format("Left out: {} of {} runs, which are not complete for all solvers.", all - runs, all));
+  }
+}
+
+void add_notes(Observations& result, const StudyResults& study, Metric metric) {
+  for (const Group& group : result.groups) {
+    const auto not_finite = std::ranges::count_if(group.values, [](double value) { return !std::isfinite(value); });
+    if (not_finite == 0) continue;
+    result.notes.push_back(
+        fmt::format("{}: {} of {} observations are not finite.", group.name, not_finite, group.values.size()));
+  }
+  if (metric != Metric::seconds) return;
+  if (std::string note = timing_note(study); !note.empty() && result.flaw.empty()) result.flaw = std::move(note);
+}
+
+}  // namespace
+
+std::string why_not_blocked(const StudyResults& study) {
+  const Blocks blocks = blocks_of(study);
+  if (blocks == Blocks::none) {
+    return Definition(study.definition).text("/path/kind").empty()
+               ? "There are no blocks: the study does not say what its path is."
+               : "There are no blocks: each solve starts where the solver's last answer left the arm.";
+  }
+  if (!were_given_the_same(study, blocks)) return "There are no blocks: the solvers were not given the same targets.";
+  const std::size_t count = layout(study, blocks).size();
+  if (count == 0) return "There are no blocks: no run is complete for all solvers.";
+  return count == 1 ? "There are no blocks to compare: there is only one." : "";
+}
+
+std::optional<Observations> blocked_observations(const StudyResults& study, Metric metric) {
+  if (!why_not_blocked(study).empty()) return std::nullopt;
+  const Blocks blocks = blocks_of(study);
+  Observations result = without_groups(metric);
+  result.replicate = replicate_of(study, blocks);
+  result.block = block_of(blocks);
+  fill_blocks(result, study, layout(study, blocks), metric);
+  add_notes(result, study, metric);
+  return result;
+}
+
+Observations observations(const StudyResults& study, Metric metric, Unit unit) {
+  if (unit == Unit::run) {
+    if (std::optional<Observations> blocked = blocked_observations(study, metric)) return std::move(*blocked);
+  }
+  Observations result = without_groups(metric);
+  result.replicate = replicate_of(study, unit);
+  if (unit == Unit::point) result.flaw = points_flaw;
+  if (unit == Unit::run) result.notes.push_back(why_not_blocked(study));
+  for (Sample& sample : samples(study, metric, unit)) {
+    if (sample.incomplete_runs > 0) {
+      result.notes.push_back(fmt::format("{}: {} of its runs have missing points and give no observation.",
+                                         sample.solver, sample.incomplete_runs));
+    }
+    result.groups.push_back({.name = std::move(sample.solver), .values = std::move(sample.values)});
+  }
+  add_notes(result, study, metric);
+  return result;
+}
+
+}  // namespace ikbench::inference

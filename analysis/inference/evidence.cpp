@@ -1,0 +1,392 @@
+#include "analysis/inference/evidence.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <map>
+#include <stdexcept>
+
+#include "analysis/inference/contrasts.hpp"
+#include "analysis/statistics/anova.hpp"
+#include "analysis/statistics/bootstrap.hpp"
+#include "analysis/statistics/effect_size.hpp"
+#include "analysis/statistics/equal_variances.hpp"
+#include "analysis/statistics/kruskal_wallis.hpp"
+#include "analysis/statistics/mann_whitney.hpp"
+#include "analysis/statistics/median_interval.hpp"
+#include "analysis/statistics/quantile.hpp"
+#include "analysis/statistics/ranks.hpp"
+#include "analysis/statistics/rounding.hpp"
+#include "analysis/statistics/shapiro_wilk.hpp"
+#include "analysis/statistics/welch.hpp"
+#include "analysis/statistics/wilcoxon_signed_rank.hpp"
+#include "analysis/inference/text.hpp"
+
+namespace ikbench::inference {
+
+using namespace results;
+using namespace statistics;
+
+namespace {
+
+using Samples = std::vector<std::vector<double>>;
+
+constexpr std::size_t longest_name = 60;
+
+// The methods count groups from 1, "group 2 is constant"; a reader knows them by name.
+std::string with_name(std::string reason, const std::vector<GroupEvidence>& groups) {
+  constexpr std::string_view word = "group ";
+  const std::size_t start = reason.find(word);
+  if (start == std::string::npos) return reason;
+  const char* const digits = reason.data() + start + word.size();
+  std::size_t number = 0;
+  const auto [end, error] = std::from_chars(digits, reason.data() + reason.size(), number);
+  if (error != std::errc{} || number < 1 || number > groups.size()) return reason;
+  const std::size_t length = word.size() + static_cast<std::size_t>(end - digits);
+  return reason.replace(start, length, row_label(groups[number - 1].name, longest_name));
+}
+
+void name_groups(Evidence& evidence) {
+  for (TestResult& test : evidence.tests) test.undefined = with_name(std::move(test.undefined), evidence.groups);
+  for (Contrast& contrast : evidence.contrasts) {
+    contrast.undefined = with_name(std::move(contrast.undefined), evidence.groups);
+  }
+}
+
+void check_control(const Evidence& evidence) {
+  if (evidence.plan.control.empty()) return;
+  const auto found = std::ranges::find(evidence.groups, evidence.plan.control, &GroupEvidence::name);
+  if (found != evidence.groups.end()) return;
+  std::vector<std::string> names;
+  for (const GroupEvidence& group : evidence.groups) names.push_back(group.name);
+  throw std::invalid_argument(fmt::format("no group '{}' to be the control, expected one of: {}", evidence.plan.control,
+                                          fmt::join(names, ", ")));
+}
+
+// Before the data are looked at: what by_design means for them, and what they do not have.
+void settle_test(Evidence& evidence) {
+  DecidingTest& test = evidence.plan.test;
+  if (test == DecidingTest::by_design) test = evidence.blocks > 0 ? DecidingTest::friedman : DecidingTest::welch;
+  if (test == DecidingTest::friedman && evidence.blocks == 0) {
+    throw std::invalid_argument(
+        "Friedman's test needs blocks, in which every group was given the same; expected another test, or a block "
+        "column");
+  }
+  if (test == DecidingTest::kruskal_wallis && evidence.from_summaries) {
+    throw std::invalid_argument(
+        "Kruskal and Wallis' test needs the values themselves; expected anova or welch for summaries");
+  }
+}
+
+// Greatest and least variance of those that are known.
+void compare_variances(Evidence& evidence, std::span<const GroupSummary> summaries) {
+  std::optional<std::size_t> most, least;
+  for (std::size_t i = 0; i < summaries.size(); ++i) {
+    if (summaries[i].n < 2 || !std::isfinite(summaries[i].std)) continue;
+    if (!most || summaries[i].std > summaries[*most].std) most = i;
+    if (!least || summaries[i].std < summaries[*least].std) least = i;
+  }
+  if (!most || most == least) return;
+  evidence.most_variable = *most;
+  evidence.least_variable = *least;
+  const double ratio = summaries[*most].std / summaries[*least].std;
+  evidence.variance_ratio = ratio * ratio;
+}
+
+TestResult of_bartlett(const Bartlett& test) {
+  return {.test = std::string(bartlett_name),
+          .role = Role::assumption,
+          .symbol = "chi^2",
+          .statistic = test.chi_squared,
+          .df = static_cast<double>(test.df),
+          .p = test.p,
+          .undefined = test.undefined};
+}
+
+TestResult of_brown_forsythe(const BrownForsythe& test) {
+  return {.test = std::string(brown_forsythe_name),
+          .role = Role::assumption,
+          .symbol = "F",
+          .statistic = test.F,
+          .df = static_cast<double>(test.df_between),
+          .df_within = static_cast<double>(test.df_within),
+          .p = test.p,
+          .undefined = test.undefined};
+}
+
+TestResult of_kruskal_wallis(const KruskalWallis& test) {
+  return {.test = std::string(kruskal_wallis_name),
+          .symbol = "H",
+          .statistic = test.H,
+          .df = static_cast<double>(test.df),
+          .p = test.p,
+          .effect_symbol = "epsilon^2",
+          .effect = test.epsilon_squared,
+          .undefined = test.undefined};
+}
+
+TestResult of_anova(const AnovaTable& table) {
+  return {.test = std::string(anova_name),
+          .role = Role::paper,
+          .symbol = "F",
+          .statistic = table.F,
+          .df = static_cast<double>(table.df_between),
+          .df_within = static_cast<double>(table.df_within),
+          .p = table.p,
+          .effect_symbol = "omega^2",
+          .effect = omega_squared(table),
+          .undefined = table.undefined};
+}
+
+// Those that Welch's test can weigh; the others are named.
+TestResult of_welch(const std::vector<GroupEvidence>& groups, std::span<const GroupSummary> summaries) {
+  TestResult result{.test = std::string(welch_name), .role = Role::sound, .symbol = "F"};
+  std::vector<GroupSummary> usable;
+  std::vector<std::string> others;
+  for (std::size_t i = 0; i < summaries.size(); ++i) {
+    const bool weighed = summaries[i].n >= 2 && summaries[i].std > 0 && std::isfinite(summaries[i].mean);
+    if (weighed) {
+      usable.push_back(summaries[i]);
+    } else {
+      others.push_back(row_label(groups[i].name, longest_name));
+    }
+  }
+  if (usable.size() < 2) {
+    result.undefined = "fewer than two groups have a spread";
+    return result;
+  }
+  const WelchAnova test = welch_anova(usable);
+  result.statistic = test.F;
+  result.df = test.df_between;
+  result.df_within = test.df_within;
+  result.p = test.p;
+  if (!std::isfinite(test.p)) result.undefined = "the spreads are too far apart for double precision";
+  if (!others.empty()) {
+    constexpr std::size_t most_named = 3;
+    result.without = fmt::format("without {}, whose spread is none or not defined",
+                                 others.size() > most_named ? fmt::format("{} groups", others.size())
+                                                            : fmt::format("{}", fmt::join(others, ", ")));
+  }
+  return result;
+}
+
+Evidence begin(std::string name, std::string_view quantity, Better better, const AnalysisPlan& plan) {
+  Evidence evidence;
+  evidence.name = std::move(name);
+  evidence.quantity = one_line(quantity);
+  evidence.better = better;
+  evidence.plan = plan;
+  return evidence;
+}
+
+Estimate interval_of(const GroupSummary& summary, double level) {
+  const MeanInterval found = mean_interval(summary, level);
+  return {.value = summary.mean, .low = found.low, .high = found.high};
+}
+
+// BCa: it follows the skewness of the values. Not for so many values that the mean is normal anyway.
+void bootstrap_means(Evidence& evidence, const Samples& values) {
+  constexpr std::size_t most_values = 2000;  // of all groups: about a second
+  constexpr std::size_t fewest_values = 5;   // fewer have too few resamples that differ
+  std::size_t all = 0;
+  for (const auto& group : values) all += group.size();
+  if (all > most_values) return;
+  const auto mean_of = [](std::span<const double> resample) { return mean(resample); };
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (values[i].size() < fewest_values) continue;
+    const BootstrapInterval found = bootstrap(values[i], mean_of, {.level = 1 - evidence.plan.significance});
+    evidence.groups[i].bootstrapped = {.value = found.estimate, .low = found.bca_low, .high = found.bca_high};
+  }
+}
+
+std::string in_brackets(const std::string& text) { return text.empty() ? "" : fmt::format(" ({})", text); }
+
+// Two groups alone: by the ranks of their values, or of the differences where the same was given to both.
+TestResult of_two(const std::vector<double>& first, const std::vector<double>& second, const Evidence& evidence) {
+  if (evidence.blocks > 0) {
+    const WilcoxonSignedRank test = wilcoxon_signed_rank(first, second);
+    return {.test = "Wilcoxon's signed-rank test" + in_brackets(test.method),
+            .symbol = "V",
+            .statistic = test.V,
+            .p = test.p,
+            .undefined = test.undefined};
+  }
+  const MannWhitney test = mann_whitney(first, second);
+  return {.test = "Mann and Whitney's test" + in_brackets(test.method),
+          .symbol = "U",
+          .statistic = test.U,
+          .p = test.p,
+          .undefined = test.undefined};
+}
+
+void add_mean_ranks(Evidence& evidence, const KruskalWallis& test) {
+  double values = 0;
+  for (const GroupEvidence& group : evidence.groups) values += group.described.n;
+  for (std::size_t i = 0; i < test.mean_ranks.size(); ++i) {
+    const double rank = test.mean_ranks[i];  // 1 is the smallest value
+    evidence.groups[i].mean_rank = evidence.better == Better::smaller ? rank : values + 1 - rank;
+  }
+}
+
+GroupEvidence describe_group(const Group& group, const AnalysisPlan& plan) {
+  GroupEvidence result{.name = group.name, .described = describe(group.values)};
+  const double level = 1 - plan.significance;
+  const Description& of = result.described;
+  result.mean = interval_of({.mean = of.mean, .std = of.std, .n = of.n}, level);
+  const std::vector<double> ranked = ranked_values(group.values);
+  const QuantileType type = quantile_type(plan.quartiles);
+  const double q1 = quantile(ranked, 0.25, type), q3 = quantile(ranked, 0.75, type);
+  result.q1 = q1;
+  result.q3 = q3;
+  const MedianInterval median = median_interval(ranked, level);
+  result.median = {.value = of.median, .low = median.low, .high = median.high};
+  const ShapiroWilk normal = shapiro_wilk(group.values);
+  result.normality = normal.p;
+  result.normality_w = normal.W;
+  result.normality_undefined = normal.undefined;
+  return result;
+}
+
+// What rounding alone keeps apart is equal, also from group to group.
+Observations exact(Observations observations) {
+  Samples values;
+  for (const Group& group : observations.groups) values.push_back(group.values);
+  const std::vector<double> all = without_rounding(pooled(values));
+  auto next = all.begin();
+  for (Group& group : observations.groups) {
+    for (double& value : group.values) value = *next++;
+  }
+  return observations;
+}
+
+// Values that rank: what is not a number is worse than every number.
+Samples rankable(const Observations& observations) {
+  const double worst = observations.better == Better::smaller ? worse_than_every_number : -worse_than_every_number;
+  Samples values;
+  for (const Group& group : observations.groups) {
+    std::vector<double>& ranked = values.emplace_back(group.values);
+    for (double& value : ranked) value = std::isnan(value) ? worst : value;
+  }
+  return values;
+}
+
+}  // namespace
+
+std::string_view name_of(Relation relation) {
+  constexpr std::array<std::string_view, 5> names{"first is better", "second is better", "same within the margin",
+                                                  "not told apart", "not defined"};
+  return names[static_cast<std::size_t>(relation)];
+}
+
+const TestResult* Evidence::test(std::string_view test_name) const {
+  const auto found = std::ranges::find(tests, test_name, &TestResult::test);
+  return found == tests.end() ? nullptr : &*found;
+}
+
+std::string_view deciding_words(const Evidence& evidence) {
+  constexpr std::array<std::string_view, 5> words{"the test of the design", "One-way ANOVA with Tukey's test",
+                                                  "Welch's ANOVA with Games and Howell's test",
+                                                  "Kruskal and Wallis' test with Dunn's", "Friedman's test of ranks"};
+  if (evidence.groups.size() == 2 && evidence.ranks_decide()) {
+    return evidence.ranks_within_blocks() ? "Wilcoxon's signed-rank test" : "Mann and Whitney's test";
+  }
+  return words[static_cast<std::size_t>(evidence.plan.test)];
+}
+
+const TestResult* deciding_test(const Evidence& evidence) {
+  switch (evidence.plan.test) {
+    case DecidingTest::anova:
+      return evidence.test(anova_name);
+    case DecidingTest::kruskal_wallis:
+      return evidence.test(kruskal_wallis_name);
+    case DecidingTest::friedman:
+      return evidence.test(iman_davenport_name);
+    default:
+      return evidence.test(welch_name);
+  }
+}
+
+double standing(const Evidence& evidence, const GroupEvidence& group) {
+  const double rank = evidence.plan.test == DecidingTest::friedman         ? group.average_rank
+                      : evidence.plan.test == DecidingTest::kruskal_wallis ? group.mean_rank
+                                                                           : not_defined;
+  if (std::isfinite(rank)) return rank;
+  const double mean = evidence.better == Better::smaller ? group.described.mean : -group.described.mean;
+  return std::isfinite(mean) ? mean : std::numeric_limits<double>::infinity();
+}
+
+std::string_view interval_words(const Evidence& evidence) {
+  switch (evidence.plan.test) {
+    case DecidingTest::friedman:
+      return "paired t within blocks, corrected by Bonferroni";
+    case DecidingTest::anova:
+      return "Tukey, one variance for all groups";
+    default:
+      return "Games-Howell, each group's own variance";
+  }
+}
+
+Evidence evidence(const Summaries& summaries, const AnalysisPlan& plan) {
+  Evidence result = begin(summaries.name, summaries.quantity, summaries.better, plan);
+  result.from_summaries = true;
+  result.notes = summaries.notes;
+  std::vector<GroupSummary> numbers;
+  for (const SummaryGroup& group : summaries.groups) {
+    GroupSummary& summary = numbers.emplace_back(group.summary);
+    summary.std = without_rounding(summary.std, std::abs(summary.mean));
+    result.groups.push_back({.name = group.name,
+                             .described = {.n = summary.n, .mean = summary.mean, .std = summary.std},
+                             .mean = interval_of(summary, 1 - plan.significance)});
+  }
+  check_control(result);
+  settle_test(result);
+  if (result.groups.size() < 2) return result;
+  compare_variances(result, numbers);
+  result.tests = {of_bartlett(bartlett_from_summaries(numbers)), of_anova(anova_from_summaries(numbers)),
+                  of_welch(result.groups, numbers)};
+  add_contrasts(result, numbers, {});
+  name_groups(result);
+  return result;
+}
+
+Evidence evidence(const Observations& given, const AnalysisPlan& plan) {
+  const Observations observations = exact(given);
+  Evidence result = begin(observations.name, observations.quantity, observations.better, plan);
+  result.replicate = observations.replicate;
+  result.block = observations.block;
+  result.blocks = observations.blocks.size();
+  result.notes = observations.notes;
+  result.flaw = observations.flaw;
+  Samples values;
+  std::vector<GroupSummary> summaries;
+  for (const Group& group : observations.groups) {
+    result.groups.push_back(describe_group(group, plan));
+    values.push_back(group.values);
+    summaries.push_back(summarise(group.values));
+  }
+  bootstrap_means(result, values);
+  check_control(result);
+  settle_test(result);
+  if (result.groups.size() < 2) return result;
+  result.constant = std::ranges::all_of(result.groups, [](const GroupEvidence& g) { return is_constant(g.described); });
+  const Samples ranks = rankable(observations);
+  const KruskalWallis by_ranks = kruskal_wallis(ranks);
+  add_mean_ranks(result, by_ranks);
+  if (!result.constant) {
+    compare_variances(result, summaries);
+    result.tests = {of_brown_forsythe(brown_forsythe(values)), of_bartlett(bartlett(values)), of_anova(anova(values)),
+                    of_welch(result.groups, summaries), of_kruskal_wallis(by_ranks)};
+    if (ranks.size() == 2) result.tests.push_back(of_two(ranks[0], ranks[1], result));
+  }
+  if (result.blocks > 0 && !result.constant) add_friedman(result, ranks);
+  add_contrasts(result, summaries, ranks);
+  name_groups(result);
+  return result;
+}
+
+}  // namespace ikbench::inference

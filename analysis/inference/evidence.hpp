@@ -1,0 +1,129 @@
+// Everything that the methods say of one set of observations, as numbers. Which of them decides was chosen before
+// (results/analysis_plan.hpp); the words are assessment.hpp's.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "analysis/inference/observations.hpp"
+#include "results/analysis_plan.hpp"
+
+namespace ikbench::inference {
+
+// A number with its interval; the interval may be not defined where the number is.
+struct Estimate {
+  double value = statistics::not_defined;
+  double low = statistics::not_defined;
+  double high = statistics::not_defined;
+};
+
+struct GroupEvidence {
+  std::string name;
+  statistics::Description described = {};
+  Estimate mean = {};          // interval of Student's t
+  Estimate bootstrapped = {};  // of the mean, by the bootstrap (BCa)
+  Estimate median = {};        // interval by order statistics, free of a distribution
+  double q1 = statistics::not_defined;
+  double q3 = statistics::not_defined;
+  double normality = statistics::not_defined;  // p of Shapiro and Wilk's test
+  double normality_w = statistics::not_defined;
+  std::string normality_undefined = {};
+  double mean_rank = statistics::not_defined;     // of all values together, 1 is best; only where there are values
+  double average_rank = statistics::not_defined;  // over the blocks, 1 is best; only where there are blocks
+};
+
+// assumption: what a test takes for granted. paper: the analysis that the paper made. sound: what needs less.
+enum class Role { assumption, paper, sound };
+
+struct TestResult {
+  std::string test;
+  std::string without = {};  // groups that it had to leave out, in words
+  Role role = Role::sound;
+  std::string symbol = {};  // of the statistic: "F", "H"
+  double statistic = statistics::not_defined;
+  double df = statistics::not_defined;
+  double df_within = statistics::not_defined;  // only where there are two
+  double p = statistics::not_defined;
+  std::string effect_symbol = {};
+  double effect = statistics::not_defined;
+  std::string undefined = {};  // why there is no p
+};
+
+// What is known of two groups, in favour of the one or the other.
+enum class Relation { first_better, second_better, equivalent, not_told_apart, undefined };
+std::string_view name_of(Relation relation);
+
+struct Contrast {
+  std::size_t first = 0, second = 0;
+  Estimate difference = {};         // mean of first - mean of second, simultaneous over all pairs
+  double p = statistics::not_defined;           // of the deciding test, corrected for all pairs
+  int ahead = 0;                    // the sign of that test's own statistic: 1 where it is for first, -1 for second
+  double p_pooled = statistics::not_defined;    // Tukey
+  double p_unpooled = statistics::not_defined;  // Games and Howell
+  double p_paired =
+      statistics::not_defined;  // t of the differences within blocks, corrected by Bonferroni; only where there are blocks
+  double p_ranks = statistics::not_defined;    // Dunn, or Friedman's ranks within blocks; of two groups Mann-Whitney or Wilcoxon
+  double p_nemenyi = statistics::not_defined;  // of Friedman's ranks, all pairs; only within blocks
+  Estimate superiority = {};       // A12: the chance that an observation of first is better than one of second
+  Estimate g = {};                 // Hedges; positive where the mean of first is larger
+  double runs_to_see_margin = statistics::not_defined;  // a group, to find a difference of the planned margin; not in blocks
+  Relation relation = Relation::undefined;
+  bool within_margin = false;  // the whole interval of the difference: too small to matter, also where it is found
+  std::string undefined = {};  // why p is not defined
+};
+
+struct Evidence {
+  std::string name, quantity;
+  Better better = Better::smaller;
+  std::string replicate = {}, block = {};
+  std::size_t blocks = 0;
+  bool from_summaries = false;
+  std::vector<std::string> notes = {};
+  std::string flaw = {};
+  results::AnalysisPlan plan = {};  // its test is never by_design here, but the one that decides
+  bool constant = false;   // every group has one value alone
+  std::vector<GroupEvidence> groups = {};
+  double variance_ratio = statistics::not_defined;  // the largest by the smallest
+  std::size_t most_variable = 0, least_variable = 0;
+  std::vector<TestResult> tests = {};        // in the order of Role
+  double critical_difference = statistics::not_defined;  // Nemenyi's, of average ranks
+  // Pairs first < second in order; where there are more than most_groups_in_pairs groups, or a control, only those with
+  // one group, `reference`.
+  std::vector<Contrast> contrasts = {};
+  std::optional<std::size_t> reference = {};
+  std::size_t pairs = 0;  // of all groups
+
+  const TestResult* test(std::string_view test_name) const;  // null where it was not made
+  bool ranks_within_blocks() const { return blocks > 0 && plan.test != results::DecidingTest::kruskal_wallis; }
+  bool ranks_decide() const { return plan.test == results::DecidingTest::kruskal_wallis || plan.test == results::DecidingTest::friedman; }
+  // That p-values and intervals are corrected for: the pairs with the control, else all pairs.
+  std::size_t family() const { return plan.control.empty() ? pairs : groups.size() - 1; }
+};
+
+constexpr std::size_t most_groups_in_pairs = 20;
+
+// A control that is no group, or a deciding test that the data do not have (Friedman without blocks, ranks from
+// summaries) is std::invalid_argument.
+Evidence evidence(const Observations& observations, const results::AnalysisPlan& plan);
+Evidence evidence(const Summaries& summaries, const results::AnalysisPlan& plan);
+
+// The names of the tests of all groups, of which one decides.
+constexpr std::string_view anova_name = "One-way ANOVA", welch_name = "Welch's ANOVA",
+                           kruskal_wallis_name = "Kruskal and Wallis' test", friedman_name = "Friedman's test",
+                           iman_davenport_name = "Iman and Davenport's form of it",
+                           brown_forsythe_name = "Brown and Forsythe's test of equal variances",
+                           bartlett_name = "Bartlett's test of equal variances";
+// The test of pairs that decides, with that of all groups where they go together.
+std::string_view deciding_words(const Evidence& evidence);
+// How good a group is by what decides: its mean rank, average rank or mean, the smaller the better; infinite where it
+// is not defined.
+double standing(const Evidence& evidence, const GroupEvidence& group);
+// The test of all groups that goes with the pairs' deciding one; null where it was not made.
+const TestResult* deciding_test(const Evidence& evidence);
+// By which method the differences have their intervals.
+std::string_view interval_words(const Evidence& evidence);
+
+}  // namespace ikbench::inference

@@ -1,0 +1,47 @@
+// What the statistics are asked about: observations of one quantity in groups, whoever made them - a store, a user's
+// CSV - or what was published of them.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "analysis/statistics/descriptive.hpp"
+
+namespace ikbench::inference {
+
+enum class Better { smaller, larger };
+
+struct Group {
+  std::string name;
+  std::vector<double> values = {};
+};
+
+struct Observations {
+  std::string name;      // of files and anchors: "error", "variation"; lower-case letters, digits and '-'
+  std::string quantity;  // with its unit in brackets: "position error [cm]"
+  Better better = Better::smaller;
+  std::vector<Group> groups = {};  // values may be infinite, and NaN where a solver diverged
+  // Names of the blocks (targets, problems) where every group was given the same: values[i] of each group is of
+  // blocks[i]. Empty where groups are independent samples.
+  std::vector<std::string> blocks = {};
+  std::string replicate = {};           // what one observation is, in words: "a run's mean over its 20 points"
+  std::string block = {};               // what one block is, in words; empty where there are none
+  std::vector<std::string> notes = {};  // missing values, incomplete blocks left out, times that are not clean, ...
+  std::string flaw = {};  // why not to take them at their word: no replicates, values missing, times that are not clean
+};
+
+struct SummaryGroup {
+  std::string name;
+  statistics::GroupSummary summary;
+};
+
+struct Summaries {
+  std::string name;
+  std::string quantity;
+  Better better = Better::smaller;
+  std::vector<SummaryGroup> groups = {};
+  std::vector<std::string> notes = {};
+};
+
+}  // namespace ikbench::inference

@@ -1,0 +1,399 @@
+#include "analysis/inference/observations_csv.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <set>
+#include <tuple>
+#include <unordered_map>
+#include <utility>
+
+#include "analysis/inference/csv_cells.hpp"
+#include "analysis/inference/csv_contents.hpp"
+#include "analysis/inference/text.hpp"
+
+namespace ikbench::inference {
+
+using namespace statistics;
+
+namespace {
+
+std::optional<double> mean_of(const std::vector<double>& values) {
+  if (values.empty()) return std::nullopt;
+  double sum = 0;
+  for (const double value : values) sum += value / static_cast<double>(values.size());
+  const bool finite = std::ranges::all_of(values, [](double value) { return std::isfinite(value); });
+  const double exact = finite ? mean(values) : sum;
+  return std::isfinite(exact) ? exact : sum;  // differences of huge numbers overflow, the sum of their shares does not
+}
+
+// One observation for all of the same group, block and run. It is whole with as many values as the one of its block
+// that has the most; one that is not has no mean, or where they are taken as given, the mean of what is left.
+std::vector<Observation> averaged(std::vector<Observation> observations, Replicates replicates) {
+  const auto key = [](const Observation& o) { return std::tuple(o.group, o.block, o.run); };
+  std::ranges::stable_sort(observations, {}, key);
+  std::vector<Observation> result;
+  std::unordered_map<std::size_t, std::size_t> most;  // by block; those without a value count
+  for (std::size_t first = 0, end = 0; first < observations.size(); first = end) {
+    std::vector<double> values;
+    for (end = first; end < observations.size() && key(observations[end]) == key(observations[first]); ++end) {
+      if (observations[end].value) values.push_back(*observations[end].value);
+    }
+    result.push_back(observations[first]);
+    result.back().count = values.size();
+    result.back().value = mean_of(values);
+    most[observations[first].block] = std::max(most[observations[first].block], end - first);
+  }
+  for (Observation& observation : result) {
+    observation.whole = most[observation.block];
+    if (observation.count < observation.whole && replicates == Replicates::checked) observation.value.reset();
+  }
+  return result;
+}
+
+// "20", or "18 to 20": of how many those that there are are means.
+std::string counts_in_words(const std::vector<Observation>& observations) {
+  std::size_t low = static_cast<std::size_t>(-1), high = 0;
+  for (const Observation& observation : observations) {
+    if (!observation.value) continue;
+    low = std::min(low, observation.count);
+    high = std::max(high, observation.count);
+  }
+  return low >= high ? fmt::to_string(high) : fmt::format("{} to {}", low, high);
+}
+
+void add_flaw(Observations& result, const std::string& flaw) {
+  if (flaw.empty()) return;
+  result.flaw += (result.flaw.empty() ? "" : "; ") + flaw;
+}
+
+// Whether the column numbers repetitions, and was not given as anything else.
+bool numbers_runs(const std::string& title, const CsvRequest& request) {
+  return names_replicates(title) && title != request.group && title != request.value && title != request.block;
+}
+
+// The number of rows of a whole run where there are no blocks: that of most runs, of equals the larger. Runs with more
+// are refused, or told where rows are taken as given.
+std::size_t rows_of_a_run(const CsvFile& file, const CsvRequest& request, const Contents& contents,
+                          Observations& result) {
+  std::map<std::pair<std::size_t, std::size_t>, std::vector<std::size_t>> runs;  // their rows, by group and run
+  for (const Observation& o : contents.observations) runs[{o.group, o.run}].push_back(o.row);
+  std::map<std::size_t, std::size_t> counts;  // of runs, by their number of rows
+  for (const auto& [run, rows] : runs) ++counts[rows.size()];
+  std::size_t whole = counts.begin()->first;
+  for (const auto& [rows, count] : counts) whole = count >= counts[whole] ? rows : whole;
+  const auto longer = std::ranges::find_if(runs, [&](const auto& run) { return run.second.size() > whole; });
+  if (longer == runs.end()) return whole;
+  const auto& [run, rows] = *longer;
+  const std::string words = fmt::format("{} {} of {} has {} rows where other runs have {}", one_line(request.run),
+                                        shortened(file.table.rows[rows.front()][file.column(request.run)], 40),
+                                        shortened(contents.groups.all()[run.first], 40), rows.size(), whole);
+  if (request.replicates == Replicates::checked)
+    file.refuse(words + ": is one of them there twice, or do the others lack some? --force averages them as they are");
+  add_flaw(result, words + "; averaged all the same");
+  return whole;
+}
+
+// Adds the runs that are absent as a whole, without a value. Groups that share more than half of the runs of the
+// smaller one were given the same runs; others have seeds of their own, of which none is absent.
+void add_absent_runs(Contents& contents) {
+  const std::size_t groups = contents.groups.all().size(), whole = contents.observations.front().whole;
+  std::map<std::size_t, std::set<std::size_t>> groups_of;  // by run
+  for (const Observation& o : contents.observations) {
+    if (o.run != no_label) groups_of[o.run].insert(o.group);
+  }
+  if (std::ranges::all_of(groups_of, [&](const auto& run) { return run.second.size() == groups; })) return;
+  std::vector<std::vector<std::size_t>> shared(groups, std::vector<std::size_t>(groups));
+  for (const auto& [run, present] : groups_of) {
+    for (const std::size_t one : present) {
+      for (const std::size_t other : present) ++shared[one][other];
+    }
+  }
+  for (const auto& [run, present] : groups_of) {
+    for (std::size_t group = 0; group < groups; ++group) {
+      const bool is_absent = !present.contains(group) && std::ranges::any_of(present, [&](std::size_t other) {
+        return 2 * shared[group][other] > std::min(shared[group][group], shared[other][other]);
+      });
+      if (is_absent) contents.observations.push_back({.group = group, .run = run, .count = 0, .whole = whole});
+    }
+  }
+}
+
+// Where each row is a run of its own, numbered by a column: its label on the observations, and those that are absent.
+void add_absent_rows(const CsvFile& file, const CsvRequest& request, Contents& contents) {
+  const std::size_t rows = contents.observations.size();
+  for (std::size_t column = 0; column < file.table.header.size(); ++column) {
+    if (!numbers_runs(file.table.header[column], request) || contents.observations.size() > rows) continue;
+    const Labels labels = labels_of(file, column);
+    for (Observation& observation : contents.observations) observation.run = labels.of_row[observation.row];
+    add_absent_runs(contents);
+  }
+}
+
+// What of each group is not whole.
+struct Lack {
+  std::size_t missing = 0, all = 0;
+};
+
+std::vector<Lack> lacks_of(const Contents& contents) {
+  std::vector<Lack> lacks(contents.groups.all().size());
+  for (const Observation& observation : contents.observations) {
+    Lack& lack = lacks[observation.group];
+    lack.missing += !observation.value || observation.count < observation.whole ? 1 : 0;
+    ++lack.all;
+  }
+  return lacks;
+}
+
+// "3 of 20 values of IK-BA, 1 of 20 of BA"; empty where nothing is missing.
+std::string in_words(const std::vector<Lack>& lacks, std::string_view what, const Names& groups) {
+  constexpr std::size_t most_groups = 12;
+  std::string words;
+  std::size_t listed = 0;
+  for (std::size_t group = 0; group < lacks.size(); ++group) {
+    const auto [missing, all] = lacks[group];
+    if (missing == 0 || listed++ >= most_groups) continue;
+    words += words.empty() ? fmt::format("{} of {} {}", missing, all, what) : fmt::format(", {} of {}", missing, all);
+    words += fmt::format(" of {}", one_line(groups.all()[group]));
+  }
+  if (listed > most_groups) words += fmt::format(" and of {} more groups", listed - most_groups);
+  return words;
+}
+
+constexpr std::string_view flattered = "a group that failed there looks better than it is";
+
+// The rows of the first run that several rows of a group share.
+struct SharedRun {
+  std::string words = {};    // "12 rows share seed 1 of A"; empty where every row is a run of its own
+  std::string told_by = {};  // the column that tells the rows of every run apart, by the same names: problem; or empty
+};
+
+// Whether the column has another name for each row of a run, and no names but those of the fullest run: what the groups
+// were given in every run, such as problems or points.
+bool tells_rows_apart(const CsvFile& file, const Contents& contents, std::size_t column, const Labels& runs) {
+  const Labels names = labels_of(file, column);
+  std::map<std::pair<std::size_t, std::size_t>, std::size_t> rows;
+  std::size_t most = 0;
+  for (const Observation& o : contents.observations) {
+    if (runs.of_row[o.row] != no_label) most = std::max(most, ++rows[{o.group, runs.of_row[o.row]}]);
+  }
+  if (rows.size() < 2 || names.names.all().size() != most) return false;
+  std::set<std::tuple<std::size_t, std::size_t, std::size_t>> seen;
+  return std::ranges::all_of(contents.observations, [&](const Observation& o) {
+    const std::size_t run = runs.of_row[o.row], name = names.of_row[o.row];
+    return run == no_label || (name != no_label && seen.insert({o.group, run, name}).second);
+  });
+}
+
+SharedRun shared_run(const CsvFile& file, const Contents& contents, const CsvRequest& request, std::size_t column) {
+  const Labels runs = labels_of(file, column);
+  std::map<std::pair<std::size_t, std::size_t>, std::size_t> counts;
+  const auto key = [&](const Observation& o) { return std::pair(o.group, runs.of_row[o.row]); };
+  for (const Observation& observation : contents.observations) ++counts[key(observation)];
+  const auto shared = std::ranges::find_if(contents.observations, [&](const Observation& o) {
+    return runs.of_row[o.row] != no_label && counts[key(o)] > 1;
+  });
+  if (shared == contents.observations.end()) return {};
+  SharedRun result{.words = fmt::format("{} rows share {} {} of {}", counts[key(*shared)],
+                                        one_line(file.table.header[column]),
+                                        shortened(runs.names.all()[runs.of_row[shared->row]], 40),
+                                        shortened(contents.groups.all()[shared->group], 40))};
+  if (request.layout == Layout::one_column_a_group) return result;
+  for (std::size_t other = 0; other < file.table.header.size() && result.told_by.empty(); ++other) {
+    const std::string& title = file.table.header[other];
+    if (title.empty() || title == request.value || names_replicates(title)) continue;
+    if (tells_rows_apart(file, contents, other, runs)) result.told_by = one_line(title);
+  }
+  return result;
+}
+
+// Refuses rows that are no replicates, or says why they are none.
+std::string flaw_of(const CsvFile& file, const Contents& contents, const CsvRequest& request) {
+  constexpr std::string_view why = "points of one run depend on each other and are not replicates";
+  for (std::size_t column = 0; column < file.table.header.size(); ++column) {
+    const std::string& title = file.table.header[column];
+    if (!numbers_runs(title, request)) continue;
+    const auto [shared, told_by] = shared_run(file, contents, request, column);
+    if (shared.empty()) continue;
+    if (request.replicates == Replicates::as_given)
+      return fmt::format("{}; {}; used as observations all the same", shared, why);
+    const std::string run = one_line(title);
+    if (told_by.empty())
+      file.refuse(fmt::format("{}; {}; average them with --run {}, or insist with --force", shared, why, run));
+    const std::string name = lower_case(told_by);
+    if (name.starts_with("point") || name.starts_with("step")) {  // of a path
+      file.refuse(fmt::format(
+          "{0}, one for each {1}, and are not replicates; where each {1} leads to the next, average them with --run "
+          "{2}; where each was solved by itself, compare {1} by {1} with --block {1} --run {2}; or insist with --force",
+          shared, told_by, run));
+    }
+    file.refuse(fmt::format(
+        "{0}, one for each {1}, and are not replicates; compare the groups {1} by {1} with --block {1} --run {2}, or "
+        "where the rows of a run depend on each other, as points of one path do, average them with --run {2}, or "
+        "insist with --force",
+        shared, told_by, run));
+  }
+  return {};
+}
+
+// The values of a group in a block, where a block is given: one each.
+void expect_one_a_block(const CsvFile& file, const Contents& contents, const Observations& result) {
+  std::map<std::pair<std::size_t, std::size_t>, std::size_t> rows;  // by group and block
+  for (const Observation& observation : contents.observations) ++rows[{observation.group, observation.block}];
+  const auto several = std::ranges::find_if(rows, [](const auto& row) { return row.second > 1; });
+  if (several == rows.end()) return;
+  std::string run = "COLUMN";
+  for (const std::string& title : file.table.header) {
+    if (names_replicates(title) && run == "COLUMN") run = one_line(title);
+  }
+  const auto& [group, block] = several->first;
+  file.refuse(
+      fmt::format("{} rows of {} in block {}, expected one; average the rows of a run and the runs of a block "
+                  "with --run {}, or average the rows as they are with --force",
+                  several->second, in_quotes(result.groups[group].name), in_quotes(result.blocks[block]), run));
+}
+
+// "'p4' has 2 of 3 runs of 'B'"
+std::string lack_in_words(const Observation& cell, std::string_view what, const Observations& result) {
+  const std::string block = in_quotes(result.blocks[cell.block]), group = in_quotes(result.groups[cell.group].name);
+  if (cell.count == 0) return fmt::format("{} has no value of {}", block, group);
+  return fmt::format("{} has {} of {} {} of {}", block, cell.count, cell.whole, what, group);
+}
+
+// One value of each group in each block; the blocks that lack one are left out. `what` a value is the mean of.
+void fill_blocks(const CsvFile& file, const Contents& cells, std::string_view what, Observations& result) {
+  std::vector<std::vector<Observation>> blocks(result.blocks.size());
+  for (std::size_t block = 0; block < blocks.size(); ++block) {
+    for (std::size_t group = 0; group < result.groups.size(); ++group) {
+      blocks[block].push_back({.group = group, .block = block, .count = 0});
+    }
+  }
+  for (const Observation& cell : cells.observations) blocks[cell.block][cell.group] = cell;
+  std::vector<std::string> complete;
+  std::string example;
+  bool some_left = false, some_averaged = false;
+  std::vector<Lack> lacks(result.groups.size(), Lack{0, blocks.size()});
+  for (const std::vector<Observation>& block : blocks) {
+    const auto absent = std::ranges::find_if(block, [](const Observation& cell) { return !cell.value; });
+    for (const Observation& cell : block) {
+      lacks[cell.group].missing += cell.count < cell.whole ? 1 : 0;
+      some_left = some_left || (cell.count > 0 && !cell.value);
+      some_averaged = some_averaged || (cell.count < cell.whole && cell.value);
+      if (absent == block.end()) result.groups[cell.group].values.push_back(*cell.value);
+    }
+    if (absent == block.end()) complete.push_back(result.blocks[block.front().block]);
+    if (absent != block.end() && example.empty()) example = lack_in_words(*absent, what, result);
+  }
+  if (complete.empty()) {
+    file.refuse(fmt::format("no block has a value of every group: {}{}", example,
+                            some_left ? "; --force averages what is left of each" : ""));
+  }
+  if (const std::size_t left_out = blocks.size() - complete.size(); left_out > 0) {
+    result.notes.push_back(
+        fmt::format("Left out because incomplete: {} of {} blocks ({}).", left_out, blocks.size(), example));
+  }
+  if (const std::string words = in_words(lacks, "blocks", cells.groups); !words.empty()) {
+    add_flaw(result, fmt::format("values are missing in {}; {}; {}", words,
+                                 some_averaged ? "of each of these blocks what is left is averaged"
+                                               : "these blocks are left out for all groups",
+                                 flattered));
+  }
+  result.blocks = std::move(complete);
+}
+
+// The labels of blocks and runs on the observations; the blocks' names.
+std::vector<std::string> label(const CsvFile& file, const CsvRequest& request, Contents& contents) {
+  std::vector<std::string> blocks;
+  if (!request.block.empty()) {
+    const Labels labels = expect_labels(file, file.column(request.block));
+    for (Observation& observation : contents.observations) observation.block = labels.of_row[observation.row];
+    blocks = labels.names.all();
+  } else if (request.layout == Layout::one_column_a_group && request.rows == RowsOf::one_block) {
+    for (Observation& observation : contents.observations) observation.block = observation.row;
+    for (std::size_t row = 0; row < file.table.rows.size(); ++row) blocks.push_back(fmt::to_string(row + 1));
+  }
+  if (!request.run.empty()) {
+    const Labels labels = expect_labels(file, file.column(request.run));
+    for (Observation& observation : contents.observations) observation.run = labels.of_row[observation.row];
+  }
+  return blocks;
+}
+
+// What the means over the rows of a run are, and which runs have none.
+void add_run_notes(const CsvFile& file, const CsvRequest& request, const Contents& runs, Observations& result) {
+  if (std::ranges::none_of(runs.observations, [](const Observation& run) { return run.value.has_value(); })) {
+    file.refuse("no run has a value in each of its rows, expected some; --force averages the rows that have one");
+  }
+  const std::string rows = counts_in_words(runs.observations);
+  if (std::ranges::all_of(runs.observations, [](const Observation& run) { return run.whole == 1; })) return;
+  result.replicate = fmt::format("a run's mean over its {} rows of {}", rows, file.name());
+  result.notes.push_back(
+      fmt::format("Each observation is the mean over the {} rows of a run (column {}).", rows, in_quotes(request.run)));
+  if (request.replicates == Replicates::as_given) return;
+  if (const std::string words = in_words(lacks_of(runs), "runs", runs.groups); !words.empty()) {
+    result.notes.push_back(fmt::format("Left out because rows of them are missing: {}.", words));
+  }
+}
+
+}  // namespace
+
+Observations read_observations(std::string_view text, std::string_view source, const CsvRequest& request) {
+  const CsvFile file = open_csv(text, source);
+  Contents contents =
+      request.layout == Layout::one_column_a_group ? read_wide(file, request) : read_long(file, request);
+  if (std::ranges::none_of(contents.observations, [](const Observation& o) { return o.value.has_value(); })) {
+    file.refuse("every value is missing, expected some");
+  }
+  const std::string quantity = request.value.empty() ? "value" : request.value;
+  Observations result{
+      .name = slug(quantity), .quantity = quantity, .better = request.better, .notes = std::move(contents.notes)};
+  for (const std::string& name : contents.groups.all()) result.groups.push_back({.name = name});
+  result.blocks = label(file, request, contents);
+  result.replicate = "a row of " + file.name();
+  if (request.run.empty() && request.block.empty()) {
+    add_flaw(result, flaw_of(file, contents, request));
+    if (result.flaw.empty()) add_absent_rows(file, request, contents);
+  }
+  if (const std::string words = in_words(lacks_of(contents), "values", contents.groups); !words.empty()) {
+    result.notes.push_back(fmt::format(
+        "Left out because missing: {}. A failure without a number is better written {}, which ranks as the worst.",
+        words, request.better == Better::smaller ? "Inf" : "-Inf"));
+  }
+
+  if (!request.run.empty()) {
+    const std::size_t whole = result.blocks.empty() ? rows_of_a_run(file, request, contents, result) : 0;
+    contents.observations = averaged(std::move(contents.observations), request.replicates);
+    for (Observation& run : contents.observations) run.whole = whole == 0 ? run.whole : whole;
+    if (result.blocks.empty()) add_absent_runs(contents);
+    add_run_notes(file, request, contents, result);
+  }
+
+  const std::string_view what = request.run.empty() ? "rows" : "runs";
+  if (result.blocks.empty()) {
+    for (const Observation& observation : contents.observations) {
+      if (observation.value) result.groups[observation.group].values.push_back(*observation.value);
+    }
+    const std::string words = in_words(lacks_of(contents), request.run.empty() ? "values" : "runs", contents.groups);
+    if (!words.empty())
+      add_flaw(result, fmt::format("{}: {}; {}", request.run.empty() ? "missing" : "incomplete", words, flattered));
+    return result;
+  }
+  if (request.run.empty() && request.replicates == Replicates::checked) expect_one_a_block(file, contents, result);
+  for (Observation& observation : contents.observations) observation.run = 0;
+  contents.observations = averaged(std::move(contents.observations), request.replicates);
+  if (const std::string count = counts_in_words(contents.observations); count != "1") {
+    result.replicate = fmt::format("the mean over the {} {} of a block in {}", count, what, file.name());
+    result.notes.push_back(
+        fmt::format("Each observation is the mean over the {} {} of a group in a block.", count, what));
+  }
+  result.block = request.block.empty() ? "a row of " + file.name()
+                                       : fmt::format("a value of {} in {}", in_quotes(request.block), file.name());
+  fill_blocks(file, contents, what, result);
+  return result;
+}
+
+}  // namespace ikbench::inference

@@ -1,0 +1,267 @@
+#include "analysis/inference/study.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <stdexcept>
+#include <tuple>
+
+#include "analysis/inference/definition.hpp"
+#include "analysis/statistics/descriptive.hpp"
+
+namespace ikbench::inference {
+
+using namespace results;
+using namespace statistics;
+
+namespace {
+
+constexpr int most_runs = 1'000'000;
+constexpr int most_points = 100'000;
+constexpr std::size_t most_solvers = 1000;
+constexpr std::size_t most_joints = 64;
+constexpr std::int64_t most_solves = 100'000'000;
+
+// A whole number of the definition, at the top or inside one of its parts; 0 where it does not say.
+int defined_number(const std::string& study, const nlohmann::json& definition, const char* key, int most) {
+  const auto read = [&](const nlohmann::json& object) {
+    const auto found = object.find(key);
+    if (found == object.end() || !found->is_number_integer()) return 0;
+    const double value = found->get<double>();  // also where it is beyond every integer
+    if (value > most) {
+      throw std::invalid_argument(fmt::format("study '{}': {} {}; expected at most {}", study, key, value, most));
+    }
+    return value < 0 ? 0 : static_cast<int>(value);
+  };
+  if (!definition.is_object()) return 0;
+  if (const int top = read(definition)) return top;
+  for (const auto& part : definition) {
+    if (!part.is_object()) continue;
+    if (const int inside = read(part)) return inside;
+  }
+  return 0;
+}
+
+void check_and_count(StudyResults& study) {
+  std::set<std::tuple<std::string, int, int>> seen;
+  for (const SolveRecord& solve : study.solves) {
+    if (solve.run < 1 || solve.run > most_runs || solve.point < 1 || solve.point > most_points) {
+      throw std::invalid_argument(
+          fmt::format("study '{}', solver '{}': run {}, point {}; expected runs 1 to {} and points 1 to {}", study.name,
+                      solve.solver, solve.run, solve.point, most_runs, most_points));
+    }
+    if (!seen.emplace(solve.solver, solve.run, solve.point).second) {
+      throw std::invalid_argument(fmt::format("study '{}', solver '{}': run {}, point {} is there twice; expected once",
+                                              study.name, solve.solver, solve.run, solve.point));
+    }
+    if (solve.answer_rad.size() > most_joints) {
+      throw std::invalid_argument(
+          fmt::format("study '{}', solver '{}': run {}, point {} has {} joints; expected at most {}", study.name,
+                      solve.solver, solve.run, solve.point, solve.answer_rad.size(), most_joints));
+    }
+    if (std::ranges::find(study.solvers, solve.solver) == study.solvers.end()) study.solvers.push_back(solve.solver);
+    study.runs = std::max(study.runs, solve.run);
+    study.points = std::max(study.points, solve.point);
+    if (study.solvers.size() > most_solvers) {
+      throw std::invalid_argument(
+          fmt::format("study '{}' has more than {} solvers; expected no more", study.name, most_solvers));
+    }
+  }
+  const auto solvers = static_cast<std::int64_t>(study.solvers.size());
+  if (const std::int64_t expected = std::int64_t{study.runs} * study.points; expected * solvers > most_solves) {
+    throw std::invalid_argument(
+        fmt::format("study '{}' has {} runs of {} points by {} solvers; expected at most {} solves", study.name,
+                    study.runs, study.points, solvers, most_solves));
+  }
+}
+
+// The solves of one solver, by run.
+std::map<int, std::vector<const SolveRecord*>> runs_of(const StudyResults& study, const std::string& solver) {
+  std::map<int, std::vector<const SolveRecord*>> runs;
+  for (const SolveRecord& solve : study.solves) {
+    if (solve.solver == solver) runs[solve.run].push_back(&solve);
+  }
+  return runs;
+}
+
+bool complete(const std::vector<const SolveRecord*>& run, const StudyResults& study) {
+  return static_cast<int>(run.size()) == study.points;
+}
+
+}  // namespace
+
+StudyResults make_study(const StudyEntry& entry, std::vector<SolveRecord> solves) {
+  const auto definition = nlohmann::json::parse(entry.definition, nullptr, false);
+  StudyResults study{.name = entry.name,
+                     .runs = defined_number(entry.name, definition, "runs", most_runs),
+                     .points = defined_number(entry.name, definition, "points", most_points),
+                     .definition = entry.definition,
+                     .solves = std::move(solves)};
+  const auto defined_text = [&](const char* key) {
+    const bool is_there = definition.is_object() && definition.contains(key) && definition[key].is_string();
+    return is_there ? definition[key].get<std::string>() : std::string();
+  };
+  study.title = defined_text("title");
+  study.published = defined_text("published");
+  if (definition.is_object() && definition.contains("departures") && definition["departures"].is_array()) {
+    for (const auto& departure : definition["departures"]) {
+      if (departure.is_string()) study.departures.push_back(departure.get<std::string>());
+    }
+  }
+  for (const Series& series : entry.series) study.solvers.push_back(series.label);
+  check_and_count(study);
+  return study;
+}
+
+StudyResults make_study(std::string name, std::vector<SolveRecord> solves) {
+  StudyResults study{.name = std::move(name), .solves = std::move(solves)};
+  check_and_count(study);
+  return study;
+}
+
+double tolerance_cm(const StudyResults& study) {
+  const double tolerance = Definition(study.definition).number("/stop/tolerance_cm");
+  return tolerance > 0 ? tolerance : not_defined;
+}
+
+const MetricInfo& info_of(Metric metric) {
+  static constexpr std::array<MetricInfo, 4> infos{
+      {{"position_error_cm", "error", "position error", "position error [cm]"},
+       {"variation_deg", "variation", "angles variation", "angles variation [deg]"},
+       {"seconds", "time", "computing time", "computing time [s]"},
+       {"evaluations", "evaluations", "evaluations", "evaluations"}}};
+  return infos[static_cast<std::size_t>(metric)];
+}
+
+std::string_view name_of(Metric metric) { return info_of(metric).column; }
+std::string_view quantity(Metric metric) { return info_of(metric).quantity; }
+
+double value_of(const SolveRecord& solve, Metric metric) {
+  switch (metric) {
+    case Metric::position_error_cm:
+      return solve.position_error_cm;
+    case Metric::variation_deg:
+      return solve.variation_deg;
+    case Metric::seconds:
+      return solve.seconds;
+    case Metric::evaluations:
+      return static_cast<double>(solve.evaluations);
+  }
+  return not_defined;
+}
+
+std::vector<Sample> samples(const StudyResults& study, Metric metric, Unit unit) {
+  std::vector<Sample> result;
+  for (const std::string& solver : study.solvers) {
+    Sample sample{.solver = solver};
+    for (const auto& [number, run] : runs_of(study, solver)) {
+      std::vector<double> values;
+      for (const SolveRecord* solve : run) values.push_back(value_of(*solve, metric));
+      if (unit == Unit::point) {
+        sample.values.insert(sample.values.end(), values.begin(), values.end());
+      } else if (complete(run, study)) {
+        sample.values.push_back(mean(values));
+      } else {
+        ++sample.incomplete_runs;
+      }
+    }
+    result.push_back(std::move(sample));
+  }
+  return result;
+}
+
+std::vector<SolverCounts> counts(const StudyResults& study) {
+  std::vector<SolverCounts> result;
+  for (const std::string& solver : study.solvers) {
+    SolverCounts count{.solver = solver, .expected = std::int64_t{study.runs} * study.points};
+    for (const auto& [number, run] : runs_of(study, solver)) {
+      ++(complete(run, study) ? count.complete_runs : count.incomplete_runs);
+      for (const SolveRecord* solve : run) {
+        ++count.solves;
+        ++count.by_status[static_cast<std::size_t>(solve->status)];
+        ++count.by_timing[static_cast<std::size_t>(solve->timing)];
+        if (solve->limit_violation_deg > 0) ++count.outside_limits;
+        count.worst_outside_deg = std::max(count.worst_outside_deg, solve->limit_violation_deg);
+      }
+    }
+    result.push_back(count);
+  }
+  return result;
+}
+
+std::vector<std::string> status_notes(const StudyResults& study) {
+  std::vector<int> by_status(status_names.size());
+  int solves = 0;
+  std::int64_t expected = 0;
+  int incomplete_runs = 0;
+  for (const SolverCounts& count : counts(study)) {
+    for (std::size_t i = 0; i < by_status.size(); ++i) by_status[i] += count.by_status[i];
+    solves += count.solves;
+    expected += count.expected;
+    incomplete_runs += count.incomplete_runs;
+  }
+  std::string note = fmt::format("Solves: {} of {} expected; by status:", solves, expected);
+  for (std::size_t i = 0; i < by_status.size(); ++i) {
+    note += fmt::format("{} {} {}", i == 0 ? "" : ",", status_names[i], by_status[i]);
+  }
+  std::vector<std::string> notes{note + "."};
+  if (solves < expected) {
+    notes.push_back(
+        fmt::format("The study is incomplete. Runs with missing points: {}; they give no run mean, and only "
+                    "complete runs enter the observations.",
+                    incomplete_runs));
+  }
+  if (by_status[static_cast<std::size_t>(Status::refused)] > 0) {
+    notes.push_back(
+        "A refused answer leaves the arm where it was: the error that counts is the one it has there, and its "
+        "variation "
+        "is 0.");
+  }
+  if (by_status[static_cast<std::size_t>(Status::not_finite)] > 0) {
+    notes.push_back(
+        "Answers that are not finite are not left out: a run that has one has no mean error, ranks as the worst in "
+        "median "
+        "and quartiles, and leaves the mean, standard deviation and maximum of its solver not defined.");
+  }
+  return notes;
+}
+
+namespace {
+
+// Wall time by CPU time of the solves that are recorded as clean; not defined where none has any.
+double clean_slowdown(const StudyResults& study) {
+  double seconds = 0, cpu_seconds = 0;
+  for (const SolveRecord& solve : study.solves) {
+    if (solve.timing != Timing::clean) continue;
+    seconds += solve.seconds;
+    cpu_seconds += solve.cpu_seconds;
+  }
+  return cpu_seconds > 0 ? seconds / cpu_seconds : not_defined;
+}
+
+}  // namespace
+
+bool times_were_disturbed(const StudyResults& study) { return clean_slowdown(study) > 1.1; }
+
+std::string timing_note(const StudyResults& study) {
+  const auto timed = [&](Timing how) { return std::ranges::count(study.solves, how, &SolveRecord::timing); };
+  const auto parallel = timed(Timing::parallel), debug = timed(Timing::debug_build);
+  if (parallel + debug > 0) {
+    return fmt::format(
+        "Times are not comparable: of {} solves, {} were timed while others ran in parallel and {} in a debug build.",
+        study.solves.size(), parallel, debug);
+  }
+  if (!times_were_disturbed(study)) return "";
+  return fmt::format(
+      "Times are not comparable: the wall time of the solves is {:.2f} times their CPU time, so other programs were at "
+      "work on the machine.",
+      clean_slowdown(study));
+}
+
+bool times_are_comparable(const StudyResults& study) { return timing_note(study).empty(); }
+
+}  // namespace ikbench::inference

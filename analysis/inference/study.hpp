@@ -1,0 +1,94 @@
+// A study as the analysis sees it: the solves, who took part, and what was to be solved. Points of one run depend on
+// each other; the unit of analysis is therefore the run, one observation being the mean over its points.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "results/analysis_plan.hpp"
+#include "results/record.hpp"
+#include "results/store.hpp"
+
+namespace ikbench::inference {
+
+struct StudyResults {
+  std::string name;
+  std::string title = {};
+  std::vector<std::string> solvers = {};  // labels, in the order of the study
+  int runs = 0;                           // as defined, per solver
+  int points = 0;                         // as defined, per run
+  std::string published = {};             // paper whose printed tables it is held against (results/published), or empty
+  std::vector<std::string> departures = {};  // what of the published study's definition was changed
+  std::string definition = {};               // JSON, as the store has it (analysis/inference/definition.hpp); empty where none
+  std::vector<results::SolveRecord> solves = {};
+};
+
+// Numbers of runs and points come from the definition, or where it does not say, from the solves. A solve twice in the
+// records, runs beyond 1 to 1000000, points beyond 1 to 100000, more than 1000 solvers or 100000000 expected solves are
+// std::invalid_argument.
+StudyResults make_study(const results::StudyEntry& entry, std::vector<results::SolveRecord> solves);
+// Without a definition (a CSV of solves): solvers in the order of their first solve.
+StudyResults make_study(std::string name, std::vector<results::SolveRecord> solves);
+
+// The position error at which a solve ends; not defined where the study has none.
+double tolerance_cm(const StudyResults& study);
+
+enum class Metric { position_error_cm, variation_deg, seconds, evaluations };
+constexpr std::array<Metric, 4> all_metrics{Metric::position_error_cm, Metric::variation_deg, Metric::seconds,
+                                            Metric::evaluations};
+constexpr std::array<Metric, 3> paper_metrics{Metric::position_error_cm, Metric::variation_deg, Metric::seconds};
+
+struct MetricInfo {
+  std::string_view column;    // its name in the record
+  std::string_view slug;      // of files and anchors, and where it is clear what it is of
+  std::string_view name;      // as it is read
+  std::string_view quantity;  // with its unit
+};
+const MetricInfo& info_of(Metric metric);
+std::string_view name_of(Metric metric);   // the column's name
+std::string_view quantity(Metric metric);  // with its unit
+double value_of(const results::SolveRecord& solve, Metric metric);
+
+// The observations of one solver. A run of which points are missing gives no run mean; it is counted instead.
+struct Sample {
+  std::string solver;
+  std::vector<double> values = {};
+  int incomplete_runs = 0;
+};
+
+std::vector<Sample> samples(const StudyResults& study, Metric metric, results::Unit unit);
+
+// Sums of what became of the solves of one solver.
+struct SolverCounts {
+  std::string solver;
+  int solves = 0;
+  std::int64_t expected = 0;
+  int complete_runs = 0;
+  int incomplete_runs = 0;  // begun, and with points missing
+  std::vector<int> by_status = std::vector<int>(results::status_names.size());
+  std::vector<int> by_timing = std::vector<int>(results::timing_names.size());
+  int outside_limits = 0;
+  double worst_outside_deg = 0;  // of the worst joint
+
+  int of(results::Status status) const { return by_status[static_cast<std::size_t>(status)]; }
+  int of(results::Timing timing) const { return by_timing[static_cast<std::size_t>(timing)]; }
+};
+
+std::vector<SolverCounts> counts(const StudyResults& study);
+
+// The counts as sentences, to stand beside every table and figure: statuses, what is missing.
+std::vector<std::string> status_notes(const StudyResults& study);
+
+// Whether the times of a study can be compared is decided here alone, and for all of them together: all that is said of
+// them follows it. The note says why they cannot be; it is empty where they can.
+std::string timing_note(const StudyResults& study);
+bool times_are_comparable(const StudyResults& study);
+// Whether other programs were at work while the solves ran that are recorded as clean: by their wall and CPU time.
+bool times_were_disturbed(const StudyResults& study);
+constexpr std::string_view times_not_judged = "times are not comparable";
+
+}  // namespace ikbench::inference

@@ -1,0 +1,30 @@
+// Any text (labels and titles come from a study file) as harmless text in Markdown, LaTeX and gnuplot, and numbers as
+// text.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace ikbench::inference {
+
+// One line of valid UTF-8: control characters become spaces, invalid bytes U+FFFD.
+std::string one_line(std::string_view text);
+// At most `length` characters of one line; what is cut is shown by an ellipsis.
+std::string shortened(std::string_view text, std::size_t length);
+// A label of at most `length` characters, cut in its middle: variants of one solver differ at the end of their names.
+std::string row_label(std::string_view text, std::size_t length);
+std::size_t character_count(std::string_view utf8);
+
+std::string markdown_text(std::string_view text);
+std::string latex_text(std::string_view text);
+// A string expression of gnuplot. Quotes, backticks, @, $, \, #, braces and the like never stand in the script
+// themselves (gnuplot 5.4 loses count of quotes when it looks for macros); they are elements of the array `character`
+// of style.gp.
+std::string gnuplot_string(std::string_view text);
+
+std::string rounded_number(double value, int significant_digits);
+std::string short_number(double value);  // three digits, or "not defined"
+std::string percent(double share);       // "5 %", three digits
+
+}  // namespace ikbench::inference

@@ -1,0 +1,103 @@
+// What the tests of several metrics say together, and in words what they leave open.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cmath>
+#include <vector>
+
+#include "analysis/statistics/p_adjust.hpp"
+#include "analysis/inference/text.hpp"
+#include "analysis/inference/variant_metric.hpp"
+
+namespace ikbench::inference {
+
+using namespace statistics;
+
+namespace {
+
+std::string of_constants(const MetricComparison& comparison) {
+  const int a = comparison.a.n, b = comparison.b.n;
+  const std::string number = a == b ? fmt::format("{}", a) : fmt::format("{} and {}", a, b);
+  return comparison.mean_favours == 0
+             ? fmt::format("equal in these {} {}s", number, comparison.observation)
+             : fmt::format("differs in these {} {}s; too few to show more", number, comparison.observation);
+}
+
+// What is known of a metric that no test has decided.
+std::string what_is_known(const MetricComparison& comparison, const MarginQuestion& question) {
+  const double alpha = question.significance;
+  const std::string_view word = comparison.mean_favours > 0 ? "better" : "worse";
+  std::string known = "not told apart";
+  if (comparison.p_worse < alpha || comparison.p_better < alpha) {
+    known = fmt::format("{} by its own p, not by Holm's", comparison.p_better < alpha ? "better" : "worse");
+  } else if (comparison.a.std == 0 && comparison.b.std == 0 && !(comparison.ratio.p_difference < alpha)) {
+    known = of_constants(comparison);
+  } else if (!comparison.ratio.undefined.empty()) {
+    known = comparison.ratio.undefined;
+  } else if (comparison.ratio.p_difference < alpha) {
+    known = fmt::format("{}, but not shown to be by more than {}", word, percent(question.margin));
+  }
+  if (!std::isfinite(comparison.n_to_decide)) return known;
+  return fmt::format("{}; about {:.0f} {}s would decide", known, comparison.n_to_decide, comparison.observation);
+}
+
+// Where the ranks say other than the means; empty where they do not.
+std::string ranks_remark(const MetricComparison& comparison, double alpha) {
+  if (!std::isfinite(comparison.p_ranks) || !std::isfinite(comparison.ratio.p_difference)) return "";
+  const bool by_means = comparison.ratio.p_difference < alpha, by_ranks = comparison.p_ranks < alpha;
+  const std::string p = fmt::format("p {}", short_number(comparison.p_ranks));
+  const std::string_view favoured = comparison.ranks_favour > 0 ? "better" : "worse";
+  if (by_means && by_ranks && comparison.ranks_favour == -comparison.mean_favours) {
+    return fmt::format("the ranks contradict the mean: by them B is {} ({})", favoured, p);
+  }
+  if (by_ranks && comparison.outcome == Outcome::undecided && !by_means) {
+    return fmt::format("by ranks B is {} ({})", favoured, p);
+  }
+  if (!by_ranks && (comparison.outcome == Outcome::worse || comparison.outcome == Outcome::better)) {
+    return fmt::format("not told apart by ranks ({})", p);
+  }
+  return "";
+}
+
+std::string remark_on(const MetricComparison& comparison, const MarginQuestion& question) {
+  std::vector<std::string> remarks;
+  const auto add = [&](std::string remark) {
+    if (!remark.empty()) remarks.push_back(std::move(remark));
+  };
+  add(comparison.remark);
+  const bool is_open = comparison.outcome == Outcome::undecided || comparison.outcome == Outcome::not_worse;
+  add(is_open ? what_is_known(comparison, question) : comparison.ratio.undefined);
+  add(ranks_remark(comparison, question.significance));
+  return fmt::format("{}", fmt::join(remarks, "; "));
+}
+
+}  // namespace
+
+void decide(std::span<MetricComparison> comparisons, const MarginQuestion& question) {
+  std::vector<double> worse, better;
+  for (const MetricComparison& comparison : comparisons) {
+    worse.push_back(comparison.p_worse);
+    better.push_back(comparison.p_better);
+  }
+  worse = adjusted(worse, Correction::holm);
+  better = adjusted(better, Correction::holm);
+  const double alpha = question.significance;
+  for (std::size_t i = 0; i < comparisons.size(); ++i) {
+    MetricComparison& comparison = comparisons[i];
+    if (comparison.is_fact) continue;
+    if (worse[i] < alpha) {
+      comparison.outcome = Outcome::worse;
+    } else if (better[i] < alpha) {
+      comparison.outcome = Outcome::better;
+    } else if (comparison.ratio.p_equivalent < alpha) {
+      comparison.outcome = Outcome::same;
+    } else if (comparison.p_not_worse < alpha) {
+      comparison.outcome = Outcome::not_worse;
+    }
+    comparison.remark = remark_on(comparison, question);
+    comparison.p_worse = worse[i];
+    comparison.p_better = better[i];
+  }
+}
+
+}  // namespace ikbench::inference

@@ -1,0 +1,198 @@
+#include "analysis/inference/variant_design.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <map>
+#include <set>
+#include <stdexcept>
+#include <string_view>
+
+namespace ikbench::inference {
+
+using namespace results;
+using namespace statistics;
+
+namespace {
+
+// Of the complete runs.
+std::vector<Observed> observed(const StudyResults& study, Blocks blocks) {
+  std::map<Place, const SolveRecord*> solves;
+  for (const SolveRecord& solve : study.solves) solves[{solve.run, solve.point}] = &solve;
+  std::vector<Observed> result;
+  for (Block& block : layout(study, blocks)) {
+    Observed one{.name = std::move(block.name), .solves = {}};
+    for (const Place& place : block.places) one.solves.push_back(solves.at(place));
+    result.push_back(std::move(one));
+  }
+  return result;
+}
+
+std::string place_of(const std::vector<double>& metres) {
+  std::vector<std::string> texts;
+  for (const double value : metres) texts.push_back(fmt::format("{:.4g}", 100 * value));
+  return fmt::format("{} cm", fmt::join(texts, " "));
+}
+
+// first: of a run that starts each solve where the one before ended, only the first start is given.
+enum class Starts { first, all };
+
+// In what two runs were not given the same to do; empty where they were.
+std::string difference_in_task(const Observed& a, const Observed& b, Starts starts) {
+  for (std::size_t i = 0; i < a.solves.size(); ++i) {
+    const SolveRecord &one = *a.solves[i], &other = *b.solves[i];
+    if (one.robot != other.robot) return fmt::format("another robot ({} and {})", one.robot, other.robot);
+    if (one.target_position_m != other.target_position_m || one.target_rotation != other.target_rotation) {
+      return fmt::format("other targets (run {} and {}, point {}: {} and {})", one.run, other.run, one.point,
+                         place_of(one.target_position_m), place_of(other.target_position_m));
+    }
+    if ((i == 0 || starts == Starts::all) && one.start_rad != other.start_rad) {
+      return fmt::format("another configuration to start from (run {} and {}, point {})", one.run, other.run,
+                         one.point);
+    }
+  }
+  return "";
+}
+
+// Both in the order that they have.
+void keep_common(std::vector<Observed>& a, std::vector<Observed>& b) {
+  const auto names = [](const std::vector<Observed>& observed) {
+    std::set<std::string> result;
+    for (const Observed& one : observed) result.insert(one.name);
+    return result;
+  };
+  const auto in_a = names(a), in_b = names(b);
+  std::erase_if(a, [&](const Observed& one) { return !in_b.contains(one.name); });
+  std::erase_if(b, [&](const Observed& one) { return !in_a.contains(one.name); });
+}
+
+std::invalid_argument refused(std::string_view what) {
+  return std::invalid_argument(
+      fmt::format("A and B cannot be compared: they were given {}; run both with the same robot, path and seed", what));
+}
+
+Starts starts_of(const Variant& a, const Variant& b) {
+  const auto is_chained = [](const Variant& side) {
+    const Blocks blocks = blocks_of(side.study);
+    return blocks == Blocks::none || blocks == Blocks::runs;
+  };
+  return is_chained(a) && is_chained(b) ? Starts::first : Starts::all;
+}
+
+// As the study has it, but a store may be old, or say what is not so: where the runs have targets of their own, runs
+// are pairs at least. A single target is no sample; its runs are.
+Blocks pairs_of(const Variant& a, bool is_fixed) {
+  const Blocks said = blocks_of(a.study);
+  if (!is_fixed) return said == Blocks::drawn_targets ? said : Blocks::runs;
+  return said == Blocks::path_targets && a.study.points == 1 ? Blocks::none : said;
+}
+
+bool is_fixed(const std::vector<Observed>& runs, Starts starts) {
+  return std::ranges::all_of(
+      runs, [&](const Observed& run) { return difference_in_task(runs.front(), run, starts).empty(); });
+}
+
+void refuse_other_tasks(const std::vector<Observed>& a, const std::vector<Observed>& b, Starts starts) {
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    if (const std::string what = difference_in_task(a[i], b[i], starts); !what.empty()) throw refused(what);
+  }
+}
+
+std::string observation_of(const VariantDesign& design, int points) {
+  if (design.pairs == Blocks::path_targets && (design.runs_of_a > 1 || design.runs_of_b > 1)) {
+    const std::string runs = design.runs_of_a == design.runs_of_b
+                                 ? fmt::format("the {} runs of each", design.runs_of_a)
+                                 : fmt::format("the {} runs of A and the {} of B", design.runs_of_a, design.runs_of_b);
+    return fmt::format("one observation is a target's mean over {}", runs);
+  }
+  if (design.pairs == Blocks::path_targets || design.pairs == Blocks::drawn_targets) {
+    return "one observation is a target's only solve";
+  }
+  return points == 1 ? "one observation is a run's only solve"
+                     : fmt::format("one observation is a run's mean over its {} points", points);
+}
+
+}  // namespace
+
+VariantDesign variant_design(const Variant& a, const Variant& b) {
+  std::vector<Observed> runs_of_a = observed(a.study, Blocks::runs), runs_of_b = observed(b.study, Blocks::runs);
+  for (const Variant* side : {&a, &b}) {
+    if (!(side == &a ? runs_of_a : runs_of_b).empty()) continue;
+    throw std::invalid_argument(fmt::format("{} has no complete run of {}; there is nothing to compare",
+                                            side == &a ? "A" : "B", side->series.label));
+  }
+  if (a.study.points != b.study.points) {
+    throw refused(fmt::format("other targets ({} and {} points a run)", a.study.points, b.study.points));
+  }
+  const Starts starts = starts_of(a, b);
+  const bool is_one_path = is_fixed(runs_of_a, starts) && is_fixed(runs_of_b, starts);
+  VariantDesign design{.pairs = pairs_of(a, is_one_path)};
+  if (is_one_path) refuse_other_tasks({runs_of_a.front()}, {runs_of_b.front()}, starts);
+  if (design.pairs == Blocks::runs || design.pairs == Blocks::drawn_targets) {
+    keep_common(runs_of_a, runs_of_b);
+    if (runs_of_a.empty()) throw refused("other targets (they have no run in common, and each run has its own)");
+    refuse_other_tasks(runs_of_a, runs_of_b, starts);
+  }
+  design.runs_of_a = static_cast<int>(runs_of_a.size());
+  design.runs_of_b = static_cast<int>(runs_of_b.size());
+  if (design.pairs == Blocks::none || design.pairs == Blocks::runs) {
+    design.a = std::move(runs_of_a);
+    design.b = std::move(runs_of_b);
+  } else {
+    design.a = observed(a.study, design.pairs);
+    design.b = observed(b.study, design.pairs);
+    keep_common(design.a, design.b);
+  }
+  return design;
+}
+
+std::string sentence_of(const VariantDesign& design, int points) {
+  const std::string observation = observation_of(design, points);
+  const std::size_t pairs = design.a.size();
+  switch (design.pairs) {
+    case Blocks::runs:
+      return fmt::format("{} pairs of runs, {}: run by run both have the same targets, and every run has its own.",
+                         pairs, observation);
+    case Blocks::drawn_targets:
+      return fmt::format(
+          "{} pairs of targets, {}: every run has its own targets, the same for both, each solved from the same "
+          "configuration.",
+          pairs, observation);
+    case Blocks::path_targets:
+      return fmt::format("{} pairs of targets, {}: both solve each target of the path from the same configuration.",
+                         pairs, observation);
+    case Blocks::none:
+      break;
+  }
+  return fmt::format(
+      "Independent runs, {} of A and {} of B, {}: every run has the same targets, so "
+      "that no run of A belongs to one of B.",
+      design.a.size(), design.b.size(), observation);
+}
+
+std::vector<double> values_of(const std::vector<Observed>& observed, const ComparedMetric& metric) {
+  std::vector<double> result;
+  for (const Observed& one : observed) {
+    std::vector<double> values;
+    for (const SolveRecord* solve : one.solves) values.push_back(metric.value(*solve));
+    result.push_back(mean(values));
+  }
+  return result;
+}
+
+bool has_same_bits(const VariantDesign& design, const ComparedMetric& metric) {
+  const auto is_same = [&](const SolveRecord* a, const SolveRecord* b) {
+    const double one = metric.value(*a), other = metric.value(*b);
+    return std::bit_cast<std::uint64_t>(one) == std::bit_cast<std::uint64_t>(other) ||
+           (std::isnan(one) && std::isnan(other));
+  };
+  return std::ranges::equal(design.a, design.b, [&](const Observed& a, const Observed& b) {
+    return a.name == b.name && std::ranges::equal(a.solves, b.solves, is_same);
+  });
+}
+
+}  // namespace ikbench::inference

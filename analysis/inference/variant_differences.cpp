@@ -1,0 +1,122 @@
+#include "analysis/inference/variant_differences.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <string_view>
+#include <vector>
+
+#include "analysis/inference/text.hpp"
+
+namespace ikbench::inference {
+
+using namespace results;
+
+namespace {
+
+using Json = nlohmann::json;
+using Facts = std::map<std::string, std::string>;
+
+constexpr std::size_t longest_value = 60;
+constexpr std::size_t most_named = 20;
+
+// What decides or describes numbers; a name does neither, and the arm, the departures and what is out of reach
+// follow from the rest.
+bool counts(std::string_view key) {
+  constexpr std::array<std::string_view, 4> names{"name", "title", "published", "trace"};
+  return std::ranges::find(names, key) == names.end() && !key.starts_with("departures") && !key.starts_with("arm.") &&
+         !key.starts_with("out_of_reach.") && !key.starts_with("analysis.");
+}
+
+// {"stop": {"iterations": 200}} as stop.iterations: 200.
+void add_values(Facts& facts, const std::string& json) {
+  const Json parsed = Json::parse(json, nullptr, false);
+  if (!parsed.is_object()) return;
+  const Json flat = parsed.flatten();  // named: it has to outlive the loop
+  for (const auto& [pointer, value] : flat.items()) {
+    std::string key = pointer.empty() ? pointer : pointer.substr(1);
+    std::ranges::replace(key, '/', '.');
+    if (!counts(key)) continue;
+    facts[key] =
+        value.is_string() ? value.get<std::string>() : value.dump(-1, ' ', false, Json::error_handler_t::replace);
+  }
+}
+
+std::set<std::string> values_of(const Variant& variant, const std::string& fact) {
+  std::set<std::string> values;
+  for (const Session& session : variant.sessions) {
+    const auto found = session.environment.find(fact);
+    values.insert(found == session.environment.end() ? "unknown" : found->second);
+  }
+  return values;
+}
+
+Facts facts_of(const Variant& variant) {
+  Facts facts{{"solver", variant.series.algorithm}};
+  add_values(facts, variant.study.definition);
+  add_values(facts, variant.series.options);
+  facts["source of the solver"] =
+      fmt::format("{}", fmt::join(values_of(variant, "source." + variant.series.algorithm), " and "));
+  for (const char* fact :
+       {"version", "commit", "source", "compiler", "flags", "build_type", "instruction_set", "cpu"}) {
+    facts[fact] = fmt::format("{}", fmt::join(values_of(variant, fact), " and "));
+  }
+  return facts;
+}
+
+}  // namespace
+
+std::string why_times_differ(const Variant& a, const Variant& b) {
+  for (const Variant* side : {&a, &b}) {
+    if (const std::string note = timing_note(side->study); !note.empty()) {
+      return fmt::format("{}: {}", side == &a ? "A" : "B", note);
+    }
+  }
+  std::set<std::string> cpus = values_of(a, "cpu");
+  cpus.merge(values_of(b, "cpu"));
+  if (a.sessions.empty() || b.sessions.empty() || cpus.contains("unknown")) {
+    return "Times are not comparable: the stores do not say on which CPU they were taken.";
+  }
+  return cpus.size() == 1
+             ? ""
+             : fmt::format("Times are not comparable: they are of several CPUs ({}).", fmt::join(cpus, ", "));
+}
+
+std::string other_sessions_note(const Variant& a, const Variant& b) {
+  const auto same = [](const Session& one, const Session& other) {
+    return one.id == other.id && one.environment == other.environment;
+  };
+  if (std::ranges::equal(a.sessions, b.sessions, same)) return "";
+  return "Times of A and B are of separate sessions: what the machine itself changed between them is in no run's "
+         "spread. Two labels of one study are timed in turn.";
+}
+
+std::string differences(const Variant& a, const Variant& b) {
+  const Facts of_a = facts_of(a), of_b = facts_of(b);
+  std::set<std::string> keys;
+  for (const Facts* facts : {&of_a, &of_b}) {
+    for (const auto& [key, value] : *facts) keys.insert(key);
+  }
+  const auto value_in = [](const Facts& facts, const std::string& key) {
+    const auto found = facts.find(key);
+    return found == facts.end() || found->second.empty() ? std::string("none")
+                                                         : shortened(found->second, longest_value);
+  };
+  std::vector<std::string> found;
+  for (const std::string& key : keys) {
+    const std::string one = value_in(of_a, key), other = value_in(of_b, key);
+    if (one != other) found.push_back(fmt::format("{} ({}, {})", key, one, other));
+  }
+  if (found.empty()) return "The stores tell no difference between A and B but their sessions.";
+  const std::size_t named = std::min(found.size(), most_named);
+  const std::string more = found.size() == named ? "" : fmt::format(" and {} more", found.size() - named);
+  return fmt::format("B differs from A in {}{}.",
+                     fmt::join(found.begin(), found.begin() + static_cast<std::ptrdiff_t>(named), ", "), more);
+}
+
+}  // namespace ikbench::inference

@@ -1,0 +1,246 @@
+#include "analysis/inference/variant_metric.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <stdexcept>
+#include <utility>
+
+#include "analysis/statistics/mann_whitney.hpp"
+#include "analysis/statistics/power.hpp"
+#include "analysis/statistics/proportion.hpp"
+#include "analysis/statistics/rounding.hpp"
+#include "analysis/statistics/wilcoxon_signed_rank.hpp"
+#include "analysis/inference/text.hpp"
+#include "results/analysis_plan_fields.hpp"
+
+namespace ikbench::inference {
+
+using namespace results;
+using namespace statistics;
+
+namespace {
+
+void check(const MarginQuestion& question) {
+  const auto refuse_beyond = [](std::string_view name, double value, std::pair<double, double> range) {
+    if (value >= range.first && value <= range.second) return;
+    throw std::invalid_argument(fmt::format("{} {}: expected {} to {}", name, value, range.first, range.second));
+  };
+  refuse_beyond("margin", question.margin, {margins_percent.first / 100, margins_percent.second / 100});
+  refuse_beyond("significance", question.significance, significances);
+  refuse_beyond("power", question.power, powers);
+}
+
+bool is_finite(double value) { return std::isfinite(value); }
+
+int not_finite(std::span<const double> values) {
+  return static_cast<int>(values.size()) - static_cast<int>(std::ranges::count_if(values, is_finite));
+}
+
+void settle(MetricComparison& result, Outcome outcome, std::string why) {
+  result.outcome = outcome;
+  result.is_fact = true;
+  result.remark = std::move(why);
+  if (result.a.mean > 0 && result.outcome != Outcome::not_compared) result.ratio.ratio = result.b.mean / result.a.mean;
+}
+
+// What is not finite ranks as worse than every number.
+std::vector<double> rankable(std::span<const double> values, Better better) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  std::vector<double> result(values.begin(), values.end());
+  std::ranges::replace_if(
+      result, [](double value) { return !is_finite(value); }, better == Better::smaller ? infinity : -infinity);
+  return result;
+}
+
+void rank(MetricComparison& result, const MetricSamples& samples, double level) {
+  const Better better = samples.metric.better;
+  const std::vector<double> a = rankable(samples.a, better), b = rankable(samples.b, better);
+  const bool smaller = better == Better::smaller;
+  result.b_better = vargha_delaney(smaller ? a : b, smaller ? b : a, level);
+  if (result.is_fact) return;
+  double favour = result.b_better.value - 0.5;
+  if (samples.paired) {
+    const WilcoxonSignedRank test = wilcoxon_signed_rank(a, b, level);
+    result.p_ranks = test.p;
+    favour = (test.V - test.n * (test.n + 1.0) / 4) * (smaller ? 1 : -1);
+  } else {
+    result.p_ranks = mann_whitney(a, b, level).p;
+  }
+  if (result.a.std == 0 && result.b.std == 0) result.p_ranks = result.ratio.p_difference;  // ties have no exact p there
+  result.ranks_favour = favour > 0 ? 1 : favour < 0 ? -1 : 0;
+}
+
+// The observations a side with which the distance of the ratio from the nearer end of the margin shows.
+double to_decide(const MetricSamples& samples, double ratio, const MarginQuestion& question) {
+  if (!is_finite(ratio)) return not_defined;
+  const double end = 1 + std::copysign(question.margin, ratio - 1);
+  std::vector<double> scaled(samples.a.begin(), samples.a.end());
+  for (double& value : scaled) value *= end;
+  GroupSummary first = summarise(scaled), second = summarise(samples.b);
+  const double distance = second.mean - first.mean;
+  if (samples.paired) {  // Welch's test of the differences and a group without spread is Student's test of pairs
+    for (std::size_t i = 0; i < scaled.size(); ++i) scaled[i] -= samples.b[i];
+    first = summarise(scaled);
+    second.std = 0;
+  }
+  const bool is_beyond = std::abs(ratio - 1) > question.margin;  // Holm's correction is at most Bonferroni's
+  const double alpha = question.significance / (is_beyond ? samples.tests : 1);
+  return runs_to_see(first, second, distance, {.power = question.power, .alpha = 2 * alpha}).n;  // one-sided tests
+}
+
+// The chance, were there no difference, that samples lie apart as these do: of independent ones Mann and Whitney's
+// exact p, which is Fisher's of the table of sides; of pairs, that of n signs all being the same.
+double p_of_lying_apart(const MetricSamples& samples) {
+  const int of_a = static_cast<int>(samples.a.size()), of_b = static_cast<int>(samples.b.size());
+  if (samples.paired) return std::ldexp(2.0, -of_a);
+  return fisher_exact({.successes = of_a, .trials = of_a}, {.successes = 0, .trials = of_b}).p;
+}
+
+// A count that no run changes is what the solver does, and not a sample of it.
+void compare_counts(MetricComparison& result, double margin) {
+  const std::string constant = "constant in both";
+  const double size = std::abs(result.a.mean), beyond = std::abs(result.b.mean - result.a.mean) - margin * size;
+  if (result.mean_favours == 0) return settle(result, Outcome::same, constant + ", and equal");
+  if (without_rounding(beyond, size) <= 0) return settle(result, Outcome::same, constant + ", and within the margin");
+  settle(result, result.mean_favours > 0 ? Outcome::better : Outcome::worse, constant);
+}
+
+// That no run of either fails shows less than that measured values are equal: where the chance to fail is the margin,
+// n runs without a failure have the probability (1 - margin)^n, and A's, where it is A that fails, 1 / (1 + margin)^n.
+void limit_by_failures(MetricComparison& result, double margin) {
+  if (result.a.mean != 1 || result.b.mean != 1) return;
+  result.p_not_worse = std::pow(1 - margin, result.b.n);
+  result.ratio.p_equivalent = std::max(result.p_not_worse, std::pow(1 + margin, -result.a.n));
+}
+
+void compare_ratio(MetricComparison& result, const MetricSamples& samples, const MarginQuestion& question) {
+  const RatioQuestion about{.margin = question.margin, .level = 1 - 2 * question.significance};
+  RatioComparison& ratio = result.ratio;
+  ratio = samples.paired ? paired_mean_ratio(samples.a, samples.b, about) : mean_ratio(samples.a, samples.b, about);
+  const double least = p_of_lying_apart(samples);  // Student's p of no spread is 0, which no number of runs can show
+  const auto shown = [&](double p) { return p == 0 ? least : p; };
+  ratio.p_difference = shown(ratio.p_difference);
+  if (ratio.undefined.empty()) {
+    const bool smaller = samples.metric.better == Better::smaller;
+    ratio.p_equivalent = shown(ratio.p_equivalent);
+    result.p_worse = shown(smaller ? ratio.p_above : ratio.p_below);
+    result.p_better = shown(smaller ? ratio.p_below : ratio.p_above);
+    result.p_not_worse = shown(1 - result.p_worse);
+    result.n_to_decide = to_decide(samples, ratio.ratio, question);
+  } else if (is_finite(ratio.p_difference)) {  // of a mean of 0 any difference is beyond the margin
+    const bool is_exact = !ratio.exact.empty();
+    const double for_it = is_exact ? ratio.p_difference : ratio.p_difference / 2,
+                 against_it = is_exact ? 1 : 1 - for_it;
+    result.p_worse = result.mean_favours < 0 ? for_it : against_it;
+    result.p_better = result.mean_favours > 0 ? for_it : against_it;
+  }
+}
+
+// Of finite observations.
+void compare_means(MetricComparison& result, const MetricSamples& samples, const MarginQuestion& question) {
+  if (samples.a.size() < 2 || samples.b.size() < 2) {
+    result.ratio.undefined =
+        fmt::format("a single {} has no spread; more runs have one (--set runs=20)", samples.observation);
+    return;
+  }
+  const double ahead = (mean(samples.a) - mean(samples.b)) * (samples.metric.better == Better::smaller ? 1 : -1);
+  result.mean_favours = ahead > 0 ? 1 : ahead < 0 ? -1 : 0;
+  const bool is_constant = result.a.std == 0 && result.b.std == 0;
+  if (is_constant && samples.metric.kind == Kind::counted) return compare_counts(result, question.margin);
+  compare_ratio(result, samples, question);
+  if (is_constant && samples.metric.kind == Kind::share) limit_by_failures(result, question.margin);
+}
+
+bool are_rounding(const MetricSamples& samples) {
+  const auto is_rounding = [&](double value) { return value >= 0 && value <= samples.metric.rounding; };
+  return samples.metric.rounding > 0 && std::ranges::all_of(samples.a, is_rounding) &&
+         std::ranges::all_of(samples.b, is_rounding);
+}
+
+struct FiniteValues {
+  std::vector<double> a, b;
+};
+
+FiniteValues finite_values(const MetricSamples& samples) {
+  FiniteValues finite;
+  if (samples.paired) {
+    for (std::size_t i = 0; i < samples.a.size(); ++i) {
+      if (!is_finite(samples.a[i]) || !is_finite(samples.b[i])) continue;
+      finite.a.push_back(samples.a[i]);
+      finite.b.push_back(samples.b[i]);
+    }
+  } else {
+    std::ranges::copy_if(samples.a, std::back_inserter(finite.a), is_finite);
+    std::ranges::copy_if(samples.b, std::back_inserter(finite.b), is_finite);
+  }
+  return finite;
+}
+
+// Not finite is worse than any number, but one such run in eight is chance, and says nothing of the other seven: their
+// number and the means of the finite ones are both looked at.
+void compare_not_finite(MetricComparison& result, const MetricSamples& samples, const MarginQuestion& question) {
+  const FiniteValues finite = finite_values(samples);
+  MetricSamples others = samples;
+  others.a = finite.a;
+  others.b = finite.b;
+  if (finite.a.size() < 2 || finite.b.size() < 2) {
+    result.ratio.undefined = "too few are finite to compare these";
+  } else if (are_rounding(others)) {
+    result.ratio.undefined = "those that are finite are rounding";
+  } else {
+    compare_means(result, others, question);
+  }
+  const Successes a{.successes = not_finite(samples.a), .trials = static_cast<int>(samples.a.size())};
+  const Successes b{.successes = not_finite(samples.b), .trials = static_cast<int>(samples.b.size())};
+  const double more_in_b = static_cast<double>(b.successes) / b.trials - static_cast<double>(a.successes) / a.trials;
+  const double p = fisher_exact(a, b).p;  // two-sided: twice the one-sided p where A and B are equally many
+  const auto either = [](double p_of_counts, double p_of_means) {  // Bonferroni's correction for looking at both
+    return std::isnan(p_of_means) ? p_of_counts : std::min({p_of_counts, 2 * p_of_means, 1.0});
+  };
+  const double counts_worse = more_in_b > 0 ? p : 1, counts_better = more_in_b < 0 ? p : 1;
+  const bool counts_against = more_in_b > 0, means_against = result.p_worse < 0.5;  // the mean is beyond the margin
+  const double p_better = either(counts_better, result.p_better);
+  result.remark = fmt::format("not finite: {} of {} {}s of A, {} of {} of B", a.successes, a.trials,
+                              samples.observation, b.successes, b.trials);
+  if (p_better < question.significance && (counts_against || means_against)) {
+    result.ratio.undefined =
+        counts_against ? "the finite ones of B are better, but fewer" : "more of B are finite, but these are worse";
+  }
+  result.p_better = counts_against || means_against ? 1 : p_better;
+  result.p_worse = either(counts_worse, result.p_worse);
+  result.p_not_worse = result.ratio.p_equivalent = result.n_to_decide = not_defined;
+}
+
+}  // namespace
+
+MetricComparison compare_metric(const MetricSamples& samples, const MarginQuestion& question) {
+  check(question);
+  MetricComparison result{.metric = samples.metric.name,
+                          .observation = samples.observation,
+                          .a = summarise(samples.a),
+                          .b = summarise(samples.b)};
+  if (!samples.not_compared.empty()) {
+    settle(result, Outcome::not_compared, samples.not_compared);
+    return result;
+  }
+  if (samples.a.empty() || samples.b.empty()) {
+    result.ratio.undefined = "there is no complete run to compare";
+    return result;
+  }
+  if (samples.same_bits) {
+    settle(result, Outcome::same, "to the bit");
+  } else if (not_finite(samples.a) + not_finite(samples.b) > 0) {
+    compare_not_finite(result, samples, question);
+  } else if (are_rounding(samples)) {
+    settle(result, Outcome::same, fmt::format("both are rounding, below {}", short_number(samples.metric.rounding)));
+  } else {
+    compare_means(result, samples, question);
+  }
+  rank(result, samples, 1 - 2 * question.significance);
+  return result;
+}
+
+}  // namespace ikbench::inference

@@ -1,0 +1,102 @@
+// Is one metric of a solver's variant better, the same or worse than its baseline's, by more than a margin that
+// matters? Tests of the ratio of means against the margin, equivalence too (analysis/statistics/mean_ratio.hpp).
+#pragma once
+
+#include <array>
+#include <limits>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "analysis/inference/observations.hpp"
+#include "analysis/statistics/descriptive.hpp"
+#include "analysis/statistics/effect_size.hpp"
+#include "analysis/statistics/mean_ratio.hpp"
+#include "results/record.hpp"
+
+namespace ikbench::inference {
+
+// counted: how often a solver does something, which is a fact where it is constant; share: of what can fail, so that
+// never having failed is no proof.
+enum class Kind { measured, counted, share };
+
+struct ComparedMetric {
+  std::string_view name;     // a column of the record, or what is made of one
+  std::string_view meaning;  // with its unit
+  Kind kind;
+  Better better;
+  double rounding;  // up to here a value is none to the verifier, which counts 1e-9 m and rad as rounding
+  double (*value)(const results::SolveRecord& solve);
+};
+
+inline constexpr std::array<ComparedMetric, 5> compared_metrics{{
+    {"position_error_cm", "position error [cm]", Kind::measured, Better::smaller, 1e-7,
+     [](const results::SolveRecord& solve) { return solve.position_error_cm; }},
+    {"variation_deg", "angles variation [deg]", Kind::measured, Better::smaller, 1e-9 * 57.29577951308232,
+     [](const results::SolveRecord& solve) { return solve.variation_deg; }},
+    {"evaluations", "candidates evaluated", Kind::counted, Better::smaller, 0,
+     [](const results::SolveRecord& solve) { return static_cast<double>(solve.evaluations); }},
+    {"seconds", "computing time [s]", Kind::measured, Better::smaller, 0,
+     [](const results::SolveRecord& solve) { return solve.seconds; }},
+    {"solved", "share of solves with status ok", Kind::share, Better::larger, 0,
+     [](const results::SolveRecord& solve) { return solve.status == results::Status::ok ? 1.0 : 0.0; }},
+}};
+
+// Of b held against a. not_worse: shown not to be worse by more than the margin, but neither shown better by more than
+// it nor the same within it.
+enum class Outcome { better, same, not_worse, undecided, worse, not_compared };
+constexpr std::array<std::string_view, 6> outcome_names{"better",    "same",  "not worse",
+                                                        "undecided", "worse", "not compared"};
+constexpr std::string_view name_of(Outcome outcome) { return outcome_names[static_cast<std::size_t>(outcome)]; }
+
+// Within the ranges of results/analysis_plan_fields.hpp.
+struct MarginQuestion {
+  double margin = 0.05;        // relative difference that matters
+  double significance = 0.05;  // of each one-sided test; intervals have the level 1 - 2 significance
+  double power = 0.8;          // of the numbers of observations that would decide
+};
+
+struct MetricSamples {
+  const ComparedMetric& metric;
+  std::span<const double> a;
+  std::span<const double> b;
+  std::string_view observation = "run";  // what one value is of: "run" or "target"
+  bool paired = false;                   // a[i] and b[i] had the same targets, and those of i other than those of j
+  bool same_bits = false;                // every solve has the same value in both
+  int tests = 1;                         // metrics that are decided together
+  std::string not_compared = {};         // why the two cannot be compared; empty where they can
+};
+
+struct MetricComparison {
+  std::string_view metric;
+  std::string_view observation = "run";
+  Outcome outcome = Outcome::undecided;
+  bool is_fact = false;  // there is no chance in it, and no p
+  std::string remark;    // what the numbers beside it do not say; may be empty
+  statistics::GroupSummary a;
+  statistics::GroupSummary b;
+  statistics::RatioComparison ratio;             // b / a, of the finite observations; p = 0 of no spread is an exact test's p here
+  int mean_favours = 0;              // 1: the mean of b is the better, -1: the worse; of the finite observations
+  double p_worse = statistics::not_defined;      // H0: not worse by more than the margin; as `decide` leaves it, corrected by Holm
+  double p_better = statistics::not_defined;     // H0: not better by more than the margin; likewise
+  double p_not_worse = statistics::not_defined;  // H0: worse by the margin or more
+  statistics::EffectSize b_better;               // Vargha and Delaney's A12: P(one of b is better) + P(as good) / 2, of any two
+  double p_ranks = statistics::not_defined;      // Wilcoxon's signed ranks where paired, else Mann-Whitney; two-sided
+  int ranks_favour = 0;              // 1: the ranks are for b, -1: for a
+  double n_to_decide = statistics::not_defined;  // observations a side, likely (`power`), if the ratio is what it seems
+};
+
+// Everything but the outcome, which is undecided here unless it is a fact. A fact is what is the same to the bit, or
+// rounding, or a constant count. Where some answers are not finite, how many there are (Fisher's exact test) and the
+// means of the others are tested together: either may be worse, and better has neither against it.
+// std::invalid_argument where the question is out of range, or pairs are not equally many.
+MetricComparison compare_metric(const MetricSamples& samples, const MarginQuestion& question);
+
+// The outcomes of several metrics: worse and better where Holm's correction over all of them leaves p below the
+// significance; same where both one-sided tests of equivalence are below it (Schuirmann, J. Pharmacokinetics and
+// Biopharmaceutics 15 (1987) 657), which a claim of "all the same" need not correct (Berger, Technometrics 24 (1982)
+// 295). In analysis/inference/variant_decision.cpp.
+void decide(std::span<MetricComparison> comparisons, const MarginQuestion& question);
+
+}  // namespace ikbench::inference

@@ -1,0 +1,110 @@
+#include "analysis/inference/variants.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <map>
+#include <set>
+#include <stdexcept>
+
+#include "analysis/inference/variant_design.hpp"
+#include "analysis/inference/variant_differences.hpp"
+
+namespace ikbench::inference {
+
+using namespace results;
+
+namespace {
+
+// In the order in which they were asked for, once each.
+std::vector<const ComparedMetric*> chosen(std::span<const std::string> names) {
+  std::vector<const ComparedMetric*> result;
+  if (names.empty()) {
+    for (const ComparedMetric& metric : compared_metrics) result.push_back(&metric);
+  }
+  for (const std::string& name : names) {
+    const auto* const found = std::ranges::find(compared_metrics, name, &ComparedMetric::name);
+    if (found == compared_metrics.end()) {
+      std::vector<std::string_view> known;
+      for (const ComparedMetric& metric : compared_metrics) known.push_back(metric.name);
+      throw std::invalid_argument(
+          fmt::format("unknown metric \"{}\" (there are: {})", name.substr(0, 100), fmt::join(known, ", ")));
+    }
+    if (std::ranges::find(result, found) == result.end()) result.push_back(found);
+  }
+  return result;
+}
+
+void note_missing_runs(VariantComparison& comparison, const Variant& side, std::string_view name, int used) {
+  if (const int all = side.study.runs; used < all) {
+    comparison.notes.push_back(
+        fmt::format("{}: {} of {} runs are left out: not there, with points missing, or without a partner.", name,
+                    all - used, all));
+  }
+}
+
+}  // namespace
+
+std::vector<Variant> variants(const Store& store, const StudyEntry& study) {
+  std::map<std::string, std::vector<SolveRecord>> solves;
+  for (SolveRecord& solve : store.solves(study.name)) solves[solve.solver].push_back(std::move(solve));
+  const std::vector<Session> sessions = store.sessions();
+  std::vector<Variant> result;
+  for (const Series& series : study.series) {
+    StudyEntry alone = study;
+    alone.series = {series};
+    Variant variant{.series = series, .study = make_study(alone, std::move(solves[series.label]))};
+    std::set<std::int64_t> used;
+    for (const SolveRecord& solve : variant.study.solves) used.insert(solve.session);
+    for (const Session& session : sessions) {
+      if (used.contains(session.id)) variant.sessions.push_back(session);
+    }
+    result.push_back(std::move(variant));
+  }
+  return result;
+}
+
+VariantComparison compare_variants(const Variant& a, const Variant& b, std::span<const std::string> metrics,
+                                   const MarginQuestion& question) {
+  const std::vector<const ComparedMetric*> asked = chosen(metrics);
+  const VariantDesign design = variant_design(a, b);
+  const bool is_of_targets = design.pairs == Blocks::drawn_targets || design.pairs == Blocks::path_targets;
+  VariantComparison comparison{.label = a.series.label == b.series.label
+                                            ? b.series.label
+                                            : fmt::format("{} against {}", b.series.label, a.series.label),
+                               .paired = design.pairs != Blocks::none,
+                               .design = sentence_of(design, a.study.points)};
+  const std::string why_not_timed = why_times_differ(a, b);
+  for (const ComparedMetric* metric : asked) {
+    const std::vector<double> of_a = values_of(design.a, *metric), of_b = values_of(design.b, *metric);
+    const bool is_time = metric->name == "seconds";
+    comparison.metrics.push_back(compare_metric({.metric = *metric,
+                                                 .a = of_a,
+                                                 .b = of_b,
+                                                 .observation = is_of_targets ? "target" : "run",
+                                                 .paired = comparison.paired,
+                                                 .same_bits = has_same_bits(design, *metric),
+                                                 .tests = static_cast<int>(asked.size()),
+                                                 .not_compared = is_time && !why_not_timed.empty() ? "see below" : ""},
+                                                question));
+    const std::string note = why_not_timed.empty() ? other_sessions_note(a, b) : why_not_timed;
+    if (is_time && !note.empty()) comparison.notes.push_back(note);
+  }
+  decide(comparison.metrics, question);
+  note_missing_runs(comparison, a, "A", design.runs_of_a);
+  note_missing_runs(comparison, b, "B", design.runs_of_b);
+  comparison.notes.push_back(differences(a, b));
+  return comparison;
+}
+
+int count(std::span<const VariantComparison> comparisons, Outcome outcome) {
+  std::int64_t result = 0;
+  for (const VariantComparison& comparison : comparisons) {
+    result += std::ranges::count(comparison.metrics, outcome, &MetricComparison::outcome);
+  }
+  return static_cast<int>(result);
+}
+
+}  // namespace ikbench::inference

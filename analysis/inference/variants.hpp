@@ -1,0 +1,44 @@
+// A solver's variant held against its baseline, label by label: what may be compared, what of it is an observation, and
+// what the metrics (analysis/inference/variant_metric.hpp) say together.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "analysis/inference/study.hpp"
+#include "analysis/inference/variant_metric.hpp"
+#include "results/store.hpp"
+
+namespace ikbench::inference {
+
+// What one label of a study did.
+struct Variant {
+  results::Series series;
+  StudyResults study;                  // of that label alone
+  std::vector<results::Session> sessions = {};  // those that solved it
+};
+
+// One for each label of the study, in its order. std::invalid_argument as make_study.
+std::vector<Variant> variants(const results::Store& store, const results::StudyEntry& study);
+
+struct VariantComparison {
+  std::string label;
+  bool paired = false;
+  std::string design;  // whether observations are compared in pairs, and why, in a sentence
+  std::vector<MetricComparison> metrics;
+  std::vector<std::string> notes;  // what is left out, and in what the two differ beside their numbers
+};
+
+// The metrics named, or all where none is. Observations are paired where both were given the same problems, as those of
+// a report are (analysis/inference/design.hpp): targets drawn in every run are paired run by run, and target by target where each
+// starts from the initial configuration; so are the targets of a path then, whose values are means over the runs. Runs
+// chained along a path are independent samples. Runs with points missing give nothing. Times are compared only where
+// both are clean and of one CPU. std::invalid_argument where a metric is unknown, one side has no complete run, or the
+// two were not given the same to do: another robot, other targets, another configuration to start from.
+VariantComparison compare_variants(const Variant& a, const Variant& b, std::span<const std::string> metrics,
+                                   const MarginQuestion& question);
+
+int count(std::span<const VariantComparison> comparisons, Outcome outcome);
+
+}  // namespace ikbench::inference

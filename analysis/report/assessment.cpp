@@ -1,0 +1,131 @@
+#include "analysis/report/assessment.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "analysis/figures/statistics_figures.hpp"
+#include "analysis/inference/text.hpp"
+
+namespace ikbench::report {
+
+using namespace results;
+using namespace statistics;
+using namespace inference;
+using namespace figures;
+
+namespace {
+
+std::string figure_name(const Evidence& evidence, std::string_view part) {
+  return fmt::format("statistics-{}-{}", evidence.name, part);
+}
+
+// How many contrasts a figure has room for.
+constexpr std::size_t most_rows = 45;
+
+void add_differences(const Evidence& evidence, std::vector<Figure>& figures) {
+  std::vector<DifferenceRow> rows;
+  for (const Contrast& contrast : evidence.contrasts) {
+    rows.push_back(
+        {.label = fmt::format("{} - {}", evidence.groups[contrast.first].name, evidence.groups[contrast.second].name),
+         .difference = contrast.difference.value,
+         .low = contrast.difference.low,
+         .high = contrast.difference.high});
+  }
+  if (rows.empty() || rows.size() > most_rows) return;
+  figures.push_back(differences_figure(rows, {.name = figure_name(evidence, "differences"),
+                                              .quantity = "difference: " + evidence.quantity,
+                                              .level = 1 - evidence.plan.significance,
+                                              .method = std::string(interval_words(evidence))}));
+}
+
+void add_ranks(const Evidence& evidence, std::vector<Figure>& figures) {
+  if (evidence.blocks == 0 || !std::isfinite(evidence.critical_difference)) return;
+  CriticalDifference ranks{.name = figure_name(evidence, "ranks"),
+                           .critical_difference = evidence.critical_difference,
+                           .significance = evidence.plan.significance,
+                           .method = fmt::format("Nemenyi, all pairs, {} blocks", evidence.blocks)};
+  for (const GroupEvidence& group : evidence.groups) {
+    ranks.labels.push_back(group.name);
+    ranks.average_ranks.push_back(group.average_rank);
+  }
+  if (ranks.labels.size() <= most_groups_in_pairs) figures.push_back(critical_difference_figure(ranks));
+}
+
+void add_effects(const Evidence& evidence, std::vector<Figure>& figures) {
+  const std::size_t k = evidence.groups.size();
+  const bool all_pairs = evidence.contrasts.size() == k * (k - 1) / 2;
+  if (evidence.from_summaries || !all_pairs || k < 3) return;
+  EffectMatrix matrix{
+      .name = figure_name(evidence, "effects"),
+      .quantity = evidence.quantity,
+      .meaning = evidence.blocks > 0
+                     ? "the share of blocks in which the row is better than the column"
+                     : "Vargha and Delaney's A12, the chance that a value of the row is better than one of "
+                       "the column"};
+  matrix.effects.assign(k, std::vector<double>(k, not_defined));
+  for (const GroupEvidence& group : evidence.groups) matrix.labels.push_back(group.name);
+  for (const Contrast& contrast : evidence.contrasts) {
+    matrix.effects[contrast.first][contrast.second] = contrast.superiority.value;
+    matrix.effects[contrast.second][contrast.first] = 1 - contrast.superiority.value;
+  }
+  figures.push_back(effect_matrix_figure(matrix));
+}
+
+// Where all groups but one have a single value each, the tables say it all.
+bool is_worth_drawing(const Evidence& evidence) {
+  if (evidence.from_summaries) return true;
+  return std::ranges::count_if(evidence.groups, [](const GroupEvidence& group) {
+           return group.described.min != group.described.max;
+         }) > 1;
+}
+
+Assessment assessment_of(const Evidence& evidence) {
+  Assessment result{.name = evidence.name,
+                    .heading = fmt::format("Statistics: {}", evidence.quantity),
+                    .sentences = sentences_of(evidence),
+                    .headlines = headlines_of(evidence),
+                    .warnings = evidence.flaw.empty() ? std::vector<std::string>{} : std::vector{evidence.flaw},
+                    .tables = tables_of(evidence),
+                    .json = json_of(evidence)};
+  if (!is_worth_drawing(evidence)) return result;
+  add_differences(evidence, result.figures);
+  add_ranks(evidence, result.figures);
+  add_effects(evidence, result.figures);
+  if (evidence.flaw.empty()) return result;
+  for (Figure& figure : result.figures) figure.caption += " Flawed: " + evidence.flaw;
+  return result;
+}
+
+Assessment with_observations(const Evidence& found, const Observations& observations) {
+  Assessment result = assessment_of(found);
+  if (is_worth_drawing(found)) {
+    result.figures.insert(result.figures.begin(), raincloud_figure(observations, quantile_type(found.plan.quartiles),
+                                                                   figure_name(found, "observations")));
+  }
+  return result;
+}
+
+}  // namespace
+
+Assessment assess(const Observations& observations, const AnalysisPlan& plan) {
+  return with_observations(evidence(observations, plan), observations);
+}
+
+Assessment assess(const Summaries& summaries, const AnalysisPlan& plan) {
+  return assessment_of(evidence(summaries, plan));
+}
+
+Assessment describe(const Observations& observations, const AnalysisPlan& plan) {
+  Evidence found = evidence(observations, plan);
+  found.tests.clear();
+  found.contrasts.clear();
+  found.critical_difference = not_defined;
+  for (GroupEvidence& group : found.groups) {
+    group.normality = group.normality_w = group.mean_rank = group.average_rank = not_defined;
+  }
+  return with_observations(found, observations);
+}
+
+}  // namespace ikbench::report

@@ -1,0 +1,112 @@
+// An assessment's numbers as JSON: every one of them, whatever the tables leave out.
+#include <array>
+#include <cmath>
+#include <string_view>
+
+#include "analysis/report/json.hpp"
+#include "analysis/report/assessment.hpp"
+
+namespace ikbench::report {
+
+using namespace results;
+using namespace statistics;
+using namespace inference;
+
+namespace {
+
+Json estimate(const Estimate& of) {
+  return {{"value", json_number(of.value)}, {"low", json_number(of.low)}, {"high", json_number(of.high)}};
+}
+
+void add_reason(Json& object, const std::string& undefined) {
+  if (!undefined.empty()) object["undefined"] = undefined;
+}
+
+Json group_json(const GroupEvidence& group) {
+  const Description& of = group.described;
+  return {{"name", group.name},
+          {"n", of.n},
+          {"not_finite", of.not_finite},
+          {"mean", estimate(group.mean)},
+          {"mean_by_bootstrap", estimate(group.bootstrapped)},
+          {"sd", json_number(of.std)},
+          {"median", estimate(group.median)},
+          {"q1", json_number(group.q1)},
+          {"q3", json_number(group.q3)},
+          {"min", json_number(of.min)},
+          {"max", json_number(of.max)},
+          {"shapiro_wilk_w", json_number(group.normality_w)},
+          {"shapiro_wilk_p", json_number(group.normality)},
+          {"mean_rank", json_number(group.mean_rank)},
+          {"average_rank", json_number(group.average_rank)}};
+}
+
+Json test_json(const TestResult& test) {
+  constexpr std::array<std::string_view, 3> roles{"assumption", "classical", "sound"};
+  Json object{{"test", test.test},
+              {"role", roles[static_cast<std::size_t>(test.role)]},
+              {"without", test.without},
+              {"symbol", test.symbol},
+              {"statistic", json_number(test.statistic)},
+              {"df", json_number(test.df)},
+              {"df_within", json_number(test.df_within)},
+              {"p", json_number(test.p)}};
+  if (!test.effect_symbol.empty()) object["effect"] = {{"symbol", test.effect_symbol}, {"value", json_number(test.effect)}};
+  add_reason(object, test.undefined);
+  return object;
+}
+
+Json contrast_json(const Evidence& evidence, const Contrast& contrast) {
+  Json object{{"first", evidence.groups[contrast.first].name},
+              {"second", evidence.groups[contrast.second].name},
+              {"difference", estimate(contrast.difference)},
+              {"p", json_number(contrast.p)},
+              {"p_tukey", json_number(contrast.p_pooled)},
+              {"p_games_howell", json_number(contrast.p_unpooled)},
+              {"p_paired_t", json_number(contrast.p_paired)},
+              {"p_ranks", json_number(contrast.p_ranks)},
+              {"p_nemenyi", json_number(contrast.p_nemenyi)},
+              {evidence.blocks > 0 ? "share_of_blocks_ahead" : "a12", estimate(contrast.superiority)},
+              {"hedges_g", estimate(contrast.g)},
+              {"runs_to_see_margin", json_number(contrast.runs_to_see_margin)},
+              {"within_margin", contrast.within_margin},
+              {"relation", name_of(contrast.relation)}};
+  add_reason(object, contrast.undefined);
+  return object;
+}
+
+}  // namespace
+
+std::string json_of(const Evidence& evidence) {
+  const AnalysisPlan& plan = evidence.plan;
+  Json object{{"quantity", evidence.quantity},
+              {"better", evidence.better == Better::smaller ? "smaller" : "larger"},
+              {"replicate", evidence.replicate},
+              {"block", evidence.block},
+              {"blocks", evidence.blocks},
+              {"from_summaries", evidence.from_summaries},
+              {"plan",
+               {{"test", name_of(plan.test)},
+                {"adjustment", name_of(plan.adjustment)},
+                {"control", plan.control},
+                {"significance", plan.significance},
+                {"margin", plan.margin},
+                {"power", plan.power},
+                {"quartiles", plan.quartiles}}},
+              {"notes", evidence.notes},
+              {"flaw", evidence.flaw},
+              {"variance_ratio", json_number(evidence.variance_ratio)},
+              {"critical_difference", json_number(evidence.critical_difference)},
+              {"pairs", evidence.pairs}};
+  Json groups = Json::array(), tests = Json::array(), contrasts = Json::array();
+  for (const GroupEvidence& group : evidence.groups) groups.push_back(group_json(group));
+  for (const TestResult& test : evidence.tests) tests.push_back(test_json(test));
+  for (const Contrast& contrast : evidence.contrasts) contrasts.push_back(contrast_json(evidence, contrast));
+  object["groups"] = groups;
+  object["tests"] = tests;
+  object["contrasts"] = contrasts;
+  object["sentences"] = sentences_of(evidence);
+  return object.dump(2, ' ', false, Json::error_handler_t::replace);  // names may be anything
+}
+
+}  // namespace ikbench::report

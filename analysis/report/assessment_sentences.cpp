@@ -1,0 +1,225 @@
+// The words of an assessment: what a good reviewer would ask, answered in order.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "analysis/report/assessment.hpp"
+#include "analysis/report/assessment_words.hpp"
+#include "analysis/inference/text.hpp"
+
+namespace ikbench::report {
+
+using namespace statistics;
+using namespace inference;
+
+namespace {
+
+// "20 observations", "18 to 20 observations"
+std::string sizes(const Evidence& evidence) {
+  const auto [least, most] =
+      std::ranges::minmax(evidence.groups, {}, [](const GroupEvidence& group) { return group.described.n; });
+  if (least.described.n == most.described.n) {
+    return fmt::format("{} {}", most.described.n, most.described.n == 1 ? "observation" : "observations");
+  }
+  return fmt::format("{} to {} observations", least.described.n, most.described.n);
+}
+
+std::string design(const Evidence& evidence) {
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < evidence.groups.size(); ++i) names.push_back(name_words(evidence, i));
+  std::string text = fmt::format("What was compared: {}, {} is better, of {} {} ({}) with {} each", evidence.quantity,
+                                 evidence.better == Better::smaller ? "smaller" : "larger", names.size(),
+                                 names.size() == 1 ? "group" : "groups", listed(names), sizes(evidence));
+  text += evidence.from_summaries ? ", of which means, standard deviations and numbers alone are known." : ".";
+  if (!evidence.replicate.empty()) text += fmt::format(" One observation is {}.", evidence.replicate);
+  if (evidence.blocks > 0)
+    text +=
+        fmt::format(" All groups were given the same in {} blocks: a block is {}.", evidence.blocks, evidence.block);
+  return text;
+}
+
+std::string methods(const Evidence& evidence) {
+  std::string text = fmt::format("Methods: {} decides, at {}", deciding_words(evidence),
+                                 rounded_number(evidence.plan.significance, 3));
+  if (!evidence.plan.control.empty()) {
+    text += fmt::format(", each against the control {}", row_label(evidence.plan.control, longest_name_in_text));
+  } else if (evidence.pairs > 1) {
+    text += fmt::format(", over all {} pairs", evidence.pairs);
+  }
+  if (!evidence.from_summaries && evidence.pairs > 1) {
+    constexpr std::array<std::string_view, 4> whose{"Holm", "Hochberg", "Bonferroni", "Benjamini and Hochberg"};
+    text += fmt::format("; p-values of ranks are corrected by {}",
+                        whose[static_cast<std::size_t>(evidence.plan.adjustment)]);
+  }
+  return text + "; a difference matters from " + percent(evidence.plan.margin) +
+         " on. The other methods stand beside it and decide nothing.";
+}
+
+// "F(5, 44.3) = 142, p = 4e-26"
+std::string result_words(const TestResult& test) {
+  if (!test.undefined.empty()) return "not defined, " + test.undefined;
+  std::string df = number_words(test.df);
+  if (std::isfinite(test.df_within)) df += ", " + number_words(test.df_within);
+  std::string text = std::isfinite(test.df)
+                         ? fmt::format("{}({}) = {}", test.symbol, df, rounded_number(test.statistic, 4))
+                         : fmt::format("{} = {}", test.symbol, rounded_number(test.statistic, 4));
+  return fmt::format("{}, {}", text, p_words(test.p));
+}
+
+std::string assumptions(const Evidence& evidence) {
+  std::string text = "Assumptions: ";
+  std::vector<std::string> tests;
+  for (const TestResult& each : evidence.tests) {
+    if (each.role == Role::assumption) tests.push_back(fmt::format("{}: {}", each.test, result_words(each)));
+  }
+  if (tests.empty()) return "";
+  const TestResult* test = variance_test(evidence);
+  const bool tested = test != nullptr && test->undefined.empty();
+  text += !tested                      ? "equal variances could not be tested"
+          : variances_differ(evidence) ? "equal variances are refuted"
+                                       : "equal variances are not refuted";
+  if (std::isfinite(evidence.variance_ratio)) {
+    text += fmt::format("; that of {} is {} times that of {}", name_words(evidence, evidence.most_variable),
+                        number_words(evidence.variance_ratio), name_words(evidence, evidence.least_variable));
+  }
+  text += fmt::format(" ({}).", fmt::join(tests, "; "));
+  if (evidence.from_summaries) return text + " Whether the values are normal cannot be told from summaries.";
+  std::vector<std::string> not_normal;
+  std::size_t known = 0;
+  for (std::size_t i = 0; i < evidence.groups.size(); ++i) {
+    const double p = evidence.groups[i].normality;
+    known += std::isfinite(p) ? 1 : 0;
+    if (p < evidence.plan.significance)
+      not_normal.push_back(fmt::format("{} ({})", name_words(evidence, i), p_words(p)));
+  }
+  if (known == 0) return text + " Normality could not be tested.";
+  if (!not_normal.empty()) {
+    return text + fmt::format(" Normality is refuted for {} (Shapiro-Wilk, each group by itself).", listed(not_normal));
+  }
+  return text + fmt::format(" Normality is not refuted for any group{} (Shapiro-Wilk).",
+                            known < evidence.groups.size() ? " that could be tested" : "");
+}
+
+// Values over decades: the mean is that of the largest few, and a test of means is a test of those.
+std::string decades(const Evidence& evidence) {
+  constexpr double wide = 100;
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < evidence.groups.size(); ++i) {
+    const GroupEvidence& group = evidence.groups[i];
+    const bool skewed = group.normality < evidence.plan.significance;
+    if (group.described.min > 0 && group.described.max > wide * group.described.min && skewed) {
+      names.push_back(name_words(evidence, i));
+    }
+  }
+  if (names.empty() || evidence.ranks_decide()) return "";
+  return fmt::format(
+      "Caution: the values of {} span more than two decades, so that a mean is decided by the largest few; "
+      "A12 and the tests of ranks are not, and logarithms of the values may say more.",
+      listed(names));
+}
+
+std::string effect_words(const TestResult& test) {
+  return std::isfinite(test.effect) ? fmt::format(", {} = {}", test.effect_symbol, rounded_number(test.effect, 2)) : "";
+}
+
+std::string analyses(const Evidence& evidence, Role role, std::string_view heading) {
+  std::string text;
+  for (const TestResult& test : evidence.tests) {
+    if (test.role != role) continue;
+    text += fmt::format(" {}{}: {}{}{}.", test.test, test.without.empty() ? "" : fmt::format(" ({})", test.without),
+                        result_words(test), effect_words(test),
+                        !test.undefined.empty()               ? ""
+                        : test.p < evidence.plan.significance ? "; the groups are not all the same"
+                                                              : "; a difference is not shown");
+  }
+  if (text.empty()) return "";
+  if (role == Role::paper && variances_differ(evidence))
+    text += " It takes equal variances for granted, and they are refuted.";
+  return fmt::format("{}:{}", heading, text);
+}
+
+std::vector<std::string> limits(const Evidence& evidence) {
+  std::vector<std::string> parts;
+  double most = 0;
+  std::size_t open = 0, beyond = 0;
+  for (const Contrast& contrast : evidence.contrasts) {
+    if (contrast.relation != Relation::not_told_apart) continue;
+    ++open;
+    if (std::isfinite(contrast.runs_to_see_margin)) most = std::max(most, contrast.runs_to_see_margin);
+    beyond += evidence.blocks == 0 && !std::isfinite(contrast.runs_to_see_margin) ? 1 : 0;
+  }
+  if (open > 0) {
+    parts.push_back(fmt::format("not told apart is not the same: {}",
+                                most > 0 ? fmt::format("to find a difference of {} with {} certainty in {}, a group "
+                                                       "needs {}{:.0f} observations",
+                                                       percent(evidence.plan.margin), percent(evidence.plan.power),
+                                                       open == 1    ? "that pair"
+                                                       : beyond > 0 ? fmt::format("{} of those pairs", open - beyond)
+                                                                    : "each of those pairs",
+                                                       open == 1 ? "" : "up to ", most)
+                                         : "the data allow for a difference"));
+  }
+  if (beyond > 0) {
+    parts.push_back(
+        fmt::format("in {} of the pairs not told apart that would take more than ten million observations", beyond));
+  }
+  if (!evidence.flaw.empty()) parts.push_back("the p-values are no evidence where the observations are flawed");
+  if (evidence.from_summaries)
+    parts.push_back("summaries say nothing of the distributions: no ranks, no medians, no normality");
+  parts.push_back(
+      "it speaks of these conditions alone, not of other targets, arms, budgets or settings; and each quantity is "
+      "judged by itself");
+  return {fmt::format("What this does not show: {}.", fmt::join(parts, "; "))};
+}
+
+}  // namespace
+
+std::vector<std::string> sentences_of(const Evidence& evidence) {
+  if (evidence.groups.empty()) return {"There is no group."};
+  std::vector<std::string> sentences;
+  if (evidence.groups.size() > 1 && evidence.contrasts.empty()) {
+    sentences.emplace_back(
+        "Not judged: what was observed is described, and no group is ranked, tested or compared with another. The note "
+        "under the table says why.");
+    sentences.push_back(design(evidence));
+    for (const std::string& note : evidence.notes) sentences.push_back("Note: " + note);
+    return sentences;
+  }
+  if (!evidence.flaw.empty()) sentences.push_back(flaw_words(evidence));
+  if (std::string words = in_short(evidence); !words.empty()) sentences.push_back("In short: " + words);
+  sentences.push_back(design(evidence));
+  for (const std::string& note : evidence.notes) sentences.push_back("Note: " + note);
+  if (evidence.groups.size() < 2) {
+    sentences.push_back("One group alone: it is described, and there is nothing to compare it with.");
+    return sentences;
+  }
+  if (evidence.constant) {
+    for (std::string& sentence : who_differs(evidence)) sentences.push_back(std::move(sentence));
+    sentences.push_back(fmt::format(
+        "Every group has one value alone. p is of {}: could chance have dealt the values so? Of what always does the "
+        "same, as a budget of evaluations, a difference is a fact.",
+        evidence.blocks > 0 ? "the sign test within blocks" : "Fisher's exact test"));
+    return sentences;
+  }
+  sentences.push_back(methods(evidence));
+  sentences.push_back(assumptions(evidence));
+  sentences.push_back(decades(evidence));
+  sentences.push_back(analyses(evidence, Role::paper, "The classical analysis"));
+  sentences.push_back(analyses(evidence, Role::sound, "The sound analysis"));
+  for (std::string& sentence : who_differs(evidence)) sentences.push_back(std::move(sentence));
+  sentences.push_back(disagreements(evidence));
+  for (std::string& sentence : limits(evidence)) sentences.push_back(std::move(sentence));
+  std::erase(sentences, "");
+  return sentences;
+}
+
+std::vector<std::string> headlines_of(const Evidence& evidence) {
+  const std::string words = in_short(evidence);
+  if (words.empty()) return {};
+  return {evidence.flaw.empty() ? fmt::format("{}: {}", evidence.quantity, words)
+                                : fmt::format("{} ({}): {}", evidence.quantity, flaw_words(evidence), words)};
+}
+
+}  // namespace ikbench::report

@@ -1,0 +1,218 @@
+// The tables of an assessment.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <utility>
+
+#include "analysis/report/assessment.hpp"
+#include "analysis/statistics/effect_size.hpp"
+#include "analysis/inference/text.hpp"
+
+namespace ikbench::report {
+
+using namespace results;
+using namespace statistics;
+using namespace inference;
+
+namespace {
+
+std::string table_name(const Evidence& evidence, std::string_view part) {
+  return fmt::format("statistics-{}-{}", evidence.name, part);
+}
+
+Cell interval(const Estimate& estimate) {
+  if (!std::isfinite(estimate.low) || !std::isfinite(estimate.high)) return {};
+  return Range{estimate.low, estimate.high};
+}
+
+Cell or_nothing(double value) { return std::isfinite(value) ? Cell(value) : Cell(); }
+Cell or_nothing(PValue p) { return std::isfinite(p.value) ? Cell(p) : Cell(); }
+
+Cell unless_zero(int count) {
+  if (count == 0) return {};
+  return std::int64_t{count};
+}
+
+Table groups_table(const Evidence& evidence) {
+  const std::string level = percent(1 - evidence.plan.significance);
+  Table table{.name = table_name(evidence, "groups"),
+              .caption = fmt::format("What was observed: {}", evidence.quantity),
+              .columns = {{"group", Align::left},
+                          {"n"},
+                          {"not finite"},
+                          {"mean"},
+                          {level + " interval of the mean"},
+                          {"by bootstrap"},
+                          {"sd"},
+                          {"median"},
+                          {level + " interval of the median"},
+                          {"q1"},
+                          {"q3"},
+                          {"min"},
+                          {"max"},
+                          {"Shapiro-Wilk p"},
+                          {"average rank"}}};
+  for (const GroupEvidence& group : evidence.groups) {
+    const Description& of = group.described;
+    const Cell not_finite = unless_zero(of.not_finite);
+    if (evidence.from_summaries) {
+      table.rows.push_back({group.name, std::int64_t{of.n}, not_finite, of.mean, interval(group.mean), Cell(),
+                            of.n > 1 ? Cell(of.std) : Cell(), Cell(), Cell(), Cell(), Cell(), Cell(), Cell(), Cell(),
+                            Cell()});
+      continue;
+    }
+    table.rows.push_back({group.name, std::int64_t{of.n}, not_finite, of.mean, interval(group.mean),
+                          interval(group.bootstrapped), of.n > 1 ? Cell(of.std) : Cell(), of.median,
+                          interval(group.median), group.q1, group.q3, of.min, of.max,
+                          or_nothing(PValue{group.normality}), or_nothing(group.average_rank)});
+  }
+  if (!evidence.replicate.empty()) table.notes.push_back(fmt::format("One observation is {}.", evidence.replicate));
+  if (!evidence.from_summaries) {
+    table.notes.push_back(
+        fmt::format("Intervals: of the mean by Student's t and by the bootstrap (BCa), of the median by order "
+                    "statistics. Quartiles of type {} (Hyndman and "
+                    "Fan).",
+                    evidence.plan.quartiles));
+  }
+  for (const std::string& note : evidence.notes) table.notes.push_back(note);
+  if (!evidence.flaw.empty()) table.notes.push_back("Flawed: " + evidence.flaw);
+  return table;
+}
+
+// "5, 44.3"
+Cell degrees_of_freedom(const TestResult& test) {
+  if (!std::isfinite(test.df) || !test.undefined.empty()) return {};
+  if (!std::isfinite(test.df_within)) return rounded_number(test.df, 5);
+  return fmt::format("{}, {}", rounded_number(test.df, 5), rounded_number(test.df_within, 5));
+}
+
+Cell with_symbol(const std::string& symbol, double value) {
+  return std::isfinite(value) ? Cell(fmt::format("{} = {}", symbol, rounded_number(value, 5))) : Cell();
+}
+
+std::string role_words(Role role) {
+  constexpr std::array<std::string_view, 3> words{"assumption", "classical", "sound"};
+  return std::string(words[static_cast<std::size_t>(role)]);
+}
+
+Table tests_table(const Evidence& evidence) {
+  Table table{.name = table_name(evidence, "tests"),
+              .caption = fmt::format("Tests of all groups together: {}", evidence.quantity),
+              .columns = {{"part", Align::left},
+                          {"test", Align::left},
+                          {"statistic", Align::left},
+                          {"degrees of freedom"},
+                          {"p"},
+                          {"effect", Align::left},
+                          {"verdict", Align::left}}};
+  for (const TestResult& test : evidence.tests) {
+    const bool significant = test.p < evidence.plan.significance;
+    const std::string_view finding = test.role == Role::assumption
+                                         ? (significant ? "refuted" : "not refuted")
+                                         : (significant ? "the groups differ" : "not told apart");
+    table.rows.push_back(
+        {role_words(test.role),
+         fmt::format("{}{}", test.test, test.without.empty() ? "" : fmt::format(" ({})", test.without)),
+         with_symbol(test.symbol, test.statistic), degrees_of_freedom(test), or_nothing(PValue{test.p}),
+         with_symbol(test.effect_symbol, test.effect),
+         test.undefined.empty() ? std::string(finding) : "not defined: " + test.undefined});
+  }
+  table.notes.push_back(fmt::format("Each at {}. {} decides, by the plan and not by the data.",
+                                    rounded_number(evidence.plan.significance, 3), deciding_words(evidence)));
+  if (!evidence.flaw.empty()) table.notes.push_back("Flawed: " + evidence.flaw);
+  return table;
+}
+
+std::string verdict_of(const Evidence& evidence, const Contrast& contrast) {
+  const std::string within =
+      contrast.within_margin ? fmt::format(", by less than {}", percent(evidence.plan.margin)) : "";
+  switch (contrast.relation) {
+    case Relation::first_better:
+      return fmt::format("{} is better{}", evidence.groups[contrast.first].name, within);
+    case Relation::second_better:
+      return fmt::format("{} is better{}", evidence.groups[contrast.second].name, within);
+    case Relation::undefined:
+      return "not defined: " + contrast.undefined;
+    default:
+      return std::string(name_of(contrast.relation));
+  }
+}
+
+// Of Cliff's delta, 2 A12 - 1 (Romano et al. 2006).
+Cell size_words(const Contrast& contrast) {
+  if (!std::isfinite(contrast.superiority.value)) return {};
+  return std::string(statistics::effect_words(2 * contrast.superiority.value - 1));
+}
+
+// What the p-values and intervals are corrected for.
+std::string family_note(const Evidence& evidence) {
+  if (evidence.pairs == 1) return fmt::format("{} decides.", deciding_words(evidence));
+  const std::string all = fmt::format("all {} pairs together", evidence.pairs);
+  const std::string with_control = fmt::format("the {} pairs with the control together", evidence.groups.size() - 1);
+  const bool by_control = !evidence.plan.control.empty();
+  return fmt::format("{} decides: p holds for {}. Interval of the difference: {}, for {}.", deciding_words(evidence),
+                     by_control && evidence.ranks_decide() ? with_control : all, interval_words(evidence),
+                     by_control && evidence.plan.test == DecidingTest::friedman ? with_control : all);
+}
+
+Table contrasts_table(const Evidence& evidence) {
+  const std::string level = percent(1 - evidence.plan.significance);
+  Table table{
+      .name = table_name(evidence, "contrasts"),
+      .caption = fmt::format("Who differs from whom: {}", evidence.quantity),
+      .columns = {{"first", Align::left},
+                  {"second", Align::left},
+                  {"verdict", Align::left},
+                  {"difference of means"},
+                  {level + " interval"},
+                  {"p"},
+                  {evidence.blocks > 0 ? "ahead in blocks" : "A12"},
+                  {level + (evidence.blocks > 0 ? " interval of that" : " interval of A12")},
+                  {"size", Align::left},
+                  {"Hedges g"},
+                  {"p, Tukey"},
+                  {"p, Games-Howell"},
+                  {"p, paired t"},
+                  {evidence.groups.size() == 2 ? (evidence.ranks_within_blocks() ? "p, Wilcoxon" : "p, Mann-Whitney")
+                   : evidence.ranks_within_blocks() ? "p, Friedman ranks"
+                                                    : "p, Dunn"},
+                  {"p, Nemenyi"},
+                  {fmt::format("runs to see {}", percent(evidence.plan.margin))}}};
+  for (const Contrast& contrast : evidence.contrasts) {
+    const double runs = contrast.runs_to_see_margin;
+    table.rows.push_back(
+        {evidence.groups[contrast.first].name, evidence.groups[contrast.second].name, verdict_of(evidence, contrast),
+         contrast.difference.value, interval(contrast.difference), or_nothing(PValue{contrast.p}),
+         or_nothing(contrast.superiority.value), interval(contrast.superiority), size_words(contrast),
+         or_nothing(contrast.g.value), or_nothing(PValue{contrast.p_pooled}), or_nothing(PValue{contrast.p_unpooled}),
+         or_nothing(PValue{contrast.p_paired}), or_nothing(PValue{contrast.p_ranks}),
+         or_nothing(PValue{contrast.p_nemenyi}), std::isfinite(runs) ? Cell(static_cast<std::int64_t>(runs)) : Cell()});
+  }
+  table.notes.push_back(family_note(evidence));
+  if (!evidence.from_summaries) {
+    table.notes.push_back(evidence.blocks > 0 ? "Ahead in blocks: the share of blocks in which the first is better, "
+                                                "ties counted half; its interval is for "
+                                                "that pair alone, and none where there are ties."
+                                              : "A12: the chance that an observation of the first is better than one "
+                                                "of the second, ties counted half; its "
+                                                "interval is for that pair alone.");
+  }
+  if (evidence.reference) {
+    table.notes.push_back(fmt::format(
+        "Shown are the pairs with {}{}.", evidence.groups[*evidence.reference].name,
+        evidence.plan.control.empty() ? ", the best; all pairs of so many groups are not shown" : ", the control"));
+  }
+  if (!evidence.flaw.empty()) table.notes.push_back("Flawed: " + evidence.flaw);
+  return table;
+}
+
+}  // namespace
+
+std::vector<Table> tables_of(const Evidence& evidence) {
+  std::vector<Table> tables{groups_table(evidence)};
+  if (!evidence.tests.empty()) tables.push_back(tests_table(evidence));
+  if (!evidence.contrasts.empty()) tables.push_back(contrasts_table(evidence));
+  return tables;
+}
+
+}  // namespace ikbench::report

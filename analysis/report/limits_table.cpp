@@ -1,0 +1,207 @@
+#include "analysis/report/limits_table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <string>
+
+#include "analysis/inference/definition.hpp"
+#include "analysis/inference/ranking.hpp"
+#include "analysis/statistics/descriptive.hpp"
+#include "analysis/statistics/welch.hpp"
+#include "analysis/inference/text.hpp"
+
+namespace ikbench::report {
+
+using namespace results;
+using namespace statistics;
+using namespace inference;
+
+namespace {
+
+bool is_enforced(const StudyResults& study) { return Definition(study.definition).text("/limits") == "enforced"; }
+
+// What one study says of one solver.
+struct Side {
+  std::string solver;
+  Description error_cm;
+  Description variation_deg;
+  // Means over the answers that were not refused. A refused one leaves the arm where it stood: its variation is 0.
+  double accepted_error_cm = not_defined;
+  double accepted_variation_deg = not_defined;
+  Description accepted_variation_of_runs;  // the same of every run that has such an answer
+  SolverCounts counts;
+  Placing error_placing = {};  // among the solvers of both studies; no place where there is no mean
+  Placing variation_placing = {};
+};
+
+// What solvers are placed by, and what a test of a place looks at.
+struct Measure {
+  const char* name;
+  Placing Side::*placing;
+  Description Side::*tested;
+};
+constexpr Measure by_error{"error", &Side::error_placing, &Side::error_cm};
+constexpr Measure by_variation{"variation", &Side::variation_placing, &Side::accepted_variation_of_runs};
+
+bool has_solver(const StudyResults& study, const std::string& solver) {
+  return std::ranges::find(study.solvers, solver) != study.solvers.end();
+}
+
+template <class Mean>
+void place(std::vector<Side>& sides, Placing Side::*placing, Mean&& mean_of) {
+  std::vector<Standing> standings;
+  for (const Side& side : sides) standings.push_back({side.solver, mean_of(side)});
+  for (std::size_t i = 0; i < sides.size(); ++i) {
+    if (std::isfinite(standings[i].mean)) sides[i].*placing = placing_of(standings[i], standings);
+  }
+}
+
+std::vector<Side> sides_of(const StudyResults& study, const StudyResults& other, Unit unit) {
+  const std::vector<Sample> errors = samples(study, Metric::position_error_cm, unit);
+  const std::vector<Sample> variations = samples(study, Metric::variation_deg, unit);
+  const std::vector<SolverCounts> all_counts = counts(study);
+  std::vector<Side> sides;
+  for (std::size_t i = 0; i < study.solvers.size(); ++i) {
+    if (!has_solver(other, study.solvers[i])) continue;
+    std::vector<double> accepted_errors, accepted_variations, means_of_runs;
+    std::map<int, std::vector<double>> variations_of_run;
+    for (const SolveRecord& solve : study.solves) {
+      if (solve.solver != study.solvers[i] || solve.status == Status::refused) continue;
+      accepted_errors.push_back(solve.position_error_cm);
+      accepted_variations.push_back(solve.variation_deg);
+      variations_of_run[solve.run].push_back(solve.variation_deg);
+    }
+    for (const auto& [run, values] : variations_of_run) means_of_runs.push_back(mean(values));
+    sides.push_back({.solver = study.solvers[i],
+                     .error_cm = statistics::describe(errors[i].values),
+                     .variation_deg = statistics::describe(variations[i].values),
+                     .accepted_error_cm = statistics::describe(accepted_errors).mean,
+                     .accepted_variation_deg = statistics::describe(accepted_variations).mean,
+                     .accepted_variation_of_runs = statistics::describe(means_of_runs),
+                     .counts = all_counts[i]});
+  }
+  place(sides, &Side::error_placing, [](const Side& of) { return of.error_cm.mean; });
+  place(sides, &Side::variation_placing, [](const Side& of) { return of.accepted_variation_deg; });
+  return sides;
+}
+
+// 0.0017 -> 0.071 cm (42 x)
+std::string change(double before, double after, std::string_view unit) {
+  const double ratio = after / before;
+  return fmt::format("{} -> {} {}{}", short_number(before), short_number(after), unit,
+                     std::isfinite(ratio) ? fmt::format(" ({} x)", rounded_number(ratio, 3)) : "");
+}
+
+const Side& side_of(const std::vector<Side>& sides, const std::string& solver) {
+  return *std::ranges::find(sides, solver, &Side::solver);
+}
+
+// Who is first now, and whether that may be chance. Points of a run depend on each other, so it is asked of runs alone.
+std::string overtaken(const Side& side, const std::vector<Side>& sides, const Measure& measure, Unit unit) {
+  const auto is_first = [&](const Side& other) { return (other.*measure.placing).place == 1; };
+  const auto first = std::ranges::find_if(sides, is_first);
+  if (unit == Unit::point || first == sides.end() || is_first(side)) return "";
+  const auto summary = [](const Description& of) { return GroupSummary{.mean = of.mean, .std = of.std, .n = of.n}; };
+  const double p = welch(summary(side.*measure.tested), summary((*first).*measure.tested)).p;
+  return std::isfinite(p) ? fmt::format(" (that is {}; Welch's test, p = {})", first->solver, rounded_number(p, 2))
+                          : "";
+}
+
+std::string placing_words(Placing of) { return fmt::format("{}{}", of.place, of.shared ? " (shared)" : ""); }
+
+std::string move_words(const Side& free, const std::vector<Side>& all_enforced, const Measure& measure, Unit unit) {
+  const Side& enforced = side_of(all_enforced, free.solver);
+  const Placing before = free.*measure.placing, after = enforced.*measure.placing;
+  if (before.place == 0 || after.place == 0) return fmt::format("in {} not in both rankings", measure.name);
+  const std::string where = fmt::format("in {} place {} -> {} of {}", measure.name, placing_words(before),
+                                        placing_words(after), all_enforced.size());
+  const auto is_first = [](Placing of) { return of.place == 1 && !of.shared; };
+  if (is_first(before) && is_first(after)) return where + ", still the first";
+  if (is_first(before)) return where + ", no longer the first" + overtaken(enforced, all_enforced, measure, unit);
+  if (is_first(after)) return where + ", now the first";
+  return where + (before.place == after.place && before.shared == after.shared ? ", as before" : "");
+}
+
+std::string sentence(const Side& free, const std::vector<Side>& all_enforced, Unit unit) {
+  const Side& enforced = side_of(all_enforced, free.solver);
+  return fmt::format(
+      "{}: position error {}, {} cm over the answers that are not refused; variation of such answers {}; answers "
+      "outside the limits {} of {} -> refused {} of {}; {}; {}.",
+      free.solver, change(free.error_cm.mean, enforced.error_cm.mean, "cm"), short_number(enforced.accepted_error_cm),
+      change(free.accepted_variation_deg, enforced.accepted_variation_deg, "deg"), free.counts.outside_limits,
+      free.counts.solves, enforced.counts.of(Status::refused), enforced.counts.solves,
+      move_words(free, all_enforced, by_error, unit), move_words(free, all_enforced, by_variation, unit));
+}
+
+Table table_of(const StudyResults& free, const StudyResults& enforced, Unit unit) {
+  Table table{.name = "limits",
+              .caption = "What is left where the joint limits are enforced",
+              .columns = {{"algorithm", Align::left},
+                          {"study", Align::left},
+                          {"limits", Align::left},
+                          {"observations"},
+                          {"mean_position_error_cm"},
+                          {"median_position_error_cm"},
+                          {"mean_accepted_error_cm"},
+                          {"mean_variation_deg"},
+                          {"mean_accepted_variation_deg"},
+                          {"rank_error"},
+                          {"rank_variation"},
+                          {"outside_limits"}}};
+  for (const std::string_view status : status_names) table.columns.push_back({std::string(status)});
+  const std::vector<Side> before = sides_of(free, enforced, unit), after = sides_of(enforced, free, unit);
+  const auto add_row = [&](const Side& side, const StudyResults& study, const char* limits) {
+    const auto rank = [](Placing of) { return of.place == 0 ? Cell(not_defined) : Cell(std::int64_t{of.place}); };
+    std::vector<Cell> row{side.solver,
+                          study.name,
+                          std::string(limits),
+                          std::int64_t{side.error_cm.n},
+                          side.error_cm.mean,
+                          side.error_cm.median,
+                          side.accepted_error_cm,
+                          side.variation_deg.mean,
+                          side.accepted_variation_deg,
+                          rank(side.error_placing),
+                          rank(side.variation_placing),
+                          std::int64_t{side.counts.outside_limits}};
+    for (const int number_of : side.counts.by_status) row.emplace_back(std::int64_t{number_of});
+    table.rows.push_back(std::move(row));
+  };
+  for (const Side& side : before) {
+    add_row(side, free, "recorded");
+    add_row(side_of(after, side.solver), enforced, "enforced");
+    table.notes.push_back(sentence(side, after, unit));
+  }
+  table.notes.emplace_back(
+      "Both studies have the same targets. recorded: answers outside the joint limits are kept and counted; enforced: "
+      "they are refused. Places are by means, 1 the smallest, among the solvers of both studies.");
+  table.notes.emplace_back(
+      "A refused answer leaves the arm where it stood: a variation of 0 deg that no solver should gain by. So places "
+      "in "
+      "variation are by mean_accepted_variation_deg, over the answers that are not refused; mean_variation_deg is over "
+      "all. The tests of variation compare the runs' means over such answers.");
+  for (const StudyResults* const study : {&free, &enforced}) {
+    for (const std::string& note : status_notes(*study)) table.notes.push_back(study->name + ": " + note);
+  }
+  return table;
+}
+
+}  // namespace
+
+std::optional<Table> limits_table(const std::vector<StudyResults>& studies, Unit unit) {
+  if (studies.empty()) return std::nullopt;
+  const StudyResults& reported = studies.front();
+  for (const StudyResults& other : studies) {
+    const bool in_common =
+        std::ranges::any_of(reported.solvers, [&](const std::string& solver) { return has_solver(other, solver); });
+    if (is_enforced(other) == is_enforced(reported) || !in_common) continue;
+    return is_enforced(other) ? table_of(reported, other, unit) : table_of(other, reported, unit);
+  }
+  return std::nullopt;
+}
+
+}  // namespace ikbench::report

@@ -1,0 +1,160 @@
+#include "analysis/report/provenance.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <utility>
+
+#include "analysis/statistics/descriptive.hpp"
+
+namespace ikbench::report {
+
+using namespace results;
+using namespace statistics;
+using namespace inference;
+
+namespace {
+
+using SortedJson = nlohmann::json;
+
+std::string text_of_json(const SortedJson& value) {
+  return value.is_string() ? value.get<std::string>() : value.dump(-1, ' ', false, SortedJson::error_handler_t::replace);
+}
+
+// One row per value: path.kind, helix.
+void add_values(std::vector<std::vector<Cell>>& rows, const SortedJson& value, const std::vector<Cell>& before,
+                const std::string& path) {
+  if (value.is_object() && !value.empty()) {
+    for (const auto& [key, inner] : value.items()) {
+      add_values(rows, inner, before, path.empty() ? key : fmt::format("{}.{}", path, key));
+    }
+    return;
+  }
+  std::vector<Cell> row = before;
+  row.emplace_back(path);
+  row.emplace_back(value.is_object() ? std::string() : text_of_json(value));
+  rows.push_back(std::move(row));
+}
+
+// Text that is no JSON is shown as it stands.
+SortedJson parsed(const std::string& text) {
+  SortedJson value = SortedJson::parse(text, nullptr, false);
+  return value.is_discarded() ? SortedJson(text) : value;
+}
+
+}  // namespace
+
+Table definition_table(const StudyEntry& entry) {
+  Table table{.name = "definition",
+              .caption = "Definition of the study",
+              .columns = {{"setting", Align::left}, {"value", Align::left}}};
+  add_values(table.rows, parsed(entry.definition), {}, "");
+  return table;
+}
+
+Table options_table(const StudyEntry& entry) {
+  Table table{
+      .name = "options",
+      .caption = "Options of every solver",
+      .columns = {
+          {"solver", Align::left}, {"algorithm", Align::left}, {"option", Align::left}, {"value", Align::left}}};
+  for (const Series& series : entry.series) {
+    add_values(table.rows, parsed(series.options), {series.label, series.algorithm}, "");
+  }
+  return table;
+}
+
+Table plan_table(const StudyEntry& entry, const AnalysisPlan& used, std::vector<std::string> notes) {
+  Table table{.name = "analysis-plan",
+              .caption = "How the study is judged",
+              .columns = {{"method", Align::left}, {"value", Align::left}, {"meaning", Align::left}},
+              .notes = std::move(notes)};
+  for (const PlanValue& value : values_of(used)) table.rows.push_back({value.field, value.text, value.meaning});
+  if (const std::string given = changes_between(plan_of(entry), used); !given.empty()) {
+    table.notes.push_back(fmt::format("Given on the command line, after the data, and not by the study: {}.", given));
+  }
+  return table;
+}
+
+Table environment_table(const StudyResults& study, const std::vector<Session>& sessions) {
+  Table table{.name = "environment",
+              .caption = "Environment",
+              .columns = {{"fact", Align::left}, {"value", Align::left}, {"sessions", Align::left}}};
+  std::map<std::int64_t, int> solves;
+  for (const SolveRecord& solve : study.solves) ++solves[solve.session];
+  std::map<std::pair<std::string, std::string>, std::string> where;  // fact and value, to the sessions that have it
+  for (const Session& session : sessions) {
+    if (!solves.contains(session.id)) continue;
+    for (const auto& fact : session.environment) {
+      std::string& list = where[fact];
+      list += fmt::format("{}{}", list.empty() ? "" : ", ", session.id);
+    }
+  }
+  for (const auto& [fact, list] : where) table.rows.push_back({fact.first, fact.second, list});
+  std::string note = "Solves by session:";
+  for (const auto& [session, count] : solves) note += fmt::format(" {} ({})", session, count);
+  table.notes.push_back(note + ".");
+  return table;
+}
+
+std::string command_of(const StudyResults& study, const std::vector<Session>& sessions) {
+  std::int64_t last = 0;
+  for (const SolveRecord& solve : study.solves) last = std::max(last, solve.session);
+  for (const Session& session : sessions) {
+    const auto command = session.environment.find("command");
+    if (session.id == last && command != session.environment.end()) return command->second;
+  }
+  return "";
+}
+
+bool same_targets(const StudyResults& a, const StudyResults& b) {
+  using Target = std::pair<std::vector<double>, std::vector<double>>;
+  std::map<std::pair<int, int>, Target> targets;
+  for (const SolveRecord& solve : a.solves) {
+    targets.try_emplace({solve.run, solve.point}, solve.target_position_m, solve.target_rotation);
+  }
+  bool met = false;
+  for (const SolveRecord& solve : b.solves) {
+    const auto found = targets.find({solve.run, solve.point});
+    if (found == targets.end()) continue;
+    if (found->second != Target{solve.target_position_m, solve.target_rotation}) return false;
+    met = true;
+  }
+  return met && a.points == b.points;
+}
+
+Table perspective_table(const std::vector<StudyResults>& studies, Unit unit) {
+  constexpr std::array<Metric, 4> metrics{Metric::position_error_cm, Metric::variation_deg, Metric::seconds,
+                                          Metric::evaluations};
+  Table table{.name = "perspective",
+              .caption = "The study beside others with the same targets",
+              .columns = {{"study", Align::left}, {"algorithm", Align::left}, {"observations"}, {"not_finite"}}};
+  for (const Metric metric : metrics) {
+    table.columns.push_back({fmt::format("mean_{}", name_of(metric))});
+    table.columns.push_back({fmt::format("median_{}", name_of(metric))});
+  }
+  for (const StudyResults& study : studies) {
+    const std::size_t first = table.rows.size();
+    for (const SolverCounts& count : counts(study)) {
+      table.rows.push_back({study.name, count.solver, std::int64_t{0}, std::int64_t{count.of(Status::not_finite)}});
+    }
+    for (const Metric metric : metrics) {
+      std::size_t row = first;
+      for (const Sample& sample : samples(study, metric, unit)) {
+        const Description description = statistics::describe(sample.values);
+        table.rows[row][2] = std::int64_t{description.n};
+        table.rows[row].emplace_back(description.mean);
+        table.rows[row].emplace_back(description.median);
+        ++row;
+      }
+    }
+    for (const std::string& note : status_notes(study)) table.notes.push_back(study.name + ": " + note);
+    if (const std::string note = timing_note(study); !note.empty()) table.notes.push_back(study.name + ": " + note);
+  }
+  return table;
+}
+
+}  // namespace ikbench::report

@@ -1,0 +1,80 @@
+#include "analysis/report/publish.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+#include "results/files.hpp"
+#include "analysis/report/latex_table.hpp"
+#include "analysis/report/moving_arm.hpp"
+#include "analysis/report/report_html.hpp"
+#include "analysis/report/report_markdown.hpp"
+
+namespace ikbench::report {
+
+using namespace slim2023;
+using namespace results;
+using namespace figures;
+
+namespace {
+
+// The same message for many figures is one warning.
+std::vector<std::string> failures_of(const std::vector<FigureOutcome>& outcomes) {
+  std::vector<std::pair<std::string, std::string>> failures;
+  for (const FigureOutcome& outcome : outcomes) {
+    if (outcome.error.empty()) continue;
+    const auto same = std::ranges::find(failures, outcome.error, &std::pair<std::string, std::string>::first);
+    if (same != failures.end()) {
+      same->second += ", " + outcome.name;
+    } else {
+      failures.emplace_back(outcome.error, outcome.name);
+    }
+  }
+  std::vector<std::string> warnings;
+  for (const auto& [error, names] : failures) warnings.push_back(fmt::format("not drawn: {}: {}", names, error));
+  return warnings;
+}
+
+std::string json_of(const std::vector<Assessment>& assessments) {
+  std::vector<std::string> objects;
+  for (const Assessment& assessment : assessments) objects.push_back(assessment.json);
+  return fmt::format("[\n{}\n]\n", fmt::join(objects, ",\n"));
+}
+
+}  // namespace
+
+void write_table(const Table& table, const std::filesystem::path& folder) {
+  write_file(folder / (table.name + ".md"), to_markdown(table));
+  write_file(folder / (table.name + ".csv"), to_csv(table));
+  write_file(folder / (table.name + ".tex"), to_latex(table));
+}
+
+Report publish(Publication publication, const std::filesystem::path& folder, const RenderOptions& options) {
+  auto& [content, tables, figures, assessments, motion] = publication;
+  for (const Assessment& assessment : assessments) {
+    std::ranges::copy(assessment.tables, std::back_inserter(tables));
+    std::ranges::copy(assessment.figures, std::back_inserter(figures));
+  }
+  for (const Table& table : tables) write_table(table, folder / "tables");
+  if (!assessments.empty()) write_file(folder / "statistics.json", json_of(assessments));
+  const std::vector<FigureOutcome> outcomes = write_figures(figures, folder / "figures", options);
+  std::ranges::move(failures_of(outcomes), std::back_inserter(content.warnings));
+
+  std::vector<Piece> pieces(tables.begin(), tables.end());
+  for (std::size_t i = 0; i < figures.size(); ++i) pieces.emplace_back(ReportFigure{figures[i], outcomes[i].rendered});
+  arrange(std::move(pieces), assessments, content);
+
+  const Report report{.page = folder / "report.html",
+                      .file = folder / "report.md",
+                      .summary = content.summary,
+                      .warnings = content.warnings};
+  write_file(report.file, to_markdown(content));
+  write_file(report.page, to_html(content, {.figures = folder / "figures",
+                                            .motion = motion,
+                                            .drawing_library = motion ? drawing_library() : std::nullopt}));
+  return report;
+}
+
+}  // namespace ikbench::report

@@ -1,0 +1,31 @@
+// The report of a study: report.html, report.md, tables/ (Markdown, CSV, LaTeX) and figures/ in one folder.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "analysis/figures/figure.hpp"
+#include "analysis/report/publish.hpp"
+#include "analysis/inference/study.hpp"
+#include "analysis/report/table.hpp"
+#include "results/analysis_plan.hpp"
+#include "results/store.hpp"
+
+namespace ikbench::report {
+
+struct ReportRequest {
+  std::string study;
+  std::filesystem::path folder;           // made where missing; files of the same names are replaced
+  std::optional<results::AnalysisPlan> plan = {};  // instead of the study's own, which the report says
+  figures::RenderOptions figures = {};
+  std::vector<Table> extra_tables = {};    // written and shown with the others (report_content.cpp says where)
+  std::vector<figures::Figure> extra_figures = {};  // likewise
+};
+
+// An unknown study, or a folder that cannot be written to, is std::invalid_argument. Tables are there even where
+// gnuplot is not.
+Report write_report(const results::Store& store, const ReportRequest& request);
+
+}  // namespace ikbench::report

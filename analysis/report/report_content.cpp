@@ -1,0 +1,113 @@
+#include "analysis/report/report_content.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <string_view>
+
+namespace ikbench::report {
+
+using namespace slim2023;
+
+namespace {
+
+// Names in order; one that ends in * stands for all that begin so.
+struct Plan {
+  std::string heading;
+  std::string paragraph;
+  std::vector<std::string> names;
+};
+
+const std::vector<Plan>& circumstances() {
+  static const std::vector<Plan> plans{{"What was run", "", {"definition", "options", "analysis-plan"}},
+                                       {"Where it was run", "", {"environment"}},
+                                       {"What became of every solve", "", {"status"}}};
+  return plans;
+}
+
+// The paper's own.
+const std::vector<Plan>& results() {
+  static const std::vector<Plan> plans{
+      {"Results", "", {"figure-5", "table-3", "table-3-as-printed", "figure-6", "figure-7", "figure-8", "figure-9-*"}},
+      {"Analysis of variance",
+       "",
+       {"figure-10", "figure-11", "figure-12", "table-4", "table-5", "table-6", "anova-from-printed-table-3"}},
+  };
+  return plans;
+}
+
+const std::vector<Plan>& further() {
+  static const std::vector<Plan> plans{
+      {"Convergence and cost",
+       "How the error falls with what is spent on it. Curves go over solves, and describe them: solves of one run "
+       "depend "
+       "on each other where each starts from the answer before. Convergence and runtimes need the solves' traces, "
+       "trace = "
+       "\"best_error\" in the study; costs and survival a tolerance.",
+       {"statistics-convergence", "statistics-ecdf-*", "statistics-profile-*", "statistics-survival-*",
+        "statistics-cost*"}},
+      {"Computing time",
+       "The paper's test for real time: how long a swarm of a given size takes to come within 0.1 cm.",
+       {"table-7"}},
+      {"Circle",
+       "The paper's second arm, a Dobot Magician, on a circle.",
+       {"table-8", "figure-14", "figure-15", "figure-16", "figure-17", "figure-18"}},
+      {"Audit of the printed numbers",
+       "What can be computed from the printed numbers alone, and whether they agree with each other.",
+       {"audit*"}},
+      {"Readings", "Where the paper leaves a choice: what each choice would have given.", {"readings*"}},
+      {"Joint limits", "The same study with every joint held inside its limits, the wrist's too.", {"limits"}},
+      {"Perspective", "", {"perspective"}}};
+  return plans;
+}
+
+bool asks_for(std::string_view asked, std::string_view name) {
+  return asked.ends_with('*') ? name.starts_with(asked.substr(0, asked.size() - 1)) : name == asked;
+}
+
+// Takes what the plan asks for out of the pieces.
+Section section(const Plan& plan, std::vector<Piece>& pieces) {
+  Section result{.heading = plan.heading, .paragraph = plan.paragraph, .sentences = {}, .pieces = {}};
+  for (const std::string& asked : plan.names) {
+    const auto others = std::stable_partition(pieces.begin(), pieces.end(),
+                                              [&](const Piece& p) { return asks_for(asked, name_of(p)); });
+    std::move(pieces.begin(), others, std::back_inserter(result.pieces));
+    pieces.erase(pieces.begin(), others);
+  }
+  return result;
+}
+
+}  // namespace
+
+std::string title_of(std::string name) {
+  std::ranges::replace(name, '-', ' ');
+  name[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(name[0])));
+  return name;
+}
+
+const std::string& name_of(const Piece& piece) {
+  const auto* table = std::get_if<Table>(&piece);
+  return table ? table->name : std::get<ReportFigure>(piece).figure.name;
+}
+
+void arrange(std::vector<Piece> pieces, const std::vector<Assessment>& assessments, ReportContent& content) {
+  const auto fill = [&](const std::vector<Plan>& plans, std::vector<Section>& sections) {
+    for (const Plan& plan : plans) {
+      Section filled = section(plan, pieces);
+      if (!filled.pieces.empty()) sections.push_back(std::move(filled));
+    }
+  };
+  fill(circumstances(), content.circumstances);
+  fill(results(), content.results);
+  for (const Assessment& assessment : assessments) {
+    Section& filled = content.results.emplace_back(
+        section({assessment.heading, "", {fmt::format("statistics-{}-*", assessment.name)}}, pieces));
+    filled.sentences = assessment.sentences;
+  }
+  fill(further(), content.results);
+  if (pieces.empty()) return;
+  content.results.push_back({.heading = "Further", .paragraph = "", .sentences = {}, .pieces = std::move(pieces)});
+}
+
+}  // namespace ikbench::report

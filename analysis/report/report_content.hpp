@@ -1,0 +1,48 @@
+// What a report says, in its order, whatever it is written in.
+#pragma once
+
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "analysis/report/assessment.hpp"
+#include "analysis/figures/figure.hpp"
+#include "analysis/slim2023/report_findings.hpp"
+#include "analysis/report/table.hpp"
+
+namespace ikbench::report {
+
+struct ReportFigure {
+  figures::Figure figure;
+  bool drawn = false;  // else there are only its script and its data
+};
+std::string title_of(std::string name);  // figure-9-a is Figure 9 a
+
+using Piece = std::variant<Table, ReportFigure>;
+const std::string& name_of(const Piece& piece);
+
+// All texts are plain: the writers escape.
+struct Section {
+  std::string heading;
+  std::string paragraph;               // may be empty
+  std::vector<std::string> sentences;  // may be none
+  std::vector<Piece> pieces;
+};
+
+struct ReportContent {
+  std::string study;
+  std::string kind = "Report of the study";  // what stands before its name
+  std::string title;
+  std::vector<slim2023::Finding> findings;
+  std::vector<std::string> summary;
+  std::vector<std::string> warnings;
+  std::string command;                 // gives the numbers again; empty where nobody knows
+  std::vector<Section> circumstances;  // what was run, where, and what became of it
+  std::vector<Section> results;        // in the paper's order
+};
+
+// Puts every piece into the section that asks for it by name. A section of which nothing is there is left out; pieces
+// that no section asks for are in one at the end. Every assessment has a section of its own.
+void arrange(std::vector<Piece> pieces, const std::vector<Assessment>& assessments, ReportContent& content);
+
+}  // namespace ikbench::report

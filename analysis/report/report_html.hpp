@@ -1,0 +1,20 @@
+// The report as one HTML file that needs no network: figures, styles and scripts are inside.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "analysis/report/report_content.hpp"
+
+namespace ikbench::report {
+
+struct HtmlExtras {
+  std::filesystem::path figures;                    // folder of the drawn SVG files
+  std::optional<std::string> motion = {};           // moving_arm(); without it there is no such view
+  std::optional<std::string> drawing_library = {};  // without it the view says what it misses
+};
+
+std::string to_html(const ReportContent& content, const HtmlExtras& extras);
+
+}  // namespace ikbench::report

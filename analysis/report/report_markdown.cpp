@@ -1,0 +1,81 @@
+#include "analysis/report/report_markdown.hpp"
+
+#include <fmt/format.h>
+
+#include "analysis/inference/text.hpp"
+
+namespace ikbench::report {
+
+using namespace slim2023;
+using namespace results;
+using namespace inference;
+using namespace figures;
+
+namespace {
+
+std::string bullets(const std::vector<std::string>& sentences) {
+  std::string text;
+  for (const std::string& sentence : sentences) text += fmt::format("- {}\n", markdown_text(sentence));
+  return text + '\n';
+}
+
+std::string markdown(const ReportFigure& piece) {
+  const Figure& figure = piece.figure;
+  const std::string caption = markdown_text(figure.caption);
+  const auto link = [&](std::string_view type) { return fmt::format("[{0}](figures/{1}.{0})", type, figure.name); };
+  const std::string title = fmt::format("**{}**\n\n", markdown_text(title_of(figure.name)));
+  if (!piece.drawn) {
+    return title + fmt::format("{} Not drawn; gnuplot draws it from {} and {}.\n\n", caption, link("gp"), link("dat"));
+  }
+  return title + fmt::format("![{0}](figures/{1}.png)\n\n{0} ({2}, {3}; {4}, {5})\n\n", caption, figure.name,
+                             link("svg"), link("pdf"), link("gp"), link("dat"));
+}
+
+std::string markdown(const Table& table) { return to_markdown(table) + '\n'; }
+
+// A column that no finding fills is left out.
+std::string markdown(const std::vector<Finding>& findings) {
+  if (findings.empty()) return "";
+  Table table{
+      .name = "findings",
+      .caption = tally(findings),
+      .columns = {
+          {"finding", Align::left}, {"here", Align::left}, {"printed", Align::left}, {"evidence", Align::left}}};
+  for (const Finding& finding : findings) {
+    table.rows.push_back({finding.claim, std::string(name_of(finding.verdict)),
+                          finding.printed ? Cell(std::string(name_of(*finding.printed))) : Cell(), finding.evidence});
+  }
+  return "## Verdict\n\n" + markdown(table);
+}
+
+std::string markdown(const std::vector<Section>& sections) {
+  std::string text;
+  for (const Section& section : sections) {
+    text += fmt::format("## {}\n\n", markdown_text(section.heading));
+    if (!section.paragraph.empty()) text += markdown_text(section.paragraph) + "\n\n";
+    if (!section.sentences.empty()) text += bullets(section.sentences);
+    for (const Piece& piece : section.pieces) {
+      text += std::visit([](const auto& shown) { return markdown(shown); }, piece);
+    }
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string to_markdown(const ReportContent& content) {
+  std::string text = fmt::format("# {}\n\n", markdown_text(content.title));
+  text += fmt::format("{} {}.\n\n", content.kind, markdown_text(content.study));
+  if (!content.warnings.empty()) text += "## Warnings\n\n" + bullets(content.warnings);
+  text += markdown(content.findings) + "## Summary\n\n";
+  text += bullets(content.summary);
+  if (!content.command.empty()) {
+    text += fmt::format("To get these numbers again:\n\n    {}\n\n", one_line(content.command));
+  }
+  text +=
+      "Every table is in `tables/` as Markdown, CSV (all digits) and LaTeX; every figure in `figures/` as SVG, PDF and "
+      "PNG, with the script and the data it is drawn from.\n\n";
+  return text + markdown(content.circumstances) + markdown(content.results);
+}
+
+}  // namespace ikbench::report

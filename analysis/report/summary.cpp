@@ -1,0 +1,225 @@
+#include "analysis/report/summary.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+#include <utility>
+
+#include "analysis/slim2023/circle.hpp"
+#include "analysis/figures/figure_parts.hpp"
+#include "analysis/slim2023/paper_tables.hpp"
+#include "analysis/slim2023/published_numbers.hpp"
+#include "analysis/inference/ranking.hpp"
+#include "analysis/statistics/welch.hpp"
+#include "analysis/inference/text.hpp"
+#include "analysis/slim2023/time_assessment.hpp"
+
+namespace ikbench::report {
+
+using namespace slim2023;
+using namespace results;
+using namespace statistics;
+using namespace inference;
+using namespace figures;
+
+namespace {
+
+// The solvers that have a mean.
+std::vector<Standing> ranking(const std::vector<Comparison>& rows, Metric metric) {
+  std::vector<Standing> standings;
+  for (const Comparison& row : rows) {
+    if (row.metric == metric && std::isfinite(row.ours.mean)) standings.push_back({row.solver, row.ours.mean});
+  }
+  return ranked(std::move(standings));
+}
+
+// The printed ranking of those solvers that are in ours.
+std::vector<Standing> printed_ranking(const StudyResults& study, Metric metric, const std::vector<Standing>& ours) {
+  std::vector<Standing> standings;
+  for (const PrintedRow& row : printed_table_3(study, metric)) {
+    if (std::ranges::find(ours, row.algorithm, &Standing::solver) == ours.end()) continue;
+    standings.push_back({row.algorithm, row.summary.mean});
+  }
+  return ranked(std::move(standings));
+}
+
+std::string ranking_sentence(const StudyResults& study, const std::vector<Comparison>& rows, Metric metric) {
+  const std::string_view name = info_of(metric).name;
+  const auto ours = ranking(rows, metric);
+  if (ours.empty()) return "";
+  std::string text = fmt::format(
+      "{}, smallest first): {}",
+      metric == Metric::position_error_cm ? fmt::format("Accuracy (mean {}", name) : capitalised(name) + " (mean",
+      order_words(ours));
+  if (ours.size() < study.solvers.size()) {
+    text += fmt::format("; {} without a mean", study.solvers.size() - ours.size());
+  }
+  const auto printed = printed_ranking(study, metric, ours);
+  if (printed.size() < 2) return text + ".";
+  const bool same_first = first_of(printed) == first_of(ours);
+  return text + fmt::format(". The paper: {}. {} is first in the paper, and {}; {}.", order_words(printed),
+                            first_words(printed),
+                            same_first ? std::string("here too") : fmt::format("here it is {}", first_words(ours)),
+                            printed_order_words(compare_pairs(printed, ours)));
+}
+
+// The paper's second finding: its solver moves the joints less than every other. Welch's test says where the difference
+// cannot be told from chance; points of one run depend on each other, so it is asked of run means only.
+std::string variation_sentence(const StudyResults& study, const std::vector<Comparison>& rows, Unit unit) {
+  if (unit == Unit::point) return "";
+  const auto printed = printed_ranking(study, Metric::variation_deg, ranking(rows, Metric::variation_deg));
+  const auto description = [&](std::string_view solver) {
+    return std::ranges::find_if(
+               rows, [&](const Comparison& row) { return row.solver == solver && row.metric == Metric::variation_deg; })
+        ->ours;
+  };
+  const auto printed_reference = std::ranges::find(printed, time_reference, &Standing::solver);
+  if (printed_reference == printed.end()) return "";
+  const Description reference = description(time_reference);
+  std::string less, alike, more;
+  for (const Standing& standing : printed) {
+    if (standing.mean <= printed_reference->mean) continue;
+    const Description other = description(standing.solver);
+    const WelchTest test = welch({.mean = reference.mean, .std = reference.std, .n = reference.n},
+                                 {.mean = other.mean, .std = other.std, .n = other.n});
+    const bool undecided = reference.mean == other.mean || test.p >= significance;
+    std::string& list = undecided ? alike : reference.mean < other.mean ? less : more;
+    list +=
+        fmt::format("{}{} ({:.0f} %)", list.empty() ? "" : ", ", standing.solver, 100 * reference.mean / other.mean);
+  }
+  std::string text;
+  if (!less.empty()) text += " Here it is less than that of " + less + ".";
+  if (!alike.empty()) text += " Here it cannot be told apart from that of " + alike + " (Welch's test, p >= 0.05).";
+  if (!more.empty()) text += " Here it is not less than that of " + more + ".";
+  if (text.empty()) return "";
+  return fmt::format(
+      "The paper prints a smaller angles variation for {} than for the others.{} (In brackets: {}'s in "
+      "percent of the other's.)",
+      time_reference, text, time_reference);
+}
+
+std::string anova_sentence(const StudyResults& study, Metric metric, Unit unit) {
+  const StudyAnova ours = anova(study, metric, unit);
+  const auto printed = comparable_printed_anova(study, metric, unit);
+  std::string text = fmt::format("ANOVA of {}: ", name_of(metric));
+  if (!ours.table.undefined.empty()) {
+    text += "not defined, " + ours.table.undefined;
+  } else {
+    const bool differ = ours.table.p < significance;
+    text += fmt::format("F({}, {}) = {}, p {}: the solvers {}", ours.table.df_between, ours.table.df_within,
+                        rounded_number(ours.table.F, 4),
+                        ours.table.p < 1e-300 ? "< 1e-300" : "= " + rounded_number(ours.table.p, 3),
+                        differ ? "differ" : "are not shown to differ");
+    if (printed) text += (printed->p < significance) == differ ? ", as in the paper" : ", other than in the paper";
+  }
+  if (unit == Unit::point) text += "; but the points of one run depend on each other, so this p is no evidence";
+  for (const std::string& sentence : ours.left_out) text += ". " + sentence.substr(0, sentence.size() - 1);
+  return text + ".";
+}
+
+// Which numbers agree, are close, differ.
+std::vector<std::string> number_sentences(const std::vector<Comparison>& rows) {
+  std::vector<std::string> sentences;
+  const auto add = [&](std::string_view verdict, auto&& has_it) {
+    int count = 0;
+    std::string list;
+    for (const Comparison& row : rows) {
+      if (!has_it(row) || (row.metric == Metric::seconds && row.solver == time_reference)) continue;
+      ++count;
+      list += fmt::format("{}{} {}{} ({} x)", count == 1 ? "" : ", ", row.solver,
+                          row.metric == Metric::seconds ? "relative " : "", info_of(row.metric).slug,
+                          rounded_number(row.ratio, 3));
+    }
+    if (count > 0) {
+      sentences.push_back(fmt::format("Table 3, verdict '{}' ({} means; ratio ours/paper): {}.", verdict, count, list));
+    }
+  };
+  for (const Agreement agreement : {Agreement::agrees, Agreement::close, Agreement::differs}) {
+    add(name_of(agreement), [&](const Comparison& row) { return row.agreement == agreement && !rests_on_spread(row); });
+  }
+  add("agrees, for its spread only", rests_on_spread);
+  return sentences;
+}
+
+std::string departures_sentence(const StudyResults& study) {
+  if (study.departures.empty()) return "";
+  return fmt::format("This is not the paper's study as the program has it; it departs in: {}.",
+                     fmt::join(study.departures, ", "));
+}
+
+std::string limits_sentence(const StudyResults& study) {
+  int outside = 0;
+  double worst = 0;
+  std::string list;
+  for (const SolverCounts& count : counts(study)) {
+    outside += count.outside_limits;
+    list += fmt::format("{}{} {}", list.empty() ? "" : ", ", count.solver, count.outside_limits);
+    worst = std::max(worst, count.worst_outside_deg);
+  }
+  if (outside == 0) return "Every answer is inside the joint limits.";
+  return fmt::format("{} of {} answers are outside the joint limits ({}), the worst joint by {} deg.", outside,
+                     study.solves.size(), list, rounded_number(worst, 3));
+}
+
+// The paper's metrics without the times where those cannot be compared.
+std::span<const Metric> judged_metrics(const StudyResults& study) {
+  static_assert(paper_metrics.back() == Metric::seconds);
+  const std::span<const Metric> all = paper_metrics;
+  return times_are_comparable(study) ? all : all.first(all.size() - 1);
+}
+
+std::string wrong_claims_sentence(const StudyResults& study) {
+  int wrong = 0;
+  for (const SolverCounts& count : counts(study)) wrong += count.of(Status::claimed_but_wrong);
+  return wrong == 0 ? "" : fmt::format("{} answers are not what their solver claimed.", wrong);
+}
+
+}  // namespace
+
+std::vector<std::string> summary(const StudyResults& study, Unit unit) {
+  if (study.solves.empty()) return {"Nothing of this study is solved yet."};
+  const auto rows = compare(study, unit);
+  std::vector<std::string> sentences{departures_sentence(study)};
+  const std::span<const Metric> judged = judged_metrics(study);
+  for (const Metric metric : judged) {
+    sentences.push_back(ranking_sentence(study, rows, metric));
+    if (metric == Metric::position_error_cm) sentences.push_back(limits_sentence(study));
+    if (metric == Metric::variation_deg) sentences.push_back(variation_sentence(study, rows, unit));
+  }
+  if (judged.size() < paper_metrics.size()) {
+    sentences.push_back(
+        fmt::format("Computing time is neither ranked nor tested: {} (see the warnings).", times_not_judged));
+  }
+  sentences.push_back(real_time_verdict(study));
+  sentences.push_back(printed_angles_verdict(study));
+  for (const Metric metric : judged) sentences.push_back(anova_sentence(study, metric, unit));
+  for (std::string& sentence : number_sentences(rows)) sentences.push_back(std::move(sentence));
+  sentences.push_back(wrong_claims_sentence(study));
+  for (std::string& note : status_notes(study)) sentences.push_back(std::move(note));
+  std::erase(sentences, "");
+  return sentences;
+}
+
+std::string perspective(const StudyResults& other, Unit unit) {
+  const auto means = [&](Metric metric, int digits) {  // of every solver, in their order
+    std::vector<std::string> texts;
+    for (const Sample& sample : samples(other, metric, unit)) {
+      texts.push_back(rounded_number(statistics::describe(sample.values).mean, digits));
+    }
+    return texts;
+  };
+  const auto error = means(Metric::position_error_cm, 2), variation = means(Metric::variation_deg, 3);
+  const auto seconds = means(Metric::seconds, 2), evaluations = means(Metric::evaluations, 3);
+  const bool comparable = times_are_comparable(other);
+  std::string list;
+  for (std::size_t i = 0; i < other.solvers.size(); ++i) {
+    list += fmt::format("{}{} {} cm, {} deg, {}{} evaluations", i == 0 ? "" : "; ", other.solvers[i], error[i],
+                        variation[i], comparable ? seconds[i] + " s and " : "and ", evaluations[i]);
+  }
+  return fmt::format("For perspective, means of the study {} on the same targets: {}{}.", other.name, list,
+                     comparable ? "" : fmt::format("; its {}", times_not_judged));
+}
+
+}  // namespace ikbench::report

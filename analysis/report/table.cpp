@@ -1,0 +1,117 @@
+#include "analysis/report/table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include "analysis/inference/text.hpp"
+#include "results/csv.hpp"
+#include "numerics/number.hpp"
+
+namespace ikbench::report {
+
+using namespace numerics;
+using namespace results;
+using namespace inference;
+
+namespace {
+
+constexpr int digits_to_read = 5;
+constexpr double smallest_p = 1e-300;  // below, the tails of distributions underflow
+
+template <class... Visitors>
+struct Overloaded : Visitors... {
+  using Visitors::operator()...;
+};
+template <class... Visitors>
+Overloaded(Visitors...) -> Overloaded<Visitors...>;  // clang++ 14 wants the guide spelled out
+
+}  // namespace
+
+std::string readable(const Cell& cell) {
+  return std::visit(
+      Overloaded{
+          [](std::monostate) { return std::string(); }, [](const std::string& text) { return text; },
+          [](std::int64_t count) { return fmt::to_string(count); },
+          [](double value) { return std::isfinite(value) ? rounded_number(value, digits_to_read) : "not defined"; },
+          [](PValue p) {
+            if (!std::isfinite(p.value)) return std::string("not defined");
+            if (p.value < smallest_p) return std::string("< 1e-300");
+            return rounded_number(p.value, digits_to_read);
+          },
+          [](Range range) {
+            return fmt::format("{} to {}", rounded_number(range.low, 3), rounded_number(range.high, 3));
+          }},
+      cell);
+}
+
+std::string computable(const Cell& cell) {
+  return std::visit(
+      Overloaded{[](std::monostate) { return std::string(); }, [](const std::string& text) { return text; },
+                 [](std::int64_t count) { return fmt::to_string(count); },
+                 [](double value) { return std::isfinite(value) ? text_of(value) : std::string(); },
+                 [](PValue p) { return std::isfinite(p.value) ? text_of(p.value) : std::string(); },
+                 [](Range range) { return fmt::format("{} to {}", text_of(range.low), text_of(range.high)); }},
+      cell);
+}
+
+std::vector<std::size_t> columns_in_use(const Table& table) {
+  std::vector<std::size_t> used;
+  for (std::size_t c = 0; c < table.columns.size(); ++c) {
+    const auto filled = [c](const std::vector<Cell>& row) { return !std::holds_alternative<std::monostate>(row[c]); };
+    if (table.rows.empty() || std::ranges::any_of(table.rows, filled)) used.push_back(c);
+  }
+  return used;
+}
+
+std::vector<std::vector<std::string>> readable_cells(const Table& table) {
+  const std::vector<std::size_t> used = columns_in_use(table);
+  std::vector<std::vector<std::string>> cells(1);
+  for (const std::size_t c : used) cells[0].push_back(table.columns[c].name);
+  for (const auto& row : table.rows) {
+    std::vector<std::string>& texts = cells.emplace_back();
+    for (const std::size_t c : used) texts.push_back(readable(row[c]));
+  }
+  return cells;
+}
+
+std::string to_markdown(const Table& table) {
+  const std::vector<std::size_t> used = columns_in_use(table);
+  std::string text = fmt::format("**{}**\n\n|", markdown_text(table.caption));
+  for (const std::size_t c : used) text += fmt::format(" {} |", markdown_text(table.columns[c].name));
+  text += "\n|";
+  for (const std::size_t c : used) text += table.columns[c].align == Align::left ? " :--- |" : " ---: |";
+  text += '\n';
+  for (const auto& row : table.rows) {
+    text += '|';
+    for (const std::size_t c : used) text += fmt::format(" {} |", markdown_text(readable(row[c])));
+    text += '\n';
+  }
+  for (const std::string& note : table.notes) text += fmt::format("\n{}\n", markdown_text(note));
+  return text;
+}
+
+std::string to_csv(const Table& table) {
+  CsvTable csv;
+  std::vector<bool> has_ranges;
+  for (std::size_t c = 0; c < table.columns.size(); ++c) {
+    has_ranges.push_back(std::ranges::any_of(
+        table.rows, [c](const std::vector<Cell>& row) { return std::holds_alternative<Range>(row[c]); }));
+    const std::string& name = table.columns[c].name;
+    csv.header.push_back(has_ranges[c] ? name + " low" : name);
+    if (has_ranges[c]) csv.header.push_back(name + " high");
+  }
+  for (const auto& row : table.rows) {
+    std::vector<std::string>& cells = csv.rows.emplace_back();
+    for (std::size_t c = 0; c < row.size(); ++c) {
+      const Range* range = std::get_if<Range>(&row[c]);
+      cells.push_back(range ? text_of(range->low) : computable(row[c]));
+      if (has_ranges[c]) cells.push_back(range ? text_of(range->high) : "");
+    }
+  }
+  return to_csv(csv);
+}
+
+}  // namespace ikbench::report

@@ -1,0 +1,174 @@
+#include "analysis/report/variants_table.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <nlohmann/json.hpp>
+
+#include "analysis/inference/text.hpp"
+
+namespace ikbench::report {
+
+using namespace results;
+using namespace statistics;
+using namespace inference;
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t most_labels = 12;
+
+// An empty cell where a fact needs none.
+Cell defined(double value) { return std::isfinite(value) ? Cell(value) : Cell(); }
+Cell p_value(double value) { return std::isfinite(value) ? Cell(PValue{value}) : Cell(); }
+
+std::vector<Cell> row_of(const VariantComparison& comparison, const MetricComparison& metric) {
+  return {comparison.label,
+          std::string(metric.metric),
+          std::string(name_of(metric.outcome)),
+          std::int64_t{metric.a.n},
+          std::int64_t{metric.b.n},
+          metric.a.mean,
+          metric.b.mean,
+          defined(metric.ratio.ratio),
+          defined(metric.ratio.low),
+          defined(metric.ratio.high),
+          p_value(metric.p_worse),
+          p_value(metric.p_better),
+          p_value(metric.ratio.p_equivalent),
+          p_value(metric.ratio.p_difference),
+          defined(metric.b_better.value),
+          defined(metric.b_better.low),
+          defined(metric.b_better.high),
+          p_value(metric.p_ranks),
+          defined(metric.n_to_decide),
+          metric.remark.empty() ? Cell() : Cell(metric.remark)};
+}
+
+std::string of_label(std::span<const VariantComparison> comparisons, const VariantComparison& comparison) {
+  return comparisons.size() == 1 ? "" : comparison.label + ": ";
+}
+
+Json json_of(const Cell& cell) {
+  if (const auto* const text = std::get_if<std::string>(&cell)) return *text;
+  if (const auto* const count = std::get_if<std::int64_t>(&cell)) return *count;
+  if (const auto* const value = std::get_if<double>(&cell)) return *value;  // dumped as null where not finite
+  if (const auto* const p = std::get_if<PValue>(&cell)) return p->value;
+  return nullptr;
+}
+
+std::string regressions(std::span<const VariantComparison> comparisons) {
+  std::vector<std::string> found;
+  for (const VariantComparison& comparison : comparisons) {
+    for (const MetricComparison& metric : comparison.metrics) {
+      if (metric.outcome != Outcome::worse) continue;
+      found.push_back(
+          fmt::format("{}{}{}", of_label(comparisons, comparison), metric.metric,
+                      std::isfinite(metric.ratio.ratio) ? fmt::format(" ({:.3g} times)", metric.ratio.ratio) : ""));
+    }
+  }
+  const std::size_t named = std::min(found.size(), most_labels);
+  return fmt::format("{}{}", fmt::join(found.begin(), found.begin() + static_cast<std::ptrdiff_t>(named), ", "),
+                     found.size() == named ? "" : fmt::format(" and {} more", found.size() - named));
+}
+
+}  // namespace
+
+Table variants_table(std::span<const VariantComparison> comparisons, const MarginQuestion& question) {
+  Table table{
+      .name = "comparison",
+      .caption = fmt::format("B held against A, with a margin of {}", percent(question.margin)),
+      .columns = {{"label", Align::left},
+                  {"metric", Align::left},
+                  {"B_is", Align::left},
+                  {"n_A"},
+                  {"n_B"},
+                  {"mean_A"},
+                  {"mean_B"},
+                  {"B_by_A"},
+                  {"low"},
+                  {"high"},
+                  {"p_worse"},
+                  {"p_better"},
+                  {"p_same"},
+                  {"p_difference"},
+                  {"a12"},
+                  {"a12_low"},
+                  {"a12_high"},
+                  {"p_ranks"},
+                  {"n_to_decide"},
+                  {"remark", Align::left}},
+      .notes = {fmt::format(
+          "low and high bound B_by_A with a confidence of {:g} %, which is that of two one-sided tests at {:g}. "
+          "p_worse "
+          "and p_better: that B is worse, better by more than the margin, corrected by Holm over the metrics of the "
+          "label; p_same: that it is within it; p_ranks: Wilcoxon's test of signed ranks where observations are "
+          "paired, "
+          "else Mann-Whitney's. a12, with an interval of the same confidence: the chance that any one observation of "
+          "B is better than any one of A, which makes no use of pairs.",
+          100 * (1 - 2 * question.significance), question.significance)}};
+  for (const VariantComparison& comparison : comparisons) {
+    for (const MetricComparison& metric : comparison.metrics) table.rows.push_back(row_of(comparison, metric));
+  }
+  return table;
+}
+
+std::vector<std::string> variants_notes(std::span<const VariantComparison> comparisons) {
+  std::vector<std::string> notes;
+  const auto is_of_all = [&](const std::string& note) {
+    return std::ranges::all_of(comparisons, [&](const VariantComparison& comparison) {
+      return comparison.design == note || std::ranges::find(comparison.notes, note) != comparison.notes.end();
+    });
+  };
+  const auto add = [&](const VariantComparison& comparison, const std::string& note) {
+    const std::string text = is_of_all(note) ? note : of_label(comparisons, comparison) + note;
+    if (std::ranges::find(notes, text) == notes.end()) notes.push_back(text);
+  };
+  for (const VariantComparison& comparison : comparisons) add(comparison, comparison.design);
+  for (const VariantComparison& comparison : comparisons) {
+    for (const std::string& note : comparison.notes) add(comparison, note);
+  }
+  return notes;
+}
+
+std::string variants_verdict(std::span<const VariantComparison> comparisons, const MarginQuestion& question) {
+  const std::string margin = percent(question.margin);
+  if (count(comparisons, Outcome::worse) > 0) {
+    return fmt::format("Regression beyond {}: {}.", margin, regressions(comparisons));
+  }
+  std::size_t all = 0;
+  for (const VariantComparison& comparison : comparisons) all += comparison.metrics.size();
+  const auto counted = [&](Outcome outcome) {
+    const int number = count(comparisons, outcome);
+    return number == 0
+               ? ""
+               : fmt::format("{} of {} metrics {} {}", number, all, number == 1 ? "is" : "are", name_of(outcome));
+  };
+  const std::string undecided = counted(Outcome::undecided), not_compared = counted(Outcome::not_compared);
+  if (undecided.empty() && not_compared.empty()) {
+    return fmt::format("No regression beyond {}: none of {} metrics is worse by more.", margin, all);
+  }
+  return fmt::format("No regression beyond {} is shown; {}{}{}.", margin, undecided,
+                     undecided.empty() || not_compared.empty() ? "" : ", ", not_compared);
+}
+
+std::string variants_json(std::span<const VariantComparison> comparisons, const MarginQuestion& question) {
+  const Table table = variants_table(comparisons, question);
+  Json json{{"verdict", variants_verdict(comparisons, question)},
+            {"margin", question.margin},
+            {"significance", question.significance},
+            {"notes", variants_notes(comparisons)},
+            {"rows", Json::array()}};
+  for (const std::vector<Cell>& row : table.rows) {
+    Json object = Json::object();
+    for (std::size_t c = 0; c < row.size(); ++c) object[table.columns[c].name] = json_of(row[c]);
+    json["rows"].push_back(std::move(object));
+  }
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace ikbench::report

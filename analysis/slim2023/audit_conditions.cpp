@@ -1,0 +1,93 @@
+// Checks 3.6 to 3.9: the parameters of Table 1, and who was given what.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "analysis/slim2023/audit_items.hpp"
+#include "analysis/slim2023/published_numbers.hpp"
+#include "analysis/inference/text.hpp"
+
+namespace ikbench::slim2023 {
+
+using namespace statistics;
+using namespace inference;
+using namespace report;
+
+namespace {
+
+// Whether a particle's mean position converges (Trelea, Information Processing Letters 85 (2003) 317).
+bool is_stable(double w, double c1, double c2) { return w < 1 && c1 + c2 > 0 && (c1 + c2) / 2 < 2 * (1 + w); }
+
+AuditItem stability(const std::string& id, const std::string& where, double w, double c1, double c2) {
+  const bool stable = is_stable(w, c1, c2);
+  return {id,
+          where,
+          fmt::format("w {}, c1 {}, c2 {}", w, c1, c2),
+          stable ? "converges" : fmt::format("diverges: w = {} is not below 1", w),
+          unless(stable, AuditVerdict::misprint),
+          "Velocities grow without bound unless w < 1 and (c1 + c2) / 2 < 2 (1 + w)."};
+}
+
+}  // namespace
+
+AuditItems parameter_items(std::string_view paper) {
+  const Statements statements(paper);
+  const double alpha = statements.number("ik_ba_alpha"), gamma = statements.number("ik_ba_gamma");
+  const double iterations = statements.number("iterations");
+  AuditItems items;
+  items.push_back(
+      {"3.6a", "Table 1 against Eq. 9: alpha", statements.text("alpha_words"),
+       fmt::format("{}^{:.0f} = {}: A decreases", alpha, iterations, rounded_number(std::pow(alpha, iterations), 2)),
+       unless(alpha > 1, AuditVerdict::misprint), "A <- alpha A with alpha below 1 attenuates the loudness."});
+  items.push_back(
+      {"3.6b", "Table 1 against Eq. 10: gamma", statements.text("gamma_words"),
+       fmt::format("1 - exp(-{} t) = {} at t = 10: r increases", gamma, rounded_number(1 - std::exp(-10 * gamma), 2)),
+       unless(gamma < 0, AuditVerdict::misprint), "r = r0 (1 - exp(-gamma t)) grows towards r0."});
+  const double w = statements.number("pso_w"), c1 = statements.number("pso_c1"), c2 = statements.number("pso_c2");
+  items.push_back(stability("3.6c", "Table 1: PSO as printed", w, c1, c2));
+  items.push_back(stability("3.6d", "Table 1: PSO, labels permuted", c2, w, c1));
+  return items;
+}
+
+AuditItems condition_items(std::string_view paper) {
+  const Statements statements(paper);
+  AuditItems items;
+  items.push_back(
+      {"3.7", fmt::format("{} against {}", statements.source("population"), statements.source("population_of_test")),
+       fmt::format("{} agents", statements.text("population")),
+       fmt::format("{} agents", statements.text("population_of_test")),
+       unless(statements.number("population") == statements.number("population_of_test"), AuditVerdict::contradiction),
+       "Two sizes of the swarm are given for the test of Table 3."});
+
+  const double solve = statements.number("population") * statements.number("iterations");
+  const double factor = statements.number("k_abc_evaluations_a_source");
+  const auto seconds = [&](std::string_view algorithm) {
+    return printed_row(paper, algorithm, Metric::seconds).value().summary.mean;
+  };
+  items.push_back(
+      {"3.8a", "Sec. 5.2: equal iterations", fmt::format("{} iterations for all", statements.text("iterations")),
+       fmt::format("evaluations: K-ABC {:.0f}, PSO {:.0f}", factor * solve, solve),
+       unless(factor == 1, AuditVerdict::contradiction),
+       fmt::format("Equal iterations are not equal effort: K-ABC evaluates sources and onlookers; its printed "
+                   "time is {:.1f} times PSO's.",
+                   seconds("K-ABC") / seconds("PSO"))});
+  const auto variation = [&](std::string_view algorithm) {
+    return printed_row(paper, algorithm, Metric::variation_deg).value().summary.mean;
+  };
+  double least = variation("BA");
+  for (const std::string_view algorithm : {"DE", "PSO", "K-ABC"}) least = std::min(least, variation(algorithm));
+  items.push_back(
+      {"3.8b", fmt::format("{}: equal starts", statements.source("start_of_ik_ba")), statements.text("start_of_ik_ba"),
+       fmt::format("variation of BA, DE, PSO, K-ABC at least {:.1f} times IK-BA's", least / variation("IK-BA")),
+       AuditVerdict::contradiction,
+       "Those that start at random and do not know Theta_s cannot keep near it: the starts are not equal."});
+  items.push_back({"3.9", "Tables 3 and 6: computing time",
+                   fmt::format("taken on {} machines", statements.text("machines")),
+                   "only ratios on one machine can be compared",
+                   unless(statements.number("machines") == 1, AuditVerdict::contradiction),
+                   "Table 6 tests the times as if one machine had taken them all."});
+  return items;
+}
+
+}  // namespace ikbench::slim2023

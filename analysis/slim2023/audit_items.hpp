@@ -1,0 +1,41 @@
+// What the audit's checks share: the printed statements, and how a difference is judged.
+#pragma once
+
+#include "analysis/slim2023/audit.hpp"
+#include "results/csv.hpp"
+
+namespace ikbench::slim2023 {
+
+// results/published/<paper>/statements.csv: what is printed outside the tables, and, where the source says so, what is
+// not printed and a check needs.
+class Statements {
+ public:
+  explicit Statements(std::string_view paper);
+
+  double number(std::string_view name) const;
+  const std::string& text(std::string_view name) const { return cell(name, "value"); }
+  const std::string& source(std::string_view name) const { return cell(name, "source"); }
+
+ private:
+  const std::string& cell(std::string_view name, std::string_view column) const;
+
+  results::CsvTable table_;
+};
+
+// A printed number against the one that follows; `slack` is what the rounding of what it follows from may change.
+AuditVerdict judged(const std::string& printed, double follows, double slack,
+                    AuditVerdict otherwise = AuditVerdict::contradiction);
+
+// consistent where it holds.
+AuditVerdict unless(bool holds, AuditVerdict otherwise);
+
+using AuditItems = std::vector<AuditItem>;
+AuditItems anova_items(std::string_view paper);      // 3.1: Tables 4-6 from Table 3
+AuditItems variance_items(std::string_view paper);   // 3.2: what equal variances would ask
+AuditItems summary_items(std::string_view paper);    // 3.3: Tables 3 and 7 row by row
+AuditItems circle_items(std::string_view paper);     // 3.4: Table 8
+AuditItems geometry_items(std::string_view paper);   // 3.5: Eq. 27 and the arm
+AuditItems parameter_items(std::string_view paper);  // 3.6: Table 1
+AuditItems condition_items(std::string_view paper);  // 3.7-3.9: who was given what
+
+}  // namespace ikbench::slim2023

@@ -1,0 +1,171 @@
+#include "analysis/slim2023/circle.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "analysis/inference/definition.hpp"
+#include "analysis/figures/figure_parts.hpp"
+#include "analysis/slim2023/published_numbers.hpp"
+#include "analysis/statistics/descriptive.hpp"
+#include "analysis/inference/text.hpp"
+
+namespace ikbench::slim2023 {
+
+using namespace results;
+using namespace statistics;
+using namespace inference;
+using namespace figures;
+using namespace report;
+
+namespace {
+
+constexpr double printed_rounding_deg = 0.05;         // of an angle that is printed to 0.1 deg
+constexpr double printed_mean_error_cm = 2.1196e-14;  // Sec. 6, in the text
+constexpr std::size_t angles = 4;
+constexpr std::size_t compared_angles = 3;  // theta4 is printed equal to theta1
+
+using Angles = std::array<double, angles>;
+
+// theta4 turns the tool about the vertical; where the arm of the study has no such joint, it is theta1, as in the
+// paper.
+Angles angles_of(const SolveRecord& solve) {
+  Angles result;
+  for (std::size_t i = 0; i < angles; ++i) {
+    const double angle = i < solve.answer_rad.size() ? solve.answer_rad[i] : not_defined;
+    result[i] = angle * 180 / std::numbers::pi;
+  }
+  if (solve.answer_rad.size() == 3) result[3] = result[0];
+  return result;
+}
+
+struct Row {
+  int point = 0;
+  Angles ours;
+  double error_cm = not_defined;
+  std::optional<PrintedPosture> printed = {};
+  std::size_t within = 0;             // of the compared angles
+  double largest_difference_deg = 0;  // not_defined where one of ours is
+};
+
+std::vector<Row> rows_of(const StudyResults& study) {
+  const std::vector<PrintedPosture> printed = printed_table_8(study.published);
+  std::vector<Row> rows;
+  for (const auto& [point, solve] : first_run(study, study.solvers.empty() ? "" : study.solvers.front())) {
+    Row row{.point = point, .ours = angles_of(*solve), .error_cm = solve->position_error_cm};
+    const auto same = std::ranges::find(printed, point, &PrintedPosture::point);
+    if (same != printed.end()) {
+      row.printed = *same;
+      for (std::size_t i = 0; i < compared_angles; ++i) {
+        const double difference = std::abs(row.ours[i] - same->angles_deg[i]);
+        if (difference <= printed_rounding_deg + 1e-9) ++row.within;
+        row.largest_difference_deg =
+            std::isfinite(difference) ? std::max(row.largest_difference_deg, difference) : not_defined;
+      }
+    }
+    rows.push_back(row);
+  }
+  return rows;
+}
+
+std::string verdict(const std::vector<Row>& rows, std::size_t printed_points) {
+  std::size_t within = 0, solved = 0;
+  double largest = 0;
+  std::string others;
+  for (const Row& row : rows) {
+    if (!row.printed) continue;
+    ++solved;
+    within += row.within;
+    largest = std::isfinite(row.largest_difference_deg) ? std::max(largest, row.largest_difference_deg) : not_defined;
+    if (row.within < compared_angles) others += fmt::format("{}{}", others.empty() ? "" : ", ", row.point);
+  }
+  const std::size_t printed = printed_points * compared_angles;
+  std::string text = fmt::format(
+      "{} of the {} printed angles (theta4 = theta1 is not counted again) are within {} deg, the rounding of the "
+      "printed digits, of ours",
+      within == printed ? "All" : fmt::to_string(within), printed, printed_rounding_deg);
+  if (solved > 0) {
+    text += std::isfinite(largest) ? fmt::format("; the largest difference is {} deg", rounded_number(largest, 2))
+                                   : "; not all of ours are finite";
+  }
+  if (!others.empty()) text += "; points with an angle that is not: " + others;
+  if (solved < printed_points) text += fmt::format("; points that are not solved: {}", printed_points - solved);
+  return text + ".";
+}
+
+// The printed errors against the mean that the text gives, and the one misprint that would explain the difference.
+std::string printed_errors_note(const std::vector<PrintedPosture>& printed) {
+  std::vector<double> errors;
+  for (const PrintedPosture& posture : printed) errors.push_back(posture.error_cm);
+  const double printed_mean = mean(errors);
+  std::string text = fmt::format("The printed errors have the mean {} cm; the paper's text says {} cm.",
+                                 rounded_number(printed_mean, 3), printed_mean_error_cm);
+  const auto largest = std::ranges::max_element(errors);
+  const auto point = printed[static_cast<std::size_t>(largest - errors.begin())].point;
+  const double as_printed = *largest;
+  *largest /= 10;
+  return text + fmt::format(" With {} in place of {} cm at point {} it would be {} cm.", *largest, as_printed, point,
+                            rounded_number(mean(errors), 4));
+}
+
+bool is_table_8(const StudyResults& study) { return is_circle(study) && !printed_table_8(study.published).empty(); }
+
+}  // namespace
+
+bool is_circle(const StudyResults& study) { return Definition(study.definition).text("/path/kind") == "circle"; }
+
+std::optional<Table> table_8(const StudyResults& study) {
+  if (!is_table_8(study)) return std::nullopt;
+  Table table{.name = "table-8",
+              .caption = "Table 8: joint angles and position error along the circle",
+              .columns = {{"point"}}};
+  for (const char* prefix : {"", "paper_"}) {
+    for (std::size_t i = 1; i <= angles; ++i) table.columns.push_back({fmt::format("{}theta{}_deg", prefix, i)});
+  }
+  for (const char* name : {"largest_difference_deg", "error_cm", "paper_error_cm"}) table.columns.push_back({name});
+  const std::size_t error_column = table.columns.size() - 2;
+  const std::vector<Row> rows = rows_of(study);
+  std::vector<double> errors;
+  for (const Row& row : rows) {
+    std::vector<Cell> cells(table.columns.size());  // empty where nothing is printed
+    cells[0] = std::int64_t{row.point};
+    for (std::size_t i = 0; i < angles; ++i) cells[1 + i] = row.ours[i];
+    cells[error_column] = row.error_cm;
+    if (row.printed) {
+      for (std::size_t i = 0; i < angles; ++i) cells[1 + angles + i] = row.printed->angles_deg[i];
+      cells[error_column - 1] = row.largest_difference_deg;
+      cells[error_column + 1] = row.printed->error_cm;
+    }
+    table.rows.push_back(std::move(cells));
+    errors.push_back(row.error_cm);
+  }
+  const std::vector<PrintedPosture> printed = printed_table_8(study.published);
+  table.notes.push_back(verdict(rows, printed.size()));
+  if (!rows.empty()) {
+    const double our_mean = mean(errors);
+    table.notes.push_back(std::isfinite(our_mean)
+                              ? fmt::format("Our errors have the mean {} cm.", rounded_number(our_mean, 3))
+                              : "Not all of our answers are finite: their errors have no mean.");
+    table.notes.push_back(fmt::format(
+        "Ours are the first run of {}. theta4 turns the tool about the vertical and moves it nowhere; where the arm of "
+        "the study has three joints it is taken equal to theta1, as it is in all of the printed rows.",
+        study.solvers.front()));
+  }
+  table.notes.emplace_back(
+      "The paper does not print the arm's four lengths: they were fitted to the angles of this table. So agreement "
+      "tests "
+      "the closed form and the solver, not the geometry.");
+  table.notes.push_back(printed_errors_note(printed));
+  for (std::string& note : status_notes(study)) table.notes.push_back(std::move(note));
+  return table;
+}
+
+std::string printed_angles_verdict(const StudyResults& study) {
+  return is_table_8(study) ? "Table 8: " + verdict(rows_of(study), printed_table_8(study.published).size()) : "";
+}
+
+}  // namespace ikbench::slim2023

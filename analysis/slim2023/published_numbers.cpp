@@ -1,0 +1,121 @@
+#include "analysis/slim2023/published_numbers.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "analysis/inference/definition.hpp"
+#include "numerics/number.hpp"
+#include "results/published.hpp"
+
+namespace ikbench::slim2023 {
+
+using namespace numerics;
+using namespace results;
+using namespace statistics;
+using namespace inference;
+
+namespace {
+
+bool has_table(std::string_view paper, std::string_view name) {
+  const auto names = published::tables(paper);
+  return std::ranges::find(names, name) != names.end();
+}
+
+std::optional<PrintedRow> row_of(const std::vector<PrintedRow>& rows, std::string_view algorithm) {
+  for (const PrintedRow& row : rows) {
+    if (row.algorithm == algorithm) return row;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+double half_unit(std::string_view printed) {
+  const std::size_t e = std::min(printed.find_first_of("eE"), printed.size());
+  const std::size_t point = printed.find('.');
+  const std::size_t decimals = point < e ? e - point - 1 : 0;
+  return number_from(fmt::format("0.5e-{}", decimals)).value() *
+         (e < printed.size() ? number_from(fmt::format("1{}", printed.substr(e))).value() : 1.0);
+}
+
+std::vector<PrintedRow> printed_table_3(std::string_view paper, Metric metric) {
+  std::vector<PrintedRow> rows;
+  if (!has_table(paper, "table-3")) return rows;
+  const CsvTable table = published::table(paper, "table-3");
+  const std::size_t algorithm = table.column("algorithm");
+  const std::size_t metric_column = table.column("metric");
+  for (std::size_t row = 0; row < table.rows.size(); ++row) {
+    if (table.rows[row][metric_column] != name_of(metric)) continue;
+    rows.push_back({.algorithm = table.rows[row][algorithm],
+                    .summary = {.mean = table.number(row, "mean"),
+                                .std = table.number(row, "std"),
+                                .n = static_cast<int>(table.number(row, "n"))},
+                    .median = table.number(row, "median"),
+                    .max = table.number(row, "max"),
+                    .min = table.number(row, "min")});
+  }
+  return rows;
+}
+
+std::vector<PrintedRow> printed_table_3(const StudyResults& study, Metric metric) {
+  const std::string path = Definition(study.definition).text("/path/kind");
+  return path == "circle" || path == "random" ? std::vector<PrintedRow>() : printed_table_3(study.published, metric);
+}
+
+std::optional<PrintedRow> printed_row(std::string_view paper, std::string_view algorithm, Metric metric) {
+  return row_of(printed_table_3(paper, metric), algorithm);
+}
+
+std::optional<PrintedRow> printed_row(const StudyResults& study, std::string_view algorithm, Metric metric) {
+  return row_of(printed_table_3(study, metric), algorithm);
+}
+
+std::optional<AnovaTable> printed_anova(std::string_view paper, Metric metric) {
+  if (metric == Metric::evaluations) return std::nullopt;
+  const std::string name = fmt::format("table-{}", 4 + static_cast<int>(metric));
+  if (!has_table(paper, name)) return std::nullopt;
+  const CsvTable table = published::table(paper, name);
+  constexpr std::size_t between = 0, within = 1, total = 2;
+  AnovaTable printed;
+  printed.ss_between = table.number(between, "ss");
+  printed.ss_within = table.number(within, "ss");
+  printed.ss_total = table.number(total, "ss");
+  printed.df_between = static_cast<int>(table.number(between, "df"));
+  printed.df_within = static_cast<int>(table.number(within, "df"));
+  printed.ms_between = table.number(between, "ms");
+  printed.ms_within = table.number(within, "ms");
+  printed.F = table.number(between, "f");
+  printed.p = table.number(between, "p");
+  return printed;
+}
+
+std::vector<PrintedTime> printed_table_7(std::string_view paper) {
+  std::vector<PrintedTime> rows;
+  if (!has_table(paper, "table-7")) return rows;
+  const CsvTable table = published::table(paper, "table-7");
+  for (std::size_t row = 0; row < table.rows.size(); ++row) {
+    rows.push_back({.bats = static_cast<int>(table.number(row, "bats")),
+                    .mean_ms = table.number(row, "mean_ms"),
+                    .median_ms = table.number(row, "median_ms"),
+                    .std_ms = table.number(row, "std_ms"),
+                    .max_ms = table.number(row, "max_ms"),
+                    .min_ms = table.number(row, "min_ms")});
+  }
+  return rows;
+}
+
+std::vector<PrintedPosture> printed_table_8(std::string_view paper) {
+  std::vector<PrintedPosture> rows;
+  if (!has_table(paper, "table-8")) return rows;
+  const CsvTable table = published::table(paper, "table-8");
+  for (std::size_t row = 0; row < table.rows.size(); ++row) {
+    rows.push_back({.point = static_cast<int>(table.number(row, "point")),
+                    .angles_deg = {table.number(row, "theta1_deg"), table.number(row, "theta2_deg"),
+                                   table.number(row, "theta3_deg"), table.number(row, "theta1_deg")},
+                    .error_cm = table.number(row, "error_cm")});
+  }
+  return rows;
+}
+
+}  // namespace ikbench::slim2023

@@ -1,0 +1,32 @@
+// The elementary functions of everything that decides a number: sine, cosine, arc tangent, exponential, logarithm and
+// power. Those of the C library differ between libraries and processors in their last bits; these are + - * / and fused
+// multiply-add alone.
+#pragma once
+
+#include <Eigen/Core>
+
+namespace ikbench::numerics {
+
+struct SinCos {
+  double sine, cosine;
+};
+
+// Within 1.5 ulp and 1.6e-33 a quarter turn; NaN for an angle that is infinite, NaN or 2^51 quarter turns (3.5e15 rad)
+// or more.
+SinCos sin_cos(double angle);
+// The same of many angles; std::invalid_argument where the three have not the same size.
+void sines_and_cosines(const Eigen::Ref<const Eigen::VectorXd>& angles, Eigen::Ref<Eigen::VectorXd> sines,
+                       Eigen::Ref<Eigen::VectorXd> cosines);
+// The angle of (x, y) in [-pi, pi], within 3 ulp; 0 for (0, 0).
+double arc_tangent(double y, double x);
+// e to the power of x, within 1 ulp; infinity above 709.78, 0 below -708.39.
+double exponential(double x);
+// The natural logarithm of x, within 0.51 ulp; minus infinity for 0, NaN below 0.
+double logarithm(double x);
+// x to the power of n >= 0, by multiplication.
+double power(double x, int n);
+// x to the power of y, within 0.7 ulp, and within 1 ulp where the result is below the smallest normal number. Zeros,
+// infinities, NaN and x < 0 as std::pow has them: x < 0 to the power of what is no whole number is NaN.
+double power(double x, double y);
+
+}  // namespace ikbench::numerics

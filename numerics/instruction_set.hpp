@@ -1,0 +1,40 @@
+// The instruction sets for which there are kernels, and the one in use. All give the same bits; they differ in speed.
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+namespace ikbench::numerics {
+
+enum class InstructionSet {
+  portable,   // plain C++: x86-64 as it was in 2003, or any other processor
+  x86_64_v3,  // AVX2 and FMA
+  x86_64_v4,  // AVX-512
+};
+
+// "x86-64" ("portable" on other processors), "x86-64-v3", "x86-64-v4".
+std::string_view name_of(InstructionSet set);
+// Those that this machine runs, the slowest first.
+std::vector<InstructionSet> instruction_sets();
+// The fastest of them, or the one that the environment variable IKBENCH_INSTRUCTION_SET names: std::invalid_argument
+// where it names none of them.
+InstructionSet instruction_set();
+
+// Defines, in a folder's namespace, kernels(InstructionSet) and kernels(): its table of kernels for a set that this
+// machine runs, and for the set in use, looked up once.
+#ifdef __x86_64__
+#define IKBENCH_KERNELS_OF(set)                                                         \
+  ((set) == ikbench::numerics::InstructionSet::x86_64_v4   ? x86_64_v4::kernels()       \
+   : (set) == ikbench::numerics::InstructionSet::x86_64_v3 ? x86_64_v3::kernels()       \
+                                                           : portable::kernels())
+#else
+#define IKBENCH_KERNELS_OF(set) (static_cast<void>(set), portable::kernels())
+#endif
+#define IKBENCH_DEFINE_KERNELS                                                                      \
+  Kernels kernels(ikbench::numerics::InstructionSet set) { return IKBENCH_KERNELS_OF(set); }        \
+  const Kernels& kernels() {                                                                        \
+    static const Kernels chosen = IKBENCH_KERNELS_OF(ikbench::numerics::instruction_set());         \
+    return chosen;                                                                                  \
+  }
+
+}  // namespace ikbench::numerics

@@ -1,0 +1,16 @@
+// Names that people type: lists of them in messages, and the nearest one to a misspelt name.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace ikbench::numerics {
+
+// The candidate with the smallest edit distance; empty where none is near enough to be meant.
+std::string nearest_name(std::string_view name, const std::vector<std::string>& candidates);
+
+// `unknown solver "ik_bta"; did you mean "ik_bat"? (there are: ik_bat, bat, ...)`
+std::string unknown_name(std::string_view kind, std::string_view name, const std::vector<std::string>& candidates);
+
+}  // namespace ikbench::numerics

@@ -1,0 +1,55 @@
+// Random numbers, the same on every machine: xoshiro256++ (Blackman and Vigna 2019) in eight interleaved lanes, seeded
+// by splitmix64 from a key. A stream is a pure function of its key.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <string_view>
+
+#include "numerics/kernels.hpp"
+
+namespace ikbench::numerics {
+
+// A key of a stream, mixed from parts: Key(seed).with("IK-BA").with(run).with(point).
+class Key {
+ public:
+  explicit Key(std::uint64_t seed);
+  Key with(std::uint64_t part) const;
+  Key with(std::string_view part) const;
+  std::uint64_t value() const { return value_; }
+
+ private:
+  std::uint64_t value_;
+};
+
+class Random {
+ public:
+  explicit Random(Key key);
+
+  double uniform();                        // [0, 1), 52 bits
+  double uniform(double from, double to);  // [from, to)
+  int index(int count);                    // 0 ... count - 1
+
+  // Fills of a vector or of Candidates (row by row). They take whole blocks of eight and leave single draws theirs.
+  template <class Numbers>
+  void uniforms(Eigen::PlainObjectBase<Numbers>& out) {  // each in [0, 1)
+    kernels_.uniforms(state_, out.data(), out.size());
+  }
+  template <class Numbers>
+  void normals(Eigen::PlainObjectBase<Numbers>& out) {  // each standard normal (Box and Muller 1958)
+    kernels_.normals(state_, out.data(), out.size());
+  }
+  template <class Numbers>
+  void truncated_normals(
+      Eigen::PlainObjectBase<Numbers>& out) {  // each standard normal, given that it is within [-1, 1]
+    kernels_.truncated_normals(state_, out.data(), out.size());
+  }
+
+ private:
+  const Kernels& kernels_;
+  RandomState state_;
+  double buffer_[random_lanes];
+  int used_ = random_lanes;
+};
+
+}  // namespace ikbench::numerics

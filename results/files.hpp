@@ -1,0 +1,19 @@
+// Files that are either whole or not there: written beside their place under another name, then renamed. What is there
+// and is no regular file (a device, a pipe) is written into.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace ikbench::results {
+
+// Creates the folder where missing, follows links, keeps the owner and the permissions of a file that it replaces.
+// A file that has other names, that the shell has open, or whose folder takes no new file is written in its place.
+// std::invalid_argument names the file and the system's reason.
+void write_file(const std::filesystem::path& file, std::string_view text);
+// Nothing where it cannot be read.
+std::optional<std::string> read_file(const std::filesystem::path& file);
+
+}  // namespace ikbench::results

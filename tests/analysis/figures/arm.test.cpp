@@ -1,0 +1,82 @@
+#include "analysis/figures/arm.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include "tests/analysis/synthetic.hpp"
+#include "tests/catch.hpp"
+
+using namespace ikbench;
+using namespace ikbench::inference;
+using namespace ikbench::figures;
+
+namespace {
+
+constexpr double quarter = std::numbers::pi / 2;
+
+// The KUKA iiwa 14 as a definition has it; its lengths are the manufacturer's.
+const char* const iiwa = R"({"arm": {"kind": "denavit_hartenberg", "tip_m": [0, 0, 0], "links": [
+  {"a_m": 0, "alpha_rad": -1.5707963267948966, "d_m": 0.36, "offset_rad": 0},
+  {"a_m": 0, "alpha_rad": 1.5707963267948966, "d_m": 0, "offset_rad": 0},
+  {"a_m": 0, "alpha_rad": 1.5707963267948966, "d_m": 0.42, "offset_rad": 0},
+  {"a_m": 0, "alpha_rad": -1.5707963267948966, "d_m": 0, "offset_rad": 0},
+  {"a_m": 0, "alpha_rad": -1.5707963267948966, "d_m": 0.4, "offset_rad": 0},
+  {"a_m": 0, "alpha_rad": 1.5707963267948966, "d_m": 0, "offset_rad": 0},
+  {"a_m": 0, "alpha_rad": 0, "d_m": 0.126, "offset_rad": 0}]}})";
+
+void check(const std::vector<Point>& points, const std::vector<Point>& expected) {
+  REQUIRE(points.size() == expected.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      CAPTURE(i, axis);
+      CHECK(points[i][axis] == Approx(expected[i][axis]).margin(1e-12));
+    }
+  }
+}
+
+}  // namespace
+
+TEST_CASE("the Dobot at the printed angles of point 1 has its tool at the first point of the circle", "[arm]") {
+  const double degree = std::numbers::pi / 180;
+  const auto points =
+      arm_points(Definition(synthetic::dobot_definition), {34.8 * degree, 66.5 * degree, 49.5 * degree});
+  REQUIRE(points.size() == 5);
+  // (16 + 7, 16, 0) cm; angles printed to 0.1 deg are good for about 0.03 cm
+  CHECK(points[4][0] == Approx(0.23).margin(4e-4));
+  CHECK(points[4][1] == Approx(0.16).margin(4e-4));
+  CHECK(points[4][2] == Approx(0.0).margin(4e-4));
+}
+
+TEST_CASE("the forearm's angle is that to the horizontal whatever the upper arm does", "[arm]") {
+  // By hand: base turned to y, upper arm level, forearm straight down.
+  check(arm_points(Definition(synthetic::dobot_definition), {quarter, quarter, quarter}),
+        {{0, 0, 0}, {0, 0, 0.058}, {0, 0.135, 0.058}, {0, 0.135, -0.089}, {0, 0.196, -0.089}});
+}
+
+TEST_CASE("a chain's corners are the shoulder, the elbow, the wrist and the tool", "[arm]") {
+  check(arm_points(Definition(iiwa), std::vector<double>(7, 0)),
+        {{0, 0, 0}, {0, 0, 0.36}, {0, 0, 0.78}, {0, 0, 1.18}, {0, 0, 1.306}});
+  // By hand: leaning forward by a quarter turn, then the elbow back up by one.
+  check(arm_points(Definition(iiwa), {0, quarter, 0, quarter, 0, 0, 0}),
+        {{0, 0, 0}, {0, 0, 0.36}, {0.42, 0, 0.36}, {0.42, 0, 0.76}, {0.42, 0, 0.886}});
+}
+
+TEST_CASE("a link's length, offset and the tip are where Denavit and Hartenberg have them", "[arm]") {
+  const Definition one(R"({"arm": {"kind": "denavit_hartenberg", "tip_m": [0, 0.5, 0],
+    "links": [{"a_m": 2, "alpha_rad": 1.5707963267948966, "d_m": 1, "offset_rad": 1.5707963267948966}]}})");
+  // x turns to y; a along it; alpha then turns the tip's y up.
+  check(arm_points(one, {0}), {{0, 0, 0}, {0, 0, 1}, {0, 2, 1}, {0, 2, 1.5}});
+}
+
+TEST_CASE("an arm that is not known, or angles that are not its own, draw nothing", "[arm]") {
+  for (const char* definition :
+       {"", "no JSON", "7", "[]", R"({"arm": "dobot_magician"})", R"({"arm": {"kind": "snake"}})",
+        R"({"arm": {"kind": "dobot_magician"}})", R"({"arm": {"kind": "dobot_magician", "height_m": "tall"}})",
+        R"({"arm": {"kind": "denavit_hartenberg", "links": 5, "tip_m": {}}})"}) {
+    CAPTURE(definition);
+    CHECK(arm_points(Definition(definition), {0, 0, 0}).empty());
+  }
+  CHECK(arm_points(Definition(synthetic::dobot_definition), {0, 0}).empty());
+  CHECK(arm_points(Definition(synthetic::dobot_definition), {0, NAN, 0}).empty());
+  CHECK(arm_points(Definition(iiwa), std::vector<double>(8, 0)).empty());
+}

@@ -1,0 +1,215 @@
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "analysis/figures/axis.hpp"
+#include "analysis/slim2023/paper_figures.hpp"
+#include "analysis/figures/process.hpp"
+#include "tests/analysis/folder.hpp"
+#include "tests/analysis/synthetic.hpp"
+#include "tests/catch.hpp"
+
+using namespace ikbench;
+using namespace ikbench::results;
+using namespace ikbench::statistics;
+using namespace ikbench::inference;
+using namespace ikbench::figures;
+using namespace ikbench::slim2023;
+
+namespace {
+
+const std::vector<std::string> hostile_labels{"<script>alert(1)</script>",
+                                              "`touch pwned`",
+                                              "$(touch pwned)",
+                                              "'; system('touch pwned'); '",
+                                              "\"; !touch pwned \"",
+                                              "a\nsystem 'touch pwned'",
+                                              "@svg @colours",
+                                              "a{b}^c_d&{e}",
+                                              "%d %s %n %%",
+                                              "#{touch pwned}",
+                                              "back\\slash\\",
+                                              "''",
+                                              "'",
+                                              "'''x",
+                                              "'.system('touch pwned').'",
+                                              "' 1, '`touch pwned`' 2",
+                                              "\xFF\xFE bytes",
+                                              "..\\../pwned",
+                                              "a|b, c\td",
+                                              ""};
+
+std::vector<Figure> figures_of(std::vector<SolveRecord> solves) {
+  return paper_figures(make_study("s", std::move(solves)), Unit::run, QuantileType::type_5);
+}
+
+const Figure& named(const std::vector<Figure>& figures, const std::string& name) {
+  const auto found = std::ranges::find(figures, name, &Figure::name);
+  REQUIRE(found != figures.end());
+  return *found;
+}
+
+bool contains(const std::string& text, const std::string& words) { return text.find(words) != std::string::npos; }
+
+}  // namespace
+
+TEST_CASE("the figures of the paper have stable names, in the paper's order", "[figure]") {
+  std::vector<std::string> names;
+  for (const Figure& figure : figures_of(synthetic::solves({.solvers = {"IK-BA", "BA"}, .runs = 2}))) {
+    names.push_back(figure.name);
+  }
+  CHECK(names == std::vector<std::string>{"figure-5", "figure-6", "figure-7", "figure-8", "figure-9-a", "figure-9-b",
+                                          "figure-10", "figure-11", "figure-12"});
+}
+
+TEST_CASE("every figure is drawn as SVG, PDF and PNG, without a screen", "[figure]") {
+  const TestFolder folder;
+  const auto figures = figures_of(synthetic::solves({.runs = 3}));
+  for (const FigureOutcome& outcome : write_figures(figures, folder.path() / "figures", {})) {
+    CAPTURE(outcome.name, outcome.error);
+    CHECK(outcome.rendered);
+    for (const char* type : {".svg", ".pdf", ".png", ".gp", ".dat"}) {
+      CHECK(std::filesystem::file_size(folder.path() / "figures" / (outcome.name + type)) > 0);
+    }
+  }
+  CHECK(files_in(folder.path()).size() == 5 * figures.size() + 1);  // and style.gp; nothing half-drawn
+}
+
+TEST_CASE("a user can restyle a figure and draw it again with gnuplot alone", "[figure]") {
+  const TestFolder folder;
+  write_figures(figures_of(synthetic::solves({.runs = 2})), folder.path(), {.render = false});
+  CHECK(!std::filesystem::exists(folder.path() / "figure-6.png"));
+  CHECK(run_process({"gnuplot", "figure-6.gp"}, folder.path()).succeeded);
+  CHECK(std::filesystem::exists(folder.path() / "figure-6.png"));
+}
+
+TEST_CASE("no text of a study breaks a script, runs a command or leaves the folder", "[figure]") {
+  const TestFolder folder;
+  const auto figures = figures_of(synthetic::solves({.solvers = hostile_labels, .runs = 2, .points = 3}));
+  for (const FigureOutcome& outcome : write_figures(figures, folder.path() / "figures", {})) {
+    CAPTURE(outcome.name, outcome.error);
+    CHECK(outcome.rendered);
+  }
+  for (const std::string& file : files_in(folder.path())) {
+    CAPTURE(file);
+    CHECK(file.starts_with("figures/"));
+    CHECK((file == "figures/style.gp" || file.starts_with("figures/figure-")));
+    CHECK(!contains(file, "pwned"));
+  }
+  for (const char* name : {"figure-6.svg", "figure-10.svg"}) {
+    const std::string svg = text_of_file(folder.path() / "figures" / name);
+    CHECK(!contains(svg, "<script"));
+    for (const char* shown :
+         {"&lt;script>alert(1)&lt;/script>", "`touch pwned`", "$(touch pwned)", "'; system('touch pwned'); '",
+          "\"; !touch pwned \"", "a system 'touch pwned'", "@svg @colours", "a{b}^c_d&amp;{e}", "%d %s %n %%",
+          "#{touch pwned}", "back\\slash\\", "..\\../pwned", "'''x", "'.system('touch pwned').'"}) {
+      CAPTURE(name, shown);
+      CHECK(contains(svg, "<text>" + std::string(shown) + "</text>"));  // every label as it is
+    }
+  }
+}
+
+TEST_CASE("every shape of study has its figures", "[figure]") {
+  const synthetic::Shape shape =
+      GENERATE(values<synthetic::Shape>({{.solvers = {"IK-BA"}, .runs = 1, .points = 1},
+                                         {.solvers = {"IK-BA", "BA"}, .runs = 1},
+                                         {.solvers = std::vector<std::string>(12, "s"), .runs = 2, .points = 300}}));
+  synthetic::Shape distinct = shape;
+  for (std::size_t i = 0; i < distinct.solvers.size(); ++i) distinct.solvers[i] += std::to_string(i);
+  const TestFolder folder;
+  for (const FigureOutcome& outcome : write_figures(figures_of(synthetic::solves(distinct)), folder.path(), {})) {
+    CAPTURE(outcome.name, outcome.error);
+    CHECK(outcome.rendered);
+  }
+}
+
+TEST_CASE("figures are drawn where values are zero, not finite, or all the same", "[figure]") {
+  std::vector<SolveRecord> solves = synthetic::solves({.runs = 3});
+  for (SolveRecord& solve : solves) {
+    if (solve.solver == "BA") solve.position_error_cm = 0;
+    if (solve.solver == "DE") solve.position_error_cm = NAN;
+    if (solve.solver == "PSO" && solve.point == 2) solve.answer_rad.assign(7, HUGE_VAL);
+    if (solve.solver == "K-ABC") solve.position_error_cm = 1e-310 * solve.point;
+    solve.variation_deg = NAN;
+    solve.seconds = 0;
+  }
+  const auto figures = figures_of(solves);
+  CHECK(contains(named(figures, "figure-6").caption, "Values of zero are drawn at the lower edge."));
+  CHECK(contains(named(figures, "figure-7").settings, "no finite values"));
+  CHECK(contains(named(figures, "figure-10").settings, "3 not\\nfinite"));
+  const TestFolder folder;
+  for (const FigureOutcome& outcome : write_figures(figures, folder.path(), {})) {
+    CAPTURE(outcome.name, outcome.error);
+    CHECK(outcome.rendered);
+  }
+}
+
+TEST_CASE("random targets are not joined by a line", "[figure]") {
+  const auto solves = synthetic::solves({.solvers = {"IK-BA"}, .runs = 1});
+  const auto path_of = [&](const char* definition) {
+    return path_figure(make_study(StudyEntry{.name = "s", .definition = definition, .series = {}}, solves));
+  };
+  CHECK(contains(path_of(R"({"path": {"kind": "helix"}})").plot, "with lines"));
+  const Figure random = path_of(R"({"path": {"kind": "random"}})");
+  CHECK(!contains(random.plot, "with lines"));
+  CHECK(!contains(random.plot, "start"));
+  CHECK(random.caption.starts_with("The targets (dots)"));
+}
+
+TEST_CASE("a study of which nothing is solved has no figures", "[figure]") { CHECK(figures_of({}).empty()); }
+
+TEST_CASE("the data file of a box plot has the numbers of the box", "[figure]") {
+  std::vector<SolveRecord> solves = synthetic::solves({.solvers = {"IK-BA"}, .runs = 9, .points = 1});
+  const double errors[] = {1, 2, 3, 4, 5, 6, 7, 8, 20};
+  for (std::size_t i = 0; i < solves.size(); ++i) solves[i].position_error_cm = errors[i];
+  const Figure figure = box_figure(make_study("s", solves), {});
+  CHECK(figure.data ==
+        "# solver's position, lower whisker, q1, median, q3, upper whisker, observations, of those not finite\n"
+        "# IK-BA\n"
+        "1 1 2.75 5 7.25 8 9 0\n"
+        "\n\n# outliers: solver's position, value\n"
+        "1 20\n");  // quartiles of type 5 by hand, as in the test of box()
+  const Figure other = box_figure(make_study("s", solves), {.quartiles = QuantileType::type_7});
+  CHECK(contains(other.data, "1 1 3 5 7 8 9 0"));  // type 7 by hand: 1 + 0.25 * 8 = rank 3, rank 7
+}
+
+TEST_CASE("where gnuplot is missing or fails there is its message, the scripts, and no stale picture", "[figure]") {
+  const TestFolder folder;
+  const Figure good{
+      .name = "figure-x", .caption = "x", .settings = "", .plot = "plot 'figure-x.dat'", .data = "1 1\n2 2\n"};
+  REQUIRE(write_figures({good}, folder.path(), {})[0].rendered);
+
+  const auto missing = write_figures({good}, folder.path(), {.gnuplot = "no-such-gnuplot"});
+  CHECK(!missing[0].rendered);
+  CHECK(contains(missing[0].error, "cannot start no-such-gnuplot: No such file or directory"));
+  CHECK(files_in(folder.path()) == std::set<std::string>{"figure-x.dat", "figure-x.gp", "style.gp"});
+
+  Figure bad = good;
+  bad.plot = "plot nonsense(";
+  const auto failed = write_figures({bad}, folder.path(), {});
+  CHECK(!failed[0].rendered);
+  CHECK(contains(failed[0].error, "plot nonsense("));
+  CHECK(contains(failed[0].error, "line"));
+}
+
+TEST_CASE("an axis is logarithmic where it is asked for or the spread is large", "[figure]") {
+  const std::vector<double> near{1, 2, 3};
+  const std::vector<double> far{0.001, 2, 3};
+  CHECK(!value_axis(near, "x [cm]", Scale::by_spread).logarithmic);
+  CHECK(value_axis(far, "x [cm]", Scale::by_spread).logarithmic);
+  CHECK(value_axis(near, "x [cm]", Scale::logarithmic).logarithmic);
+  CHECK(contains(value_axis(far, "x [cm]", Scale::by_spread).settings, "set yrange [1e-3:1e1]"));
+  CHECK(!value_axis(std::vector<double>{0, 0}, "x [cm]", Scale::logarithmic).logarithmic);
+}
+
+TEST_CASE("a logarithmic axis shows zero at its lower edge, a decade below the rest", "[figure]") {
+  const Axis axis = value_axis(std::vector<double>{0, 0.02, 3}, "x [cm]", Scale::logarithmic);
+  CHECK(axis.shows_at_edge);
+  CHECK(contains(axis.settings, "set yrange [1e-3:1e1]"));
+}
+
+TEST_CASE("small times are shown in milli- and microseconds", "[figure]") {
+  CHECK(contains(value_axis(std::vector<double>{0.002}, "time [s]", Scale::linear).settings, "time [ms]"));
+  CHECK(contains(value_axis(std::vector<double>{2e-6}, "time [s]", Scale::linear).settings, "time [µs]"));
+  CHECK(contains(value_axis(std::vector<double>{2.0}, "time [s]", Scale::linear).settings, "time [s]"));
+}

@@ -1,0 +1,269 @@
+#include "analysis/figures/statistics_figures.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "analysis/statistics/kernel_density.hpp"
+#include "analysis/figures/row_chart.hpp"
+#include "tests/analysis/folder.hpp"
+#include "tests/catch.hpp"
+
+using namespace ikbench;
+using namespace ikbench::statistics;
+using namespace ikbench::inference;
+using namespace ikbench::figures;
+using Values = std::vector<double>;
+using Texts = std::vector<std::string>;
+
+namespace {
+
+const Texts hostile_names{"<b>bold</b>", "`touch pwned`", "$(touch pwned)", "two\nlines",
+                          "%d {x}^2_y",  "'q\" \\ @svg",  "größe Δ",        ""};
+
+bool contains(const std::string& text, const std::string& words) { return text.find(words) != std::string::npos; }
+
+// The lines of a data file's part that begins with the comment, up to the next empty line.
+Texts lines_below(const std::string& data, const std::string& comment) {
+  std::istringstream stream(data.substr(data.find(comment)));
+  Texts lines;
+  std::string line;
+  std::getline(stream, line);
+  while (std::getline(stream, line) && !line.empty()) {
+    if (!line.starts_with('#')) lines.push_back(line);
+  }
+  return lines;
+}
+
+Figure raincloud(std::vector<Group> groups) {
+  return raincloud_figure({.name = "error", .quantity = "position error [cm]", .groups = std::move(groups)},
+                          QuantileType::type_7, "rain");
+}
+
+Values numbers(std::size_t count) {
+  Values values;
+  for (std::size_t i = 1; i <= count; ++i) values.push_back(static_cast<double>(i));
+  return values;
+}
+
+std::vector<Group> groups_named(const Texts& names, const Values& values) {
+  std::vector<Group> groups;
+  for (const std::string& name : names) groups.push_back({name, values});
+  return groups;
+}
+
+Figure demsar(double critical_difference, double significance) {  // Demsar 2006, Table 6, average ranks as printed
+  return critical_difference_figure({.name = "cd",
+                                     .labels = {"C4.5", "C4.5+m", "C4.5+cf", "C4.5+m+cf"},
+                                     .average_ranks = {3.143, 2.000, 2.893, 1.964},
+                                     .critical_difference = critical_difference,
+                                     .significance = significance,
+                                     .method = "Nemenyi"});
+}
+
+void check_drawn(const Figure& figure) {
+  const TestFolder folder;
+  const FigureOutcome outcome = write_figures({figure}, folder.path(), {}).front();
+  CAPTURE(outcome.name, outcome.error, figure.data);
+  CHECK(outcome.rendered);
+  CHECK(files_in(folder.path()).size() == 6);  // style.gp, script, data, three pictures: no name ran as a command
+}
+
+}  // namespace
+
+TEST_CASE("Silverman's bandwidth of 1 to 5 is 0.9 (2 / 1.34) 5^-0.2, of equal values nothing", "[density]") {
+  CHECK(silverman_bandwidth(Values{1, 2, 3, 4, 5}) == Approx(0.9 * 2 / 1.34 * std::pow(5, -0.2)));
+  // Two thirds are equal, so the box is empty: the standard deviation of 0 0 0 0 0 6 is sqrt 6.
+  CHECK(silverman_bandwidth(Values{0, 0, 0, 0, 0, 6}) == Approx(0.9 * std::sqrt(6.0) * std::pow(6, -0.2)));
+  CHECK(silverman_bandwidth(Values{3, 3, 3}) == 0);
+}
+
+TEST_CASE("the density is the sum of the kernels, from the smallest to the largest value", "[density]") {
+  const Values values{0, 1, 1.5, 4, 7, 7.5};
+  const double h = silverman_bandwidth(values);
+  const std::vector<DensityPoint> density = kernel_density(values);
+  REQUIRE(!density.empty());
+  CHECK(density.front().value == 0);
+  CHECK(density.back().value == 7.5);
+  for (const DensityPoint& point : density) {
+    double sum = 0;  // Silverman 1986, Eq. 2.2a
+    for (const double value : values) sum += std::exp(-std::pow((point.value - value) / h, 2) / 2);
+    CHECK(point.density == Approx(sum / (6 * h * std::sqrt(2 * std::numbers::pi))).epsilon(1e-3));
+  }
+}
+
+TEST_CASE("there is no density of few or equal values, and one of huge ones", "[density]") {
+  CHECK(kernel_density(Values{}).empty());
+  CHECK(kernel_density(Values{1, 2, 3, 4}).empty());
+  CHECK(kernel_density(Values{2, 2, 2, 2, 2}).empty());
+  CHECK(kernel_density(Values{-1e308, 1e308, 0, 0, 0}).empty());  // no range
+  for (const DensityPoint& point : kernel_density(Values{1e300, 2e300, 3e300, 4e300, 5e300})) {
+    CHECK(point.density > 0);
+  }
+}
+
+TEST_CASE("labels too long keep both of their ends", "[figure]") {
+  CHECK(row_label("solver-variant-17", 17) == "solver-variant-17");
+  CHECK(row_label("solver-variant-17", 9) == "solv…t-17");
+  CHECK(row_label("ééééééé", 5) == "éé…éé");
+  CHECK(row_label("", 5) == "(empty)");
+}
+
+TEST_CASE("a raincloud has a density, a box and every value of each group", "[figure]") {
+  const Figure figure = raincloud({{"a", numbers(9)}, {"b", {2, 3, 4}}});
+  CHECK(lines_below(figure.data, "# row, lower").front() == "1 1 3 5 7 9 9 0");  // R: quantile(1:9)
+  CHECK(lines_below(figure.data, "# values of a").size() == 9);
+  CHECK(lines_below(figure.data, "# values of b").size() == 3);
+  CHECK(lines_below(figure.data, "# density of a").size() == 258);
+  CHECK(lines_below(figure.data, "# density of b") == Texts{"NaN NaN"});  // too few values
+  CHECK(contains(figure.caption, "every value"));
+  CHECK(!contains(figure.settings, "logscale"));
+}
+
+TEST_CASE("of more than 200 values a raincloud shows 200, the extremes among them, and says so", "[figure]") {
+  const Figure figure = raincloud({{"a", numbers(1000)}});
+  const Texts lines = lines_below(figure.data, "# values of a");
+  CHECK(lines.size() == 200);
+  CHECK(lines.front().starts_with("1 "));
+  CHECK(lines.back().starts_with("1000 "));
+  CHECK(contains(figure.caption, "more than 200 of a group 200 at even ranks"));
+}
+
+TEST_CASE("a raincloud of values that differ by decades is drawn on their logarithms", "[figure]") {
+  const Figure figure = raincloud({{"a", {1e-6, 1e-5, 1e-4, 1e-3, 1e-2}}, {"b", {0, 1, 2, 3, 4}}});
+  CHECK(contains(figure.settings, "set logscale x"));
+  CHECK(contains(figure.caption, "of the logarithm"));
+  CHECK(contains(figure.caption, "Values of zero are drawn at the lower edge"));
+  // The logarithms are evenly spaced, so that the density is highest at the middle one, 1e-4.
+  std::pair<double, double> highest{0, 1e9};
+  for (const std::string& line : lines_below(figure.data, "# density of a")) {
+    std::istringstream stream(line);
+    double value = 0, height = 0;
+    stream >> value >> height;
+    if (height < highest.second) highest = {value, height};
+  }
+  CHECK(highest.first == Approx(1e-4).epsilon(0.2));
+}
+
+TEST_CASE("values that cannot be drawn are counted beside their row", "[figure]") {
+  const Figure figure = raincloud({{"some", {1, 2, NAN, HUGE_VAL, 3}}, {"huge", {1e305}}, {"none", {}}});
+  CHECK(contains(figure.settings, "\"2 not\\ndrawn\" at graph 1, first 1 "));
+  CHECK(contains(figure.settings, "\"1 not\\ndrawn\" at graph 1, first 2 "));
+  CHECK(contains(figure.settings, "\"no\\nvalues\" at graph 1, first 3 "));
+  CHECK(contains(figure.caption, "not finite cannot be drawn"));
+  // Ranked 1 2 3 Inf Inf, the upper quartile is infinite: no box, rather than one that ends at 3.
+  CHECK(lines_below(figure.data, "# row, lower").front() == "1 NaN NaN NaN NaN NaN 5 2");
+}
+
+TEST_CASE("more than 12 groups are boxes without densities, more than 200 are not all shown", "[figure]") {
+  Texts names;
+  for (int i = 0; i < 13; ++i) names.push_back(fmt::format("s{}", i));
+  const Figure many = raincloud(groups_named(names, numbers(6)));
+  CHECK(!contains(many.plot, "filledcurves"));
+  CHECK(!contains(many.caption, "density"));
+  for (int i = 13; i < 201; ++i) names.push_back(fmt::format("s{}", i));
+  CHECK(contains(raincloud(groups_named(names, {1})).caption, "the first 200 of 201 groups"));
+}
+
+TEST_CASE("observations that are no replicates say so under their picture", "[figure]") {
+  const Figure figure = raincloud_figure({.quantity = "x", .groups = {{"a", {1, 2}}}, .flaw = "20 rows share run 1"},
+                                         QuantileType::type_7, "rain");
+  CHECK(contains(figure.caption, "Flawed: 20 rows share run 1"));
+}
+
+TEST_CASE("intervals are marked where they exclude zero, and in words where there are none", "[figure]") {
+  const Figure figure = differences_figure({{"above", 1, 0.5, 1.5},
+                                            {"below", -1, -1.5, -0.5},
+                                            {"around", 0.1, -1, 1},
+                                            {"touching", 1, 0, 2},
+                                            {"nothing"},
+                                            {"unbounded", 1, -HUGE_VAL, 2}},
+                                           {"differences", "difference [cm]", 0.95, "Games-Howell"});
+  CHECK(lines_below(figure.data, "# row") ==
+        Texts{"1 1 0.5 1.5 1", "2 -1 -1.5 -0.5 1", "3 0.1 -1 1 0", "4 1 0 2 0", "5 NaN NaN NaN 0", "6 1 NaN 2 0"});
+  CHECK(contains(figure.settings, "'not defined' at 0, first 5"));
+  CHECK(contains(figure.settings, "'unbounded' at 0, first 6"));
+  CHECK(contains(figure.caption, "level 95 % (Games-Howell)"));
+}
+
+TEST_CASE("Demsar's Figure 1a: at 0.10 two bars, C4.5 apart from the two with m", "[figure]") {
+  const Figure figure = demsar(1.12, 0.1);
+  const Texts bars = lines_below(figure.data, "# what is not told apart");
+  REQUIRE(bars.size() == 2);
+  const auto ends = [](const std::string& line) {
+    double from = 0, height = 0, to = 0;
+    std::istringstream(line) >> from >> height >> to;
+    return std::pair(from, to);
+  };
+  CHECK(ends(bars[0]).first == Approx(1.964).margin(0.06));  // each bar reaches a little beyond its ranks
+  CHECK(ends(bars[0]).second == Approx(2.893).margin(0.06));
+  CHECK(ends(bars[1]).first == Approx(2.893).margin(0.06));
+  CHECK(ends(bars[1]).second == Approx(3.143).margin(0.06));
+  CHECK(contains(figure.caption, "Bars join what is not told apart by Nemenyi's test at the significance 0.1: "));
+  CHECK(contains(figure.caption, "CD = 1.12"));
+  CHECK(lines_below(demsar(1.25356, 0.05).data, "# what is not told apart").size() == 1);  // at 0.05 none differ
+}
+
+TEST_CASE("without a critical difference nothing is joined, and ranks that are none are told", "[figure]") {
+  CHECK(lines_below(demsar(NAN, 0.05).data, "# what is not told apart") == Texts{"NaN NaN NaN"});
+  CHECK(contains(demsar(NAN, 0.05).caption, "critical difference is not defined"));
+  CHECK(contains(demsar(20, 0.05).caption, "cut at the axis' end"));
+  const Figure figure = critical_difference_figure(
+      {.name = "cd", .labels = {"a", "b", "c", "d"}, .average_ranks = {1, NAN, 1e308, 0}, .critical_difference = 1});
+  CHECK(contains(figure.caption, "Shown are 1 of 4"));
+}
+
+TEST_CASE("effects out of 0 to 1 or missing are not defined, and 20 groups are shown", "[figure]") {
+  const Figure figure = effect_matrix_figure({.name = "effects",
+                                              .quantity = "error",
+                                              .labels = {"a", "b", "c"},
+                                              .effects = {{0.5, 0.25, NAN}, {0.75, 0.5, 1.5}}});
+  CHECK(lines_below(figure.data, "# column, row, the chance") == Texts{"2 1 0.25", "1 2 0.75"});
+  CHECK(lines_below(figure.data, "# not defined").size() == 7);
+  CHECK(contains(figure.caption, "n.d.: not defined"));
+  CHECK(contains(figure.caption, "Blue: the row tends to be better"));
+  const EffectMatrix large{.name = "effects", .labels = Texts(30, "s")};
+  CHECK(contains(effect_matrix_figure(large).caption, "the first 20 of 30 groups"));
+}
+
+TEST_CASE("figures of a statistical analysis are drawn whatever the names and numbers", "[figure]") {
+  check_drawn(raincloud(groups_named(hostile_names, numbers(8))));
+  for (const Values& values : std::vector<Values>{{},
+                                                  {1},
+                                                  {0, 0},
+                                                  {NAN},
+                                                  {5, 5, 5, 5, 5},
+                                                  {1e308, -1e308},
+                                                  {1e300, 1, 0, -1e300},
+                                                  {1e-310, 2e-310},
+                                                  {1e-320, 1e300},
+                                                  {1e9 + 0.1, 1e9 + 0.2, 1e9 + 0.3}}) {
+    check_drawn(raincloud({{"a", values}, {"b", values}}));
+  }
+  check_drawn(raincloud({}));
+  check_drawn(differences_figure({}, {.name = "differences"}));
+  check_drawn(differences_figure({{"nothing"}, {"huge", 1e308, -1e308, 1e308}}, {.name = "differences"}));
+  check_drawn(differences_figure({{hostile_names[5], 1e-12, -1e-12, 3e-12}},
+                                 {.name = "differences", .quantity = hostile_names[4], .method = hostile_names[1]}));
+  for (const std::size_t n : {0u, 1u, 2u, 8u}) {
+    const Texts labels(hostile_names.begin(), hostile_names.begin() + static_cast<long>(n));
+    const Values ranks(n, (static_cast<double>(n) + 1) / 2);
+    check_drawn(
+        critical_difference_figure({.name = "cd", .labels = labels, .average_ranks = ranks, .critical_difference = 1}));
+    check_drawn(effect_matrix_figure({.name = "effects", .labels = labels, .effects = {n, Values(n, 0.5)}}));
+  }
+}
+
+TEST_CASE("names stand in the figures of an analysis as they are", "[figure]") {
+  const TestFolder folder;
+  const Figure figure = raincloud(groups_named(hostile_names, numbers(8)));
+  REQUIRE(write_figures({figure}, folder.path(), {}).front().rendered);
+  const std::string svg = text_of_file(folder.path() / "rain.svg");
+  for (const char* shown :
+       {"&lt;b>bold&lt;/b>", "`touch pwned`", "$(touch pwned)", "two lines", "%d {x}^2_y", "größe Δ", "(empty)"}) {
+    CAPTURE(shown);
+    CHECK(contains(svg, "<text>" + std::string(shown) + "</text>"));
+  }
+}

@@ -1,0 +1,127 @@
+// Whether the methods were fixed before the data were seen, as the store has it; and stores that say nothing, or
+// nonsense.
+#include "analysis/inference/analysis_plan.hpp"
+#include "analysis/report/provenance.hpp"
+
+#include "results/analysis_plan_fields.hpp"
+#include "tests/catch.hpp"
+
+using namespace ikbench;
+using namespace ikbench::results;
+using namespace ikbench::inference;
+using namespace ikbench::report;
+
+namespace {
+
+StudyEntry entry_with(const std::string& analysis) {
+  return {.name = "s",
+          .definition = R"({"runs": 2, "analysis": )" + analysis + "}",
+          .series = {{.key = "k", .label = "IK-BA", .algorithm = "ik_bat", .options = "{}"}}};
+}
+
+// Solves of sessions 1, 2, ...: as many as said.
+std::vector<SolveRecord> solves_by_session(const std::vector<int>& counts) {
+  std::vector<SolveRecord> solves;
+  for (std::size_t i = 0; i < counts.size(); ++i) {
+    for (int k = 0; k < counts[i]; ++k) {
+      SolveRecord solve;
+      solve.session = static_cast<std::int64_t>(i) + 1;
+      solves.push_back(solve);
+    }
+  }
+  return solves;
+}
+
+// Sessions 1, 2, ... with these plans; "" for one that recorded none.
+std::vector<Session> sessions_with(const std::vector<std::string>& plans) {
+  std::vector<Session> sessions;
+  for (const std::string& plan : plans) {
+    sessions.push_back({.id = static_cast<std::int64_t>(sessions.size()) + 1, .environment = {{"cpu", "one"}}});
+    if (!plan.empty()) sessions.back().environment["analysis"] = plan;
+  }
+  return sessions;
+}
+
+bool is_default(const AnalysisPlan& plan) { return changes_between(AnalysisPlan{}, plan).empty(); }
+
+}  // namespace
+
+TEST_CASE("the plan is what the study's definition says, in its units", "[analysis_plan]") {
+  const AnalysisPlan plan = plan_of(entry_with(
+      R"({"test": "kruskal_wallis", "adjustment": "bonferroni", "control": "IK-BA", "significance": 0.01,
+          "margin_percent": 20, "power": 0.9, "quartiles": 7, "unit": "point"})"));
+  CHECK(plan.test == DecidingTest::kruskal_wallis);
+  CHECK(plan.adjustment == Adjustment::bonferroni);
+  CHECK(plan.control == "IK-BA");
+  CHECK(plan.significance == 0.01);
+  CHECK(plan.margin == 0.2);  // 20 percent
+  CHECK(plan.power == 0.9);
+  CHECK(plan.quartiles == 7);
+  CHECK(plan.unit == Unit::point);
+}
+
+TEST_CASE("a store without a plan, or with one that is nonsense, is judged by the defaults", "[analysis_plan]") {
+  CHECK(is_default(plan_of({.name = "s", .definition = "{}", .series = {}})));
+  CHECK(is_default(plan_of({.name = "s", .definition = "no JSON", .series = {}})));
+  CHECK(is_default(plan_of({.name = "s", .definition = "", .series = {}})));
+  for (const char* nonsense :
+       {"null", "3", "[]", "\"welch\"", "{}", R"({"test": "t", "adjustment": 3, "unit": null})",
+        R"({"significance": 0, "margin_percent": -1, "power": 1, "quartiles": 10})",
+        R"({"significance": "0.01", "margin_percent": 1e308, "power": [], "quartiles": 7.5})",
+        R"({"significance": 1e400, "quartiles": 18446744073709551615})", R"({"control": "nobody", "quartiles": -3})"}) {
+    CAPTURE(nonsense);
+    CHECK(is_default(plan_of(entry_with(nonsense))));
+  }
+}
+
+TEST_CASE("what is nonsense in a plan spoils nothing of the rest", "[analysis_plan]") {
+  const AnalysisPlan plan = plan_of(entry_with(R"({"significance": 7, "quartiles": 7, "more": {"a": 1}})"));
+  CHECK(plan.significance == 0.05);
+  CHECK(plan.quartiles == 7);
+}
+
+TEST_CASE("a plan that was there before the first solve is said to be so", "[analysis_plan]") {
+  const std::string plan = R"({"significance": 0.01})";
+  const auto notes = plan_notes(entry_with(plan), sessions_with({plan, plan}), solves_by_session({3, 2}));
+  CHECK(
+      notes ==
+      std::vector<std::string>{
+          "The methods were fixed in the study before its first solve in this store (test by_design, adjustment holm, "
+          "control none, significance 0.01, margin_percent 5, power 0.8, quartiles 5, unit run)."});
+  CHECK(plan_changes(entry_with(plan), sessions_with({plan, plan}), solves_by_session({3, 2})).empty());
+  CHECK(plan_notes(entry_with(plan), {}, {}).at(0).starts_with("The methods are fixed in the study, of which nothing"));
+}
+
+TEST_CASE("a plan that was changed after some of the solves is said to be, with what changed", "[analysis_plan]") {
+  const auto sessions =
+      sessions_with({R"({"significance": 0.05})", R"({"unit": "point"})", R"({"significance": 0.01})", "{}"});
+  const auto notes = plan_notes(entry_with(R"({"significance": 0.01})"), sessions, solves_by_session({3, 1, 5, 2}));
+  CHECK(notes == std::vector<std::string>{
+                     // the fourth session says the default, as the first
+                     "The analysis plan was changed after 5 of 11 solves were made: significance 0.05 -> 0.01.",
+                     "The analysis plan was changed after 1 of 11 solves were made: significance 0.05 -> 0.01, unit "
+                     "point -> run."});
+}
+
+TEST_CASE("solves of a version that recorded no plan are counted", "[analysis_plan]") {
+  const auto notes =
+      plan_notes(entry_with("{}"), sessions_with({"", "{}", "garbage"}), solves_by_session({3, 4, 2, 1}));
+  CHECK(notes ==  // 3 of the first, 2 of the third, 1 of a session that is not there
+        std::vector<std::string>{"6 of 10 solves were made by a version that recorded no analysis plan."});
+  const StudyEntry old{.name = "s", .definition = "{}", .series = {}};
+  CHECK(plan_notes(old, sessions_with({""}), solves_by_session({3})) ==
+        std::vector<std::string>{"3 of 3 solves were made by a version that recorded no analysis plan.",
+                                 "The study has no analysis plan; this is the program's default."});
+}
+
+TEST_CASE("the table of the plan has every field with its value and meaning", "[analysis_plan]") {
+  const Table table = plan_table(entry_with("{}"), AnalysisPlan{.margin = 0.1}, {"a note"});
+  CHECK(table.name == "analysis-plan");
+  REQUIRE(table.rows.size() == 8);  // the fields of AnalysisPlan
+  CHECK(readable(table.rows[4][0]) == "margin_percent");
+  CHECK(readable(table.rows[4][1]) == "10");
+  for (const auto& row : table.rows) CHECK(!readable(row[2]).empty());
+  CHECK(table.notes ==
+        std::vector<std::string>{
+            "a note", "Given on the command line, after the data, and not by the study: margin_percent 5 -> 10."});
+}

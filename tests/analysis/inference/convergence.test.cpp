@@ -1,0 +1,393 @@
+#include "analysis/inference/convergence.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+#include "analysis/figures/convergence_figures.hpp"
+#include "analysis/figures/share_curves.hpp"
+#include "tests/analysis/folder.hpp"
+#include "tests/analysis/synthetic.hpp"
+#include "tests/catch.hpp"
+
+using namespace ikbench;
+using namespace ikbench::results;
+using namespace ikbench::inference;
+using namespace ikbench::figures;
+
+namespace {
+
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+const char* const with_tolerance = R"({"stop": {"tolerance_cm": 0.5}, "path": {"kind": "random"}, "start": "initial"})";
+
+SolveRecord solve_with_trace(std::vector<double> trace_cm, std::int64_t evaluations) {
+  SolveRecord solve;
+  solve.solver = "A";
+  solve.evaluations = evaluations;
+  solve.seconds = solve.cpu_seconds = 1e-6 * static_cast<double>(evaluations);
+  solve.iterations = static_cast<std::int64_t>(trace_cm.size());
+  if (!trace_cm.empty()) solve.position_error_cm = trace_cm.back();
+  solve.trace_cm = std::move(trace_cm);
+  return solve;
+}
+
+// The errors of one run of two solvers, by point.
+StudyResults two_solvers(const std::vector<double>& errors_of_a, const std::vector<double>& errors_of_b) {
+  std::vector<SolveRecord> solves =
+      synthetic::solves({.solvers = {"A", "B"}, .runs = 1, .points = static_cast<int>(errors_of_a.size())});
+  for (std::size_t i = 0; i < errors_of_a.size(); ++i) {
+    solves[i].position_error_cm = errors_of_a[i];
+    solves[errors_of_a.size() + i].position_error_cm = errors_of_b[i];
+  }
+  return make_study("two", std::move(solves));
+}
+
+// Errors that fall to the final one, as a trace of 40 iterations.
+std::vector<SolveRecord> solves_with_traces(const synthetic::Shape& shape) {
+  std::vector<SolveRecord> solves = synthetic::solves(shape);
+  synthetic::Noise noise;
+  for (SolveRecord& solve : solves) {
+    solve.iterations = 40;
+    const double speed = 0.1 + 0.2 * noise.next();
+    for (int i = 1; i <= 40; ++i) solve.trace_cm.push_back(solve.position_error_cm + 50 * std::exp(-speed * i));
+    solve.trace_cm.back() = solve.position_error_cm;
+  }
+  return solves;
+}
+
+std::vector<std::string> names_of(const std::vector<Figure>& figures) {
+  std::vector<std::string> names;
+  for (const Figure& figure : figures) names.push_back(figure.name);
+  return names;
+}
+
+const Figure& named(const std::vector<Figure>& figures, const std::string& name) {
+  const auto found = std::ranges::find(figures, name, &Figure::name);
+  REQUIRE(found != figures.end());
+  return *found;
+}
+
+bool contains(const std::string& text, const std::string& words) { return text.find(words) != std::string::npos; }
+
+bool all_drawn(const std::vector<Figure>& figures) {
+  const TestFolder folder;
+  const auto outcomes = write_figures(figures, folder.path() / "figures", {});
+  for (const FigureOutcome& outcome : outcomes) {
+    CAPTURE(outcome.name, outcome.error);
+    CHECK(outcome.rendered);
+  }
+  for (const std::string& file : files_in(folder.path())) CHECK(file.starts_with("figures/"));
+  return std::ranges::all_of(outcomes, &FigureOutcome::rendered);
+}
+
+}  // namespace
+
+TEST_CASE("an error is reached when the first iteration that has it is done", "[convergence]") {
+  // 4 iterations of 400 evaluations: 100 each. By hand.
+  const SolveRecord solve = solve_with_trace({8, 3, 3, 0.5}, 400);
+  const std::vector<double> targets{10, 8, 5, 1, 0.5, 0.1};
+  CHECK(costs_to_targets(solve, targets, Cost::evaluations) == std::vector<double>{100, 100, 200, 400, 400, never});
+  CHECK(costs_to_targets(solve, targets, Cost::seconds)[2] == Approx(200e-6));
+}
+
+TEST_CASE("a solve that ended before its first iteration has reached its error with all it cost", "[convergence]") {
+  SolveRecord solve = solve_with_trace({}, 50);
+  solve.position_error_cm = 0.2;
+  CHECK(has_course(solve));
+  CHECK(costs_to_targets(solve, std::vector<double>{1, 0.2, 0.1}, Cost::evaluations) ==
+        std::vector<double>{50, 50, never});
+  solve.iterations = 7;  // went on, and nobody wrote down how
+  CHECK(!has_course(solve));
+}
+
+TEST_CASE("a trace whose answer the verifier does not confirm reaches nothing", "[convergence]") {
+  SolveRecord solve = solve_with_trace({8, 3, 0.5}, 300);
+  for (const Status status : {Status::claimed_but_wrong, Status::refused, Status::not_finite}) {
+    solve.status = status;
+    CHECK(costs_to_targets(solve, std::vector<double>{10}, Cost::evaluations).front() == never);
+    CHECK(error_bands({&solve}, std::vector<double>{300}).front().median == never);
+  }
+  for (const Status status : {Status::ok, Status::tolerance_missed, Status::limit_violated}) {
+    solve.status = status;
+    CHECK(costs_to_targets(solve, std::vector<double>{10}, Cost::evaluations).front() == 100);
+  }
+}
+
+TEST_CASE("the band at a number of evaluations is that of the errors that the solves had then", "[convergence]") {
+  const std::vector<SolveRecord> solves{solve_with_trace({16, 8, 4, 2}, 400), solve_with_trace({20, 10}, 200),
+                                        solve_with_trace({12, 6, 3, 1}, 400), solve_with_trace({40, 30, 20, 10}, 400)};
+  Solves all;
+  for (const SolveRecord& solve : solves) all.push_back(&solve);
+  const std::vector<Band> bands = error_bands(all, std::vector<double>{99, 100, 250, 400});
+  CHECK(bands[0].median == never);  // before the first iteration is done
+  // Type 5 of four values: the quartiles lie midway between neighbours. 12 16 20 40 at 100 evaluations.
+  CHECK(bands[1].low == 14);
+  CHECK(bands[1].median == 18);
+  CHECK(bands[1].high == 30);
+  // 8, 10 (it has ended), 6, 30 at 250.
+  CHECK(bands[2].low == 7);
+  CHECK(bands[2].median == 9);
+  CHECK(bands[2].high == 20);
+  // 2 10 1 10 at 400.
+  CHECK(bands[3].low == 1.5);
+  CHECK(bands[3].median == 6);
+  CHECK(bands[3].high == 10);
+}
+
+TEST_CASE("an answer that is not finite is worse than every number, not left out of a band", "[convergence]") {
+  const std::vector<SolveRecord> solves{solve_with_trace({1}, 10), solve_with_trace({2}, 10),
+                                        solve_with_trace({not_a_number}, 10)};
+  const Band band = error_bands({&solves[0], &solves[1], &solves[2]}, std::vector<double>{10}).front();
+  CHECK(band.median == 2);
+  CHECK(band.high == never);
+}
+
+TEST_CASE("every iteration counts as done at its own number of evaluations, whatever the rounding", "[convergence]") {
+  for (const int n : {3, 7, 49, 200, 1000}) {
+    std::vector<double> trace;
+    for (int i = n; i > 0; --i) trace.push_back(i);
+    const SolveRecord solve = solve_with_trace(trace, 12345);
+    for (int i = 1; i <= n; ++i) {
+      const double target = trace[static_cast<std::size_t>(i) - 1];
+      const double cost = costs_to_targets(solve, std::vector<double>{target}, Cost::evaluations).front();
+      CHECK(error_bands({&solve}, std::vector<double>{cost}).front().median == target);
+    }
+  }
+}
+
+TEST_CASE("the axis of evaluations goes from the cheapest first iteration to the dearest solve", "[convergence]") {
+  const SolveRecord cheap = solve_with_trace({3, 2, 1, 1, 1}, 60), dear = solve_with_trace({3, 2}, 5000);
+  const std::vector<double> axis = evaluations_axis({{&cheap}, {&dear}});
+  CHECK(axis.size() == most_positions);
+  CHECK(axis.front() == 12);
+  CHECK(axis.back() == 5000);
+  CHECK(std::ranges::is_sorted(axis));
+  const SolveRecord single = solve_with_trace({3}, 60);
+  CHECK(evaluations_axis({{&single}}) == std::vector<double>{60});
+  CHECK(evaluations_axis({{}, {}}).empty());
+}
+
+TEST_CASE("target errors go down to the tolerance of the study, or below what was reached", "[convergence]") {
+  StudyResults study = two_solvers({0.02, 3}, {not_a_number, 7});
+  std::vector<double> targets = target_errors_cm(study);
+  CHECK(targets.size() == 51);
+  CHECK(targets.front() == 10);
+  CHECK(targets.back() == Approx(0.01));  // the whole decade below 0.02
+  CHECK(targets[25] == Approx(std::sqrt(10 * 0.01)));
+  study.definition = with_tolerance;
+  CHECK(target_errors_cm(study).back() == 0.5);
+  study.definition = R"({"stop": {"tolerance_cm": 40}})";
+  CHECK(target_errors_cm(study).front() == 400);
+  CHECK(target_errors_cm(two_solvers({0}, {1})).back() == 1e-8);
+  CHECK(target_errors_cm(two_solvers({not_a_number}, {not_a_number})).back() == 1);
+}
+
+TEST_CASE("the share within a value counts what never comes in the whole alone", "[convergence]") {
+  const std::vector<Share> shares = shares_within({3, never, 1, 3});
+  REQUIRE(shares.size() == 2);
+  CHECK(shares[0].at == 1);
+  CHECK(shares[0].share == 0.25);
+  CHECK(shares[1].at == 3);
+  CHECK(shares[1].share == 0.75);
+  CHECK(shares_within({never, never}).empty());
+  CHECK(shares_within({}).empty());
+}
+
+TEST_CASE("a distribution of many values is drawn at few positions, and is exact there", "[convergence]") {
+  std::vector<double> values{0};
+  for (int i = 1; i < 10000; ++i) values.push_back(i);
+  const std::vector<Share> shares = shares_within(values);
+  CHECK(shares.size() == most_positions);
+  CHECK(shares.front().at == 0);
+  CHECK(shares.front().share == 1e-4);
+  CHECK(shares.back().at == 9999);
+  CHECK(shares.back().share == 1);
+  for (const Share& share : shares) CHECK(share.share == Approx((std::floor(share.at) + 1) / 10000).epsilon(1e-12));
+}
+
+TEST_CASE("the performance profile of two solvers at four problems", "[convergence]") {
+  // Ratios to the smaller, by hand: A 1 1 4 1, B 2 1 1 never.
+  const StudyResults study = two_solvers({1, 5, 8, 2}, {2, 5, 2, not_a_number});
+  const Profile profile = performance_profile(study, final_error_cm);
+  CHECK(profile.problems == 4);
+  CHECK(profile.unsolved == 0);
+  CHECK(profile.left_out == 0);
+  CHECK(profile.ratios[0] == std::vector<double>{1, 1, 4, 1});
+  CHECK(profile.ratios[1] == std::vector<double>{2, 1, 1, never});
+  const std::vector<Share> of_a = shares_within(profile.ratios[0]), of_b = shares_within(profile.ratios[1]);
+  CHECK(of_a[0].share == 0.75);
+  CHECK(of_a[1].share == 1);
+  CHECK(of_b[0].share == 0.5);
+  CHECK(of_b[1].share == 0.75);
+}
+
+TEST_CASE("of two costs of zero neither is larger, and any other is infinitely many times as large", "[convergence]") {
+  const Profile profile = performance_profile(two_solvers({0, 0, 1}, {0, 3, 1e-320}), final_error_cm);
+  CHECK(profile.has_zero_costs);
+  CHECK(profile.ratios[0] == std::vector<double>{1, 1, never});  // 1e320 is no double
+  CHECK(profile.ratios[1] == std::vector<double>{1, never, 1});
+}
+
+TEST_CASE("a problem that every solver fails counts, and nobody solves it", "[convergence]") {
+  const Profile profile = performance_profile(two_solvers({not_a_number, 1}, {not_a_number, 2}), final_error_cm);
+  CHECK(profile.problems == 2);
+  CHECK(profile.unsolved == 1);
+  CHECK(profile.ratios[0] == std::vector<double>{never, 1});
+  CHECK(profile.ratios[1] == std::vector<double>{never, 2});
+}
+
+TEST_CASE("a problem that a solver was not given, or was given otherwise, is left out", "[convergence]") {
+  StudyResults study = two_solvers({1, 1, 1}, {2, 2, 2});
+  study.solves.back().target_position_m[0] += 0.01;
+  study.solves.erase(study.solves.begin());
+  const Profile profile = performance_profile(study, final_error_cm);
+  CHECK(profile.problems == 1);
+  CHECK(profile.left_out == 2);
+}
+
+TEST_CASE("the same place with another rotation is another problem", "[convergence]") {
+  StudyResults study = two_solvers({1, 1, 1}, {2, 2, 2});
+  study.solves.back().target_rotation = {0, 1, 0, 1, 0, 0, 0, 0, -1};
+  CHECK(performance_profile(study, final_error_cm).left_out == 1);
+}
+
+TEST_CASE("a profile of solvers is free of those without a solve", "[convergence]") {
+  StudyResults study = two_solvers({1, 1}, {2, 2});
+  study.solvers.push_back("C");
+  const Profile profile = performance_profile(study, final_error_cm);
+  CHECK(profile.problems == 2);
+  CHECK(profile.ratios[2].empty());
+}
+
+TEST_CASE("in every problem that anyone solves somebody is the best", "[convergence]") {
+  const StudyResults study = make_study("s", synthetic::solves({.runs = 4}));
+  const Profile profile = performance_profile(study, final_error_cm);
+  for (std::size_t problem = 0; problem < 80; ++problem) {
+    double smallest = never;
+    for (const auto& ratios : profile.ratios) smallest = std::min(smallest, ratios[problem]);
+    CHECK(smallest == 1);
+  }
+}
+
+TEST_CASE("the figures of convergence are those that a study has the data for", "[convergence]") {
+  const auto names = [](std::vector<SolveRecord> solves, const char* definition) {
+    StudyResults study = make_study("s", std::move(solves));
+    study.definition = definition;
+    return names_of(convergence_figures(study));
+  };
+  using Names = std::vector<std::string>;
+  const synthetic::Shape two{.solvers = {"A", "B"}, .runs = 1}, one{.solvers = {"A"}, .runs = 1};
+  CHECK(names({}, "").empty());
+  CHECK(names(synthetic::solves(one), "") == Names{"statistics-ecdf-error"});
+  CHECK(names(synthetic::solves(two), "") == Names{"statistics-ecdf-error", "statistics-profile-error"});
+  CHECK(names(synthetic::solves(two), with_tolerance) ==
+        Names{"statistics-ecdf-error", "statistics-profile-evaluations", "statistics-profile-seconds",
+              "statistics-survival-evaluations"});
+  CHECK(names(solves_with_traces(two), with_tolerance) ==
+        Names{"statistics-convergence", "statistics-ecdf-evaluations", "statistics-ecdf-seconds",
+              "statistics-ecdf-error", "statistics-profile-evaluations", "statistics-profile-seconds",
+              "statistics-survival-evaluations"});
+  std::vector<SolveRecord> parallel = solves_with_traces(two);
+  parallel.front().timing = Timing::parallel;
+  CHECK(names(parallel, with_tolerance) == Names{"statistics-convergence", "statistics-ecdf-evaluations",
+                                                 "statistics-ecdf-error", "statistics-profile-evaluations",
+                                                 "statistics-survival-evaluations"});
+}
+
+TEST_CASE("a caption says what a problem is and what the solves depend on", "[convergence]") {
+  StudyResults study = make_study("s", solves_with_traces({.runs = 2}));
+  study.definition = R"({"path": {"kind": "helix"}, "start": "previous"})";
+  const std::vector<Figure> chained = convergence_figures(study);
+  CHECK(contains(named(chained, "statistics-profile-error").caption, "starts where its own last answer left the arm"));
+  CHECK(contains(named(chained, "statistics-profile-error").caption, "The runs repeat the same targets"));
+  CHECK(contains(named(chained, "statistics-convergence").caption, "solves of a run depend on each other"));
+  study.definition = with_tolerance;
+  const std::vector<Figure> independent = convergence_figures(study);
+  CHECK(contains(named(independent, "statistics-profile-seconds").caption, "from the same start for all solvers"));
+  CHECK(contains(named(independent, "statistics-ecdf-evaluations").caption, "to 0.5 cm, the tolerance of the study"));
+  CHECK(!contains(named(independent, "statistics-convergence").caption, "depend on each other"));
+}
+
+TEST_CASE("solves without a trace among those with one are left out of the curves, and counted", "[convergence]") {
+  std::vector<SolveRecord> solves = solves_with_traces({.solvers = {"A", "B"}, .runs = 1});
+  solves[3].trace_cm.clear();
+  const std::vector<Figure> figures = convergence_figures(make_study("s", std::move(solves)));
+  CHECK(contains(named(figures, "statistics-convergence").caption, "1 solves without a trace are left out"));
+}
+
+TEST_CASE("no curve of a large study has more than some hundred rows", "[convergence]") {
+  const StudyResults study = make_study("s", solves_with_traces({.runs = 20}));
+  for (const Figure& figure : convergence_figures(study)) {
+    std::istringstream lines(figure.data);
+    int rows = 0;
+    for (std::string line; std::getline(lines, line);) rows = line.starts_with('#') ? 0 : rows + 1;
+    CAPTURE(figure.name);
+    CHECK(rows > 2);
+    CHECK(rows <= static_cast<int>(2 * most_positions + 2));
+  }
+}
+
+TEST_CASE("figures of convergence are drawn of few, odd and hostile data too", "[convergence]") {
+  const auto drawn = [](std::vector<SolveRecord> solves) {
+    StudyResults study = make_study("s", std::move(solves));
+    const bool without = all_drawn(convergence_figures(study));
+    study.definition = with_tolerance;
+    return without && all_drawn(convergence_figures(study));
+  };
+  CHECK(drawn(solves_with_traces({.solvers = {"A"}, .runs = 1, .points = 1})));
+  CHECK(drawn(solves_with_traces(
+      {.solvers = {"`touch pwned`", "'; system('x'); '", "a\nb", "%d {}^a_b", "@svg", "\"", ""}, .runs = 1})));
+  for (const double value : {0.0, not_a_number, 1e308, std::numeric_limits<double>::infinity(), -1.0, 1e-320}) {
+    std::vector<SolveRecord> solves = solves_with_traces({.solvers = {"A", "B"}, .runs = 1, .points = 3});
+    for (SolveRecord& solve : solves) {
+      if (solve.solver == "B" && solve.point == 1) continue;
+      solve.position_error_cm = solve.seconds = value;
+      solve.trace_cm.assign(40, value);
+      solve.evaluations = value > 1 ? std::numeric_limits<std::int64_t>::max() : 0;
+    }
+    CAPTURE(value);
+    CHECK(drawn(solves));
+  }
+}
+
+TEST_CASE("an axis of costs is wider than its values, logarithmic where they differ, and has ticks", "[convergence]") {
+  const CostAxis wide = cost_axis(44, 22000);
+  CHECK(wide.left < 44);
+  CHECK(wide.right > 22000);
+  CHECK(contains(wide.settings, "set logscale x"));
+  CHECK(contains(wide.settings, "set xtics enhanced 1e0, 1e1"));  // from a whole power of ten below
+  CHECK(contains(cost_axis(3e-12, 0.02).settings, "set xtics enhanced 1e-14, 1e2"));
+  CHECK(contains(cost_axis(300, 5000).settings, "1e3, 2e3, 5e3"));
+  CHECK(!contains(cost_axis(1000, 1100).settings, "logscale"));
+  CHECK(cost_axis(50, 50).left == 25);
+  CHECK(contains(cost_axis(never, 0).settings, "unset xtics"));
+  CHECK(ratio_axis(9).right == 16);
+  CHECK(ratio_axis(0).right == 2);  // nobody solves anything
+}
+
+TEST_CASE("thinned stairs keep the share at each position that is left", "[convergence]") {
+  std::vector<Share> stairs;
+  for (int i = 1; i <= 1000; ++i) stairs.push_back({.at = static_cast<double>(i), .share = 1 - i / 1000.0});
+  const std::vector<Share> few = thinned(stairs);
+  CHECK(few.size() == most_positions);
+  CHECK(few.back().share == 0);
+  for (const Share& share : few) CHECK(share.share == Approx(1 - std::floor(share.at) / 1000).margin(1e-12));
+}
+
+TEST_CASE("a convergence curve ends with the longest solve of its solver, whatever others spend", "[convergence]") {
+  std::vector<SolveRecord> solves{solve_with_trace({4, 2, 1}, 300), solve_with_trace({4, 2, 1}, 30000)};
+  solves[1].solver = "B";
+  solves[1].series = "b";
+  const std::vector<Figure> figures = convergence_figures(make_study("s", std::move(solves)));
+  std::istringstream lines(named(figures, "statistics-convergence").data);
+  std::vector<double> last;  // position of each curve
+  for (std::string line; std::getline(lines, line);) {
+    if (line == "# A" || line == "# B") last.push_back(0);
+    if (!line.empty() && line[0] != '#') last.back() = std::stod(line);
+  }
+  REQUIRE(last.size() == 2);
+  CHECK(last[0] >= 300);
+  CHECK(last[0] < 320);  // the first position of the axis beyond it
+  CHECK(last[1] == 30000);
+}

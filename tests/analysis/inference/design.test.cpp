@@ -1,0 +1,187 @@
+// Which solves of a study make an observation, and which of them are of the same problem.
+#include "analysis/inference/design.hpp"
+
+#include <cmath>
+#include <set>
+
+#include "tests/catch.hpp"
+
+using namespace ikbench;
+using namespace ikbench::results;
+using namespace ikbench::inference;
+
+namespace {
+
+struct Shape {
+  std::string path = "helix";
+  std::string start = "previous";
+  int runs = 2;
+  int points = 3;
+};
+
+// Solver A's error at run r and point p is 100 r + p, that of B twice as much. Targets differ from point to point, and
+// on a random path from run to run; starts are the solver's own where solves are chained.
+std::vector<SolveRecord> solves_of(const Shape& shape) {
+  std::vector<SolveRecord> solves;
+  for (const char* solver : {"A", "B"}) {
+    for (int run = 1; run <= shape.runs; ++run) {
+      for (int point = 1; point <= shape.points; ++point) {
+        SolveRecord solve;
+        solve.solver = solver;
+        solve.run = run;
+        solve.point = point;
+        solve.target_position_m = {0.1 * point, shape.path == "random" ? 0.1 * run : 0, 0};
+        solve.position_error_cm = (100.0 * run + point) * (solve.solver == "A" ? 1 : 2);
+        solve.start_rad = {shape.start == "initial" ? 0 : solve.position_error_cm};
+        solves.push_back(solve);
+      }
+    }
+  }
+  return solves;
+}
+
+StudyResults study_of(const Shape& shape, std::vector<SolveRecord> solves) {
+  const std::string definition = R"({"path": {"kind": ")" + shape.path + R"("}, "start": ")" + shape.start +
+                                 R"(", "runs": )" + std::to_string(shape.runs) + R"(, "points": )" +
+                                 std::to_string(shape.points) + "}";
+  return make_study({.name = "s", .definition = definition, .series = {{.label = "A"}, {.label = "B"}}},
+                    std::move(solves));
+}
+
+StudyResults study_of(const Shape& shape) { return study_of(shape, solves_of(shape)); }
+
+constexpr Metric error = Metric::position_error_cm;
+using Values = std::vector<double>;
+using Names = std::vector<std::string>;
+
+}  // namespace
+
+TEST_CASE("on a chained path observations are run means in independent groups, and there are no blocks", "[design]") {
+  const StudyResults study = study_of({});
+  const Observations found = observations(study, error, Unit::run);
+  CHECK(found.name == "error");
+  CHECK(found.quantity == "position error [cm]");
+  CHECK(found.better == Better::smaller);
+  REQUIRE(found.groups.size() == 2);
+  CHECK(found.groups[0].name == "A");
+  CHECK(found.groups[0].values == Values{102, 202});  // the means of 101 102 103 and of 201 202 203
+  CHECK(found.groups[1].values == Values{204, 404});
+  CHECK(found.blocks.empty());
+  CHECK(found.block.empty());
+  CHECK(found.replicate == "a run's mean over its 3 points");
+  CHECK(found.notes == Names{"There are no blocks: each solve starts where the solver's last answer left the arm."});
+  CHECK(found.flaw.empty());
+  CHECK(!blocked_observations(study, error));
+  CHECK(why_not_blocked(study) == found.notes.front());
+}
+
+TEST_CASE("points as observations have a flaw, and the report says which", "[design]") {
+  const Observations found = observations(study_of({}), error, Unit::point);
+  CHECK(found.groups[0].values == Values{101, 102, 103, 201, 202, 203});
+  CHECK(found.flaw == "points of one run depend on each other; used as observations because --force was given");
+  CHECK(observations(study_of({.path = "random"}), error, Unit::point).blocks.empty());
+}
+
+TEST_CASE("targets drawn anew in every run make a block of each run", "[design]") {
+  const StudyResults study = study_of({.path = "random", .runs = 3});
+  for (const Observations& found : {observations(study, error, Unit::run), *blocked_observations(study, error)}) {
+    CHECK(found.blocks == Names{"run 1", "run 2", "run 3"});
+    CHECK(found.groups[0].values == Values{102, 202, 302});
+    CHECK(found.groups[1].values == Values{204, 404, 604});
+    CHECK(found.replicate == "a run's mean over its 3 points");
+    CHECK(found.block == "a run, its targets drawn anew and the same for all");
+  }
+}
+
+TEST_CASE("drawn targets that are solved from the same configuration are blocks each", "[design]") {
+  const StudyResults study = study_of({.path = "random", .start = "initial", .runs = 1});
+  const Observations found = *blocked_observations(study, error);
+  CHECK(found.blocks == Names{"run 1, point 1", "run 1, point 2", "run 1, point 3"});
+  CHECK(found.groups[1].values == Values{202, 204, 206});
+  CHECK(found.replicate == "a target's only solve");
+  CHECK(observations(study, error, Unit::run).blocks == found.blocks);
+  CHECK(observations(study, error, Unit::point).blocks.empty());
+}
+
+TEST_CASE("targets of a path that are solved from the same configuration are blocks, with the mean over the runs",
+          "[design]") {
+  const StudyResults study = study_of({.start = "initial"});
+  const Observations found = *blocked_observations(study, error);
+  CHECK(found.blocks == Names{"point 1", "point 2", "point 3"});
+  CHECK(found.groups[0].values == Values{151, 152, 153});  // of 101 and 201, ...
+  CHECK(found.replicate == "a target's mean over 2 runs");
+  CHECK(observations(study, error, Unit::run).blocks == found.blocks);
+  CHECK(observations(study, error, Unit::run).groups[0].values == found.groups[0].values);
+  std::vector<SolveRecord> solves = solves_of({.points = 1});  // nothing is chained to
+  for (SolveRecord& solve : solves) solve.start_rad = {0};
+  CHECK(why_not_blocked(study_of({.points = 1}, solves)) == "There are no blocks to compare: there is only one.");
+}
+
+TEST_CASE("a run that is not complete for all solvers is in no block, and that is said", "[design]") {
+  for (const Shape& shape : {Shape{.path = "random", .runs = 3}, Shape{.start = "initial", .runs = 3}}) {
+    CAPTURE(shape.path);
+    std::vector<SolveRecord> solves = solves_of(shape);
+    solves.pop_back();  // B's last point of run 3
+    const StudyResults study = study_of(shape, solves);
+    const Observations found = *blocked_observations(study, error);
+    CHECK(found.groups[0].values == (shape.path == "random" ? Values{102, 202} : Values{151, 152, 153}));
+    CHECK(found.groups[0].values.size() == found.blocks.size());
+    CHECK(found.notes == Names{"Left out: 1 of 3 runs, which are not complete for all solvers."});
+  }
+  std::vector<SolveRecord> solves = solves_of({});
+  solves.pop_back();
+  const Observations independent = observations(study_of({}, solves), error, Unit::run);
+  CHECK(independent.groups[0].values == Values{102, 202});  // A loses nothing by what B has not done
+  CHECK(independent.notes.back() == "B: 1 of its runs have missing points and give no observation.");
+}
+
+TEST_CASE("with fewer than two blocks there is no blocked design, and why is said", "[design]") {
+  CHECK(why_not_blocked(study_of({.path = "random", .runs = 1})) ==
+        "There are no blocks to compare: there is only one.");
+  const Observations alone = observations(study_of({.path = "random", .runs = 1}), error, Unit::run);
+  CHECK(alone.groups[0].values == Values{102});
+  CHECK(alone.notes == Names{"There are no blocks to compare: there is only one."});
+  CHECK(observations(study_of({.path = "random", .runs = 1}), error, Unit::point).notes.empty());
+  std::vector<SolveRecord> solves = solves_of({.path = "random", .runs = 1});
+  solves.pop_back();
+  CHECK(why_not_blocked(study_of({.path = "random", .runs = 1}, solves)) ==
+        "There are no blocks: no run is complete for all solvers.");
+  CHECK(!why_not_blocked(study_of({.path = "random"}, {})).empty());
+  CHECK(observations(study_of({.path = "random"}, {}), error, Unit::run).groups.size() == 2);
+  CHECK(why_not_blocked(make_study("a CSV", solves_of({}))) ==
+        "There are no blocks: the study does not say what its path is.");
+}
+
+TEST_CASE("a store that claims the same targets for all, and has others, has no blocks", "[design]") {
+  std::vector<SolveRecord> solves = solves_of({.path = "random"});
+  solves.back().target_position_m[2] = 1e-9;
+  CHECK(why_not_blocked(study_of({.path = "random"}, solves)) ==
+        "There are no blocks: the solvers were not given the same targets.");
+  solves = solves_of({.start = "initial"});
+  solves.back().start_rad = {0.1};
+  CHECK(!blocked_observations(study_of({.start = "initial"}, solves), error));
+}
+
+TEST_CASE("what is not finite stays in its place and is counted, and times that are not clean are said", "[design]") {
+  std::vector<SolveRecord> solves = solves_of({.path = "random"});
+  solves[0].position_error_cm = std::nan("");
+  solves[1].timing = Timing::parallel;
+  const StudyResults study = study_of({.path = "random"}, solves);
+  const Observations found = observations(study, error, Unit::run);
+  CHECK(std::isnan(found.groups[0].values[0]));
+  CHECK(found.groups[0].values[1] == 202);
+  CHECK(found.notes == Names{"A: 1 of 2 observations are not finite."});
+  const Observations times = observations(study, Metric::seconds, Unit::run);
+  CHECK(times.name == "time");
+  CHECK((times.flaw.starts_with("Times are not comparable: of 12 solves, 1 were timed")));
+}
+
+TEST_CASE("every measure is read as a name with its unit, and has a name of its own for files", "[design]") {
+  std::set<std::string_view> slugs;
+  for (const Metric metric : {Metric::position_error_cm, Metric::variation_deg, Metric::seconds, Metric::evaluations}) {
+    CHECK(quantity(metric).starts_with(info_of(metric).name));
+    CHECK(slugs.insert(info_of(metric).slug).second);
+    CHECK(info_of(metric).slug.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789-") == std::string_view::npos);
+  }
+  CHECK(quantity(Metric::variation_deg) == "angles variation [deg]");  // Table 3
+}

@@ -1,0 +1,333 @@
+// Which of two groups is called the better one is the word of the statistic that decides, here computed once more and
+// in another way: by counting.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "analysis/report/assessment.hpp"
+#include "analysis/inference/contrasts.hpp"
+#include "analysis/inference/evidence.hpp"
+#include "tests/catch.hpp"
+
+using namespace ikbench;
+using namespace ikbench::results;
+using namespace ikbench::statistics;
+using namespace ikbench::inference;
+using namespace ikbench::report;
+
+namespace {
+
+using Groups = std::vector<std::vector<double>>;
+
+// splitmix64 (Steele, Lea and Flood 2014).
+class Random {
+ public:
+  explicit Random(std::uint64_t seed) : state_(seed) {}
+  double uniform() { return (static_cast<double>(next() >> 12) + 0.5) * 0x1p-52; }  // 0 to 1, without both
+  int below(int end) { return static_cast<int>(uniform() * end); }
+  double normal() { return std::sqrt(-2 * std::log(uniform())) * std::cos(2 * std::numbers::pi * uniform()); }
+
+ private:
+  std::uint64_t next() {
+    std::uint64_t z = (state_ += 0x9e3779b97f4a7c15u);
+    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
+    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
+    return z ^ (z >> 31);
+  }
+  std::uint64_t state_;
+};
+
+// What makes means, medians and ranks point apart: long tails on one side or both, ties, rare and large effects.
+enum class Law { normal, skewed, heavy_tailed, tied, often_little_rarely_much };
+constexpr std::array<Law, 5> laws{Law::normal, Law::skewed, Law::heavy_tailed, Law::tied,
+                                  Law::often_little_rarely_much};
+
+double draw(Law law, Random& random) {
+  switch (law) {
+    case Law::normal:
+      return random.normal();
+    case Law::skewed:
+      return std::exp(2 * random.normal()) - std::exp(2);  // of mean 0, with a median far below it
+    case Law::heavy_tailed:
+      return std::tan(std::numbers::pi * (random.uniform() - 0.5));
+    case Law::tied:
+      return random.below(4) - 1.5;
+    default:
+      return random.uniform() < 0.55 ? -0.1 * random.uniform() : 2 * random.uniform();
+  }
+}
+
+struct Made {
+  Groups groups;
+  bool blocked = false;
+  std::optional<std::size_t> control = {};
+};
+
+// all_pairs: of two to four groups. control: of three or four, against one of them. many: of more groups than are shown
+// in pairs, so against the best.
+enum class Design { all_pairs, control, many };
+
+Made make(Design design, Random& random) {
+  Made made{.blocked = random.below(2) == 0};
+  const int groups = design == Design::many      ? static_cast<int>(most_groups_in_pairs) + 1 + random.below(3)
+                     : design == Design::control ? 3 + random.below(2)
+                                                 : 2 + random.below(3);
+  if (design == Design::control) made.control = static_cast<std::size_t>(random.below(groups));
+  const int size = 4 + random.below(40);
+  std::vector<double> of_block;
+  for (int i = 0; i < size; ++i) of_block.push_back(3 * random.normal());
+  for (int g = 0; g < groups; ++g) {
+    const Law law = laws[static_cast<std::size_t>(random.below(5))];
+    const double spread = std::exp(1.5 * random.normal()), shift = 0.7 * random.normal();
+    const int own_size = made.blocked ? size : 4 + random.below(40);
+    std::vector<double>& values = made.groups.emplace_back();
+    for (int i = 0; i < own_size; ++i) {
+      const double common = made.blocked ? of_block[static_cast<std::size_t>(i)] : 0;
+      values.push_back(20 + common + shift + spread * draw(law, random));
+    }
+  }
+  return made;
+}
+
+int sign(double value) { return value > 0 ? 1 : value < 0 ? -1 : 0; }
+
+// 1 and half of the equal ones more than how many are smaller: the rank.
+double rank_in(double value, const std::vector<double>& all) {
+  double rank = 0.5;
+  for (const double other : all) rank += other < value ? 1 : other == value ? 0.5 : 0;
+  return rank;
+}
+
+// Of the first less the second: above 0 where the first has the larger values by the statistic.
+double of_means(const std::vector<double>& first, const std::vector<double>& second) {
+  const auto mean = [](const std::vector<double>& values) {
+    long double sum = 0;
+    for (const double value : values) sum += value;
+    return sum / static_cast<long double>(values.size());
+  };
+  return static_cast<double>(mean(first) - mean(second));
+}
+
+double of_pooled_ranks(const Groups& groups, std::size_t first, std::size_t second) {
+  std::vector<double> all;
+  for (const auto& group : groups) all.insert(all.end(), group.begin(), group.end());
+  const auto mean_rank = [&](const std::vector<double>& group) {
+    double sum = 0;
+    for (const double value : group) sum += rank_in(value, all);
+    return sum / static_cast<double>(group.size());
+  };
+  return mean_rank(groups[first]) - mean_rank(groups[second]);
+}
+
+double of_signed_ranks(const std::vector<double>& first, const std::vector<double>& second) {
+  std::vector<double> differences, sizes;
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    if (first[i] == second[i]) continue;
+    differences.push_back(first[i] - second[i]);
+    sizes.push_back(std::abs(differences.back()));
+  }
+  double sum = 0;
+  for (const double difference : differences) sum += sign(difference) * rank_in(std::abs(difference), sizes);
+  return sum;
+}
+
+double of_ranks_in_blocks(const Groups& groups, std::size_t first, std::size_t second) {
+  double sum = 0;
+  for (std::size_t block = 0; block < groups[0].size(); ++block) {
+    std::vector<double> values;
+    for (const auto& group : groups) values.push_back(group[block]);
+    sum += rank_in(values[first], values) - rank_in(values[second], values);
+  }
+  return sum;
+}
+
+double deciding_statistic(DecidingTest test, const Groups& groups, const Contrast& pair) {
+  if (test == DecidingTest::kruskal_wallis) return of_pooled_ranks(groups, pair.first, pair.second);
+  if (test != DecidingTest::friedman) return of_means(groups[pair.first], groups[pair.second]);
+  return groups.size() == 2 ? of_signed_ranks(groups[0], groups[1])
+                            : of_ranks_in_blocks(groups, pair.first, pair.second);
+}
+
+// As evidence() has it, without what takes longer and decides nothing: bootstrap, normality.
+Evidence judged(const Made& made, Better better, DecidingTest test) {
+  const auto name = [](std::size_t group) { return fmt::format("g{}", group); };
+  Evidence found{.name = "x",
+                 .quantity = "x",
+                 .better = better,
+                 .blocks = made.blocked ? made.groups[0].size() : 0,
+                 .plan = {.test = test, .control = made.control ? name(*made.control) : ""}};
+  std::vector<GroupSummary> summaries;
+  for (std::size_t i = 0; i < made.groups.size(); ++i) {
+    found.groups.push_back({.name = name(i), .described = describe(made.groups[i])});
+    summaries.push_back(summarise(made.groups[i]));
+  }
+  if (made.blocked) add_friedman(found, made.groups);
+  add_contrasts(found, summaries, made.groups);
+  return found;
+}
+
+Relation turned(Relation relation) {
+  return relation == Relation::first_better    ? Relation::second_better
+         : relation == Relation::second_better ? Relation::first_better
+                                               : relation;
+}
+
+Made negated(Made made) {
+  for (auto& group : made.groups) {
+    for (double& value : group) value = -value;
+  }
+  return made;
+}
+
+Made reversed(Made made) {
+  std::ranges::reverse(made.groups);
+  if (made.control) made.control = made.groups.size() - 1 - *made.control;
+  return made;
+}
+
+// How many pairs were decided, and in how many of them another measure is for the other of the two.
+struct Decided {
+  int pairs = 0, against_the_mean = 0, against_the_median = 0, against_the_share = 0;
+};
+
+void count(const Evidence& found, const Contrast& pair, Decided& decided) {
+  const int ahead = pair.relation == Relation::first_better ? 1 : -1;
+  const Description& first = found.groups[pair.first].described;
+  const Description& second = found.groups[pair.second].described;
+  ++decided.pairs;
+  decided.against_the_mean += sign(second.mean - first.mean) == -ahead ? 1 : 0;
+  decided.against_the_median += sign(second.median - first.median) == -ahead ? 1 : 0;
+  decided.against_the_share += sign(pair.superiority.value - 0.5) == -ahead ? 1 : 0;
+}
+
+void check_directions(const Made& made, DecidingTest test, Decided& decided) {
+  const Evidence found = judged(made, Better::smaller, test);
+  const Evidence other = judged(negated(made), Better::larger, test);
+  const Evidence swapped = judged(reversed(made), Better::smaller, test);
+  const std::size_t last = made.groups.size() - 1;
+  // Of several groups that are the best, the first is the reference: turned round it may be another.
+  const bool same_reference = !found.reference || *swapped.reference == last - *found.reference;
+  CHECK(found.reference.has_value() == (made.control || last >= most_groups_in_pairs));
+  for (std::size_t i = 0; i < found.contrasts.size(); ++i) {
+    const Contrast& pair = found.contrasts[i];
+    CHECK(other.contrasts[i].relation == pair.relation);
+    const auto same = [&](const Contrast& c) { return c.first == last - pair.second && c.second == last - pair.first; };
+    if (same_reference) {
+      const auto there = std::ranges::find_if(swapped.contrasts, same);
+      REQUIRE(there != swapped.contrasts.end());
+      CHECK(there->relation == turned(pair.relation));
+    }
+    if (pair.relation != Relation::first_better && pair.relation != Relation::second_better) continue;
+    count(found, pair, decided);
+    const int ahead = pair.relation == Relation::first_better ? 1 : -1;
+    CHECK(sign(deciding_statistic(test, made.groups, pair)) == -ahead);
+  }
+}
+
+}  // namespace
+
+TEST_CASE("the better one is better by the statistic that decides", "[assessment][directions]") {
+  const DecidingTest test =
+      GENERATE(DecidingTest::anova, DecidingTest::welch, DecidingTest::kruskal_wallis, DecidingTest::friedman);
+  CAPTURE(name_of(test));
+  Random random(2023);
+  Decided decided;
+  std::array<int, 3> of_design{};
+  for (int set = 0; set < 1000; ++set) {
+    const Design design = set % 100 == 0 ? Design::many : set % 10 == 1 ? Design::control : Design::all_pairs;
+    const Made made = make(design, random);
+    if (test == DecidingTest::friedman && !made.blocked) continue;
+    CAPTURE(set, made.blocked, made.groups.size());
+    const int before = decided.pairs;
+    check_directions(made, test, decided);
+    of_design[static_cast<std::size_t>(design)] += decided.pairs - before;
+  }
+  for (const int pairs : of_design) CHECK(pairs > 10);
+  // The sets are such that every other measure would have said otherwise of some pair. Tests of means decide by means.
+  const bool by_ranks = test == DecidingTest::kruskal_wallis || test == DecidingTest::friedman;
+  if (by_ranks) CHECK(decided.against_the_mean > 0);
+  if (!by_ranks) CHECK(decided.against_the_mean == 0);
+  CHECK(decided.against_the_median > 0);
+  CHECK(decided.against_the_share > 0);
+}
+
+namespace {
+
+std::string text_of(const Evidence& found) {
+  std::string text;
+  for (const std::string& sentence : sentences_of(found)) text += sentence + '\n';
+  return text;
+}
+
+// 100 pairs: x is smaller in 51 of them, by 0.01 to 0.51, and y in 49, by 2 and more. The ranks of the sizes are 1 to
+// 51 and 52 to 100: V = 49 (52 + 100) / 2 = 3724, where 100 * 101 / 4 = 2525 is its mean.
+Observations often_little_rarely_much() {
+  Observations pairs{.name = "x", .quantity = "x", .groups = {{"x"}, {"y"}}, .block = "a problem"};
+  for (int i = 1; i <= 100; ++i) {
+    const double difference = i <= 51 ? -0.01 * i : 1.5 + 0.01 * i;
+    pairs.groups[0].values.push_back(10 + difference);
+    pairs.groups[1].values.push_back(10 + 1e-4 * i);
+    pairs.blocks.push_back(fmt::format("{}", i));
+  }
+  return pairs;
+}
+
+}  // namespace
+
+TEST_CASE("of two groups in blocks, the better is the one that the signed ranks are for", "[assessment][directions]") {
+  Observations pairs = often_little_rarely_much();
+  const Evidence found = evidence(pairs, {});
+  CHECK(found.test("Wilcoxon's signed-rank test (normal approximation)")->statistic == 3724);
+  CHECK(found.contrasts[0].p < 1e-4);
+  CHECK(found.contrasts[0].relation == Relation::second_better);
+  INFO(text_of(found));
+  CHECK(text_of(found).find(
+            "In short: y is better than x (though the median and the share of blocks point the other way)") !=
+        std::string::npos);
+  const std::string sentence = text_of(found).substr(text_of(found).find("Who differs: y is better than x"));
+  CHECK(sentence.find(", by 0.") < sentence.find(", though the median and the share of blocks point the other way, p"));
+  CHECK(sentence.find(", though the median") < sentence.find('\n'));
+  CHECK(text_of(found).find("ahead in 49 % of blocks") != std::string::npos);
+  std::swap(pairs.groups[0], pairs.groups[1]);
+  CHECK(evidence(pairs, {}).contrasts[0].relation == Relation::first_better);
+}
+
+TEST_CASE("of several groups, the better is the one that Dunn's ranks are for, whatever A12 is",
+          "[assessment][directions]") {
+  // 52 of the 100 values of b lie just below all of a, and 48 far above; the 200 of c lie between a and those 48.
+  Observations sets{.name = "x", .quantity = "x", .groups = {{"a"}, {"b"}, {"c"}}};
+  for (int i = 0; i < 100; ++i) sets.groups[0].values.push_back(50 + 0.01 * i);
+  for (int i = 0; i < 100; ++i) sets.groups[1].values.push_back(i < 52 ? 49 + 0.01 * i : 100 + i);
+  for (int i = 0; i < 200; ++i) sets.groups[2].values.push_back(60 + 0.01 * i);
+  const Evidence found = evidence(sets, {.test = DecidingTest::kruskal_wallis});
+  // Mean ranks: a 52 + 50.5 = 102.5; b (52 * 26.5 + 48 * 376.5) / 100 = 194.5; c 152 + 100.5 = 252.5.
+  const Contrast& pair = found.contrasts[0];
+  CHECK(pair.superiority.value == Approx(0.48));
+  CHECK(pair.p < 0.001);
+  CHECK(pair.relation == Relation::first_better);
+  INFO(text_of(found));
+  CHECK(text_of(found).find("b (though the median and A12 point the other way)") != std::string::npos);
+}
+
+TEST_CASE("means and medians that rounding alone keeps apart point nowhere", "[assessment][directions]") {
+  const auto text_with = [](double of_first) {
+    Evidence found{.name = "x", .quantity = "x", .plan = {.test = DecidingTest::kruskal_wallis}, .pairs = 1};
+    found.groups = {{.name = "x"}, {.name = "y"}};
+    found.groups[0].described.mean = found.groups[0].described.median = of_first;
+    found.groups[1].described.mean = found.groups[1].described.median = 0.3;
+    found.contrasts = {{.first = 0, .second = 1, .p = 0.01, .ahead = 1, .relation = Relation::first_better}};
+    return text_of(found);
+  };
+  REQUIRE(0.1 + 0.2 > 0.3);
+  CHECK(text_with(0.1 + 0.2).find("x is better than y") != std::string::npos);
+  CHECK(text_with(0.1 + 0.2).find("the other way") == std::string::npos);
+  CHECK(text_with(0.301).find("though the mean and the median point the other way") != std::string::npos);
+}

@@ -1,0 +1,116 @@
+// "The same within 5 %" is a finding, and takes as many observations as any other.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "analysis/report/assessment.hpp"
+#include "tests/analysis/synthetic.hpp"
+#include "tests/catch.hpp"
+
+using namespace ikbench;
+using namespace ikbench::inference;
+using namespace ikbench::report;
+
+namespace {
+
+Observations with(std::vector<std::vector<double>> values) {
+  Observations observations{.name = "x", .quantity = "x"};
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    observations.groups.push_back({fmt::format("g{}", i), std::move(values[i])});
+  }
+  return observations;
+}
+
+Observations in_blocks(std::vector<std::vector<double>> values) {
+  Observations observations = with(std::move(values));
+  observations.block = "a problem";
+  for (std::size_t i = 0; i < observations.groups[0].values.size(); ++i) {
+    observations.blocks.push_back(fmt::format("{}", i));
+  }
+  return observations;
+}
+
+bool is_same(const Evidence& found) { return found.contrasts.at(0).relation == Relation::equivalent; }
+
+bool any_is_the_same(const Evidence& found) {
+  return std::ranges::any_of(found.contrasts, [](const Contrast& c) { return c.relation == Relation::equivalent; });
+}
+
+}  // namespace
+
+TEST_CASE("equal values are the same within the margin where so many are not equal by chance",
+          "[assessment][equivalence]") {
+  // All of the one on one side and all of the other on the other: 2 of 6, 20 and 70 arrangements.
+  const Evidence two = evidence(with({{1, 1}, {1, 1}}), {});
+  CHECK(two.contrasts[0].relation == Relation::not_told_apart);
+  CHECK(two.contrasts[0].p == 1);
+  CHECK_FALSE(two.contrasts[0].within_margin);
+  CHECK_FALSE(is_same(evidence(with({{1, 1, 1}, {1, 1, 1}}), {})));
+  CHECK(is_same(evidence(with({{1, 1, 1, 1}, {1, 1, 1, 1}}), {})));
+  // Of three groups there are three pairs: 3 * 2 / 70 is not below 0.05, 3 * 2 / 252 is.
+  CHECK_FALSE(is_same(evidence(with({{1, 1, 1, 1}, {1, 1, 1, 1}, {2, 2, 2, 2}}), {})));
+  CHECK(is_same(evidence(with({{1, 1, 1, 1, 1}, {1, 1, 1, 1, 1}, {2, 2, 2, 2, 2}}), {})));
+  // Nor is a difference that is not found a small one.
+  CHECK_FALSE(evidence(with({{100, 100}, {101, 101}}), {}).contrasts[0].within_margin);
+  CHECK(evidence(with({{100, 100, 100, 100}, {101, 101, 101, 101}}), {}).contrasts[0].within_margin);
+}
+
+TEST_CASE("what is equal in every block is the same where there are enough blocks", "[assessment][equivalence]") {
+  // n differences have one sign, or none, by chance 2 / 2^n; of three pairs, three times that.
+  const auto equal_in = [](std::size_t blocks) {
+    std::vector<double> one, other;
+    for (std::size_t i = 0; i < blocks; ++i) {
+      one.push_back(10.0 + static_cast<double>(i));
+      other.push_back(40.0 - 3 * static_cast<double>(i));
+    }
+    return evidence(in_blocks({one, one, other}), {});
+  };
+  CHECK_FALSE(is_same(equal_in(2)));
+  CHECK_FALSE(is_same(equal_in(6)));  // 6 / 64
+  CHECK(is_same(equal_in(7)));        // 6 / 128
+
+  const auto two_equal_in = [](std::size_t blocks) {
+    std::vector<double> values;
+    for (std::size_t i = 0; i < blocks; ++i) values.push_back(10.0 + static_cast<double>(i));
+    return evidence(in_blocks({values, values}), {});
+  };
+  CHECK(two_equal_in(5).contrasts[0].relation == Relation::not_told_apart);  // 2 / 32
+  CHECK(is_same(two_equal_in(6)));                                           // 2 / 64
+  CHECK(two_equal_in(6).contrasts[0].p == 1);
+  CHECK_FALSE(is_same(evidence(in_blocks({{1, 1, 1, 1, 1}, {1, 1, 1, 1, 1}}), {})));  // constants too
+  CHECK(is_same(evidence(in_blocks({{1, 1, 1, 1, 1, 1}, {1, 1, 1, 1, 1, 1}}), {})));
+}
+
+TEST_CASE("equal values that are too few are said to be equal, and no more", "[assessment][equivalence]") {
+  std::string text;
+  for (const std::string& sentence : sentences_of(evidence(with({{1, 1}, {1, 1}}), {}))) text += sentence + '\n';
+  INFO(text);
+  CHECK(text.find("In short: g0 is not told apart from g1.") != std::string::npos);
+  CHECK(text.find("Not told apart: g0 and g1 (equal in all observations, but too few to call them the same)") != std::string::npos);
+  CHECK(text.find("same within") == std::string::npos);
+}
+
+TEST_CASE("groups whose means differ by more than the margin are rarely called the same, however few and tied",
+          "[assessment][equivalence]") {
+  // Six groups with the values 1 and 2, whose means are 1.1, 1.2, ... 1.6: each pair is more than 6 % apart, so each
+  // "same" is wrong. Simultaneous statements at 0.05 are wrong in at most 5 % of the sets; of 400 sets in at most 20
+  // but for chance, whose standard deviation is sqrt(400 * 0.05 * 0.95) = 4.4: four of them are 18.
+  synthetic::Noise noise;
+  const int sets = 400;
+  for (const bool blocked : {false, true}) {
+    int wrong = 0;
+    for (int set = 0; set < sets; ++set) {
+      std::vector<std::vector<double>> values(6);
+      for (std::size_t group = 0; group < values.size(); ++group) {
+        const double share = 0.1 * static_cast<double>(group + 1);
+        for (int i = 0; i < 2; ++i) values[group].push_back(noise.next() < share ? 2 : 1);
+      }
+      wrong += any_is_the_same(evidence(blocked ? in_blocks(values) : with(values), {})) ? 1 : 0;
+    }
+    CAPTURE(blocked);
+    CHECK(wrong <= 20 + 18);
+  }
+}

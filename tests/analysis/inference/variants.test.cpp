@@ -1,0 +1,153 @@
+#include "analysis/report/variants_table.hpp"
+
+#include <cmath>
+#include <stdexcept>
+
+#include "results/analysis_plan_fields.hpp"
+#include "tests/analysis/cells.hpp"
+#include "tests/analysis/inference/variant_samples.hpp"
+#include "tests/catch.hpp"
+#include "tests/results/samples.hpp"
+
+using namespace ikbench;
+using namespace ikbench::results;
+using namespace ikbench::statistics;
+using namespace ikbench::inference;
+using namespace ikbench::report;
+using namespace ikbench::variant_samples;
+
+TEST_CASE("identical variants are the same to the bit in every metric", "[variants]") {
+  for (const Change& change : {Change(), Change(draw_target)}) {
+    for (const std::vector<double>& errors :
+         std::vector<std::vector<double>>{about(1, 0.5), {1}, {0, 0}, {not_defined, 1}}) {
+      const VariantComparison comparison = compared(variant(errors, change), variant(errors, change));
+      REQUIRE(comparison.metrics.size() == compared_metrics.size());
+      for (const MetricComparison& metric : comparison.metrics) {
+        CHECK(metric.outcome == Outcome::same);
+        CHECK(metric.remark == "to the bit");
+        CHECK(std::isnan(metric.p_worse));
+      }
+      const std::vector<VariantComparison> all{comparison};
+      CHECK(variants_verdict(all, {}) == "No regression beyond 5 %: none of 5 metrics is worse by more.");
+    }
+  }
+}
+
+TEST_CASE("times are compared where both are clean and of one CPU", "[variants]") {
+  const auto slower = [](SolveRecord& solve) { solve.cpu_seconds = solve.seconds *= 10; };
+  const Variant a = variant(about(1, 0.1)), b = variant(about(1, 0.1), slower);
+  CHECK(compared(a, b, {"seconds"}).metrics.front().outcome == Outcome::worse);
+
+  const auto refused = [&](const Variant& other) {
+    const VariantComparison comparison = compared(a, other, {"seconds"});
+    CHECK(comparison.metrics.front().outcome == Outcome::not_compared);
+    return comparison.notes.front();
+  };
+  const Variant parallel = variant(about(1, 0.1), [](SolveRecord& solve) { solve.timing = Timing::parallel; });
+  CHECK_THAT(refused(parallel), ContainsSubstring("B: Times are not comparable: of 20 solves, 20"));
+  Variant elsewhere = b;
+  elsewhere.sessions[0].environment["cpu"] = "another";
+  CHECK_THAT(refused(elsewhere), ContainsSubstring("several CPUs (another, one)"));
+  elsewhere.sessions[0].environment.erase("cpu");
+  CHECK_THAT(refused(elsewhere), ContainsSubstring("do not say on which CPU"));
+  elsewhere.sessions.clear();
+  CHECK_THAT(refused(elsewhere), ContainsSubstring("do not say on which CPU"));
+
+  Variant later = b;
+  later.sessions[0].environment["date"] = "tomorrow";
+  CHECK_THAT(compared(a, later, {"seconds"}).notes.front(), ContainsSubstring("separate sessions"));
+}
+
+TEST_CASE("in what two variants differ beside their numbers is told", "[variants]") {
+  const Variant a = variant(about(1, 0.1));
+  CHECK(compared(a, a).notes.back() == "The stores tell no difference between A and B but their sessions.");
+  Variant b = a;
+  b.study.definition = R"({"points": 1, "runs": 20, "stop": {"iterations": 100}, "name": "other"})";
+  b.series.options = R"({"alpha": "0.8"})";
+  b.sessions[0].environment["commit"] = "def";
+  CHECK(compared(a, b).notes.back() ==
+        "B differs from A in alpha (0.9, 0.8), commit (abc, def), stop.iterations (200, 100).");
+  Variant edited = a;
+  edited.sessions[0].environment["source"] = "1f";
+  edited.sessions[0].environment["source." + a.series.algorithm] = "2e";
+  CHECK(compared(a, edited).notes.back() ==
+        "B differs from A in source (unknown, 1f), source of the solver (unknown, 2e).");
+  b.study.definition = "no JSON";
+  b.series.options = "[1";
+  b.sessions.clear();
+  CHECK_THAT(compared(a, b).notes.back(), ContainsSubstring("alpha (0.9, none)"));
+}
+
+TEST_CASE("a question out of range and a metric that there is not are refused", "[variants]") {
+  const Variant a = variant(about(1, 0.1));
+  for (const MarginQuestion& question :
+       {MarginQuestion{.margin = 1}, MarginQuestion{.margin = -0.1}, MarginQuestion{.margin = not_defined},
+        MarginQuestion{.significance = 0}, MarginQuestion{.significance = 0.3}, MarginQuestion{.power = 0.3},
+        MarginQuestion{.power = 1}}) {
+    CHECK_THROWS_AS(compared(a, a, {}, question), std::invalid_argument);
+  }
+  CHECK_THROWS_WITH(compared(a, a, {"speed"}), ContainsSubstring("unknown metric \"speed\""));
+  CHECK(compared(a, a, {"solved", "seconds", "solved"}).metrics.size() == 2);
+}
+
+TEST_CASE("every question that a plan may ask is answered", "[variants]") {
+  const Variant a = variant(about(1, 0.3)), b = variant(about(1.15, 0.3));
+  for (const double margin : {margins_percent.first / 100, margins_percent.second / 100}) {
+    for (const double significance : {significances.first, significances.second}) {
+      for (const double power : {powers.first, powers.second}) {
+        CHECK_NOTHROW(compared(a, b, {}, {.margin = margin, .significance = significance, .power = power}));
+      }
+    }
+  }
+}
+
+TEST_CASE("the verdict names every regression, or counts what is not decided", "[variants]") {
+  const Variant a = variant(about(1, 0.5)), wide = variant(about(1.01, 0.5)), worse = variant(about(2, 0.5));
+  const std::vector<std::string> error{"position_error_cm"}, all{};
+  std::vector<VariantComparison> comparisons{compared(a, worse, error)};
+  CHECK(variants_verdict(comparisons, {}) == "Regression beyond 5 %: position_error_cm (2 times).");
+  CHECK(count(comparisons, Outcome::worse) == 1);
+  comparisons.push_back(compared(a, wide, error));
+  comparisons.back().label = "other";
+  CHECK(variants_verdict(comparisons, {}) == "Regression beyond 5 %: mine: position_error_cm (2 times).");
+  comparisons = {compared(a, wide)};
+  CHECK(variants_verdict(comparisons, {}) == "No regression beyond 5 % is shown; 1 of 5 metrics is undecided.");
+}
+
+TEST_CASE("the table has a row for every label and metric, and facts have no p", "[variants]") {
+  const std::vector<VariantComparison> comparisons{compared(variant(about(1, 0.1)), variant(about(2, 0.1)))};
+  const Table table = variants_table(comparisons, {});
+  REQUIRE(table.rows.size() == 5);
+  CHECK(std::get<std::string>(cell_at(table, 0, "B_is")) == "worse");
+  CHECK(number_at(table, 0, "B_by_A") == Approx(2));
+  CHECK(number_at(table, 0, "n_A") == 20);
+  CHECK_FALSE(is_empty(table, 0, "p_worse"));
+  CHECK(std::get<std::string>(cell_at(table, 1, "remark")) == "to the bit");
+  CHECK(is_empty(table, 1, "p_worse"));
+  CHECK(is_empty(table, 1, "p_ranks"));
+  const std::string json = variants_json(comparisons, {});
+  CHECK_THAT(json, ContainsSubstring(R"("verdict": "Regression beyond 5 %: position_error_cm (2 times).")"));
+  CHECK_THAT(json, ContainsSubstring(R"("p_worse": null)"));
+  CHECK_THAT(table.notes.front(),
+             ContainsSubstring("any one observation of B is better than any one of A, which makes no "
+                               "use of pairs"));
+}
+
+TEST_CASE("a store's labels become variants, each with its own solves and sessions", "[variants]") {
+  const ScratchFolder folder;
+  Store store(folder.path / "store.sqlite", Store::Mode::write);
+  const StudyEntry study = sample_study();
+  store.save_study(study);
+  const std::int64_t first = store.begin_session({{"cpu", "one"}}), second = store.begin_session({{"cpu", "two"}});
+  SolveRecord of_a = sample_record("key-a"), of_b = sample_record("key-b");
+  of_a.session = first;
+  of_b.session = second;
+  store.append({of_a, of_b});
+  const std::vector<Variant> found = variants(store, study);
+  REQUIRE(found.size() == 2);
+  CHECK(found[0].series.label == "IK-BA");
+  CHECK(found[0].study.solves.size() == 1);
+  CHECK(found[1].study.solvers == std::vector<std::string>{"BA"});
+  REQUIRE(found[1].sessions.size() == 1);
+  CHECK(found[1].sessions[0].environment.at("cpu") == "two");
+}

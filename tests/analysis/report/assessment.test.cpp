@@ -1,0 +1,341 @@
+#include "analysis/report/assessment.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "analysis/inference/observations_csv.hpp"
+#include "results/csv.hpp"
+#include "results/published.hpp"
+#include "tests/catch.hpp"
+
+using namespace ikbench;
+using namespace ikbench::results;
+using namespace ikbench::statistics;
+using namespace ikbench::inference;
+using namespace ikbench::report;
+
+namespace {
+
+// R's data set PlantGrowth.
+Observations plant_growth() {
+  return {.name = "weight",
+          .quantity = "weight",
+          .better = Better::larger,
+          .groups = {{"ctrl", {4.17, 5.58, 5.18, 6.11, 4.50, 4.61, 5.17, 4.53, 5.33, 5.14}},
+                     {"trt1", {4.81, 4.17, 4.41, 3.59, 5.87, 3.83, 6.03, 4.89, 4.32, 4.69}},
+                     {"trt2", {6.31, 5.12, 5.54, 5.50, 5.37, 5.29, 4.92, 6.15, 5.80, 5.26}}}};
+}
+
+// Demsar, J. Machine Learning Research 7 (2006) 1, Table 6: AUC of four classifiers on 14 data sets. In the 13th two
+// are printed alike that he ranked 2 and 3; the tie is broken here as he did.
+Observations demsar() {
+  return {.name = "auc",
+          .quantity = "AUC",
+          .better = Better::larger,
+          .groups = {{"C4.5", {.763, .599, .954, .628, .882, .936, .661, .583, .775, 1, .940, .619, .972, .957}},
+                     {"C4.5+m", {.768, .591, .971, .661, .888, .931, .668, .583, .838, 1, .962, .666, .981, .978}},
+                     {"C4.5+cf", {.771, .590, .968, .654, .886, .916, .609, .563, .866, 1, .965, .614, .9751, .946}},
+                     {"C4.5+m+cf", {.798, .569, .967, .657, .898, .931, .685, .625, .875, 1, .962, .669, .975, .970}}},
+          .blocks = {"1", "2", "3", "4", "5", "6", "7", "8", "9", "10", "11", "12", "13", "14"},
+          .block = "a data set"};
+}
+
+Summaries printed_table_3(const std::string& metric) {
+  for (Summaries& summaries : read_summaries(to_csv(published::table("slim2023", "table-3")), "table-3.csv")) {
+    if (summaries.quantity == metric) return summaries;
+  }
+  FAIL("no such metric");
+  return {};
+}
+
+const Contrast& contrast(const Evidence& found, const std::string& first, const std::string& second) {
+  const auto is_it = [&](const Contrast& c) {
+    return found.groups[c.first].name == first && found.groups[c.second].name == second;
+  };
+  const auto it = std::ranges::find_if(found.contrasts, is_it);
+  REQUIRE(it != found.contrasts.end());
+  return *it;
+}
+
+std::string text_of(const Evidence& found) {
+  std::string text;
+  for (const std::string& sentence : sentences_of(found)) text += sentence + '\n';
+  return text;
+}
+
+bool says(const Evidence& found, const std::string& words) {
+  INFO(text_of(found));
+  return text_of(found).find(words) != std::string::npos;
+}
+
+}  // namespace
+
+TEST_CASE("PlantGrowth is judged as R judges it", "[assessment]") {
+  const Evidence found = evidence(plant_growth(), {});
+  CHECK(found.plan.test == DecidingTest::welch);
+  const auto p_of = [&](const std::string& test) {
+    const TestResult* result = found.test(test);
+    REQUIRE(result);
+    return result->p;
+  };
+  // R 4.2.2: oneway.test, aov, kruskal.test, car::leveneTest, bartlett.test
+  CHECK(p_of("Welch's ANOVA") == Approx(0.01739282149).epsilon(1e-9));
+  CHECK(p_of("One-way ANOVA") == Approx(0.01591).epsilon(1e-3));
+  CHECK(p_of("Kruskal and Wallis' test") == Approx(0.01842375573147).epsilon(1e-9));
+  CHECK(p_of("Brown and Forsythe's test of equal variances") == Approx(0.34123).epsilon(1e-4));
+  CHECK(p_of("Bartlett's test of equal variances") == Approx(0.2370967736346).epsilon(1e-9));
+  CHECK(found.groups[0].normality == Approx(0.747473443830).epsilon(1e-6));
+  // rstatix::games_howell_test, TukeyHSD, dunn_test with Holm
+  const Contrast& last = contrast(found, "trt1", "trt2");
+  CHECK(last.p == Approx(0.0237034547392).epsilon(1e-6));
+  CHECK(last.p_pooled == Approx(0.012006423979).epsilon(1e-6));
+  CHECK(last.p_ranks == Approx(3 * 0.00500029037).epsilon(1e-6));  // dunn.test's p, times 3 as Holm's smallest of three
+  CHECK(last.relation == Relation::second_better);
+  CHECK(contrast(found, "ctrl", "trt1").relation == Relation::not_told_apart);
+  CHECK(says(found, "trt2 is better than trt1"));
+  CHECK(says(found, "equal variances are not refuted"));
+}
+
+TEST_CASE("on the printed Table 3 the pooled variance hides what Games-Howell finds in the error", "[assessment]") {
+  const Evidence found = evidence(printed_table_3("position_error_cm"), {});
+  CHECK(found.test("One-way ANOVA")->statistic == Approx(40.7736).epsilon(1e-5));
+  CHECK(found.test("Welch's ANOVA")->statistic == Approx(141.791).epsilon(1e-5));
+  CHECK(found.variance_ratio == Approx(2.6e7).epsilon(0.02));
+  CHECK(contrast(found, "IK-BA", "DE").p_pooled == Approx(0.07).margin(0.005));
+  CHECK(contrast(found, "IK-BA", "K-ABC").p_pooled == Approx(0.50).margin(0.005));
+  CHECK(contrast(found, "IK-BA", "DE").p == Approx(3.0e-4).epsilon(0.02));
+  CHECK(contrast(found, "IK-BA", "K-ABC").p == Approx(1.9e-10).epsilon(0.03));
+  CHECK(says(found, "does not separate IK-BA and DE"));
+  CHECK(says(found, "Games-Howell is the one of the two to believe"));
+  CHECK(says(found, "equal variances are refuted"));
+}
+
+TEST_CASE("on the printed Table 3 IK-BA and MO-PSO do not differ in variation, and PSO is faster than IK-BA",
+          "[assessment]") {
+  const Evidence variation = evidence(printed_table_3("variation_deg"), {});
+  CHECK(contrast(variation, "IK-BA", "MO-PSO").p == Approx(0.997).margin(0.001));
+  CHECK(contrast(variation, "IK-BA", "MO-PSO").relation == Relation::not_told_apart);
+  CHECK(says(variation, "Not told apart: IK-BA and MO-PSO"));
+  const Evidence time = evidence(printed_table_3("seconds"), {});
+  CHECK(contrast(time, "IK-BA", "PSO").p == Approx(0.003).margin(0.0005));
+  CHECK(contrast(time, "IK-BA", "PSO").relation == Relation::second_better);
+}
+
+TEST_CASE("in blocks Friedman's ranks decide, as Demsar has them", "[assessment]") {
+  const Evidence found = evidence(demsar(), {.significance = 0.1});
+  CHECK(found.plan.test == DecidingTest::friedman);
+  const std::vector<double> ranks{3.143, 2.000, 2.893, 1.964};  // Demsar 2006, Table 6
+  for (std::size_t i = 0; i < ranks.size(); ++i) CHECK(found.groups[i].average_rank == Approx(ranks[i]).epsilon(1e-3));
+  CHECK(found.critical_difference == Approx(1.11806).epsilon(1e-4));  // 0.10
+  CHECK(found.blocks == 14);
+  const Evidence against = evidence(demsar(), {.control = "C4.5", .significance = 0.05});
+  CHECK(against.contrasts.size() == 3);
+  CHECK(against.reference == 0u);
+}
+
+TEST_CASE("the plan decides which test has the word", "[assessment]") {
+  const auto p_with = [](DecidingTest test) {
+    return contrast(evidence(plant_growth(), {.test = test}), "trt1", "trt2").p;
+  };
+  const Contrast all = contrast(evidence(plant_growth(), {}), "trt1", "trt2");
+  CHECK(p_with(DecidingTest::anova) == all.p_pooled);
+  CHECK(p_with(DecidingTest::welch) == all.p_unpooled);
+  CHECK(p_with(DecidingTest::kruskal_wallis) == all.p_ranks);
+  CHECK_THROWS_AS(evidence(plant_growth(), {.test = DecidingTest::friedman}), std::invalid_argument);
+  CHECK_THROWS_AS(evidence(plant_growth(), {.control = "nobody"}), std::invalid_argument);
+  CHECK_THROWS_AS(evidence(printed_table_3("seconds"), {.test = DecidingTest::kruskal_wallis}), std::invalid_argument);
+}
+
+TEST_CASE("groups that differ by less than the margin for certain are the same within it", "[assessment]") {
+  Observations near = plant_growth();
+  near.groups.resize(2);
+  near.groups[0].values = {100.0, 100.1, 99.9, 100.05, 99.95};
+  near.groups[1].values = {100.1, 100.2, 99.8, 100.0, 99.9};
+  CHECK(evidence(near, {.margin = 0.05}).contrasts[0].relation == Relation::equivalent);
+  CHECK(evidence(near, {.margin = 0.0001}).contrasts[0].relation == Relation::not_told_apart);
+}
+
+TEST_CASE("a difference that is found and lies within the margin is said to be that small", "[assessment]") {
+  Observations near{
+      .name = "x",
+      .quantity = "x",
+      .groups = {{"A", {100.0, 100.1, 99.9, 100.05, 99.95}}, {"B", {101.0, 101.1, 100.9, 101.05, 100.95}}}};
+  const Evidence found = evidence(near, {.margin = 0.05});
+  CHECK(found.contrasts[0].relation == Relation::first_better);
+  CHECK(says(found, "which is less than 5 %"));
+  CHECK_FALSE(says(evidence(near, {.margin = 0.005}), "which is less than"));
+}
+
+TEST_CASE("degenerate data are explained and never a crash", "[assessment]") {
+  const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
+  const auto with = [](std::vector<std::vector<double>> values) {
+    Observations observations{.name = "x", .quantity = "x"};
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      observations.groups.push_back({fmt::format("g{}", i), std::move(values[i])});
+    }
+    return observations;
+  };
+  CHECK(says(evidence(with({}), {}), "There is no group"));
+  CHECK(says(evidence(with({{1, 2, 3}}), {}), "One group alone"));
+  CHECK(says(evidence(with({{1, 1, 1}, {2, 2, 2}}), {}), "one value alone"));
+  CHECK(says(evidence(with({{1, 1, 1, 1}, {1, 1, 1, 1}}), {}), "The same within 5 %: g0 and g1"));
+  CHECK(evidence(with({{1}, {2}, {3}}), {}).contrasts[0].relation == Relation::undefined);
+  for (const auto& values : std::vector<std::vector<std::vector<double>>>{{{1}, {2, 3}},
+                                                                          {{}, {1, 2}},
+                                                                          {{nan, 1, 2}, {1, 2, 3}},
+                                                                          {{inf, -inf, 2}, {1, 2, 3}},
+                                                                          {{1e308, -1e308, 1e308}, {1, 2, 3}},
+                                                                          {{1, 1, 1}, {1, 2, 3}},
+                                                                          {{5, 5}, {5, 5}, {5, 6}},
+                                                                          {{1e-320, 2e-320}, {3e-320, 4e-320}}}) {
+    const Assessment seen = assess(with(values), {});
+    CHECK_FALSE(seen.sentences.empty());
+    CHECK_FALSE(seen.tables.empty());
+    CHECK_FALSE(nlohmann::json::parse(seen.json, nullptr, false).is_discarded());
+  }
+}
+
+TEST_CASE("sentences say what is known, of whom, and no more", "[assessment]") {
+  const double inf = std::numeric_limits<double>::infinity();
+  const auto of = [](std::vector<Group> groups) {
+    return evidence(Observations{.name = "x", .quantity = "x", .groups = std::move(groups)}, {});
+  };
+  // Of reasons: the group by its name, not by its number.
+  const Evidence infinite = of({{"plain", {1, 2, 3}}, {"odd", {1, 2, inf}}, {"other", {2, 3, 5}}});
+  CHECK(says(infinite, "plain and odd (odd has values that are not finite)"));
+  CHECK(says(infinite, "One-way ANOVA: not defined, odd has values that are not finite"));
+  CHECK(says(infinite, "Normality is not refuted for any group that could be tested"));
+  CHECK_FALSE(says(infinite, "group 2"));
+  // Nothing was tested, so nothing is "not refuted", and no methods agree.
+  const Evidence single = of({{"A", {1}}, {"B", {2}}, {"C", {3}}});
+  CHECK(says(single, "with 1 observation each"));
+  CHECK(says(single, "equal variances could not be tested"));
+  CHECK(says(single, "none of the 3 pairs is shown to differ"));
+  CHECK(headlines_of(single).front().find("no pair with A could be judged") != std::string::npos);
+  // A pair without the best is named where no other is; where a group has no variance, none is a multiple of it.
+  const Evidence others = of({{"A", {1, 2, 3, 1, 2, 3}}, {"B", {2, 2, 2, 2, 2, 2}}, {"C", {3, 3, 3, 3, 3, 3}}});
+  CHECK(says(others, "1 of the 3 pairs differs. No pair with A is among them: B is better than C: 2 against 3, by 1,"));
+  CHECK(says(others, "dominated by A, while B has none"));
+  // One pair is counted in no plural.
+  CHECK(says(of({{"A", {1, 2, 3}}, {"B", {7, 8, 9}}}), "Who differs: A is better than B"));
+  CHECK(says(of({{"A", {1, 2, 3}}, {"B", {2, 3, 4}}}), "Who differs: a difference is not shown."));
+}
+
+TEST_CASE("a variance is called dominating where it is larger than by chance alone", "[assessment]") {
+  // Variances of 26.3 and 1 (by hand), of three values each: Brown and Forsythe's p is above 0.05.
+  const Observations few{
+      .name = "x",
+      .quantity = "x",
+      .groups = {{"A", {0, 5.13, 10.26}}, {"B", {9, 10, 11}}, {"C", {12, 14, 16}}, {"D", {1, 3, 5}}}};
+  const Evidence found = evidence(few, {});
+  CHECK(found.variance_ratio == Approx(26.3169));
+  CHECK(says(found, "equal variances are not refuted"));
+  CHECK(says(found, "Tukey, with one variance for all,"));
+  CHECK_FALSE(says(found, "is dominated by"));
+  CHECK(says(evidence(printed_table_3("position_error_cm"), {}), "is dominated by BA"));
+}
+
+TEST_CASE("in blocks, the paired t test is told of where it separates what the ranks do not", "[assessment]") {
+  // In three blocks two of three groups with average ranks of 1 and 2 are not apart: Nemenyi's critical difference is
+  // 2.344 sqrt(3 * 4 / (6 * 3)) = 1.91. The differences -1, -1.1, -1.2 have t = -1.1 / (0.1 / sqrt(3)) = -19.05 with 2
+  // degrees of freedom, p = 0.00274, times three pairs.
+  const Observations three{.name = "x",
+                           .quantity = "x",
+                           .groups = {{"A", {1, 2, 3}}, {"B", {2, 3.1, 4.2}}, {"C", {9, 8, 7}}},
+                           .blocks = {"1", "2", "3"},
+                           .block = "a problem"};
+  const Evidence found = evidence(three, {});
+  CHECK(says(found, "The paired t, of means within blocks, separates A and B (p = 0.00823 against"));
+  CHECK(says(found, "ahead in 100 % of blocks"));
+}
+
+TEST_CASE("two groups in few blocks are told apart by the exact test alone", "[assessment]") {
+  // Wilcoxon's exact two-sided p is 2 / 2^n where all n differences have one sign: 0.125 of 4 and 0.0625 of 5 blocks.
+  Observations four{.name = "x",
+                    .quantity = "x",
+                    .groups = {{"A", {1, 2, 3, 4}}, {"B", {2, 3.5, 5, 7}}},
+                    .blocks = {"1", "2", "3", "4"},
+                    .block = "a problem"};
+  CHECK(evidence(four, {}).contrasts[0].p == Approx(0.125));
+  CHECK(evidence(four, {}).contrasts[0].relation == Relation::not_told_apart);
+  CHECK(says(evidence(four, {}), "Methods: Wilcoxon's signed-rank test decides"));
+  Observations three = four;
+  three.blocks.clear();
+  three.groups = {{"A", {1, 2, 3}}, {"B", {4, 5, 6}}};
+  const Evidence found = evidence(three, {.test = DecidingTest::kruskal_wallis});
+  CHECK(found.contrasts[0].p == Approx(0.1));  // Mann-Whitney, exact: 2 of 20 arrangements
+  CHECK(found.contrasts[0].relation == Relation::not_told_apart);
+}
+
+TEST_CASE("groups of one value each differ as far as Fisher's exact test says", "[assessment]") {
+  const auto constants = [](std::size_t n) {
+    return Observations{.name = "x",
+                        .quantity = "x",
+                        .groups = {{"A", std::vector<double>(n, 1.0)}, {"B", std::vector<double>(n, 2.0)}}};
+  };
+  CHECK(evidence(constants(2), {}).contrasts[0].p == Approx(1.0 / 3));  // 2 of 6 arrangements
+  CHECK(evidence(constants(2), {}).contrasts[0].relation == Relation::not_told_apart);
+  CHECK(evidence(constants(20), {}).contrasts[0].relation == Relation::first_better);
+}
+
+TEST_CASE("in blocks, what decides, its p, its interval and its words go together", "[assessment]") {
+  const Evidence by_welch = evidence(demsar(), {.test = DecidingTest::welch});
+  CHECK(by_welch.contrasts[0].p == by_welch.contrasts[0].p_unpooled);
+  CHECK(interval_words(by_welch).starts_with("Games-Howell"));
+  const Evidence by_dunn = evidence(demsar(), {.test = DecidingTest::kruskal_wallis});
+  CHECK(by_dunn.contrasts[0].p == by_dunn.contrasts[0].p_ranks);
+  CHECK(by_dunn.contrasts[0].p > 0.5);  // the ranks of all values together, whatever the blocks
+  const Evidence by_friedman = evidence(demsar(), {});
+  CHECK(by_friedman.contrasts[0].p < 0.2);
+  CHECK(interval_words(by_friedman).starts_with("paired t"));
+}
+
+TEST_CASE("with a control, ranks are corrected for its pairs alone, larger or smaller being better", "[assessment]") {
+  // Demsar 2006, Sec. 3.2.2: z of C4.5 against the three, here with the ranks of the data; Holm of three.
+  const Evidence found = evidence(demsar(), {.control = "C4.5"});
+  double smallest = 1;
+  for (const Contrast& each : found.contrasts) smallest = std::min(smallest, each.p);
+  const double z = (3.142857 - 1.964286) / std::sqrt(4 * 5 / (6.0 * 14));
+  CHECK(smallest == Approx(3 * std::erfc(z / std::sqrt(2.0))).epsilon(1e-4));
+  CHECK(contrast(found, "C4.5", "C4.5+m+cf").relation == Relation::second_better);
+  Observations negated = demsar();
+  negated.better = Better::smaller;
+  for (Group& group : negated.groups) {
+    for (double& value : group.values) value = -value;
+  }
+  CHECK(contrast(evidence(negated, {.control = "C4.5"}), "C4.5", "C4.5+m+cf").relation == Relation::second_better);
+}
+
+TEST_CASE("equivalence does not depend on the order of the groups", "[assessment]") {
+  const std::vector<double> a{1, 2, 3, 4, 5, 6}, b{2, 3, 5, 4, 6, 8};
+  const Observations one{.name = "x", .quantity = "x", .groups = {{"a", a}, {"b", b}}};
+  const Observations other{.name = "x", .quantity = "x", .groups = {{"b", b}, {"a", a}}};
+  CHECK(evidence(one, {.margin = 0.9}).contrasts[0].relation == evidence(other, {.margin = 0.9}).contrasts[0].relation);
+  CHECK(evidence(one, {}).contrasts[0].runs_to_see_margin == evidence(other, {}).contrasts[0].runs_to_see_margin);
+}
+
+TEST_CASE("two hundred groups are compared with the best, corrected for all pairs", "[assessment]") {
+  Observations many{.name = "x", .quantity = "x"};
+  for (int i = 0; i < 200; ++i) {
+    many.groups.push_back({fmt::format("group {}", i), {1.0 + i, 2.0 + i, 3.5 + i, 2.5 + i}});
+  }
+  const Evidence found = evidence(many, {});
+  CHECK(found.pairs == 19900);
+  CHECK(found.reference == 0u);
+  CHECK(found.contrasts.size() == 199);
+  CHECK(found.contrasts.back().relation == Relation::first_better);
+}
+
+TEST_CASE("names from anywhere stay within the JSON, and numbers that are not defined are null", "[assessment]") {
+  Observations odd = plant_growth();
+  odd.groups[0].name = "a\"b\\<script>\n\xff";
+  odd.groups[1].values = {1};
+  const auto json = nlohmann::json::parse(assess(odd, {}).json);
+  CHECK(json["groups"].size() == 3);
+  CHECK(json["groups"][1]["sd"].is_null());
+}

@@ -1,0 +1,141 @@
+#include "analysis/report/limits_table.hpp"
+
+#include <cmath>
+
+#include "tests/analysis/cells.hpp"
+#include "tests/analysis/synthetic.hpp"
+#include "tests/catch.hpp"
+
+using namespace ikbench;
+using namespace ikbench::results;
+using namespace ikbench::inference;
+using namespace ikbench::report;
+
+namespace {
+
+struct Answer {
+  std::string solver;
+  double error_cm;
+  double variation_deg;
+  Status status = Status::ok;
+};
+
+StudyResults study_of(const std::string& name, const char* limits, const std::vector<Answer>& answers) {
+  std::vector<SolveRecord> solves;
+  for (const Answer& answer : answers) {
+    SolveRecord solve;
+    solve.solver = answer.solver;
+    solve.position_error_cm = answer.error_cm;
+    solve.variation_deg = answer.variation_deg;
+    solve.status = answer.status;
+    if (answer.status == Status::limit_violated) solve.limit_violation_deg = 3;
+    for (const SolveRecord& before : solves) {
+      if (before.solver == answer.solver) solve.run = before.run + 1;
+    }
+    solves.push_back(solve);
+  }
+  const std::string definition = std::string(R"({"points": 1, "limits": ")") + limits + "\"}";
+  return make_study(StudyEntry{.name = name, .definition = definition, .series = {}}, solves);
+}
+
+// Means by hand: recorded IK-BA 2, DE 4; enforced IK-BA 11 (1 without the refused answer), DE 3.
+const StudyResults recorded = study_of("free", "recorded",
+                                       {{"IK-BA", 1, 40, Status::limit_violated},
+                                        {"IK-BA", 3, 60},
+                                        {"DE", 4, 300},
+                                        {"DE", 4, 300, Status::limit_violated},
+                                        {"only here", 9, 9}});
+const StudyResults enforced = study_of(
+    "held", "enforced",
+    {{"IK-BA", 21, 0, Status::refused}, {"IK-BA", 1, 80}, {"DE", 3, 310}, {"DE", 3, 290}, {"only there", 1, 1}});
+
+}  // namespace
+
+TEST_CASE("the limits table sets a study beside the one that enforces the limits", "[limits]") {
+  const Table table = *limits_table({recorded, enforced}, Unit::run);
+  CHECK(table.name == "limits");
+  REQUIRE(table.rows.size() == 4);  // solvers of both, twice
+  CHECK(number_at(table, 0, "mean_position_error_cm") == 2);
+  CHECK(number_at(table, 0, "mean_variation_deg") == 50);
+  CHECK(number_at(table, 0, "outside_limits") == 1);
+  CHECK(number_at(table, 0, "limit_violated") == 1);
+  CHECK(number_at(table, 1, "mean_position_error_cm") == 11);
+  CHECK(number_at(table, 1, "mean_accepted_error_cm") == 1);
+  CHECK(number_at(table, 1, "mean_variation_deg") == 40);
+  CHECK(number_at(table, 1, "mean_accepted_variation_deg") == 80);
+  CHECK(number_at(table, 1, "refused") == 1);
+  CHECK(number_at(table, 0, "rank_error") == 1);
+  CHECK(number_at(table, 1, "rank_error") == 2);
+  CHECK(number_at(table, 2, "rank_error") == 2);
+  CHECK(number_at(table, 3, "rank_error") == 1);
+}
+
+TEST_CASE("what survives is said of every solver", "[limits]") {
+  const Table table = *limits_table({recorded, enforced}, Unit::run);
+  CHECK(has_note(table, "IK-BA: position error 2 -> 11 cm (5.5 x), 1 cm over the answers that are not refused; "));
+  CHECK(has_note(
+      table, "variation of such answers 50 -> 80 deg (1.6 x); answers outside the limits 1 of 2 -> refused 1 of 2; "));
+  // Welch's test by hand: 11 against 3, variances 200 and 0, n = 2: t = 0.8, 1 degree of freedom, 1 - 2 atan(t) / pi.
+  CHECK(has_note(table, "in error place 1 -> 2 of 2, no longer the first (that is DE; Welch's test, p = 0.57); "));
+  CHECK(has_note(table, "in variation place 1 -> 1 of 2, still the first."));
+  CHECK(has_note(table, "DE: position error 4 -> 3 cm (0.75 x)"));
+  CHECK(has_note(table, "in error place 2 -> 1 of 2, now the first; in variation place 2 -> 2 of 2, as before."));
+}
+
+TEST_CASE("a solver gains no place in variation by being refused", "[limits]") {
+  const Table table =
+      *limits_table({study_of("free", "recorded", {{"IK-BA", 1, 40}, {"IK-BA", 1, 40}, {"DE", 1, 300}, {"DE", 1, 300}}),
+                     study_of("held", "enforced",
+                              {{"IK-BA", 1, 42},
+                               {"IK-BA", 1, 44},
+                               {"DE", 9, 0, Status::refused},
+                               {"DE", 9, 0, Status::refused},
+                               {"DE", 9, 0, Status::refused},
+                               {"DE", 1, 120}})},
+                    Unit::run);
+  CHECK(number_at(table, 3, "mean_variation_deg") == 30);  // less than 43 of IK-BA, by three refusals
+  CHECK(number_at(table, 3, "mean_accepted_variation_deg") == 120);
+  CHECK(number_at(table, 1, "rank_variation") == 1);
+  CHECK(number_at(table, 3, "rank_variation") == 2);
+  CHECK(has_note(table,
+                 "DE: position error 1 -> 7 cm (7 x), 1 cm over the answers that are not refused; variation of "
+                 "such answers 300 -> 120 deg (0.4 x); answers outside the limits 0 of 2 -> refused 3 of 4; "));
+  CHECK(has_note(table, "in variation place 1 -> 1 of 2, still the first."));
+  CHECK(has_note(table, "A refused answer leaves the arm where it stood"));
+}
+
+TEST_CASE("a place that is shared makes no solver the first", "[limits]") {
+  const StudyResults alike = study_of("free", "recorded", {{"IK-BA", 1, 40}, {"DE", 1, 40}});
+  const Table table =
+      *limits_table({alike, study_of("held", "enforced", {{"IK-BA", 1, 40}, {"DE", 2, 40}})}, Unit::run);
+  CHECK(has_note(table,
+                 "in error place 1 (shared) -> 1 of 2, now the first; in variation place 1 (shared) -> 1 (shared) "
+                 "of 2, as before."));
+  CHECK(has_note(table, "in error place 1 (shared) -> 2 of 2; "));
+  CHECK(number_at(table, 0, "rank_error") == 1);
+  CHECK(number_at(table, 2, "rank_error") == 1);
+}
+
+TEST_CASE("the reported study may be either of the two", "[limits]") {
+  const Table table = *limits_table({enforced, recorded}, Unit::run);
+  CHECK(std::get<std::string>(cell_at(table, 0, "study")) == "free");
+  CHECK(std::get<std::string>(cell_at(table, 1, "limits")) == "enforced");
+}
+
+TEST_CASE("without a counterpart there is no limits table", "[limits]") {
+  CHECK(!limits_table({}, Unit::run));
+  CHECK(!limits_table({recorded}, Unit::run));
+  CHECK(!limits_table({enforced, enforced}, Unit::run));
+  CHECK(!limits_table({recorded, study_of("s", "enforced", {{"another", 1, 1}})}, Unit::run));
+  CHECK(!limits_table({recorded, study_of("s", "what", {{"IK-BA", 1, 1}})}, Unit::run));
+}
+
+TEST_CASE("answers that are not finite, refused throughout or not there leave no place", "[limits]") {
+  const Table table = *limits_table(
+      {recorded, study_of("s", "enforced", {{"IK-BA", NAN, 1, Status::not_finite}, {"DE", 7, 0, Status::refused}})},
+      Unit::run);
+  CHECK(has_note(table, "IK-BA: position error 2 -> not defined cm, not defined cm over"));
+  CHECK(has_note(table, "in error not in both rankings"));
+  CHECK(has_note(table, "DE: position error 4 -> 7 cm (1.75 x), not defined cm over"));
+  CHECK(!std::isfinite(number_at(table, 1, "rank_error")));
+}

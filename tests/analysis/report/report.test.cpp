@@ -1,0 +1,443 @@
+#include "analysis/report/report.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "results/files.hpp"
+#include "analysis/report/provenance.hpp"
+#include "analysis/report/summary.hpp"
+#include "results/csv.hpp"
+#include "tests/analysis/folder.hpp"
+#include "tests/analysis/synthetic.hpp"
+#include "tests/catch.hpp"
+
+using namespace ikbench;
+using namespace ikbench::results;
+using namespace ikbench::inference;
+using namespace ikbench::report;
+
+namespace {
+
+bool contains(const std::string& text, const std::string& words) { return text.find(words) != std::string::npos; }
+
+struct Example {
+  std::string name = "slim2023";
+  std::string definition =
+      R"({"robot": "iiwa", "path": {"kind": "helix", "points": 20}, "runs": 20, "published": "slim2023"})";
+  synthetic::Shape shape = {};
+  std::string command = "ikbench run slim2023 --out out";
+  double slowdown = 1;  // wall time by CPU time
+};
+
+// Saves a study of made-up solves; its keys begin with its name.
+void save(Store& store, const Example& example) {
+  StudyEntry entry{.name = example.name, .definition = example.definition, .series = {}};
+  std::vector<SolveRecord> solves = synthetic::solves(example.shape);
+  const std::int64_t session =
+      store.begin_session({{"cpu", "a <fast> one"}, {"compiler", "g++ 12"}, {"command", example.command}});
+  for (std::size_t i = 0; i < example.shape.solvers.size(); ++i) {
+    entry.series.push_back({.key = example.name + "-series-" + std::to_string(i),
+                            .label = example.shape.solvers[i],
+                            .algorithm = "algorithm",
+                            .options = R"({"alpha": 0.97, "acceptance": "greedy"})"});
+  }
+  for (SolveRecord& solve : solves) {
+    solve.study = example.name;
+    solve.series = example.name + "-" + solve.series;
+    solve.session = session;
+    solve.cpu_seconds = solve.seconds / example.slowdown;
+  }
+  store.save_study(entry);
+  store.append(solves);
+}
+
+}  // namespace
+
+TEST_CASE("a report has its tables, figures and report.md", "[report]") {
+  const TestFolder folder;
+  Store store(folder.path() / "store.db", Store::Mode::write);
+  save(store, {});
+  const Report report = write_report(store, {.study = "slim2023", .folder = folder.path() / "out"});
+  CHECK(report.file == folder.path() / "out" / "report.md");
+  CHECK(report.page == folder.path() / "out" / "report.html");
+  CHECK(std::filesystem::file_size(report.page) < 4'000'000);
+  CHECK(report.warnings.empty());
+  const auto files = files_in(folder.path() / "out");
+  for (const char* name : {"definition", "options", "analysis-plan", "environment", "status", "table-3", "table-4",
+                           "table-5", "table-6", "anova-from-printed-table-3"}) {
+    for (const char* type : {".md", ".csv", ".tex"}) CHECK(files.contains("tables/" + std::string(name) + type));
+  }
+  CHECK(files.contains("figures/figure-10.pdf"));
+  const std::string text = text_of_file(report.file);
+  for (const char* words :
+       {"Report of the study slim2023", "## Verdict", "| IK-BA is the most accurate | holds | holds | ", "## Summary",
+        "    ikbench run slim2023 --out out", "| path.kind | helix |", "| IK-BA | algorithm | alpha | 0.97 |",
+        "a &lt;fast&gt; one", "](figures/figure-9-f.png)", "Table 6: one-way ANOVA",
+        "IK-BA is first in the paper, and here too"}) {
+    CAPTURE(words);
+    CHECK(contains(text, words));
+  }
+  CHECK(!contains(text, "## Perspective"));
+}
+
+TEST_CASE("every link of a report leads to a file", "[report]") {
+  const TestFolder folder;
+  Store store(folder.path() / "store.db", Store::Mode::write);
+  save(store, {.shape = {.runs = 2}});
+  const std::string text = text_of_file(write_report(store, {.study = "slim2023", .folder = folder.path()}).file);
+  int links = 0;
+  for (std::size_t at = text.find("](figures/"); at != std::string::npos; at = text.find("](figures/", at + 1)) {
+    const std::string target = text.substr(at + 2, text.find(')', at) - at - 2);
+    CAPTURE(target);
+    CHECK(std::filesystem::exists(folder.path() / target));
+    ++links;
+  }
+  int figures = 0, tables = 0;
+  for (const auto& file : std::filesystem::directory_iterator(folder.path() / "figures")) {
+    figures += file.path().extension() == ".dat" ? 1 : 0;
+  }
+  for (const auto& file : std::filesystem::directory_iterator(folder.path() / "tables")) {
+    tables += file.path().extension() == ".csv" ? 1 : 0;
+  }
+  CHECK(figures > 13);          // the paper's, and those of the statistics
+  CHECK(links == figures * 5);  // each as picture, SVG, PDF, script and data
+
+  const std::string page = text_of_file(folder.path() / "report.html");
+  links = 0;
+  for (std::size_t at = page.find("href=\""); at != std::string::npos; at = page.find("href=\"", at + 1)) {
+    const std::string target = page.substr(at + 6, page.find('"', at + 6) - at - 6);
+    if (target.starts_with('#')) continue;
+    CAPTURE(target);
+    CHECK(std::filesystem::exists(folder.path() / target));
+    ++links;
+  }
+  CHECK(links == figures * 4 + tables * 3);  // of figures PDF, SVG, script and data; of tables three files each
+}
+
+TEST_CASE("a study with the same targets is shown in perspective, one with others is not", "[report]") {
+  const TestFolder folder;
+  Store store(folder.path() / "store.db", Store::Mode::write);
+  save(store, {.shape = {.runs = 2}});
+  save(store, {.name = "context", .definition = R"({"runs": 2})", .shape = {.solvers = {"random search"}, .runs = 2}});
+  save(
+      store,
+      {.name = "shorter", .definition = R"({"runs": 2})", .shape = {.solvers = {"elsewhere"}, .runs = 2, .points = 5}});
+  save(store, {.name = "inside",
+               .definition = R"({"runs": 2, "limits": "enforced"})",
+               .shape = {.solvers = {"not beside the others"}, .runs = 2}});
+  const Report report =
+      write_report(store, {.study = "slim2023", .folder = folder.path() / "out", .figures = {.render = false}});
+  CHECK(contains(text_of_file(report.file), "## Perspective"));
+  CHECK(!contains(text_of_file(report.file), "not beside the others"));
+  const std::string csv = text_of_file(folder.path() / "out/tables/perspective.csv");
+  CHECK(contains(csv, "\ncontext,random search,2,0,"));
+  CHECK(contains(csv, "\nslim2023,MO-PSO,2,0,"));
+  CHECK(!contains(csv, "elsewhere"));
+}
+
+TEST_CASE("without gnuplot the tables are written and the report says what is missing", "[report]") {
+  const TestFolder folder;
+  Store store(folder.path() / "store.db", Store::Mode::write);
+  save(store, {.shape = {.runs = 20}});
+  const Report report = write_report(
+      store, {.study = "slim2023", .folder = folder.path() / "out", .figures = {.gnuplot = "no-such-gnuplot"}});
+  REQUIRE(report.warnings.size() == 1);  // one for all figures
+  CHECK(contains(report.warnings[0], "cannot start no-such-gnuplot"));
+  CHECK(contains(report.warnings[0], "figure-12"));
+  CHECK(std::filesystem::exists(folder.path() / "out/tables/table-3.csv"));
+  const std::string text = text_of_file(report.file);
+  CHECK(contains(text, "## Warnings"));
+  CHECK(!contains(text, "!["));
+}
+
+TEST_CASE("names of a study and its solvers show as text in the report", "[report]") {
+  const TestFolder folder;
+  Store store(folder.path() / "store.db", Store::Mode::write);
+  const std::string name = "<script>alert(1)</script>`|\n# x";
+  save(store, {.name = name,
+               .definition = R"({"runs": 2, "title": "<script>\n# x"})",
+               .shape = {.solvers = {"<b>`|\n\n# y", "![](x)"}, .runs = 2, .points = 2},
+               .command = "ikbench '\n# z'"});
+  const Report report = write_report(store, {.study = name, .folder = folder.path() / "out"});
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder.path() / "out")) {
+    if (entry.path().extension() != ".md") continue;
+    const std::string text = text_of_file(entry.path());
+    CAPTURE(entry.path());
+    CHECK(!contains(text, "<script"));
+    CHECK(!contains(text, "<b>"));
+    CHECK(!contains(text, "\n# x"));
+    CHECK(!contains(text, "\n# y"));
+    CHECK(!contains(text, "\n# z"));
+    CHECK(!contains(text, "![](x)"));
+  }
+  const std::string page = text_of_file(report.page);
+  CHECK(!contains(page, "<script>alert"));
+  CHECK(!contains(page, "<b>"));
+  CHECK(contains(page, "&lt;script&gt;alert(1)&lt;/script&gt;`|"));
+  CHECK(contains(text_of_file(report.file),
+                 "Report of the study &lt;script&gt;alert(1)&lt;/script&gt;&#96;&#124; \\# x"));
+}
+
+TEST_CASE("a study of which nothing is solved has a report that says so", "[report]") {
+  const TestFolder folder;
+  Store store(folder.path() / "store.db", Store::Mode::write);
+  save(store, {.shape = {.runs = 0}});
+  const Report report = write_report(store, {.study = "slim2023", .folder = folder.path()});
+  CHECK(contains(text_of_file(report.file), "Nothing of this study is solved yet."));
+  CHECK(report.warnings.size() == 6);  // each solver: 0 of 400
+}
+
+TEST_CASE("an incomplete study, parallel times and answers outside the limits are said at the top", "[report]") {
+  std::vector<SolveRecord> solves = synthetic::solves({.runs = 3});
+  solves.pop_back();
+  solves[0].timing = Timing::parallel;
+  solves[1].limit_violation_deg = 7.5;
+  const auto sentences = summary(make_study("s", solves), Unit::run);
+  const auto says = [&](const std::string& words) {
+    return std::ranges::any_of(sentences, [&](const std::string& sentence) { return contains(sentence, words); });
+  };
+  CHECK(says("1 of 359 answers are outside the joint limits ("));
+  CHECK(says("Solves: 359 of 360 expected"));
+  CHECK(says("Computing time is neither ranked nor tested: times are not comparable (see the warnings)."));
+}
+
+TEST_CASE("the summary writes solvers that are the same to the bit as equal, and none of them as first", "[report]") {
+  std::vector<SolveRecord> solves = synthetic::solves({.solvers = {"IK-BA", "BA", "DE"}, .runs = 3});
+  for (std::size_t i = 60; i < solves.size(); ++i) {  // of 60 a solver
+    const SolveRecord& same = solves[i % 60];
+    solves[i].position_error_cm = same.position_error_cm;
+    solves[i].variation_deg = same.variation_deg;
+    solves[i].seconds = solves[i].cpu_seconds = same.seconds;
+    solves[i].answer_rad = same.answer_rad;
+  }
+  StudyResults study = make_study("s", solves);
+  study.published = "slim2023";
+  std::string all;
+  for (const std::string& sentence : summary(study, Unit::run)) all += sentence + '\n';
+  CHECK(contains(all,
+                 "smallest first): IK-BA = BA = DE. The paper: IK-BA < DE < BA. IK-BA is first in the paper, and "
+                 "here it is IK-BA, BA and DE, which share the place; 0 of 3 pairs stand in the printed order, 3 "
+                 "are tied."));
+  CHECK(!contains(all, "here too"));
+  CHECK(!contains(all, "Here it is less"));
+  CHECK(!contains(all, "Here it is not less"));
+}
+
+TEST_CASE("targets that no configuration reaches are told first", "[report]") {
+  const TestFolder folder;
+  Store store(folder.path() / "store.db", Store::Mode::write);
+  save(store, {.definition = R"({"runs": 20, "points": 20, "search": "all_joints", "out_of_reach": {"points": 3,
+                                 "farthest_point": 7, "farthest_cm": 1012.345, "reach_cm": 82}})"});
+  const Report report =
+      write_report(store, {.study = "slim2023", .folder = folder.path() / "out", .figures = {.render = false}});
+  REQUIRE(!report.warnings.empty());
+  CHECK(report.warnings[0] ==
+        "3 of the 20 targets of a run are out of the arm's reach (the farthest is point 7: it is 1012 cm from the "
+        "shoulder; the reach is 82 cm). No solver can reach them, so errors there say nothing about the solvers.");
+  const std::string text = text_of_file(report.file), page = text_of_file(report.page);
+  CHECK(text.find("3 of the 20 targets") < text.find("## Summary"));
+  CHECK(page.find("3 of the 20 targets") < page.find("In words, number by number"));
+}
+
+TEST_CASE("where the wrist is searched, it is the wrist's centre that a target puts out of reach", "[report]") {
+  const TestFolder folder;
+  Store store(folder.path() / "store.db", Store::Mode::write);
+  save(store, {.definition = R"({"runs": 20, "points": 20, "search": "wrist", "out_of_reach": {"points": 1,
+                                 "farthest_point": 7, "farthest_cm": 100, "reach_cm": 82}})"});
+  const Report report =
+      write_report(store, {.study = "slim2023", .folder = folder.path() / "out", .figures = {.render = false}});
+  REQUIRE(!report.warnings.empty());
+  CHECK(report.warnings[0] ==
+        "1 of the 20 targets of a run is out of the arm's reach (point 7: the wrist's centre would be 100 cm from the "
+        "shoulder; the reach is 82 cm). No solver can reach it, so errors there say nothing about the solvers.");
+}
+
+TEST_CASE("what is said of times follows one state of them, in every part of a report", "[report]") {
+  const TestFolder folder;
+  Store store(folder.path() / "store.db", Store::Mode::write);
+  const auto report_of = [&](double slowdown, const std::string& name) {
+    save(store, {.name = name, .definition = R"({"runs": 20, "published": "slim2023"})", .slowdown = slowdown});
+    write_report(store, {.study = name, .folder = folder.path() / name, .figures = {.render = false}});
+    return text_of_file(folder.path() / name / "report.md");
+  };
+  const auto table = [&](const std::string& name, const std::string& which) {
+    return text_of_file(folder.path() / name / "tables" / (which + ".md"));
+  };
+  const std::string clean = report_of(1, "clean");
+  CHECK(!contains(clean, "not comparable"));
+  CHECK(contains(clean, "ANOVA of seconds: F(5, 114)"));
+  CHECK(contains(clean, "- computing time \\[s\\]: "));
+  CHECK(contains(table("clean", "table-3"), "relative only: close"));
+  CHECK(contains(table("clean", "status"), "| 400 | 0 | 0 | 0 |"));  // clean, disturbed, parallel, debug build
+
+  const std::string busy = report_of(2, "busy");
+  std::size_t said = 0;
+  const std::string head = busy.substr(0, busy.find("## What was run"));
+  for (std::size_t at = head.find("2.00 times their CPU time"); at != std::string::npos;
+       at = head.find("2.00 times their CPU time", at + 1))
+    ++said;
+  CHECK(said == 1);  // the reason, among the warnings
+  CHECK(contains(head, "Computing time is neither ranked nor tested: times are not comparable"));
+  CHECK(!contains(head, "ANOVA of seconds"));
+  CHECK(!contains(head, "Computing time (mean, smallest first)"));
+  CHECK(!contains(head, "relative time"));
+  CHECK(!contains(head, "computing time \\[s\\]: "));
+  CHECK(contains(head, "| undecided | in part | Here: not ranked, times are not comparable (see the warnings)."));
+  CHECK(contains(head, "seconds not tested, times are not comparable (see the warnings)."));
+  CHECK(!contains(table("busy", "table-3"), "relative only: agrees"));
+  CHECK(!contains(table("busy", "table-3"), "relative only: close"));
+  CHECK(!contains(table("busy", "table-3"), "relative only: differs"));
+  CHECK(contains(table("busy", "table-3"), "| not defined | times are not comparable |"));
+  CHECK(contains(table("busy", "status"), "| 0 | 400 | 0 | 0 |"));
+}
+
+namespace {
+
+// From a heading to the next one of its level, and empty where there is no such heading.
+std::string section_of(const std::string& report, const std::string& heading, const std::string& next) {
+  const std::size_t at = report.find(heading);
+  return at == std::string::npos ? "" : report.substr(at, report.find(next, at + heading.size()) - at);
+}
+
+std::size_t times_said(const std::string& text, const std::string& words) {
+  std::size_t count = 0;
+  for (std::size_t at = text.find(words); at != std::string::npos; at = text.find(words, at + 1)) ++count;
+  return count;
+}
+
+}  // namespace
+
+TEST_CASE("times that are not comparable have no verdict anywhere in a report", "[report]") {
+  const Unit unit = GENERATE(Unit::run, Unit::point);
+  const TestFolder folder;
+  Store store(folder.path() / "store.db", Store::Mode::write);
+  save(store, {.slowdown = 2});
+  write_report(
+      store,
+      {.study = "slim2023", .folder = folder.path(), .plan = AnalysisPlan{.unit = unit}, .figures = {.render = false}});
+  const std::string text = text_of_file(folder.path() / "report.md");
+  const std::string page = text_of_file(folder.path() / "report.html");
+  const std::string in_text = section_of(text, "## Statistics: computing time \\[s\\]\n", "\n## ");
+  const std::string in_page = section_of(page, ">Statistics: computing time [s]</h2>", "<h2");
+  for (const std::string& section : {in_text, in_page}) {
+    CAPTURE(section);
+    CHECK(contains(section, "What was observed: computing time"));
+    CHECK(contains(section, "Not judged"));
+    CHECK(times_said(section, "2.00 times their CPU time") == 2);  // once with the table, once with the figure
+    for (const char* verdict :
+         {"In short", "Who differs", "Not told apart", "Methods", "Assumptions", "classical analysis", "sound analysis",
+          "Where methods disagree", "is better than", "are the same within", "p = ", "Shapiro", "Tests of all groups",
+          "average rank", "A12"}) {
+      CAPTURE(verdict);
+      CHECK(!contains(section, verdict));
+    }
+  }
+  const auto files = files_in(folder.path());
+  CHECK(files.contains("tables/statistics-time-groups.csv"));
+  for (const char* part : {"tests", "contrasts"}) {
+    CHECK(!files.contains("tables/statistics-time-" + std::string(part) + ".csv"));
+  }
+  for (const char* part : {"differences", "ranks", "effects"}) {
+    CHECK(!files.contains("figures/statistics-time-" + std::string(part) + ".dat"));
+  }
+  // What the printed times say among themselves has a section of its own: "computing time, as printed [s]".
+  for (const std::string& whole : {text, page}) {
+    for (const char* verdict :
+         {"computing time [s]: ", "computing time \\[s\\]: ", "Who differs from whom: computing time [s]",
+          "Tests of all groups together: computing time [s]", "ANOVA of seconds",
+          "Computing time (mean, smallest first)", "relative only: agrees", "relative only: close",
+          "relative only: differs"}) {
+      CAPTURE(verdict);
+      CHECK(!contains(whole, verdict));
+    }
+  }
+  const CsvTable table_6 = parse_csv(text_of_file(folder.path() / "tables/table-6.csv"), "table-6.csv");
+  for (const auto& row : table_6.rows) {
+    CHECK(row[table_6.column("F")].empty());
+    CHECK(row[table_6.column("p")].empty());
+  }
+  CHECK(contains(text_of_file(folder.path() / "tables/table-6.md"), "Times are not comparable"));
+  const auto statistics = nlohmann::json::parse(text_of_file(folder.path() / "statistics.json"));
+  for (const auto& assessment : statistics) {
+    if (assessment["quantity"] != "computing time [s]") continue;
+    CHECK(assessment["tests"].empty());
+    CHECK(assessment["contrasts"].empty());
+    CHECK(assessment["groups"].size() == 6);
+  }
+}
+
+TEST_CASE("the summary says which findings of the paper hold", "[report]") {
+  std::vector<SolveRecord> solves = synthetic::solves({});
+  for (SolveRecord& solve : solves) {
+    if (solve.solver == "MO-PSO") solve.variation_deg /= 2;
+  }
+  StudyResults study = make_study("s", solves);
+  study.published = "slim2023";
+  std::string all;
+  for (const std::string& sentence : summary(study, Unit::run)) all += sentence + '\n';
+  CHECK(contains(all, "IK-BA is first in the paper, and here too"));
+  CHECK(contains(all, "IK-BA is first in the paper, and here it is MO-PSO; 14 of 15 pairs stand in the printed order"));
+  CHECK(contains(all, "Here it is not less than that of MO-PSO"));
+  CHECK(contains(all, "the solvers differ, as in the paper"));
+}
+
+TEST_CASE("a difference in variation that may be chance is said to be one", "[report]") {
+  std::vector<SolveRecord> solves = synthetic::solves({.solvers = {"IK-BA", "MO-PSO"}, .runs = 2, .points = 1});
+  const double variations[] = {80, 90, 84, 90};  // means 85 and 87: t = -0.343, p = 0.76
+  for (std::size_t i = 0; i < solves.size(); ++i) solves[i].variation_deg = variations[i];
+  StudyResults study = make_study("s", solves);
+  study.published = "slim2023";
+  CHECK(contains(summary(study, Unit::run)[3], "cannot be told apart from that of MO-PSO (98 %)"));
+}
+
+TEST_CASE("points as observations are flagged at the top, in the tables and in the plan", "[report][analysis]") {
+  const TestFolder folder;
+  Store store(folder.path() / "store.db", Store::Mode::write);
+  save(store, {.shape = {.runs = 20}});
+  save(store, {.name = "context", .definition = R"({"runs": 20})", .shape = {.solvers = {"random search"}}});
+  const Report report = write_report(store, {.study = "slim2023",
+                                             .folder = folder.path() / "out",
+                                             .plan = AnalysisPlan{.quartiles = 7, .unit = Unit::point},
+                                             .figures = {.render = false}});
+  REQUIRE(!report.warnings.empty());
+  CHECK(report.warnings[0] ==
+        "Points of one run depend on each other; used as observations because --force was given.");
+  const auto table = [&](const std::string& name) {
+    return text_of_file(folder.path() / "out/tables" / (name + ".md"));
+  };
+  CHECK(contains(table("perspective"), "--force was given"));
+  CHECK(contains(table("table-4"), "p-values and standard deviations claim more than the data say"));
+  CHECK(contains(table("analysis-plan"), "Given on the command line, after the data, and not by the study: "));
+  CHECK(contains(table("analysis-plan"), "quartiles 5 -&gt; 7, unit run -&gt; point"));
+  CHECK(contains(text_of_file(folder.path() / "out/tables/perspective.csv"), "slim2023,IK-BA,400,"));  // 20 x 20
+}
+
+TEST_CASE("without a word on the command line the study's plan decides", "[report][analysis]") {
+  const TestFolder folder;
+  Store store(folder.path() / "store.db", Store::Mode::write);
+  save(store, {.definition = R"({"runs": 20, "analysis": {"quartiles": 7, "unit": "point"}})"});
+  const Report report =
+      write_report(store, {.study = "slim2023", .folder = folder.path(), .figures = {.render = false}});
+  CHECK(contains(report.warnings.at(0), "Points of one run depend on each other"));
+  CHECK(contains(text_of_file(folder.path() / "tables/analysis-plan.csv"), "\nquartiles,7,"));
+  CHECK(!contains(text_of_file(folder.path() / "tables/analysis-plan.md"), "Given on the command line"));
+}
+
+TEST_CASE("an unknown study is refused by name", "[report]") {
+  const TestFolder folder;
+  Store store(folder.path() / "store.db", Store::Mode::write);
+  CHECK_THROWS_AS(write_report(store, {.study = "nothing", .folder = folder.path()}), std::invalid_argument);
+}
+
+TEST_CASE("a file that cannot be written is an error that names it, and nothing is left of it", "[report]") {
+  const TestFolder folder;
+  write_file(folder.path() / "file", "text");
+  CHECK(text_of_file(folder.path() / "file") == "text");
+  CHECK_THROWS_AS(write_file(folder.path() / "file" / "below", "x"), std::invalid_argument);
+  std::filesystem::create_directory(folder.path() / "taken");
+  write_file(folder.path() / "taken" / "x", "");
+  CHECK_THROWS_AS(write_file(folder.path() / "taken", "x"), std::invalid_argument);
+  CHECK(files_in(folder.path()) == std::set<std::string>{"file", "taken/x"});
+}

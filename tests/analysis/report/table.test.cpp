@@ -1,0 +1,103 @@
+#include "analysis/report/table.hpp"
+
+#include <cmath>
+
+#include "analysis/report/latex_table.hpp"
+#include "tests/catch.hpp"
+
+using namespace ikbench;
+using namespace ikbench::report;
+
+namespace {
+
+Table small_table() {
+  return {.name = "small",
+          .caption = "A <small> table",
+          .columns = {{"solver", Align::left}, {"error_cm"}, {"p"}, {"n"}, {"empty"}},
+          .rows = {{std::string("a|b"), 0.00019123456789, PValue{1e-310}, std::int64_t{20}, {}},
+                   {std::string("[c] & d"), NAN, PValue{NAN}, std::int64_t{-3}, {}}},
+          .notes = {"100 % of it"}};
+}
+
+}  // namespace
+
+TEST_CASE("Markdown has five digits, words for what is not defined, and no empty column", "[table]") {
+  CHECK(to_markdown(small_table()) ==
+        "**A &lt;small&gt; table**\n\n"
+        "| solver | error_cm | p | n |\n"
+        "| :--- | ---: | ---: | ---: |\n"
+        "| a&#124;b | 0.00019123 | &lt; 1e-300 | 20 |\n"
+        "| \\[c\\] &amp; d | not defined | not defined | -3 |\n"
+        "\n100 % of it\n");
+}
+
+TEST_CASE("CSV has every digit, every column, and an empty field for what is not defined", "[table]") {
+  CHECK(to_csv(small_table()) ==
+        "solver,error_cm,p,n,empty\n"
+        "a|b,0.00019123456789,1e-310,20,\n"
+        "[c] & d,,,-3,\n");
+}
+
+TEST_CASE("LaTeX has booktabs rules, names its packages and escapes every special character", "[table]") {
+  const std::string text = to_latex(small_table());
+  CHECK(text.find("% Needs \\usepackage{booktabs,graphicx}\n\\begin{table}\n") == 0);
+  CHECK(text.find("\\caption{A \\textless{}small\\textgreater{} table}\\label{tab:small}") != std::string::npos);
+  CHECK(text.find("\\begin{tabular}{lrrr}\n\\toprule\nsolver & error {[}cm{]} & p & n \\\\\n\\midrule\n") !=
+        std::string::npos);
+  CHECK(text.find("a\\textbar{}b & 0.00019123 & $<10^{-300}$ & 20 \\\\\n") != std::string::npos);
+  CHECK(text.find("{[}c{]} \\& d & not defined & not defined & $-3$ \\\\\n") != std::string::npos);
+  CHECK(text.find("100 \\% of it") > text.find("\\end{tabular}"));
+}
+
+TEST_CASE("LaTeX sets numbers alone as mathematics, not the words of an interval", "[table]") {
+  const Table table{.name = "t",
+                    .caption = "t",
+                    .columns = {{"x"}},
+                    .rows = {{Range{-0.395, -0.108}}, {Range{-2e-9, 3}}, {Range{0, 1}}}};
+  const std::string text = to_latex(table);
+  CHECK(text.find("\n$-0.395$ to $-0.108$ \\\\\n") != std::string::npos);
+  CHECK(text.find("\n$-2 \\times 10^{-9}$ to 3 \\\\\n") != std::string::npos);
+  CHECK(text.find("\n0 to 1 \\\\\n") != std::string::npos);
+}
+
+TEST_CASE("LaTeX names columns and statistics in words, also where a note speaks of them", "[table]") {
+  const Table table{.name = "t",
+                    .caption = "t",
+                    .columns = {{"mean_reached_ms"}, {"statistic", Align::left}},
+                    .rows = {{1.0, std::string("chi^2(5) = 3, omega^2 = 0.1")}},
+                    .notes = {"mean_reached_ms is of some; not_a_column and mean_reached_ms_too are not."}};
+  const std::string text = to_latex(table);
+  CHECK(text.find("mean reached {[}ms{]} is of some; not\\_a\\_column and mean\\_reached\\_ms\\_too are not.") !=
+        std::string::npos);
+  CHECK(text.find("$\\chi^2$(5) = 3, $\\omega^2$ = 0.1") != std::string::npos);
+  CHECK(text.find("mean\\_reached\\_ms &") == std::string::npos);
+}
+
+TEST_CASE("LaTeX turns a wide table, and breaks a long one over pages with its notes behind", "[table]") {
+  Table wide{.name = "t", .caption = "t"};
+  for (int i = 0; i < 20; ++i) wide.columns.push_back({"x"});
+  wide.rows.emplace_back(20, std::int64_t{12345678});
+  CHECK(to_latex(wide).find("% Needs \\usepackage{booktabs,graphicx,rotating}\n\\begin{sidewaystable}\n") == 0);
+
+  Table tall{.name = "t", .caption = "t", .columns = {{"x"}}, .notes = {"a note"}};
+  for (int i = 0; i < 100; ++i) tall.rows.push_back({std::int64_t{i}});
+  const std::string text = to_latex(tall);
+  CHECK(text.find("% Needs \\usepackage{booktabs,longtable}\n") == 0);
+  CHECK(text.find("\\endhead") != std::string::npos);
+  CHECK(text.find("a note") > text.find("\\end{longtable}"));
+}
+
+TEST_CASE("an interval is one column to read and two to compute with", "[table]") {
+  const Table table{.name = "t",
+                    .caption = "c",
+                    .columns = {{"x", Align::left}, {"interval"}},
+                    .rows = {{std::string("a"), Range{0.123456, 2}}, {std::string("b"), Cell()}}};
+  CHECK(readable(table.rows[0][1]) == "0.123 to 2");
+  CHECK(to_csv(table) == "x,interval low,interval high\na,0.123456,2\nb,,\n");
+}
+
+TEST_CASE("LaTeX writes powers of ten as such", "[table]") {
+  const Table table{.name = "t", .caption = "t", .columns = {{"x"}}, .rows = {{7.2225e-24}, {1.0877e6}}};
+  CHECK(to_latex(table).find("$7.2225 \\times 10^{-24}$") != std::string::npos);
+  CHECK(to_latex(table).find("$1.0877 \\times 10^{6}$") != std::string::npos);
+}

@@ -1,0 +1,279 @@
+#include "analysis/slim2023/paper_tables.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "analysis/report/latex_table.hpp"
+#include "analysis/slim2023/published_numbers.hpp"
+#include "tests/analysis/synthetic.hpp"
+#include "tests/catch.hpp"
+
+using namespace ikbench;
+using namespace ikbench::results;
+using namespace ikbench::statistics;
+using namespace ikbench::inference;
+using namespace ikbench::report;
+using namespace ikbench::slim2023;
+
+namespace {
+
+StudyResults study_of(std::vector<SolveRecord> solves) {
+  StudyResults study = make_study("synthetic", std::move(solves));
+  study.published = "slim2023";
+  return study;
+}
+
+const Comparison& row_of(const std::vector<Comparison>& rows, const std::string& solver, Metric metric) {
+  const auto found =
+      std::ranges::find_if(rows, [&](const Comparison& row) { return row.solver == solver && row.metric == metric; });
+  REQUIRE(found != rows.end());
+  return *found;
+}
+
+bool contains(const std::vector<std::string>& notes, const std::string& words) {
+  return std::ranges::any_of(notes, [&](const std::string& note) { return note.find(words) != std::string::npos; });
+}
+
+}  // namespace
+
+TEST_CASE("the printed Tables 4-6 follow from the printed Table 3", "[paper]") {
+  const Metric metric = GENERATE(Metric::position_error_cm, Metric::variation_deg, Metric::seconds);
+  std::vector<GroupSummary> groups;
+  for (const PrintedRow& row : printed_table_3("slim2023", metric)) groups.push_back(row.summary);
+  const AnovaTable ours = anova_from_summaries(groups);
+  const auto printed = printed_anova("slim2023", metric);
+  REQUIRE(printed);
+  CHECK(ours.df_between == printed->df_between);
+  CHECK(ours.df_within == printed->df_within);
+  CHECK(ours.F == Approx(printed->F).epsilon(3e-4));  // Table 3 has four digits
+  CHECK(ours.ss_total == Approx(printed->ss_total).epsilon(1e-4));
+  CHECK(f_upper_tail(printed->F, printed->df_between, printed->df_within) == Approx(printed->p).epsilon(1e-4));
+}
+
+TEST_CASE("F of the printed Table 3 to six digits", "[paper]") {
+  // R 4.2.2 from the same means and standard deviations, n = 20.
+  const auto [metric, F] = GENERATE(table<Metric, double>(
+      {{Metric::position_error_cm, 40.7736}, {Metric::variation_deg, 388.940}, {Metric::seconds, 293.939}}));
+  std::vector<GroupSummary> groups;
+  for (const PrintedRow& row : printed_table_3("slim2023", metric)) groups.push_back(row.summary);
+  CHECK(anova_from_summaries(groups).F == Approx(F).epsilon(2e-6));
+}
+
+TEST_CASE("one observation is one run's mean over its points", "[study]") {
+  std::vector<SolveRecord> solves = synthetic::solves({.solvers = {"IK-BA"}, .runs = 2, .points = 2});
+  const double errors[] = {1, 3, 10, 30};
+  for (std::size_t i = 0; i < solves.size(); ++i) solves[i].position_error_cm = errors[i];
+  const StudyResults study = make_study("two runs", solves);
+  CHECK(samples(study, Metric::position_error_cm, Unit::run)[0].values == std::vector<double>{2, 20});
+  CHECK(samples(study, Metric::position_error_cm, Unit::point)[0].values == std::vector<double>{1, 3, 10, 30});
+}
+
+TEST_CASE("six solvers of 20 runs have 5 and 114 degrees of freedom, as in the paper", "[paper]") {
+  const StudyResults study = study_of(synthetic::solves({}));
+  const AnovaTable table = anova(study, Metric::variation_deg, Unit::run).table;
+  CHECK(table.df_between == 5);
+  CHECK(table.df_within == 114);
+}
+
+TEST_CASE("a run with missing points gives no run mean, and is counted", "[study]") {
+  std::vector<SolveRecord> solves = synthetic::solves({.runs = 3, .points = 4});
+  solves.pop_back();  // the last point of MO-PSO's third run
+  const StudyResults study = study_of(solves);
+  const Sample sample = samples(study, Metric::position_error_cm, Unit::run).back();
+  CHECK(sample.solver == "MO-PSO");
+  CHECK(sample.values.size() == 2);
+  CHECK(sample.incomplete_runs == 1);
+  const SolverCounts count = counts(study).back();
+  CHECK(count.solves == 11);
+  CHECK(count.expected == 12);
+  CHECK(count.complete_runs == 2);
+  CHECK(count.incomplete_runs == 1);
+  CHECK(contains(table_3(study, Unit::run).notes, "incomplete"));
+}
+
+TEST_CASE("runs, points and the paper come from the study's definition", "[study]") {
+  const StudyEntry entry{
+      .name = "s",
+      .definition = R"({"runs": 20, "path": {"kind": "helix", "points": 20}, "published": "slim2023"})",
+      .series = {{"k1", "IK-BA", "ik_ba", "{}"}, {"k2", "BA", "ba", "{}"}}};
+  const StudyResults study = make_study(entry, {});
+  CHECK(study.runs == 20);
+  CHECK(study.points == 20);
+  CHECK(study.published == "slim2023");
+  CHECK(study.solvers == std::vector<std::string>{"IK-BA", "BA"});
+  CHECK(counts(study)[0].expected == 400);
+}
+
+TEST_CASE("a solve that is there twice or is not numbered from 1 is refused", "[study]") {
+  std::vector<SolveRecord> solves = synthetic::solves({.solvers = {"BA"}, .runs = 1, .points = 2});
+  solves[1].point = 1;
+  CHECK_THROWS_WITH(make_study("s", solves), "study 's', solver 'BA': run 1, point 1 is there twice; expected once");
+  solves[1].point = 0;
+  CHECK_THROWS_AS(make_study("s", solves), std::invalid_argument);
+}
+
+TEST_CASE("a study larger than any is refused in a sentence", "[study]") {
+  StudyEntry entry{.name = "s", .definition = R"({"runs": 1000001})", .series = {{"k1", "BA", "ba", "{}"}}};
+  const auto complaint = [&] {
+    try {
+      make_study(entry, {});
+    } catch (const std::invalid_argument& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  CHECK(complaint() == "study 's': runs 1000001; expected at most 1000000");
+  entry.definition = R"({"runs": 18446744073709551615})";
+  CHECK(complaint().ends_with("; expected at most 1000000"));
+  entry.definition = R"({"runs": 1, "path": {"points": 100001}})";
+  CHECK(complaint() == "study 's': points 100001; expected at most 100000");
+  entry.definition = R"({"runs": 100000, "points": 1001})";
+  CHECK(complaint() == "study 's' has 100000 runs of 1001 points by 1 solvers; expected at most 100000000 solves");
+  entry.definition = R"({"runs": 100000, "points": 1000})";
+  CHECK(complaint() == "");
+
+  std::vector<SolveRecord> solves = synthetic::solves({.solvers = {"BA"}, .runs = 1, .points = 2});
+  solves[1].point = 100'001;
+  CHECK_THROWS_WITH(make_study("s", solves),
+                    "study 's', solver 'BA': run 1, point 100001; expected runs 1 to 1000000 and points 1 to 100000");
+  solves.assign(1001, solves[0]);
+  for (std::size_t i = 0; i < solves.size(); ++i) solves[i].solver = std::to_string(i);
+  CHECK_THROWS_WITH(make_study("s", solves), "study 's' has more than 1000 solvers; expected no more");
+}
+
+TEST_CASE("a mean agrees, is close, or differs", "[paper]") {
+  std::vector<SolveRecord> solves = synthetic::solves({});
+  for (SolveRecord& solve : solves) {
+    const double wobble = solve.run % 2 == 0 ? 1.1 : 0.9;
+    if (solve.solver == "IK-BA") solve.position_error_cm = 0.0019 * wobble;  // the printed mean
+    if (solve.solver == "DE") solve.position_error_cm = 0.3653 * 1.9 * wobble;
+    if (solve.solver == "BA") solve.position_error_cm = 1.6849 * 2.1 * wobble;
+  }
+  const auto rows = compare(study_of(solves), Unit::run);
+  CHECK(row_of(rows, "IK-BA", Metric::position_error_cm).agreement == Agreement::agrees);
+  CHECK(row_of(rows, "DE", Metric::position_error_cm).agreement == Agreement::close);
+  CHECK(row_of(rows, "BA", Metric::position_error_cm).agreement == Agreement::differs);
+  CHECK(row_of(rows, "BA", Metric::position_error_cm).ratio == Approx(2.1));
+}
+
+TEST_CASE("a mean that agrees only because its spread is large says so", "[paper]") {
+  std::vector<SolveRecord> solves = synthetic::solves({.solvers = {"IK-BA"}, .runs = 2});
+  for (SolveRecord& solve : solves) solve.position_error_cm = solve.run == 1 ? 0.001 : 0.2;  // printed mean 0.0019
+  const auto rows = compare(study_of(solves), Unit::run);
+  const Comparison& row = row_of(rows, "IK-BA", Metric::position_error_cm);
+  CHECK(row.agreement == Agreement::agrees);  // t = 0.99 on one degree of freedom
+  CHECK(row.ratio > 50);
+  CHECK(rests_on_spread(row));
+  CHECK(to_markdown(table_3(study_of(solves), Unit::run)).find("| agrees, for its spread only |") != std::string::npos);
+}
+
+TEST_CASE("the printed ANOVA stands beside ours only where both ask the same", "[paper]") {
+  const StudyResults six = study_of(synthetic::solves({}));
+  CHECK(comparable_printed_anova(six, Metric::variation_deg, Unit::run)->F == Approx(388.9396));  // as printed
+  CHECK(!comparable_printed_anova(six, Metric::variation_deg, Unit::point));
+  CHECK(!comparable_printed_anova(study_of(synthetic::solves({.solvers = {"IK-BA", "BA"}})), Metric::variation_deg,
+                                  Unit::run));
+}
+
+TEST_CASE("times taken while other programs were at work are said to be so", "[study]") {
+  std::vector<SolveRecord> solves = synthetic::solves({.solvers = {"IK-BA"}, .runs = 2});
+  for (SolveRecord& solve : solves) solve.cpu_seconds = solve.seconds / 1.05;
+  CHECK(timing_note(study_of(solves)).empty());
+  for (SolveRecord& solve : solves) solve.cpu_seconds = solve.seconds / 2;
+  CHECK(timing_note(study_of(solves)).find("2.00 times their CPU time") != std::string::npos);
+}
+
+TEST_CASE("computing time is compared relative to IK-BA only", "[paper]") {
+  std::vector<SolveRecord> solves = synthetic::solves({});
+  for (SolveRecord& solve : solves) solve.seconds = solve.solver == "MO-PSO" ? 0.010 : 0.001;
+  const StudyResults study = study_of(solves);
+  // Ours 10; printed 1.2853 / 0.2439 = 5.26978.
+  CHECK(row_of(compare(study, Unit::run), "MO-PSO", Metric::seconds).ratio == Approx(10 / 5.26978).epsilon(1e-5));
+  const Table table = table_3(study, Unit::run);
+  CHECK(std::get<std::string>(table.rows.back().back()) == "relative only: close");
+  CHECK(std::get<std::string>(table.rows[12].back()) == "relative only: the reference");
+}
+
+TEST_CASE("without IK-BA there is no relative time, and the verdict says so", "[paper]") {
+  const Table table = table_3(study_of(synthetic::solves({.solvers = {"BA", "DE"}})), Unit::run);
+  CHECK(std::get<std::string>(table.rows.back().back()) == "no time of IK-BA to relate to");
+}
+
+TEST_CASE("without published numbers their columns are empty", "[paper]") {
+  const StudyResults study = make_study("own", synthetic::solves({.solvers = {"IK-BA", "BA"}}));
+  for (const auto& row : table_3(study, Unit::run).rows) {
+    for (std::size_t column = 7; column < 10; ++column) CHECK(std::holds_alternative<std::monostate>(row[column]));
+  }
+  const auto tables = paper_tables(study, Unit::run);
+  CHECK(std::ranges::none_of(tables, [](const Table& t) { return t.name == "anova-from-printed-table-3"; }));
+}
+
+TEST_CASE("a solver that is not in the paper has empty published cells", "[paper]") {
+  const Table table = table_3(study_of(synthetic::solves({.solvers = {"IK-BA", "my own"}})), Unit::run);
+  CHECK(std::holds_alternative<std::monostate>(table.rows[1][7]));
+  CHECK(std::holds_alternative<double>(table.rows[0][7]));
+}
+
+TEST_CASE("an answer that is not finite is never dropped", "[paper]") {
+  std::vector<SolveRecord> solves = synthetic::solves({});
+  SolveRecord& bad = solves[400];  // BA, run 1, point 1
+  REQUIRE(bad.solver == "BA");
+  bad.position_error_cm = not_defined;
+  bad.status = Status::not_finite;
+  const StudyResults study = study_of(solves);
+  const Comparison row = row_of(compare(study, Unit::run), "BA", Metric::position_error_cm);
+  CHECK(row.ours.not_finite == 1);
+  CHECK(std::isnan(row.ours.mean));
+  CHECK(std::isfinite(row.ours.median));
+  const Table table_3_here = table_3(study, Unit::run);
+  CHECK(to_markdown(table_3_here).find("| BA | position_error_cm | not defined |") != std::string::npos);
+  CHECK(contains(table_3_here.notes, "not_finite 1"));
+  const StudyAnova without_ba = anova(study, Metric::position_error_cm, Unit::run);
+  CHECK(without_ba.table.df_between == 4);
+  CHECK(contains(without_ba.left_out, "BA (1 of 20 observations not finite)"));
+  CHECK(contains(anova_table(study, Metric::position_error_cm, Unit::run).notes, "Left out of the ANOVA: BA"));
+}
+
+TEST_CASE("the status table has every solve, every status, and how far answers leave the limits", "[paper]") {
+  std::vector<SolveRecord> solves = synthetic::solves({.solvers = {"IK-BA"}, .runs = 1, .points = 4});
+  solves[0].status = Status::limit_violated;
+  solves[0].limit_violation_deg = 12.5;
+  solves[1].status = Status::claimed_but_wrong;
+  solves[1].limit_violation_deg = 3;
+  solves[2].timing = Timing::parallel;
+  solves[3].status = Status::refused;
+  const Table table = status_table(make_study("s", solves));
+  CHECK(
+      to_csv(table) ==
+      "algorithm,ok,tolerance_missed,limit_violated,refused,claimed_but_wrong,not_finite,solves,expected,complete_runs,"
+      "incomplete_runs,outside_limits,worst_outside_deg,timing_clean,timing_disturbed,timing_parallel,"
+      "timing_debug_build\n"
+      "IK-BA,1,0,1,1,1,0,4,4,1,0,2,12.5,3,0,1,0\n");
+  CHECK(contains(table.notes, "Times are not comparable: of 4 solves, 1 were timed while others ran in parallel"));
+  CHECK(contains(table.notes, "A refused answer leaves the arm where it was"));
+  solves[3].status = Status::ok;
+  CHECK_FALSE(contains(status_table(make_study("s", solves)).notes, "refused answer leaves"));
+}
+
+TEST_CASE("every shape of study has its tables and not one cell of NaN", "[paper]") {
+  const synthetic::Shape shape = GENERATE(values<synthetic::Shape>(
+      {{.solvers = {"IK-BA"}},
+       {.solvers = {"IK-BA", "BA"}},
+       {.runs = 1},
+       {.points = 1},
+       {.solvers = {"IK-BA"}, .runs = 1, .points = 1},
+       {.solvers = std::vector<std::string>(), .runs = 1, .points = 1},
+       {.solvers = {"s1",  "s2",  "s3",  "s4",  "s5",  "s6",  "s7",  "s8",  "s9",  "s10", "s11", "s12", "s13", "s14",
+                    "s15", "s16", "s17", "s18", "s19", "s20", "s21", "s22", "s23", "s24", "s25", "s26", "s27", "s28",
+                    "s29", "s30", "s31", "s32", "s33", "s34", "s35", "s36", "s37", "s38", "s39", "s40"},
+        .runs = 2,
+        .points = 2}}));
+  const Unit unit = GENERATE(Unit::run, Unit::point);
+  for (const Table& table : paper_tables(study_of(synthetic::solves(shape)), unit)) {
+    for (const auto& row : table.rows) CHECK(row.size() == table.columns.size());
+    const std::string all = to_markdown(table) + to_latex(table) + to_csv(table);
+    CHECK(all.find("nan") == std::string::npos);
+    CHECK(all.find("inf") == std::string::npos);
+  }
+}

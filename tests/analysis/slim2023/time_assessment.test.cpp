@@ -1,0 +1,160 @@
+#include "analysis/slim2023/time_assessment.hpp"
+
+#include <cmath>
+
+#include "analysis/slim2023/paper_tables.hpp"
+#include "tests/analysis/cells.hpp"
+#include "tests/analysis/synthetic.hpp"
+#include "tests/catch.hpp"
+
+using namespace ikbench;
+using namespace ikbench::results;
+using namespace ikbench::inference;
+using namespace ikbench::report;
+using namespace ikbench::slim2023;
+
+namespace {
+
+const char* const definition = R"({"published": "slim2023", "runs": 1, "points": 4, "path": {"kind": "random"},
+                                   "stop": {"iterations": 1000, "tolerance_cm": 0.1}})";
+
+struct Timed {
+  std::string solver;
+  double ms;
+  double error_cm = 0.09;
+  int iterations = 100;
+};
+
+StudyResults study_of(const std::vector<Timed>& timed, const char* as_defined = definition) {
+  std::vector<SolveRecord> solves;
+  for (const Timed& one : timed) {
+    SolveRecord solve;
+    solve.solver = one.solver;
+    solve.seconds = solve.cpu_seconds = one.ms / 1000;
+    solve.position_error_cm = one.error_cm;
+    solve.iterations = one.iterations;
+    solve.evaluations = 12 * one.iterations;
+    for (const SolveRecord& before : solves) {
+      if (before.solver == one.solver) solve.point = before.point + 1;
+    }
+    solves.push_back(solve);
+  }
+  return make_study(StudyEntry{.name = "t", .definition = as_defined, .series = {}}, solves);
+}
+
+// Times by hand: 12 bats 2, 4, 6, 8 ms; 15 bats 3, 5, 5, 87 ms.
+const std::vector<Timed> by_hand{{"12 bats", 2}, {"12 bats", 4}, {"12 bats", 6}, {"12 bats", 8, 0.09, 140},
+                                 {"15 bats", 3}, {"15 bats", 5}, {"15 bats", 5}, {"15 bats", 87, 7.5, 1000}};
+
+}  // namespace
+
+TEST_CASE("Table 7 has the times in milliseconds beside the printed ones", "[time]") {
+  const Table table = *table_7(study_of(by_hand));
+  CHECK(table.name == "table-7");
+  REQUIRE(table.rows.size() == 2);
+  CHECK(number_at(table, 0, "mean_ms") == Approx(5));
+  CHECK(number_at(table, 0, "median_ms") == Approx(5));
+  CHECK(number_at(table, 0, "std_ms") == Approx(std::sqrt(20.0 / 3)));  // squares 9 + 1 + 1 + 9
+  CHECK(number_at(table, 0, "max_ms") == Approx(8));
+  CHECK(number_at(table, 0, "min_ms") == Approx(2));
+  CHECK(number_at(table, 0, "ratio_reached") == Approx(1));
+  CHECK(number_at(table, 0, "iterations_median") == Approx(100));
+  CHECK(number_at(table, 0, "evaluations_median") == Approx(1200));
+  CHECK(number_at(table, 0, "share_in_time") == Approx(1));
+  CHECK(number_at(table, 0, "never_reached") == 0);
+  CHECK(number_at(table, 1, "mean_ms") == Approx(25));
+  CHECK(number_at(table, 1, "mean_reached_ms") == Approx(13.0 / 3));
+  CHECK(number_at(table, 1, "ratio_reached") == Approx(13.0 / 15));
+  CHECK(number_at(table, 1, "share_in_time") == Approx(0.75));
+  CHECK(number_at(table, 1, "never_reached") == 1);
+  CHECK(number_at(table, 1, "paper_mean_ms") == 61.09);  // the printed Table 7
+  CHECK(number_at(table, 1, "paper_min_ms") == 41.81);
+  CHECK(number_at(table, 1, "paper_ratio") == Approx(61.09 / 48.01));
+}
+
+TEST_CASE("solves that never reach the tolerance are counted, and their times stay in", "[time]") {
+  CHECK(has_note(*table_7(study_of(by_hand)), "Here 1 never reach it: 12 bats 0 of 4, 15 bats 1 of 4."));
+  CHECK(has_note(*table_7(study_of({{"12 bats", 1}})), "Here every solve reaches it."));
+  const Table not_finite = *table_7(study_of({{"12 bats", 1, NAN}}));
+  CHECK(number_at(not_finite, 0, "never_reached") == 1);
+  CHECK(number_at(not_finite, 0, "mean_ms") == 1);
+  CHECK(!std::isfinite(number_at(not_finite, 0, "mean_reached_ms")));
+  // As the verifier: what rounding makes of the tolerance is within it.
+  CHECK(number_at(*table_7(study_of({{"12 bats", 1, 0.1 + 1e-8}})), 0, "never_reached") == 0);
+}
+
+TEST_CASE("the real-time verdict names who is not in time, and the worst", "[time]") {
+  CHECK(
+      real_time_verdict(study_of(by_hand)) ==
+      "Real time of this program on the machine of the run, 0.1 cm reached in less than 50 ms: 7 of 8 solves (12 bats "
+      "4 of 4, 15 bats 3 of 4); the longest solve 87 ms (15 bats). By the printed times, of MATLAB on another machine, "
+      "12 bats: mean 48.01 ms, maximum 67.2 ms: in the mean yes, in the worst case no.");
+  CHECK(real_time_verdict(study_of({{"12 bats", 2}, {"30 bats", 3.25}}))
+            .find("all 2 solves; the longest solve 3.25 ms (30 bats).") != std::string::npos);
+  // Quick, but the tolerance is never reached: not in time.
+  const StudyResults quick = study_of({{"12 bats", 2}, {"12 bats", 3, 7.5}});
+  CHECK(real_time_verdict(quick).find("1 of 2 solves (12 bats 1 of 2)") != std::string::npos);
+  CHECK(number_at(*table_7(quick), 0, "share_in_time") == Approx(0.5));
+  CHECK(has_note(*table_7(study_of(by_hand)), "Real time of this program"));
+}
+
+TEST_CASE("Table 7 tells of the printed mean beyond its maximum and of the printed time per bat", "[time]") {
+  const Table table = *table_7(study_of(by_hand));
+  CHECK(has_note(table, "20 bats (83.75 by 80.06)"));
+  CHECK(has_note(table, "printed: 12 bats 4, 15 bats 4.07, 20 bats 4.19, 30 bats 6.03; ours"));  // 48.01 / 12 and so on
+  CHECK(has_note(table, "of the solves that reach the tolerance: 12 bats 0.417, 15 bats 0.289."));  // 5 / 12, 13/3 / 15
+  CHECK(has_note(table, "its longest take at most 2.5 times its mean"));                            // 448.44 / 180.94
+}
+
+TEST_CASE("Table 7 tells whether our time grows with the bats as the printed does", "[time]") {
+  // Printed 180.94 / 48.01 = 3.77; its standard error 3.77 sqrt((10.1 / 48.01)^2 + (149.67 / 180.94)^2) / sqrt(20).
+  const Table flat = *table_7(study_of({{"12 bats", 4}, {"12 bats", 6}, {"30 bats", 5}, {"30 bats", 6, 0.09, 50}}));
+  CHECK(has_note(flat,
+                 "tolerance does not grow as the printed does: 1.1 times (standard error 0.24) from 12 bats to 30 "
+                 "bats, printed 3.77 times (standard error 0.72); median iterations of such solves 100 -> 75. 2 "
+                 "and 2 solves are few; --set path.points=2000 gives more."));
+  CHECK(has_note(*table_7(study_of({{"12 bats", 4}, {"12 bats", 6}, {"30 bats", 18}, {"30 bats", 20}})),
+                 "cannot be told apart from the printed growth: 3.8 times"));
+  CHECK(has_note(*table_7(study_of({{"12 bats", 4.9}, {"12 bats", 5.1}, {"30 bats", 9.8}, {"30 bats", 10.2}})),
+                 "grows, but less than the printed: 2 times"));
+  CHECK(has_note(*table_7(study_of({{"12 bats", 4.9}, {"12 bats", 5.1}, {"30 bats", 98}, {"30 bats", 102}})),
+                 "grows more than the printed: 20 times"));
+  CHECK(!has_note(*table_7(study_of(by_hand)), "Scaling:"));
+}
+
+TEST_CASE("times that are not clean are told beside Table 7, and judge nothing", "[time]") {
+  StudyResults study = study_of(by_hand);
+  for (SolveRecord& solve : study.solves) solve.timing = Timing::debug_build;
+  const Table table = *table_7(study);
+  CHECK(has_note(table, "Times are not comparable"));
+  CHECK(has_note(table, "Real time: not judged, times are not comparable."));
+  CHECK(!has_note(table, "Real time of this program"));
+  CHECK(!has_note(table, "only ratios can be compared"));
+}
+
+TEST_CASE("Table 7 stands without the printed reference, a tolerance, or anything solved", "[time]") {
+  const Table others = *table_7(study_of({{"40 bats", 1}, {"<b>`|", 2}}));
+  CHECK(!std::isfinite(number_at(others, 0, "ratio_reached")));
+  CHECK(is_empty(others, 0, "paper_mean_ms"));
+  CHECK(to_markdown(others).find("<b>") == std::string::npos);
+  const char* const no_tolerance = R"({"published": "slim2023", "path": {"kind": "random"}})";
+  CHECK(is_empty(*table_7(study_of({{"12 bats", 1}}, no_tolerance)), 0, "never_reached"));
+  CHECK(table_7(study_of({}))->rows.empty());
+  CHECK(real_time_verdict(study_of({})) == "Real time: nothing is solved yet.");
+}
+
+TEST_CASE("only random targets that claim to be the paper's have a Table 7", "[time]") {
+  CHECK(!table_7(study_of(by_hand, R"({"published": "slim2023", "path": {"kind": "helix"}})")));
+  CHECK(!table_7(study_of(by_hand, R"({"path": {"kind": "random"}})")));
+  CHECK(!table_7(study_of(by_hand, R"({"published": "nothing", "path": {"kind": "random"}})")));
+  CHECK(!table_7(study_of(by_hand, "no JSON")));
+  CHECK(real_time_verdict(study_of(by_hand, "{}")).empty());
+}
+
+TEST_CASE("a study of random targets is not held against Table 3", "[time]") {
+  StudyResults study = study_of({{"IK-BA", 1}});
+  for (const Comparison& row : compare(study, Unit::run)) CHECK(!std::isfinite(row.paper_mean));
+  std::vector<std::string> names;
+  for (const Table& table : paper_tables(study, Unit::run)) names.push_back(table.name);
+  CHECK(names == std::vector<std::string>{"table-3", "table-4", "table-5", "table-6", "table-7", "status"});
+}

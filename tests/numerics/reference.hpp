@@ -1,0 +1,74 @@
+// What kernels and chains are held against: Eqs. 18 and 26 as 4x4 products in long double, and distances in last
+// places.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <random>
+#include <vector>
+
+#include "robots/chain.hpp"
+
+namespace ikbench {
+
+using LongPoint = std::array<long double, 3>;
+
+// A twist within 1e-15 of quarter turns is meant to be that many.
+inline long double meant_twist(double alpha) {
+  constexpr long double quarter = std::numbers::pi_v<long double> / 2;
+  const long double turns = std::round(static_cast<long double>(alpha) / quarter);
+  return std::abs(alpha - turns * quarter) < 1e-15L ? turns * quarter : static_cast<long double>(alpha);
+}
+
+template <class Angles>
+LongPoint reference_position(const std::vector<robots::DhLink>& links, const Eigen::Vector3d& tip, const Angles& q) {
+  using Matrix = std::array<std::array<long double, 4>, 4>;
+  Matrix T{{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}}};
+  Eigen::Index joint = 0;
+  for (const robots::DhLink& link : links) {
+    const long double theta = static_cast<long double>(q[joint++]) + link.offset, alpha = meant_twist(link.alpha);
+    const long double c = std::cos(theta), s = std::sin(theta), ca = std::cos(alpha), sa = std::sin(alpha);
+    const Matrix A{
+        {{c, -s * ca, s * sa, link.a * c}, {s, c * ca, -c * sa, link.a * s}, {0, sa, ca, link.d}, {0, 0, 0, 1}}};
+    Matrix product{};
+    for (std::size_t row = 0; row < 4; ++row) {
+      for (std::size_t column = 0; column < 4; ++column) {
+        for (std::size_t k = 0; k < 4; ++k) product[row][column] += T[row][k] * A[k][column];
+      }
+    }
+    T = product;
+  }
+  LongPoint position;
+  for (std::size_t row = 0; row < 3; ++row) {
+    position[row] = T[row][0] * tip.x() + T[row][1] * tip.y() + T[row][2] * tip.z() + T[row][3];
+  }
+  return position;
+}
+
+inline long double reference_distance(const LongPoint& point, const Eigen::Vector3d& target) {
+  const long double x = point[0] - target.x(), y = point[1] - target.y(), z = point[2] - target.z();
+  return std::sqrt(x * x + y * y + z * z);
+}
+
+// How far a number is from the true one, in units of the true one's last place as a double.
+inline double last_places(double number, long double truth) {
+  if (static_cast<long double>(number) == truth) return 0;
+  int exponent = 0;
+  std::frexp(truth, &exponent);
+  const long double place = std::ldexp(1.0L, std::max(exponent - 53, -1074));
+  return static_cast<double>(std::abs(static_cast<long double>(number) - truth) / place);
+}
+
+// pi/2 is below 1.5708: 2^51 quarter turns and a little more, the smallest of the angles that are refused for certain.
+constexpr double too_far = 0x1p51 * 1.5708;
+
+struct Dice {
+  std::mt19937_64 engine{20230305};
+  double between(double low, double high) { return low + (high - low) * static_cast<double>(engine() >> 11) * 0x1p-53; }
+  int below(int count) { return static_cast<int>(engine() % static_cast<unsigned>(count)); }
+};
+
+}  // namespace ikbench
