@@ -83,7 +83,7 @@ std::string fingerprint(std::vector<SolveRecord> records) {
   for (SolveRecord& record : records) {
     record.series = configuration_of(record.series);
     for_each_column([&](std::string_view name, auto member, std::string_view) {
-      if (std::ranges::find(not_in_fingerprint, name) == not_in_fingerprint.end()) add_column(hash, record.*member);
+      if (std::ranges::find(in_fingerprint, name) != in_fingerprint.end()) add_column(hash, record.*member);
     });
   }
   return hash.text();
