@@ -40,7 +40,8 @@ struct Session {
 
 class Store {
  public:
-  enum class Mode { read, write };  // write creates the file and its folders where missing
+  // write creates the file and its folders where missing, and gives a store of an older schema the columns it lacks
+  enum class Mode { read, write };
 
   Store(const std::filesystem::path& file, Mode mode);
   ~Store();

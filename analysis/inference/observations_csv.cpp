@@ -18,6 +18,7 @@
 
 namespace ikbench::inference {
 
+using namespace results;
 using namespace statistics;
 
 namespace {

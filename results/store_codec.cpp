@@ -1,0 +1,218 @@
+#include "results/store_codec.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <type_traits>
+#include <utility>
+
+#include "numerics/number.hpp"
+
+namespace ikbench::results {
+
+using namespace numerics;
+
+namespace {
+
+// A list of numbers as a JSON array. JSON has neither NaN nor infinity: null, and 1e999, which every reader
+// rounds to infinity.
+constexpr std::string_view json_nan = "null";
+constexpr std::string_view json_infinity = "1e999";
+constexpr std::string_view json_minus_infinity = "-1e999";
+
+std::string json_array(const std::vector<double>& numbers) {
+  std::string text = "[";
+  for (const double number : numbers) {
+    if (text.size() > 1) text += ',';
+    if (std::isfinite(number))
+      text += text_of(number);
+    else
+      text += std::isnan(number) ? json_nan : number > 0 ? json_infinity : json_minus_infinity;
+  }
+  return text + "]";
+}
+
+double json_number(std::string_view text) {
+  if (text == json_nan) return std::numeric_limits<double>::quiet_NaN();
+  if (text == json_infinity) return std::numeric_limits<double>::infinity();
+  if (text == json_minus_infinity) return -std::numeric_limits<double>::infinity();
+  if (const auto number = number_from(text)) return *number;
+  throw Damage(fmt::format("{} in a list of numbers", excerpt(text)));
+}
+
+std::vector<double> numbers_from(std::string_view array) {
+  if (array.size() < 2 || array.front() != '[' || array.back() != ']')
+    throw Damage(fmt::format("{} is not a list of numbers", excerpt(array)));
+  std::vector<double> numbers;
+  std::string_view rest = array.substr(1, array.size() - 2);
+  if (rest.empty()) return numbers;
+  numbers.reserve(static_cast<std::size_t>(std::count(rest.begin(), rest.end(), ',')) + 1);
+  for (;;) {
+    const std::size_t comma = rest.find(',');
+    numbers.push_back(json_number(rest.substr(0, comma)));
+    if (comma == std::string_view::npos) return numbers;
+    rest.remove_prefix(comma + 1);
+  }
+}
+
+// How a member of the record is declared, written and read. SQLite has no NaN: NULL stands for it.
+template <class Value>
+constexpr std::string_view sql_type() {
+  if constexpr (std::is_integral_v<Value>) return "INTEGER NOT NULL";
+  if constexpr (std::is_floating_point_v<Value>) return "REAL";
+  return "TEXT NOT NULL";
+}
+
+template <class Value>
+auto sql_value(const Value& value) {
+  if constexpr (std::is_enum_v<Value>)
+    return std::string(name_of(value));
+  else if constexpr (std::is_same_v<Value, std::vector<double>>)
+    return json_array(value);
+  else
+    return value;
+}
+
+// Of an added column, for the rows that are there already; a number has none, so that it is NULL.
+template <class Value>
+std::string sql_default(const Value& value) {
+  if constexpr (std::is_floating_point_v<Value>) return "";
+  if constexpr (std::is_integral_v<Value>) return fmt::format(" DEFAULT {}", value);
+  if constexpr (!std::is_arithmetic_v<Value>) return fmt::format(" DEFAULT '{}'", sql_value(value));
+}
+
+// SQLite keeps a value of any type in a column of any type, and would give a wrong one as 0 or as text.
+void expect(bool is_right, const SQLite::Column& column, std::string_view type) {
+  if (!is_right) throw Damage(fmt::format("{} {}, expected {}", column.getName(), excerpt(column), type));
+}
+
+template <class Value>
+void read(const SQLite::Column& column, Value& value) {
+  if constexpr (std::is_floating_point_v<Value>) {
+    expect(column.isFloat() || column.isInteger() || column.isNull(), column, "a number");
+    value = column.isNull() ? std::numeric_limits<double>::quiet_NaN() : column.getDouble();
+  } else if constexpr (std::is_integral_v<Value>) {
+    expect(column.isInteger(), column, "a whole number");
+    if (!std::in_range<Value>(column.getInt64()))
+      throw Damage(fmt::format("{} {}", column.getName(), column.getInt64()));
+    value = static_cast<Value>(column.getInt64());
+  } else {
+    expect(column.isText(), column, "text");
+    if constexpr (std::is_enum_v<Value>) {
+      const auto& names = names_of(value);
+      const auto found = std::find(names.begin(), names.end(), column.getString());
+      if (found == names.end()) throw Damage(fmt::format("{} {}", column.getName(), excerpt(column)));
+      value = static_cast<Value>(found - names.begin());
+    } else if constexpr (std::is_same_v<Value, std::vector<double>>) {
+      try {
+        value = numbers_from(column.getString());
+      } catch (const Damage& error) {
+        throw Damage(fmt::format("{}: {}", column.getName(), error.what()));
+      }
+    } else {
+      value = column.getString();
+    }
+  }
+}
+
+struct SolveColumn {
+  std::string_view name;
+  std::string declaration;  // "run INTEGER NOT NULL"
+};
+
+// Those that a version of the schema has; of a newer version than ours those that we know.
+std::vector<SolveColumn> solve_columns(std::int64_t version) {
+  std::vector<SolveColumn> columns;
+  const SolveRecord empty;
+  for_each_column([&]<class Value>(std::string_view name, Value SolveRecord::*member, std::string_view) {
+    const auto added_by = static_cast<std::int64_t>(columns.size()) + 1 - columns_before_schema_1;
+    if (added_by > version) return;
+    columns.push_back({name, fmt::format("{} {}{}", name, sql_type<Value>(),
+                                         added_by > 1 ? sql_default(empty.*member) : std::string())});
+  });
+  return columns;
+}
+
+// Each through `format`, separated by commas.
+template <class Format>
+std::string listed(const std::vector<SolveColumn>& columns, Format&& format) {
+  std::string text;
+  for (const SolveColumn& column : columns) {
+    text += text.empty() ? "" : ", ";
+    text += format(column);
+  }
+  return text;
+}
+
+std::string_view name_in(const SolveColumn& column) { return column.name; }
+
+}  // namespace
+
+std::string excerpt(std::string_view text) {
+  constexpr std::size_t longest = 40;
+  return text.size() <= longest ? fmt::format("'{}'", text) : fmt::format("'{}...'", text.substr(0, longest));
+}
+
+std::string excerpt(const SQLite::Column& column) {
+  if (column.isNull()) return "NULL";
+  if (column.isBlob()) return "(BLOB)";
+  return column.isText() ? excerpt(std::string_view(column.getString())) : column.getString();
+}
+
+std::string create_solves(std::int64_t version) {
+  return fmt::format("CREATE TABLE solves ({}, PRIMARY KEY (series, run, point))",
+                     listed(solve_columns(version), [](const SolveColumn& column) { return column.declaration; }));
+}
+
+std::string select_solves(std::int64_t version) {
+  return fmt::format("SELECT {} FROM solves WHERE series = ? ORDER BY run, point",
+                     listed(solve_columns(version), name_in));
+}
+
+std::vector<std::string> add_columns_after(std::int64_t version) {
+  std::vector<SolveColumn> columns = solve_columns(schema_version);
+  columns.erase(columns.begin(), columns.begin() + static_cast<std::ptrdiff_t>(solve_columns(version).size()));
+  std::vector<std::string> sql;
+  for (const SolveColumn& column : columns) sql.push_back("ALTER TABLE solves ADD COLUMN " + column.declaration);
+  return sql;
+}
+
+std::string insert_solve() {
+  const std::vector<SolveColumn> columns = solve_columns(schema_version);
+  return fmt::format("INSERT INTO solves ({}) VALUES ({})", listed(columns, name_in),
+                     listed(columns, [](const SolveColumn&) { return "?"; }));
+}
+
+void bind_solve(SQLite::Statement& insert, const SolveRecord& record) {
+  int index = 0;
+  for_each_column(
+      [&](std::string_view, auto member, std::string_view) { insert.bind(++index, sql_value(record.*member)); });
+}
+
+SolveRecord solve_in(SQLite::Statement& row) {
+  SolveRecord record;
+  int index = 0;
+  for_each_column([&]<class Value>(std::string_view, Value SolveRecord::*member, std::string_view) {
+    if (index < row.getColumnCount())
+      read(row.getColumn(index++), record.*member);
+    else if constexpr (std::is_floating_point_v<Value>)
+      record.*member = std::numeric_limits<Value>::quiet_NaN();
+  });
+  return record;
+}
+
+template <class Value>
+Value value_in(const SQLite::Column& column) {
+  Value value{};
+  read(column, value);
+  return value;
+}
+
+template std::string value_in(const SQLite::Column&);
+template int value_in(const SQLite::Column&);
+template std::int64_t value_in(const SQLite::Column&);
+
+}  // namespace ikbench::results

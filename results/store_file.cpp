@@ -1,0 +1,285 @@
+#include "results/store_file.hpp"
+
+#include <fmt/format.h>
+#include <sqlite3.h>
+#include <sys/stat.h>
+
+#include <algorithm>
+#include <cctype>
+#include <chrono>
+#include <stdexcept>
+#include <string_view>
+#include <system_error>
+#include <thread>
+
+namespace ikbench::results {
+namespace {
+
+constexpr std::int64_t application_id = 0x494B424E;  // "IKBN" in the header of the file
+constexpr int busy_timeout_ms = 10'000;
+constexpr std::chrono::seconds folding_patience{5};
+constexpr int largest_value = 256'000'000;  // bytes of a text in the file; more than any study needs
+
+[[noreturn]] void refuse_taken_away(const std::string& file) {
+  throw std::runtime_error(fmt::format(
+      "'{}' was removed, moved or replaced while ikbench wrote to it, so the new solves are not in it; if it "
+      "was moved, move it back; then run again",
+      file));
+}
+
+struct TableMaker {
+  std::string_view name;
+  std::string sql;
+};
+
+// Those of a version of the schema.
+std::vector<TableMaker> tables(std::int64_t version) {
+  return {
+      {"meta", "CREATE TABLE meta (key TEXT NOT NULL PRIMARY KEY, value TEXT NOT NULL)"},
+      {"studies",
+       "CREATE TABLE studies (position INTEGER PRIMARY KEY, name TEXT NOT NULL UNIQUE, definition TEXT NOT NULL, "
+       "saved TEXT NOT NULL)"},
+      {"series",
+       "CREATE TABLE series (study TEXT NOT NULL, position INTEGER NOT NULL, key TEXT NOT NULL, label TEXT NOT NULL, "
+       "algorithm TEXT NOT NULL, options TEXT NOT NULL, PRIMARY KEY (study, position), UNIQUE (study, key), "
+       "UNIQUE (study, label))"},
+      {"sessions", "CREATE TABLE sessions (id INTEGER PRIMARY KEY, began TEXT NOT NULL)"},
+      {"environment",
+       "CREATE TABLE environment (session INTEGER NOT NULL, key TEXT NOT NULL, value TEXT NOT NULL, "
+       "PRIMARY KEY (session, key))"},
+      {"solves", create_solves(version)}};
+}
+
+std::string create_tables() {
+  std::string sql =
+      fmt::format("PRAGMA application_id = {}; PRAGMA user_version = {};\n", application_id, schema_version);
+  for (const TableMaker& table : tables(schema_version)) sql += table.sql + ";\n";
+  return sql + fmt::format(
+                   "INSERT INTO meta VALUES ('schema', '{}'), ('written by', 'ikbench; the columns are "
+                   "described in docs/data-dictionary.md');\n",
+                   schema_version);
+}
+
+// SQL with every run of white space as one space.
+std::string on_one_line(std::string_view sql) {
+  std::string text;
+  for (const char c : sql) {
+    if (std::isspace(static_cast<unsigned char>(c)) == 0)
+      text += c;
+    else if (!text.empty() && text.back() != ' ')
+      text += ' ';
+  }
+  return text;
+}
+
+// The path for SQLite, absolute so that it never means something special (":memory:").
+std::string checked_path(const std::filesystem::path& file, Store::Mode mode) {
+  std::error_code error;
+  const auto path = std::filesystem::absolute(file, error);
+  const auto status = std::filesystem::status(path, error);
+  if (file.empty() || std::filesystem::is_directory(status))
+    throw std::invalid_argument(fmt::format("'{}' is a folder, expected the file of a store", file.string()));
+  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
+    throw std::invalid_argument(fmt::format("'{}' is not a regular file, expected the file of a store", file.string()));
+  if (mode == Store::Mode::read && status.type() == std::filesystem::file_type::not_found)
+    throw std::invalid_argument(
+        fmt::format("'{}' does not exist, expected a store; `ikbench run` writes one", file.string()));
+  if (mode == Store::Mode::write) {
+    std::filesystem::create_directories(path.parent_path(), error);
+    if (error)
+      throw std::invalid_argument(fmt::format(
+          "'{}' cannot be written: its folder cannot be made ({}); give another path", file.string(), error.message()));
+  }
+  return path.string();
+}
+
+}  // namespace
+
+void refuse(const std::string& file, const SQLite::Exception& error) {
+  switch (error.getErrorCode()) {
+    case SQLITE_NOTADB:
+      throw std::invalid_argument(
+          fmt::format("'{}' is not an ikbench store: it is no SQLite file; expected one that ikbench wrote", file));
+    case SQLITE_CORRUPT:
+    case SQLITE_ERROR:  // our SQL is right, so the tables are not ours
+      refuse(file, Damage(error.what()));
+    case SQLITE_TOOBIG:
+      throw std::invalid_argument(
+          fmt::format("'{}' cannot hold a value of more than {} MB; expected a shorter text, list or trace", file,
+                      largest_value / 1'000'000));
+    case SQLITE_READONLY:
+      if (error.getExtendedErrorCode() == SQLITE_READONLY_DBMOVED) refuse_taken_away(file);
+      if (error.getExtendedErrorCode() == SQLITE_READONLY_ROLLBACK)
+        throw std::invalid_argument(fmt::format(
+            "'{}' was left half-written by an ikbench that was killed: keep '{}-journal' beside it and run the "
+            "study again, which undoes the unfinished write and goes on",
+            file, file));
+      [[fallthrough]];
+    case SQLITE_CANTOPEN:
+    case SQLITE_PERM:
+      throw std::invalid_argument(fmt::format(
+          "'{}' cannot be opened ({}); it, its folder or a '-wal' file that a run left beside it cannot be read or "
+          "written: give permission, or copy the store with its '-wal' file to a folder where you can write",
+          file, error.what()));
+    case SQLITE_BUSY:
+    case SQLITE_LOCKED:
+      throw std::runtime_error(fmt::format(
+          "'{}' was kept locked by another process for {} s; wait until that has ended", file, busy_timeout_ms / 1000));
+    case SQLITE_CONSTRAINT:
+      if (error.getExtendedErrorCode() != SQLITE_CONSTRAINT_PRIMARYKEY) {
+        throw std::logic_error(fmt::format("'{}' already has it: {}", file, error.what()));
+      }
+      throw std::invalid_argument(fmt::format(
+          "another ikbench is running the same study into '{}'; wait until it has ended, then run again", file));
+    default:
+      throw std::runtime_error(fmt::format("'{}' cannot be used: {}", file, error.what()));
+  }
+}
+
+void refuse(const std::string& file, const Damage& damage) {
+  throw std::invalid_argument(fmt::format(
+      "'{}' is damaged ({}); restore it from a copy or run its studies into a new store", file, damage.what()));
+}
+
+std::optional<StoreFile::Identity> StoreFile::identity_of(const std::string& path) {
+  struct stat status {};
+  if (::stat(path.c_str(), &status) != 0) return std::nullopt;
+  return Identity{status.st_dev, status.st_ino};
+}
+
+StoreFile::StoreFile(const std::filesystem::path& path, Store::Mode mode)
+    : name_(path.string()),
+      mode_(mode),
+      sqlite_(checked_path(path, mode),
+              mode == Store::Mode::write ? SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE : SQLite::OPEN_READONLY,
+              busy_timeout_ms),
+      identity_(identity_of(sqlite_.getFilename())) {
+  distrust();
+  using enum SQLite::TransactionBehavior;
+  SQLite::Transaction transaction(sqlite_, mode == Store::Mode::write ? IMMEDIATE : DEFERRED);
+  if (mode == Store::Mode::write && number("SELECT count(*) FROM sqlite_master") == 0 &&
+      number("PRAGMA application_id") == 0)
+    sqlite_.exec(create_tables());
+  check_header();
+  check_tables();
+  transaction.commit();
+  if (mode == Store::Mode::read) return;
+  sqlite_.exec("PRAGMA journal_mode = WAL; PRAGMA synchronous = NORMAL");
+  if (version() < schema_version) migrate();
+}
+
+StoreFile::~StoreFile() {
+  if (mode_ == Store::Mode::write) fold();
+}
+
+// SQLite goes on writing a file that was unlinked or moved away.
+bool StoreFile::is_in_place() const { return identity_ && identity_of(sqlite_.getFilename()) == identity_; }
+
+void StoreFile::check_place() const {
+  if (!is_in_place()) refuse_taken_away(name_);
+}
+
+void StoreFile::commit(SQLite::Transaction& transaction) {
+  transaction.commit();
+  check_place();
+}
+
+// Whether the log could be folded in: not while another process reads or writes. What is committed is safe all the
+// same, and the next to write folds it in.
+bool StoreFile::fold() {
+  try {
+    sqlite_.setBusyTimeout(0);
+    sqlite_.exec("PRAGMA wal_checkpoint(TRUNCATE)");
+    if (is_in_place()) sqlite_.exec("PRAGMA journal_mode = DELETE");  // else it would remove the log of another file
+    return true;
+  } catch (const SQLite::Exception&) {
+    return false;
+  }
+}
+
+void StoreFile::fold_with_patience() {
+  const auto deadline = std::chrono::steady_clock::now() + folding_patience;
+  while (!fold() && std::chrono::steady_clock::now() < deadline)
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  sqlite_.setBusyTimeout(busy_timeout_ms);
+}
+
+std::vector<std::filesystem::path> StoreFile::finish() {
+  fold_with_patience();
+  check_place();
+  const std::filesystem::path place =
+      std::filesystem::is_symlink(name_) ? std::filesystem::canonical(name_) : std::filesystem::path(name_);
+  const std::filesystem::path log = place.string() + "-wal";
+  std::error_code no_log;
+  const auto size = std::filesystem::file_size(log, no_log);
+  if (no_log || size == 0) return {place};
+  return {place, log};
+}
+
+// The file may be anybody's: none of its SQL is run (https://www.sqlite.org/security.html).
+void StoreFile::distrust() {
+  sqlite3* const handle = sqlite_.getHandle();
+  for (const auto& [option, value] :
+       {std::pair{SQLITE_DBCONFIG_DEFENSIVE, 1}, std::pair{SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0},
+        std::pair{SQLITE_DBCONFIG_ENABLE_TRIGGER, 0}, std::pair{SQLITE_DBCONFIG_ENABLE_VIEW, 0}})
+    sqlite3_db_config(handle, option, value, static_cast<int*>(nullptr));
+  sqlite3_limit(handle, SQLITE_LIMIT_LENGTH, largest_value);
+  sqlite_.exec("PRAGMA cell_size_check = ON");
+}
+
+void StoreFile::check_header() {
+  if (number("PRAGMA application_id") != application_id)
+    throw std::invalid_argument(
+        fmt::format("'{}' is not an ikbench store: another program wrote it; expected one that ikbench wrote", name_));
+  if (version() > schema_version)
+    throw std::invalid_argument(
+        fmt::format("'{}' has schema {}, newer than the {} that this ikbench knows; use the ikbench that wrote it",
+                    name_, version(), schema_version));
+  if (version() < 1) throw Damage(fmt::format("its user_version is {}, expected 1 or more", version()));
+  // SQLite takes what is missing of the last page for zeros.
+  if (std::filesystem::file_size(name_) % static_cast<std::uintmax_t>(number("PRAGMA page_size")) != 0)
+    throw Damage("it was cut short");
+}
+
+// The tables of its version, as we make them, and nothing else.
+void StoreFile::check_tables() {
+  if (const std::string encoding = sqlite_.execAndGet("PRAGMA encoding").getString(); encoding != "UTF-8")
+    throw Damage(fmt::format("its encoding is {}, expected UTF-8", encoding));
+  std::vector<TableMaker> missing = tables(version());
+  const auto is_ours = [ours = missing](const std::string& name) {
+    return std::ranges::find(ours, name, &TableMaker::name) != ours.end();
+  };
+  SQLite::Statement query(sqlite_, "SELECT type, name, tbl_name, sql FROM sqlite_master");
+  while (query.executeStep()) {
+    const std::string type = query.getColumn(0).getString();
+    const std::string name = query.getColumn(1).getString();
+    const bool is_automatic = query.getColumn(3).isNull() && name.starts_with("sqlite_autoindex_");
+    if (type == "index" && is_automatic && is_ours(query.getColumn(2).getString())) continue;
+    const auto found = std::ranges::find(missing, name, &TableMaker::name);
+    if (type != "table" || found == missing.end())
+      throw Damage(fmt::format("it holds {} {}, which no store of ikbench has", type.substr(0, 40), excerpt(name)));
+    if (on_one_line(query.getColumn(3).getString()) != found->sql)
+      throw Damage(fmt::format("its table {} has other columns or constraints than ikbench gives it", name));
+    missing.erase(found);
+  }
+  if (!missing.empty()) throw Damage(fmt::format("it has no table '{}'", missing.front().name));
+}
+
+// Gives a store of an older version the columns that it lacks, all of them or none. Of several programs that open it at
+// once the first does it; the others wait, and find it done.
+void StoreFile::migrate() {
+  SQLite::Transaction transaction(sqlite_, SQLite::TransactionBehavior::IMMEDIATE);
+  check_header();
+  for (const std::string& sql : add_columns_after(version())) sqlite_.exec(sql);
+  sqlite_.exec(
+      fmt::format("PRAGMA user_version = {0}; UPDATE meta SET value = '{0}' WHERE key = 'schema'", schema_version));
+  check_tables();
+  commit(transaction);
+}
+
+void StoreFile::refuse_blobs(const char* table, const char* column) {
+  if (SQLite::Statement(sqlite_, fmt::format("SELECT 1 FROM {} WHERE {} >= x'' LIMIT 1", table, column)).executeStep())
+    throw Damage(fmt::format("{} is a BLOB in a row of table {}, expected text", column, table));
+}
+
+}  // namespace ikbench::results
