@@ -176,6 +176,7 @@ std::vector<std::string> add_columns_after(std::int64_t version) {
   std::vector<SolveColumn> columns = solve_columns(schema_version);
   columns.erase(columns.begin(), columns.begin() + static_cast<std::ptrdiff_t>(solve_columns(version).size()));
   std::vector<std::string> sql;
+  sql.reserve(columns.size());
   for (const SolveColumn& column : columns) sql.push_back("ALTER TABLE solves ADD COLUMN " + column.declaration);
   return sql;
 }
