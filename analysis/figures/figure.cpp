@@ -56,6 +56,14 @@ void remove_pictures(const std::string& name, const std::filesystem::path& folde
   }
 }
 
+// The same figure is the same bytes: Cairo writes into a PDF when it was drawn. Blanks, because offsets follow.
+void blank_date(std::string& pdf) {
+  const std::size_t begin = pdf.find("/CreationDate (");
+  if (begin == std::string::npos) return;
+  const std::size_t end = std::min(pdf.find(')', begin), pdf.size() - 1) + 1;
+  std::fill(pdf.begin() + static_cast<std::ptrdiff_t>(begin), pdf.begin() + static_cast<std::ptrdiff_t>(end), ' ');
+}
+
 // Draws in the workshop, then writes the pictures to their place. std::invalid_argument says why it could not.
 void draw(const Figure& figure, const std::filesystem::path& workshop, const std::string& gnuplot) {
   // -d: the same look whatever ~/.gnuplot says.
@@ -66,8 +74,9 @@ void draw(const Figure& figure, const std::filesystem::path& workshop, const std
   }
   for (const std::string_view type : picture_types) {
     const std::string file = fmt::format("{}.{}", figure.name, type);
-    const std::optional<std::string> picture = read_file(workshop / file);
+    std::optional<std::string> picture = read_file(workshop / file);
     if (!picture) throw std::invalid_argument(fmt::format("{} drew no {}: {}", gnuplot, file, result.output));
+    if (type == "pdf") blank_date(*picture);
     write_file(workshop.parent_path() / file, *picture);
   }
 }

@@ -14,6 +14,7 @@
 #include <chrono>
 #include <cstring>
 #include <optional>
+#include <string_view>
 
 namespace ikbench::figures {
 namespace {
@@ -59,6 +60,13 @@ ProcessResult run_process(const std::vector<std::string>& words, const std::file
   for (std::string& word : copies) arguments.push_back(word.data());
   arguments.push_back(nullptr);
 
+  std::string utc = "TZ=UTC0";
+  std::vector<char*> variables{utc.data()};
+  for (char** variable = environ; *variable != nullptr; ++variable) {
+    if (!std::string_view(*variable).starts_with("TZ=")) variables.push_back(*variable);
+  }
+  variables.push_back(nullptr);
+
   posix_spawn_file_actions_t actions;
   ::posix_spawn_file_actions_init(&actions);
   ::posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
@@ -66,7 +74,7 @@ ProcessResult run_process(const std::vector<std::string>& words, const std::file
   ::posix_spawn_file_actions_adddup2(&actions, pipe[1], STDOUT_FILENO);
   ::posix_spawn_file_actions_adddup2(&actions, pipe[1], STDERR_FILENO);
   pid_t process = 0;
-  const int error = ::posix_spawnp(&process, arguments[0], &actions, nullptr, arguments.data(), environ);
+  const int error = ::posix_spawnp(&process, arguments[0], &actions, nullptr, arguments.data(), variables.data());
   ::posix_spawn_file_actions_destroy(&actions);
   ::close(pipe[1]);
 

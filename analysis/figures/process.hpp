@@ -12,7 +12,8 @@ struct ProcessResult {
   std::string output;  // what it printed, both streams; or why it could not be started
 };
 
-// words[0] is the program, sought on the PATH; `folder` is where it works. It reads nothing.
+// words[0] is the program, sought on the PATH; `folder` is where it works. It reads nothing, and its
+// clock shows UTC.
 ProcessResult run_process(const std::vector<std::string>& words, const std::filesystem::path& folder);
 
 }  // namespace ikbench::figures
