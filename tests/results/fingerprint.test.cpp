@@ -29,10 +29,8 @@ void change(std::vector<double>& numbers) {
   change(numbers.back());
 }
 template <class Enum>
-  requires std::is_enum_v<Enum>
-void change(Enum& value) {
-  value = value == Enum{} ? Enum{1} : Enum{};
-}
+requires std::is_enum_v<Enum>
+void change(Enum& value) { value = value == Enum{} ? Enum{1} : Enum{}; }
 
 }  // namespace
 
