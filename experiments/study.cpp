@@ -19,71 +19,6 @@ using namespace results;
 
 namespace {
 
-// Slim et al. 2023, Sec. 5.2, in the readings of docs/paper-notes.md section 2.
-Study slim2023() {
-  Study study{.name = "slim2023",
-              .title = "Slim et al. 2023: six solvers on a helix with the KUKA LBR iiwa 14",
-              .published = "slim2023"};
-  study.initial = Eigen::VectorXd::Zero(7);
-  study.solvers = {{"IK-BA", "ik_bat", {}},
-                   {"BA", "bat", {}},
-                   {"DE", "differential_evolution", {{"replacement", "at_once"}}},  // docs/paper-notes.md 2.9
-                   {"PSO", "particle_swarm", {}},
-                   {"K-ABC", "k_artificial_bee_colony", {}},
-                   {"MO-PSO", "multi_objective_swarm", {}}};
-  return study;
-}
-
-// Sec. 5.3.3, Table 7: how long IK-BA takes to 0.1 cm with 12, 15, 20 and 30 bats.
-Study slim2023_time() {
-  Study study{.name = "slim2023-time",
-              .title = "Slim et al. 2023: IK-BA to 0.1 cm at random targets, with 12 to 30 bats",
-              .published = "slim2023",
-              .path = RandomTargets{},
-              .start = Start::initial};
-  study.initial = Eigen::VectorXd::Zero(7);
-  study.stop = {.iterations = 1000, .tolerance = 0.1 * centimetre};
-  study.runs = 1;
-  for (const int bats : {12, 15, 20, 30}) study.solvers.push_back({fmt::format("{} bats", bats), "ik_bat", {}, bats});
-  return study;
-}
-
-// Sec. 6, Table 8: a circle drawn by the Dobot Magician.
-Study slim2023_dobot() {
-  Study study{.name = "slim2023-dobot",
-              .title = "Slim et al. 2023: IK-BA on a circle with the Dobot Magician",
-              .published = "slim2023",
-              .robot = "dobot_magician",
-              .path = Circle{},
-              .search = Search::all_joints};
-  study.initial = Eigen::VectorXd::Zero(3);
-  study.stop.iterations = 1000;
-  study.runs = 1;
-  study.trace = Trace::best_error;
-  study.solvers = {{"IK-BA", "ik_bat", {}}};
-  return study;
-}
-
-// What the six come to on an arm that cannot leave its limits.
-Study slim2023_limits() {
-  Study study = slim2023();
-  study.name = "slim2023-limits";
-  study.title = "The helix of Slim et al. 2023 with all joint limits enforced, the wrist's too";
-  study.limits = Limits::enforced;
-  return study;
-}
-
-// What the six are measured against: no skill at all, and what a roboticist would use.
-Study slim2023_context() {
-  Study study = slim2023();
-  study.name = "slim2023-context";
-  study.title = "The helix of Slim et al. 2023 with random search and damped least squares";
-  study.published = "";
-  study.stop.tolerance = 1e-8;  // [m]; else damped least squares would be timed long after it has converged
-  study.solvers = {{"Random", "random_search", {}}, {"DLS", "damped_least_squares", {}}};
-  return study;
-}
-
 template <class Values>
 std::string exact(const Values& values) {
   std::string text;
@@ -92,10 +27,6 @@ std::string exact(const Values& values) {
 }
 
 }  // namespace
-
-std::vector<Study> studies() {
-  return {slim2023(), slim2023_time(), slim2023_dobot(), slim2023_limits(), slim2023_context()};
-}
 
 Settings effective_options(const Study& study, const Entrant& entrant) {
   const SolverInfo info = solver(entrant.solver);

@@ -62,9 +62,6 @@ struct Study {
   results::AnalysisPlan analysis;  // how the solves will be judged; decides no number of them
 };
 
-// The built-in studies by name.
-std::vector<Study> studies();
-
 // What each entrant's solver is really made with: the study's bounds applied, its own options over them, defaults
 // filled in.
 solvers::Settings effective_options(const Study& study, const Entrant& entrant);

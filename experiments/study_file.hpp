@@ -23,6 +23,8 @@ constexpr std::string_view why_points_are_refused =
 // Both: std::invalid_argument says where, what is wrong, and what is expected; an unknown key names the nearest known.
 Study parse_study(std::string_view toml, std::string_view source, const Overrides& overrides = {},
                   PointsAsObservations points_as_observations = PointsAsObservations::refused);
+// The built-in studies by name: the files of studies/, which the build carries in the program (embed.cmake).
+std::vector<Study> studies();
 // A built-in study by name, or else a file.
 Study load_study(const std::string& name_or_file, const Overrides& overrides = {},
                  PointsAsObservations points_as_observations = PointsAsObservations::refused);

@@ -10,6 +10,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "experiments/built_in_studies.hpp"
 #include "experiments/study_fields.hpp"
 #include "experiments/study_file.hpp"
 #include "numerics/toml_table.hpp"
@@ -390,14 +391,18 @@ Study parse_study(std::string_view toml_text, std::string_view source, const Ove
   return read_study(table, source, points_as_observations);
 }
 
+std::vector<Study> studies() {
+  std::vector<Study> all;
+  for (const auto& [name, toml] : built_in_studies()) all.push_back(parse_study(toml, "built-in study " + name));
+  return all;
+}
+
 Study load_study(const std::string& name_or_file, const Overrides& overrides,
                  PointsAsObservations points_as_observations) {
   std::vector<std::string> names;
-  for (const Study& study : studies()) {
-    if (study.name == name_or_file) {
-      return parse_study(to_toml(study), "built-in study " + name_or_file, overrides, points_as_observations);
-    }
-    names.push_back(study.name);
+  for (const auto& [name, toml] : built_in_studies()) {
+    if (name == name_or_file) return parse_study(toml, "built-in study " + name, overrides, points_as_observations);
+    names.push_back(name);
   }
   std::error_code error;
   const std::filesystem::path file = name_or_file;

@@ -7,7 +7,7 @@ cmake=$1 generator=$2 compiler=$3
 source=$(realpath "$(dirname "$0")/..")
 tree=$(mktemp -d)
 trap 'rm -rf "$tree"' EXIT
-(cd "$source" && cp -r CMakeLists.txt analysis cli experiments numerics results robots solvers tests "$tree") || exit 1
+(cd "$source" && cp -r CMakeLists.txt embed.cmake analysis cli experiments numerics results robots solvers tests "$tree") || exit 1
 cd "$tree" || exit 1
 digests=build/experiments/source_digests.inc
 
@@ -43,6 +43,11 @@ sed -i '/\/\//! s/ = \([a-z0-9.]*\);$/=\n\t\1 ;\r/; s/^  /      /' solvers/parti
 [ "$(grep -c $'\r' solvers/particle_swarm.cpp)" -gt 2 ] || fail "nothing to format in particle_swarm.cpp"
 expect "" "formatting"
 [ "$digests" -ot .mark ] || fail "unchanged digests were written anew"
+
+# What reads studies, and the studies themselves, decide no number.
+sed -i 's/^title = .*/title = "Another title"/' experiments/studies/*.toml
+echo 'constexpr int another = 1;' >>experiments/study_reader.cpp
+expect "" "a title"
 
 # A number: of that solver alone, or of what all share.
 sed -i '0,/0\.5/s//0.25/' solvers/bat.cpp

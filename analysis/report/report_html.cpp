@@ -6,6 +6,7 @@
 #include <cctype>
 #include <kainjow/mustache.hpp>
 #include <string_view>
+#include <utility>
 
 #include "results/files.hpp"
 #include "analysis/report/report_svg.hpp"
@@ -22,7 +23,17 @@ using namespace figures;
 
 namespace {
 
+// The files of templates/ (embed.cmake).
+constexpr std::pair<std::string_view, std::string_view> templates[]{
 #include "templates.inc"
+};
+
+constexpr std::string_view template_named(std::string_view name) {
+  return std::ranges::find(templates, name, &std::pair<std::string_view, std::string_view>::first)->second;
+}
+
+constexpr std::string_view report_html = template_named("report.html"), report_css = template_named("report.css"),
+                           report_js = template_named("report.js"), moving_arm_js = template_named("moving_arm.js");
 
 using Data = kainjow::mustache::data;
 

@@ -2,6 +2,7 @@
 // thread and by two.
 #include "experiments/microbenchmarks/harness.hpp"
 #include "experiments/runner.hpp"
+#include "experiments/study_file.hpp"
 
 namespace ikbench::microbenchmarks {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "experiments/runner.hpp"
-#include "experiments/study.hpp"
+#include "experiments/study_file.hpp"
 #include "tests/results/samples.hpp"
 
 namespace ikbench {

@@ -64,6 +64,18 @@ void check(const std::vector<Mistake>& mistakes) {
 
 // ---- round trips --------------------------------------------------------------------------------------------------
 
+TEST_CASE("a built-in study is a file in experiments/studies, which has the study's name", "[study]") {
+  std::vector<std::string> files, names;
+  for (const auto& entry : std::filesystem::directory_iterator("experiments/studies")) {
+    files.push_back(entry.path().stem().string());
+    CHECK(load_study(files.back()).name == files.back());
+    CHECK(to_toml(load_study(entry.path().string())) == to_toml(load_study(files.back())));
+  }
+  std::ranges::sort(files);
+  for (const Study& study : studies()) names.push_back(study.name);
+  CHECK(names == files);
+}
+
 TEST_CASE("every built-in study comes back from its file with the same series", "[study]") {
   for (const Study& study : studies()) {
     INFO(study.name);
