@@ -6,6 +6,7 @@
 #include <map>
 #include <stdexcept>
 
+#include "experiments/series_key.hpp"
 #include "numerics/names.hpp"
 
 namespace ikbench::experiments {

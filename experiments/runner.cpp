@@ -7,6 +7,7 @@
 
 #include "experiments/contest.hpp"
 #include "experiments/environment.hpp"
+#include "experiments/series_key.hpp"
 #include "experiments/source_digest.hpp"
 #include "experiments/study_file.hpp"
 #include "experiments/workers.hpp"

@@ -1,13 +1,8 @@
 #include "experiments/study.hpp"
 
-#include <fmt/format.h>
-
 #include <optional>
 
-#include "experiments/source_digest.hpp"
-#include "results/record.hpp"
 #include "robots/spherical_wrist.hpp"
-#include "numerics/units.hpp"
 #include "solvers/registry.hpp"
 
 namespace ikbench::experiments {
@@ -15,18 +10,6 @@ namespace ikbench::experiments {
 using namespace numerics;
 using namespace robots;
 using namespace solvers;
-using namespace results;
-
-namespace {
-
-template <class Values>
-std::string exact(const Values& values) {
-  std::string text;
-  for (const double value : values) text += fmt::format("{} ", value);
-  return text;
-}
-
-}  // namespace
 
 Settings effective_options(const Study& study, const Entrant& entrant) {
   const SolverInfo info = solver(entrant.solver);
@@ -62,33 +45,6 @@ std::string why_no_blocks(const Study& study) {
   const std::int64_t blocks =
       (is_drawn ? std::int64_t{study.runs} : 1) * (is_chained ? 1 : std::int64_t{points(study.path)});
   return blocks >= 2 ? "" : "there is only one such target, or one run of them";
-}
-
-std::string configuration_key(const Study& study, const Entrant& entrant) {
-  // What is new in a study is said only where it is not as before, so that stores keep the solves they have.
-  const Robot arm = robot(study.robot);
-  std::string text = "numerics 2\nrobot";  // as the first stores have it, whose keys are this hash alone
-  text += arm.kinematics->definition() + exact(arm.limits.lower) + exact(arm.limits.upper) + "\ntargets ";
-  if (const auto* drawn = std::get_if<RandomTargets>(&study.path)) {
-    text += fmt::format("random {}", drawn->points);  // from seed and run
-  } else {
-    for (const Pose& target : targets(study, 1)) text += exact(target.matrix().reshaped());
-  }
-  text += fmt::format("\ninitial {}\nsearch {} branch {} population {} seed {} trace {}", exact(study.initial),
-                      static_cast<int>(study.search), static_cast<int>(study.wrist_branch),
-                      effective_population(study, entrant), study.seed, static_cast<int>(study.trace));
-  text += fmt::format("\nstop {} {} {} {}", study.stop.iterations, study.stop.tolerance, study.stop.evaluations,
-                      study.stop.seconds);
-  if (study.limits == Limits::enforced) text += "\nlimits enforced";
-  if (study.start == Start::initial) text += "\nstart initial";
-  text += fmt::format("\nsolver {} label {}", entrant.solver, entrant.label);
-  for (const auto& [name, value] : effective_options(study, entrant)) text += fmt::format("\n{} = {}", name, value);
-  return fmt::format("{:016x}", Key(0).with(text).value());
-}
-
-std::string series_key(const Study& study, const Entrant& entrant) {
-  const Key source = Key(0).with(shared_source_digest()).with(solver_source_digest(entrant.solver));
-  return fmt::format("{}{}{:016x}", configuration_key(study, entrant), before_source, source.value());
 }
 
 std::vector<Unreachable> unreachable(const Study& study) {

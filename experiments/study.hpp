@@ -76,12 +76,6 @@ std::vector<robots::Pose> targets(const Study& study, int run);
 // solves all begin at the initial configuration.
 std::string why_no_blocks(const Study& study);
 
-// Hash of everything in the study that decides the numbers of one entrant.
-std::string configuration_key(const Study& study, const Entrant& entrant);
-// That, and a hash of the source that makes them: equal keys, equal numbers, on one machine and unless a solve ends by
-// its wall time.
-std::string series_key(const Study& study, const Entrant& entrant);
-
 // A target that no configuration reaches, for certain: by the distance from the shoulder (to the wrist's centre, where
 // that is what is searched).
 struct Unreachable {

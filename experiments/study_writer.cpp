@@ -51,65 +51,63 @@ std::string numerals(const std::vector<double>& values) {
   return fmt::format("[{}]", fmt::join(texts, ", "));
 }
 
-template <class Enum>
-const std::string& name_in(const Choices<Enum>& choices, Enum value) {
-  return std::find_if(choices.begin(), choices.end(), [&](const auto& choice) { return choice.second == value; })
-      ->first;
-}
-
 std::string toml_string(std::string_view text) {
   std::ostringstream out;
   out << toml::value<std::string>(text);
   return out.str();
 }
 
-class TomlWriter {
+class TomlWriter final : public Fields {
  public:
-  void text(std::string_view key, const std::string& field, std::string_view meaning) {
-    line(key, toml_string(field), meaning);
-  }
-  template <class Enum>
-  void choice(std::string_view key, Enum field, const Choices<Enum>& choices, std::string_view meaning) {
-    std::vector<std::string> names;
-    for (const auto& choice : choices) names.push_back(choice.first);
-    line(key, toml_string(name_in(choices, field)), fmt::format("{}: {}", fmt::join(names, " | "), meaning));
-  }
-  template <class Whole>
-  void whole(std::string_view key, Whole field, std::pair<std::int64_t, std::int64_t>, std::string_view meaning) {
-    line(key, fmt::format("{}", field), meaning);
-  }
-  void number(std::string_view key, double field, double unit, std::pair<double, double>, std::string_view meaning) {
-    line(key, numeral(in_unit(field, unit)), meaning);
-  }
-  void numbers(std::string_view key, const Eigen::VectorXd& field, double unit, int, std::string_view meaning) {
-    line(key, numerals(in_unit(field, unit)), meaning);
-  }
   void line(std::string_view key, std::string_view value, std::string_view meaning) {
     out += meaning.empty() ? fmt::format("{} = {}\n", key, value) : fmt::format("{} = {}  # {}\n", key, value, meaning);
   }
 
   std::string out;
+
+ private:
+  void on_text(Name name, std::string& field) override { line(name.key, toml_string(field), name.meaning); }
+  void on_choice(Name name, std::size_t& chosen, const std::vector<std::string>& choices) override {
+    line(name.key, toml_string(choices[chosen]), fmt::format("{}: {}", fmt::join(choices, " | "), name.meaning));
+  }
+  void on_whole(Name name, std::int64_t& field, std::pair<std::int64_t, std::int64_t>) override {
+    line(name.key, fmt::format("{}", field), name.meaning);
+  }
+  void on_number(Name name, double& field, double unit, std::pair<double, double>) override {
+    line(name.key, numeral(in_unit(field, unit)), name.meaning);
+  }
+  void on_numbers(Name name, Eigen::VectorXd& field, double unit, int) override {
+    line(name.key, numerals(in_unit(field, unit)), name.meaning);
+  }
+  void on_poses(Name name, std::vector<Pose>& field) override {
+    out += fmt::format("{} = [\n", name.key);
+    for (const Pose& pose : field) {
+      const Eigen::VectorXd position = pose.translation();
+      const bool in_cm = is_exact(position, centimetre);
+      out += fmt::format("  {{ {} = {}, rotation = {} }},\n", in_cm ? "position_cm" : "position_m",
+                         numerals(in_unit(position, in_cm ? centimetre : 1)), numerals(by_rows(pose.linear())));
+    }
+    out += "]\n";
+  }
 };
 
-class JsonWriter {
+class JsonWriter final : public Fields {
  public:
-  void text(const std::string& key, const std::string& field, std::string_view) { out[key] = field; }
-  template <class Enum>
-  void choice(const std::string& key, Enum field, const Choices<Enum>& choices, std::string_view) {
-    out[key] = name_in(choices, field);
-  }
-  template <class Whole>
-  void whole(const std::string& key, Whole field, std::pair<std::int64_t, std::int64_t>, std::string_view) {
-    out[key] = field;
-  }
-  void number(const std::string& key, double field, double unit, std::pair<double, double>, std::string_view) {
-    out[key] = in_unit(field, unit);
-  }
-  void numbers(const std::string& key, const Eigen::VectorXd& field, double unit, int, std::string_view) {
-    out[key] = in_unit(field, unit);
-  }
-
   nlohmann::ordered_json out;
+
+ private:
+  void on_text(Name name, std::string& field) override { add(name, field); }
+  void on_choice(Name name, std::size_t& chosen, const std::vector<std::string>& choices) override {
+    add(name, choices[chosen]);
+  }
+  void on_whole(Name name, std::int64_t& field, std::pair<std::int64_t, std::int64_t>) override { add(name, field); }
+  void on_number(Name name, double& field, double unit, std::pair<double, double>) override {
+    add(name, in_unit(field, unit));
+  }
+  void on_numbers(Name name, Eigen::VectorXd& field, double unit, int) override { add(name, in_unit(field, unit)); }
+  void on_poses(Name, std::vector<Pose>&) override {}  // every solve has its target
+
+  void add(Name name, nlohmann::ordered_json value) { out[std::string(name.key)] = std::move(value); }
 };
 
 nlohmann::ordered_json json_of(AnalysisPlan plan) {
@@ -130,24 +128,9 @@ nlohmann::ordered_json definition(const Study& study) {
   list_fields(stop, fields.stop);
   writer.out["stop"] = stop.out;
   path.out["kind"] = kind_of(fields.path);
-  std::visit(
-      [&](auto& kind) {
-        if constexpr (requires { list_fields(path, kind); }) list_fields(path, kind);
-      },
-      fields.path);
+  std::visit([&](auto& kind) { list_fields(path, kind); }, fields.path);
   writer.out["path"] = path.out;
   return writer.out;
-}
-
-void write_poses(TomlWriter& writer, const std::vector<Pose>& poses) {
-  writer.out += "poses = [\n";
-  for (const Pose& pose : poses) {
-    const Eigen::VectorXd position = pose.translation();
-    const bool in_cm = is_exact(position, centimetre);
-    writer.out += fmt::format("  {{ {} = {}, rotation = {} }},\n", in_cm ? "position_cm" : "position_m",
-                              numerals(in_unit(position, in_cm ? centimetre : 1)), numerals(by_rows(pose.linear())));
-  }
-  writer.out += "]\n";
 }
 
 // The arm as its kinematics are computed, so that whoever has the store can draw it.
@@ -221,15 +204,7 @@ std::string to_toml(const Study& study) {
   writer.out += "\n[path]\n";
   writer.line("kind", toml_string(kind_of(fields.path)),
               "helix | circle | random | poses: a list of { position_cm = [...], rpy_deg = [...] }");
-  std::visit(
-      [&](auto& kind) {
-        if constexpr (requires { list_fields(writer, kind); }) {
-          list_fields(writer, kind);
-        } else {
-          write_poses(writer, kind);
-        }
-      },
-      fields.path);
+  std::visit([&](auto& kind) { list_fields(writer, kind); }, fields.path);
   for (const Entrant& entrant : study.solvers) {
     writer.out += "\n[[solvers]]\n";
     writer.line("label", toml_string(entrant.label), "");

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "experiments/runner.hpp"
+#include "experiments/series_key.hpp"
 #include "experiments/study_file.hpp"
 #include "tests/results/samples.hpp"
 

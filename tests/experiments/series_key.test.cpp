@@ -1,8 +1,11 @@
 // The hash under which solves are remembered: it changes with everything that decides numbers, and with nothing else.
+#include "experiments/series_key.hpp"
+
 #include <map>
 #include <set>
 
 #include "experiments/source_digest.hpp"
+#include "experiments/study_fields.hpp"
 #include "results/record.hpp"
 #include "solvers/registry.hpp"
 #include "tests/catch.hpp"
@@ -27,7 +30,107 @@ Study changed(Change&& change) {
   return study;
 }
 
+// Changes the field of a list that stands at one place.
+class Changer final : public Fields {
+ public:
+  explicit Changer(int place) : left_(place) {}
+
+  std::string changed;  // its name, or empty where there are fewer fields
+  InKey in_key = InKey::by_name;
+
+ private:
+  bool visits(InKey mark) const override {
+    mark_ = mark;
+    return left_-- == 0;
+  }
+  void on_text(Name name, std::string& field) override {
+    note(name);
+    field = "planar_3";
+  }
+  void on_choice(Name name, std::size_t& chosen, const std::vector<std::string>& choices) override {
+    note(name);
+    chosen = (chosen + 1) % choices.size();
+  }
+  void on_whole(Name name, std::int64_t& field, std::pair<std::int64_t, std::int64_t>) override {
+    note(name);
+    ++field;
+  }
+  void on_number(Name name, double& field, double unit, std::pair<double, double>) override {
+    note(name);
+    field += unit;
+  }
+  void on_numbers(Name name, Eigen::VectorXd& field, double unit, int) override {
+    note(name);
+    field[0] += unit;
+  }
+  void on_poses(Name name, std::vector<Pose>& field) override {
+    note(name);
+    field.push_back(Pose::Identity());
+  }
+
+  void note(Name name) {
+    changed = name.key;
+    in_key = mark_;
+  }
+
+  mutable int left_;
+  mutable InKey mark_ = InKey::by_name;
+};
+
+std::vector<std::string> keys_of(const Study& study) {
+  std::vector<std::string> keys;
+  for (const Entrant& entrant : study.solvers) keys.push_back(configuration_key(study, entrant));
+  return keys;
+}
+
+// A study with one field more than those there are.
+struct Extended {
+  Study study;
+  double damping = 0.5;
+  bool is_fast = false;
+  std::string remark = {};
+};
+
+void list_fields(Fields& io, Extended& extended) {
+  list_fields(io, extended.study);
+  io.number("damping", extended.damping, 1, {0, 1}, "");
+  io.choice("mode", extended.is_fast, Choices<bool>{{"slow", false}, {"fast", true}}, "");
+  io.text("remark", extended.remark, "", InKey::no);
+}
+
+std::string said(Extended extended) {
+  Extended plain{.study = small_study()};
+  return said_by_name([&](Fields& io) { list_fields(io, extended); }, [&](Fields& io) { list_fields(io, plain); });
+}
+
 }  // namespace
+
+TEST_CASE("each field of a study decides the series, unless the list of fields says that it decides no number",
+          "[series]") {
+  const Study plain = small_study();
+  std::set<std::string> without_numbers;
+  int fields = 0;
+  for (;; ++fields) {
+    Study study = plain;
+    Changer changer(fields);
+    list_fields(changer, study);
+    list_fields(changer, study.stop);
+    if (changer.changed.empty()) break;
+    INFO(changer.changed);
+    CHECK((keys_of(study) == keys_of(plain)) == (changer.in_key == InKey::no));
+    if (changer.in_key == InKey::no) without_numbers.insert(changer.changed);
+  }
+  CHECK(fields >= 18);
+  CHECK(without_numbers == std::set<std::string>{"name", "title", "published", "runs"});
+}
+
+TEST_CASE("a field that is added to a list is in the key by its name, and by that of a choice, unless it is marked",
+          "[series]") {
+  CHECK(said({.study = small_study()}).empty());
+  CHECK(said({.study = small_study(), .remark = "none of the numbers"}).empty());
+  CHECK(said({.study = small_study(), .damping = 0.25}) == "\ndamping 0.25");
+  CHECK(said({.study = small_study(), .damping = 0.25, .is_fast = true}) == "\ndamping 0.25\nmode fast");
+}
 
 TEST_CASE("everything that decides numbers decides the series", "[series]") {
   const std::vector<std::pair<std::string, Study>> different{

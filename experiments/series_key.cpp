@@ -1,0 +1,108 @@
+#include "experiments/series_key.hpp"
+
+#include <fmt/format.h>
+
+#include <utility>
+#include <vector>
+
+#include "experiments/source_digest.hpp"
+#include "experiments/study_fields.hpp"
+#include "results/record.hpp"
+
+namespace ikbench::experiments {
+
+using namespace numerics;
+using namespace robots;
+using namespace solvers;
+using namespace results;
+
+namespace {
+
+template <class Values>
+std::string exact(const Values& values) {
+  std::string text;
+  for (const double value : values) text += fmt::format("{} ", value);
+  return text;
+}
+
+// Names and values, to the bit, of the fields that a key says by their names.
+class FieldTexts final : public Fields {
+ public:
+  std::vector<std::pair<std::string, std::string>> texts;
+
+ private:
+  bool visits(InKey in_key) const override { return in_key == InKey::by_name; }
+
+  void on_text(Name name, std::string& field) override { add(name, field); }
+  void on_choice(Name name, std::size_t& chosen, const std::vector<std::string>& choices) override {
+    add(name, choices[chosen]);
+  }
+  void on_whole(Name name, std::int64_t& field, std::pair<std::int64_t, std::int64_t>) override {
+    add(name, fmt::format("{}", field));
+  }
+  void on_number(Name name, double& field, double, std::pair<double, double>) override {
+    add(name, fmt::format("{}", field));
+  }
+  void on_numbers(Name name, Eigen::VectorXd& field, double, int) override { add(name, exact(field)); }
+  void on_poses(Name name, std::vector<Pose>& field) override {
+    std::string text;
+    for (const Pose& pose : field) text += exact(pose.matrix().reshaped());
+    add(name, text);
+  }
+
+  void add(Name name, std::string text) { texts.emplace_back(name.key, std::move(text)); }
+};
+
+std::vector<std::pair<std::string, std::string>> texts_of(const FieldList& fields) {
+  FieldTexts found;
+  fields(found);
+  return found.texts;
+}
+
+template <class Struct>
+FieldList fields_of(Struct fields) {
+  return [fields](Fields& io) mutable { list_fields(io, fields); };
+}
+
+}  // namespace
+
+std::string said_by_name(const FieldList& fields, const FieldList& defaults, std::string_view prefix) {
+  const auto ours = texts_of(fields), theirs = texts_of(defaults);
+  std::string text;
+  for (std::size_t i = 0; i < ours.size(); ++i) {
+    if (ours[i] != theirs.at(i)) text += fmt::format("\n{}{} {}", prefix, ours[i].first, ours[i].second);
+  }
+  return text;
+}
+
+std::string configuration_key(const Study& study, const Entrant& entrant) {
+  // As the first stores have it, whose keys are this hash alone: fields marked InKey::in_text.
+  const Robot arm = robot(study.robot);
+  std::string text = "numerics 2\nrobot";
+  text += arm.kinematics->definition() + exact(arm.limits.lower) + exact(arm.limits.upper) + "\ntargets ";
+  if (const auto* drawn = std::get_if<RandomTargets>(&study.path)) {
+    text += fmt::format("random {}", drawn->points);  // from seed and run
+  } else {
+    for (const Pose& target : targets(study, 1)) text += exact(target.matrix().reshaped());
+  }
+  text += fmt::format("\ninitial {}\nsearch {} branch {} population {} seed {} trace {}", exact(study.initial),
+                      static_cast<int>(study.search), static_cast<int>(study.wrist_branch),
+                      effective_population(study, entrant), study.seed, static_cast<int>(study.trace));
+  text += fmt::format("\nstop {} {} {} {}", study.stop.iterations, study.stop.tolerance, study.stop.evaluations,
+                      study.stop.seconds);
+  // What came later is said only where it is not as before, so that stores keep the solves they have.
+  text += said_by_name(fields_of(study), fields_of(Study{}));
+  text += said_by_name(fields_of(study.stop), fields_of(StopRule{}), "stop.");
+  // A further field of an entrant does not compile here: options and population are those in effect.
+  [[maybe_unused]] const auto& [label, solver, options, population] = entrant;
+  text += fmt::format("\nsolver {} label {}", solver, label);
+  for (const auto& [name, value] : effective_options(study, entrant)) text += fmt::format("\n{} = {}", name, value);
+  return fmt::format("{:016x}", Key(0).with(text).value());
+}
+
+std::string series_key(const Study& study, const Entrant& entrant) {
+  const Key source = Key(0).with(shared_source_digest()).with(solver_source_digest(entrant.solver));
+  return fmt::format("{}{}{:016x}", configuration_key(study, entrant), before_source, source.value());
+}
+
+}  // namespace ikbench::experiments
