@@ -73,9 +73,27 @@ std::string study_list() {
   Rows rows{{"NAME", "SOLVERS", "RUNS", "POINTS", "WHAT"}};
   for (const Study& study : studies()) {
     rows.push_back({study.name, std::to_string(study.solvers.size()), std::to_string(study.runs),
-                    std::to_string(points(study.path)), study.title});
+                    std::to_string(study.path->points()), study.title});
   }
   return aligned(rows);
+}
+
+std::string path_list() {
+  Rows rows{{"NAME", "TARGETS", "WHAT"}};
+  for (const Path& path : paths()) {
+    rows.push_back({std::string(path->name()), path->is_drawn() ? "drawn anew for every run" : "the same in every run",
+                    std::string(path->summary())});
+  }
+  return aligned(rows);
+}
+
+std::string path_details(const std::string& name) {
+  std::vector<std::string> names;
+  for (const Path& path : paths()) {
+    if (path->name() == name) return to_toml(path);
+    names.emplace_back(path->name());
+  }
+  throw std::invalid_argument(unknown_name("kind of path", name, names));
 }
 
 std::string column_list(std::string_view name) {
@@ -106,6 +124,7 @@ std::string instruction_set_list(std::string_view name) {
 std::string listed(const std::string& kind, const std::string& name) {
   if (kind == "solvers") return name.empty() ? solver_list() : solver_details(name);
   if (kind == "robots") return name.empty() ? robot_list() : robot_details(name);
+  if (kind == "paths") return name.empty() ? path_list() : path_details(name);
   if (kind == "columns") return column_list(name);
   if (kind == "instruction-sets") return instruction_set_list(name);
   return name.empty() ? study_list() : to_toml(load_study(name, {}, PointsAsObservations::forced));
@@ -118,12 +137,12 @@ void add_list(CLI::App& app) {
     std::string kind, name;
   };
   auto arguments = std::make_shared<Arguments>();
-  CLI::App* command =
-      app.add_subcommand("list", "What there is: solvers, robots, studies, columns of the results, instruction sets");
-  command->add_option("KIND", arguments->kind, "solvers, robots, studies, columns or instruction-sets")
+  CLI::App* command = app.add_subcommand(
+      "list", "What there is: solvers, robots, studies, kinds of paths, columns of the results, instruction sets");
+  command->add_option("KIND", arguments->kind, "solvers, robots, studies, paths, columns or instruction-sets")
       ->required()
-      ->check(CLI::IsMember({"solvers", "robots", "studies", "columns", "instruction-sets"}));
-  command->add_option("NAME", arguments->name, "one of them in full; a study as TOML, to be edited and run");
+      ->check(CLI::IsMember({"solvers", "robots", "studies", "paths", "columns", "instruction-sets"}));
+  command->add_option("NAME", arguments->name, "one of them in full; a study or a path as TOML, to be edited and run");
   command->footer(
       "Examples:\n"
       "  ikbench list solvers\n"

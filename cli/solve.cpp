@@ -8,6 +8,7 @@
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
 #include "cli/reporting.hpp"
+#include "experiments/orientation.hpp"
 #include "experiments/runner.hpp"
 #include "experiments/study_file.hpp"
 #include "robots/spherical_wrist.hpp"
@@ -131,7 +132,7 @@ void add_solve(CLI::App& app) {
   command->callback([arguments] {
     Study study = study_of(*arguments);
     const Pose target = target_of(*arguments);
-    study.path = std::vector<Pose>{target};
+    study.path = path_through({target});
     warn_of_unreachable(study);
     fmt::print("{}", shown(solve_once(study, study.solvers.front(), target), study.search));
   });

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "experiments/environment.hpp"
+#include "experiments/orientation.hpp"
 #include "experiments/series_key.hpp"
 #include "experiments/verifier.hpp"
 #include "numerics/units.hpp"

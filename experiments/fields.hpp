@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "robots/kinematics.hpp"
+#include "robots/robot.hpp"
 
 namespace ikbench::experiments {
 

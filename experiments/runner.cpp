@@ -30,7 +30,7 @@ struct Chained {  // one run of one entrant, and how far it is
 // A study laid out for work. Runs outside, solvers inside: whatever drifts on the machine meanwhile touches all solvers
 // alike.
 struct Plan {
-  explicit Plan(const Study& of) : study(of), arm(robot(of.robot)), points(experiments::points(of.path)) {
+  explicit Plan(const Study& of) : study(of), arm(robot(of.robot)), points(of.path->points()) {
     for (const Entrant& entrant : study.solvers) contests.emplace_back(study, entrant, arm);
     chains.reserve(contests.size() * static_cast<std::size_t>(study.runs));
     for (int run = 1; run <= study.runs; ++run) {

@@ -64,6 +64,21 @@ FieldList fields_of(Struct fields) {
   return [fields](Fields& io) mutable { list_fields(io, fields); };
 }
 
+// Equal targets are the same, whatever kind of path they are of; those that are drawn come from the fields of the path,
+// the seed and the run.
+std::string targets_text(const Study& study) {
+  std::string text;
+  if (study.path->is_drawn()) {
+    text += study.path->name();
+    for (const auto& [name, value] : texts_of([&](Fields& io) { Path(study.path)->list_fields(io); })) {
+      text += ' ' + value;
+    }
+  } else {
+    for (const Pose& target : targets(study, 1)) text += exact(target.matrix().reshaped());
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string said_by_name(const FieldList& fields, const FieldList& defaults, std::string_view prefix) {
@@ -80,11 +95,7 @@ std::string configuration_key(const Study& study, const Entrant& entrant) {
   const Robot arm = robot(study.robot);
   std::string text = "numerics 2\nrobot";
   text += arm.kinematics->definition() + exact(arm.limits.lower) + exact(arm.limits.upper) + "\ntargets ";
-  if (const auto* drawn = std::get_if<RandomTargets>(&study.path)) {
-    text += fmt::format("random {}", drawn->points);  // from seed and run
-  } else {
-    for (const Pose& target : targets(study, 1)) text += exact(target.matrix().reshaped());
-  }
+  text += targets_text(study);
   text += fmt::format("\ninitial {}\nsearch {} branch {} population {} seed {} trace {}", exact(study.initial),
                       static_cast<int>(study.search), static_cast<int>(study.wrist_branch),
                       effective_population(study, entrant), study.seed, static_cast<int>(study.trace));

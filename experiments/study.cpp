@@ -27,28 +27,23 @@ int effective_population(const Study& study, const Entrant& entrant) {
 }
 
 std::vector<Pose> targets(const Study& study, int run) {
-  if (const auto* helix = std::get_if<Helix>(&study.path)) return along(*helix);
-  if (const auto* circle = std::get_if<Circle>(&study.path)) return along(*circle);
-  if (const auto* drawn = std::get_if<RandomTargets>(&study.path)) {
-    Random random(Key(study.seed).with("targets").with(static_cast<std::uint64_t>(run)));
-    return random_poses(robot(study.robot), drawn->points, random);
-  }
-  return std::get<std::vector<Pose>>(study.path);
+  Random random(Key(study.seed).with("targets").with(static_cast<std::uint64_t>(run)));
+  return study.path->poses(robot(study.robot), random);
 }
 
 std::string why_no_blocks(const Study& study) {
-  const bool is_drawn = std::holds_alternative<RandomTargets>(study.path), is_chained = study.start == Start::previous;
+  const bool is_drawn = study.path->is_drawn(), is_chained = study.start == Start::previous;
   if (is_chained && !is_drawn) {
     return "the solves of a run are chained along a path, so that each solver meets a target from where it left the "
            "arm";
   }
   const std::int64_t blocks =
-      (is_drawn ? std::int64_t{study.runs} : 1) * (is_chained ? 1 : std::int64_t{points(study.path)});
+      (is_drawn ? std::int64_t{study.runs} : 1) * (is_chained ? 1 : std::int64_t{study.path->points()});
   return blocks >= 2 ? "" : "there is only one such target, or one run of them";
 }
 
 std::vector<Unreachable> unreachable(const Study& study) {
-  if (std::holds_alternative<RandomTargets>(study.path)) return {};
+  if (study.path->is_drawn()) return {};
   const Robot arm = robot(study.robot);
   const std::optional<SphericalWrist> wrist =
       study.search == Search::wrist ? std::optional<SphericalWrist>(*arm.chain()) : std::nullopt;

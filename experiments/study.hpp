@@ -46,7 +46,7 @@ struct Study {
   std::string title;
   std::string published;  // the paper whose printed tables are set beside the results, or empty
   std::string robot = "kuka_iiwa14";
-  Path path = Helix{};
+  Path path;
   Search search = Search::wrist;
   StudyBounds bounds = StudyBounds::per_solver;
   WristBranch wrist_branch = WristBranch::nearest;

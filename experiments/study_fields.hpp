@@ -1,7 +1,7 @@
 // The fields of a study, said once: name, field, range, meaning, and whether it decides no number of a solve. What
 // reads and writes studies (table_reader.hpp, study_writer.cpp) and the key of a series (series_key.cpp) follow this
-// list, so that an option of a study is a member in study.hpp and an entry here. The fields of its analysis plan are in
-// results/analysis_plan_fields.hpp.
+// list, so that an option of a study is a member in study.hpp and an entry here. The fields of a path are in paths/, those
+// of the analysis plan in results/analysis_plan_fields.hpp.
 #pragma once
 
 #include <cstdint>
@@ -26,48 +26,7 @@ inline void list_fields(Fields& io, solvers::StopRule& stop) {
             "wall time after which a solve ends, and numbers depend on the machine; 0: no such rule", InKey::in_text);
 }
 
-// In the order of the variant.
-inline const Choices<Path> path_kinds{
-    {"helix", Helix{}}, {"circle", Circle{}}, {"random", RandomTargets{}}, {"poses", std::vector<robots::Pose>{}}};
-
-inline const std::string& kind_of(const Path& path) { return path_kinds[path.index()].first; }
-
-constexpr std::pair<std::int64_t, std::int64_t> point_counts{1, 100'000}, populations{1, 100'000};
-
-inline void list_tool(Fields& io, Tool& tool) {
-  io.choice("tool", tool, Choices<Tool>{{"down", Tool::down}, {"eq27", Tool::eq27}},
-            "how the tool is held: straight down, or as Eq. 27 prints it (horizontal)");
-}
-
-inline void list_fields(Fields& io, Helix& helix) {
-  io.number("length_cm", helix.length, numerics::centimetre, {-1e6, 1e6}, "rise along z");
-  io.number("turns", helix.turns, 1, {-1e3, 1e3}, "");
-  io.numbers("centre_cm", helix.centre, numerics::centimetre, 3, "centre of the bottom");
-  io.number("radius_cm", helix.radius, numerics::centimetre, {0, 1e6}, "");
-  io.number("start_deg", helix.start, numerics::degree, {-1e5, 1e5}, "angle t of the first point");
-  io.whole("points", helix.points, point_counts, "");
-  io.choice("phase", helix.phase, Choices<Phase>{{"sin_cos", Phase::sin_cos}, {"cos_sin", Phase::cos_sin}},
-            "(x, y) from the centre: radius (sin t, cos t), or radius (cos t, sin t)");
-  io.choice("spacing", helix.spacing,
-            Choices<Spacing>{{"k_over_n", Spacing::k_over_n}, {"k_over_n_minus_1", Spacing::k_over_n_minus_1}},
-            "point k = 0 ... n - 1 lies at this fraction of the path");
-  list_tool(io, helix.tool);
-}
-
-inline void list_fields(Fields& io, Circle& circle) {
-  io.numbers("centre_cm", circle.centre, numerics::centimetre, 3, "");
-  io.number("radius_cm", circle.radius, numerics::centimetre, {0, 1e6}, "");
-  io.whole("points", circle.points, point_counts,
-           "point k = 0 ... n - 1 is the centre + radius (cos t, sin t, 0) with t = 360 k/n deg");
-  list_tool(io, circle.tool);
-}
-
-inline void list_fields(Fields& io, RandomTargets& drawn) {
-  io.whole("points", drawn.points, point_counts,
-           "each the tool's pose at joint angles uniform within the limits, drawn from seed and run");
-}
-
-inline void list_fields(Fields& io, std::vector<robots::Pose>& poses) { io.poses("poses", poses, ""); }
+constexpr std::pair<std::int64_t, std::int64_t> populations{1, 100'000};
 
 inline void list_fields(Fields& io, Study& study) {
   io.text("name", study.name, "folder of its results: out/<name>/", InKey::no);

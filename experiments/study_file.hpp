@@ -31,6 +31,8 @@ Study load_study(const std::string& name_or_file, const Overrides& overrides = {
 
 // The whole study, to be edited and run; parse_study gives the same study back.
 std::string to_toml(const Study& study);
+// A path as it stands there, at [path].
+std::string to_toml(Path path);
 // The whole study without its solvers and with its number of points and its arm, as the store keeps it.
 std::string to_json(const Study& study);
 // A plan as it stands there, at "/analysis".

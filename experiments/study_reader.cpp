@@ -30,12 +30,13 @@ namespace {
 constexpr std::uintmax_t largest_file = 10'000'000;
 
 Path read_path(TableReader reader) {
-  Choices<std::size_t> kinds;
-  for (const auto& [name, kind] : path_kinds) kinds.emplace_back(name, kinds.size());
+  const std::vector<Path> kinds = paths();
+  Choices<std::size_t> names;
+  for (const Path& kind : kinds) names.emplace_back(kind->name(), names.size());
   std::size_t chosen = 0;
-  reader.choice("kind", chosen, kinds, "");
-  Path path = path_kinds[chosen].second;
-  std::visit([&](auto& kind) { list_fields(reader, kind); }, path);
+  reader.choice("kind", chosen, names, "");
+  Path path = kinds[chosen];
+  path->list_fields(reader);
   reader.refuse_unknown_keys();
   return path;
 }
@@ -59,12 +60,12 @@ Entrant read_entrant(TableReader reader) {
   if (entrant.label.empty()) reader.fail("label", *reader.find("label"), "a label that is not empty");
   reader.find("population");
   reader.nested(reader.table(), entrant.label + ".").whole("population", entrant.population, populations, "");
-  if (const toml::table* options = reader.find_table("options")) {
+  if (const toml::table* options = reader.subtable("options")) {
     const TableReader option_reader = reader.nested(*options, entrant.label + ".");
     for (const auto& [key, node] : *options) {
       const std::string option(key.str());
       if (const auto text = node.value<std::string>()) {
-        if (!is_plain(*text)) option_reader.fail(option, node, plain_text);
+        if (!TableReader::is_plain(*text)) option_reader.fail(option, node, TableReader::plain);
         entrant.options[option] = *text;
       } else if (node.is_integer()) {
         entrant.options[option] = fmt::format("{}", *node.value<std::int64_t>());
@@ -131,29 +132,59 @@ AnalysisPlan read_analysis(TableReader reader, const Study& study, PointsAsObser
   return plan;
 }
 
+// What is wrong with the value of a key, or with its absence.
+std::invalid_argument mistake(const TableReader& reader, const toml::node* node, std::string_view key,
+                              std::string_view message) {
+  return std::invalid_argument(reader.where(node == nullptr ? reader.table().source() : node->source(), key) +
+                               std::string(message));
+}
+
+// What the fields of an entrant and those of the study ask of each other.
+void check_entrants(const TableReader& reader, const Study& study) {
+  const toml::table& table = reader.table();
+  const bool is_enforced = study.limits == Limits::enforced;
+  constexpr std::string_view not_enforced =
+      "bounds is \"initial\", but limits is \"enforced\"; expected bounds that keep candidates inside";
+  if (is_enforced && study.bounds == StudyBounds::initial)
+    throw mistake(reader, table.get("bounds"), "bounds", not_enforced);
+  for (std::size_t i = 0; i < study.solvers.size(); ++i) {
+    const Entrant& entrant = study.solvers[i];
+    const auto own = table["solvers"][i];
+    const int population = effective_population(study, entrant);
+    if (const int least = solver(entrant.solver).least_population; population < least) {
+      const std::string message =
+          fmt::format("population is {}, but {} needs at least {}", population, entrant.solver, least);
+      throw entrant.population > 0 ? mistake(reader, own["population"].node(), entrant.label + ".population", message)
+                                   : mistake(reader, table.get("population"), "population", message);
+    }
+    const auto bounds = entrant.options.find("bounds");
+    if (is_enforced && bounds != entrant.options.end() && bounds->second == "initial") {
+      throw mistake(reader, own["options"]["bounds"].node(), entrant.label + ".bounds", not_enforced);
+    }
+  }
+}
+
 Study read_study(const toml::table& table, std::string_view source, PointsAsObservations points_as_observations) {
   TableReader reader(table, source, "");
   Study study;
   list_fields(reader, study);
   if (study.name.empty()) reader.fail("name", *table.get("name"), "a name that is not empty");
-  if (const toml::table* path = reader.find_table("path")) study.path = read_path(reader.nested(*path, "path."));
-  if (const toml::table* stop = reader.find_table("stop")) {
+  if (const toml::table* path = reader.subtable("path")) study.path = read_path(reader.nested(*path, "path."));
+  if (const toml::table* stop = reader.subtable("stop")) {
     TableReader stop_reader = reader.nested(*stop, "stop.");
     list_fields(stop_reader, study.stop);
     stop_reader.refuse_unknown_keys();
   }
   study.solvers = read_entrants(reader);
-  if (const toml::table* analysis = reader.find_table("analysis")) {
+  if (const toml::table* analysis = reader.subtable("analysis")) {
     study.analysis = read_analysis(reader.nested(*analysis, "analysis."), study, points_as_observations);
   }
   reader.refuse_unknown_keys();
 
   // What fields ask of each other.
-  const auto at_node = [&](const toml::node* node, std::string_view key, std::string_view message) {
-    return std::invalid_argument(reader.where(node == nullptr ? table.source() : node->source(), key) +
-                                 std::string(message));
+  const auto at = [&](std::string_view key, std::string_view message) {
+    return mistake(reader, table.get(key), key, message);
   };
-  const auto at = [&](std::string_view key, std::string_view message) { return at_node(table.get(key), key, message); };
   const auto papers = published::papers();
   if (!study.published.empty() && std::find(papers.begin(), papers.end(), study.published) == papers.end()) {
     throw at("published", unknown_name("paper", study.published, {papers.begin(), papers.end()}));
@@ -171,32 +202,15 @@ Study read_study(const toml::table& table, std::string_view source, PointsAsObse
                                         study.initial.size(), arm.joints(), arm.name));
   }
   constexpr double most_solves = 1e8;
-  if (static_cast<double>(study.solvers.size()) * study.runs * points(study.path) > most_solves) {
+  if (static_cast<double>(study.solvers.size()) * study.runs * study.path->points() > most_solves) {
     throw at("runs", "solvers, runs and points make more than 100 000 000 solves; expected fewer");
   }
   if (study.trace == Trace::best_error && study.stop.iterations > 1'000'000) {
     throw at("trace", "a trace of more than 1 000 000 iterations was asked for; expected stop.iterations below that");
   }
-  const bool is_enforced = study.limits == Limits::enforced;
-  constexpr std::string_view not_enforced =
-      "bounds is \"initial\", but limits is \"enforced\"; expected bounds that keep candidates inside";
-  if (is_enforced && study.bounds == StudyBounds::initial) throw at("bounds", not_enforced);
-  for (std::size_t i = 0; i < study.solvers.size(); ++i) {
-    const Entrant& entrant = study.solvers[i];
-    const auto own = table["solvers"][i];
-    const int population = effective_population(study, entrant);
-    if (const int least = solver(entrant.solver).least_population; population < least) {
-      const std::string message =
-          fmt::format("population is {}, but {} needs at least {}", population, entrant.solver, least);
-      throw entrant.population > 0 ? at_node(own["population"].node(), entrant.label + ".population", message)
-                                   : at("population", message);
-    }
-    const auto bounds = entrant.options.find("bounds");
-    if (is_enforced && bounds != entrant.options.end() && bounds->second == "initial") {
-      throw at_node(own["options"]["bounds"].node(), entrant.label + ".bounds", not_enforced);
-    }
-  }
-  if (const double outside = arm.limits.violation(study.initial) / degree; is_enforced && outside > 0) {
+  check_entrants(reader, study);
+  if (const double outside = arm.limits.violation(study.initial) / degree;
+      study.limits == Limits::enforced && outside > 0) {
     throw at("initial_deg",
              fmt::format("initial_deg is {:g} deg outside the limits of a joint, but limits is \"enforced\"; see: "
                          "ikbench list robots {}",

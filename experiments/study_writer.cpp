@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "experiments/orientation.hpp"
 #include "experiments/study_fields.hpp"
 #include "experiments/study_file.hpp"
 #include "numerics/number.hpp"
@@ -127,8 +128,9 @@ nlohmann::ordered_json definition(const Study& study) {
   writer.out["analysis"] = json_of(study.analysis);
   list_fields(stop, fields.stop);
   writer.out["stop"] = stop.out;
-  path.out["kind"] = kind_of(fields.path);
-  std::visit([&](auto& kind) { list_fields(path, kind); }, fields.path);
+  path.out["kind"] = fields.path->name();
+  fields.path->list_fields(path);
+  if (fields.path->is_drawn()) path.out["targets"] = "drawn";  // what `analysis` has to know of a kind of path
   writer.out["path"] = path.out;
   return writer.out;
 }
@@ -164,7 +166,7 @@ std::vector<std::string> departures(const Study& study) {
     return !study.published.empty() && candidate.published == study.published;
   };
   auto original = std::find_if(known.begin(), known.end(), [&](const Study& candidate) {
-    return is_of_same_paper(candidate) && candidate.path.index() == study.path.index();
+    return is_of_same_paper(candidate) && candidate.path->name() == study.path->name();
   });
   if (original == known.end()) original = std::find_if(known.begin(), known.end(), is_of_same_paper);
   std::vector<std::string> found;
@@ -193,6 +195,16 @@ std::vector<std::string> departures(const Study& study) {
 
 }  // namespace
 
+std::string to_toml(Path path) {
+  std::vector<std::string_view> kinds;
+  for (const Path& kind : paths()) kinds.push_back(kind->name());
+  TomlWriter writer;
+  writer.out = "[path]\n";
+  writer.line("kind", toml_string(path->name()), fmt::format("{}; see: ikbench list paths", fmt::join(kinds, " | ")));
+  path->list_fields(writer);
+  return writer.out;
+}
+
 std::string to_toml(const Study& study) {
   Study fields = study;  // list_fields serves readers too
   TomlWriter writer;
@@ -201,10 +213,7 @@ std::string to_toml(const Study& study) {
   list_fields(writer, fields.analysis);
   writer.out += "\n[stop]\n";
   list_fields(writer, fields.stop);
-  writer.out += "\n[path]\n";
-  writer.line("kind", toml_string(kind_of(fields.path)),
-              "helix | circle | random | poses: a list of { position_cm = [...], rpy_deg = [...] }");
-  std::visit([&](auto& kind) { list_fields(writer, kind); }, fields.path);
+  writer.out += '\n' + to_toml(fields.path);
   for (const Entrant& entrant : study.solvers) {
     writer.out += "\n[[solvers]]\n";
     writer.line("label", toml_string(entrant.label), "");
@@ -222,7 +231,7 @@ std::string to_toml(const Study& study) {
 
 std::string to_json(const Study& study) {
   nlohmann::ordered_json json = definition(study);
-  json["points"] = points(study.path);
+  json["points"] = study.path->points();
   json["arm"] = arm_definition(robot(study.robot));
   json["departures"] = departures(study);
   if (const std::vector<Unreachable> found = unreachable(study); !found.empty()) {

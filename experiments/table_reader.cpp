@@ -9,7 +9,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "experiments/path.hpp"
+#include "experiments/orientation.hpp"
 #include "numerics/names.hpp"
 #include "numerics/units.hpp"
 
@@ -35,17 +35,12 @@ std::optional<double> as_number(const toml::node& node) {
 
 }  // namespace
 
-bool is_plain(std::string_view text) {
-  const auto is_control = [](unsigned char c) { return c < 0x20 || c == 0x7f; };
-  return text.size() <= 200 && std::none_of(text.begin(), text.end(), is_control);
-}
-
 const toml::node* TableReader::find(std::string_view key) {
   if (std::find(known_.begin(), known_.end(), key) == known_.end()) known_.emplace_back(key);
   return table_.get(key);
 }
 
-const toml::table* TableReader::find_table(std::string_view key) {
+const toml::table* TableReader::subtable(std::string_view key) {
   const toml::node* node = find(key);
   if (node != nullptr && !node->is_table()) fail(key, *node, fmt::format("a table: [{}]", key));
   return node == nullptr ? nullptr : node->as_table();
@@ -69,12 +64,17 @@ std::string TableReader::where(const toml::source_region& region, std::string_vi
   return fmt::format("{}:{}:{}: ", source_, region.begin.line, region.begin.column);
 }
 
+bool TableReader::is_plain(std::string_view text) {
+  const auto is_control = [](unsigned char c) { return c < 0x20 || c == 0x7f; };
+  return text.size() <= 200 && std::none_of(text.begin(), text.end(), is_control);
+}
+
 void TableReader::on_text(Name name, std::string& field) {
   const toml::node* node = find(name.key);
   if (node == nullptr) return;
   const toml::value<std::string>* value = node->as_string();
   if (value == nullptr) fail(name.key, *node, "a text in quotes");
-  if (!is_plain(value->get())) fail(name.key, *node, plain_text);
+  if (!is_plain(value->get())) fail(name.key, *node, plain);
   field = value->get();
 }
 

@@ -5,14 +5,12 @@
 
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "experiments/fields.hpp"
 
 namespace ikbench::experiments {
-
-constexpr std::string_view plain_text = "a text of at most 200 bytes without control characters";
-bool is_plain(std::string_view text);
 
 // Fields whose keys are not given stay as they are; the others are set, or std::invalid_argument. It knows which keys
 // there are once it was led along the fields. The table outlives it.
@@ -25,12 +23,16 @@ class TableReader final : public Fields {
   // The value of a key, remembered as known; null where it is not given.
   const toml::node* find(std::string_view key);
   // The same of a table; another value is refused.
-  const toml::table* find_table(std::string_view key);
+  const toml::table* subtable(std::string_view key);
   // To be called when all keys were asked for.
   void refuse_unknown_keys() const;
   [[noreturn]] void fail(std::string_view key, const toml::node& node, std::string_view expected) const;
   // "study.toml:3:8: ", or for what no file says "--set path.tool: ".
   std::string where(const toml::source_region& region, std::string_view key) const;
+
+  // A text that may stand in a message, a table or a file's name: at most 200 bytes, no control characters.
+  static bool is_plain(std::string_view text);
+  static constexpr std::string_view plain = "a text of at most 200 bytes without control characters";
 
   TableReader nested(const toml::table& table, std::string prefix) const { return {table, source_, std::move(prefix)}; }
   const toml::table& table() const { return table_; }

@@ -240,6 +240,29 @@ TEST_CASE("no solver is named by CMake, and none knows another", "[architecture]
   }
 }
 
+TEST_CASE("a kind of path is one line in paths.inc and one file of that name, which defines it", "[architecture]") {
+  const std::vector<std::string> lines = between(text_of("experiments/paths.inc"), "PATH(", ")");
+  const Names kinds(lines.begin(), lines.end());
+  CHECK(kinds.size() == lines.size());  // none twice
+  Names files;
+  for (const auto& entry : fs::directory_iterator("experiments/paths")) {
+    INFO(entry.path().string());
+    CHECK(entry.path().extension() == ".cpp");
+    files.insert(entry.path().stem().string());
+  }
+  CHECK(files == kinds);
+  for (const std::string& name : kinds) {
+    INFO(name);
+    CHECK(text_of("experiments/paths/" + name + ".cpp").find("PathKind> " + name + "_path()") != std::string::npos);
+    CHECK(text_of("experiments/CMakeLists.txt").find(name + ".cpp") == std::string::npos);
+    for (const fs::path& file : sources_of("experiments")) {
+      if (file.parent_path() == "experiments/paths") continue;
+      INFO(file.string());
+      CHECK(code_of(file).find('"' + name + '"') == std::string::npos);  // nothing else knows which kinds there are
+    }
+  }
+}
+
 TEST_CASE("libraries never print, only programs do", "[architecture]") {
   for (const auto& [folder, below] : may_know()) {
     if (folder == "cli" || folder == microbenchmarks) continue;

@@ -159,8 +159,8 @@ std::string problem(const StudyResults& study) {
     words += "; after the first, each solver starts where its own last answer left the arm.";
   }
   if (start.empty() && study.points > 1) words += ".";
-  const std::string kind = definition.text("/path/kind");
-  if (!kind.empty() && kind != "random" && study.runs > 1) words += " The runs repeat the same targets.";
+  const bool is_known = !definition.text("/path/kind").empty();
+  if (is_known && !definition.draws_targets() && study.runs > 1) words += " The runs repeat the same targets.";
   return words;
 }
 

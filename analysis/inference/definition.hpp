@@ -17,6 +17,9 @@ class Definition {
   double number(const std::string& pointer) const;                // not_defined where there is none
   std::vector<double> numbers(const std::string& pointer) const;  // none where not all of them are numbers
 
+  // Whether the targets were drawn anew for every run; older stores have the kind of path alone.
+  bool draws_targets() const { return text("/path/targets") == "drawn" || text("/path/kind") == "random"; }
+
  private:
   const nlohmann::json* find(const std::string& pointer) const;
 

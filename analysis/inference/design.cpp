@@ -53,10 +53,9 @@ bool were_given_the_same(const StudyResults& study, Blocks blocks) {
 
 Blocks blocks_of(const StudyResults& study) {
   const Definition definition(study.definition);
-  const std::string kind = definition.text("/path/kind");
   const bool starts_anew = definition.text("/start") == "initial";
-  if (kind == "random") return starts_anew ? Blocks::drawn_targets : Blocks::runs;
-  if (kind.empty()) return Blocks::none;
+  if (definition.draws_targets()) return starts_anew ? Blocks::drawn_targets : Blocks::runs;
+  if (definition.text("/path/kind").empty()) return Blocks::none;
   return starts_anew || study.points == 1 ? Blocks::path_targets : Blocks::none;
 }
 

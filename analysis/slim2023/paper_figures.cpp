@@ -40,7 +40,7 @@ std::string letters(std::size_t index) {
 
 Figure path_figure(const StudyResults& study) {
   const std::string solver = study.solves.front().solver;
-  const bool is_path = Definition(study.definition).text("/path/kind") != "random";
+  const bool is_path = !Definition(study.definition).draws_targets();
   Figure figure{.name = "figure-5",
                 .caption = fmt::format("The targets ({}dots) and where {} came to in its first run (rings).",
                                        is_path ? "line, " : "", solver),

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "experiments/environment.hpp"
-#include "experiments/path.hpp"
+#include "experiments/study.hpp"
 #include "robots/spherical_wrist.hpp"
 #include "solvers/bounds.hpp"
 
@@ -51,7 +51,7 @@ Reach wrist_reach(int population) {
   const Robot iiwa = robot("kuka_iiwa14");
   const SphericalWrist wrist(*iiwa.chain());
   return {wrist.arm(),
-          wrist.centre(along(Helix{}).front()),
+          wrist.centre(targets(Study{}, 1).front()),
           {.start = Eigen::VectorXd::Zero(4),
            .lower = iiwa.limits.lower.head(4),
            .upper = iiwa.limits.upper.head(4),
@@ -61,7 +61,7 @@ Reach wrist_reach(int population) {
 Reach flange_reach(int population) {
   const Robot iiwa = robot("kuka_iiwa14");
   return {*iiwa.chain(),
-          along(Helix{}).front().translation(),
+          targets(Study{}, 1).front().translation(),
           {.start = Eigen::VectorXd::Zero(7),
            .lower = iiwa.limits.lower,
            .upper = iiwa.limits.upper,

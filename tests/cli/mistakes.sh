@@ -12,6 +12,7 @@ refused 'unknown robot "kuka"' solve --position-cm 60 20 10 --robot kuka
 refused 'unknown robot "planar_4"; did you mean' list robots planar_4
 refused 'unknown column "tmie"' list columns tmie
 refused 'unknown built-in study "x"' list studies x
+refused 'unknown kind of path "helx"; did you mean "helix"?' list paths helx
 refused 'unknown instruction set "x86-65"' list instruction-sets x86-65
 refused 'things' list things
 

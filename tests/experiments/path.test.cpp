@@ -2,28 +2,67 @@
 // 20 points; point k lies at t = 2 pi h k/20 (docs/paper-notes.md 2.2).
 #include "experiments/path.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <set>
 
+#include "experiments/orientation.hpp"
 #include "tests/catch.hpp"
+#include "tests/experiments/samples.hpp"
 
 using namespace ikbench;
 using namespace ikbench::numerics;
 using namespace ikbench::robots;
+using namespace ikbench::results;
 using namespace ikbench::experiments;
 
 namespace {
 
 constexpr double pi = std::numbers::pi;
 
-Eigen::Vector3d point(const Helix& helix, std::size_t k) { return along(helix).at(k).translation(); }
+Eigen::Vector3d point(const Path& path, std::size_t k) { return poses_of(path).at(k).translation(); }
+
+bool same_poses(const std::vector<Pose>& a, const std::vector<Pose>& b) {
+  return std::ranges::equal(a, b, [](const Pose& x, const Pose& y) { return x.matrix() == y.matrix(); });
+}
+
+// Sets the number of points of any path.
+class PointsSetter final : public Fields {
+ public:
+  explicit PointsSetter(int count) : count_(count) {}
+
+ private:
+  void on_text(Name, std::string&) override {}
+  void on_choice(Name, std::size_t&, const std::vector<std::string>&) override {}
+  void on_whole(Name name, std::int64_t& field, std::pair<std::int64_t, std::int64_t>) override {
+    if (name.key == "points") field = count_;
+  }
+  void on_number(Name, double&, double, std::pair<double, double>) override {}
+  void on_numbers(Name, Eigen::VectorXd&, double, int) override {}
+  void on_poses(Name, std::vector<Pose>& field) override {
+    field.assign(static_cast<std::size_t>(count_), Pose::Identity());
+  }
+
+  int count_;
+};
+
+// Of every kind one with so many points.
+std::vector<Path> with_points(int count) {
+  std::vector<Path> all = paths();
+  for (Path& path : all) {
+    PointsSetter setter(count);
+    path->list_fields(setter);
+  }
+  return all;
+}
 
 bool near(const Eigen::Vector3d& a, const Eigen::Vector3d& b) { return (a - b).norm() < 1e-15; }
 
 }  // namespace
 
 TEST_CASE("the paper's helix is the default: 20 points, a fifth of a turn and 2.5 cm of rise apart", "[path][paper]") {
-  const std::vector<Pose> helix = along(Helix{});
+  const std::vector<Pose> helix = poses_of(Path());
   REQUIRE(helix.size() == 20);
   // t = 0, pi, 2 pi, 3 pi: (sin t, cos t) is (0, 1), (0, -1), ...; z = 10 + 50 k/20 cm
   CHECK(near(helix[0].translation(), {0.60, 0.20, 0.10}));
@@ -37,26 +76,26 @@ TEST_CASE("the paper's helix is the default: 20 points, a fifth of a turn and 2.
 }
 
 TEST_CASE("with the spacing k/(n - 1) the last point is the end of the helix", "[path]") {
-  const Helix helix{.spacing = Spacing::k_over_n_minus_1};
+  const Path helix = path_of({"spacing=k_over_n_minus_1"});
   CHECK(near(point(helix, 0), {0.60, 0.20, 0.10}));
   CHECK(near(point(helix, 19), {0.60, 0.20, 0.60}));  // t = 4 pi
-  CHECK(along(helix).size() == 20);
+  CHECK(poses_of(helix).size() == 20);
 }
 
 TEST_CASE("the phase cos_sin starts on the x axis and turns towards y", "[path]") {
-  const Helix helix{.phase = Phase::cos_sin};
+  const Path helix = path_of({"phase=cos_sin"});
   CHECK(near(point(helix, 0), {0.80, 0.0, 0.10}));
   CHECK(near(point(helix, 5), {0.40, 0.0, 0.225}));
   CHECK(point(helix, 1).y() > 0);
 }
 
 TEST_CASE("a start of a quarter turn moves the first point by a quarter of the circle", "[path]") {
-  CHECK(near(point({.start = pi / 2}, 0), {0.80, 0.0, 0.10}));                            // (sin, cos) of 90 deg
-  CHECK(near(point({.start = pi / 2, .phase = Phase::cos_sin}, 0), {0.60, 0.20, 0.10}));  // (cos, sin) of 90 deg
+  CHECK(near(point(path_of({"start_deg=90"}), 0), {0.80, 0.0, 0.10}));                    // (sin, cos) of 90 deg
+  CHECK(near(point(path_of({"start_deg=90", "phase=cos_sin"}), 0), {0.60, 0.20, 0.10}));  // (cos, sin) of 90 deg
 }
 
 TEST_CASE("the Dobot's circle is level, its 20 points 18 degrees apart from the x axis towards y", "[path][paper]") {
-  const std::vector<Pose> circle = along(Circle{});  // Sec. 6: centre (16, 16, 0) cm, radius 7 cm
+  const std::vector<Pose> circle = poses_of(path_of({"kind=circle"}));  // Sec. 6: centre (16, 16, 0) cm, radius 7 cm
   REQUIRE(circle.size() == 20);
   for (std::size_t k = 0; k < 20; ++k) {
     const double t = 18 * pi / 180 * static_cast<double>(k);
@@ -67,7 +106,7 @@ TEST_CASE("the Dobot's circle is level, its 20 points 18 degrees apart from the 
 
 TEST_CASE("a circle has its own centre, radius, points and tool", "[path]") {
   const std::vector<Pose> circle =
-      along(Circle{.centre = {0.1, -0.2, 0.3}, .radius = 0.5, .points = 4, .tool = Tool::eq27});
+      poses_of(path_of({"kind=circle", "centre_cm=[10, -20, 30]", "radius_cm=50", "points=4", "tool=eq27"}));
   REQUIRE(circle.size() == 4);
   CHECK(near(circle[1].translation(), {0.1, 0.3, 0.3}));
   CHECK(near(circle[2].translation(), {-0.4, -0.2, 0.3}));
@@ -78,7 +117,7 @@ TEST_CASE("random targets are tool poses of configurations within the limits, on
   for (const Robot& arm : all_robots()) {
     INFO(arm.name);
     Random random(Key(1)), again(Key(1));
-    const std::vector<Pose> poses = random_poses(arm, 200, random);
+    const std::vector<Pose> poses = path_of({"kind=random", "points=200"})->poses(arm, random);
     REQUIRE(poses.size() == 200);
     Configuration lowest = arm.limits.upper, highest = arm.limits.lower;
     for (const Pose& pose : poses) {
@@ -93,20 +132,70 @@ TEST_CASE("random targets are tool poses of configurations within the limits, on
   }
 }
 
-TEST_CASE("every kind of path says how many points it has", "[path]") {
-  CHECK(points(Helix{.points = 3}) == 3);
-  CHECK(points(Circle{.points = 4}) == 4);
-  CHECK(points(RandomTargets{.points = 5}) == 5);
-  CHECK(points(std::vector<Pose>(6, Pose::Identity())) == 6);
-}
-
 TEST_CASE("a path of one point is its start, with either spacing", "[path]") {
-  for (const Spacing spacing : {Spacing::k_over_n, Spacing::k_over_n_minus_1}) {
-    const Helix helix{.points = 1, .spacing = spacing};
-    REQUIRE(along(helix).size() == 1);
-    CHECK(near(point(helix, 0), {0.60, 0.20, 0.10}));
+  for (const std::string spacing : {"k_over_n", "k_over_n_minus_1"}) {
+    const std::vector<Pose> helix = poses_of(path_of({"points=1", "spacing=" + spacing}));
+    REQUIRE(helix.size() == 1);
+    CHECK(near(helix[0].translation(), {0.60, 0.20, 0.10}));
   }
 }
+
+// ---- every kind ---------------------------------------------------------------------------------------------------
+
+TEST_CASE("a path has so many targets as it says, of finite numbers, and each is a place and a rotation", "[path]") {
+  for (const Path& path : with_points(5)) {
+    INFO(path->name());
+    CHECK(path->points() == 5);
+    for (const Robot& arm : robots()) {
+      Random random(Key(1));
+      const std::vector<Pose> poses = path->poses(arm, random);
+      REQUIRE(poses.size() == 5);
+      for (const Pose& pose : poses) {
+        CHECK(pose.matrix().allFinite());
+        CHECK(pose.linear().isUnitary(1e-12));
+        CHECK(pose.linear().determinant() > 0);
+      }
+    }
+  }
+}
+
+TEST_CASE("drawn targets differ from stream to stream, and all others know neither stream nor arm", "[path]") {
+  const Robot arm = robot("kuka_iiwa14"), other_arm = robot("planar_2");
+  for (const Path& path : with_points(5)) {
+    INFO(path->name());
+    Random random(Key(1)), again(Key(1)), other(Key(2)), untouched(Key(2));
+    const std::vector<Pose> poses = path->poses(arm, random);
+    CHECK(same_poses(path->poses(arm, again), poses));
+    CHECK(same_poses(path->poses(arm, other), poses) == !path->is_drawn());
+    CHECK((other.uniform() == untouched.uniform()) == !path->is_drawn());
+    Random third(Key(1));
+    CHECK(same_poses(path->poses(other_arm, third), poses) == !path->is_drawn());
+  }
+}
+
+TEST_CASE("a copy of a path is another path", "[path]") {
+  for (const Path& path : with_points(3)) {
+    INFO(path->name());
+    Path copy = path;
+    PointsSetter setter(7);
+    copy->list_fields(setter);
+    CHECK(copy->name() == path->name());
+    CHECK(copy->points() == 7);
+    CHECK(path->points() == 3);
+  }
+}
+
+TEST_CASE("every kind of path has a name and words of its own", "[path]") {
+  std::set<std::string_view> names, summaries;
+  for (const Path& path : paths()) {
+    CHECK(names.insert(path->name()).second);
+    CHECK(summaries.insert(path->summary()).second);
+    CHECK(path->summary().size() > 5);
+  }
+  CHECK(Path()->name() == "helix");  // what a study file takes that says no kind
+}
+
+// ---- orientation --------------------------------------------------------------------------------------------------
 
 TEST_CASE("tool down is diag(-1, 1, -1): the tool's z axis points to the floor", "[path][paper]") {
   CHECK(rotation(Tool::down) == Eigen::Matrix3d(Eigen::Vector3d(-1, 1, -1).asDiagonal()));
@@ -121,7 +210,8 @@ TEST_CASE("both tools are rotations, and every point of a path has its tool's", 
     const Eigen::Matrix3d R = rotation(tool);
     CHECK(R * R.transpose() == Eigen::Matrix3d::Identity());
     CHECK(R.determinant() == 1);
-    for (const Pose& pose : along(Helix{.tool = tool})) CHECK(pose.linear() == R);
+    const std::string name = tool == Tool::down ? "down" : "eq27";
+    for (const Pose& pose : poses_of(path_of({"tool=" + name}))) CHECK(pose.linear() == R);
   }
 }
 

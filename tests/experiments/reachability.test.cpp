@@ -1,11 +1,11 @@
 // Which readings of the paper's helix the arm can follow at all: docs/paper-notes.md 2.2. With the wrist decoupled
 // the shoulder (0, 0, 36) cm has to be within 42 + 40 = 82 cm of the wrist's centre, 12.6 cm behind the tool.
 #include <algorithm>
-#include <numbers>
 
 #include "experiments/study_file.hpp"
 #include "robots/spherical_wrist.hpp"
 #include "tests/catch.hpp"
+#include "tests/experiments/samples.hpp"
 
 using namespace ikbench;
 using namespace ikbench::numerics;
@@ -14,8 +14,6 @@ using namespace ikbench::experiments;
 
 namespace {
 
-constexpr double quarter_turn = std::numbers::pi / 2;
-
 Study with_path(const Path& path) {
   Study study = studies().front();
   study.path = path;
@@ -23,18 +21,18 @@ Study with_path(const Path& path) {
 }
 
 // Largest shoulder-to-wrist distance along the path [cm], from the lengths alone.
-double largest_distance_cm(const Helix& helix) {
+double largest_distance_cm(const Path& path) {
   double largest = 0;
-  for (const Pose& target : along(helix)) {
+  for (const Pose& target : poses_of(path)) {
     const Eigen::Vector3d wrist = target.translation() - 0.126 * target.linear().col(2);
     largest = std::max(largest, (wrist - Eigen::Vector3d(0, 0, 0.360)).norm() * 100);
   }
   return largest;
 }
 
-double largest_unreachable_cm(const Helix& helix) {
+double largest_unreachable_cm(const Path& path) {
   double largest = 0;
-  for (const Unreachable& target : unreachable(with_path(helix))) largest = std::max(largest, target.distance * 100);
+  for (const Unreachable& target : unreachable(with_path(path))) largest = std::max(largest, target.distance * 100);
   return largest;
 }
 
@@ -42,11 +40,11 @@ double largest_unreachable_cm(const Helix& helix) {
 
 TEST_CASE("the tool straight down, the helix is fully reachable: 81.53 cm of 82", "[reachability][paper]") {
   CHECK(unreachable(studies().front()).empty());
-  CHECK(largest_distance_cm(Helix{}) == Approx(81.53).margin(0.005));
+  CHECK(largest_distance_cm(Path()) == Approx(81.53).margin(0.005));
 }
 
 TEST_CASE("also when its last point is the end of the helix: 81.99 cm of 82", "[reachability][paper]") {
-  const Helix helix{.spacing = Spacing::k_over_n_minus_1};
+  const Path helix = path_of({"spacing=k_over_n_minus_1"});
   CHECK(unreachable(with_path(helix)).empty());
   CHECK(largest_distance_cm(helix) == Approx(81.99).margin(0.005));
 }
@@ -55,20 +53,19 @@ TEST_CASE("under Eq. 27 the helix from (cos t, sin t) to its end leaves the reac
           "[reachability][paper]") {
   const std::vector<double> printed{85.06, 82.57, 82.15, 83.90};  // paper-notes 2.2, for 0, 90, 180, 270 deg
   for (std::size_t i = 0; i < printed.size(); ++i) {
-    const Helix helix{.start = quarter_turn * static_cast<double>(i),
-                      .phase = Phase::cos_sin,
-                      .spacing = Spacing::k_over_n_minus_1,
-                      .tool = Tool::eq27};
+    const Path helix =
+        path_of({"start_deg=" + std::to_string(90 * i), "phase=cos_sin", "spacing=k_over_n_minus_1", "tool=eq27"});
     CHECK(largest_unreachable_cm(helix) == Approx(printed[i]).margin(0.005));
     CHECK(largest_distance_cm(helix) == Approx(printed[i]).margin(0.005));
   }
 }
 
 TEST_CASE("under Eq. 27 no phase, start and spacing makes the whole helix reachable", "[reachability][paper]") {
-  for (const Phase phase : {Phase::sin_cos, Phase::cos_sin}) {
-    for (const Spacing spacing : {Spacing::k_over_n, Spacing::k_over_n_minus_1}) {
+  for (const std::string phase : {"sin_cos", "cos_sin"}) {
+    for (const std::string spacing : {"k_over_n", "k_over_n_minus_1"}) {
       for (int quarter = 0; quarter < 4; ++quarter) {
-        const Helix helix{.start = quarter * quarter_turn, .phase = phase, .spacing = spacing, .tool = Tool::eq27};
+        const Path helix =
+            path_of({"start_deg=" + std::to_string(90 * quarter), "phase=" + phase, "spacing=" + spacing, "tool=eq27"});
         CHECK(largest_unreachable_cm(helix) > 82);
       }
     }
@@ -79,7 +76,7 @@ TEST_CASE("an unreachable target is named by its place on the path, with distanc
   Pose near = Pose::Identity(), far = Pose::Identity();
   near.translation() << 0.3, 0, 0.5;
   far.translation() << 1.0, 0, 0.486;  // wrist at (1.0, 0, 0.36): 1 m from the shoulder
-  const std::vector<Unreachable> found = unreachable(with_path(std::vector<Pose>{near, far, near}));
+  const std::vector<Unreachable> found = unreachable(with_path(path_through({near, far, near})));
   REQUIRE(found.size() == 1);
   CHECK(found[0].point == 2);
   CHECK(found[0].distance == Approx(1.0));
@@ -90,7 +87,7 @@ TEST_CASE("searching all joints, the tool counts, with the wrist's length added 
   Pose inside = Pose::Identity(), outside = Pose::Identity();
   inside.translation() << 0.945, 0, 0.36;  // 42 + 40 + 12.6 = 94.6 cm
   outside.translation() << 0.947, 0, 0.36;
-  Study study = with_path(std::vector<Pose>{inside, outside});
+  Study study = with_path(path_through({inside, outside}));
   study.search = Search::all_joints;
   const std::vector<Unreachable> found = unreachable(study);
   REQUIRE(found.size() == 1);
@@ -102,9 +99,9 @@ TEST_CASE("two links of half a metre reach one metre and no further", "[reachabi
   Study study;
   study.robot = "planar_2";
   study.search = Search::all_joints;
-  study.path = Circle{.centre = {0, 0, 0}, .radius = 0.9999};
+  study.path = path_of({"kind=circle", "centre_cm=[0, 0, 0]", "radius_cm=99.99"});
   CHECK(unreachable(study).empty());
-  study.path = Circle{.centre = {0, 0, 0}, .radius = 1.0001};
+  study.path = path_of({"kind=circle", "centre_cm=[0, 0, 0]", "radius_cm=100.01"});
   CHECK(unreachable(study).size() == 20);
 }
 

@@ -13,6 +13,7 @@
 #include <numbers>
 
 #include "experiments/environment.hpp"
+#include "experiments/orientation.hpp"
 #include "experiments/source_digest.hpp"
 #include "experiments/study_file.hpp"
 #include "experiments/verifier.hpp"
@@ -55,7 +56,7 @@ Study study_of_every_solver() {
 
 Study small_random_study() {
   Study study = small_study();
-  study.path = RandomTargets{.points = 4};
+  study.path = path_of({"kind=random", "points=4"});
   return study;
 }
 
@@ -483,7 +484,7 @@ TEST_CASE("random targets are those of the run: the same for all solvers, others
   CHECK(seen.size() == 8);
   CHECK(seen.at({1, 1}) != seen.at({2, 1}));
 
-  study.path = RandomTargets{.points = 6};  // begins with the same four
+  study.path = path_of({"kind=random", "points=6"});  // begins with the same four
   CHECK(targets(study, 2)[3].matrix() == targets(small_random_study(), 2)[3].matrix());
   study.seed = 2;
   CHECK(targets(study, 2)[3].matrix() != targets(small_random_study(), 2)[3].matrix());
@@ -579,7 +580,7 @@ TEST_CASE("where limits are enforced the wrist takes the branch inside, whicheve
     return solve_once(study, study.solvers[0], target).status;
   };
   int by_turning = 0, by_no_means = 0;
-  study.path = RandomTargets{.points = 60};
+  study.path = path_of({"kind=random", "points=60"});
   for (const Pose& target : targets(study, 1)) {
     const Status positive = status(target, Limits::recorded, WristBranch::positive);
     const Status negative = status(target, Limits::recorded, WristBranch::negative);
@@ -636,7 +637,7 @@ TEST_CASE("the verified error of every solver is the one it claims on the planar
     study.robot = name;
     study.search = Search::all_joints;
     study.initial = Eigen::VectorXd::Zero(robot(name).joints());
-    study.path = Helix{.centre = {0.3, 0.3, 0}, .length = 0, .turns = 1, .points = 4};
+    study.path = path_of({"centre_cm=[30, 30, 0]", "length_cm=0", "turns=1", "points=4"});
     for (const SolveRecord& record : solves_of(study)) {
       INFO(record.solver);
       CHECK(record.position_error_cm == Approx(record.claimed_error_cm).margin(1e-10).epsilon(0));
@@ -696,7 +697,7 @@ TEST_CASE("a target that is no number, or no place in the world, gives not_finit
       Study study = study_of_every_solver();
       study.search = search;
       study.runs = 1;
-      study.path = std::vector<Pose>{at(0.5, 0.1, 0.4), at(bad, 0.1, 0.4), at(0.5, 0.1, 0.4)};
+      study.path = path_through({at(0.5, 0.1, 0.4), at(bad, 0.1, 0.4), at(0.5, 0.1, 0.4)});
       const std::vector<SolveRecord> records = solves_of(study);
       REQUIRE(records.size() == all_solvers().size() * 3);
       for (std::size_t i = 0; i < records.size(); i += 3) {
@@ -713,7 +714,7 @@ TEST_CASE("a target that is no number, or no place in the world, gives not_finit
 
 TEST_CASE("a run is continued after a solve that was not finite as if it had not been stopped", "[runner]") {
   Study study = small_study();
-  study.path = std::vector<Pose>{at(0.5, 0.1, 0.4), at(std::nan(""), 0, 0), at(0.5, 0.1, 0.5)};
+  study.path = path_through({at(0.5, 0.1, 0.4), at(std::nan(""), 0, 0), at(0.5, 0.1, 0.5)});
   ScratchStore scratch;
   for (int i = 0; i < 18; ++i) run_for(study, scratch.store, 1);
   CHECK(same_numbers(scratch.store.solves("small"), solves_of(study)));
@@ -766,7 +767,7 @@ TEST_CASE("a solve ends with the iteration in which its evaluations are used up"
 TEST_CASE("a solve ends when its time is over", "[runner]") {
   Study study = small_study();
   study.runs = 1;
-  study.path = Helix{.points = 2};
+  study.path = path_of({"points=2"});
   study.stop = {.iterations = 1'000'000'000, .seconds = 0.02};
   for (const SolveRecord& record : solves_of(study)) {
     CHECK(record.stop_reason == StopReason::time);

@@ -11,11 +11,25 @@
 
 namespace ikbench {
 
+// A path as --set would make it of the default: path_of({"kind=circle", "points=4"}).
+inline experiments::Path path_of(const std::vector<std::string>& settings) {
+  experiments::Overrides overrides;
+  for (const std::string& setting : settings) overrides.push_back("path." + setting);
+  return experiments::parse_study("[[solvers]]\nsolver = \"ik_bat\"\n", "a path", overrides).path;
+}
+
+// Where it goes in the first run with seed 1, with the paper's arm.
+inline std::vector<robots::Pose> poses_of(const experiments::Path& path) {
+  experiments::Study study;
+  study.path = path;
+  return experiments::targets(study, 1);
+}
+
 // Two runs of three solvers over four points of the paper's helix: 24 solves.
 inline experiments::Study small_study() {
   experiments::Study study;
   study.name = "small";
-  study.path = experiments::Helix{.points = 4};
+  study.path = path_of({"points=4"});
   study.initial = Eigen::VectorXd::Zero(7);
   study.population = 6;
   study.stop.iterations = 5;

@@ -124,6 +124,30 @@ TEST_CASE("each field of a study decides the series, unless the list of fields s
   CHECK(without_numbers == std::set<std::string>{"name", "title", "published", "runs"});
 }
 
+TEST_CASE("each field of each kind of path decides the series", "[series][path]") {
+  for (const Path& path : paths()) {
+    for (int field = 0;; ++field) {
+      Study study = small_study();
+      study.path = path;
+      const std::vector<std::string> plain = keys_of(study);
+      Changer changer(field);
+      study.path->list_fields(changer);
+      if (changer.changed.empty()) {
+        CHECK(field > 0);
+        break;
+      }
+      INFO(path->name() << "." << changer.changed);
+      CHECK(keys_of(study) != plain);
+    }
+  }
+}
+
+TEST_CASE("targets are the same whatever kind of path they are of", "[series][path]") {
+  Study study = small_study();
+  study.path = path_through(targets(study, 1));
+  CHECK(keys_of(study) == keys_of(small_study()));
+}
+
 TEST_CASE("a field that is added to a list is in the key by its name, and by that of a choice, unless it is marked",
           "[series]") {
   CHECK(said({.study = small_study()}).empty());
@@ -146,23 +170,39 @@ TEST_CASE("everything that decides numbers decides the series", "[series]") {
       {"tolerance", changed([](Study& study) { study.stop.tolerance = 1e-3; })},
       {"evaluations", changed([](Study& study) { study.stop.evaluations = 30; })},
       {"seconds", changed([](Study& study) { study.stop.seconds = 30; })},
-      {"points", changed([](Study& study) { std::get<Helix>(study.path).points = 5; })},
-      {"radius", changed([](Study& study) { std::get<Helix>(study.path).radius = 0.21; })},
-      {"centre", changed([](Study& study) { std::get<Helix>(study.path).centre.y() = 1e-9; })},
-      {"tool", changed([](Study& study) { std::get<Helix>(study.path).tool = Tool::eq27; })},
-      {"phase", changed([](Study& study) { std::get<Helix>(study.path).phase = Phase::cos_sin; })},
-      {"spacing", changed([](Study& study) { std::get<Helix>(study.path).spacing = Spacing::k_over_n_minus_1; })},
+      {"points", changed([](Study& study) { study.path = path_of({"points=5"}); })},
+      {"radius", changed([](Study& study) {
+         study.path = path_of({"points=4", "radius_cm=21"});
+       })},
+      {"centre", changed([](Study& study) {
+         study.path = path_of({"points=4", "centre_cm=[60, 1e-7, 10]"});
+       })},
+      {"tool", changed([](Study& study) {
+         study.path = path_of({"points=4", "tool=eq27"});
+       })},
+      {"phase", changed([](Study& study) {
+         study.path = path_of({"points=4", "phase=cos_sin"});
+       })},
+      {"spacing", changed([](Study& study) {
+         study.path = path_of({"points=4", "spacing=k_over_n_minus_1"});
+       })},
       {"label", changed([](Study& study) { study.solvers[0].label = "IK-BA 2"; })},
       {"solver", changed([](Study& study) { study.solvers[0].solver = "bat"; })},
       {"bounds", changed([](Study& study) { study.bounds = StudyBounds::clamp; })},
       {"limits", changed([](Study& study) { study.limits = Limits::enforced; })},
       {"start", changed([](Study& study) { study.start = Start::initial; })},
       {"own population", changed([](Study& study) { study.solvers[0].population = 8; })},
-      {"circle", changed([](Study& study) { study.path = Circle{.points = 4}; })},
-      {"random", changed([](Study& study) { study.path = RandomTargets{.points = 4}; })},
-      {"more at random", changed([](Study& study) { study.path = RandomTargets{.points = 5}; })},
+      {"circle", changed([](Study& study) {
+         study.path = path_of({"kind=circle", "points=4"});
+       })},
+      {"random", changed([](Study& study) {
+         study.path = path_of({"kind=random", "points=4"});
+       })},
+      {"more at random", changed([](Study& study) {
+         study.path = path_of({"kind=random", "points=5"});
+       })},
       {"other at random", changed([](Study& study) {
-         study.path = RandomTargets{.points = 4};
+         study.path = path_of({"kind=random", "points=4"});
          study.seed = 2;
        })},
       {"robot", changed([](Study& study) {

@@ -7,10 +7,12 @@
 #include <numbers>
 #include <random>
 
+#include "experiments/orientation.hpp"
 #include "numerics/names.hpp"
 #include "solvers/registry.hpp"
 #include "tests/catch.hpp"
 #include "tests/experiments/samples.hpp"
+#include "tests/sources.hpp"
 
 using namespace ikbench;
 using namespace ikbench::numerics;
@@ -76,6 +78,15 @@ TEST_CASE("a built-in study is a file in experiments/studies, which has the stud
   CHECK(names == files);
 }
 
+TEST_CASE("the study of docs/adding-a-study.md is a study of two entrants", "[study]") {
+  const std::string docs = text_of("docs/adding-a-study.md"), opening = "```toml\n";
+  const std::size_t begin = docs.find(opening) + opening.size();
+  const Study study = read(docs.substr(begin, docs.find("```", begin) - begin));
+  CHECK(study.name == "two-bats");
+  CHECK(effective_population(study, study.solvers.at(0)) == 2);
+  CHECK(effective_population(study, study.solvers.at(1)) == 50);
+}
+
 TEST_CASE("every built-in study comes back from its file with the same series", "[study]") {
   for (const Study& study : studies()) {
     INFO(study.name);
@@ -95,7 +106,7 @@ TEST_CASE("the study of the paper has its numbers: 50 bats, 200 iterations, 20 r
   CHECK(study.population == 50);
   CHECK(study.stop.iterations == 200);
   CHECK(study.runs == 20);
-  CHECK(points(study.path) == 20);
+  CHECK(study.path->points() == 20);
   CHECK(study.robot == "kuka_iiwa14");
   std::vector<std::string> labels;
   for (const Entrant& one : study.solvers) labels.push_back(one.label);
@@ -119,15 +130,8 @@ TEST_CASE("a study in which nothing is as by default comes back the same", "[stu
   study.runs = 3;
   study.seed = 9'223'372'036'854'775'807;  // the largest integer of TOML
   study.trace = Trace::best_error;
-  study.path = Helix{.centre = {0.5, -0.25, 0.01},
-                     .radius = 0.3,
-                     .length = -0.1,
-                     .turns = 1.5,
-                     .start = std::numbers::pi / 2,
-                     .points = 9,
-                     .phase = Phase::cos_sin,
-                     .spacing = Spacing::k_over_n_minus_1,
-                     .tool = Tool::eq27};
+  study.path = path_of({"centre_cm=[50, -25, 1]", "radius_cm=30", "length_cm=-10", "turns=1.5", "start_deg=90",
+                        "points=9", "phase=cos_sin", "spacing=k_over_n_minus_1", "tool=eq27"});
   study.solvers = {
       {"a \"label\" with 'quotes' = [x] . # \\", "ik_bat", {{"acceptance", "yang2020"}, {"alpha", "0.25"}}},
       {"плечо", "bat", {}, 12}};
@@ -161,21 +165,22 @@ TEST_CASE("a study in which nothing is as by default comes back the same", "[stu
 }
 
 TEST_CASE("a path of any kind comes back as it was", "[study]") {
-  const std::vector<Path> paths{Helix{.points = 3},
-                                Circle{.centre = {0.1, 0.2, 1.0 / 3}, .radius = 0.07, .points = 9, .tool = Tool::eq27},
-                                RandomTargets{.points = 7}, std::vector<Pose>{Pose::Identity()}};
-  for (const Path& path : paths) {
+  const std::vector<Path> all{path_of({"points=3"}), path_of({"kind=circle", "radius_cm=7.3", "points=9", "tool=eq27"}),
+                              path_of({"kind=random", "points=7"}), path_through({Pose::Identity()})};
+  CHECK(all.size() == paths().size());
+  for (const Path& path : all) {
     Study study = small_study();
     study.path = path;
     INFO(to_toml(study));
     const Study again = read(to_toml(study));
-    CHECK(again.path.index() == path.index());
-    CHECK(points(again.path) == points(path));
+    CHECK(again.path->name() == path->name());
+    CHECK(again.path->points() == path->points());
     CHECK(to_toml(again) == to_toml(study));
     CHECK(keys_of(again) == keys_of(study));
     const nlohmann::json json = nlohmann::json::parse(to_json(study));
-    CHECK(json["points"] == points(path));
-    CHECK(json["path"]["kind"] == std::vector<std::string>{"helix", "circle", "random", "poses"}[path.index()]);
+    CHECK(json["points"] == path->points());
+    CHECK(json["path"]["kind"] == path->name());
+    CHECK(json["path"].value("targets", "") == (path->is_drawn() ? "drawn" : ""));
   }
 }
 
@@ -191,7 +196,8 @@ TEST_CASE("the study of Table 7: 12 to 30 bats to 0.1 cm at 20 random targets, e
   CHECK(study.stop.tolerance == 0.001);
   CHECK(study.stop.iterations == 1000);
   CHECK(study.start == Start::initial);
-  CHECK(std::get<RandomTargets>(study.path).points == 20);
+  CHECK(study.path->is_drawn());
+  CHECK(study.path->points() == 20);
   CHECK(study.search == Search::wrist);
 }
 
@@ -210,7 +216,7 @@ TEST_CASE("poses come back bit for bit, also minus zero and what no number of ce
   minus_zero.translation() << -0.0, 0.1, 5e-324;
   poses.push_back(minus_zero);
   Study study = small_study();
-  study.path = poses;
+  study.path = path_through(poses);
   const std::vector<Pose> again = targets(read(to_toml(study)), 1);
   REQUIRE(again.size() == poses.size());
   int different = 0;
@@ -251,10 +257,9 @@ TEST_CASE("a file that names only a solver is the paper's path and numbers with 
 }
 
 TEST_CASE("a path needs no more than its kind, and the rest is the paper's", "[study]") {
-  const Circle circle = std::get<Circle>(read("[path]\nkind = \"circle\"\nradius_cm = 8\n" + entrant).path);
-  CHECK(circle.radius == 0.08);
-  CHECK(circle.centre == Eigen::Vector3d(0.16, 0.16, 0));                   // Sec. 6
-  CHECK(points(read("[path]\nkind = \"random\"\n" + entrant).path) == 20);  // Table 7
+  const std::vector<Pose> circle = targets(read("[path]\nkind = \"circle\"\nradius_cm = 8\n" + entrant), 1);
+  CHECK(circle[0].translation().isApprox(Eigen::Vector3d(0.16 + 0.08, 0.16, 0)));  // Sec. 6: centre (16, 16, 0) cm
+  CHECK(read("[path]\nkind = \"random\"\n" + entrant).path->points() == 20);       // Table 7
 }
 
 TEST_CASE("an entrant's population is its own, and the others keep the study's", "[study]") {
@@ -340,13 +345,13 @@ TEST_CASE("targets are blocks where all solvers were given the same ones more th
   CHECK(contains(why_no_blocks(study), "chained"));
   study.start = Start::initial;
   CHECK(why_no_blocks(study).empty());
-  study.path = Helix{.points = 1};
+  study.path = path_of({"points=1"});
   CHECK(contains(why_no_blocks(study), "only one"));
-  study.path = RandomTargets{.points = 1};
+  study.path = path_of({"kind=random", "points=1"});
   CHECK(why_no_blocks(study).empty());  // two runs, each with a target of its own
   study.runs = 1;
   CHECK(contains(why_no_blocks(study), "only one"));
-  study.path = RandomTargets{.points = 4};
+  study.path = path_of({"kind=random", "points=4"});
   CHECK(why_no_blocks(study).empty());
   study.start = Start::previous;
   CHECK(contains(why_no_blocks(study), "only one"));
@@ -645,8 +650,8 @@ TEST_CASE("an override sets a field of the study, of its path or of its stop rul
   const Study study = load_study("slim2023", {"runs=5", "path.tool=eq27", "path.points=7", "stop.tolerance_cm=0.1",
                                               "search=\"all_joints\"", "initial_deg=[1, 2, 3, 4, 5, 6, 7]"});
   CHECK(study.runs == 5);
-  CHECK(std::get<Helix>(study.path).tool == Tool::eq27);
-  CHECK(points(study.path) == 7);
+  CHECK(targets(study, 1)[0].linear() == rotation(Tool::eq27));
+  CHECK(study.path->points() == 7);
   CHECK(study.stop.tolerance == Approx(0.001));
   CHECK(study.search == Search::all_joints);
   CHECK(study.initial[6] == Approx(7 * std::numbers::pi / 180));
@@ -654,7 +659,7 @@ TEST_CASE("an override sets a field of the study, of its path or of its stop rul
 
 TEST_CASE("an override reaches tables that the file does not have", "[study][set]") {
   CHECK(read(entrant, {"stop.iterations=3"}).stop.iterations == 3);
-  CHECK(points(read(entrant, {"path.points=3"}).path) == 3);
+  CHECK(read(entrant, {"path.points=3"}).path->points() == 3);
 }
 
 TEST_CASE("an override sets an option of the entrants with that label or that solver", "[study][set]") {
@@ -683,7 +688,7 @@ TEST_CASE("an override sets an entrant's population, by its label or its solver'
 }
 
 TEST_CASE("a kind of path in an override has that kind's keys", "[study][set]") {
-  CHECK(points(read(entrant, {"path.kind=random", "path.points=3"}).path) == 3);
+  CHECK(read(entrant, {"path.kind=random", "path.points=3"}).path->points() == 3);
   CHECK(said_of(entrant, {"path.kind=random", "path.tool=down"}).starts_with("--set path.tool: unknown key \"tool\""));
 }
 

@@ -7,6 +7,7 @@
 #include "tests/experiments/samples.hpp"
 
 using namespace ikbench;
+using namespace ikbench::robots;
 using namespace ikbench::solvers;
 using namespace ikbench::experiments;
 
@@ -112,22 +113,21 @@ TEST_CASE("a study file with up to four random changes is read, or refused with 
 
 TEST_CASE("a file of poses with random changes is read, or refused with its place", "[study][fuzz]") {
   Study study = small_study();
-  study.path = targets(study, 1);
+  study.path = path_through(targets(study, 1));
   const std::string file = to_toml(study);
   REQUIRE(is_read(file));
   Mutator mutator(38);
   for (int i = 0; i < 500; ++i) is_read(mutator.mutated(file));
 }
 
-TEST_CASE("files of circles and random targets with random changes are read, or refused with their place",
-          "[study][fuzz]") {
+TEST_CASE("files of every kind of path with random changes are read, or refused with their place", "[study][fuzz]") {
   Study study = small_study();
   study.limits = Limits::enforced;
   study.start = Start::initial;
   study.solvers[0].population = 12;
   Mutator mutator(7);
-  for (const Path& path : {Path(Circle{}), Path(RandomTargets{})}) {
-    study.path = path;
+  for (const Path& path : paths()) {
+    study.path = path->points() > 0 ? path : path_through({Pose::Identity()});
     const std::string file = to_toml(study);
     REQUIRE(is_read(file));
     for (int i = 0; i < 500; ++i) is_read(mutator.mutated(file));

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <set>
 
+#include "analysis/inference/definition.hpp"
 #include "tests/catch.hpp"
 
 using namespace ikbench;
@@ -80,6 +81,14 @@ TEST_CASE("points as observations have a flaw, and the report says which", "[des
   CHECK(found.groups[0].values == Values{101, 102, 103, 201, 202, 203});
   CHECK(found.flaw == "points of one run depend on each other; used as observations because --force was given");
   CHECK(observations(study_of({.path = "random"}), error, Unit::point).blocks.empty());
+}
+
+TEST_CASE("a definition says whether targets were drawn, of any kind of path, older ones by the kind alone",
+          "[design]") {
+  CHECK(Definition(R"({"path": {"kind": "spiral", "targets": "drawn"}})").draws_targets());
+  CHECK(Definition(R"({"path": {"kind": "random"}})").draws_targets());
+  CHECK_FALSE(Definition(R"({"path": {"kind": "spiral"}})").draws_targets());
+  CHECK_FALSE(Definition("{}").draws_targets());
 }
 
 TEST_CASE("targets drawn anew in every run make a block of each run", "[design]") {

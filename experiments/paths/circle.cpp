@@ -1,0 +1,54 @@
+// A level circle: Slim et al. 2023, Sec. 6.
+#include <numbers>
+
+#include "experiments/orientation.hpp"
+#include "experiments/path.hpp"
+#include "numerics/functions.hpp"
+#include "numerics/units.hpp"
+
+namespace ikbench {
+
+namespace {
+
+class Circle final : public PathKind {
+ public:
+  std::unique_ptr<PathKind> copy() const override { return std::make_unique<Circle>(*this); }
+
+  std::string_view name() const override { return "circle"; }
+  std::string_view summary() const override { return "a level circle"; }
+
+  void list_fields(Fields& io) override {
+    io.numbers("centre_cm", centre_, centimetre, 3, "");
+    io.number("radius_cm", radius_, centimetre, {0, 1e6}, "");
+    io.whole("points", points_, point_counts,
+             "point k = 0 ... n - 1 is the centre + radius (cos t, sin t, 0) with t = 360 k/n deg");
+    list_tool(io, tool_);
+  }
+
+  bool is_drawn() const override { return false; }
+  int points() const override { return points_; }
+
+  std::vector<Pose> poses(const Robot&, Random&) const override {
+    std::vector<Pose> poses;
+    for (int k = 0; k < points_; ++k) {
+      const auto [sine, cosine] = sin_cos(2 * std::numbers::pi * (static_cast<double>(k) / points_));
+      Pose pose = Pose::Identity();
+      pose.linear() = rotation(tool_);
+      pose.translation() = centre_ + Eigen::Vector3d(radius_ * cosine, radius_ * sine, 0);
+      poses.push_back(pose);
+    }
+    return poses;
+  }
+
+ private:
+  Eigen::Vector3d centre_{0.16, 0.16, 0.0};
+  double radius_ = 0.07;
+  int points_ = 20;
+  Tool tool_ = Tool::down;
+};
+
+}  // namespace
+
+std::unique_ptr<PathKind> circle_path() { return std::make_unique<Circle>(); }
+
+}  // namespace ikbench
