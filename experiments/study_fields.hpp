@@ -1,7 +1,7 @@
 // The fields of a study, said once: name, field, range, meaning, and whether it decides no number of a solve. What
 // reads and writes studies (table_reader.hpp, study_writer.cpp) and the key of a series (series_key.cpp) follow this
-// list, so that an option of a study is a member in study.hpp and an entry here. The fields of a path are in paths/, those
-// of the analysis plan in results/analysis_plan_fields.hpp.
+// list, so that an option of a study is a member in study.hpp and an entry here. The fields of a path are in paths/,
+// those of the analysis plan in results/analysis_plan_fields.hpp.
 #pragma once
 
 #include <cstdint>
