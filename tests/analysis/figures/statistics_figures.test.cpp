@@ -9,6 +9,7 @@
 #include "analysis/statistics/kernel_density.hpp"
 #include "analysis/figures/row_chart.hpp"
 #include "tests/analysis/folder.hpp"
+#include "analysis/inference/text.hpp"
 #include "tests/catch.hpp"
 
 using namespace ikbench;
