@@ -11,7 +11,6 @@
 #include <stdexcept>
 
 #include "analysis/inference/analysis_plan.hpp"
-#include "results/files.hpp"
 #include "analysis/inference/text.hpp"
 #include "analysis/report/variants_table.hpp"
 #include "cli/commands.hpp"
@@ -19,6 +18,7 @@
 #include "cli/plan_options.hpp"
 #include "cli/reporting.hpp"
 #include "numerics/names.hpp"
+#include "results/files.hpp"
 
 namespace ikbench::cli {
 

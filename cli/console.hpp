@@ -44,7 +44,8 @@ class ProgressText {
   enum class Medium { terminal, log };
 
   ProgressText(std::string title, Medium medium, Clock::time_point started);
-  std::string at(Clock::time_point now, const experiments::Progress& progress);  // empty where it is too soon after the last
+  std::string at(Clock::time_point now,
+                 const experiments::Progress& progress);  // empty where it is too soon after the last
 
  private:
   std::string title_;

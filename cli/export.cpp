@@ -8,9 +8,9 @@
 #include <memory>
 #include <stdexcept>
 
-#include "results/files.hpp"
 #include "cli/commands.hpp"
 #include "cli/reporting.hpp"
+#include "results/files.hpp"
 #include "results/store.hpp"
 
 namespace ikbench::cli {

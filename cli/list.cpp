@@ -8,10 +8,10 @@
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
 #include "experiments/study_file.hpp"
-#include "results/export.hpp"
 #include "numerics/instruction_set.hpp"
 #include "numerics/names.hpp"
 #include "numerics/units.hpp"
+#include "results/export.hpp"
 #include "solvers/registry.hpp"
 
 namespace ikbench::cli {

@@ -6,8 +6,8 @@
 #include <string>
 
 #include "cli/reporting.hpp"
-#include "results/analysis_plan_fields.hpp"
 #include "numerics/number.hpp"
+#include "results/analysis_plan_fields.hpp"
 
 namespace ikbench::cli {
 

@@ -7,8 +7,8 @@
 #include <atomic>
 #include <memory>
 
-#include "analysis/report/report.hpp"
 #include "analysis/inference/study.hpp"
+#include "analysis/report/report.hpp"
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
 #include "cli/reporting.hpp"

@@ -12,11 +12,12 @@ namespace ikbench::cli {
 
 struct Read {
   std::optional<slim2023::ReadingsReport> report = {};  // none where not even the default was finished
-  std::size_t done = 0;                       // combinations, counting the default
-  bool is_complete = false;                   // else it was cancelled
+  std::size_t done = 0;                                 // combinations, counting the default
+  bool is_complete = false;                             // else it was cancelled
 };
 
 // With progress, on `jobs` threads.
-Read read(const std::string& paper, const experiments::ReadingsPlan& plan, int jobs, const std::atomic<bool>& cancelled);
+Read read(const std::string& paper, const experiments::ReadingsPlan& plan, int jobs,
+          const std::atomic<bool>& cancelled);
 
 }  // namespace ikbench::cli

@@ -59,7 +59,8 @@ enum class Ended { complete, stopped };
 
 // Runs a study into the folder's store.sqlite with progress; warns of targets out of reach; says what was done, and
 // after Ctrl-C how to go on.
-Ended run_and_tell(const experiments::Study& study, const std::filesystem::path& folder, experiments::RunRequest request);
+Ended run_and_tell(const experiments::Study& study, const std::filesystem::path& folder,
+                   experiments::RunRequest request);
 
 std::filesystem::path store_in(const std::filesystem::path& folder);
 

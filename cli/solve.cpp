@@ -11,8 +11,8 @@
 #include "experiments/orientation.hpp"
 #include "experiments/runner.hpp"
 #include "experiments/study_file.hpp"
-#include "robots/spherical_wrist.hpp"
 #include "numerics/units.hpp"
+#include "robots/spherical_wrist.hpp"
 #include "solvers/registry.hpp"
 
 namespace ikbench::cli {

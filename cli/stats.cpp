@@ -9,10 +9,10 @@
 #include <set>
 #include <stdexcept>
 
-#include "analysis/report/assessment.hpp"
 #include "analysis/inference/observations_csv.hpp"
-#include "analysis/report/statistics_report.hpp"
 #include "analysis/inference/text.hpp"
+#include "analysis/report/assessment.hpp"
+#include "analysis/report/statistics_report.hpp"
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
 #include "cli/plan_options.hpp"

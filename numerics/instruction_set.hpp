@@ -23,18 +23,18 @@ InstructionSet instruction_set();
 // Defines, in a folder's namespace, kernels(InstructionSet) and kernels(): its table of kernels for a set that this
 // machine runs, and for the set in use, looked up once.
 #ifdef __x86_64__
-#define IKBENCH_KERNELS_OF(set)                                                         \
-  ((set) == ikbench::numerics::InstructionSet::x86_64_v4   ? x86_64_v4::kernels()       \
-   : (set) == ikbench::numerics::InstructionSet::x86_64_v3 ? x86_64_v3::kernels()       \
+#define IKBENCH_KERNELS_OF(set)                                                   \
+  ((set) == ikbench::numerics::InstructionSet::x86_64_v4   ? x86_64_v4::kernels() \
+   : (set) == ikbench::numerics::InstructionSet::x86_64_v3 ? x86_64_v3::kernels() \
                                                            : portable::kernels())
 #else
 #define IKBENCH_KERNELS_OF(set) (static_cast<void>(set), portable::kernels())
 #endif
-#define IKBENCH_DEFINE_KERNELS                                                                      \
-  Kernels kernels(ikbench::numerics::InstructionSet set) { return IKBENCH_KERNELS_OF(set); }        \
-  const Kernels& kernels() {                                                                        \
-    static const Kernels chosen = IKBENCH_KERNELS_OF(ikbench::numerics::instruction_set());         \
-    return chosen;                                                                                  \
+#define IKBENCH_DEFINE_KERNELS                                                               \
+  Kernels kernels(ikbench::numerics::InstructionSet set) { return IKBENCH_KERNELS_OF(set); } \
+  const Kernels& kernels() {                                                                 \
+    static const Kernels chosen = IKBENCH_KERNELS_OF(ikbench::numerics::instruction_set());  \
+    return chosen;                                                                           \
   }
 
 }  // namespace ikbench::numerics

@@ -5,8 +5,8 @@
 #include <nlohmann/json.hpp>
 #include <type_traits>
 
-#include "results/csv.hpp"
 #include "numerics/number.hpp"
+#include "results/csv.hpp"
 
 namespace ikbench::results {
 

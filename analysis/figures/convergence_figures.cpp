@@ -7,12 +7,12 @@
 #include <optional>
 #include <string>
 
-#include "analysis/inference/convergence.hpp"
-#include "analysis/inference/definition.hpp"
 #include "analysis/figures/figure_parts.hpp"
 #include "analysis/figures/share_curves.hpp"
-#include "analysis/statistics/survival.hpp"
+#include "analysis/inference/convergence.hpp"
+#include "analysis/inference/definition.hpp"
 #include "analysis/inference/text.hpp"
+#include "analysis/statistics/survival.hpp"
 #include "numerics/number.hpp"
 
 namespace ikbench::figures {

@@ -13,10 +13,10 @@
 #include <system_error>
 #include <thread>
 
-#include "results/files.hpp"
 #include "analysis/figures/process.hpp"
 #include "analysis/inference/text.hpp"
 #include "numerics/number.hpp"
+#include "results/files.hpp"
 
 namespace ikbench::figures {
 

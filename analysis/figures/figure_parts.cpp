@@ -6,8 +6,8 @@
 #include <cctype>
 #include <cmath>
 
-#include "analysis/statistics/descriptive.hpp"
 #include "analysis/inference/text.hpp"
+#include "analysis/statistics/descriptive.hpp"
 #include "numerics/number.hpp"
 
 namespace ikbench::figures {

@@ -22,7 +22,8 @@ std::string data_number(double value);  // as a data file has it
 std::string tick_label(std::string_view text);  // a label is a format to gnuplot: %% is %
 
 // Says what a reader of the picture must know.
-std::string with_notes(std::string caption, const inference::StudyResults& study, inference::Metric metric, const Axis& axis);
+std::string with_notes(std::string caption, const inference::StudyResults& study, inference::Metric metric,
+                       const Axis& axis);
 // The legend below the plot, in as many columns as fit, and the room that it takes.
 void add_legend(Figure& figure, const std::vector<std::string>& labels);
 // Ticks at whole points: 1 and multiples of a round step.
@@ -32,7 +33,8 @@ std::string space_axes(const std::array<std::vector<double>, 3>& coordinates_cm)
 std::string plot_command(const std::vector<std::string>& clauses, std::string_view command = "plot");
 
 // Mean over the runs at every point; a point with an answer that is not finite has none.
-std::vector<double> means_by_point(const inference::StudyResults& study, const std::string& solver, inference::Metric metric);
+std::vector<double> means_by_point(const inference::StudyResults& study, const std::string& solver,
+                                   inference::Metric metric);
 // The first run that the solver has, by point.
 std::map<int, const results::SolveRecord*> first_run(const inference::StudyResults& study, const std::string& solver);
 

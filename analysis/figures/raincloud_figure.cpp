@@ -7,10 +7,10 @@
 #include <span>
 
 #include "analysis/figures/figure_parts.hpp"
-#include "analysis/statistics/kernel_density.hpp"
 #include "analysis/figures/row_chart.hpp"
 #include "analysis/figures/statistics_figures.hpp"
 #include "analysis/inference/text.hpp"
+#include "analysis/statistics/kernel_density.hpp"
 
 namespace ikbench::figures {
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "analysis/inference/convergence.hpp"
 #include "analysis/figures/figure.hpp"
+#include "analysis/inference/convergence.hpp"
 #include "analysis/inference/study.hpp"
 
 namespace ikbench::figures {
@@ -39,11 +39,11 @@ std::string add_missing_curve(std::vector<std::string>& clauses, std::size_t sol
 // What the curve of each solver goes over, and what the axes say.
 struct ShareCurves {
   std::vector<std::vector<inference::Share>> curves;  // of the solvers; empty where there is nothing to show
-  std::string label;                       // of the axis below
-  std::string share_of;                    // of the axis at the left
-  bool is_ratio = false;                   // to a smallest: from 1 on
-  double start = 0;                        // the share before the first step
-  bool ends_with_last = false;             // else a curve goes on to the right edge
+  std::string label;                                  // of the axis below
+  std::string share_of;                               // of the axis at the left
+  bool is_ratio = false;                              // to a smallest: from 1 on
+  double start = 0;                                   // the share before the first step
+  bool ends_with_last = false;                        // else a curve goes on to the right edge
 };
 // Settings, data and plot of the figure, of which the name and width must stand.
 void draw_shares(Figure& figure, const inference::StudyResults& study, const ShareCurves& shares);

@@ -13,10 +13,11 @@ namespace ikbench::figures {
 
 // Half violin, box plot and the values themselves, a row a group: Allen et al., Raincloud plots, Wellcome Open Research
 // 4:63 (2019). The values span an axis of logarithms where they differ by more than 30 times; so does the density then.
-Figure raincloud_figure(const inference::Observations& observations, statistics::QuantileType quartiles, const std::string& name);
+Figure raincloud_figure(const inference::Observations& observations, statistics::QuantileType quartiles,
+                        const std::string& name);
 
 struct DifferenceRow {
-  std::string label;                // "BA - IK-BA"
+  std::string label;                            // "BA - IK-BA"
   double difference = statistics::not_defined;  // all of the unit of the quantity
   double low = statistics::not_defined;
   double high = statistics::not_defined;

@@ -11,8 +11,8 @@
 #include <utility>
 
 #include "analysis/inference/definition.hpp"
-#include "analysis/statistics/quantile.hpp"
 #include "analysis/inference/text.hpp"
+#include "analysis/statistics/quantile.hpp"
 
 namespace ikbench::inference {
 

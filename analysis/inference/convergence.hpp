@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "analysis/statistics/running_time.hpp"
 #include "analysis/inference/study.hpp"
+#include "analysis/statistics/running_time.hpp"
 
 namespace ikbench::inference {
 
@@ -21,7 +21,8 @@ constexpr double never = std::numeric_limits<double>::infinity();
 constexpr std::size_t most_positions = 200;
 
 enum class Cost { evaluations, seconds };
-double total_cost(const results::SolveRecord& solve, Cost cost);  // never where it is not finite; 0 where it is negative
+double total_cost(const results::SolveRecord& solve,
+                  Cost cost);  // never where it is not finite; 0 where it is negative
 
 using Solves = std::vector<const results::SolveRecord*>;
 std::vector<Solves> solves_by_solver(const StudyResults& study);  // in the order of study.solvers
@@ -88,8 +89,8 @@ struct Profile {
 using CostOf = std::function<double(const results::SolveRecord&)>;
 Profile performance_profile(const StudyResults& study, const CostOf& cost_of);
 
-// How often each solver comes closest to the target, in a sentence: what means over runs, which their worst points decide,
-// do not show. Empty where fewer than two solvers share a problem.
+// How often each solver comes closest to the target, in a sentence: what means over runs, which their worst points
+// decide, do not show. Empty where fewer than two solvers share a problem.
 std::string closest_point_by_point(const StudyResults& study);
 
 // `count` numbers, the first and last exactly as given, which are positive; a single one where they are the same.

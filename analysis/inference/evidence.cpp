@@ -12,6 +12,7 @@
 #include <stdexcept>
 
 #include "analysis/inference/contrasts.hpp"
+#include "analysis/inference/text.hpp"
 #include "analysis/statistics/anova.hpp"
 #include "analysis/statistics/bootstrap.hpp"
 #include "analysis/statistics/effect_size.hpp"
@@ -25,7 +26,6 @@
 #include "analysis/statistics/shapiro_wilk.hpp"
 #include "analysis/statistics/welch.hpp"
 #include "analysis/statistics/wilcoxon_signed_rank.hpp"
-#include "analysis/inference/text.hpp"
 
 namespace ikbench::inference {
 

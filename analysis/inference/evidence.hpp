@@ -58,18 +58,20 @@ std::string_view name_of(Relation relation);
 
 struct Contrast {
   std::size_t first = 0, second = 0;
-  Estimate difference = {};         // mean of first - mean of second, simultaneous over all pairs
-  double p = statistics::not_defined;           // of the deciding test, corrected for all pairs
-  int ahead = 0;                    // the sign of that test's own statistic: 1 where it is for first, -1 for second
+  Estimate difference = {};            // mean of first - mean of second, simultaneous over all pairs
+  double p = statistics::not_defined;  // of the deciding test, corrected for all pairs
+  int ahead = 0;                       // the sign of that test's own statistic: 1 where it is for first, -1 for second
   double p_pooled = statistics::not_defined;    // Tukey
   double p_unpooled = statistics::not_defined;  // Games and Howell
-  double p_paired =
-      statistics::not_defined;  // t of the differences within blocks, corrected by Bonferroni; only where there are blocks
-  double p_ranks = statistics::not_defined;    // Dunn, or Friedman's ranks within blocks; of two groups Mann-Whitney or Wilcoxon
+  double p_paired = statistics::not_defined;  // t of the differences within blocks, corrected by Bonferroni; only where
+                                              // there are blocks
+  double p_ranks =
+      statistics::not_defined;  // Dunn, or Friedman's ranks within blocks; of two groups Mann-Whitney or Wilcoxon
   double p_nemenyi = statistics::not_defined;  // of Friedman's ranks, all pairs; only within blocks
-  Estimate superiority = {};       // A12: the chance that an observation of first is better than one of second
-  Estimate g = {};                 // Hedges; positive where the mean of first is larger
-  double runs_to_see_margin = statistics::not_defined;  // a group, to find a difference of the planned margin; not in blocks
+  Estimate superiority = {};  // A12: the chance that an observation of first is better than one of second
+  Estimate g = {};            // Hedges; positive where the mean of first is larger
+  double runs_to_see_margin =
+      statistics::not_defined;  // a group, to find a difference of the planned margin; not in blocks
   Relation relation = Relation::undefined;
   bool within_margin = false;  // the whole interval of the difference: too small to matter, also where it is found
   std::string undefined = {};  // why p is not defined
@@ -84,11 +86,11 @@ struct Evidence {
   std::vector<std::string> notes = {};
   std::string flaw = {};
   results::AnalysisPlan plan = {};  // its test is never by_design here, but the one that decides
-  bool constant = false;   // every group has one value alone
+  bool constant = false;            // every group has one value alone
   std::vector<GroupEvidence> groups = {};
   double variance_ratio = statistics::not_defined;  // the largest by the smallest
   std::size_t most_variable = 0, least_variable = 0;
-  std::vector<TestResult> tests = {};        // in the order of Role
+  std::vector<TestResult> tests = {};                    // in the order of Role
   double critical_difference = statistics::not_defined;  // Nemenyi's, of average ranks
   // Pairs first < second in order; where there are more than most_groups_in_pairs groups, or a control, only those with
   // one group, `reference`.
@@ -98,7 +100,9 @@ struct Evidence {
 
   const TestResult* test(std::string_view test_name) const;  // null where it was not made
   bool ranks_within_blocks() const { return blocks > 0 && plan.test != results::DecidingTest::kruskal_wallis; }
-  bool ranks_decide() const { return plan.test == results::DecidingTest::kruskal_wallis || plan.test == results::DecidingTest::friedman; }
+  bool ranks_decide() const {
+    return plan.test == results::DecidingTest::kruskal_wallis || plan.test == results::DecidingTest::friedman;
+  }
   // That p-values and intervals are corrected for: the pairs with the control, else all pairs.
   std::size_t family() const { return plan.control.empty() ? pairs : groups.size() - 1; }
 };

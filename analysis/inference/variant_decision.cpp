@@ -5,9 +5,9 @@
 #include <cmath>
 #include <vector>
 
-#include "analysis/statistics/p_adjust.hpp"
 #include "analysis/inference/text.hpp"
 #include "analysis/inference/variant_metric.hpp"
+#include "analysis/statistics/p_adjust.hpp"
 
 namespace ikbench::inference {
 

@@ -8,12 +8,12 @@
 #include <stdexcept>
 #include <utility>
 
+#include "analysis/inference/text.hpp"
 #include "analysis/statistics/mann_whitney.hpp"
 #include "analysis/statistics/power.hpp"
 #include "analysis/statistics/proportion.hpp"
 #include "analysis/statistics/rounding.hpp"
 #include "analysis/statistics/wilcoxon_signed_rank.hpp"
-#include "analysis/inference/text.hpp"
 #include "results/analysis_plan_fields.hpp"
 
 namespace ikbench::inference {

@@ -76,14 +76,15 @@ struct MetricComparison {
   std::string remark;    // what the numbers beside it do not say; may be empty
   statistics::GroupSummary a;
   statistics::GroupSummary b;
-  statistics::RatioComparison ratio;             // b / a, of the finite observations; p = 0 of no spread is an exact test's p here
-  int mean_favours = 0;              // 1: the mean of b is the better, -1: the worse; of the finite observations
-  double p_worse = statistics::not_defined;      // H0: not worse by more than the margin; as `decide` leaves it, corrected by Holm
+  statistics::RatioComparison ratio;  // b / a, of the finite observations; p = 0 of no spread is an exact test's p here
+  int mean_favours = 0;               // 1: the mean of b is the better, -1: the worse; of the finite observations
+  double p_worse =
+      statistics::not_defined;  // H0: not worse by more than the margin; as `decide` leaves it, corrected by Holm
   double p_better = statistics::not_defined;     // H0: not better by more than the margin; likewise
   double p_not_worse = statistics::not_defined;  // H0: worse by the margin or more
-  statistics::EffectSize b_better;               // Vargha and Delaney's A12: P(one of b is better) + P(as good) / 2, of any two
+  statistics::EffectSize b_better;  // Vargha and Delaney's A12: P(one of b is better) + P(as good) / 2, of any two
   double p_ranks = statistics::not_defined;      // Wilcoxon's signed ranks where paired, else Mann-Whitney; two-sided
-  int ranks_favour = 0;              // 1: the ranks are for b, -1: for a
+  int ranks_favour = 0;                          // 1: the ranks are for b, -1: for a
   double n_to_decide = statistics::not_defined;  // observations a side, likely (`power`), if the ratio is what it seems
 };
 

@@ -15,7 +15,7 @@ namespace ikbench::inference {
 // What one label of a study did.
 struct Variant {
   results::Series series;
-  StudyResults study;                  // of that label alone
+  StudyResults study;                           // of that label alone
   std::vector<results::Session> sessions = {};  // those that solved it
 };
 
@@ -31,11 +31,11 @@ struct VariantComparison {
 };
 
 // The metrics named, or all where none is. Observations are paired where both were given the same problems, as those of
-// a report are (analysis/inference/design.hpp): targets drawn in every run are paired run by run, and target by target where each
-// starts from the initial configuration; so are the targets of a path then, whose values are means over the runs. Runs
-// chained along a path are independent samples. Runs with points missing give nothing. Times are compared only where
-// both are clean and of one CPU. std::invalid_argument where a metric is unknown, one side has no complete run, or the
-// two were not given the same to do: another robot, other targets, another configuration to start from.
+// a report are (analysis/inference/design.hpp): targets drawn in every run are paired run by run, and target by target
+// where each starts from the initial configuration; so are the targets of a path then, whose values are means over the
+// runs. Runs chained along a path are independent samples. Runs with points missing give nothing. Times are compared
+// only where both are clean and of one CPU. std::invalid_argument where a metric is unknown, one side has no complete
+// run, or the two were not given the same to do: another robot, other targets, another configuration to start from.
 VariantComparison compare_variants(const Variant& a, const Variant& b, std::span<const std::string> metrics,
                                    const MarginQuestion& question);
 

@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
-#include "analysis/inference/evidence.hpp"
 #include "analysis/figures/figure.hpp"
+#include "analysis/inference/evidence.hpp"
 #include "analysis/report/table.hpp"
 
 namespace ikbench::report {

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <string_view>
 
-#include "analysis/report/json.hpp"
 #include "analysis/report/assessment.hpp"
+#include "analysis/report/json.hpp"
 
 namespace ikbench::report {
 
@@ -51,7 +51,8 @@ Json test_json(const TestResult& test) {
               {"df", json_number(test.df)},
               {"df_within", json_number(test.df_within)},
               {"p", json_number(test.p)}};
-  if (!test.effect_symbol.empty()) object["effect"] = {{"symbol", test.effect_symbol}, {"value", json_number(test.effect)}};
+  if (!test.effect_symbol.empty())
+    object["effect"] = {{"symbol", test.effect_symbol}, {"value", json_number(test.effect)}};
   add_reason(object, test.undefined);
   return object;
 }

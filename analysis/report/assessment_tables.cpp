@@ -4,9 +4,9 @@
 #include <cmath>
 #include <utility>
 
+#include "analysis/inference/text.hpp"
 #include "analysis/report/assessment.hpp"
 #include "analysis/statistics/effect_size.hpp"
-#include "analysis/inference/text.hpp"
 
 namespace ikbench::report {
 

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <utility>
 
+#include "analysis/inference/text.hpp"
 #include "analysis/report/assessment_words.hpp"
 #include "analysis/statistics/rounding.hpp"
-#include "analysis/inference/text.hpp"
 
 namespace ikbench::report {
 

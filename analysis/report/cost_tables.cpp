@@ -9,12 +9,12 @@
 #include <string>
 #include <string_view>
 
-#include "analysis/inference/definition.hpp"
 #include "analysis/figures/figure_parts.hpp"
+#include "analysis/inference/definition.hpp"
+#include "analysis/inference/text.hpp"
 #include "analysis/statistics/log_rank.hpp"
 #include "analysis/statistics/proportion.hpp"
 #include "analysis/statistics/survival.hpp"
-#include "analysis/inference/text.hpp"
 
 namespace ikbench::report {
 

@@ -5,11 +5,11 @@
 #include <optional>
 #include <vector>
 
-#include "analysis/inference/convergence.hpp"
 #include "analysis/figures/figure.hpp"
-#include "analysis/statistics/running_time.hpp"
+#include "analysis/inference/convergence.hpp"
 #include "analysis/inference/study.hpp"
 #include "analysis/report/table.hpp"
+#include "analysis/statistics/running_time.hpp"
 
 namespace ikbench::report {
 

@@ -10,9 +10,9 @@
 
 #include "analysis/inference/definition.hpp"
 #include "analysis/inference/ranking.hpp"
+#include "analysis/inference/text.hpp"
 #include "analysis/statistics/descriptive.hpp"
 #include "analysis/statistics/welch.hpp"
-#include "analysis/inference/text.hpp"
 
 namespace ikbench::report {
 

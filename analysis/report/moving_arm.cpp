@@ -8,9 +8,9 @@
 #include <map>
 #include <numbers>
 
+#include "analysis/inference/text.hpp"
 #include "analysis/report/json.hpp"
 #include "results/files.hpp"
-#include "analysis/inference/text.hpp"
 
 namespace ikbench::report {
 

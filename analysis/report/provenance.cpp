@@ -21,7 +21,8 @@ namespace {
 using SortedJson = nlohmann::json;
 
 std::string text_of_json(const SortedJson& value) {
-  return value.is_string() ? value.get<std::string>() : value.dump(-1, ' ', false, SortedJson::error_handler_t::replace);
+  return value.is_string() ? value.get<std::string>()
+                           : value.dump(-1, ' ', false, SortedJson::error_handler_t::replace);
 }
 
 // One row per value: path.kind, helix.

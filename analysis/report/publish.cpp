@@ -6,11 +6,11 @@
 #include <iterator>
 #include <utility>
 
-#include "results/files.hpp"
 #include "analysis/report/latex_table.hpp"
 #include "analysis/report/moving_arm.hpp"
 #include "analysis/report/report_html.hpp"
 #include "analysis/report/report_markdown.hpp"
+#include "results/files.hpp"
 
 namespace ikbench::report {
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "analysis/report/assessment.hpp"
 #include "analysis/figures/figure.hpp"
+#include "analysis/report/assessment.hpp"
 #include "analysis/report/report_content.hpp"
 #include "analysis/report/table.hpp"
 

@@ -9,23 +9,23 @@
 #include <optional>
 #include <string_view>
 
-#include "analysis/inference/analysis_plan.hpp"
-#include "analysis/report/assessment.hpp"
-#include "analysis/inference/convergence.hpp"
 #include "analysis/figures/convergence_figures.hpp"
-#include "analysis/report/cost_tables.hpp"
+#include "analysis/figures/figure_parts.hpp"
+#include "analysis/inference/analysis_plan.hpp"
+#include "analysis/inference/convergence.hpp"
 #include "analysis/inference/definition.hpp"
 #include "analysis/inference/design.hpp"
-#include "analysis/figures/figure_parts.hpp"
+#include "analysis/inference/text.hpp"
+#include "analysis/report/assessment.hpp"
+#include "analysis/report/cost_tables.hpp"
 #include "analysis/report/limits_table.hpp"
 #include "analysis/report/moving_arm.hpp"
-#include "analysis/slim2023/paper_figures.hpp"
-#include "analysis/slim2023/paper_tables.hpp"
 #include "analysis/report/provenance.hpp"
-#include "analysis/slim2023/published_numbers.hpp"
 #include "analysis/report/report_content.hpp"
 #include "analysis/report/summary.hpp"
-#include "analysis/inference/text.hpp"
+#include "analysis/slim2023/paper_figures.hpp"
+#include "analysis/slim2023/paper_tables.hpp"
+#include "analysis/slim2023/published_numbers.hpp"
 #include "results/published.hpp"
 
 namespace ikbench::report {

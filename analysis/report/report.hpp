@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "analysis/figures/figure.hpp"
-#include "analysis/report/publish.hpp"
 #include "analysis/inference/study.hpp"
+#include "analysis/report/publish.hpp"
 #include "analysis/report/table.hpp"
 #include "results/analysis_plan.hpp"
 #include "results/store.hpp"
@@ -17,10 +17,10 @@ namespace ikbench::report {
 
 struct ReportRequest {
   std::string study;
-  std::filesystem::path folder;           // made where missing; files of the same names are replaced
+  std::filesystem::path folder;                    // made where missing; files of the same names are replaced
   std::optional<results::AnalysisPlan> plan = {};  // instead of the study's own, which the report says
   figures::RenderOptions figures = {};
-  std::vector<Table> extra_tables = {};    // written and shown with the others (report_content.cpp says where)
+  std::vector<Table> extra_tables = {};             // written and shown with the others (report_content.cpp says where)
   std::vector<figures::Figure> extra_figures = {};  // likewise
 };
 

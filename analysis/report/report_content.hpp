@@ -5,10 +5,10 @@
 #include <variant>
 #include <vector>
 
-#include "analysis/report/assessment.hpp"
 #include "analysis/figures/figure.hpp"
-#include "analysis/slim2023/report_findings.hpp"
+#include "analysis/report/assessment.hpp"
 #include "analysis/report/table.hpp"
+#include "analysis/slim2023/report_findings.hpp"
 
 namespace ikbench::report {
 

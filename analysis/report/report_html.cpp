@@ -8,10 +8,10 @@
 #include <string_view>
 #include <utility>
 
-#include "results/files.hpp"
+#include "analysis/inference/text.hpp"
 #include "analysis/report/report_svg.hpp"
 #include "numerics/sha256.hpp"
-#include "analysis/inference/text.hpp"
+#include "results/files.hpp"
 
 namespace ikbench::report {
 

@@ -1,4 +1,5 @@
-// The report of assessments alone, of data from anywhere: report.html, report.md, statistics.json, tables/ and figures/.
+// The report of assessments alone, of data from anywhere: report.html, report.md, statistics.json, tables/ and
+// figures/.
 #pragma once
 
 #include <filesystem>

@@ -7,14 +7,14 @@
 #include <span>
 #include <utility>
 
-#include "analysis/slim2023/circle.hpp"
 #include "analysis/figures/figure_parts.hpp"
+#include "analysis/inference/ranking.hpp"
+#include "analysis/inference/text.hpp"
+#include "analysis/slim2023/circle.hpp"
 #include "analysis/slim2023/paper_tables.hpp"
 #include "analysis/slim2023/published_numbers.hpp"
-#include "analysis/inference/ranking.hpp"
-#include "analysis/statistics/welch.hpp"
-#include "analysis/inference/text.hpp"
 #include "analysis/slim2023/time_assessment.hpp"
+#include "analysis/statistics/welch.hpp"
 
 namespace ikbench::report {
 

@@ -7,8 +7,8 @@
 #include <cstddef>
 
 #include "analysis/inference/text.hpp"
-#include "results/csv.hpp"
 #include "numerics/number.hpp"
+#include "results/csv.hpp"
 
 namespace ikbench::report {
 

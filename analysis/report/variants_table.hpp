@@ -5,18 +5,21 @@
 #include <string>
 #include <vector>
 
-#include "analysis/report/table.hpp"
 #include "analysis/inference/variants.hpp"
+#include "analysis/report/table.hpp"
 
 namespace ikbench::report {
 
 // One row a label and metric, everything that is known of it. a12: P(an observation of B is better than one of A).
-Table variants_table(std::span<const inference::VariantComparison> comparisons, const inference::MarginQuestion& question);
+Table variants_table(std::span<const inference::VariantComparison> comparisons,
+                     const inference::MarginQuestion& question);
 // The designs and the notes, with their label; what holds for every label is said once, without.
 std::vector<std::string> variants_notes(std::span<const inference::VariantComparison> comparisons);
 // Whether a regression beyond the margin is shown, and what is not decided.
-std::string variants_verdict(std::span<const inference::VariantComparison> comparisons, const inference::MarginQuestion& question);
+std::string variants_verdict(std::span<const inference::VariantComparison> comparisons,
+                             const inference::MarginQuestion& question);
 // One object: verdict, significance, margin, notes and rows, each as in the table; null where nothing is defined.
-std::string variants_json(std::span<const inference::VariantComparison> comparisons, const inference::MarginQuestion& question);
+std::string variants_json(std::span<const inference::VariantComparison> comparisons,
+                          const inference::MarginQuestion& question);
 
 }  // namespace ikbench::report

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analysis/inference/text.hpp"
 #include "analysis/slim2023/audit_items.hpp"
 #include "analysis/slim2023/published_numbers.hpp"
-#include "analysis/inference/text.hpp"
 
 namespace ikbench::slim2023 {
 

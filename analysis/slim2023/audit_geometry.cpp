@@ -8,10 +8,10 @@
 #include <numbers>
 #include <utility>
 
+#include "analysis/inference/text.hpp"
 #include "analysis/slim2023/audit_items.hpp"
 #include "analysis/slim2023/published_numbers.hpp"
 #include "analysis/statistics/descriptive.hpp"
-#include "analysis/inference/text.hpp"
 #include "results/published.hpp"
 
 namespace ikbench::slim2023 {

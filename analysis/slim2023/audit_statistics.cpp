@@ -5,11 +5,11 @@
 #include <array>
 #include <cmath>
 
+#include "analysis/inference/text.hpp"
 #include "analysis/slim2023/audit_items.hpp"
 #include "analysis/slim2023/published_numbers.hpp"
 #include "analysis/statistics/multiple_comparisons.hpp"
 #include "analysis/statistics/welch.hpp"
-#include "analysis/inference/text.hpp"
 #include "results/published.hpp"
 
 namespace ikbench::slim2023 {

@@ -8,11 +8,11 @@
 #include <numbers>
 #include <vector>
 
-#include "analysis/inference/definition.hpp"
 #include "analysis/figures/figure_parts.hpp"
+#include "analysis/inference/definition.hpp"
+#include "analysis/inference/text.hpp"
 #include "analysis/slim2023/published_numbers.hpp"
 #include "analysis/statistics/descriptive.hpp"
-#include "analysis/inference/text.hpp"
 
 namespace ikbench::slim2023 {
 

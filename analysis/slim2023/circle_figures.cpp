@@ -10,12 +10,12 @@
 #include <numbers>
 
 #include "analysis/figures/arm.hpp"
-#include "analysis/slim2023/circle.hpp"
-#include "analysis/inference/definition.hpp"
 #include "analysis/figures/figure_parts.hpp"
+#include "analysis/inference/definition.hpp"
+#include "analysis/inference/text.hpp"
+#include "analysis/slim2023/circle.hpp"
 #include "analysis/slim2023/published_numbers.hpp"
 #include "analysis/statistics/descriptive.hpp"
-#include "analysis/inference/text.hpp"
 #include "numerics/number.hpp"
 
 namespace ikbench::slim2023 {

@@ -10,12 +10,12 @@
 #include <string_view>
 
 #include "analysis/figures/axis.hpp"
-#include "analysis/slim2023/circle_figures.hpp"
-#include "analysis/inference/definition.hpp"
 #include "analysis/figures/figure_parts.hpp"
+#include "analysis/inference/definition.hpp"
+#include "analysis/inference/text.hpp"
+#include "analysis/slim2023/circle_figures.hpp"
 #include "analysis/slim2023/published_numbers.hpp"
 #include "analysis/statistics/descriptive.hpp"
-#include "analysis/inference/text.hpp"
 #include "numerics/number.hpp"
 
 namespace ikbench::slim2023 {

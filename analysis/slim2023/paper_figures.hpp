@@ -5,12 +5,12 @@
 #include <vector>
 
 #include "analysis/figures/figure.hpp"
-#include "analysis/statistics/quantile.hpp"
 #include "analysis/inference/study.hpp"
+#include "analysis/statistics/quantile.hpp"
 
 namespace ikbench::slim2023 {
 
-figures::Figure path_figure(const inference::StudyResults& study);                   // figure-5
+figures::Figure path_figure(const inference::StudyResults& study);                              // figure-5
 figures::Figure curves_figure(const inference::StudyResults& study, inference::Metric metric);  // figure-6, 7, 8
 std::vector<figures::Figure> joint_figures(
     const inference::StudyResults& study);  // figure-9-a, figure-9-b, ...: one per solver that has solves
@@ -23,6 +23,7 @@ struct BoxRequest {
 figures::Figure box_figure(const inference::StudyResults& study, const BoxRequest& request);  // figure-10, 11, 12
 
 // All of them in the paper's order; none where nothing was solved.
-std::vector<figures::Figure> paper_figures(const inference::StudyResults& study, results::Unit unit, statistics::QuantileType quartiles);
+std::vector<figures::Figure> paper_figures(const inference::StudyResults& study, results::Unit unit,
+                                           statistics::QuantileType quartiles);
 
 }  // namespace ikbench::slim2023

@@ -10,8 +10,8 @@
 
 #include "analysis/slim2023/circle.hpp"
 #include "analysis/slim2023/published_numbers.hpp"
-#include "analysis/statistics/welch.hpp"
 #include "analysis/slim2023/time_assessment.hpp"
+#include "analysis/statistics/welch.hpp"
 #include "results/published.hpp"
 
 namespace ikbench::slim2023 {

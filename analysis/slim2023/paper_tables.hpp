@@ -8,9 +8,9 @@
 #include <string_view>
 #include <vector>
 
-#include "analysis/statistics/anova.hpp"
 #include "analysis/inference/study.hpp"
 #include "analysis/report/table.hpp"
+#include "analysis/statistics/anova.hpp"
 
 namespace ikbench::slim2023 {
 
@@ -26,7 +26,8 @@ struct Comparison {
   inference::Metric metric;
   statistics::Description ours;
   double paper_mean = statistics::not_defined;
-  double ratio = statistics::not_defined;  // ours by the printed mean; for seconds, both first divided by those of IK-BA
+  double ratio =
+      statistics::not_defined;  // ours by the printed mean; for seconds, both first divided by those of IK-BA
   Agreement agreement = Agreement::none;
 };
 
@@ -46,11 +47,13 @@ struct StudyAnova {
 StudyAnova anova(const inference::StudyResults& study, inference::Metric metric, results::Unit unit);
 
 // The printed ANOVA of that metric where it answers the same question: the same solvers, runs as observations.
-std::optional<statistics::AnovaTable> comparable_printed_anova(const inference::StudyResults& study, inference::Metric metric, results::Unit unit);
+std::optional<statistics::AnovaTable> comparable_printed_anova(const inference::StudyResults& study,
+                                                               inference::Metric metric, results::Unit unit);
 
 report::Table table_3(const inference::StudyResults& study, results::Unit unit);
 report::Table table_3_as_printed(std::string_view paper);
-report::Table anova_table(const inference::StudyResults& study, inference::Metric metric, results::Unit unit);  // table-4, table-5, table-6
+report::Table anova_table(const inference::StudyResults& study, inference::Metric metric,
+                          results::Unit unit);  // table-4, table-5, table-6
 report::Table anova_from_printed_table_3(std::string_view paper);
 report::Table status_table(const inference::StudyResults& study);
 

@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
-#include "analysis/statistics/anova.hpp"
 #include "analysis/inference/study.hpp"
+#include "analysis/statistics/anova.hpp"
 
 namespace ikbench::slim2023 {
 
@@ -26,7 +26,8 @@ std::vector<PrintedRow> printed_table_3(std::string_view paper, inference::Metri
 // Table 7's, whatever the labels of the solvers.
 std::vector<PrintedRow> printed_table_3(const inference::StudyResults& study, inference::Metric metric);
 std::optional<PrintedRow> printed_row(std::string_view paper, std::string_view algorithm, inference::Metric metric);
-std::optional<PrintedRow> printed_row(const inference::StudyResults& study, std::string_view algorithm, inference::Metric metric);
+std::optional<PrintedRow> printed_row(const inference::StudyResults& study, std::string_view algorithm,
+                                      inference::Metric metric);
 
 // A printed ANOVA (Tables 4-6: error, variation, time), cells as printed; nothing where it is not published.
 std::optional<statistics::AnovaTable> printed_anova(std::string_view paper, inference::Metric metric);

@@ -9,9 +9,9 @@
 #include <stdexcept>
 
 #include "analysis/figures/figure_parts.hpp"
+#include "analysis/inference/text.hpp"
 #include "analysis/slim2023/published_numbers.hpp"
 #include "analysis/statistics/descriptive.hpp"
-#include "analysis/inference/text.hpp"
 #include "numerics/number.hpp"
 #include "results/published.hpp"
 

@@ -28,7 +28,7 @@ struct ReadingResults {
 };
 
 struct ReadingsReport {
-  report::Table table;    // "readings"
+  report::Table table;     // "readings"
   figures::Figure figure;  // "readings"
 };
 

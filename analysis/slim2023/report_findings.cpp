@@ -8,18 +8,18 @@
 #include <limits>
 #include <optional>
 
-#include "analysis/slim2023/circle.hpp"
 #include "analysis/inference/convergence.hpp"
 #include "analysis/inference/definition.hpp"
-#include "analysis/slim2023/paper_tables.hpp"
-#include "analysis/report/provenance.hpp"
-#include "analysis/slim2023/published_numbers.hpp"
 #include "analysis/inference/ranking.hpp"
+#include "analysis/inference/text.hpp"
+#include "analysis/report/provenance.hpp"
+#include "analysis/slim2023/circle.hpp"
+#include "analysis/slim2023/paper_tables.hpp"
+#include "analysis/slim2023/published_numbers.hpp"
+#include "analysis/slim2023/time_assessment.hpp"
 #include "analysis/statistics/descriptive.hpp"
 #include "analysis/statistics/studentized_range.hpp"
 #include "analysis/statistics/welch.hpp"
-#include "analysis/inference/text.hpp"
-#include "analysis/slim2023/time_assessment.hpp"
 #include "results/published.hpp"
 
 namespace ikbench::slim2023 {

@@ -26,6 +26,7 @@ std::string tally(const std::vector<Finding>& findings);
 
 // Those of the study and of its companions, studies of the paper's other experiments. None where nothing is published
 // of them, or nothing is solved.
-std::vector<Finding> findings(const inference::StudyResults& study, const std::vector<inference::StudyResults>& companions, results::Unit unit);
+std::vector<Finding> findings(const inference::StudyResults& study,
+                              const std::vector<inference::StudyResults>& companions, results::Unit unit);
 
 }  // namespace ikbench::slim2023

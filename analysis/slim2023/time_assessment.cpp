@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "analysis/inference/definition.hpp"
+#include "analysis/inference/text.hpp"
 #include "analysis/slim2023/published_numbers.hpp"
 #include "analysis/statistics/descriptive.hpp"
-#include "analysis/inference/text.hpp"
 #include "results/published.hpp"
 
 namespace ikbench::slim2023 {

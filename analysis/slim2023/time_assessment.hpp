@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "analysis/slim2023/published_numbers.hpp"
-#include "analysis/statistics/descriptive.hpp"
 #include "analysis/inference/study.hpp"
 #include "analysis/report/table.hpp"
+#include "analysis/slim2023/published_numbers.hpp"
+#include "analysis/statistics/descriptive.hpp"
 
 namespace ikbench::slim2023 {
 

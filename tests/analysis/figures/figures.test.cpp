@@ -3,8 +3,8 @@
 #include <stdexcept>
 
 #include "analysis/figures/axis.hpp"
-#include "analysis/slim2023/paper_figures.hpp"
 #include "analysis/figures/process.hpp"
+#include "analysis/slim2023/paper_figures.hpp"
 #include "tests/analysis/folder.hpp"
 #include "tests/analysis/synthetic.hpp"
 #include "tests/catch.hpp"

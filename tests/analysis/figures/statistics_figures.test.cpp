@@ -6,10 +6,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "analysis/statistics/kernel_density.hpp"
 #include "analysis/figures/row_chart.hpp"
-#include "tests/analysis/folder.hpp"
 #include "analysis/inference/text.hpp"
+#include "analysis/statistics/kernel_density.hpp"
+#include "tests/analysis/folder.hpp"
 #include "tests/catch.hpp"
 
 using namespace ikbench;

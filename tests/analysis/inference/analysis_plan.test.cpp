@@ -1,8 +1,8 @@
 // Whether the methods were fixed before the data were seen, as the store has it; and stores that say nothing, or
 // nonsense.
 #include "analysis/inference/analysis_plan.hpp"
-#include "analysis/report/provenance.hpp"
 
+#include "analysis/report/provenance.hpp"
 #include "results/analysis_plan_fields.hpp"
 #include "tests/catch.hpp"
 

@@ -10,8 +10,8 @@
 #include <utility>
 #include <vector>
 
-#include "analysis/report/assessment.hpp"
 #include "analysis/inference/observations_csv.hpp"
+#include "analysis/report/assessment.hpp"
 #include "tests/catch.hpp"
 
 using namespace ikbench;

@@ -12,9 +12,9 @@
 #include <utility>
 #include <vector>
 
-#include "analysis/report/assessment.hpp"
 #include "analysis/inference/contrasts.hpp"
 #include "analysis/inference/evidence.hpp"
+#include "analysis/report/assessment.hpp"
 #include "tests/catch.hpp"
 
 using namespace ikbench;

@@ -89,7 +89,8 @@ TEST_CASE("equal values that are too few are said to be equal, and no more", "[a
   for (const std::string& sentence : sentences_of(evidence(with({{1, 1}, {1, 1}}), {}))) text += sentence + '\n';
   INFO(text);
   CHECK(text.find("In short: g0 is not told apart from g1.") != std::string::npos);
-  CHECK(text.find("Not told apart: g0 and g1 (equal in all observations, but too few to call them the same)") != std::string::npos);
+  CHECK(text.find("Not told apart: g0 and g1 (equal in all observations, but too few to call them the same)") !=
+        std::string::npos);
   CHECK(text.find("same within") == std::string::npos);
 }
 

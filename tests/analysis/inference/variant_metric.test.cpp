@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "tests/analysis/synthetic.hpp"
 #include "tests/analysis/inference/variant_samples.hpp"
+#include "tests/analysis/synthetic.hpp"
 #include "tests/catch.hpp"
 #include "tests/results/samples.hpp"
 

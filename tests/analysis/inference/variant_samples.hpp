@@ -56,7 +56,7 @@ struct Solved {
 };
 
 inline inference::Variant variant(const Solved& shape, const std::function<double(int run, int point)>& error_cm,
-                       const Change& change = {}) {
+                                  const Change& change = {}) {
   std::vector<results::SolveRecord> solves;
   for (int run = 1; run <= shape.runs; ++run) {
     for (int point = 1; point <= shape.points; ++point) {
@@ -75,17 +75,20 @@ inline inference::Variant variant(const Solved& shape, const std::function<doubl
 // Every run has a target of its own.
 inline void draw_target(results::SolveRecord& solve) { solve.target_position_m[0] = 0.01 * solve.run; }
 
-inline inference::VariantComparison compared(const inference::Variant& a, const inference::Variant& b, const std::vector<std::string>& metrics = {},
-                                  const inference::MarginQuestion& question = {}) {
+inline inference::VariantComparison compared(const inference::Variant& a, const inference::Variant& b,
+                                             const std::vector<std::string>& metrics = {},
+                                             const inference::MarginQuestion& question = {}) {
   return inference::compare_variants(a, b, metrics, question);
 }
 
 // The error alone.
-inline inference::MetricComparison error_of(const inference::Variant& a, const inference::Variant& b, const inference::MarginQuestion& question = {}) {
+inline inference::MetricComparison error_of(const inference::Variant& a, const inference::Variant& b,
+                                            const inference::MarginQuestion& question = {}) {
   return compared(a, b, {"position_error_cm"}, question).metrics.front();
 }
 
-inline const inference::MetricComparison& metric_of(const inference::VariantComparison& comparison, std::string_view name) {
+inline const inference::MetricComparison& metric_of(const inference::VariantComparison& comparison,
+                                                    std::string_view name) {
   return *std::ranges::find(comparison.metrics, name, &inference::MetricComparison::metric);
 }
 

@@ -1,8 +1,7 @@
-#include "analysis/report/variants_table.hpp"
-
 #include <cmath>
 #include <stdexcept>
 
+#include "analysis/report/variants_table.hpp"
 #include "results/analysis_plan_fields.hpp"
 #include "tests/analysis/cells.hpp"
 #include "tests/analysis/inference/variant_samples.hpp"

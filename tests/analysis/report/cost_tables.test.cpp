@@ -1,10 +1,10 @@
-#include "analysis/figures/convergence_figures.hpp"
 #include "analysis/report/cost_tables.hpp"
 
-#include <optional>
 #include <limits>
+#include <optional>
 #include <sstream>
 
+#include "analysis/figures/convergence_figures.hpp"
 #include "tests/analysis/cells.hpp"
 #include "tests/analysis/synthetic.hpp"
 #include "tests/catch.hpp"

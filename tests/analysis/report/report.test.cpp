@@ -5,10 +5,10 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "results/files.hpp"
 #include "analysis/report/provenance.hpp"
 #include "analysis/report/summary.hpp"
 #include "results/csv.hpp"
+#include "results/files.hpp"
 #include "tests/analysis/folder.hpp"
 #include "tests/analysis/synthetic.hpp"
 #include "tests/catch.hpp"

@@ -4,9 +4,9 @@
 #include <set>
 #include <stdexcept>
 
+#include "analysis/report/report.hpp"
 #include "analysis/slim2023/audit_items.hpp"
 #include "analysis/slim2023/published_numbers.hpp"
-#include "analysis/report/report.hpp"
 #include "tests/analysis/folder.hpp"
 #include "tests/catch.hpp"
 
