@@ -18,7 +18,7 @@ struct CsvFile {
   std::string source;
   results::CsvTable table;
 
-  [[noreturn]] void results::refuse(std::string_view what) const;
+  [[noreturn]] void refuse(std::string_view what) const;
   // Of a cell: names its row, its column and its text.
   [[noreturn]] void refuse_cell(std::size_t row, std::size_t column, std::string_view what) const;
 

@@ -6,7 +6,10 @@
 #include "numerics/functions.hpp"
 #include "numerics/units.hpp"
 
-namespace ikbench {
+namespace ikbench::experiments {
+
+using namespace numerics;
+using namespace robots;
 
 namespace {
 
@@ -51,4 +54,4 @@ class Circle final : public PathKind {
 
 std::unique_ptr<PathKind> circle_path() { return std::make_unique<Circle>(); }
 
-}  // namespace ikbench
+}  // namespace ikbench::experiments

@@ -7,7 +7,10 @@
 #include "numerics/functions.hpp"
 #include "numerics/units.hpp"
 
-namespace ikbench {
+namespace ikbench::experiments {
+
+using namespace numerics;
+using namespace robots;
 
 namespace {
 
@@ -74,4 +77,4 @@ class Helix final : public PathKind {
 
 std::unique_ptr<PathKind> helix_path() { return std::make_unique<Helix>(); }
 
-}  // namespace ikbench
+}  // namespace ikbench::experiments

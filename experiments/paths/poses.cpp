@@ -1,7 +1,10 @@
 // Poses, one by one as a study file or a program gives them.
 #include "experiments/path.hpp"
 
-namespace ikbench {
+namespace ikbench::experiments {
+
+using namespace numerics;
+using namespace robots;
 
 namespace {
 
@@ -31,4 +34,4 @@ std::unique_ptr<PathKind> poses_path() { return std::make_unique<Poses>(std::vec
 
 Path path_through(std::vector<Pose> poses) { return Path(std::make_unique<Poses>(std::move(poses))); }
 
-}  // namespace ikbench
+}  // namespace ikbench::experiments

@@ -1,7 +1,10 @@
 // Targets drawn anew for every run, of configurations so that the arm can reach them: Slim et al. 2023, Table 7.
 #include "experiments/path.hpp"
 
-namespace ikbench {
+namespace ikbench::experiments {
+
+using namespace numerics;
+using namespace robots;
 
 namespace {
 
@@ -38,4 +41,4 @@ class RandomTargets final : public PathKind {
 
 std::unique_ptr<PathKind> random_path() { return std::make_unique<RandomTargets>(); }
 
-}  // namespace ikbench
+}  // namespace ikbench::experiments
