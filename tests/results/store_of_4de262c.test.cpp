@@ -10,6 +10,7 @@
 #include "tests/catch.hpp"
 #include "tests/results/samples.hpp"
 
+using namespace ikbench;
 using namespace ikbench::results;
 
 namespace {

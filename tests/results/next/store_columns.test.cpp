@@ -14,6 +14,7 @@
 #include "tests/results/processes.hpp"
 #include "tests/results/samples.hpp"
 
+using namespace ikbench;
 using namespace ikbench::results;
 
 namespace {
