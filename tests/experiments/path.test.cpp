@@ -146,7 +146,7 @@ TEST_CASE("a path has so many targets as it says, of finite numbers, and each is
   for (const Path& path : with_points(5)) {
     INFO(path->name());
     CHECK(path->points() == 5);
-    for (const Robot& arm : robots()) {
+    for (const Robot& arm : all_robots()) {
       Random random(Key(1));
       const std::vector<Pose> poses = path->poses(arm, random);
       REQUIRE(poses.size() == 5);
