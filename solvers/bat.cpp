@@ -88,7 +88,8 @@ class Bat final : public Solver {
     const auto bats = Eigen::seqN(first, count);
     const double step = options_.step_factor * loudness_.mean();
     for (Eigen::Index j = 0; j < x_.rows(); ++j) {
-      kernels_.fly({.pole = best_.q[j],  // Eqs. 6 and 7
+      // Eq. 6: V <- V + (X - X_best) f;  Eq. 7: X <- X + V
+      kernels_.fly({.pole = best_.q[j],
                     .frequency = &frequency_[first],
                     .x = &x_(j, first),
                     .v = &v_(j, first),

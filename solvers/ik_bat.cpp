@@ -97,15 +97,17 @@ class IkBat final : public Solver {
     const double r = pulse_rate_;
     for (Eigen::Index j = 0; j < x_.rows(); ++j) {
       const double best = best_.q[j], theta_s = problem_.start[j];
-      kernels_.fly({.pole = 0.5 * (best + theta_s),  // Eqs. 13 and 7
+      // Eq. 13: V <- V + (X - (X_best + Theta_s) / 2) f;  Eq. 7: X <- X + V
+      kernels_.fly({.pole = 0.5 * (best + theta_s),
                     .frequency = &frequency_[first],
                     .x = &x_(j, first),
                     .v = &v_(j, first),
                     .x_next = &x_next_(j, first),
                     .v_next = &v_next_(j, first),
                     .count = count});
-      kernels_.scatter(r * best + (1 - r) * theta_s, options_.step_factor * loudness_,  // Eq. 14
-                       &epsilon_(j, first), &candidates_(j, first), count);
+      // Eq. 14: X_new = r X_best + (1 - r) Theta_s + eps A, here with step_factor A (docs/paper-notes.md 2.4)
+      kernels_.scatter(r * best + (1 - r) * theta_s, options_.step_factor * loudness_, &epsilon_(j, first),
+                       &candidates_(j, first), count);
     }
     keep_inside(options_.bounds, problem_, candidates_.middleCols(first, count));
   }

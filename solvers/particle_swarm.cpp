@@ -77,7 +77,8 @@ class ParticleSwarm final : public Solver {
  private:
   void fly(Eigen::Index first, Eigen::Index count) {
     for (Eigen::Index j = 0; j < x_.rows(); ++j) {
-      kernels_.swarm({.inertia = options_.inertia,  // Shi and Eberhart 1998
+      // Shi and Eberhart 1998: v <- w v + c1 u1 (personal best - x) + c2 u2 (best - x);  x <- x + v
+      kernels_.swarm({.inertia = options_.inertia,
                       .cognitive = options_.cognitive,
                       .social = options_.social,
                       .best = best_.q[j],
