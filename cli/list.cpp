@@ -49,24 +49,30 @@ std::string robot_list() {
   return aligned(rows);
 }
 
-std::string robot_details(std::string_view name) {
-  const Robot arm = robot(name);
-  const Chain* const chain = arm.chain();
-  Rows rows{{"JOINT", "from [deg]", "to [deg]"}};
-  if (chain != nullptr) rows[0].insert(rows[0].end(), {"a [m]", "alpha [deg]", "d [m]", "offset [deg]"});
+std::string frame_text(std::string_view name, const Frame& frame) {
+  if (frame == Frame()) return "";
+  const Eigen::Vector3d &at = frame.position, rpy_deg = frame.rpy / degree;
+  return fmt::format("{} at ({:g}, {:g}, {:g}) m, roll pitch yaw ({:g}, {:g}, {:g}) deg\n", name, at.x(), at.y(),
+                     at.z(), rpy_deg.x(), rpy_deg.y(), rpy_deg.z());
+}
+
+std::string robot_details(const std::string& name) {
+  const Robot arm = is_arm_file(name) ? load_robot(name) : robot(name);
+  Rows rows{{"JOINT", "", "from", "to", "", "a [m]", "alpha [deg]", "d [m]", "offset [deg]"}};
   for (int j = 0; j < arm.joints(); ++j) {
-    std::vector<double> numbers{arm.limits.lower[j] / degree, arm.limits.upper[j] / degree};
-    if (chain != nullptr) {
-      const DhLink& link = chain->links()[static_cast<std::size_t>(j)];
-      numbers.insert(numbers.end(), {link.a, link.alpha / degree, link.d, link.offset / degree});
-    }
-    std::vector<std::string> row{std::to_string(j + 1)};
-    for (const double number : numbers) row.push_back(fmt::format("{:g}", number));
-    rows.push_back(row);
+    const DhLink& link = arm.chain.links()[static_cast<std::size_t>(j)];
+    const bool slides = link.joint == Joint::slides;
+    const double unit = slides ? 1 : degree;
+    const auto text = [](double number) { return fmt::format("{:g}", number); };
+    rows.push_back({std::to_string(j + 1),
+                    slides                         ? "slides"
+                    : link.joint == Joint::coupled ? "coupled"
+                                                   : "turns",
+                    text(arm.limits.lower[j] / unit), text(arm.limits.upper[j] / unit), slides ? "m" : "deg",
+                    text(link.a), text(link.alpha / degree), text(link.d), text(link.offset / degree)});
   }
-  return fmt::format("{}: {}\n{}\n\n{}", arm.name, arm.summary,
-                     chain != nullptr ? "Denavit-Hartenberg, standard form" : "a closed form of its own",
-                     aligned(rows));
+  return fmt::format("{}: {}\nfrom {}\n\n{}{}{}", arm.name, arm.summary, arm.source,
+                     frame_text("base", arm.chain.base()), frame_text("tool", arm.chain.tool()), aligned(rows));
 }
 
 std::string study_list() {

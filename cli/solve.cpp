@@ -22,6 +22,7 @@ using namespace robots;
 using namespace solvers;
 using namespace results;
 using namespace experiments;
+using namespace figures;
 using namespace report;
 
 namespace {
@@ -37,7 +38,7 @@ struct SolveArguments {
 // The study that asks for just this; read as a file would be, so that the same ranges hold.
 Study study_of(const SolveArguments& arguments) {
   solver(arguments.solver);
-  const Robot arm = robot(arguments.robot);
+  const Robot arm = is_arm_file(arguments.robot) ? load_robot(arguments.robot) : robot(arguments.robot);
   const int joints = arm.joints();
   if (!arguments.start_deg.empty() && arguments.start_deg.size() != static_cast<std::size_t>(joints)) {
     throw std::invalid_argument(fmt::format("--start-deg has {} angles; expected {}, the joints of {}",
@@ -54,9 +55,9 @@ Study study_of(const SolveArguments& arguments) {
   for (std::size_t j = 0; j < arguments.start_deg.size(); ++j) {
     study.initial[static_cast<Eigen::Index>(j)] = arguments.start_deg[j] * degree;
   }
-  const std::string search = !arguments.search.empty()                                      ? arguments.search
-                             : arm.chain() != nullptr && SphericalWrist::fits(*arm.chain()) ? "wrist"
-                                                                                            : "all_joints";
+  const std::string search = !arguments.search.empty()         ? arguments.search
+                             : SphericalWrist::fits(arm.chain) ? "wrist"
+                                                               : "all_joints";
   Overrides overrides{"search=" + search, fmt::format("seed={}", arguments.seed), "runs=1",
                       fmt::format("stop.tolerance_cm={}", arguments.tolerance_cm)};
   for (const std::string& text : arguments.overrides) {
@@ -78,15 +79,18 @@ Pose target_of(const SolveArguments& arguments) {
   return target;
 }
 
-std::string shown(const SolveRecord& record, Search search) {
+std::string shown(const SolveRecord& record, const Study& study) {
+  const Robot arm = arm_of(study);
   std::vector<std::vector<std::string>> rows{{"solver", record.solver},
                                              {"status", std::string(name_of(record.status))}};
   for (std::size_t j = 0; j < record.answer_rad.size(); ++j) {
-    rows.push_back({fmt::format("joint {} [deg]", j + 1), fmt::format("{:.6f}", record.answer_rad[j] / degree)});
+    const bool slides = arm.chain.links()[j].joint == Joint::slides;
+    rows.push_back({fmt::format("joint {} [{}]", j + 1, slides ? "cm" : "deg"),
+                    fmt::format("{:.6f}", record.answer_rad[j] / (slides ? centimetre : degree))});
   }
   rows.push_back({"position error [cm]", fmt::format("{:.6g}", record.position_error_cm)});
   rows.push_back({"orientation error", fmt::format("{:.6g}{}", record.orientation_error,
-                                                   search == Search::all_joints ? " (not sought)" : "")});
+                                                   study.search == Search::all_joints ? " (not sought)" : "")});
   rows.push_back({"variation [deg]", fmt::format("{:.4f}", record.variation_deg)});
   rows.push_back({"limit violation [deg]", fmt::format("{:.4f}", record.limit_violation_deg)});
   rows.push_back({"evaluations", std::to_string(record.evaluations)});
@@ -107,13 +111,16 @@ void add_solve(CLI::App& app) {
   command->add_option("--tool", arguments->tool, "how the tool is held: down or eq27")
       ->check(CLI::IsMember({"down", "eq27"}))
       ->capture_default_str();
-  command->add_option("--robot", arguments->robot, "see: ikbench list robots")->capture_default_str();
+  command->add_option("--robot", arguments->robot, "see: ikbench list robots; or a file: my_arm.toml")
+      ->capture_default_str();
   command->add_option("--solver", arguments->solver, "see: ikbench list solvers")->capture_default_str();
   command
       ->add_option("--search", arguments->search,
                    "wrist or all_joints; wrist where the arm has a spherical one if not given")
       ->check(CLI::IsMember({"wrist", "all_joints"}));
-  command->add_option("--start-deg", arguments->start_deg, "where the arm is, all joints; zeros if not given")
+  command
+      ->add_option("--start-deg", arguments->start_deg,
+                   "where the arm is, all joints; if not given zeros, or the nearest that the limits allow")
       ->delimiter(',');
   command
       ->add_option("--set", arguments->overrides,
@@ -134,7 +141,7 @@ void add_solve(CLI::App& app) {
     const Pose target = target_of(*arguments);
     study.path = path_through({target});
     warn_of_unreachable(study);
-    fmt::print("{}", shown(solve_once(study, study.solvers.front(), target), study.search));
+    fmt::print("{}", shown(solve_once(study, study.solvers.front(), target), study));
   });
 }
 

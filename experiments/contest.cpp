@@ -54,7 +54,7 @@ std::vector<double> to_vector(const Configuration& values) { return {values.begi
 }  // namespace
 
 Task::Task(const Study& study, const Robot& arm) : study_(study), arm_(arm) {
-  if (study.search == Search::wrist) wrist_.emplace(*arm.chain());
+  if (study.search == Search::wrist) wrist_.emplace(arm.chain);
 }
 
 Problem Task::problem(const Configuration& start, int population) const {

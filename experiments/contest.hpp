@@ -17,7 +17,7 @@ class Task {
  public:
   Task(const Study& study, const robots::Robot& arm);
 
-  const robots::Kinematics& arm() const { return wrist_ ? wrist_->arm() : *arm_.kinematics; }
+  const robots::Chain& arm() const { return wrist_ ? wrist_->arm() : arm_.chain; }
   Eigen::Vector3d goal(const robots::Pose& target) const { return wrist_ ? wrist_->centre(target) : target.translation(); }
   solvers::Problem problem(const robots::Configuration& start, int population) const;
   // All joints of the answer: those searched, and the wrist's by the closed form.

@@ -11,12 +11,12 @@
 #include <utility>
 #include <vector>
 
+#include "numerics/names.hpp"
 #include "robots/robot.hpp"
 
 namespace ikbench::experiments {
 
-template <class Enum>
-using Choices = std::vector<std::pair<std::string, Enum>>;
+using numerics::Choices;
 
 constexpr std::int64_t no_limit = std::numeric_limits<std::int64_t>::max();
 

@@ -16,7 +16,5 @@ void list_tool(Fields& io, Tool& tool);
 Eigen::Matrix3d rotation(Tool tool);
 // The nine elements, row by row.
 std::vector<double> by_rows(const Eigen::Matrix3d& R);
-// Rz(yaw) Ry(pitch) Rx(roll).
-Eigen::Matrix3d rotation_from_rpy(const Eigen::Vector3d& rpy);
 
 }  // namespace ikbench::experiments

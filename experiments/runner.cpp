@@ -30,7 +30,7 @@ struct Chained {  // one run of one entrant, and how far it is
 // A study laid out for work. Runs outside, solvers inside: whatever drifts on the machine meanwhile touches all solvers
 // alike.
 struct Plan {
-  explicit Plan(const Study& of) : study(of), arm(robot(of.robot)), points(of.path->points()) {
+  explicit Plan(const Study& of) : study(of), arm(arm_of(of)), points(of.path->points()) {
     for (const Entrant& entrant : study.solvers) contests.emplace_back(study, entrant, arm);
     chains.reserve(contests.size() * static_cast<std::size_t>(study.runs));
     for (int run = 1; run <= study.runs; ++run) {
@@ -186,7 +186,7 @@ void solve_study(const Study& study, int jobs, const std::function<void(SolveRec
 }
 
 SolveRecord solve_once(const Study& study, const Entrant& entrant, const Pose& target) {
-  const Robot arm = robot(study.robot);
+  const Robot arm = arm_of(study);
   const Contest contest(study, entrant, arm);
   return contest.solve(*contest.make_solver(), target, study.initial, 1, 1);
 }

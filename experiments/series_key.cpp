@@ -92,9 +92,9 @@ std::string said_by_name(const FieldList& fields, const FieldList& defaults, std
 
 std::string configuration_key(const Study& study, const Entrant& entrant) {
   // As the first stores have it, whose keys are this hash alone: fields marked InKey::in_text.
-  const Robot arm = robot(study.robot);
+  const Robot arm = arm_of(study);
   std::string text = "numerics 2\nrobot";
-  text += arm.kinematics->definition() + exact(arm.limits.lower) + exact(arm.limits.upper) + "\ntargets ";
+  text += arm.chain.definition() + exact(arm.limits.lower) + exact(arm.limits.upper) + "\ntargets ";
   text += targets_text(study);
   text += fmt::format("\ninitial {}\nsearch {} branch {} population {} seed {} trace {}", exact(study.initial),
                       static_cast<int>(study.search), static_cast<int>(study.wrist_branch),

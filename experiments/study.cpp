@@ -11,6 +11,8 @@ using namespace numerics;
 using namespace robots;
 using namespace solvers;
 
+Robot arm_of(const Study& study) { return study.robot_of_file ? *study.robot_of_file : robot(study.robot); }
+
 Settings effective_options(const Study& study, const Entrant& entrant) {
   const SolverInfo info = solver(entrant.solver);
   Settings settings;
@@ -28,7 +30,7 @@ int effective_population(const Study& study, const Entrant& entrant) {
 
 std::vector<Pose> targets(const Study& study, int run) {
   Random random(Key(study.seed).with("targets").with(static_cast<std::uint64_t>(run)));
-  return study.path->poses(robot(study.robot), random);
+  return study.path->poses(arm_of(study), random);
 }
 
 std::string why_no_blocks(const Study& study) {
@@ -44,11 +46,11 @@ std::string why_no_blocks(const Study& study) {
 
 std::vector<Unreachable> unreachable(const Study& study) {
   if (study.path->is_drawn()) return {};
-  const Robot arm = robot(study.robot);
+  const Robot arm = arm_of(study);
   const std::optional<SphericalWrist> wrist =
-      study.search == Search::wrist ? std::optional<SphericalWrist>(*arm.chain()) : std::nullopt;
-  const Kinematics& searched = wrist ? wrist->arm() : *arm.kinematics;
-  const Kinematics::Ball ball = searched.reach();
+      study.search == Search::wrist ? std::optional<SphericalWrist>(arm.chain) : std::nullopt;
+  const Chain& searched = wrist ? wrist->arm() : arm.chain;
+  const Chain::Ball ball = searched.reach();
   std::vector<Unreachable> found;
   int point = 0;
   for (const Pose& target : targets(study, 1)) {

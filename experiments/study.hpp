@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -44,8 +45,9 @@ struct Entrant {
 struct Study {
   std::string name = "study";
   std::string title;
-  std::string published;  // the paper whose printed tables are set beside the results, or empty
-  std::string robot = "kuka_iiwa14";
+  std::string published;              // the paper whose printed tables are set beside the results, or empty
+  std::string robot = "kuka_iiwa14";  // a built-in arm, or a file
+  std::shared_ptr<const robots::Robot> robot_of_file;  // what that file holds; null: the arm is built in
   Path path;
   Search search = Search::wrist;
   StudyBounds bounds = StudyBounds::per_solver;
@@ -61,6 +63,9 @@ struct Study {
   std::vector<Entrant> solvers;
   results::AnalysisPlan analysis;  // how the solves will be judged; decides no number of them
 };
+
+// The arm that it is about; std::invalid_argument where there is none of that name.
+robots::Robot arm_of(const Study& study);
 
 // What each entrant's solver is really made with: the study's bounds applied, its own options over them, defaults
 // filled in.

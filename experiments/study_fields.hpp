@@ -32,7 +32,8 @@ inline void list_fields(Fields& io, Study& study) {
   io.text("name", study.name, "folder of its results: out/<name>/", InKey::no);
   io.text("title", study.title, "", InKey::no);
   io.text("published", study.published, "paper whose printed tables are set beside the results; \"\": none", InKey::no);
-  io.text("robot", study.robot, "see: ikbench list robots", InKey::in_text);
+  io.text("robot", study.robot, "see: ikbench list robots; or a file such as \"my_arm.toml\", beside the study",
+          InKey::in_text);
   io.choice("search", study.search, Choices<Search>{{"wrist", Search::wrist}, {"all_joints", Search::all_joints}},
             "wrist: the joints before a spherical wrist, which follows in closed form; all_joints: position only",
             InKey::in_text);

@@ -3,19 +3,18 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <fstream>
 #include <set>
-#include <sstream>
 #include <stdexcept>
 
 #include "experiments/built_in_studies.hpp"
 #include "experiments/study_fields.hpp"
 #include "experiments/study_file.hpp"
+#include "experiments/study_overrides.hpp"
 #include "experiments/table_reader.hpp"
-#include "numerics/toml_table.hpp"
 #include "results/published.hpp"
 #include "numerics/names.hpp"
 #include "robots/spherical_wrist.hpp"
+#include "numerics/toml_table.hpp"
 #include "solvers/registry.hpp"
 
 namespace ikbench::experiments {
@@ -27,21 +26,20 @@ using namespace results;
 
 namespace {
 
-constexpr std::uintmax_t largest_file = 10'000'000;
-
-Path read_path(TableReader reader) {
+Path read_path(TomlReader reader) {
   const std::vector<Path> kinds = paths();
   Choices<std::size_t> names;
   for (const Path& kind : kinds) names.emplace_back(kind->name(), names.size());
   std::size_t chosen = 0;
   reader.choice("kind", chosen, names, "");
   Path path = kinds[chosen];
-  path->list_fields(reader);
+  TableReader fields(reader);
+  path->list_fields(fields);
   reader.refuse_unknown_keys();
   return path;
 }
 
-Entrant read_entrant(TableReader reader) {
+Entrant read_entrant(TomlReader reader) {
   Entrant entrant;
   reader.text("solver", entrant.solver, "");
   entrant.label = entrant.solver;
@@ -61,11 +59,11 @@ Entrant read_entrant(TableReader reader) {
   reader.find("population");
   reader.nested(reader.table(), entrant.label + ".").whole("population", entrant.population, populations, "");
   if (const toml::table* options = reader.subtable("options")) {
-    const TableReader option_reader = reader.nested(*options, entrant.label + ".");
+    const TomlReader option_reader = reader.nested(*options, entrant.label + ".");
     for (const auto& [key, node] : *options) {
       const std::string option(key.str());
       if (const auto text = node.value<std::string>()) {
-        if (!TableReader::is_plain(*text)) option_reader.fail(option, node, TableReader::plain);
+        if (!TomlReader::is_plain(*text)) option_reader.fail(option, node, TomlReader::plain);
         entrant.options[option] = *text;
       } else if (node.is_integer()) {
         entrant.options[option] = fmt::format("{}", *node.value<std::int64_t>());
@@ -85,7 +83,7 @@ Entrant read_entrant(TableReader reader) {
   return entrant;
 }
 
-std::vector<Entrant> read_entrants(TableReader& reader) {
+std::vector<Entrant> read_entrants(TomlReader& reader) {
   const toml::node* node = reader.find("solvers");
   const toml::array* array = node == nullptr ? nullptr : node->as_array();
   const std::string expected = "at least one [[solvers]] entry with solver = \"...\"";
@@ -109,7 +107,7 @@ std::vector<Entrant> read_entrants(TableReader& reader) {
 }
 
 // `study`: its path, runs and solvers, which the plan is about.
-AnalysisPlan read_analysis(TableReader reader, const Study& study, PointsAsObservations points_as_observations) {
+AnalysisPlan read_analysis(TomlReader reader, const Study& study, PointsAsObservations points_as_observations) {
   AnalysisPlan plan;
   list_fields(reader, plan);
   reader.refuse_unknown_keys();
@@ -133,14 +131,14 @@ AnalysisPlan read_analysis(TableReader reader, const Study& study, PointsAsObser
 }
 
 // What is wrong with the value of a key, or with its absence.
-std::invalid_argument mistake(const TableReader& reader, const toml::node* node, std::string_view key,
+std::invalid_argument mistake(const TomlReader& reader, const toml::node* node, std::string_view key,
                               std::string_view message) {
   return std::invalid_argument(reader.where(node == nullptr ? reader.table().source() : node->source(), key) +
                                std::string(message));
 }
 
 // What the fields of an entrant and those of the study ask of each other.
-void check_entrants(const TableReader& reader, const Study& study) {
+void check_entrants(const TomlReader& reader, const Study& study) {
   const toml::table& table = reader.table();
   const bool is_enforced = study.limits == Limits::enforced;
   constexpr std::string_view not_enforced =
@@ -164,15 +162,41 @@ void check_entrants(const TableReader& reader, const Study& study) {
   }
 }
 
+// The study's arm: a built-in one, or a file in the study's folder, and for --set in the current one.
+Robot read_arm(const TomlReader& reader, Study& study) {
+  const toml::node* const node = reader.table().get("robot");
+  if (!is_arm_file(study.robot)) {
+    try {
+      return robot(study.robot);
+    } catch (const std::invalid_argument& error) {
+      throw mistake(reader, node, "robot", error.what());
+    }
+  }
+  const std::string where = reader.where(node == nullptr ? reader.table().source() : node->source(), "robot");
+  const bool is_override = where.starts_with(override_source);
+  const std::filesystem::path folder = is_override ? std::filesystem::path() : reader.source().parent_path();
+  const std::filesystem::path file = folder / study.robot;
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(file, error)) {
+    throw mistake(
+        reader, node, "robot",
+        fmt::format("there is no file {}; expected one, or an arm of: ikbench list robots", file.string()));
+  }
+  study.robot_of_file = std::make_shared<const Robot>(load_robot(file));
+  return *study.robot_of_file;
+}
+
 Study read_study(const toml::table& table, std::string_view source, PointsAsObservations points_as_observations) {
-  TableReader reader(table, source, "");
+  TomlReader reader(table, source, "");
   Study study;
-  list_fields(reader, study);
+  TableReader fields(reader);
+  list_fields(fields, study);
   if (study.name.empty()) reader.fail("name", *table.get("name"), "a name that is not empty");
   if (const toml::table* path = reader.subtable("path")) study.path = read_path(reader.nested(*path, "path."));
   if (const toml::table* stop = reader.subtable("stop")) {
-    TableReader stop_reader = reader.nested(*stop, "stop.");
-    list_fields(stop_reader, study.stop);
+    TomlReader stop_reader = reader.nested(*stop, "stop.");
+    TableReader stop_fields(stop_reader);
+    list_fields(stop_fields, study.stop);
     stop_reader.refuse_unknown_keys();
   }
   study.solvers = read_entrants(reader);
@@ -189,14 +213,10 @@ Study read_study(const toml::table& table, std::string_view source, PointsAsObse
   if (!study.published.empty() && std::find(papers.begin(), papers.end(), study.published) == papers.end()) {
     throw at("published", unknown_name("paper", study.published, {papers.begin(), papers.end()}));
   }
-  const Robot arm = [&] {
-    try {
-      return robot(study.robot);
-    } catch (const std::invalid_argument& error) {
-      throw at("robot", error.what());
-    }
-  }();
-  if (study.initial.size() == 0) study.initial = Eigen::VectorXd::Zero(arm.joints());
+  const Robot arm = read_arm(reader, study);
+  if (study.initial.size() == 0) {  // the nearest to zeros that the limits allow
+    study.initial = arm.limits.lower.cwiseMax(Eigen::VectorXd::Zero(arm.joints())).cwiseMin(arm.limits.upper);
+  }
   if (study.initial.size() != arm.joints()) {
     throw at("initial_deg", fmt::format("initial_deg has {} angles; expected {}, the joints of {}",
                                         study.initial.size(), arm.joints(), arm.name));
@@ -216,7 +236,7 @@ Study read_study(const toml::table& table, std::string_view source, PointsAsObse
                          "ikbench list robots {}",
                          outside, arm.name));
   }
-  if (study.search == Search::wrist && (arm.chain() == nullptr || !SphericalWrist::fits(*arm.chain()))) {
+  if (study.search == Search::wrist && !SphericalWrist::fits(arm.chain)) {
     throw at("search",
              fmt::format("search is \"wrist\", but {} has no spherical wrist; expected \"all_joints\"", arm.name));
   }
@@ -250,14 +270,7 @@ Study load_study(const std::string& name_or_file, const Overrides& overrides,
   if (!std::filesystem::is_regular_file(file, error)) {
     throw std::invalid_argument("no such file, and " + unknown_name("built-in study", name_or_file, names));
   }
-  if (std::filesystem::file_size(file, error) > largest_file) {
-    throw std::invalid_argument(fmt::format("{}: expected a study file of at most 10 MB", name_or_file));
-  }
-  std::ifstream in(file, std::ios::binary);
-  std::ostringstream content;
-  content << in.rdbuf();
-  if (!in) throw std::invalid_argument(fmt::format("{}: cannot be read", name_or_file));
-  return parse_study(content.str(), name_or_file, overrides, points_as_observations);
+  return parse_study(text_of_file(file), name_or_file, overrides, points_as_observations);
 }
 
 }  // namespace ikbench::experiments

@@ -1,7 +1,6 @@
 // A study as text: TOML to be edited and run, JSON for the store.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <toml++/toml.h>
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +11,8 @@
 #include "experiments/study_fields.hpp"
 #include "experiments/study_file.hpp"
 #include "numerics/number.hpp"
-#include "robots/dobot_magician.hpp"
+#include "numerics/toml_table.hpp"
+#include "robots/arm_fields.hpp"
 
 namespace ikbench::experiments {
 
@@ -135,25 +135,22 @@ nlohmann::ordered_json definition(const Study& study) {
   return writer.out;
 }
 
-// The arm as its kinematics are computed, so that whoever has the store can draw it.
+// The arm as its file has it, so that whoever has the store can draw it.
 nlohmann::ordered_json arm_definition(const Robot& arm) {
   nlohmann::ordered_json json;
-  if (const Chain* const chain = arm.chain()) {
-    json["kind"] = "denavit_hartenberg";
-    for (const DhLink& link : chain->links()) {
-      json["links"].push_back(
-          {{"a_m", link.a}, {"alpha_rad", link.alpha}, {"d_m", link.d}, {"offset_rad", link.offset}});
-    }
-    json["tip_m"] = std::vector<double>(chain->tip().begin(), chain->tip().end());
-  } else {
-    json["kind"] = "dobot_magician";
-    json["upper_arm_m"] = DobotMagician::upper_arm;
-    json["forearm_m"] = DobotMagician::forearm;
-    json["wrist_to_tool_m"] = DobotMagician::wrist_to_tool;
-    json["height_m"] = DobotMagician::height;
+  for (Eigen::Index joint = 0; joint < arm.joints(); ++joint) {
+    JsonWriter writer;
+    LimitedLink one{arm.chain.links()[static_cast<std::size_t>(joint)],
+                    {arm.limits.lower[joint], arm.limits.upper[joint]}};
+    list_fields(writer, one);
+    json["links"].push_back(std::move(writer.out));
   }
-  json["lower_deg"] = in_unit(arm.limits.lower, degree);
-  json["upper_deg"] = in_unit(arm.limits.upper, degree);
+  for (const auto& [key, frame] : {std::pair{"base", arm.chain.base()}, std::pair{"tool", arm.chain.tool()}}) {
+    JsonWriter writer;
+    Frame fields = frame;
+    list_fields(writer, fields);
+    json[key] = std::move(writer.out);
+  }
   return json;
 }
 
@@ -232,7 +229,7 @@ std::string to_toml(const Study& study) {
 std::string to_json(const Study& study) {
   nlohmann::ordered_json json = definition(study);
   json["points"] = study.path->points();
-  json["arm"] = arm_definition(robot(study.robot));
+  json["arm"] = arm_definition(arm_of(study));
   json["departures"] = departures(study);
   if (const std::vector<Unreachable> found = unreachable(study); !found.empty()) {
     const Unreachable& farthest = *std::ranges::max_element(found, {}, &Unreachable::distance);

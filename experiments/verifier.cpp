@@ -5,7 +5,6 @@
 #include <cmath>
 #include <limits>
 
-#include "robots/dobot_magician.hpp"
 #include "numerics/functions.hpp"
 
 namespace ikbench::experiments {
@@ -68,30 +67,31 @@ double largest(const Eigen::VectorXd& values) {
   return values.allFinite() ? std::max(0.0, values.maxCoeff()) : std::numeric_limits<double>::quiet_NaN();
 }
 
-Matrix pose_of(const Chain& chain, const Eigen::VectorXd& q) {
-  Matrix pose = identity;
-  Eigen::Index joint = 0;
-  for (const DhLink& link : chain.links()) {
-    pose = product(pose, turned_about_z(q[joint++] + link.offset));
-    pose = product(pose, moved(link.a, 0, link.d));
-    pose = product(pose, turned_about_x(link.alpha));
-  }
-  return product(pose, moved(chain.tip().x(), chain.tip().y(), chain.tip().z()));
+Matrix pose_of(const Frame& frame) {
+  Matrix pose = moved(frame.position.x(), frame.position.y(), frame.position.z());
+  pose = product(product(pose, turned_about_z(frame.rpy.z())), turned_about_y(frame.rpy.y()));
+  return product(pose, turned_about_x(frame.rpy.x()));
 }
 
-// Every link is turned to where it points, and after it back: that is what the parallelograms do.
-Matrix pose_of(const DobotMagician& arm, const Eigen::VectorXd& q) {
-  Matrix pose = product(moved(0, 0, arm.height), turned_about_z(q[0]));
-  pose = product(product(pose, turned_about_y(q[1])), product(moved(0, 0, arm.upper_arm), turned_about_y(-q[1])));
-  pose = product(product(pose, turned_about_y(q[2])), product(moved(arm.forearm, 0, 0), turned_about_y(-q[2])));
-  return product(pose, moved(arm.wrist_to_tool, 0, 0));
+// The pose of a link's end, from that of its beginning.
+Matrix past(const DhLink& link, double joint, const Matrix& pose) {
+  const double angle = link.joint == Joint::slides ? link.offset : joint + link.offset;
+  const double along_z = link.joint == Joint::slides ? link.d + joint : link.d;
+  const bool is_coupled = link.joint == Joint::coupled;
+  Matrix end = product(pose, is_coupled ? turned_about_y(angle) : turned_about_z(angle));
+  end = product(end, moved(link.a, 0, along_z));
+  // After the link it is turned back: that is what a parallelogram does.
+  if (is_coupled) end = product(end, turned_about_y(-angle));
+  return product(end, turned_about_x(link.alpha));
 }
 
 }  // namespace
 
-Eigen::Matrix4d verified_pose(const Kinematics& arm, const Eigen::VectorXd& q) {
-  const auto* const chain = dynamic_cast<const Chain*>(&arm);
-  const Matrix pose = chain != nullptr ? pose_of(*chain, q) : pose_of(dynamic_cast<const DobotMagician&>(arm), q);
+Eigen::Matrix4d verified_pose(const Chain& arm, const Eigen::VectorXd& q) {
+  Matrix pose = pose_of(arm.base());
+  Eigen::Index joint = 0;
+  for (const DhLink& link : arm.links()) pose = past(link, q[joint++], pose);
+  pose = product(pose, pose_of(arm.tool()));
   Eigen::Matrix4d result;
   for (int row = 0; row < 4; ++row) {
     for (int column = 0; column < 4; ++column) {
@@ -103,7 +103,7 @@ Eigen::Matrix4d verified_pose(const Kinematics& arm, const Eigen::VectorXd& q) {
 
 Verification verify(const Robot& robot, const Pose& target, const Eigen::VectorXd& start,
                     const Eigen::VectorXd& answer) {
-  const Eigen::Matrix4d reached = verified_pose(*robot.kinematics, answer);
+  const Eigen::Matrix4d reached = verified_pose(robot.chain, answer);
   const Eigen::Matrix4d wanted = target.matrix();
   const Eigen::Matrix3d R = reached.topLeftCorner<3, 3>(), R_wanted = wanted.topLeftCorner<3, 3>();
   const Eigen::VectorXd move = answer - start;

@@ -16,8 +16,8 @@ struct Verification {
   double limit_violation = 0;                         // [rad], of the worst joint; 0 inside, and up to 1e-9
 };
 
-// Tool pose of a configuration by the verifier's own route, of which there is one for every kind of arm.
-Eigen::Matrix4d verified_pose(const robots::Kinematics& arm, const Eigen::VectorXd& q);
+// Tool pose of a configuration by the verifier's own route.
+Eigen::Matrix4d verified_pose(const robots::Chain& arm, const Eigen::VectorXd& q);
 
 // `answer` and `start` have all joints of the robot. A non-finite answer gives non-finite errors.
 Verification verify(const robots::Robot& robot, const robots::Pose& target, const Eigen::VectorXd& start,

@@ -1,11 +1,16 @@
-// Names that people type: lists of them in messages, and the nearest one to a misspelt name.
+// Names that people type: choices of them, lists of them in messages, and the nearest one to a misspelt name.
 #pragma once
 
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace ikbench::numerics {
+
+// Names and values, as `choice` of what reads or writes fields takes them.
+template <class Enum>
+using Choices = std::vector<std::pair<std::string, Enum>>;
 
 // The candidate with the smallest edit distance; empty where none is near enough to be meant.
 std::string nearest_name(std::string_view name, const std::vector<std::string>& candidates);

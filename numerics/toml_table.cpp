@@ -1,10 +1,9 @@
 #include "numerics/toml_table.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
+#include <fstream>
+#include <sstream>
 #include <stdexcept>
-#include <vector>
 
 #include "numerics/names.hpp"
 
@@ -12,8 +11,30 @@ namespace ikbench::numerics {
 
 namespace {
 
-// A key such as a.a.a.a is a table in a table in a table; toml++ bounds the depth of brackets, not of these, and a
-// hundred thousand of them exhaust the stack.
+std::string shown(const toml::node& node) {
+  std::ostringstream out;
+  out << toml::toml_formatter(node, toml::format_flags::none);
+  std::string text = out.str();
+  std::replace(text.begin(), text.end(), '\n', ' ');
+  return text.size() <= 80 ? text : text.substr(0, 77) + "...";
+}
+
+}  // namespace
+
+std::string text_of_file(const std::filesystem::path& file) {
+  constexpr std::uintmax_t largest = 10'000'000;
+  std::error_code error;
+  const std::uintmax_t size = std::filesystem::file_size(file, error);
+  if (!error && size > largest) {
+    throw std::invalid_argument(fmt::format("{}: expected a file of at most 10 MB", file.string()));
+  }
+  std::ifstream in(file, std::ios::binary);
+  std::ostringstream content;
+  content << in.rdbuf();
+  if (!in) throw std::invalid_argument(fmt::format("{}: cannot be read", file.string()));
+  return content.str();
+}
+
 void refuse_deep_keys(std::string_view text, std::string_view source) {
   constexpr int most_dots = 500;
   int line = 1, column = 0, dots = 0;
@@ -32,29 +53,6 @@ void refuse_deep_keys(std::string_view text, std::string_view source) {
   }
 }
 
-// The text as a TOML value, or else as a string: both `runs=5` and `path.tool=eq27` are what people type.
-void insert(toml::table& table, std::string_view key, const std::string& text) {
-  refuse_deep_keys(text, "--set");
-  try {
-    toml::table parsed = toml::parse(std::string_view("value = " + text), override_source);
-    if (parsed.size() == 1) {
-      parsed.get("value")->visit([&](auto& value) { table.insert_or_assign(key, std::move(value)); });
-      return;
-    }
-  } catch (const toml::parse_error&) {
-  }
-  table.insert_or_assign(key, text);
-}
-
-toml::table& subtable(toml::table& table, std::string_view key) {
-  if (!table.contains(key)) table.insert(key, toml::table{});
-  toml::table* found = table.get(key)->as_table();
-  if (found == nullptr) throw std::invalid_argument(fmt::format("--set {}: {} of the study is not a table", key, key));
-  return *found;
-}
-
-}  // namespace
-
 toml::table parse_toml(std::string_view text, std::string_view source) {
   refuse_deep_keys(text, source);
   toml::table table;
@@ -68,46 +66,63 @@ toml::table parse_toml(std::string_view text, std::string_view source) {
   return table;
 }
 
-void override_one(toml::table& study, const std::string& text) {
-  const std::size_t equals = text.find('=');
-  constexpr std::size_t longest_key = 300;
-  if (equals == std::string::npos || equals == 0 || equals > longest_key) {
-    throw std::invalid_argument(
-        fmt::format("--set {}: expected key=value, such as runs=5 or ik_bat.bounds=clamp", text.substr(0, 100)));
+void TomlReader::text(std::string_view key, std::string& field, std::string_view) {
+  const toml::node* node = find(key);
+  if (node == nullptr) return;
+  const toml::value<std::string>* value = node->as_string();
+  if (value == nullptr) fail(key, *node, "a text in quotes");
+  if (!is_plain(value->get())) fail(key, *node, plain);
+  field = value->get();
+}
+
+void TomlReader::number(std::string_view key, double& field, double unit, std::pair<double, double> range,
+                        std::string_view) {
+  const toml::node* node = find(key);
+  if (node == nullptr) return;
+  const std::optional<double> value = as_number(*node);
+  if (!value || !(*value >= range.first && *value <= range.second)) {
+    fail(key, *node, fmt::format("a number from {} to {}", range.first, range.second));
   }
-  const std::string key = text.substr(0, equals), value = text.substr(equals + 1);
-  const std::size_t dot = key.rfind('.');
-  if (dot == std::string::npos) {
-    insert(study, key, value);
-    return;
-  }
-  const std::string owner = key.substr(0, dot), field = key.substr(dot + 1);
-  if (owner.empty() || field.empty()) {
-    throw std::invalid_argument(fmt::format("--set {}: expected a name on both sides of the dot", text.substr(0, 100)));
-  }
-  const std::vector<std::string> tables{"analysis", "path", "stop"};
-  if (std::find(tables.begin(), tables.end(), owner) != tables.end()) {
-    insert(subtable(study, owner), field, value);
-    return;
-  }
-  std::vector<std::string> owners = tables;
-  bool found = false;
-  if (toml::array* entrants = study["solvers"].as_array()) {
-    for (toml::node& element : *entrants) {
-      toml::table* entrant = element.as_table();
-      if (entrant == nullptr) continue;
-      const std::string label = (*entrant)["label"].value_or(std::string());
-      const std::string name = (*entrant)["solver"].value_or(std::string());
-      if (owner == label || owner == name) {
-        insert(field == "population" ? *entrant : subtable(*entrant, "options"), field, value);
-        found = true;
-      }
-      for (const std::string& known : {label, name}) {
-        if (!known.empty() && std::find(owners.begin(), owners.end(), known) == owners.end()) owners.push_back(known);
-      }
+  field = *value * unit;
+}
+
+const toml::node* TomlReader::find(std::string_view key) {
+  if (std::find(known_.begin(), known_.end(), key) == known_.end()) known_.emplace_back(key);
+  return table_.get(key);
+}
+
+const toml::table* TomlReader::subtable(std::string_view key) {
+  const toml::node* node = find(key);
+  if (node != nullptr && !node->is_table()) fail(key, *node, fmt::format("a table: [{}]", key));
+  return node == nullptr ? nullptr : node->as_table();
+}
+
+void TomlReader::refuse_unknown_keys() const {
+  for (const auto& [key, node] : table_) {
+    if (std::find(known_.begin(), known_.end(), key.str()) == known_.end()) {
+      throw std::invalid_argument(where(key.source(), key.str()) + unknown_name("key", key.str(), known_));
     }
   }
-  if (!found) throw std::invalid_argument(fmt::format("--set {}: {}", key, unknown_name("solver", owner, owners)));
+}
+
+void TomlReader::fail(std::string_view key, const toml::node& node, std::string_view expected) const {
+  throw std::invalid_argument(
+      fmt::format("{}{}{} is {}; expected {}", where(node.source(), key), prefix_, key, shown(node), expected));
+}
+
+std::string TomlReader::where(const toml::source_region& region, std::string_view key) const {
+  if (region.begin.line == 0 || region.path) return fmt::format("--set {}{}: ", prefix_, key);
+  return fmt::format("{}:{}:{}: ", source_, region.begin.line, region.begin.column);
+}
+
+bool TomlReader::is_plain(std::string_view text) {
+  const auto is_control = [](unsigned char c) { return c < 0x20 || c == 0x7f; };
+  return text.size() <= 200 && std::none_of(text.begin(), text.end(), is_control);
+}
+
+std::optional<double> TomlReader::as_number(const toml::node& node) {
+  const std::optional<double> value = node.is_number() ? node.value<double>() : std::nullopt;
+  return value && std::isfinite(*value) ? value : std::nullopt;
 }
 
 }  // namespace ikbench::numerics

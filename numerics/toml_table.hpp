@@ -1,20 +1,122 @@
-// Text to a TOML table, and `key=value` over what a study's table says.
+// Text to a TOML table, and its fields by name, unit and range: every mistake in one sentence with file, line, column,
+// value and what was expected.
 #pragma once
 
-#include <toml++/toml.h>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <Eigen/Core>
+#include <cmath>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
+
+#include "numerics/names.hpp"
+
+// Include toml++ through here alone. A malformed file fails some of its assertions and then is an error all the same;
+// a debug build is not to end there.
+#define TOML_ASSERT(expression) static_cast<void>(0)
+#include <toml++/toml.h>
 
 namespace ikbench::numerics {
 
 // The `path` of nodes that come from an override; those of a file have none.
 constexpr std::string_view override_source = "--set";
 
-// std::invalid_argument says where, as `source`:line:column, and what is wrong.
-toml::table parse_toml(std::string_view text, std::string_view source);
+// The content of a file that is no larger than 10 MB; std::invalid_argument where it cannot be read.
+std::string text_of_file(const std::filesystem::path& file);
 
-// One override of a study's table; std::invalid_argument names what is wrong with it.
-void override_one(toml::table& study, const std::string& text);
+// All of these: std::invalid_argument says where, as `source`:line:column, and what is wrong.
+toml::table parse_toml(std::string_view text, std::string_view source);
+// A key such as a.a.a.a is a table in a table in a table; toml++ bounds the depth of brackets, not of these, and a
+// hundred thousand of them exhaust the stack.
+void refuse_deep_keys(std::string_view text, std::string_view source);
+
+// Reads one table; knows which keys there are once it has read them.
+class TomlReader {
+ public:
+  TomlReader(const toml::table& table, std::string_view source, std::string prefix)
+      : table_(table), source_(source), prefix_(std::move(prefix)) {}
+
+  void text(std::string_view key, std::string& field, std::string_view);
+
+  template <class Enum>
+  void choice(std::string_view key, Enum& field, const Choices<Enum>& choices, std::string_view) {
+    const toml::node* node = find(key);
+    if (node == nullptr) return;
+    const std::optional<std::string> wanted = node->value<std::string>();
+    std::vector<std::string> names;
+    for (const auto& [name, value] : choices) {
+      if (wanted == name) {
+        field = value;
+        return;
+      }
+      names.push_back(name);
+    }
+    fail(key, *node, fmt::format("one of \"{}\"", fmt::join(names, "\", \"")));
+  }
+
+  template <class Whole>
+  void whole(std::string_view key, Whole& field, std::pair<std::int64_t, std::int64_t> range, std::string_view) {
+    const toml::node* node = find(key);
+    if (node == nullptr) return;
+    const toml::value<std::int64_t>* value = node->as_integer();
+    if (value == nullptr || value->get() < range.first || value->get() > range.second) {
+      fail(key, *node, fmt::format("a whole number from {} to {}", range.first, range.second));
+    }
+    field = static_cast<Whole>(value->get());
+  }
+
+  void number(std::string_view key, double& field, double unit, std::pair<double, double> range, std::string_view);
+
+  // `size` 0: any number of them.
+  template <class Vector>
+  void numbers(std::string_view key, Vector& field, double unit, int size, std::string_view) {
+    const toml::node* node = find(key);
+    if (node == nullptr) return;
+    const toml::array* array = node->as_array();
+    const std::string expected = size == 0 ? "a list of numbers" : fmt::format("a list of {} numbers", size);
+    if (array == nullptr || (size != 0 && array->size() != static_cast<std::size_t>(size))) fail(key, *node, expected);
+    field.resize(static_cast<Eigen::Index>(array->size()));
+    Eigen::Index index = 0;
+    for (const toml::node& element : *array) {
+      const std::optional<double> value = as_number(element);
+      if (!value || !(std::abs(*value) <= 1e6)) fail(key, element, expected + " within +-1e6");
+      field[index++] = *value * unit;
+    }
+  }
+
+  // The value of a key, remembered as known; null where it is not given.
+  const toml::node* find(std::string_view key);
+  // The same of a key that has to be a table.
+  const toml::table* subtable(std::string_view key);
+  // To be called when all keys were asked for.
+  void refuse_unknown_keys() const;
+
+  [[noreturn]] void fail(std::string_view key, const toml::node& node, std::string_view expected) const;
+  // "study.toml:3:8: ", or for what no file says "--set path.tool: ".
+  std::string where(const toml::source_region& region, std::string_view key) const;
+
+  // A text that may stand in a message, a table or a file's name: at most 200 bytes, no control characters.
+  static bool is_plain(std::string_view text);
+  static constexpr std::string_view plain = "a text of at most 200 bytes without control characters";
+
+  TomlReader nested(const toml::table& table, std::string prefix) const { return {table, source_, std::move(prefix)}; }
+  const toml::table& table() const { return table_; }
+  const std::string& prefix() const { return prefix_; }
+  std::filesystem::path source() const { return source_; }
+
+ private:
+  static std::optional<double> as_number(const toml::node& node);  // none where it is not finite
+
+  const toml::table& table_;
+  std::string source_;
+  std::string prefix_;
+  std::vector<std::string> known_;
+};
 
 }  // namespace ikbench::numerics

@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <limits>
 #include <stdexcept>
+#include <string_view>
 
 #include "numerics/functions.hpp"
 #include "numerics/instruction_set.hpp"
@@ -26,7 +28,33 @@ KernelLink::Twist kind(double cosine, double sine) {
 
 }  // namespace
 
-Chain::Chain(std::vector<DhLink> links, Eigen::Vector3d tip) : links_(std::move(links)), tip_(std::move(tip)) {
+Pose Frame::pose() const {
+  Pose pose = Pose::Identity();
+  pose.linear() = rotation_from_rpy(rpy);
+  pose.translation() = position;
+  return pose;
+}
+
+Eigen::Matrix3d rotation_from_rpy(const Eigen::Vector3d& rpy) {
+  const auto [sr, cr] = sin_cos(rpy[0]);
+  const auto [sp, cp] = sin_cos(rpy[1]);
+  const auto [sy, cy] = sin_cos(rpy[2]);
+  Eigen::Matrix3d R;                                             // Rz(yaw) Ry(pitch) Rx(roll)
+  R << cy * cp, cy * sp * sr - sy * cr, cy * sp * cr + sy * sr,  //
+      sy * cp, sy * sp * sr + cy * cr, sy * sp * cr - cy * sr,   //
+      -sp, cp * sr, cp * cr;
+  return R;
+}
+
+Chain::Chain(std::vector<DhLink> links, Frame base, Frame tool)
+    : links_(std::move(links)),
+      base_(std::move(base)),
+      tool_(std::move(tool)),
+      T_base_first_(base_.pose()),
+      T_first_base_(T_base_first_.inverse()),
+      T_last_tool_(tool_.pose()),
+      has_base_(base_ != Frame()),
+      tool_is_turned_(!tool_.rpy.isZero(0)) {
   if (links_.size() > most_joints) {
     throw std::invalid_argument(fmt::format("an arm of {} joints; at most {}", links_.size(), most_joints));
   }
@@ -34,18 +62,24 @@ Chain::Chain(std::vector<DhLink> links, Eigen::Vector3d tip) : links_(std::move(
     const SinCos alpha = sin_cos(link.alpha);
     twists_.push_back({exact_if_tiny(alpha.cosine), exact_if_tiny(alpha.sine)});
     const auto [cosine, sine] = twists_.back();
-    kernel_links_.push_back({kind(cosine, sine), true, cosine, sine, link.a, link.d, link.offset});
+    kernel_links_.push_back({kind(cosine, sine), true, link.joint, cosine, sine, link.a, link.d, link.offset});
+    all_turn_ = all_turn_ && link.joint == Joint::turns;
   }
   // Which of the point's coordinates are 0 whatever the angles: on a joint's own axis nothing turns.
-  bool x_is_0 = tip_.x() == 0, y_is_0 = tip_.y() == 0, z_is_0 = tip_.z() == 0;
+  const Eigen::Vector3d& tip = tool_.position;
+  bool x_is_0 = tip.x() == 0, y_is_0 = tip.y() == 0, z_is_0 = tip.z() == 0;
   for (auto link = kernel_links_.rbegin(); link != kernel_links_.rend(); ++link) {
     if (link->twist == KernelLink::general) {
       y_is_0 = z_is_0 = y_is_0 && z_is_0;
     } else if (link->twist != KernelLink::none) {
       std::swap(y_is_0, z_is_0);
     }
+    if (link->joint == Joint::coupled) {
+      x_is_0 = z_is_0 = false;
+      continue;
+    }
     x_is_0 = x_is_0 && link->a == 0;
-    z_is_0 = z_is_0 && link->d == 0;
+    z_is_0 = z_is_0 && link->d == 0 && link->joint == Joint::turns;
     link->turns = !(x_is_0 && y_is_0);
     if (link->turns) x_is_0 = y_is_0 = false;
   }
@@ -56,48 +90,84 @@ Pose Chain::follow(const ConfigurationRef& q, Visit&& visit) const {
   if (q.size() != joints()) {
     throw std::invalid_argument(fmt::format("{} angles for an arm of {} joints", q.size(), joints()));
   }
+  return all_turn_ ? follow_kind<Kind::all_turn>(q, visit) : follow_kind<Kind::any>(q, visit);
+}
+
+template <Chain::Kind kind, class Visit>
+Pose Chain::follow_kind(const ConfigurationRef& q, Visit& visit) const {
   Configuration angles = q, sines(q.size()), cosines(q.size());
-  for (int j = 0; j < joints(); ++j) angles[j] += links_[static_cast<std::size_t>(j)].offset;
+  for (int j = 0; j < joints(); ++j) {
+    const DhLink& link = links_[static_cast<std::size_t>(j)];
+    if (kind == Kind::any && link.joint == Joint::slides) angles[j] = 0;
+    angles[j] += link.offset;
+  }
   sines_and_cosines(angles, sines, cosines);
 
   Eigen::Matrix3d R = Eigen::Matrix3d::Identity();
   Eigen::Vector3d p = Eigen::Vector3d::Zero();
+  [[maybe_unused]] Eigen::Vector3d run = Eigen::Vector3d::Zero();  // of coupled links in a row
+  const auto moved = [&](const Eigen::Vector3d& by) -> Eigen::Vector3d {
+    return p + (by.x() * R.col(0) + by.y() * R.col(1) + by.z() * R.col(2));
+  };
   for (int j = 0; j < joints(); ++j) {
-    visit(j, R, p);
     const DhLink& link = links_[static_cast<std::size_t>(j)];
     const auto [ca, sa] = twists_[static_cast<std::size_t>(j)];
-    // R, p times the link's transform, Eqs. 18 and 26; in Eq. 18, element (2,3) is -cos(theta) sin(alpha).
     const double c = cosines[j], s = sines[j];
+    if constexpr (kind == Kind::any) {
+      if (link.joint == Joint::coupled) {
+        const Eigen::Vector3d by(link.a * c + link.d * s, 0, link.d * c - link.a * s);
+        visit(j, R, p, &by);
+        run += by;
+        if (ca == 1 && sa == 0) continue;
+      }
+      if (!run.isZero(0)) p = moved(run);
+      run.setZero();
+      if (link.joint == Joint::coupled) {
+        R = (R * Eigen::Matrix3d{{1, 0, 0}, {0, ca, -sa}, {0, sa, ca}}).eval();
+        continue;
+      }
+    }
+    visit(j, R, p, nullptr);
+    // R, p times the link's transform, Eqs. 18 and 26; in Eq. 18, element (2,3) is -cos(theta) sin(alpha).
     const Eigen::Vector3d x = c * R.col(0) + s * R.col(1);
     const Eigen::Vector3d y = c * R.col(1) - s * R.col(0);
     const Eigen::Vector3d z = R.col(2);
     p += link.d * z + link.a * x;
+    if (kind == Kind::any && link.joint == Joint::slides) p += q[j] * z;
     R.col(0) = x;
     R.col(1) = ca * y + sa * z;
     R.col(2) = ca * z - sa * y;
   }
-  Pose T_base_tool = Pose::Identity();
-  T_base_tool.linear() = R;
-  T_base_tool.translation() = p + (tip_.x() * R.col(0) + tip_.y() * R.col(1) + tip_.z() * R.col(2));
-  return T_base_tool;
+  Pose T = Pose::Identity();
+  T.linear() = R;
+  T.translation() = moved(kind == Kind::any ? Eigen::Vector3d(run + tool_.position) : tool_.position);
+  return T;
 }
 
 Pose Chain::forward(const ConfigurationRef& q) const {
-  return follow(q, [](int, const Eigen::Matrix3d&, const Eigen::Vector3d&) {});
+  const auto nothing = [](int, const Eigen::Matrix3d&, const Eigen::Vector3d&, const Eigen::Vector3d*) {};
+  Pose T = follow(q, nothing);
+  if (tool_is_turned_) T.linear() = (T.linear() * T_last_tool_.linear()).eval();
+  if (has_base_) T = T_base_first_ * T;
+  return T;
 }
 
 Eigen::Vector3d Chain::linearize(const ConfigurationRef& q, Eigen::Ref<Eigen::Matrix3Xd> jacobian) const {
   Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, most_joints> origins(3, joints());
-  const Pose T_base_tool = follow(q, [&](int j, const Eigen::Matrix3d& R, const Eigen::Vector3d& p) {
+  const auto column = [&](int j, const Eigen::Matrix3d& R, const Eigen::Vector3d& p, const Eigen::Vector3d* coupled) {
     jacobian.col(j) = R.col(2);
     origins.col(j) = p;
-  });
-  const Eigen::Vector3d tool = T_base_tool.translation();
+    if (coupled != nullptr) jacobian.col(j) = coupled->z() * R.col(0) - coupled->x() * R.col(2);
+  };
+  const Eigen::Vector3d tool = follow(q, column).translation();
   for (int j = 0; j < joints(); ++j) {
+    if (!all_turn_ && links_[static_cast<std::size_t>(j)].joint != Joint::turns) continue;
     const Eigen::Vector3d axis = jacobian.col(j);
     jacobian.col(j) = axis.cross(tool - origins.col(j));
   }
-  return tool;
+  if (!has_base_) return tool;
+  jacobian = (T_base_first_.linear() * jacobian).eval();
+  return T_base_first_ * tool;
 }
 
 void Chain::position_errors(const CandidatesRef& q, const Eigen::Vector3d& target,
@@ -106,25 +176,44 @@ void Chain::position_errors(const CandidatesRef& q, const Eigen::Vector3d& targe
     throw std::invalid_argument(fmt::format("{} candidates of {} joints and {} errors for an arm of {} joints",
                                             q.cols(), q.rows(), errors.size(), joints()));
   }
-  const KernelChain chain{kernel_links_.data(), joints(), {tip_.x(), tip_.y(), tip_.z()}};
-  kernels().position_errors(chain, target.data(), q.data(), q.outerStride(), q.cols(), errors.data());
+  const Eigen::Vector3d& tip = tool_.position;
+  const KernelChain chain{kernel_links_.data(), joints(), {tip.x(), tip.y(), tip.z()}, all_turn_};
+  Eigen::Vector3d of_first;
+  if (has_base_) of_first = T_first_base_ * target;
+  const double* const seen = has_base_ ? of_first.data() : target.data();
+  kernels().position_errors(chain, seen, q.data(), q.outerStride(), q.cols(), errors.data());
 }
 
-Kinematics::Ball Chain::reach() const {
-  Ball ball{Eigen::Vector3d::Zero(), tip_.norm()};
-  for (const DhLink& link : links_) ball.radius += std::sqrt(link.a * link.a + link.d * link.d);
-  if (!links_.empty()) {  // the first link's d lies along the base's axis and moves nothing
-    const DhLink& first = links_.front();
+Chain::Ball Chain::reach() const {
+  Ball ball{Eigen::Vector3d::Zero(), tool_.position.norm()};
+  for (const DhLink& link : links_) {
+    if (link.joint == Joint::slides) ball.radius = std::numeric_limits<double>::infinity();
+    ball.radius += std::sqrt(link.a * link.a + link.d * link.d);
+  }
+  if (!links_.empty() && links_.front().joint == Joint::turns) {
+    const DhLink& first = links_.front();  // its d lies along the first axis and moves nothing
     ball.centre.z() = first.d;
     ball.radius += std::abs(first.a) - std::sqrt(first.a * first.a + first.d * first.d);
   }
+  ball.centre = T_base_first_ * ball.centre;
   return ball;
 }
 
 std::string Chain::definition() const {
+  const auto numbers = [](const Eigen::Vector3d& v) { return fmt::format("{} {} {} ", v.x(), v.y(), v.z()); };
   std::string text;
-  for (const DhLink& link : links_) text += fmt::format("{} {} {} {} ", link.a, link.alpha, link.d, link.offset);
-  return text + fmt::format("{} {} {} ", tip_.x(), tip_.y(), tip_.z());
+  // What is as in the first stores has their words; the rest is said where it is.
+  for (const DhLink& link : links_) {
+    text += fmt::format("{} {} {} {} ", link.a, link.alpha, link.d, link.offset);
+    if (link.joint == Joint::slides) text += "slides ";
+    if (link.joint == Joint::coupled) text += "coupled ";
+  }
+  text += numbers(tool_.position);
+  if (tool_is_turned_) text += "turned " + numbers(tool_.rpy);
+  if (has_base_) text += "base " + numbers(base_.position) + numbers(base_.rpy);
+  // Older stores know the Dobot Magician by these words.
+  constexpr std::string_view dobot = "0 0 0.058 0 0 0 0.135 0 coupled 0.147 0 0 0 coupled 0.061 0 0 ";
+  return text == dobot ? " dobot magician 0.135 0.147 0.061 0.058 " : text;
 }
 
 }  // namespace ikbench::robots

@@ -11,11 +11,20 @@ enum class InstructionSet;
 namespace ikbench::robots {
 
 
+// What a link's joint does.
+enum class Joint : unsigned char {
+  turns,   // the link and all after it, about z
+  slides,  // the same along z, by metres instead of radians
+  // It turns this link alone, about y: a linkage such as a parallelogram holds what comes after it in its direction.
+  coupled,
+};
+
 // A link as the way from the tip to the base meets it; plain data, because kernels know nothing else.
 struct KernelLink {
   enum Twist { none, quarter, minus_quarter, general };
   Twist twist;
-  bool turns;           // false where the point lies on the joint's axis whatever the other angles are
+  bool turns;  // false where the point lies on the joint's axis whatever the other angles are
+  Joint joint;
   double cosine, sine;  // of the twist
   double a, d, offset;  // as in DhLink
 };
@@ -26,6 +35,7 @@ struct KernelChain {
   const KernelLink* links;
   int joints;
   double tip[3];
+  bool all_turn = true;
 };
 
 struct Kernels {

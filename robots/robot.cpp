@@ -1,12 +1,12 @@
 #include "robots/robot.hpp"
 
 #include <algorithm>
-#include <numbers>
+#include <array>
 #include <stdexcept>
 
-#include "robots/dobot_magician.hpp"
+#include "robots/arm_fields.hpp"
 #include "numerics/names.hpp"
-#include "numerics/units.hpp"
+#include "numerics/toml_table.hpp"
 
 namespace ikbench::robots {
 
@@ -14,40 +14,65 @@ using namespace numerics;
 
 namespace {
 
-JointLimits symmetric_limits(const Configuration& degrees) { return {-degrees * degree, degrees * degree}; }
+struct ArmFile {
+  std::string_view name, text;
+  std::string_view arm() const { return name.substr(0, name.rfind('.')); }
+};
 
-std::shared_ptr<const Kinematics> chain_of(std::vector<DhLink> links) {
-  return std::make_shared<Chain>(std::move(links));
+constexpr auto arm_files = std::to_array<ArmFile>({
+#include "arms.inc"
+});
+
+Robot built_in(const ArmFile& file) { return parse_robot(file.text, file.name); }
+
+LimitedLink read_link(TomlReader reader) {
+  LimitedLink one;
+  list_fields(reader, one);
+  reader.refuse_unknown_keys();
+  const bool slides = one.link.joint == Joint::slides;
+  const char* const key = slides ? "limits_m" : "limits_deg";
+  const toml::node* const limits = reader.table().get(key);
+  if (slides && limits == nullptr) {
+    throw std::invalid_argument(reader.where(reader.table().source(), key) +
+                                "a joint that slides has no limits_m; expected them, such as limits_m = [0, 0.5]");
+  }
+  const double largest = slides ? lengths_m.second : angles_deg.second * degree;
+  if (!(one.limits[0] < one.limits[1]) || !(one.limits.cwiseAbs().maxCoeff() <= largest)) {
+    reader.fail(
+        key, *limits,
+        fmt::format("the lower limit and then the upper, within +-{}", slides ? lengths_m.second : angles_deg.second));
+  }
+  return one;
 }
 
-// Slim et al. 2023, Table 2; the lengths, which the paper does not print, are the manufacturer's.
-Robot kuka_iiwa14() {
-  constexpr double quarter = std::numbers::pi / 2;
-  return {"kuka_iiwa14", "KUKA LBR iiwa 14 R820: 7 joints, spherical wrist",
-          chain_of({{.alpha = -quarter, .d = 0.360},
-                    {.alpha = quarter},
-                    {.alpha = quarter, .d = 0.420},
-                    {.alpha = -quarter},
-                    {.alpha = -quarter, .d = 0.400},
-                    {.alpha = quarter},
-                    {.d = 0.126}}),
-          symmetric_limits(Eigen::Vector<double, 7>{170, 120, 170, 120, 170, 120, 175})};
+std::vector<LimitedLink> read_links(TomlReader& reader) {
+  const std::string expected =
+      fmt::format("a list of 1 to {} links such as {{ d_m = 0.36, alpha_deg = -90 }}", most_joints);
+  const toml::node* const node = reader.find("links");
+  if (node == nullptr) {
+    throw std::invalid_argument(reader.where(reader.table().source(), "links") + "the arm has no links; expected " +
+                                expected);
+  }
+  const toml::array* const array = node->as_array();
+  if (array == nullptr || array->empty() || array->size() > most_joints || !array->is_homogeneous<toml::table>()) {
+    reader.fail("links", *node, expected);
+  }
+  std::vector<LimitedLink> links;
+  for (const toml::node& element : *array) links.push_back(read_link(reader.nested(*element.as_table(), "links.")));
+  return links;
 }
 
-// Closed-form answers for tests and first steps: every link 0.5 m, in the x-y plane.
-Robot planar(int joints) {
-  const auto count = static_cast<std::size_t>(joints);
-  return {"planar_" + std::to_string(joints), std::to_string(joints) + " links of 0.5 m in the x-y plane",
-          chain_of(std::vector<DhLink>(count, DhLink{.a = 0.5})),
-          symmetric_limits(Configuration::Constant(joints, 180))};
-}
-
-// Slim et al. 2023, Sec. 6; the limits are the manufacturer's.
-Robot dobot_magician() {
-  return {"dobot_magician",
-          "Dobot Magician: 3 joints that place the tool, parallelogram linkage",
-          std::make_shared<DobotMagician>(),
-          {Eigen::Vector3d(-90, 0, -10) * degree, Eigen::Vector3d(90, 85, 95) * degree}};
+Frame read_frame(TomlReader& reader, const std::string& key) {
+  Frame frame;
+  const toml::table* const table = reader.subtable(key);
+  if (table == nullptr) return frame;
+  TomlReader frame_reader = reader.nested(*table, key + ".");
+  list_fields(frame_reader, frame);
+  frame_reader.refuse_unknown_keys();
+  if (!(frame.position.cwiseAbs().maxCoeff() <= lengths_m.second)) {
+    frame_reader.fail("position_m", *table->get("position_m"), fmt::format("lengths within +-{}", lengths_m.second));
+  }
+  return frame;
 }
 
 }  // namespace
@@ -56,15 +81,54 @@ double JointLimits::violation(const ConfigurationRef& q) const {
   return std::max({0.0, (lower - q).maxCoeff(), (q - upper).maxCoeff()});
 }
 
-std::vector<Robot> all_robots() { return {kuka_iiwa14(), dobot_magician(), planar(2), planar(3)}; }
+std::vector<Robot> all_robots() {
+  std::vector<Robot> all;
+  for (const ArmFile& file : arm_files) all.push_back(built_in(file));
+  return all;
+}
 
 Robot robot(std::string_view name) {
   std::vector<std::string> names;
-  for (Robot& candidate : all_robots()) {
-    if (candidate.name == name) return std::move(candidate);
-    names.push_back(candidate.name);
+  for (const ArmFile& file : arm_files) {
+    if (file.arm() == name) return built_in(file);
+    names.emplace_back(file.arm());
   }
   throw std::invalid_argument(unknown_name("robot", name, names));
+}
+
+bool is_arm_file(std::string_view name) { return name.ends_with(".toml"); }
+
+Robot parse_robot(std::string_view text, const std::filesystem::path& file) {
+  const toml::table table = parse_toml(text, file.string());
+  TomlReader reader(table, file.string(), "");
+  const std::vector<LimitedLink> links = read_links(reader);
+  std::vector<DhLink> chain;
+  JointLimits limits;
+  limits.lower.resize(static_cast<Eigen::Index>(links.size()));
+  limits.upper.resize(limits.lower.size());
+  for (const LimitedLink& one : links) {
+    const auto joint = static_cast<Eigen::Index>(chain.size());
+    limits.lower[joint] = one.limits[0];
+    limits.upper[joint] = one.limits[1];
+    chain.push_back(one.link);
+  }
+  const Frame base = read_frame(reader, "base"), tool = read_frame(reader, "tool");
+  Robot arm{file.stem().string(), "", "", Chain(std::move(chain), base, tool), std::move(limits)};
+  list_fields(reader, arm);
+  reader.refuse_unknown_keys();
+  if (arm.name.empty() || !TomlReader::is_plain(arm.name)) {
+    throw std::invalid_argument(
+        fmt::format("{}: the arm has the name of its file; expected {}", file.string(), TomlReader::plain));
+  }
+  return arm;
+}
+
+Robot load_robot(const std::filesystem::path& file) {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(file, error)) {
+    throw std::invalid_argument(fmt::format("there is no file {}", file.string()));
+  }
+  return parse_robot(text_of_file(file), file);
 }
 
 }  // namespace ikbench::robots

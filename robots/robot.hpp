@@ -1,7 +1,7 @@
-// An arm by name: its kinematics and its joint limits.
+// An arm by name: its chain and its joint limits, from a file of robots/arms/ or of one's own.
 #pragma once
 
-#include <memory>
+#include <filesystem>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -11,7 +11,7 @@
 namespace ikbench::robots {
 
 struct JointLimits {
-  Configuration lower, upper;  // [rad], Eq. 4
+  Configuration lower, upper;  // [rad], or [m] where a joint slides; Eq. 4
 
   // How far the worst joint is outside [rad]; 0 inside.
   double violation(const ConfigurationRef& q) const;
@@ -20,16 +20,23 @@ struct JointLimits {
 struct Robot {
   std::string name;
   std::string summary;
-  std::shared_ptr<const Kinematics> kinematics;
+  std::string source;  // of the numbers
+  Chain chain;
   JointLimits limits;
 
-  int joints() const { return kinematics->joints(); }
-  // Null where the arm is no Denavit-Hartenberg chain.
-  const Chain* chain() const { return dynamic_cast<const Chain*>(kinematics.get()); }
+  int joints() const { return chain.joints(); }
 };
 
+// The built-in arms, by name.
 std::vector<Robot> all_robots();
-// std::invalid_argument names those there are.
+// One of them; std::invalid_argument names those there are.
 Robot robot(std::string_view name);
+
+// Whether a name is meant as a file, by its ending: .toml.
+bool is_arm_file(std::string_view name);
+// Both: std::invalid_argument says where, what is wrong, and what is expected. The arm has the name of the file without
+// its ending.
+Robot parse_robot(std::string_view text, const std::filesystem::path& file);
+Robot load_robot(const std::filesystem::path& file);
 
 }  // namespace ikbench::robots

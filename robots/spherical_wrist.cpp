@@ -1,5 +1,6 @@
 #include "robots/spherical_wrist.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
@@ -17,7 +18,7 @@ Chain arm_of(const Chain& whole) {
     throw std::invalid_argument("the last three axes of this arm do not form a spherical wrist");
   }
   const std::vector<DhLink>& links = whole.links();
-  return Chain({links.begin(), links.end() - 3}, {0, 0, links[links.size() - 3].d});
+  return Chain({links.begin(), links.end() - 3}, whole.base(), {.position = {0, 0, links[links.size() - 3].d}});
 }
 
 double wrapped(double angle) { return std::remainder(angle, 2 * std::numbers::pi); }
@@ -29,7 +30,8 @@ bool SphericalWrist::fits(const Chain& whole) {
   const DhLink* last = &whole.links().back();
   const DhLink &first = last[-2], &middle = last[-1], &third = last[0];
   const auto near = [](double a, double b) { return std::abs(a - b) < 1e-12; };
-  return first.a == 0 && middle.a == 0 && middle.d == 0 && third.a == 0 && third.alpha == 0 &&
+  const bool turn = std::all_of(last - 2, last + 1, [](const DhLink& link) { return link.joint == Joint::turns; });
+  return turn && first.a == 0 && middle.a == 0 && middle.d == 0 && third.a == 0 && third.alpha == 0 &&
          near(std::abs(first.alpha), std::numbers::pi / 2) && near(first.alpha, -middle.alpha);
 }
 
@@ -38,7 +40,10 @@ SphericalWrist::SphericalWrist(const Chain& whole) : arm_(arm_of(whole)) {
   const DhLink &first = last[-2], &middle = last[-1], &third = last[0];
   offsets_ = {first.offset, middle.offset, third.offset};
   sense_ = first.alpha < 0 ? 1 : -1;
-  tool_in_tool_ = whole.tip() + Eigen::Vector3d(0, 0, third.d);
+  tool_in_tool_ = whole.tool().position + Eigen::Vector3d(0, 0, third.d);
+  if (whole.tool().rpy.isZero(0)) return;
+  R_tool_last_ = whole.tool().pose().linear().transpose();
+  tool_in_tool_ = *R_tool_last_ * tool_in_tool_;
 }
 
 Eigen::Vector3d SphericalWrist::centre(const Pose& T_base_tool) const {
@@ -48,7 +53,8 @@ Eigen::Vector3d SphericalWrist::centre(const Pose& T_base_tool) const {
 std::array<Eigen::Vector3d, 2> SphericalWrist::angles(const ConfigurationRef& q_arm, const Eigen::Matrix3d& R_base_tool,
                                                       const Eigen::Vector3d& near) const {
   const Eigen::Matrix3d R_base_arm = arm_.forward(q_arm).linear();  // Eq. 16
-  const Eigen::Matrix3d R = R_base_arm.transpose() * R_base_tool;   // Eq. 17: Rz(t5) Ry(t6) Rz(t7)
+  Eigen::Matrix3d R = R_base_arm.transpose() * R_base_tool;         // Eq. 17: Rz(t5) Ry(t6) Rz(t7)
+  if (R_tool_last_) R = (R * *R_tool_last_).eval();
   const auto branch = [&](double t5) -> Eigen::Vector3d {
     const auto [s5, c5] = sin_cos(t5);
     // Rz(-t5) R = Ry(t6) Rz(t7): well conditioned for every t5, also next to the singular case.

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 
 #include "robots/chain.hpp"
 
@@ -31,9 +32,10 @@ class SphericalWrist {
 
  private:
   Chain arm_;
-  Eigen::Vector3d offsets_;       // of the three joints
-  double sense_;                  // +1 where the middle joint turns about +y, -1 about -y
-  Eigen::Vector3d tool_in_tool_;  // tool point from the wrist's centre, in the tool's frame
+  Eigen::Vector3d offsets_;                     // of the three joints
+  double sense_;                                // +1 where the middle joint turns about +y, -1 about -y
+  Eigen::Vector3d tool_in_tool_;                // tool point from the wrist's centre, in the tool's frame
+  std::optional<Eigen::Matrix3d> R_tool_last_;  // where the tool is turned in the last link's frame
 };
 
 }  // namespace ikbench::robots

@@ -4,13 +4,13 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "robots/kinematics.hpp"
+#include "robots/chain.hpp"
 
 namespace ikbench::solvers {
 
 class Objective {
  public:
-  Objective(const robots::Kinematics& arm, Eigen::Vector3d target) : arm_(arm), target_(std::move(target)) {}
+  Objective(const robots::Chain& arm, Eigen::Vector3d target) : arm_(arm), target_(std::move(target)) {}
   virtual ~Objective() = default;
 
   // Position error [m] of every candidate (a column of q) into `errors`; counts one evaluation a candidate.
@@ -59,7 +59,7 @@ class Objective {
 
  protected:
   // With 1 candidate to look ahead at most, one_by_one is that loop as it is written.
-  Objective(const robots::Kinematics& arm, Eigen::Vector3d target, Eigen::Index furthest_ahead)
+  Objective(const robots::Chain& arm, Eigen::Vector3d target, Eigen::Index furthest_ahead)
       : arm_(arm), target_(std::move(target)), look_ahead_(furthest_ahead), furthest_ahead_(furthest_ahead) {}
 
   virtual void evaluate(const robots::CandidatesRef& q, Eigen::Ref<Eigen::VectorXd> errors) {
@@ -70,7 +70,7 @@ class Objective {
   }
 
  private:
-  const robots::Kinematics& arm_;
+  const robots::Chain& arm_;
   Eigen::Vector3d target_;
   Eigen::Index look_ahead_ = 64, furthest_ahead_ = 64;  // candidates
   std::int64_t evaluations_ = 0;

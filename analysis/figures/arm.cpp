@@ -1,15 +1,102 @@
 #include "analysis/figures/arm.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
+#include <numbers>
+#include <string_view>
+
+#include "analysis/statistics/descriptive.hpp"
 
 namespace ikbench::figures {
 
+using namespace statistics;
 using namespace inference;
 
 namespace {
+
+using nlohmann::json;
+
+constexpr double degree = std::numbers::pi / 180;
+constexpr std::size_t most_joints = 64;
+
+// What stores had before arms were files: the Dobot Magician by its four lengths, and other chains with angles in
+// radians and all limits together. As it would be written today; null where it is neither.
+json of_older_store(const json& arm) {
+  const json none = json::array({0, 0, 0});
+  json tip = arm.value("tip_m", none), links = arm.value("links", json());
+  const auto length = [&](const char* name) { return arm.value(name, json()); };
+  if (arm["kind"] == "dobot_magician") {
+    links = {{{"d_m", length("height_m")}},
+             {{"joint", "coupled"}, {"d_m", length("upper_arm_m")}},
+             {{"joint", "coupled"}, {"a_m", length("forearm_m")}}};
+    tip = {length("wrist_to_tool_m"), 0, 0};
+  } else if (arm["kind"] != "denavit_hartenberg" || !arm.contains("tip_m")) {
+    return nullptr;
+  }
+  if (!links.is_array()) return nullptr;
+  for (std::size_t joint = 0; joint < links.size(); ++joint) {
+    json& link = links[joint];
+    if (!link.is_object()) return nullptr;
+    for (const auto& [radians, degrees] : {std::pair{"offset_rad", "offset_deg"}, {"alpha_rad", "alpha_deg"}}) {
+      if (link.contains(radians))
+        link[degrees] = link[radians].is_number() ? json(link[radians].get<double>() / degree) : json();
+    }
+    for (const char* name : {"offset_deg", "d_m", "a_m", "alpha_deg"}) {
+      if (arm["kind"] == "dobot_magician" && !link.contains(name)) link[name] = 0;
+    }
+    const json lower = arm.value("lower_deg", json()), upper = arm.value("upper_deg", json());
+    if (lower.is_array() && upper.is_array() && lower.size() == links.size() && upper.size() == links.size()) {
+      link["limits_deg"] = {lower[joint], upper[joint]};
+    }
+  }
+  const json still{{"position_m", none}, {"rpy_deg", none}};
+  return {{"links", links}, {"base", still}, {"tool", {{"position_m", tip}, {"rpy_deg", none}}}};
+}
+
+// A number of an arm, or a list of them; it is known where it is within 3600.
+bool is_length(const json& value) { return value.is_number() && std::abs(value.get<double>()) <= 3600; }
+
+bool are_lengths(const json& values, std::size_t size) {
+  return values.is_array() && values.size() == size && std::ranges::all_of(values, is_length);
+}
+
+std::optional<ArmLink> link_of(const json& link) {
+  if (!link.is_object()) return std::nullopt;
+  const json joint = link.value("joint", json("turns"));
+  using enum ArmLink::Joint;
+  if (joint != "turns" && joint != "slides" && joint != "coupled") return std::nullopt;
+  for (const char* name : {"offset_deg", "d_m", "a_m", "alpha_deg"}) {
+    if (!is_length(link.value(name, json()))) return std::nullopt;
+  }
+  const auto number = [&](const char* name) { return link[name].get<double>(); };
+  ArmLink known{.joint = joint == "slides"    ? slides
+                         : joint == "coupled" ? coupled
+                                              : turns,
+                .offset_rad = number("offset_deg") * degree,
+                .d_m = number("d_m"),
+                .a_m = number("a_m"),
+                .alpha_rad = number("alpha_deg") * degree,
+                .lower = not_defined,
+                .upper = not_defined};
+  const json limits = link.value(known.joint == slides ? "limits_m" : "limits_deg", json());
+  const double unit = known.joint == slides ? 1 : degree;
+  if (are_lengths(limits, 2)) {
+    known.lower = limits[0].get<double>() * unit;
+    known.upper = limits[1].get<double>() * unit;
+  }
+  return known;
+}
+
+std::optional<ArmFrame> frame_of(const json& arm, const char* name) {
+  const json frame = arm.value(name, json());
+  if (!frame.is_object()) return std::nullopt;
+  const json position = frame.value("position_m", json()), rpy = frame.value("rpy_deg", json());
+  if (!are_lengths(position, 3) || !are_lengths(rpy, 3)) return std::nullopt;
+  ArmFrame known{position.get<Point>(), rpy.get<Point>()};
+  for (double& angle : known.rpy_rad) angle *= degree;
+  return known;
+}
 
 Point along(const Point& from, double length, const Point& direction) {
   Point to = from;
@@ -17,59 +104,74 @@ Point along(const Point& from, double length, const Point& direction) {
   return to;
 }
 
-// u cos(angle) + v sin(angle)
-Point turned(const Point& u, const Point& v, double angle) {
-  return along(along({0, 0, 0}, std::cos(angle), u), std::sin(angle), v);
-}
+// A frame that is carried along the arm.
+struct Carried {
+  Point at{0, 0, 0};
+  std::array<Point, 3> axes{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
 
-// Denavit and Hartenberg's: about z by the joint's angle, d along z, a along x, about x by alpha.
-std::vector<Point> chain_points(const Definition& definition, const std::vector<double>& angles_rad) {
-  std::vector<Point> points{{0, 0, 0}};
-  Point x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1};
-  for (std::size_t joint = 0; joint < angles_rad.size(); ++joint) {
-    const auto link = [&](const char* field) {
-      return definition.number(fmt::format("/arm/links/{}/{}", joint, field));
-    };
-    const double angle = angles_rad[joint] + link("offset_rad");
-    const Point x_before = x;
-    x = turned(x, y, angle);
-    y = turned(y, along({0, 0, 0}, -1, x_before), angle);
-    points.push_back(along(points.back(), link("d_m"), z));
-    points.push_back(along(points.back(), link("a_m"), x));
-    const Point y_before = y;
-    y = turned(y, z, link("alpha_rad"));
-    z = turned(z, along({0, 0, 0}, -1, y_before), link("alpha_rad"));
+  void move(const Point& by) {
+    for (std::size_t axis = 0; axis < 3; ++axis) at = along(at, by[axis], axes[axis]);
   }
-  const std::vector<double> tip = definition.numbers("/arm/tip_m");
-  if (tip.size() == 3) points.push_back(along(along(along(points.back(), tip[0], x), tip[1], y), tip[2], z));
-  points.erase(std::unique(points.begin(), points.end()), points.end());  // a length of 0 is no corner
-  return points;
-}
+  // About one axis, from the one after it to the third.
+  void turn(std::size_t about, double angle) {
+    Point &u = axes[(about + 1) % 3], &v = axes[(about + 2) % 3];
+    const Point u_before = u, none{0, 0, 0};
+    u = along(along(none, std::cos(angle), u), std::sin(angle), v);
+    v = along(along(none, std::cos(angle), v), -std::sin(angle), u_before);
+  }
+  void enter(const ArmFrame& frame) {
+    move(frame.position_m);
+    for (const std::size_t axis : {2U, 1U, 0U}) turn(axis, frame.rpy_rad[axis]);
+  }
+};
 
-// The linkage holds the forearm's angle to the horizontal, whatever the upper arm does, and the tool level.
-std::vector<Point> dobot_points(const Definition& definition, const std::vector<double>& angles_rad) {
-  if (angles_rad.size() < 3) return {};
-  const auto length = [&](const char* field) { return definition.number(fmt::format("/arm/{}", field)); };
-  const Point up{0, 0, 1}, down{0, 0, -1};
-  const Point level = turned({1, 0, 0}, {0, 1, 0}, angles_rad[0]);
-  std::vector<Point> points{{0, 0, 0}, {0, 0, length("height_m")}};
-  points.push_back(along(points.back(), length("upper_arm_m"), turned(up, level, angles_rad[1])));
-  points.push_back(along(points.back(), length("forearm_m"), turned(level, down, angles_rad[2])));
-  points.push_back(along(points.back(), length("wrist_to_tool_m"), level));
-  return points;
-}
+constexpr std::size_t about_x = 0, about_y = 1, about_z = 2;
 
 }  // namespace
 
+std::optional<Arm> arm_of(const Definition& definition) {
+  const json* const written = definition.find("/arm");
+  if (written == nullptr || !written->is_object()) return std::nullopt;
+  const json arm = written->contains("kind") ? of_older_store(*written) : *written;
+  if (!arm.is_object()) return std::nullopt;
+  const json links = arm.value("links", json());
+  const std::optional<ArmFrame> base = frame_of(arm, "base"), tool = frame_of(arm, "tool");
+  if (!links.is_array() || links.empty() || links.size() > most_joints || !base || !tool) return std::nullopt;
+  Arm known{.links = {}, .base = *base, .tool = *tool};
+  for (const json& each : links) {
+    const std::optional<ArmLink> link = link_of(each);
+    if (!link) return std::nullopt;
+    known.links.push_back(*link);
+  }
+  return known;
+}
+
 std::vector<Point> arm_points(const Definition& definition, const std::vector<double>& angles_rad) {
-  std::vector<Point> points;
-  const std::string kind = definition.text("/arm/kind");
-  if (kind == "denavit_hartenberg") points = chain_points(definition, angles_rad);
-  if (kind == "dobot_magician") points = dobot_points(definition, angles_rad);
-  const auto is_finite = [](const Point& point) {
-    return std::ranges::all_of(point, [](double coordinate) { return std::isfinite(coordinate); });
-  };
-  return std::ranges::all_of(points, is_finite) ? points : std::vector<Point>();
+  const std::optional<Arm> arm = arm_of(definition);
+  const auto is_finite = [](double value) { return std::isfinite(value); };
+  if (!arm || angles_rad.size() != arm->links.size() || !std::ranges::all_of(angles_rad, is_finite)) return {};
+  Carried frame;
+  std::vector<Point> points{frame.at};
+  const auto corner = [&] { points.push_back(frame.at); };
+  frame.enter(arm->base);
+  corner();
+  for (std::size_t joint = 0; joint < arm->links.size(); ++joint) {
+    const ArmLink& link = arm->links[joint];
+    const bool slides = link.joint == ArmLink::Joint::slides, is_coupled = link.joint == ArmLink::Joint::coupled;
+    const std::size_t about = is_coupled ? about_y : about_z;
+    const double angle = slides ? link.offset_rad : angles_rad[joint] + link.offset_rad;
+    frame.turn(about, angle);
+    frame.move({0, 0, slides ? link.d_m + angles_rad[joint] : link.d_m});
+    corner();
+    frame.move({link.a_m, 0, 0});
+    corner();
+    if (is_coupled) frame.turn(about, -angle);
+    frame.turn(about_x, link.alpha_rad);
+  }
+  frame.enter(arm->tool);
+  corner();
+  points.erase(std::unique(points.begin(), points.end()), points.end());  // a length of 0 is no corner
+  return points;
 }
 
 }  // namespace ikbench::figures

@@ -1,7 +1,8 @@
-// Where the joints of an arm are, so that it can be drawn.
+// The arm of a study, as the store has it, and where its joints are, so that it can be drawn.
 #pragma once
 
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "analysis/inference/definition.hpp"
@@ -10,8 +11,28 @@ namespace ikbench::figures {
 
 using Point = std::array<double, 3>;  // x, y, z [m]
 
-// The corners of the arm from the base to the tool. None where the definition has no arm of a known kind, or the angles
-// are not those of its joints.
+// As robots/chain.hpp has it: standard Denavit-Hartenberg form.
+struct ArmLink {
+  enum class Joint { turns, slides, coupled } joint;
+  double offset_rad, d_m, a_m, alpha_rad;
+  double lower, upper;  // limits [rad], or [m] where it slides; not_defined where the store has none
+};
+
+struct ArmFrame {
+  Point position_m, rpy_rad;
+};
+
+struct Arm {
+  std::vector<ArmLink> links;
+  ArmFrame base, tool;
+};
+
+// None where the definition has no arm whose every length and angle is known and within 3600; an older store's is read
+// as what it is today.
+std::optional<Arm> arm_of(const inference::Definition& definition);
+
+// The corners of the arm from the base to the tool. None where the definition has no arm, or the angles are not those
+// of its joints.
 std::vector<Point> arm_points(const inference::Definition& definition, const std::vector<double>& angles_rad);
 
 }  // namespace ikbench::figures

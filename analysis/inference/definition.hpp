@@ -16,13 +16,12 @@ class Definition {
   std::string text(const std::string& pointer) const;             // empty where there is none
   double number(const std::string& pointer) const;                // not_defined where there is none
   std::vector<double> numbers(const std::string& pointer) const;  // none where not all of them are numbers
+  const nlohmann::json* find(const std::string& pointer) const;   // null where there is none
 
   // Whether the targets were drawn anew for every run; older stores have the kind of path alone.
   bool draws_targets() const { return text("/path/targets") == "drawn" || text("/path/kind") == "random"; }
 
  private:
-  const nlohmann::json* find(const std::string& pointer) const;
-
   nlohmann::json json_;
 };
 

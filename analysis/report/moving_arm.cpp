@@ -4,10 +4,10 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
-#include <initializer_list>
 #include <map>
 #include <numbers>
 
+#include "analysis/figures/arm.hpp"
 #include "analysis/inference/text.hpp"
 #include "analysis/report/json.hpp"
 #include "results/files.hpp"
@@ -16,6 +16,7 @@ namespace ikbench::report {
 
 using namespace results;
 using namespace inference;
+using namespace figures;
 
 namespace {
 
@@ -31,23 +32,25 @@ Json rounded(const std::vector<double>& values) {
   return list;
 }
 
-// The joints of an answer that are outside their limits, and by how much. That any is has been recorded; up to 1e-9 rad
-// is rounding, as it is to the verifier (experiments/verifier.cpp). Decided here, since the page has rounded angles.
-Json joints_outside(const SolveRecord& solve, const Json& arm) {
-  constexpr double degree = std::numbers::pi / 180, rounding_deg = 1e-9 / degree;
+// The joints of an answer that are outside their limits, and by how much. That any is has been recorded; up to 1e-9 is
+// rounding, as it is to the verifier (experiments/verifier.cpp). Decided here, since the page has rounded angles.
+Json joints_outside(const SolveRecord& solve, const Arm& arm) {
+  constexpr double degree = std::numbers::pi / 180, rounding = 1e-9;
   Json list = Json::array();
   if (!(solve.limit_violation_deg > 0)) return list;
   for (std::size_t joint = 0; joint < solve.answer_rad.size(); ++joint) {
-    const double angle_deg = solve.answer_rad[joint] / degree;
-    const double outside_deg =
-        std::max(arm["lower_deg"][joint].get<double>() - angle_deg, angle_deg - arm["upper_deg"][joint].get<double>());
-    if (outside_deg > rounding_deg) list.push_back({{"joint", joint}, {"deg", outside_deg}});
+    const ArmLink& link = arm.links[joint];
+    const double outside = std::max(link.lower - solve.answer_rad[joint], solve.answer_rad[joint] - link.upper);
+    if (!(outside > rounding)) continue;
+    const bool slides = link.joint == ArmLink::Joint::slides;
+    list.push_back(
+        {{"joint", joint}, {"by", slides ? outside * 100 : outside / degree}, {"unit", slides ? " cm" : "\u00b0"}});
   }
   return list;
 }
 
 // The first run of a solver, point by point; a start only where it is not the answer before.
-Json first_run(const StudyResults& study, const std::string& solver, const Json& arm) {
+Json first_run(const StudyResults& study, const std::string& solver, const Arm& arm) {
   std::map<std::pair<int, int>, const SolveRecord*> solves;
   for (const SolveRecord& solve : study.solves) {
     if (solve.solver == solver) solves[{solve.run, solve.point}] = &solve;
@@ -71,35 +74,19 @@ Json first_run(const StudyResults& study, const std::string& solver, const Json&
   return {{"name", one_line(solver)}, {"run", run}, {"steps", std::move(steps)}};
 }
 
-constexpr std::size_t most_joints = 64;
+Json drawn(const ArmFrame& frame) { return {{"position_m", frame.position_m}, {"rpy_rad", frame.rpy_rad}}; }
 
-bool is_list_of_lengths(const Json& list, std::size_t size) {
-  return list.is_array() && list.size() == size && std::ranges::all_of(list, [](const Json& each) {
-           return each.is_number() && std::abs(each.get<double>()) <= 1000;  // [m], or limits [deg]
-         });
-}
-
-// How many joints the arm has that the page can draw; 0 where it is none that it knows, as a foreign store may say.
-std::size_t joints_of(const Json& arm) {
-  const auto lengths = [&](std::initializer_list<const char*> names, const Json& of) {
-    return std::ranges::all_of(names, [&](const char* name) {
-      return of.contains(name) && of[name].is_number() && std::abs(of[name].get<double>()) <= 1000;
-    });
-  };
-  std::size_t joints = 0;
-  const Json kind = arm.value("kind", Json());
-  if (kind == "dobot_magician" && lengths({"upper_arm_m", "forearm_m", "wrist_to_tool_m", "height_m"}, arm)) {
-    joints = 3;
-  } else if (kind == "denavit_hartenberg" && arm.contains("links") && arm["links"].is_array() &&
-             arm["links"].size() <= most_joints && is_list_of_lengths(arm.value("tip_m", Json()), 3)) {
-    const bool all = std::ranges::all_of(arm["links"], [&](const Json& link) {
-      return link.is_object() && lengths({"a_m", "alpha_rad", "d_m", "offset_rad"}, link);
-    });
-    joints = all ? arm["links"].size() : 0;
+Json drawn(const Arm& arm) {
+  constexpr std::array joints{"turns", "slides", "coupled"};
+  Json links = Json::array();
+  for (const ArmLink& link : arm.links) {
+    links.push_back({{"joint", joints[static_cast<std::size_t>(link.joint)]},
+                     {"offset_rad", link.offset_rad},
+                     {"d_m", link.d_m},
+                     {"a_m", link.a_m},
+                     {"alpha_rad", link.alpha_rad}});
   }
-  const bool has_limits = is_list_of_lengths(arm.value("lower_deg", Json()), joints) &&
-                          is_list_of_lengths(arm.value("upper_deg", Json()), joints);
-  return has_limits ? joints : 0;
+  return {{"links", std::move(links)}, {"base", drawn(arm.base)}, {"tool", drawn(arm.tool)}};
 }
 
 bool can_be_drawn(const SolveRecord& solve, std::size_t joints) {
@@ -111,20 +98,21 @@ bool can_be_drawn(const SolveRecord& solve, std::size_t joints) {
 }  // namespace
 
 std::optional<std::string> moving_arm(const StudyEntry& entry, const StudyResults& study) {
-  const Json definition = Json::parse(entry.definition, nullptr, false);
-  if (!definition.is_object() || !definition.contains("arm") || !definition["arm"].is_object()) return std::nullopt;
-  const std::size_t joints = joints_of(definition["arm"]);
-  const auto drawn = [&](const SolveRecord& solve) { return can_be_drawn(solve, joints); };
-  if (joints == 0 || !std::ranges::all_of(study.solves, drawn)) return std::nullopt;
+  const std::optional<Arm> arm = arm_of(Definition(entry.definition));
+  const auto has_limits = [](const ArmLink& link) { return std::isfinite(link.lower) && std::isfinite(link.upper); };
+  const auto is_drawn = [&](const SolveRecord& solve) { return can_be_drawn(solve, arm->links.size()); };
+  if (!arm || !std::ranges::all_of(arm->links, has_limits) || !std::ranges::all_of(study.solves, is_drawn)) {
+    return std::nullopt;
+  }
   Json solvers = Json::array();
   for (const std::string& solver : study.solvers) {
     if (solvers.size() == most_solvers) break;
-    Json run = first_run(study, solver, definition["arm"]);
+    Json run = first_run(study, solver, *arm);
     if (!run.is_null()) solvers.push_back(std::move(run));
   }
   if (solvers.empty()) return std::nullopt;
-  std::string text = Json{{"arm", definition["arm"]}, {"solvers", std::move(solvers)}}.dump(
-      -1, ' ', false, Json::error_handler_t::replace);
+  std::string text =
+      Json{{"arm", drawn(*arm)}, {"solvers", std::move(solvers)}}.dump(-1, ' ', false, Json::error_handler_t::replace);
   for (std::size_t at = text.find('<'); at != std::string::npos; at = text.find('<', at))
     text.replace(at, 1, "\\u003c");
   return text;

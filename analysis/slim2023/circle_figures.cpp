@@ -255,8 +255,14 @@ Figure circle_space_figure(const StudyResults& study) {
 Figure circle_joints_figure(const StudyResults& study) {
   const auto solves = first_run(study, shown_solver(study));
   const Definition definition(study.definition);
-  const std::vector<double> lower = definition.numbers("/arm/lower_deg");
-  const std::vector<double> upper = definition.numbers("/arm/upper_deg");
+  std::vector<double> lower, upper;  // [deg]
+  if (const std::optional<Arm> arm = arm_of(definition)) {
+    for (const ArmLink& link : arm->links) {
+      if (!std::isfinite(link.lower) || !std::isfinite(link.upper)) break;
+      lower.push_back(link.lower * 180 / std::numbers::pi);
+      upper.push_back(link.upper * 180 / std::numbers::pi);
+    }
+  }
   const std::vector<PrintedPosture> printed = printed_table_8(study.published);
   std::size_t joints = 0;
   for (const auto& [point, solve] : solves) joints = std::max(joints, solve->answer_rad.size());

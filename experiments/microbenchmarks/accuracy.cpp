@@ -21,7 +21,7 @@ using Exact = std::array<long double, 3>;
 
 // The tool point carried from the tip to the base; the twists are the quarter turns they are meant to be.
 Exact exact_position(const Chain& chain, const ConfigurationRef& q) {
-  Exact p{chain.tip().x(), chain.tip().y(), chain.tip().z()};
+  Exact p{chain.tool().position.x(), chain.tool().position.y(), chain.tool().position.z()};
   for (int j = chain.joints() - 1; j >= 0; --j) {
     const DhLink& link = chain.links()[static_cast<std::size_t>(j)];
     const auto exact = [](long double value) { return std::abs(value) < 1e-15L ? 0 : value; };

@@ -49,7 +49,7 @@ int run(int argc, char** argv) {
 
 Reach wrist_reach(int population) {
   const Robot iiwa = robot("kuka_iiwa14");
-  const SphericalWrist wrist(*iiwa.chain());
+  const SphericalWrist wrist(iiwa.chain);
   return {wrist.arm(),
           wrist.centre(targets(Study{}, 1).front()),
           {.start = Eigen::VectorXd::Zero(4),
@@ -60,7 +60,7 @@ Reach wrist_reach(int population) {
 
 Reach flange_reach(int population) {
   const Robot iiwa = robot("kuka_iiwa14");
-  return {*iiwa.chain(),
+  return {iiwa.chain,
           targets(Study{}, 1).front().translation(),
           {.start = Eigen::VectorXd::Zero(7),
            .lower = iiwa.limits.lower,

@@ -28,7 +28,7 @@ class RandomTargets final : public PathKind {
     Configuration q(arm.joints());
     for (int i = 0; i < points_; ++i) {
       for (Eigen::Index j = 0; j < q.size(); ++j) q[j] = random.uniform(arm.limits.lower[j], arm.limits.upper[j]);
-      poses.push_back(arm.kinematics->forward(q));
+      poses.push_back(arm.chain.forward(q));
     }
     return poses;
   }

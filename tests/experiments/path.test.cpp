@@ -123,7 +123,7 @@ TEST_CASE("random targets are tool poses of configurations within the limits, on
     for (const Pose& pose : poses) {
       Configuration q(arm.joints());
       for (Eigen::Index j = 0; j < q.size(); ++j) q[j] = again.uniform(arm.limits.lower[j], arm.limits.upper[j]);
-      CHECK(pose.matrix() == arm.kinematics->forward(q).matrix());
+      CHECK(pose.matrix() == arm.chain.forward(q).matrix());
       lowest = lowest.cwiseMin(q);
       highest = highest.cwiseMax(q);
     }

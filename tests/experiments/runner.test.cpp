@@ -17,6 +17,7 @@
 #include "experiments/source_digest.hpp"
 #include "experiments/study_file.hpp"
 #include "experiments/verifier.hpp"
+#include "results/fingerprint.hpp"
 #include "results/published.hpp"
 #include "solvers/registry.hpp"
 #include "tests/catch.hpp"
@@ -555,7 +556,7 @@ TEST_CASE("a refused answer leaves the arm where it was, and the record tells of
     ++refused;
     CHECK(same(record.answer_rad, record.start_rad));
     CHECK(record.variation_deg == 0);
-    const Eigen::Vector3d tool = arm.kinematics->position(Eigen::VectorXd::Map(record.start_rad.data(), 7));
+    const Eigen::Vector3d tool = arm.chain.position(Eigen::VectorXd::Map(record.start_rad.data(), 7));
     const double away = (tool - poses[static_cast<std::size_t>(record.point - 1)].translation()).norm();
     CHECK(record.position_error_cm == Approx(away * 100));
     CHECK(record.claimed_error_cm < record.position_error_cm);  // what the solver found for the joints it knows
@@ -848,4 +849,8 @@ TEST_CASE("an unknown robot, solver or option is refused before anything is writ
   CHECK_THROWS_AS(run(study, scratch.store, {}), std::invalid_argument);
   CHECK(scratch.store.studies().empty());
   CHECK(scratch.store.sessions().empty());
+}
+
+TEST_CASE("the Dobot's circle has the reference numbers, verified ones too", "[runner][paper]") {
+  CHECK(fingerprint(solves_of(load_study("slim2023-dobot"))) == reference_fingerprint("slim2023-dobot"));
 }

@@ -288,24 +288,69 @@ TEST_CASE("as JSON a study says its fields and its number of points", "[study]")
 }
 
 TEST_CASE("as JSON a study says what its arm is made of", "[study]") {
-  const nlohmann::json chain = nlohmann::json::parse(to_json(load_study("slim2023")))["arm"];
-  CHECK(chain["kind"] == "denavit_hartenberg");
-  REQUIRE(chain["links"].size() == 7);
-  CHECK(chain["links"][2] ==
-        nlohmann::json{{"a_m", 0.0}, {"alpha_rad", std::numbers::pi / 2}, {"d_m", 0.42}, {"offset_rad", 0.0}});
-  CHECK(chain["tip_m"] == std::vector<double>{0, 0, 0});
-  CHECK(chain["lower_deg"] == std::vector<double>{-170, -120, -170, -120, -170, -120, -175});  // Table 2
-  CHECK(chain["upper_deg"] == std::vector<double>{170, 120, 170, 120, 170, 120, 175});
+  using Json = nlohmann::json;
+  const Json still{{"position_m", {0.0, 0.0, 0.0}}, {"rpy_deg", {0.0, 0.0, 0.0}}};
+  const Json iiwa = Json::parse(to_json(load_study("slim2023")))["arm"];
+  REQUIRE(iiwa["links"].size() == 7);
+  CHECK(iiwa["links"][2] == Json{{"joint", "turns"},
+                                 {"offset_deg", 0.0},
+                                 {"d_m", 0.42},
+                                 {"a_m", 0.0},
+                                 {"alpha_deg", 90.0},
+                                 {"limits_deg", {-170.0, 170.0}}});  // Table 2
+  CHECK(iiwa["base"] == still);
+  CHECK(iiwa["tool"] == still);
 
-  const nlohmann::json dobot =
-      nlohmann::json::parse(to_json(read("robot = \"dobot_magician\"\nsearch = \"all_joints\"\n" + entrant)))["arm"];
-  CHECK(dobot == nlohmann::json{{"kind", "dobot_magician"},  // robots/dobot_magician.hpp
-                                {"upper_arm_m", 0.135},
-                                {"forearm_m", 0.147},
-                                {"wrist_to_tool_m", 0.061},
-                                {"height_m", 0.058},
-                                {"lower_deg", {-90.0, 0.0, -10.0}},
-                                {"upper_deg", {90.0, 85.0, 95.0}}});
+  const Json dobot =
+      Json::parse(to_json(read("robot = \"dobot_magician\"\nsearch = \"all_joints\"\n" + entrant)))["arm"];
+  REQUIRE(dobot["links"].size() == 3);
+  CHECK(dobot["links"][2] == Json{{"joint", "coupled"},
+                                  {"offset_deg", 0.0},
+                                  {"d_m", 0.0},
+                                  {"a_m", 0.147},
+                                  {"alpha_deg", 0.0},
+                                  {"limits_deg", {-10.0, 95.0}}});
+  CHECK(dobot["tool"]["position_m"] == Json{0.061, 0.0, 0.0});
+}
+
+TEST_CASE("a study's arm may be a file in the study's folder, and for --set in the current one", "[study][arm]") {
+  const ScratchFolder folder;
+  write_text(
+      folder.path / "slider.toml",
+      "links = [{ a_m = 0.5 }, { joint = \"slides\", limits_m = [0.125, 0.5] }]\ntool = { rpy_deg = [0, 90, 0] }\n");
+  const std::string file = (folder.path / "study.toml").string();
+  write_text(file, "robot = \"slider.toml\"\nsearch = \"all_joints\"\n" + entrant);
+  const Study study = load_study(file);
+  CHECK(study.robot == "slider.toml");
+  CHECK(arm_of(study).name == "slider");
+  CHECK(arm_of(study).joints() == 2);
+  CHECK(study.initial == Eigen::Vector2d(0, 0.125));  // as near to zeros as the limits allow
+  const nlohmann::json arm = nlohmann::json::parse(to_json(study))["arm"];
+  CHECK(arm["links"][1]["joint"] == "slides");
+  CHECK(arm["links"][1]["limits_m"] == std::vector<double>{0.125, 0.5});
+  CHECK(arm["tool"]["rpy_deg"] == std::vector<double>{0, 90, 0});
+
+  const std::string other = (folder.path / "slider.toml").string();
+  CHECK(keys_of(read(planar + entrant, {"robot=" + other})) == keys_of(study));
+  CHECK(contains(said_of(planar + entrant, {"robot=slider.toml"}), "--set robot: there is no file slider.toml"));
+  CHECK(said_of("robot = \"none.toml\"\n" + entrant).starts_with("my.toml:1:9: there is no file none.toml; expected"));
+  CHECK(said_of("robot = \"/\"\n" + entrant).starts_with("my.toml:1:9: unknown robot \"/\""));
+  CHECK(said_of("search = \"wrist\"\n" + entrant, {"robot=" + other}).find("has no spherical wrist") !=
+        std::string::npos);
+
+  // The numbers of the arm decide the series, its name does not.
+  write_text(folder.path / "same.toml",
+             "# the same\nlinks = [{ a_m = 0.50 }, { joint = 'slides', limits_m = [0.125, 0.5] }]\n"
+             "[tool]\nrpy_deg = [0, 90, 0]\n");
+  CHECK(keys_of(load_study(file, {"robot=" + (folder.path / "same.toml").string()})) == keys_of(study));
+  write_text(other, "links = [{ a_m = 0.5 }, { joint = \"slides\", limits_m = [0.125, 0.5] }]\n");
+  CHECK(keys_of(load_study(file)) != keys_of(study));
+  CHECK(arm_of(study).chain.tool().rpy.y() == std::numbers::pi / 2);  // read once
+
+  write_text(other, "links = [\n  { a_m = 500 },\n]\n");
+  CHECK(complaint<std::invalid_argument>([&] {
+          load_study(file);
+        }).starts_with(other + ":2:11: links.a_m is 500; expected a number from -100 to 100"));
 }
 
 TEST_CASE("a study says how it will be judged, by default Friedman's or Welch's test at 5 % over run means, no control",

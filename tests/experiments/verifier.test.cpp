@@ -38,10 +38,9 @@ TEST_CASE("the verifier's forward kinematics agrees with the chain's to 1e-12", 
     INFO(arm.name);
     double largest = 0;
     for (int i = 0; i < 10'000; ++i) {
-      Eigen::VectorXd q(arm.kinematics->joints());
+      Eigen::VectorXd q(arm.chain.joints());
       for (double& joint : q) joint = angle(random);
-      largest = std::max(
-          largest, (verified_pose(*arm.kinematics, q) - arm.kinematics->forward(q).matrix()).cwiseAbs().maxCoeff());
+      largest = std::max(largest, (verified_pose(arm.chain, q) - arm.chain.forward(q).matrix()).cwiseAbs().maxCoeff());
     }
     CHECK(largest <= 1e-12);
   }
@@ -60,15 +59,38 @@ TEST_CASE("offsets, twists, lengths and a tip off the axis are all in both forwa
   }
 }
 
+TEST_CASE("joints of any kind, bases and tools are in both forward kinematics", "[verifier]") {
+  std::mt19937_64 random(14);
+  std::uniform_real_distribution<double> length(-1, 1), angle(-pi, pi);
+  const auto lengths = [&] { return Eigen::Vector3d(length(random), length(random), length(random)); };
+  const auto turns = [&] { return Eigen::Vector3d(angle(random), angle(random), angle(random)); };
+  for (int i = 0; i < 1000; ++i) {
+    std::vector<DhLink> links(1 + random() % 8);
+    for (DhLink& link : links) {
+      link = {length(random), angle(random), length(random), angle(random), static_cast<Joint>(random() % 3)};
+      if (random() % 2 == 0) link.alpha = 0;  // of coupled links in a row
+    }
+    const Chain chain(links, {lengths(), turns()}, {lengths(), turns()});
+    Eigen::VectorXd q(chain.joints());
+    for (double& joint : q) joint = angle(random);
+    const Eigen::Matrix4d verified = verified_pose(chain, q);
+    REQUIRE((verified - chain.forward(q).matrix()).cwiseAbs().maxCoeff() <= 1e-12);
+    const Eigen::Vector3d target = lengths();
+    Eigen::VectorXd error(1);
+    chain.position_errors(q, target, error);
+    REQUIRE(std::abs(error[0] - (verified.topRightCorner<3, 1>() - target).norm()) <= 1e-12);
+  }
+}
+
 TEST_CASE("the iiwa at zeros stands upright: 36 + 42 + 40 + 12.6 cm above the base", "[verifier]") {
-  const Eigen::Matrix4d pose = verified_pose(*robot("kuka_iiwa14").chain(), Eigen::VectorXd::Zero(7));
+  const Eigen::Matrix4d pose = verified_pose(robot("kuka_iiwa14").chain, Eigen::VectorXd::Zero(7));
   Eigen::Matrix4d expected = Eigen::Matrix4d::Identity();
   expected(2, 3) = 1.306;
   CHECK(pose.isApprox(expected, 1e-15));
 }
 
 TEST_CASE("the iiwa with 90 degrees at the second joint points along x", "[verifier]") {
-  const Eigen::Matrix4d pose = verified_pose(*robot("kuka_iiwa14").chain(), angles({0, pi / 2, 0, 0, 0, 0, 0}));
+  const Eigen::Matrix4d pose = verified_pose(robot("kuka_iiwa14").chain, angles({0, pi / 2, 0, 0, 0, 0, 0}));
   CHECK((pose.col(3).head<3>() - Eigen::Vector3d(0.946, 0, 0.360)).norm() < 1e-15);
   CHECK((pose.col(2).head<3>() - Eigen::Vector3d::UnitX()).norm() < 1e-15);  // the tool's axis too
 }

@@ -23,29 +23,55 @@ inline long double meant_twist(double alpha) {
   return std::abs(alpha - turns * quarter) < 1e-15L ? turns * quarter : static_cast<long double>(alpha);
 }
 
-template <class Angles>
-LongPoint reference_position(const std::vector<robots::DhLink>& links, const Eigen::Vector3d& tip, const Angles& q) {
-  using Matrix = std::array<std::array<long double, 4>, 4>;
-  Matrix T{{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}}};
-  Eigen::Index joint = 0;
-  for (const robots::DhLink& link : links) {
-    const long double theta = static_cast<long double>(q[joint++]) + link.offset, alpha = meant_twist(link.alpha);
-    const long double c = std::cos(theta), s = std::sin(theta), ca = std::cos(alpha), sa = std::sin(alpha);
-    const Matrix A{
-        {{c, -s * ca, s * sa, link.a * c}, {s, c * ca, -c * sa, link.a * s}, {0, sa, ca, link.d}, {0, 0, 0, 1}}};
-    Matrix product{};
-    for (std::size_t row = 0; row < 4; ++row) {
-      for (std::size_t column = 0; column < 4; ++column) {
-        for (std::size_t k = 0; k < 4; ++k) product[row][column] += T[row][k] * A[k][column];
-      }
+using LongMatrix = std::array<std::array<long double, 4>, 4>;
+
+inline LongMatrix product(const LongMatrix& left, const LongMatrix& right) {
+  LongMatrix result{};
+  for (std::size_t row = 0; row < 4; ++row) {
+    for (std::size_t column = 0; column < 4; ++column) {
+      for (std::size_t k = 0; k < 4; ++k) result[row][column] += left[row][k] * right[k][column];
     }
-    T = product;
   }
-  LongPoint position;
-  for (std::size_t row = 0; row < 3; ++row) {
-    position[row] = T[row][0] * tip.x() + T[row][1] * tip.y() + T[row][2] * tip.z() + T[row][3];
+  return result;
+}
+
+// Eq. 18; a coupled link is turned about y, and after it back.
+inline LongMatrix reference_matrix(const robots::DhLink& link, long double joint) {
+  const long double theta = link.joint == robots::Joint::slides ? link.offset : joint + link.offset;
+  const long double d = link.joint == robots::Joint::slides ? joint + link.d : link.d, alpha = meant_twist(link.alpha);
+  const long double c = std::cos(theta), s = std::sin(theta), ca = std::cos(alpha), sa = std::sin(alpha);
+  if (link.joint == robots::Joint::coupled) {
+    return {{{1, 0, 0, c * link.a + s * d}, {0, ca, -sa, 0}, {0, sa, ca, c * d - s * link.a}, {0, 0, 0, 1}}};
   }
-  return position;
+  return {{{c, -s * ca, s * sa, link.a * c}, {s, c * ca, -c * sa, link.a * s}, {0, sa, ca, d}, {0, 0, 0, 1}}};
+}
+
+inline LongMatrix reference_matrix(const robots::Frame& frame) {
+  const auto turned = [](std::size_t from, std::size_t to, long double angle) {
+    LongMatrix turn{{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}}};
+    turn[from][from] = turn[to][to] = std::cos(angle);
+    turn[to][from] = std::sin(angle);
+    turn[from][to] = -std::sin(angle);
+    return turn;
+  };
+  LongMatrix pose =
+      product(turned(0, 1, frame.rpy.z()), product(turned(2, 0, frame.rpy.y()), turned(1, 2, frame.rpy.x())));
+  for (std::size_t row = 0; row < 3; ++row) pose[row][3] = frame.position[static_cast<Eigen::Index>(row)];
+  return pose;
+}
+
+template <class Angles>
+LongMatrix reference_pose(const robots::Chain& chain, const Angles& q) {
+  LongMatrix pose = reference_matrix(chain.base());
+  Eigen::Index joint = 0;
+  for (const robots::DhLink& link : chain.links()) pose = product(pose, reference_matrix(link, q[joint++]));
+  return product(pose, reference_matrix(chain.tool()));
+}
+
+template <class Angles>
+LongPoint reference_position(const robots::Chain& chain, const Angles& q) {
+  const LongMatrix pose = reference_pose(chain, q);
+  return {pose[0][3], pose[1][3], pose[2][3]};
 }
 
 inline long double reference_distance(const LongPoint& point, const Eigen::Vector3d& target) {

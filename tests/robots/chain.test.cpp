@@ -41,7 +41,7 @@ TEST_CASE("a link's transform has the elements of Eq. 18, with -cos(theta) sin(a
 }
 
 TEST_CASE("a planar arm of two links is where the sums of its angles put it", "[chain]") {
-  const Chain chain = *robot("planar_2").chain();
+  const Chain chain = robot("planar_2").chain;
   RandomConfigurations random;
   for (int trial = 0; trial < 100; ++trial) {
     const double t1 = random.between(-pi, pi), t2 = random.between(-pi, pi);
@@ -52,7 +52,7 @@ TEST_CASE("a planar arm of two links is where the sums of its angles put it", "[
 }
 
 TEST_CASE("a planar arm of three links is where the sums of its angles put it", "[chain]") {
-  const Chain chain = *robot("planar_3").chain();
+  const Chain chain = robot("planar_3").chain;
   const double a = 0.3, b = 0.3 - 1.2, c = 0.3 - 1.2 + 2.1;
   const Eigen::Vector3d expected(0.5 * (std::cos(a) + std::cos(b) + std::cos(c)),
                                  0.5 * (std::sin(a) + std::sin(b) + std::sin(c)), 0);
@@ -60,7 +60,7 @@ TEST_CASE("a planar arm of three links is where the sums of its angles put it", 
 }
 
 TEST_CASE("a planar arm's Jacobian is the one of the textbook", "[chain]") {
-  const Chain chain = *robot("planar_2").chain();
+  const Chain chain = robot("planar_2").chain;
   const double t1 = 0.3, t2 = -1.2;
   Eigen::Matrix3Xd jacobian(3, 2), expected(3, 2);
   chain.linearize(Eigen::Vector2d(t1, t2), jacobian);
@@ -71,7 +71,7 @@ TEST_CASE("a planar arm's Jacobian is the one of the textbook", "[chain]") {
 }
 
 TEST_CASE("the iiwa is in its poses where its link lengths add up", "[chain]") {
-  const Chain chain = *robot("kuka_iiwa14").chain();
+  const Chain chain = robot("kuka_iiwa14").chain;
   const auto at = [&](std::initializer_list<double> angles) { return chain.position(degrees(angles)); };
   // 0.360 + 0.420 + 0.400 + 0.126 straight up
   CHECK((at({0, 0, 0, 0, 0, 0, 0}) - Eigen::Vector3d(0, 0, 1.306)).norm() < 1e-15);
@@ -85,15 +85,14 @@ TEST_CASE("the iiwa is in its poses where its link lengths add up", "[chain]") {
 }
 
 TEST_CASE("the iiwa's axes at rest are those of its base", "[chain]") {
-  const Pose T = robot("kuka_iiwa14").kinematics->forward(Eigen::VectorXd::Zero(7));
+  const Pose T = robot("kuka_iiwa14").chain.forward(Eigen::VectorXd::Zero(7));
   CHECK((T.linear() - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff() < 1e-15);
 }
 
 TEST_CASE("position alone is the translation of the whole pose", "[chain]") {
   RandomConfigurations random;
   for (const Robot& arm : all_robots()) {
-    if (arm.chain() == nullptr) continue;
-    const Chain with_tool(arm.chain()->links(), {0.01, -0.02, 0.15});
+    const Chain with_tool(arm.chain.links(), {0.01, -0.02, 0.15});
     for (int trial = 0; trial < 10000; ++trial) {
       const Eigen::VectorXd q = random(arm.limits);
       REQUIRE((with_tool.position(q) - with_tool.forward(q).translation()).norm() < 2e-15);
@@ -104,11 +103,10 @@ TEST_CASE("position alone is the translation of the whole pose", "[chain]") {
 TEST_CASE("position agrees with 4x4 products in long double to 1e-13 cm", "[chain]") {
   RandomConfigurations random;
   for (const Robot& arm : all_robots()) {
-    if (arm.chain() == nullptr) continue;
-    const Chain with_tool(arm.chain()->links(), {0.01, -0.02, 0.15});
+    const Chain with_tool(arm.chain.links(), {0.01, -0.02, 0.15});
     for (int trial = 0; trial < 2000; ++trial) {
       const Eigen::VectorXd q = random(arm.limits);
-      const LongPoint expected = reference_position(with_tool.links(), with_tool.tip(), q);
+      const LongPoint expected = reference_position(with_tool, q);
       REQUIRE(reference_distance(expected, with_tool.position(q)) < 1e-15L);
     }
   }
@@ -118,14 +116,13 @@ TEST_CASE("the Jacobian is what central differences say", "[chain]") {
   RandomConfigurations random;
   const double h = 1e-5;  // truncation h^2 / 6 = 2e-11
   for (const Robot& arm : all_robots()) {
-    Eigen::Matrix3Xd jacobian(3, arm.kinematics->joints());
+    Eigen::Matrix3Xd jacobian(3, arm.chain.joints());
     for (int trial = 0; trial < 100; ++trial) {
       const Eigen::VectorXd q = random(arm.limits);
-      arm.kinematics->linearize(q, jacobian);
-      for (int j = 0; j < arm.kinematics->joints(); ++j) {
-        const Eigen::VectorXd step = h * Eigen::VectorXd::Unit(arm.kinematics->joints(), j);
-        const Eigen::Vector3d slope =
-            (arm.kinematics->position(q + step) - arm.kinematics->position(q - step)) / (2 * h);
+      arm.chain.linearize(q, jacobian);
+      for (int j = 0; j < arm.chain.joints(); ++j) {
+        const Eigen::VectorXd step = h * Eigen::VectorXd::Unit(arm.chain.joints(), j);
+        const Eigen::Vector3d slope = (arm.chain.position(q + step) - arm.chain.position(q - step)) / (2 * h);
         REQUIRE((jacobian.col(j) - slope).norm() < 1e-10);
       }
     }
@@ -139,16 +136,15 @@ TEST_CASE("the error of a batch is the distance of each candidate, Eq. 1", "[cha
   Candidates q(7, 50);
   for (int i = 0; i < 50; ++i) q.col(i) = random(arm.limits);
   Eigen::VectorXd errors(50);
-  arm.kinematics->position_errors(q, target, errors);
+  arm.chain.position_errors(q, target, errors);
   for (int i = 0; i < 50; ++i)
-    CHECK(errors[i] == Approx((arm.kinematics->position(q.col(i)) - target).norm()).epsilon(1e-14));
+    CHECK(errors[i] == Approx((arm.chain.position(q.col(i)) - target).norm()).epsilon(1e-14));
 }
 
 TEST_CASE("no tool point leaves the ball of reach", "[chain]") {
   RandomConfigurations random;
   for (const Robot& arm : all_robots()) {
-    if (arm.chain() == nullptr) continue;
-    const Chain with_tool(arm.chain()->links(), {0.01, -0.02, 0.15});
+    const Chain with_tool(arm.chain.links(), {0.01, -0.02, 0.15});
     const Chain::Ball ball = with_tool.reach();
     for (int trial = 0; trial < 10000; ++trial) {
       REQUIRE((with_tool.position(random(arm.limits)) - ball.centre).norm() <= ball.radius + 1e-15);
@@ -157,24 +153,25 @@ TEST_CASE("no tool point leaves the ball of reach", "[chain]") {
 }
 
 TEST_CASE("a stretched arm touches the ball of reach", "[chain]") {
-  for (const Robot& arm : all_robots()) {
-    if (arm.chain() == nullptr) continue;
-    const Chain::Ball ball = arm.kinematics->reach();
-    const double stretched =
-        (arm.kinematics->position(Eigen::VectorXd::Zero(arm.kinematics->joints())) - ball.centre).norm();
-    CHECK(stretched == Approx(ball.radius).epsilon(1e-15));
-  }
+  const auto check = [](const char* name, std::initializer_list<double> angles) {
+    const Chain arm = robot(name).chain;
+    const Chain::Ball ball = arm.reach();
+    CHECK((arm.position(degrees(angles)) - ball.centre).norm() == Approx(ball.radius).epsilon(1e-15));
+  };
+  check("kuka_iiwa14", {0, 0, 0, 0, 0, 0, 0});
+  check("planar_3", {0, 0, 0});
+  check("dobot_magician", {0, 90, 0});
 }
 
 TEST_CASE("the iiwa's wrist reaches the 820 mm of its name from the shoulder", "[chain][paper]") {
-  const std::vector<DhLink> links = robot("kuka_iiwa14").chain()->links();
+  const std::vector<DhLink> links = robot("kuka_iiwa14").chain.links();
   const Chain arm({links.begin(), links.begin() + 4}, {0, 0, links[4].d});
   CHECK(arm.reach().radius == Approx(0.820).epsilon(1e-15));
   CHECK((arm.reach().centre - Eigen::Vector3d(0, 0, 0.360)).norm() < 1e-15);
 }
 
 TEST_CASE("an arm refuses candidates, errors and angles of the wrong number", "[chain]") {
-  const Chain chain = *robot("kuka_iiwa14").chain();
+  const Chain chain = robot("kuka_iiwa14").chain;
   Eigen::VectorXd errors(5), few(4);
   errors.setZero();
   few.setZero();

@@ -1,10 +1,9 @@
-// The Dobot Magician: its closed form against the angles that the paper prints, and its Jacobian.
-#include "robots/dobot_magician.hpp"
-
+// The Dobot Magician: its chain against its closed form, bit for bit, and against the angles that the paper prints.
 #include <array>
 #include <cmath>
 #include <numbers>
 
+#include "numerics/functions.hpp"
 #include "robots/robot.hpp"
 #include "numerics/units.hpp"
 #include "tests/catch.hpp"
@@ -24,10 +23,64 @@ constexpr std::array<std::array<double, 3>, 20> table_8{{
     {29.4, 49.5, 82.2}, {27.2, 51.5, 75.2}, {27.2, 54.6, 68.0}, {28.8, 58.4, 61.1}, {31.4, 62.6, 54.8},
 }};
 
+// The closed form of docs/paper-notes.md 2.11, by which the solves of the first stores were made.
+struct ClosedForm {
+  static constexpr double upper_arm = 0.135, forearm = 0.147, wrist_to_tool = 0.061, height = 0.058;  // [m]
+  double s1, c1, s2, c2, s3, c3;
+
+  explicit ClosedForm(const Eigen::Vector3d& q) {
+    Eigen::Vector3d sines, cosines;
+    sines_and_cosines(q, sines, cosines);
+    s1 = sines[0], s2 = sines[1], s3 = sines[2], c1 = cosines[0], c2 = cosines[1], c3 = cosines[2];
+  }
+  Eigen::Vector3d position() const {
+    const double radius = upper_arm * s2 + forearm * c3 + wrist_to_tool;
+    return {radius * c1, radius * s1, upper_arm * c2 - forearm * s3 + height};
+  }
+  double error(const Eigen::Vector3d& target) const {
+    const Eigen::Vector3d at = position();
+    const double dx = at.x() - target.x(), dy = at.y() - target.y(), dz = at.z() - target.z();
+    return std::sqrt(dx * dx + dy * dy + dz * dz);
+  }
+  Eigen::Matrix3d rotation() const { return Eigen::Matrix3d{{c1, -s1, 0}, {s1, c1, 0}, {0, 0, 1}}; }
+  Eigen::Matrix3d jacobian() const {
+    return Eigen::Matrix3d{{-position().y(), upper_arm * c2 * c1, -forearm * s3 * c1},
+                           {position().x(), upper_arm * c2 * s1, -forearm * s3 * s1},
+                           {0, -upper_arm * s2, -forearm * c3}};
+  }
+};
+
 }  // namespace
 
+TEST_CASE("the Dobot's errors, poses and Jacobians have the bits of its closed form", "[dobot]") {
+  const Chain dobot = robot("dobot_magician").chain;
+  RandomConfigurations random;
+  constexpr Eigen::Index count = 20'003;
+  Candidates q(3, count);
+  Eigen::VectorXd errors(count);
+  for (const double range : {1.6, 7.0, 1e5}) {
+    for (double& angle : q.reshaped()) angle = random.between(-range, range);
+    const Eigen::Vector3d target(0.2, random.between(-0.1, 0.1), 0.01);
+    dobot.position_errors(q, target, errors);
+    Eigen::Matrix3Xd jacobian(3, 3);
+    for (Eigen::Index i = 0; i < count; ++i) {
+      const ClosedForm expected(q.col(i));
+      REQUIRE(errors[i] == expected.error(target));
+      const Pose pose = dobot.forward(q.col(i));
+      REQUIRE(pose.translation() == expected.position());
+      REQUIRE(pose.linear() == expected.rotation());
+      REQUIRE(dobot.linearize(q.col(i), jacobian) == expected.position());
+      REQUIRE(jacobian == expected.jacobian());
+    }
+  }
+}
+
+TEST_CASE("older stores know the Dobot by the words of its closed form", "[dobot]") {
+  CHECK(robot("dobot_magician").chain.definition() == " dobot magician 0.135 0.147 0.061 0.058 ");
+}
+
 TEST_CASE("the Dobot's printed angles lie on the printed circle, to what a tenth of a degree moves", "[dobot][paper]") {
-  const DobotMagician dobot;
+  const Chain dobot = robot("dobot_magician").chain;
   for (std::size_t k = 0; k < table_8.size(); ++k) {
     const double turn = 2 * std::numbers::pi * static_cast<double>(k) / 20;
     const Eigen::Vector3d on_circle(0.16 + 0.07 * std::cos(turn), 0.16 + 0.07 * std::sin(turn), 0);  // Sec. 6
@@ -39,7 +92,7 @@ TEST_CASE("the Dobot's printed angles lie on the printed circle, to what a tenth
 }
 
 TEST_CASE("the Dobot stands upright where its links add up", "[dobot]") {
-  const DobotMagician dobot;
+  const Chain dobot = robot("dobot_magician").chain;
   CHECK((dobot.position(Eigen::Vector3d(0, 0, 0)) - Eigen::Vector3d(0.147 + 0.061, 0, 0.135 + 0.058)).norm() < 1e-15);
   const double quarter = std::numbers::pi / 2;
   CHECK((dobot.position(Eigen::Vector3d(quarter, quarter, 0)) - Eigen::Vector3d(0, 0.343, 0.058)).norm() < 1e-15);
@@ -52,19 +105,19 @@ TEST_CASE("the Dobot's errors, positions and Jacobian agree", "[dobot]") {
   Candidates q(3, 100);
   for (double& angle : q.reshaped()) angle = random.between(-3, 3);
   Eigen::VectorXd errors(100);
-  arm.kinematics->position_errors(q, target, errors);
+  arm.chain.position_errors(q, target, errors);
   Eigen::Matrix3Xd jacobian(3, 3);
   for (Eigen::Index i = 0; i < 100; ++i) {
-    CHECK(errors[i] == Approx((arm.kinematics->position(q.col(i)) - target).norm()).epsilon(1e-14));
-    arm.kinematics->linearize(q.col(i), jacobian);
+    CHECK(errors[i] == Approx((arm.chain.position(q.col(i)) - target).norm()).epsilon(1e-14));
+    arm.chain.linearize(q.col(i), jacobian);
     for (int j = 0; j < 3; ++j) {
       const Eigen::VectorXd step = 1e-6 * Eigen::Vector3d::Unit(j), at = q.col(i);
-      const Eigen::Vector3d slope = (arm.kinematics->position(at + step) - arm.kinematics->position(at - step)) / 2e-6;
+      const Eigen::Vector3d slope = (arm.chain.position(at + step) - arm.chain.position(at - step)) / 2e-6;
       CHECK((jacobian.col(j) - slope).norm() < 1e-9);
     }
   }
   q(1, 7) = std::nan("");
-  arm.kinematics->position_errors(q, target, errors);
+  arm.chain.position_errors(q, target, errors);
   CHECK(std::isnan(errors[7]));
   CHECK(std::isfinite(errors[8]));
 }

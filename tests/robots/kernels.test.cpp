@@ -40,20 +40,23 @@ KernelLink kernel_link(const DhLink& link) {
   const KernelLink::Twist twist = c == 0             ? s > 0 ? KernelLink::quarter : KernelLink::minus_quarter
                                   : s == 0 && c == 1 ? KernelLink::none
                                                      : KernelLink::general;
-  return {twist, true, c, s, link.a, link.d, link.offset};
+  return {twist, true, link.joint, c, s, link.a, link.d, link.offset};
 }
 
 struct RandomArm {
   std::vector<DhLink> links;
   Eigen::Vector3d tip;
 
+  // Half of them with joints of any kind, the others with joints that turn.
   RandomArm(Dice& dice, int joints) : links(static_cast<std::size_t>(joints)) {
+    const bool all_turn = dice.below(2) == 0;
     for (DhLink& link : links) {
       const int turns = dice.below(5) - 2;  // exact quarter turns, also two; or any twist
       link = {.a = dice.below(2) == 0 ? 0 : dice.between(-1, 1),
               .alpha = dice.below(3) == 0 ? dice.between(-pi, pi) : turns * (pi / 2),
               .d = dice.below(2) == 0 ? 0 : dice.between(-1, 1),
-              .offset = dice.below(2) == 0 ? 0 : dice.between(-pi, pi)};
+              .offset = dice.below(2) == 0 ? 0 : dice.between(-pi, pi),
+              .joint = all_turn ? Joint::turns : static_cast<Joint>(dice.below(3))};
     }
     for (double& x : tip) x = dice.below(2) == 0 ? 0 : dice.between(-0.3, 0.3);
   }
@@ -68,7 +71,10 @@ struct Arm {
   }
   explicit Arm(const RandomArm& arm) : Arm(arm.links, arm.tip) {}
 
-  KernelChain chain() const { return {links.data(), static_cast<int>(links.size()), {tip.x(), tip.y(), tip.z()}}; }
+  KernelChain chain() const {
+    const bool all_turn = std::ranges::all_of(links, [](const KernelLink& link) { return link.joint == Joint::turns; });
+    return {links.data(), static_cast<int>(links.size()), {tip.x(), tip.y(), tip.z()}, all_turn};
+  }
 };
 
 Eigen::Vector3d random_target(Dice& dice) { return {dice.between(-1, 1), dice.between(-1, 1), dice.between(-1, 1)}; }
@@ -187,12 +193,12 @@ TEST_CASE("the errors of the iiwa are within 1e-13 cm of 4x4 products in long do
   Dice dice;
   const Robot iiwa = robot("kuka_iiwa14");
   for (const Eigen::Vector3d& tip : {Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(0.01, -0.02, 0.15)}) {
-    const Chain chain((*iiwa.chain()).links(), tip);
-    const Arm arm((*iiwa.chain()).links(), tip);
+    const Chain chain(iiwa.chain.links(), tip);
+    const Arm arm(iiwa.chain.links(), tip);
     for (int trial = 0; trial < 10000; ++trial) {
       const Eigen::VectorXd q = random(iiwa.limits);
       const Eigen::Vector3d target = random_target(dice);
-      const long double expected = reference_distance(reference_position(chain.links(), tip, q), target);
+      const long double expected = reference_distance(reference_position(chain, q), target);
       double error = 0;
       for (const InstructionSet set : instruction_sets()) {
         robots::kernels(set).position_errors(arm.chain(), target.data(), q.data(), 1, 1, &error);
@@ -211,10 +217,13 @@ TEST_CASE("the errors of any arm are within 1e-9 m of long double for angles up 
     const RandomArm random(dice, 1 + dice.below(12));
     const Arm arm(random);
     Eigen::VectorXd q(static_cast<Eigen::Index>(random.links.size()));
-    for (double& angle : q) angle = dice.between(-1e5, 1e5);
+    for (Eigen::Index j = 0; j < q.size(); ++j) {
+      const bool slides = random.links[static_cast<std::size_t>(j)].joint == Joint::slides;
+      q[j] = slides ? dice.between(-1, 1) : dice.between(-1e5, 1e5);
+    }
     const Eigen::Vector3d target = random_target(dice);
     // The angle that turns is the sum as a double: half a unit of its last place is 7e-12.
-    const long double expected = reference_distance(reference_position(random.links, random.tip, q), target);
+    const long double expected = reference_distance(reference_position(Chain(random.links, random.tip), q), target);
     Eigen::VectorXd error(1);
     Chain(random.links, random.tip).position_errors(q, target, error);
     REQUIRE(std::abs(static_cast<double>(error[0] - expected)) < 1e-9);
@@ -227,7 +236,7 @@ TEST_CASE("the errors of any arm are within 1e-9 m of long double for angles up 
 
 TEST_CASE("an angle that is none spoils its own candidate, in whatever joint, and no other", "[kernels]") {
   Dice dice;
-  const std::vector<DhLink> iiwa = robot("kuka_iiwa14").chain()->links();
+  const std::vector<DhLink> iiwa = robot("kuka_iiwa14").chain.links();
   Arm arm(iiwa, Eigen::Vector3d::Zero());
   arm.links.back().turns = false;
   constexpr ptrdiff_t count = 19;
@@ -256,7 +265,7 @@ TEST_CASE("an angle that is none spoils its own candidate, in whatever joint, an
 
 TEST_CASE("a target that is none, or a link beyond all squares, gives no finite error", "[kernels]") {
   const Robot iiwa = robot("kuka_iiwa14");
-  const Arm arm((*iiwa.chain()).links(), Eigen::Vector3d::Zero());
+  const Arm arm(iiwa.chain.links(), Eigen::Vector3d::Zero());
   const std::vector<double> q(7 * 11, 0.3);
   std::vector<double> errors(11);
   for (const InstructionSet set : instruction_sets()) {

@@ -11,8 +11,8 @@ TEST_CASE("every robot is found by its name, and has limits for each joint", "[r
   for (const Robot& arm : all_robots()) {
     CHECK(robot(arm.name).name == arm.name);
     CHECK_FALSE(arm.summary.empty());
-    CHECK(arm.limits.lower.size() == arm.kinematics->joints());
-    CHECK(arm.limits.upper.size() == arm.kinematics->joints());
+    CHECK(arm.limits.lower.size() == arm.chain.joints());
+    CHECK(arm.limits.upper.size() == arm.chain.joints());
     CHECK((arm.limits.lower.array() < arm.limits.upper.array()).all());
   }
 }
@@ -20,7 +20,7 @@ TEST_CASE("every robot is found by its name, and has limits for each joint", "[r
 TEST_CASE("a misspelt robot is told the nearest name", "[robot]") {
   CHECK_THROWS_WITH(
       robot("kuka_iiwa"),
-      "unknown robot \"kuka_iiwa\"; did you mean \"kuka_iiwa14\"? (there are: kuka_iiwa14, dobot_magician, planar_2, planar_3)");
+      "unknown robot \"kuka_iiwa\"; did you mean \"kuka_iiwa14\"? (there are: dobot_magician, kuka_iiwa14, planar_2, planar_3)");
   CHECK_THROWS_AS(robot(""), std::invalid_argument);
 }
 

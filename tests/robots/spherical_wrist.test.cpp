@@ -29,7 +29,7 @@ double orientation_error(const Chain& chain, const Eigen::VectorXd& q, const Pos
 
 // The iiwa with its wrist turned the other way: twists 90, -90, 0, and offsets and a tool besides.
 Chain opposite_sense() {
-  std::vector<DhLink> links = robot("kuka_iiwa14").chain()->links();
+  std::vector<DhLink> links = robot("kuka_iiwa14").chain.links();
   std::swap(links[4].alpha, links[5].alpha);
   links[4].offset = 0.3;
   links[5].offset = -0.2;
@@ -59,7 +59,7 @@ void check_that_poses_come_back(const Chain& chain) {
 }  // namespace
 
 TEST_CASE("position and orientation come back through both branches of the iiwa's wrist", "[wrist]") {
-  check_that_poses_come_back(*robot("kuka_iiwa14").chain());
+  check_that_poses_come_back(robot("kuka_iiwa14").chain);
 }
 
 TEST_CASE("position and orientation come back through a wrist of opposite sense, with offsets and a tool", "[wrist]") {
@@ -68,11 +68,11 @@ TEST_CASE("position and orientation come back through a wrist of opposite sense,
 
 TEST_CASE("one of the wrist's branches is where it came from, the other (t5 + pi, -t6, t7 + pi)", "[wrist]") {
   const Robot arm = robot("kuka_iiwa14");
-  const SphericalWrist wrist(*arm.chain());
+  const SphericalWrist wrist(arm.chain);
   RandomConfigurations random;
   for (int trial = 0; trial < 1000; ++trial) {
     const Eigen::VectorXd q = random(arm.limits);
-    const auto both = wrist.angles(q.head(4), arm.kinematics->forward(q).linear(), at_rest);
+    const auto both = wrist.angles(q.head(4), arm.chain.forward(q).linear(), at_rest);
     REQUIRE(both[0][1] >= 0);
     REQUIRE((both[q[5] >= 0 ? 0 : 1] - q.tail(3)).norm() < 1e-9);  // t5 and t7 are ill conditioned near t6 = 0
     REQUIRE(std::abs(both[0][1] + both[1][1]) < 1e-12);
@@ -81,7 +81,7 @@ TEST_CASE("one of the wrist's branches is where it came from, the other (t5 + pi
 }
 
 TEST_CASE("next to the singular wrist the orientation still comes back", "[wrist]") {
-  for (const Chain& chain : {*robot("kuka_iiwa14").chain(), opposite_sense()}) {
+  for (const Chain& chain : {robot("kuka_iiwa14").chain, opposite_sense()}) {
     const SphericalWrist wrist(chain);
     const double middle_offset = chain.links()[5].offset;
     for (const double singular : {0.0, pi}) {
@@ -97,7 +97,7 @@ TEST_CASE("next to the singular wrist the orientation still comes back", "[wrist
 }
 
 TEST_CASE("a singular wrist keeps the first of its angles where it is", "[wrist]") {
-  const Chain chain = *robot("kuka_iiwa14").chain();
+  const Chain chain = robot("kuka_iiwa14").chain;
   const Pose T = chain.forward(joined(some_arm, {0.5, 0, -0.8}));
   const auto both = SphericalWrist(chain).angles(some_arm, T.linear(), {0.2, 0, 0});
   CHECK(both[0][0] == Approx(0.2).epsilon(1e-15));
@@ -110,22 +110,22 @@ TEST_CASE("the wrist's centre is the tool point less the flange along the tool's
   Pose down = Pose::Identity();
   down.linear() = Eigen::Vector3d(-1, 1, -1).asDiagonal();
   down.translation() = Eigen::Vector3d(0.6, 0.2, 0.1);
-  const SphericalWrist wrist(*robot("kuka_iiwa14").chain());
+  const SphericalWrist wrist(robot("kuka_iiwa14").chain);
   CHECK((wrist.centre(down) - Eigen::Vector3d(0.6, 0.2, 0.226)).norm() < 1e-15);  // 0.1 + 0.126
 }
 
 TEST_CASE("a wrist bent beyond the limit of its middle joint violates it in both branches", "[wrist]") {
   const Robot arm = robot("kuka_iiwa14");
-  const Pose T = arm.kinematics->forward(joined(some_arm, {1, 125 * pi / 180, 1}));
-  for (const Eigen::Vector3d& angles : SphericalWrist(*arm.chain()).angles(some_arm, T.linear(), at_rest)) {
+  const Pose T = arm.chain.forward(joined(some_arm, {1, 125 * pi / 180, 1}));
+  for (const Eigen::Vector3d& angles : SphericalWrist(arm.chain).angles(some_arm, T.linear(), at_rest)) {
     CHECK(arm.limits.violation(joined(some_arm, angles)) == Approx(5 * pi / 180).epsilon(1e-9));  // limit 120 deg
   }
 }
 
 TEST_CASE("an arm without a spherical wrist is refused", "[wrist]") {
-  CHECK_THROWS_WITH(SphericalWrist(*robot("planar_3").chain()),
+  CHECK_THROWS_WITH(SphericalWrist(robot("planar_3").chain),
                     "the last three axes of this arm do not form a spherical wrist");
-  std::vector<DhLink> links = robot("kuka_iiwa14").chain()->links();
+  std::vector<DhLink> links = robot("kuka_iiwa14").chain.links();
   links[5].d = 0.01;
   CHECK_THROWS_WITH(SphericalWrist(Chain(links)), "the last three axes of this arm do not form a spherical wrist");
 }

@@ -81,7 +81,7 @@ struct Task {
 // The iiwa's first four joints placing its wrist's centre, which is within reach.
 inline Task iiwa_task(int population = 10) {
   const robots::Robot iiwa = robots::robot("kuka_iiwa14");
-  const std::vector<robots::DhLink>& links = iiwa.chain()->links();
+  const std::vector<robots::DhLink>& links = iiwa.chain.links();
   return {robots::Chain({links.begin(), links.begin() + 4}, {0, 0, links[4].d}),
           {0.6, 0.2, 0.3},
           {.start = Eigen::VectorXd::Zero(4),
@@ -106,7 +106,7 @@ inline Task snake_task(int joints, int population = 10) {
 
 // Two joints of a planar arm within +-1 rad, for equations by hand; its start is inside.
 inline Task planar_task(int population) {
-  return {*robots::robot("planar_2").chain(),
+  return {robots::robot("planar_2").chain,
           {0.5, 0.5, 0},
           {.start = Eigen::Vector2d(0.3, -0.2),
            .lower = Eigen::Vector2d(-1, -1),

@@ -290,7 +290,7 @@ Task task_of(int joints, std::uint64_t key) {
   Task task = iiwa_task(population);
   const Robot iiwa = robot("kuka_iiwa14");
   if (joints == 7) {
-    task.chain = (*iiwa.chain());
+    task.chain = iiwa.chain;
     task.problem.start = Eigen::VectorXd::Constant(7, 0.2);
     task.problem.lower = iiwa.limits.lower;
     task.problem.upper = iiwa.limits.upper;

@@ -7,37 +7,41 @@
   const still = matchMedia('(prefers-reduced-motion: reduce)').matches;
   const metal = 0x8a94a3, joint = 0x0072b2, outside = 0xd62728, way = 0xe69f00, goal = 0x009e73;
 
-  // Forward kinematics: the corners of the arm from the base to the tool, each with the joint that turns there (or -1).
-  const forward = {
-    denavit_hartenberg(q) {
-      const frame = new THREE.Matrix4(), corners = [];
-      const here = turning => corners.push({ at: new THREE.Vector3().setFromMatrixPosition(frame), turning });
-      arm.links.forEach((link, i) => {
-        here(i);
-        frame.multiply(new THREE.Matrix4().makeRotationZ(q[i] + link.offset_rad));
-        frame.multiply(new THREE.Matrix4().makeTranslation(0, 0, link.d_m));
-        if (link.a_m !== 0) {
-          here(-1);
-          frame.multiply(new THREE.Matrix4().makeTranslation(link.a_m, 0, 0));
-        }
-        frame.multiply(new THREE.Matrix4().makeRotationX(link.alpha_rad));
-      });
-      here(-1);
-      if (arm.tip_m.some(x => x !== 0)) {
-        corners.push({ at: new THREE.Vector3(...arm.tip_m).applyMatrix4(frame), turning: -1 });
+  const turnedAbout = {
+    x: angle => new THREE.Matrix4().makeRotationX(angle),
+    y: angle => new THREE.Matrix4().makeRotationY(angle),
+    z: angle => new THREE.Matrix4().makeRotationZ(angle),
+  };
+  const moved = (x, y, z) => new THREE.Matrix4().makeTranslation(x, y, z);
+  const enter = (frame, { position_m, rpy_rad: [roll, pitch, yaw] }) => frame.multiply(moved(...position_m))
+    .multiply(turnedAbout.z(yaw)).multiply(turnedAbout.y(pitch)).multiply(turnedAbout.x(roll));
+
+  const isMoved = frame => frame.position_m.some(x => x !== 0);
+
+  // Forward kinematics: the corners of the arm from the base to the tool, each with the joint that moves there (or -1).
+  function forward(q) {
+    const frame = new THREE.Matrix4(), corners = [];
+    const here = joint => corners.push({ at: new THREE.Vector3().setFromMatrixPosition(frame), joint });
+    if (isMoved(arm.base)) here(-1);
+    enter(frame, arm.base);
+    arm.links.forEach((link, i) => {
+      here(i);
+      const slides = link.joint === 'slides', turned = turnedAbout[link.joint === 'coupled' ? 'y' : 'z'];
+      const angle = link.offset_rad + (slides ? 0 : q[i]);
+      frame.multiply(turned(angle)).multiply(moved(0, 0, link.d_m + (slides ? q[i] : 0)));
+      if (link.a_m !== 0) {
+        here(-1);
+        frame.multiply(moved(link.a_m, 0, 0));
       }
-      return corners;
-    },
-    dobot_magician(q) {
-      const at = (radius, height) => new THREE.Vector3(radius * Math.cos(q[0]), radius * Math.sin(q[0]), height);
-      const elbow = arm.upper_arm_m * Math.sin(q[1]), elbowHeight = arm.height_m + arm.upper_arm_m * Math.cos(q[1]);
-      const wrist = elbow + arm.forearm_m * Math.cos(q[2]), wristHeight = elbowHeight - arm.forearm_m * Math.sin(q[2]);
-      return [{ at: at(0, 0), turning: 0 }, { at: at(0, arm.height_m), turning: 1 },
-              { at: at(elbow, elbowHeight), turning: 2 }, { at: at(wrist, wristHeight), turning: -1 },
-              { at: at(wrist + arm.wrist_to_tool_m, wristHeight), turning: -1 }];
-    },
-  }[arm.kind];
-  if (!forward || !document.createElement('canvas').getContext('webgl')) return;  // the figure stays
+      if (link.joint === 'coupled') frame.multiply(turned(-angle));  // it holds what comes after it in its direction
+      frame.multiply(turnedAbout.x(link.alpha_rad));
+    });
+    here(-1);
+    enter(frame, arm.tool);
+    if (isMoved(arm.tool)) here(-1);
+    return corners;
+  }
+  if (!document.createElement('canvas').getContext('webgl')) return;  // the figure stays
 
   const known = list => Array.isArray(list) && list.every(Number.isFinite);
 
@@ -166,7 +170,7 @@
       const corners = forward(q);
       const wrongJoints = time > 0 ? move.outside.map(each => each.joint) : [];  // of the answer it is on its way to
       corners.forEach((corner, i) => {
-        const wrong = wrongJoints.includes(corner.turning);
+        const wrong = wrongJoints.includes(corner.joint);
         const last = i === corners.length - 1;
         this.moving.add(this.ball(corner.at, wrong ? 0.03 : last ? 0.012 : 0.021, wrong ? outside : last ? way : joint));
         if (i > 0 && corners[i - 1].at.distanceTo(corner.at) > 1e-6) this.moving.add(this.bar(corners[i - 1].at, corner.at));
@@ -179,7 +183,7 @@
 
     tell(index, move) {
       const digits = (value, count) => value === null ? 'not finite' : Number(value.toPrecision(count)).toString();
-      const joints = move.outside.map(each => `joint ${each.joint + 1} by ${digits(each.deg, 2)}\u00b0`);
+      const joints = move.outside.map(each => `joint ${each.joint + 1} by ${digits(each.by, 2)}${each.unit}`);
       const words = `Point ${move.point}: joints move ${digits(move.variation_deg, 3)}\u00b0, error ${digits(move.error_cm, 2)} cm.`;
       if (this.told === index + words) return;
       this.told = index + words;

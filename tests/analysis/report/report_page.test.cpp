@@ -321,7 +321,7 @@ TEST_CASE("the moving arm has the joint limits violated where the store has them
     double worst_deg = 0;
     for (const auto& outside : steps[i]["outside"]) {
       joints.push_back(outside["joint"]);
-      worst_deg = std::max(worst_deg, outside["deg"].get<double>());
+      worst_deg = std::max(worst_deg, outside["by"].get<double>());
     }
     CHECK(joints == answers[i].joints);
     if (std::isfinite(answers[i].recorded_deg)) CHECK(worst_deg == Approx(answers[i].recorded_deg).margin(1e-12));

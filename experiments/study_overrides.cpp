@@ -1,0 +1,82 @@
+#include "experiments/study_overrides.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+#include <vector>
+
+#include "numerics/names.hpp"
+
+namespace ikbench::experiments {
+
+using namespace numerics;
+
+namespace {
+
+// The text as a TOML value, or else as a string: both `runs=5` and `path.tool=eq27` are what people type.
+void insert(toml::table& table, std::string_view key, const std::string& text) {
+  refuse_deep_keys(text, "--set");
+  try {
+    toml::table parsed = toml::parse(std::string_view("value = " + text), override_source);
+    if (parsed.size() == 1) {
+      parsed.get("value")->visit([&](auto& value) { table.insert_or_assign(key, std::move(value)); });
+      return;
+    }
+  } catch (const toml::parse_error&) {
+  }
+  table.insert_or_assign(key, text);
+}
+
+toml::table& subtable(toml::table& table, std::string_view key) {
+  if (!table.contains(key)) table.insert(key, toml::table{});
+  toml::table* found = table.get(key)->as_table();
+  if (found == nullptr) throw std::invalid_argument(fmt::format("--set {}: {} of the study is not a table", key, key));
+  return *found;
+}
+
+}  // namespace
+
+void override_one(toml::table& study, const std::string& text) {
+  const std::size_t equals = text.find('=');
+  constexpr std::size_t longest_key = 300;
+  if (equals == std::string::npos || equals == 0 || equals > longest_key) {
+    throw std::invalid_argument(
+        fmt::format("--set {}: expected key=value, such as runs=5 or ik_bat.bounds=clamp", text.substr(0, 100)));
+  }
+  const std::string key = text.substr(0, equals), value = text.substr(equals + 1);
+  const std::size_t dot = key.rfind('.');
+  if (dot == std::string::npos) {
+    insert(study, key, value);
+    return;
+  }
+  const std::string owner = key.substr(0, dot), field = key.substr(dot + 1);
+  if (owner.empty() || field.empty()) {
+    throw std::invalid_argument(fmt::format("--set {}: expected a name on both sides of the dot", text.substr(0, 100)));
+  }
+  const std::vector<std::string> tables{"analysis", "path", "stop"};
+  if (std::find(tables.begin(), tables.end(), owner) != tables.end()) {
+    insert(subtable(study, owner), field, value);
+    return;
+  }
+  std::vector<std::string> owners = tables;
+  bool found = false;
+  if (toml::array* entrants = study["solvers"].as_array()) {
+    for (toml::node& element : *entrants) {
+      toml::table* entrant = element.as_table();
+      if (entrant == nullptr) continue;
+      const std::string label = (*entrant)["label"].value_or(std::string());
+      const std::string name = (*entrant)["solver"].value_or(std::string());
+      if (owner == label || owner == name) {
+        insert(field == "population" ? *entrant : subtable(*entrant, "options"), field, value);
+        found = true;
+      }
+      for (const std::string& known : {label, name}) {
+        if (!known.empty() && std::find(owners.begin(), owners.end(), known) == owners.end()) owners.push_back(known);
+      }
+    }
+  }
+  if (!found) throw std::invalid_argument(fmt::format("--set {}: {}", key, unknown_name("solver", owner, owners)));
+}
+
+}  // namespace ikbench::experiments

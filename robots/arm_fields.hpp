@@ -1,0 +1,50 @@
+// The fields of an arm file, said once: name, field, unit, range and meaning. What reads arms (robot.cpp) and writes
+// them into the store (experiments/study_writer.cpp) visits this list.
+#pragma once
+
+#include <utility>
+
+#include "robots/robot.hpp"
+#include "numerics/names.hpp"
+#include "numerics/units.hpp"
+
+namespace ikbench::robots {
+
+// A link as a file has it, with its joint's limits: [rad], or [m] where it slides.
+struct LimitedLink {
+  DhLink link;
+  Eigen::Vector2d limits{-180 * numerics::degree, 180 * numerics::degree};
+};
+
+constexpr std::pair<double, double> lengths_m{-100, 100}, angles_deg{-3600, 3600};
+
+template <class Io>
+void list_fields(Io& io, LimitedLink& one) {
+  DhLink& link = one.link;
+  io.choice("joint", link.joint,
+            numerics::Choices<Joint>{{"turns", Joint::turns}, {"slides", Joint::slides}, {"coupled", Joint::coupled}},
+            "turns about z, slides along z, or turns this link alone about y, as in a parallelogram");
+  io.number("offset_deg", link.offset, numerics::degree, angles_deg, "added to the joint's angle");
+  io.number("d_m", link.d, 1, lengths_m, "along z");
+  io.number("a_m", link.a, 1, lengths_m, "along x");
+  io.number("alpha_deg", link.alpha, numerics::degree, angles_deg, "about x");
+  if (link.joint == Joint::slides) {
+    io.numbers("limits_m", one.limits, 1, 2, "from, to");
+  } else {
+    io.numbers("limits_deg", one.limits, numerics::degree, 2, "from, to");
+  }
+}
+
+template <class Io>
+void list_fields(Io& io, Frame& frame) {
+  io.numbers("position_m", frame.position, 1, 3, "x, y, z");
+  io.numbers("rpy_deg", frame.rpy, numerics::degree, 3, "turned by Rz(yaw) Ry(pitch) Rx(roll)");
+}
+
+template <class Io>
+void list_fields(Io& io, Robot& arm) {
+  io.text("summary", arm.summary, "in a line");
+  io.text("source", arm.source, "where the numbers are from");
+}
+
+}  // namespace ikbench::robots

@@ -1,0 +1,81 @@
+// Random changes of a text, as somebody who edits it in haste might make them, and worse ones.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <iterator>
+#include <random>
+#include <string>
+
+namespace ikbench {
+
+class Mutator {
+ public:
+  explicit Mutator(unsigned seed) : random_(seed) {}
+
+  std::string mutated(std::string text) {
+    for (std::size_t changes = 1 + below(4); changes > 0; --changes) change(text);
+    return text;
+  }
+
+ private:
+  std::size_t below(std::size_t count) { return std::uniform_int_distribution<std::size_t>(0, count - 1)(random_); }
+
+  void change(std::string& text) {
+    static constexpr const char* pieces[] = {"[",
+                                             "]",
+                                             "{",
+                                             "}",
+                                             "[[",
+                                             "]]",
+                                             "\"",
+                                             "'",
+                                             "\"\"\"",
+                                             "=",
+                                             ",",
+                                             ".",
+                                             "#",
+                                             "\n",
+                                             "-",
+                                             "+",
+                                             "nan",
+                                             "inf",
+                                             "1e9",
+                                             "true",
+                                             "solvers",
+                                             "path",
+                                             "limits_m",
+                                             "slides",
+                                             "0x",
+                                             "_",
+                                             "\\",
+                                             "\r",
+                                             "1979-05-27",
+                                             "\xff",
+                                             "99999999999999999999",
+                                             "{a={b=1}}",
+                                             "[[[[1]]]]",
+                                             "é"};
+    const std::size_t place = below(text.size() + 1), length = std::min(text.size() - place, below(12));
+    switch (below(5)) {
+      case 0:
+        text.erase(place, length);
+        break;
+      case 1:
+        text.insert(place, pieces[below(std::size(pieces))]);
+        break;
+      case 2:  // a piece of the file somewhere else
+        text.insert(below(text.size() + 1), text.substr(place, below(80)));
+        break;
+      case 3:
+        if (place < text.size()) text[place] = static_cast<char>(below(256));
+        break;
+      default:
+        text.replace(place, length, pieces[below(std::size(pieces))]);
+    }
+  }
+
+  std::mt19937 random_;
+};
+
+}  // namespace ikbench

@@ -1,0 +1,216 @@
+// Joints that slide and links that are coupled, bases and tools: by hand, by other people's numbers, and for random
+// arms against 4x4 products in long double.
+#include <cmath>
+#include <numbers>
+
+#include "numerics/instruction_set.hpp"
+#include "robots/robot.hpp"
+#include "robots/spherical_wrist.hpp"
+#include "tests/catch.hpp"
+#include "tests/numerics/reference.hpp"
+
+using namespace ikbench;
+using namespace ikbench::robots;
+using std::numbers::pi;
+
+namespace {
+
+constexpr double quarter = pi / 2;
+
+Eigen::VectorXd joints(std::initializer_list<double> values) {
+  return Eigen::Map<const Eigen::VectorXd>(values.begin(), static_cast<Eigen::Index>(values.size()));
+}
+
+void check_position(const Chain& chain, std::initializer_list<double> q, const Eigen::Vector3d& expected) {
+  CAPTURE(chain.position(joints(q)).transpose(), expected.transpose());
+  CHECK((chain.position(joints(q)) - expected).norm() < 1e-15);
+}
+
+// Any arm: joints of all kinds, quarter turns and general twists, lengths that are 0 and others, perhaps a base and a
+// turned tool.
+Chain random_chain(Dice& dice) {
+  const auto length = [&] { return dice.below(2) == 0 ? 0 : dice.between(-1, 1); };
+  const auto angle = [&] { return dice.below(2) == 0 ? (dice.below(5) - 2) * quarter : dice.between(-pi, pi); };
+  std::vector<DhLink> links(static_cast<std::size_t>(1 + dice.below(9)));
+  for (DhLink& link : links) {
+    link = {.a = length(), .alpha = angle(), .d = length(), .offset = dice.below(2) == 0 ? 0 : angle()};
+    link.joint = static_cast<Joint>(dice.below(3));
+  }
+  Frame base, tool{.position = {length(), length(), length()}};
+  if (dice.below(2) == 0) base = {{length(), length(), length()}, {angle(), angle(), angle()}};
+  if (dice.below(2) == 0) tool.rpy = {angle(), angle(), angle()};
+  return {links, base, tool};
+}
+
+Eigen::VectorXd random_joints(const Chain& chain, Dice& dice) {
+  Eigen::VectorXd q(chain.joints());
+  for (double& joint : q) joint = dice.between(-3, 3);
+  return q;
+}
+
+}  // namespace
+
+TEST_CASE("a Cartesian arm is where its three slides are", "[joints]") {
+  // Along z, then along y, then along x: every axis is turned to where the next one has to point.
+  const Chain arm({{.alpha = -quarter, .joint = Joint::slides},
+                   {.alpha = quarter, .offset = quarter, .joint = Joint::slides},
+                   {.d = 0.1, .joint = Joint::slides}});
+  check_position(arm, {0, 0, 0}, {0.1, 0, 0});
+  check_position(arm, {0.3, 0.4, 0.5}, {0.6, 0.4, 0.3});
+  Eigen::Matrix3Xd jacobian(3, 3), expected(3, 3);
+  arm.linearize(joints({0.3, 0.4, 0.5}), jacobian);
+  expected << 0, 0, 1, 0, 1, 0, 1, 0, 0;
+  CHECK((jacobian - expected).cwiseAbs().maxCoeff() < 1e-15);
+  CHECK(std::isinf(arm.reach().radius));
+}
+
+TEST_CASE("a SCARA arm is a planar arm whose tool slides down", "[joints]") {
+  const Chain arm({{.a = 0.3, .d = 0.4}, {.a = 0.2, .alpha = pi}, {.joint = Joint::slides}});
+  check_position(arm, {0, 0, 0.15}, {0.5, 0, 0.25});
+  check_position(arm, {quarter, -quarter, 0.05}, {0.2, 0.3, 0.35});
+}
+
+TEST_CASE("a coupled link moves what comes after it and turns nothing", "[joints]") {
+  const Chain arm({{.d = 0.2}, {.d = 0.5, .joint = Joint::coupled}, {.a = 0.3, .joint = Joint::coupled}}, {0.1, 0, 0});
+  check_position(arm, {0, 0, 0}, {0.4, 0, 0.7});
+  check_position(arm, {0, quarter, 0}, {0.9, 0, 0.2});         // the first of them level
+  check_position(arm, {0, quarter, quarter}, {0.6, 0, -0.1});  // the second straight down
+  check_position(arm, {quarter, quarter, quarter}, {0, 0.6, -0.1});
+  CHECK((arm.forward(joints({0, 0.7, -1.1})).linear() - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff() == 0);
+  // With a twist, what comes after is twisted, whatever the angle; an offset is added to the angle.
+  const Chain twisted({{.a = 0.5, .alpha = quarter, .offset = quarter, .joint = Joint::coupled}}, {0, 0.1, 0});
+  check_position(twisted, {-quarter}, {0.5, 0, 0.1});
+  check_position(twisted, {0}, {0, 0, -0.4});
+}
+
+TEST_CASE("base and tool are moved and then turned", "[joints]") {
+  const Frame base{{1, 2, 3}, {0, 0, quarter}}, tool{{0, 0, 0.1}, {pi, 0, 0}};
+  const Chain arm({{.a = 0.5}}, base, tool);
+  check_position(arm, {0}, {1, 2.5, 3.1});
+  check_position(arm, {quarter}, {0.5, 2, 3.1});
+  CHECK((arm.forward(joints({0})).linear().col(2) - Eigen::Vector3d(0, 0, -1)).norm() < 1e-15);
+  CHECK((arm.reach().centre - Eigen::Vector3d(1, 2, 3)).norm() < 1e-15);
+  CHECK(arm.reach().radius == Approx(0.6));
+}
+
+TEST_CASE("the Stanford arm and the Puma 560 are where Corke's toolbox has them", "[joints]") {
+  // petercorke/robotics-toolbox-python, models/DH/Stanford.py and Puma560.py, at zeros and at (0.1, ..., 0.6).
+  const Chain stanford({{.alpha = -quarter, .d = 0.412},
+                        {.alpha = quarter, .d = 0.154},
+                        {.a = 0.0203, .offset = -quarter, .joint = Joint::slides},
+                        {.alpha = -quarter},
+                        {.alpha = quarter},
+                        {}});
+  const Chain puma({{.alpha = quarter, .d = 0.672},
+                    {.a = 0.4318},
+                    {.a = 0.0203, .alpha = -quarter, .d = 0.15005},
+                    {.alpha = quarter, .d = 0.4318},
+                    {.alpha = -quarter},
+                    {}});
+  const Eigen::VectorXd q = joints({0.1, 0.2, 0.3, 0.4, 0.5, 0.6});
+  CHECK((stanford.position(joints({0, 0, 0.5, 0, 0, 0})) - Eigen::Vector3d(0, 0.1337, 0.912)).norm() < 1e-15);
+  CHECK((stanford.position(q) - Eigen::Vector3d(0.045955315691, 0.138982208321, 0.706019973352)).norm() < 1e-12);
+  CHECK((puma.position(joints({0, 0, 0, 0, 0, 0})) - Eigen::Vector3d(0.4521, -0.15005, 1.1038)).norm() < 1e-15);
+  CHECK((puma.position(q) - Eigen::Vector3d(0.247802746924, -0.125940181452, 1.146457905695)).norm() < 1e-12);
+}
+
+TEST_CASE("an arm of any kind has the pose of 4x4 products, and its errors their distance, with all instruction sets",
+          "[joints]") {
+  Dice dice;
+  for (int trial = 0; trial < 3000; ++trial) {
+    const Chain chain = random_chain(dice);
+    const Eigen::VectorXd q = random_joints(chain, dice);
+    const LongMatrix expected = reference_pose(chain, q);
+    const Pose pose = chain.forward(q);
+    for (std::size_t row = 0; row < 3; ++row) {
+      for (std::size_t column = 0; column < 4; ++column) {
+        const double element = pose(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(column));
+        REQUIRE(std::abs(element - static_cast<double>(expected[row][column])) < 1e-13);
+      }
+    }
+    const Eigen::Vector3d target(dice.between(-2, 2), dice.between(-2, 2), dice.between(-2, 2));
+    Eigen::VectorXd error(1);
+    chain.position_errors(q, target, error);
+    const auto distance = static_cast<double>(reference_distance(reference_position(chain, q), target));
+    REQUIRE(std::abs(error[0] - distance) < 1e-13);
+  }
+}
+
+TEST_CASE("the Jacobian of an arm of any kind is what central differences say", "[joints]") {
+  Dice dice;
+  const double h = 1e-5;
+  for (int trial = 0; trial < 500; ++trial) {
+    const Chain chain = random_chain(dice);
+    const Eigen::VectorXd q = random_joints(chain, dice);
+    Eigen::Matrix3Xd jacobian(3, chain.joints());
+    REQUIRE((chain.linearize(q, jacobian) - chain.position(q)).norm() < 1e-14);
+    for (int j = 0; j < chain.joints(); ++j) {
+      const Eigen::VectorXd step = h * Eigen::VectorXd::Unit(chain.joints(), j);
+      const Eigen::Vector3d slope = (chain.position(q + step) - chain.position(q - step)) / (2 * h);
+      REQUIRE((jacobian.col(j) - slope).norm() < 1e-9);
+    }
+  }
+}
+
+TEST_CASE("no arm of any kind leaves its ball of reach", "[joints]") {
+  Dice dice;
+  for (int trial = 0; trial < 3000; ++trial) {
+    const Chain chain = random_chain(dice);
+    const Chain::Ball ball = chain.reach();
+    REQUIRE((chain.position(random_joints(chain, dice)) - ball.centre).norm() <= ball.radius + 1e-14);
+  }
+}
+
+TEST_CASE("a joint that is not a number, of any kind, spoils its own candidate and no other", "[joints]") {
+  Dice dice;
+  for (int trial = 0; trial < 300; ++trial) {
+    const Chain chain = random_chain(dice);
+    Candidates q(chain.joints(), 11);
+    for (double& joint : q.reshaped()) joint = dice.between(-2, 2);
+    Eigen::VectorXd good(11), errors(11);
+    chain.position_errors(q, {0.1, 0.2, 0.3}, good);
+    q(dice.below(chain.joints()), 4) = dice.below(2) == 0 ? NAN : INFINITY;
+    chain.position_errors(q, {0.1, 0.2, 0.3}, errors);
+    CHECK_FALSE(std::isfinite(errors[4]));
+    errors[4] = good[4];
+    CHECK(errors == good);
+  }
+}
+
+TEST_CASE("what is new in an arm is said in its definition, and nothing of what it has not", "[joints]") {
+  const std::vector<DhLink> one{{.a = 0.5, .alpha = 1, .d = 0.25, .offset = 2}};
+  CHECK(Chain(one).definition() == "0.5 1 0.25 2 0 0 0 ");
+  std::vector<DhLink> slides = one, coupled = one;
+  slides[0].joint = Joint::slides;
+  coupled[0].joint = Joint::coupled;
+  CHECK(Chain(slides).definition() == "0.5 1 0.25 2 slides 0 0 0 ");
+  CHECK(Chain(coupled).definition() == "0.5 1 0.25 2 coupled 0 0 0 ");
+  CHECK(Chain(one, {{1, 2, 3}, {4, 5, 6}}, {{7, 8, 9}, {1, 0, 0}}).definition() ==
+        "0.5 1 0.25 2 7 8 9 turned 1 0 0 base 1 2 3 4 5 6 ");
+}
+
+TEST_CASE("the wrist of an arm on a base, with a slide before it and a turned tool, reaches given poses", "[joints]") {
+  std::vector<DhLink> links{{.alpha = -quarter, .d = 0.4}, {.alpha = quarter}, {.d = 0.3, .joint = Joint::slides},
+                            {.alpha = -quarter, .d = 0.1}, {.alpha = quarter}, {.d = 0.05}};
+  const Chain chain(links, {{0.1, -0.2, 0.3}, {0.4, -0.5, 0.6}}, {{0.01, 0.02, 0.03}, {-1, 2, 0.5}});
+  REQUIRE(SphericalWrist::fits(chain));
+  const SphericalWrist wrist(chain);
+  Dice dice;
+  for (int trial = 0; trial < 1000; ++trial) {
+    const Eigen::VectorXd q = random_joints(chain, dice);
+    const Pose pose = chain.forward(q);
+    CHECK((wrist.arm().position(q.head(3)) - wrist.centre(pose)).norm() < 1e-14);
+    for (const Eigen::Vector3d& angles : wrist.angles(q.head(3), pose.linear(), Eigen::Vector3d::Zero())) {
+      Eigen::VectorXd again(6);
+      again << q.head(3), angles;
+      CHECK((chain.forward(again).matrix() - pose.matrix()).cwiseAbs().maxCoeff() < 1e-13);
+    }
+  }
+  for (std::size_t joint = 3; joint < 6; ++joint) {
+    for (const Joint kind : {Joint::slides, Joint::coupled}) {
+      std::vector<DhLink> other = links;
+      other[joint].joint = kind;
+      CHECK_FALSE(SphericalWrist::fits(Chain(other)));
+    }
+  }
+}
