@@ -1,4 +1,4 @@
-// ikbench audit: what a paper's printed numbers say about each other; nothing is solved.
+// ikbench audit: whether a paper's printed numbers agree with each other.
 #include "analysis/slim2023/audit.hpp"
 
 #include <fmt/format.h>
@@ -55,17 +55,18 @@ void add_audit(CLI::App& app) {
     std::string paper, out;
   };
   auto arguments = std::make_shared<Arguments>();
-  CLI::App* command =
-      app.add_subcommand("audit", "What a paper's printed numbers say about each other; nothing is solved");
-  command->add_option("PAPER", arguments->paper, "a paper whose tables are in the program: slim2023")->required();
-  command->add_option("--out", arguments->out, "folder; tables/audit.md, .csv and .tex are written there");
+  CLI::App* command = app.add_subcommand("audit", "Check whether a paper's printed numbers agree with each other");
+  command->add_option("PAPER", arguments->paper, "a paper whose tables are built in: slim2023")->required();
+  command->add_option("--out", arguments->out, "folder for tables/audit.md, .csv and .tex; default: print only");
   command->footer(
       "Examples:\n"
       "  ikbench audit slim2023\n"
       "  ikbench audit slim2023 --out out/audit\n\n"
-      "Verdicts: consistent, to the last printed digit; rounding, within what the rounding of the printed numbers\n"
-      "allows; misprint, others of the paper's numbers show what is meant; contradiction, two things that cannot both\n"
-      "hold, or a claim that the numbers do not carry.");
+      "Verdicts:\n"
+      "  consistent      the numbers agree to the last printed digit\n"
+      "  rounding        they agree within the rounding of the printed digits\n"
+      "  misprint        a number is wrong, and other numbers of the paper show the right one\n"
+      "  contradiction   two statements cannot both hold, or the numbers do not support a claim");
   command->callback([arguments] {
     const std::vector<AuditItem> items = audit(arguments->paper);
     if (!arguments->out.empty()) {

@@ -1,5 +1,4 @@
-// ikbench compare: is a variant of a solver better, the same or worse than its baseline? A gate for a solver's own
-// repository.
+// ikbench compare: is a variant of a solver better, the same or worse than its baseline?
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -74,12 +73,12 @@ const Variant& the(const std::vector<Variant>& variants, const std::string& labe
 }
 
 std::string asked(const MarginQuestion& question) {
-  return fmt::format("margin {}, each test at {:g}", percent(question.margin), question.significance);
+  return fmt::format("margin {}, significance {:g} for each test", percent(question.margin), question.significance);
 }
 
 Compared compare_labels(const CompareArguments& arguments) {
   if (!arguments.labels.empty())
-    throw std::invalid_argument("--label is for two stores; with --store, A and B are labels");
+    throw std::invalid_argument("--label needs two stores; with --store, A and B are already labels");
   if (arguments.a == arguments.b)
     throw std::invalid_argument(fmt::format("A and B are both the label {}", arguments.a));
   const Store store(arguments.store, Store::Mode::read);
@@ -96,7 +95,7 @@ Compared compare_labels(const CompareArguments& arguments) {
 Store opened(const std::string& file) {
   if (std::filesystem::exists(file)) return Store(file, Store::Mode::read);
   throw std::invalid_argument(
-      fmt::format("there is no store '{}'; two labels of one store are compared with --store FILE", file));
+      fmt::format("store '{}' does not exist; to compare two labels of one store, add --store FILE", file));
 }
 
 // Of the name of A's study, where the store has one and no other is asked for.
@@ -120,7 +119,7 @@ std::vector<std::string> common_labels(const std::vector<Variant>& a, const std:
                                             fmt::join(labels_of(a), ", "), fmt::join(labels_of(b), ", ")));
   }
   if (!alone.empty())
-    compared.notes.push_back(fmt::format("Only in one of them, and not compared: {}.", fmt::join(alone, ", ")));
+    compared.notes.push_back(fmt::format("Not compared, because only one store has them: {}.", fmt::join(alone, ", ")));
   return common;
 }
 
@@ -166,12 +165,12 @@ void refuse_output(const CompareArguments& arguments) {
   const std::string type = file.extension().string();
   if (type != ".md" && type != ".csv" && type != ".json") {
     throw std::invalid_argument(
-        fmt::format("-o {}: expected a name that ends in .md, .csv or .json", arguments.output));
+        fmt::format("-o {}: expected a file name that ends in .md, .csv or .json", arguments.output));
   }
   for (const std::string& store : {arguments.a, arguments.b, arguments.store}) {
     std::error_code error;
     if (std::filesystem::equivalent(file, store, error)) {
-      throw std::invalid_argument(fmt::format("-o {} is a store itself; expected another file", arguments.output));
+      throw std::invalid_argument(fmt::format("-o {} is one of the stores; choose another file", arguments.output));
     }
   }
 }
@@ -200,7 +199,7 @@ void compare(const CompareArguments& arguments, Invocation& invocation) {
   for (const std::string& note : variants_notes(compared.comparisons)) fmt::print("{}\n", printable(note));
   invocation.exit_code = exit_code(compared, arguments);
   fmt::print("{}{}\n", printable(variants_verdict(compared.comparisons, compared.question)),
-             invocation.exit_code == undecided ? " With --strict that is not enough." : "");
+             invocation.exit_code == undecided ? " With --strict this counts as a failure." : "");
 }
 
 }  // namespace
@@ -208,43 +207,40 @@ void compare(const CompareArguments& arguments, Invocation& invocation) {
 void add_compare(CLI::App& app, Invocation& invocation) {
   auto arguments = std::make_shared<CompareArguments>();
   CLI::App* command =
-      app.add_subcommand("compare", "Is a variant of a solver better, the same or worse? Exit code 3 on a regression");
-  command->add_option("A", arguments->a, "the baseline: a store.sqlite, or with --store a label")->required();
-  command->add_option("B", arguments->b, "the candidate: likewise")->required();
-  command->add_option("--store", arguments->store, "A and B are two labels of a study in this store");
-  command->add_option("--study", arguments->study, "which study; the first of A's store if not given");
+      app.add_subcommand("compare", "Decide whether a variant of a solver is better, the same or worse");
+  command->add_option("A", arguments->a, "baseline: path of a store.sqlite, or a label with --store")->required();
+  command->add_option("B", arguments->b, "candidate: path of a store.sqlite, or a label with --store")->required();
+  command->add_option("--store", arguments->store, "store in which A and B are labels");
+  command->add_option("--study", arguments->study, "name of the study; default: the first in A's store");
   command
       ->add_option("--label", arguments->labels,
-                   "of two stores, this label alone; again for more; all that both have if not given")
+                   "with two stores: compare only this label; repeat for more; default: all that both stores have")
       ->allow_extra_args(false);
   command
       ->add_option("--metric", arguments->metrics,
-                   "position_error_cm, variation_deg, evaluations, seconds or solved; again for more; all if not given")
+                   "position_error_cm, variation_deg, evaluations, seconds or solved; repeat for more; default: all")
       ->allow_extra_args(false);
   const CLI::Option *margin = add_margin_option(*command, arguments->plan.margin),
                     *significance = add_significance_option(*command, arguments->plan.significance);
   command->get_option("--significance")
-      ->description("of each one-sided test; the level of intervals is 1 less twice that");
+      ->description("significance level of each one-sided test; intervals have level 1 minus twice this");
   command->add_flag("--strict", arguments->strict,
-                    "exit code 4 where nothing is worse, but a metric is undecided or not compared");
-  command->add_option("-o,--output", arguments->output,
-                      "also write the table with every column: a .md, .csv or .json file");
+                    "exit with 4 if nothing is worse but a metric is undecided or not compared");
+  command->add_option("-o,--output", arguments->output, "also write the full table to this .md, .csv or .json file");
   command->footer(
       "Examples:\n"
       "  ikbench compare before/store.sqlite after/store.sqlite\n"
       "  ikbench compare IK-BA mine --store out/my/store.sqlite --metric position_error_cm --margin 10%\n"
-      "In a solver's own continuous integration, with the store of the last release kept as base.sqlite:\n"
+      "In continuous integration, with the store of the last release as base.sqlite:\n"
       "  ikbench run my.toml --no-report --out new\n"
       "  ikbench compare base.sqlite new/store.sqlite --metric position_error_cm --metric evaluations --metric solved "
       "\\\n"
       "    --strict -o comparison.md\n\n"
-      "B is worse, better or the same by tests of the ratio of means against the margin; what they leave open is "
-      "undecided,\n"
-      "with the number of runs or targets that would decide. --margin and --significance are those of A's study where "
-      "not given.\n"
-      "Exit codes: 0 no regression is shown, 3 a regression beyond the margin, 4 with --strict: nothing is worse, but\n"
-      "something is undecided or not compared, 1 a mistake in what was asked, 2 a failure of the program, "
-      "the disk or the store.");
+      "Tests of the ratio of means against the margin decide whether B is better, the same or worse. Otherwise the\n"
+      "metric is undecided, and the table says how many runs or targets would decide. --margin and --significance\n"
+      "default to those of A's study.\n\n"
+      "Exit codes: 0 no regression found, 1 a mistake in the request, 2 a failure of the program, the disk or the store,\n"
+      "3 a regression beyond the margin, 4 (--strict only) nothing is worse, but something is undecided or not compared.");
   command->callback([arguments, margin, significance, &invocation] {
     if (margin->count() > 0) arguments->margin = arguments->plan.margin;
     if (significance->count() > 0) arguments->significance = arguments->plan.significance;

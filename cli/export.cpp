@@ -24,13 +24,13 @@ void add_export(CLI::App& app) {
     std::string store, study, format = "csv", file = "-";
   };
   auto arguments = std::make_shared<Arguments>();
-  CLI::App* command = app.add_subcommand("export", "The solves of a store as tidy CSV or JSON, for other programs");
-  command->add_option("STORE", arguments->store, "a store.sqlite")->required();
-  command->add_option("--study", arguments->study, "which study; the first of the store if not given");
+  CLI::App* command = app.add_subcommand("export", "Write the solves of a store as tidy CSV or JSON");
+  command->add_option("STORE", arguments->store, "path of a store.sqlite")->required();
+  command->add_option("--study", arguments->study, "name of the study; default: the first in the store");
   command->add_option("--format", arguments->format, "csv or json")
       ->check(CLI::IsMember({"csv", "json"}))
       ->capture_default_str();
-  command->add_option("-o,--output", arguments->file, "file to write; - is standard output")->capture_default_str();
+  command->add_option("-o,--output", arguments->file, "file to write; - for standard output")->capture_default_str();
   command->footer(
       "Examples:\n"
       "  ikbench export out/slim2023/store.sqlite > solves.csv\n"
@@ -48,7 +48,7 @@ void add_export(CLI::App& app) {
         std::error_code error;
         if (!std::filesystem::equivalent(arguments->file, arguments->store + part, error)) continue;
         throw std::invalid_argument(
-            fmt::format("-o {} is the store itself, or a part of it; expected another file", arguments->file));
+            fmt::format("-o {} is the store itself or part of it; choose another file", arguments->file));
       }
       write_file(arguments->file, text);
     }

@@ -19,16 +19,16 @@ void add_fingerprint(CLI::App& app) {
     std::string store, study;
   };
   auto arguments = std::make_shared<Arguments>();
-  CLI::App* command =
-      app.add_subcommand("fingerprint", "One hash of all results of a study: whether two stores have the same bits");
-  command->add_option("STORE", arguments->store, "a store.sqlite")->required();
-  command->add_option("--study", arguments->study, "which study; all of the store if not given");
+  CLI::App* command = app.add_subcommand(
+      "fingerprint", "Print a hash of a study's results, to check that two stores agree bit for bit");
+  command->add_option("STORE", arguments->store, "path of a store.sqlite")->required();
+  command->add_option("--study", arguments->study, "name of the study; default: all in the store");
   command->footer(
       "Examples:\n"
       "  ikbench fingerprint out/slim2023/store.sqlite\n"
       "  ikbench fingerprint theirs.sqlite --study slim2023\n\n"
-      "A line for each study: fingerprint, number of solves, name. Times and sessions are no part of it; of everything "
-      "else every bit is.");
+      "Prints a line for each study: fingerprint, number of solves, name. The fingerprint covers every bit of the\n"
+      "results. It leaves out times and sessions.");
   command->callback([arguments] {
     const Store store(arguments->store, Store::Mode::read);
     const std::vector<StudyEntry> studies =

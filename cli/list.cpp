@@ -1,4 +1,4 @@
-// ikbench list: what there is, and one of them in full.
+// ikbench list: solvers, robots, studies and so on, or one of them in full.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -87,7 +87,8 @@ std::string study_list() {
 std::string path_list() {
   Rows rows{{"NAME", "TARGETS", "WHAT"}};
   for (const Path& path : paths()) {
-    rows.push_back({std::string(path->name()), path->is_drawn() ? "drawn anew for every run" : "the same in every run",
+    rows.push_back({std::string(path->name()),
+                    path->is_drawn() ? "random, different in every run" : "the same in every run",
                     std::string(path->summary())});
   }
   return aligned(rows);
@@ -143,18 +144,19 @@ void add_list(CLI::App& app) {
     std::string kind, name;
   };
   auto arguments = std::make_shared<Arguments>();
-  CLI::App* command = app.add_subcommand(
-      "list", "What there is: solvers, robots, studies, kinds of paths, columns of the results, instruction sets");
+  CLI::App* command =
+      app.add_subcommand("list", "List solvers, robots, studies, kinds of path, result columns or instruction sets");
   command->add_option("KIND", arguments->kind, "solvers, robots, studies, paths, columns or instruction-sets")
       ->required()
       ->check(CLI::IsMember({"solvers", "robots", "studies", "paths", "columns", "instruction-sets"}));
-  command->add_option("NAME", arguments->name, "one of them in full; a study or a path as TOML, to be edited and run");
+  command->add_option("NAME", arguments->name,
+                      "show this one in full; a study or a path is printed as TOML, ready to edit");
   command->footer(
       "Examples:\n"
       "  ikbench list solvers\n"
-      "  ikbench list solvers ik_bat              its options, their defaults and ranges\n"
+      "  ikbench list solvers ik_bat              its options with defaults and ranges\n"
       "  ikbench list studies slim2023 > my.toml\n"
-      "  ikbench list instruction-sets            those of this machine; IKBENCH_INSTRUCTION_SET=name chooses one");
+      "  ikbench list instruction-sets            those of this machine; set IKBENCH_INSTRUCTION_SET to choose one");
   command->callback([arguments] { fmt::print("{}", listed(arguments->kind, arguments->name)); });
 }
 

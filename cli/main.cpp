@@ -15,22 +15,21 @@ int main(int argc, char** argv) {
   namespace cli = ikbench::cli;
   using namespace ikbench::numerics;
   using namespace ikbench::experiments;
-  CLI::App app("Runs inverse-kinematics solvers on studies, remembers every solve, and says what the numbers mean.",
+  CLI::App app("Runs inverse-kinematics solvers on studies, stores every solve and says what the numbers mean.",
                "ikbench");
   app.footer(
       "Examples:\n"
       "  ikbench reproduce                        the study of Slim et al. 2023, with tables and figures\n"
       "  ikbench list studies slim2023 > my.toml  a study to edit: add a solver, change an option\n"
-      "  ikbench run my.toml                      run it, and report\n"
+      "  ikbench run my.toml                      run it and write a report\n"
       "  ikbench stats my.csv --value error --group solver\n"
-      "                                           the same statistics on anybody's data\n"
-      "  ikbench audit slim2023                   what the paper's printed numbers say about each other\n"
-      "  ikbench readings slim2023                which reading of the paper moves which number\n"
+      "                                           the same statistics on your own data\n"
+      "  ikbench audit slim2023                   whether the paper's printed numbers agree with each other\n"
+      "  ikbench readings slim2023                how each interpretation of the paper changes the results\n"
       "  ikbench compare old.sqlite new.sqlite    whether a variant of a solver is better, the same or worse\n"
       "  ikbench COMMAND --help                   more examples\n\n"
-      "Exit codes: 0 done, 1 a mistake in what was asked, 2 a failure of the program,\n"
-      "the disk or the store, 3 a regression beyond the margin, 4 undecided (compare --strict), 130 stopped by "
-      "Ctrl-C.");
+      "Exit codes: 0 success, 1 a mistake in the request, 2 a failure of the program, the disk or the store,\n"
+      "3 a regression beyond the margin, 4 undecided (compare --strict), 130 stopped by Ctrl-C.");
   app.set_version_flag("--version", "ikbench " + version());
   app.require_subcommand(1);
   app.failure_message([](const CLI::App*, const CLI::Error& error) {
@@ -49,14 +48,14 @@ int main(int argc, char** argv) {
   cli::add_export(app);
   cli::add_fingerprint(app);
   try {
-    static_cast<void>(instruction_set());  // a wrong IKBENCH_INSTRUCTION_SET is told before anything is begun
+    static_cast<void>(instruction_set());  // reports a wrong IKBENCH_INSTRUCTION_SET before anything starts
     app.parse(argc, argv);
     if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
-      throw std::runtime_error("standard output cannot be written");
+      throw std::runtime_error("cannot write to standard output");
     return invocation.exit_code;
   } catch (const CLI::RequiredError& error) {
     if (argc < 2 || !app.get_subcommands().empty()) return app.exit(error) == 0 ? 0 : 1;
-    std::vector<std::string> commands;  // what CLI11 does not say: which word it did not know, and those it knows
+    std::vector<std::string> commands;  // CLI11 does not say which word it did not know
     for (const CLI::App* command : app.get_subcommands({})) commands.push_back(command->get_name());
     cli::say(fmt::format("ikbench: {}", unknown_name("command", argv[1], commands)));
     return 1;

@@ -41,16 +41,18 @@ CLI::Option* add_margin_option(CLI::App& command, double& margin) {
         const double share = value ? *value / (percent ? 100 : 1) : -1;
         const auto [least, most] = margins_percent;
         if (!(share >= least / 100 && share <= most / 100) || (!percent && share == 0 && text != "0")) {
-          throw CLI::ValidationError(fmt::format("--margin: {} is not a share from {} % to {} %, expected 5% or 0.05",
-                                                 text.substr(0, 100), least, most));
+          throw CLI::ValidationError(
+              fmt::format("--margin: {} is not a share from {} % to {} %; expected for example 5% or 0.05",
+                          text.substr(0, 100), least, most));
         }
         margin = share;
       },
-      fmt::format("relative difference that matters, as 5% or 0.05 [{:g}%]", 100 * margin));
+      fmt::format("smallest relative difference that matters, for example 5% or 0.05 [{:g}%]", 100 * margin));
 }
 
 CLI::Option* add_significance_option(CLI::App& command, double& significance) {
-  return command.add_option("--significance", significance, "of tests; the level of intervals is 1 less that")
+  return command
+      .add_option("--significance", significance, "significance level of the tests; intervals have 1 minus this level")
       ->check(number_in(significances))
       ->capture_default_str();
 }
@@ -71,15 +73,16 @@ void add_plan_options(CLI::App& command, AnalysisPlan& plan) {
         fmt::format("{}: {} [{}]", meaning, fmt::join(names, ", "), name_of(value)));
   };
   enumerated("--test", plan.test, deciding_test_names,
-             "which test decides (by_design: Friedman's with blocks, else Welch's)");
-  enumerated("--adjustment", plan.adjustment, adjustment_names, "correction of rank tests for being several");
-  command.add_option("--control", plan.control, "group that the others are held against; every pair if not given");
+             "test that decides (by_design: Friedman with blocks, otherwise Welch)");
+  enumerated("--adjustment", plan.adjustment, adjustment_names, "correction of rank tests for multiple comparisons");
+  command.add_option("--control", plan.control, "group to compare the others with; default: compare every pair");
   add_significance_option(command, plan.significance);
   add_margin_option(command, plan.margin);
-  command.add_option("--power", plan.power, "with which a difference of the margin should be found")
+  command.add_option("--power", plan.power, "power with which the tests should detect a difference of the margin")
       ->check(number_in(powers))
       ->capture_default_str();
-  command.add_option("--quartiles", plan.quartiles, "Hyndman-Fan type; 7 is that of R and NumPy, 5 MATLAB's")
+  command
+      .add_option("--quartiles", plan.quartiles, "Hyndman-Fan type of quartiles: 7 as in R and NumPy, 5 as in MATLAB")
       ->check(whole_number())
       ->check(CLI::Range(1, 9))
       ->capture_default_str();

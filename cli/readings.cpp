@@ -1,4 +1,4 @@
-// ikbench readings: each reading of the paper against the default, over several seeds.
+// ikbench readings: each interpretation of the paper against the default, over several seeds.
 #include "cli/readings.hpp"
 
 #include <fmt/format.h>
@@ -52,7 +52,7 @@ std::vector<RunMeans> solved(const ReadingsPlan& plan, int jobs, const std::atom
   for (const Study& part : plan.parts) {
     progress.total += std::int64_t{part.runs} * static_cast<std::int64_t>(targets(part, 1).size());
   }
-  ProgressBar bar("readings");
+  ProgressBar bar("interpretations");
   std::vector<RunMeans> means;
   for (const Study& part : plan.parts) {
     std::vector<SolveRecord> solves;
@@ -104,7 +104,7 @@ std::vector<ReadingResults> results_of(const ReadingsPlan& plan, const std::vect
 }
 
 std::string reading_list() {
-  std::vector<std::vector<std::string>> rows{{"READING", "NOTES", "MEANING"}};
+  std::vector<std::vector<std::string>> rows{{"INTERPRETATION", "NOTES", "MEANING"}};
   for (const Reading& reading : readings()) rows.push_back({reading.set, reading.section, reading.sentence});
   return aligned(rows);
 }
@@ -118,7 +118,7 @@ void write_and_tell(const ReadingsReport& report, const ReadingsArguments& argum
   const auto outcomes =
       write_figures({report.figure}, folder / "figures", {.render = !arguments.without_figures, .jobs = 1});
   for (const FigureOutcome& outcome : outcomes) {
-    if (!outcome.error.empty()) say(fmt::format("warning: not drawn: {}: {}", outcome.name, outcome.error));
+    if (!outcome.error.empty()) say(fmt::format("warning: {} was not drawn: {}", outcome.name, outcome.error));
   }
   fmt::print("Table: {}\nFigure: {}\n", printable((folder / "tables" / "readings.md").string()),
              printable((folder / "figures" / (arguments.without_figures ? "readings.gp" : "readings.png")).string()));
@@ -137,33 +137,35 @@ Read read(const std::string& paper, const ReadingsPlan& plan, int jobs, const st
 void add_readings(CLI::App& app, Invocation& invocation) {
   auto arguments = std::make_shared<ReadingsArguments>();
   CLI::App* command = app.add_subcommand(
-      "readings", "Each reading of the paper against the default: which one moves which number of Table 3");
-  command->add_option("STUDY", arguments->study, "the study whose readings they are: slim2023")
+      "readings", "Compare interpretations of what the paper leaves open, one by one, with the default");
+  command->add_option("STUDY", arguments->study, "the study to vary: slim2023")
       ->required()
       ->check(CLI::IsMember({"slim2023"}));
-  command->add_flag("--list", arguments->list, "the readings and what they mean; nothing is solved");
-  command->add_option("--grid", arguments->grid, "all combinations of these readings, instead of one at a time")
+  command->add_flag("--list", arguments->list, "list the interpretations without solving");
+  command->add_option("--grid", arguments->grid, "try all combinations of these instead of one at a time")
       ->delimiter(',')
       ->allow_extra_args(false);
-  command->add_option("--seeds", arguments->seeds, "how many: 1 to this one")
+  command->add_option("--seeds", arguments->seeds, "number of seeds, counted from 1")
       ->check(whole_number())
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
-  command->add_option("--jobs", arguments->jobs, "solves at once; the same numbers")
+  command->add_option("--jobs", arguments->jobs, "number of solves at once; the results do not depend on it")
       ->check(whole_number())
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();
   command
-      ->add_option("--set", arguments->overrides, "key=value over the default and every reading: runs=5, population=20")
+      ->add_option("--set", arguments->overrides,
+                   "change a key in the default and in every interpretation: runs=5, population=20")
       ->allow_extra_args(false);
-  command->add_option("--out", arguments->out, "folder; tables/readings and figures/readings are written there");
-  command->add_flag("--no-figures", arguments->without_figures, "write the figure's script and data, do not draw it");
+  command->add_option("--out", arguments->out, "folder for tables/readings and figures/readings; default: print only");
+  command->add_flag("--no-figures", arguments->without_figures,
+                    "write the script and data of the figure, but do not draw it");
   command->footer(
       "Examples:\n"
       "  ikbench readings slim2023 --jobs 2 --out out/readings\n"
       "  ikbench readings slim2023 --list\n"
       "  ikbench readings slim2023 --grid search=all_joints,IK-BA.step_factor=1,IK-BA.epsilon=truncated\n\n"
-      "A solver that a reading does not move is not solved again. Ctrl-C shows the readings that are done.");
+      "Solvers that an interpretation does not affect are not run again. Ctrl-C shows what is finished.");
   command->callback([arguments, &invocation] {
     if (arguments->list) {
       fmt::print("{}", reading_list());
@@ -175,7 +177,8 @@ void add_readings(CLI::App& app, Invocation& invocation) {
     const Read answer = read(arguments->study, plan, arguments->jobs, signals.requested());
     if (answer.report) write_and_tell(*answer.report, *arguments);
     if (answer.is_complete) return;
-    say(fmt::format("Stopped: {} of {} readings are done, counting the default.", answer.done, plan.rows.size()));
+    say(fmt::format("Stopped: {} of {} interpretations are done, including the default.", answer.done,
+                    plan.rows.size()));
     invocation.exit_code = 130;
   });
 }

@@ -1,4 +1,4 @@
-// ikbench report: tables and figures from a store, whoever made it; nothing is solved.
+// ikbench report: tables and figures from any store, without solving.
 #include <memory>
 
 #include "cli/commands.hpp"
@@ -14,10 +14,11 @@ void add_report(CLI::App& app) {
     ReportArguments report;
   };
   auto arguments = std::make_shared<Arguments>();
-  CLI::App* command = app.add_subcommand("report", "Tables, figures and report from a store; nothing is solved");
-  command->add_option("STORE", arguments->store, "a store.sqlite")->required();
-  command->add_option("--study", arguments->study, "which study; the first of the store if not given");
-  command->add_option("--out", arguments->out, "folder to write to; the store's own if not given");
+  CLI::App* command =
+      app.add_subcommand("report", "Write tables, figures and the report from a store, without solving");
+  command->add_option("STORE", arguments->store, "path of a store.sqlite")->required();
+  command->add_option("--study", arguments->study, "name of the study; default: the first in the store");
+  command->add_option("--out", arguments->out, "folder to write to; default: the folder of the store");
   add_report_options(*command, arguments->report);
   command->footer(
       "Examples:\n"

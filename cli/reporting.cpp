@@ -32,7 +32,7 @@ AnalysisPlan plan_for(const StudyEntry& entry, const ReportArguments& arguments)
   if (!arguments.unit.empty()) plan.unit = arguments.unit == name_of(Unit::run) ? Unit::run : Unit::point;
   if (arguments.quartiles != 0) plan.quartiles = arguments.quartiles;
   if (plan.unit == Unit::point && !arguments.forced) {
-    throw std::invalid_argument(fmt::format("the plan of the study {} has unit = \"point\", but {}, or else --unit run",
+    throw std::invalid_argument(fmt::format("the plan of the study {} has unit = \"point\", but {}; or use --unit run",
                                             entry.name, why_points_are_refused));
   }
   return plan;
@@ -54,8 +54,8 @@ void warn_of_left_aside(const Study& study, const Store& store) {
   const LeftAside aside = left_aside(study, store);
   if (aside.solves == 0) return;
   say(fmt::format(
-      "warning: {} solves of {} were made by another version of the solver or of the code that all solvers share; they "
-      "stay in the store, and this run solves those points again",
+      "warning: {} solves of {} come from another version of the solver or of shared code; they stay in the store, and "
+      "this run solves those points again",
       aside.solves, fmt::join(aside.labels, ", ")));
 }
 
@@ -63,8 +63,8 @@ void warn_of_left_aside(const Study& study, const Store& store) {
 void tell_of_log(const std::vector<std::filesystem::path>& files) {
   if (files.size() < 2) return;
   say(fmt::format(
-      "warning: another program has {0} open, so part of it is still in {1}: copy both files together, or end "
-      "that program and run this again, which makes one file of them",
+      "warning: another program has {0} open, so part of the data is still in {1}; copy both files together, or close "
+      "that program and run this command again to merge them",
       files[0].string(), files[1].string()));
 }
 
@@ -84,15 +84,15 @@ CLI::Validator whole_number() {
 void add_report_options(CLI::App& command, ReportArguments& arguments) {
   command
       .add_option("--unit", arguments.unit,
-                  "what one observation is: a run's mean over its points, or a point; as the study says if not given")
+                  "what one observation is: run (its mean over the points) or point; default: as in the study")
       ->check(CLI::IsMember(std::vector<std::string>(unit_names.begin(), unit_names.end())));
   command
       .add_option("--quartiles", arguments.quartiles,
-                  "Hyndman-Fan type of the boxes' quartiles, 5 is MATLAB's; as the study says if not given")
+                  "Hyndman-Fan type of quartiles in box plots, 5 as in MATLAB; default: as in the study")
       ->check(whole_number())
       ->check(CLI::Range(1, 9));
-  command.add_flag("--force", arguments.forced, "use points as observations all the same; every table says so");
-  command.add_flag("--no-figures", arguments.without_figures, "tables only");
+  command.add_flag("--force", arguments.forced, "allow points as observations; every table says so");
+  command.add_flag("--no-figures", arguments.without_figures, "write tables, but draw no figures");
 }
 
 void refuse_points(const ReportArguments& arguments) {
@@ -101,9 +101,10 @@ void refuse_points(const ReportArguments& arguments) {
 }
 
 void add_run_options(CLI::App& command, RunArguments& arguments) {
-  command.add_option("--out", arguments.out, "folder of the results; out/<study> if not given");
+  command.add_option("--out", arguments.out, "folder for the results; default: out/<study>");
   command
-      .add_option("--jobs", arguments.jobs, "solves at once; the same numbers, but times are comparable with 1 only")
+      .add_option("--jobs", arguments.jobs,
+                  "number of solves at once; the answers stay the same, but times are comparable only with 1")
       ->check(whole_number())
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();
@@ -127,7 +128,7 @@ void write_and_announce(const Store& store, WrittenReport wanted) {
 StudyEntry chosen_study(const Store& store, const std::string& name) {
   if (!name.empty()) return store.study(name);
   std::vector<StudyEntry> studies = store.studies();
-  if (studies.empty()) throw std::invalid_argument("the store holds no study");
+  if (studies.empty()) throw std::invalid_argument("the store contains no study");
   return std::move(studies.front());
 }
 
@@ -135,18 +136,19 @@ void warn_of_unreachable(const Study& study) {
   const std::vector<Unreachable> found = unreachable(study);
   constexpr std::size_t most = 10;
   for (std::size_t i = 0; i < std::min(found.size(), most); ++i) {
-    say(fmt::format("warning: point {} is out of reach: {:.2f} cm from the shoulder, reach {:.2f} cm", found[i].point,
-                    found[i].distance * 100, found[i].reach * 100));
+    say(fmt::format(
+        "warning: point {} is out of reach: it is {:.2f} cm from the shoulder, and the arm reaches {:.2f} cm",
+        found[i].point, found[i].distance * 100, found[i].reach * 100));
   }
-  if (found.size() > most) say(fmt::format("warning: and {} more points are out of reach", found.size() - most));
+  if (found.size() > most) say(fmt::format("warning: {} more points are out of reach", found.size() - most));
 }
 
 Ended run_and_tell(const Study& study, const std::filesystem::path& folder, RunRequest request) {
   warn_of_unreachable(study);
   if (is_debug_build()) {
-    say("warning: this is a debug build; times are marked as such");
+    say("warning: this is a debug build; its times are marked and not comparable");
   } else if (request.jobs > static_cast<int>(std::thread::hardware_concurrency())) {
-    say(fmt::format("warning: {} jobs on {} processors", request.jobs, std::thread::hardware_concurrency()));
+    say(fmt::format("warning: {} jobs share {} processors", request.jobs, std::thread::hardware_concurrency()));
   }
   Store store(store_in(folder), Store::Mode::write);
   for (const StudyEntry& earlier : store.studies()) {
@@ -154,13 +156,13 @@ Ended run_and_tell(const Study& study, const std::filesystem::path& folder, RunR
     if (differ_in_analysis_only(earlier.definition, to_json(study))) {
       const std::string changes = changes_between(plan_of(earlier), study.analysis);
       if (!changes.empty()) {
-        say(fmt::format("warning: the analysis plan of {} in {} was another: {}; the report will say so", study.name,
+        say(fmt::format("warning: the analysis plan of {} in {} has changed: {}; the report will say so", study.name,
                         folder.string(), changes));
       }
     } else {
       say(fmt::format(
-          "warning: {} has another study named {}; its solves stay there, its report is written anew (another "
-          "name or --out keeps both)",
+          "warning: {} has a different study named {}; its solves stay there, but its report is overwritten; use another "
+          "name or --out to keep both",
           folder.string(), study.name));
     }
   }
@@ -176,12 +178,12 @@ Ended run_and_tell(const Study& study, const std::filesystem::path& folder, RunR
   tell_of_log(store.finish());
   const std::string place = printable(store_in(folder).string());
   if (progress.done < progress.total) {
-    say(fmt::format("Stopped: {} of {} solves are kept in {}; the same command goes on from there.", progress.done,
+    say(fmt::format("Stopped: {} of {} solves are kept in {}; run the same command again to continue.", progress.done,
                     progress.total, place));
     return Ended::stopped;
   }
   fmt::print("{}: {} solves in {}{}\n", printable(study.name), progress.total, place,
-             progress.reused == 0 ? "" : fmt::format(" ({} were there already)", progress.reused));
+             progress.reused == 0 ? "" : fmt::format(" ({} were already stored)", progress.reused));
   return Ended::complete;
 }
 

@@ -1,4 +1,4 @@
-// ikbench reproduce: every study of the paper into one store, the readings and the audit, with one report.
+// ikbench reproduce: every study of the paper in one store, the interpretations and the audit, with one report.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -23,16 +23,16 @@ using namespace slim2023;
 
 namespace {
 
-// What the numbers of a study are, in a line, and whether they are those that everybody should get.
+// The fingerprint of a study in one line, and whether it is the reference that every machine should give.
 std::string compared_with_reference(const Store& store, const std::string& name) {
   const std::string ours = fingerprint(store.solves(name));
   const std::string_view reference = reference_fingerprint(name);
   const bool is_as_built_in = store.study(name).definition == to_json(load_study(name));
   return fmt::format("Fingerprint of {}: {}, {}", name, ours,
-                     reference.empty()   ? "of a study that has no reference"
-                     : !is_as_built_in   ? "of a study with another seed or number of runs than the reference"
-                     : ours == reference ? "the reference numbers"
-                                         : fmt::format("not the reference numbers: {}", reference));
+                     reference.empty()   ? "this study has no reference"
+                     : !is_as_built_in   ? "no reference for this seed and number of runs"
+                     : ours == reference ? "equal to the reference"
+                                         : fmt::format("different from the reference {}", reference));
 }
 
 }  // namespace
@@ -47,16 +47,16 @@ void add_reproduce(CLI::App& app, Invocation& invocation) {
   };
   auto arguments = std::make_shared<Arguments>();
   CLI::App* command = app.add_subcommand(
-      "reproduce", "Make every table and figure of Slim et al. 2023, beside the printed, with audit and readings");
+      "reproduce", "Repeat the experiments of Slim et al. 2023 and report beside the printed results");
   add_run_options(*command, arguments->run);
-  command->add_option("--seed", arguments->seed, "")->check(whole_number())->capture_default_str();
-  command->add_option("--runs", arguments->runs, "")
+  command->add_option("--seed", arguments->seed, "seed of the studies")->check(whole_number())->capture_default_str();
+  command->add_option("--runs", arguments->runs, "runs of each solver on the helix")
       ->check(whole_number())
       ->check(CLI::Range(1, 1'000'000))
       ->capture_default_str();
   command
       ->add_option("--readings", arguments->seeds,
-                   "seeds, 1 to this one, over which the readings are compared; 0: no readings")
+                   "number of seeds for comparing the interpretations of the paper; 0: skip them")
       ->check(whole_number())
       ->check(CLI::Range(0, 1000))
       ->capture_default_str();
@@ -65,8 +65,8 @@ void add_reproduce(CLI::App& app, Invocation& invocation) {
       "Examples:\n"
       "  ikbench reproduce\n"
       "  ikbench reproduce --seed 2 --out out/seed-2\n"
-      "  ikbench reproduce --readings 0           without the readings: faster\n"
-      "  ikbench reproduce --jobs 2               faster; times are marked as not comparable");
+      "  ikbench reproduce --readings 0           faster: skip the interpretations\n"
+      "  ikbench reproduce --jobs 2               faster: two solves at once, but times are not comparable");
   command->callback([arguments, &invocation] {
     refuse_points(arguments->report);
     const std::filesystem::path folder =
@@ -88,11 +88,11 @@ void add_reproduce(CLI::App& app, Invocation& invocation) {
     if (arguments->seeds > 0) {
       const CancelOnSignal signals;
       const ReadingsPlan plan = plan_readings(one_at_a_time(), arguments->seeds, {runs});
-      // Nothing of the readings is timed: all processors.
+      // No time is measured here, so all processors may work.
       const int processors = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
       const Read answer = read("slim2023", plan, std::max(arguments->run.jobs, processors), signals.requested());
       if (!answer.is_complete) {
-        say("Stopped before the report; the studies are kept, and the same command goes on from there.");
+        say("Stopped before the report. The solves are kept; run the same command again to continue.");
         invocation.exit_code = 130;
         return;
       }

@@ -20,21 +20,23 @@ void add_run(CLI::App& app, Invocation& invocation) {
     bool without_report = false;
   };
   auto arguments = std::make_shared<Arguments>();
-  CLI::App* command = app.add_subcommand("run", "Run a study (what is missing of it) and report");
-  command->add_option("STUDY", arguments->study, "a built-in study (ikbench list studies) or a TOML file")->required();
+  CLI::App* command = app.add_subcommand("run", "Run the missing solves of a study and write its report");
+  command
+      ->add_option("STUDY", arguments->study, "name of a built-in study (ikbench list studies) or path of a TOML file")
+      ->required();
   command
       ->add_option("--set", arguments->overrides,
-                   "key=value over the study: runs=5, path.tool=eq27, ik_bat.bounds=clamp, analysis.significance=0.01")
+                   "change a key of the study: runs=5, path.tool=eq27, ik_bat.bounds=clamp, analysis.significance=0.01")
       ->allow_extra_args(false);
   add_run_options(*command, arguments->run);
   add_report_options(*command, arguments->report);
-  command->add_flag("--no-report", arguments->without_report, "solves only");
+  command->add_flag("--no-report", arguments->without_report, "solve, but write no report");
   command->footer(
       "Examples:\n"
       "  ikbench run my.toml\n"
       "  ikbench run slim2023 --set seed=2 --out out/seed-2\n"
       "  ikbench run slim2023 --set IK-BA.bounds=clamp --set runs=5 --out out/clamped\n\n"
-      "Running it again does only what is missing. A solver whose source was changed is solved anew.");
+      "A second run solves only what is missing. If the source of a solver changed, that solver runs again.");
   command->callback([arguments, &invocation] {
     refuse_points(arguments->report);
     const Study study =

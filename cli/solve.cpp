@@ -41,7 +41,7 @@ Study study_of(const SolveArguments& arguments) {
   const Robot arm = is_arm_file(arguments.robot) ? load_robot(arguments.robot) : robot(arguments.robot);
   const int joints = arm.joints();
   if (!arguments.start_deg.empty() && arguments.start_deg.size() != static_cast<std::size_t>(joints)) {
-    throw std::invalid_argument(fmt::format("--start-deg has {} angles; expected {}, the joints of {}",
+    throw std::invalid_argument(fmt::format("--start-deg has {} angles; expected {}, one for each joint of {}",
                                             arguments.start_deg.size(), joints, arguments.robot));
   }
   for (const double angle : arguments.start_deg) {
@@ -103,34 +103,39 @@ std::string shown(const SolveRecord& record, const Study& study) {
 
 void add_solve(CLI::App& app) {
   auto arguments = std::make_shared<SolveArguments>();
-  CLI::App* command = app.add_subcommand("solve", "Solve one target, and say how well it was solved");
-  command->add_option("--position-cm", arguments->position_cm, "target x y z")->required()->expected(3)->delimiter(',');
-  command->add_option("--rpy-deg", arguments->rpy_deg, "tool's roll, pitch, yaw (else --tool)")
+  CLI::App* command = app.add_subcommand("solve", "Solve one target and print the answer with its errors");
+  command->add_option("--position-cm", arguments->position_cm, "target position x y z [cm]")
+      ->required()
       ->expected(3)
       ->delimiter(',');
-  command->add_option("--tool", arguments->tool, "how the tool is held: down or eq27")
+  command->add_option("--rpy-deg", arguments->rpy_deg, "roll, pitch and yaw of the tool [deg]; default: see --tool")
+      ->expected(3)
+      ->delimiter(',');
+  command->add_option("--tool", arguments->tool, "orientation of the tool: down, or as in the paper's Eq. 27")
       ->check(CLI::IsMember({"down", "eq27"}))
       ->capture_default_str();
-  command->add_option("--robot", arguments->robot, "see: ikbench list robots; or a file: my_arm.toml")
+  command->add_option("--robot", arguments->robot, "a name that ikbench list robots prints, or a file: my_arm.toml")
       ->capture_default_str();
   command->add_option("--solver", arguments->solver, "see: ikbench list solvers")->capture_default_str();
   command
       ->add_option("--search", arguments->search,
-                   "wrist or all_joints; wrist where the arm has a spherical one if not given")
+                   "wrist or all_joints; default: wrist if the arm has a spherical wrist")
       ->check(CLI::IsMember({"wrist", "all_joints"}));
   command
       ->add_option("--start-deg", arguments->start_deg,
-                   "where the arm is, all joints; if not given zeros, or the nearest that the limits allow")
+                   "start angles of all joints [deg]; default: zeros, or the nearest inside the limits")
       ->delimiter(',');
   command
       ->add_option("--set", arguments->overrides,
-                   "option of the solver, or of the stop rule: alpha=0.9, stop.iterations=50")
+                   "change an option of the solver or of the stop rule: alpha=0.9, stop.iterations=50")
       ->allow_extra_args(false);
   command
       ->add_option("--tolerance-cm", arguments->tolerance_cm,
-                   "position error at which the solve ends; an answer beyond it is tolerance_missed; 0: none")
+                   "stop at this position error [cm]; a larger error has status tolerance_missed; 0: no tolerance")
       ->capture_default_str();
-  command->add_option("--seed", arguments->seed, "")->check(whole_number())->capture_default_str();
+  command->add_option("--seed", arguments->seed, "seed of the random numbers")
+      ->check(whole_number())
+      ->capture_default_str();
   command->footer(
       "Examples:\n"
       "  ikbench solve --position-cm 60 20 10\n"

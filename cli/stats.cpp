@@ -37,7 +37,7 @@ struct StatsArguments {
   AnalysisPlan plan;
 };
 
-// All of it, or more than the CSV reader takes: a stream may have no end.
+// The whole text, or just more than the CSV reader takes: a stream may have no end.
 std::string contents_of(std::istream& stream) {
   std::string text;
   std::array<char, 1 << 16> buffer{};
@@ -52,11 +52,11 @@ std::string contents_of(std::istream& stream) {
 std::string contents_of(const std::string& file) {
   if (file == "-") return contents_of(std::cin);
   if (std::filesystem::is_directory(file)) {
-    throw std::invalid_argument(fmt::format("{} is a folder, expected a CSV file", file));
+    throw std::invalid_argument(fmt::format("{} is a folder; expected a CSV file", file));
   }
   std::ifstream stream(file, std::ios::binary);
   if (!stream) {
-    throw std::invalid_argument(fmt::format("{} cannot be read; expected a CSV file, or - for standard input", file));
+    throw std::invalid_argument(fmt::format("cannot read {}; expected a CSV file, or - for standard input", file));
   }
   return contents_of(stream);
 }
@@ -78,7 +78,7 @@ std::vector<Assessment> assessments_of(const StatsArguments& arguments) {
     std::vector<Summaries> all = read_summaries(contents_of(arguments.summaries), name_of_source(arguments.summaries));
     if (!arguments.quantity.empty() && all.size() > 1) {
       throw std::invalid_argument(
-          fmt::format("--quantity names one quantity, {} has {}", arguments.summaries, all.size()));
+          fmt::format("--quantity names one quantity, but {} has {}", arguments.summaries, all.size()));
     }
     for (Summaries& summaries : all) {
       summaries.better = better;
@@ -114,30 +114,30 @@ void check(const StatsArguments& arguments) {
     if (!arguments.values.empty() || arguments.wide || arguments.rows_are_blocks || !arguments.csv.group.empty() ||
         !arguments.csv.block.empty() || !arguments.csv.run.empty()) {
       throw std::invalid_argument(
-          "--summaries has its own columns (name, mean, sd, n); expected no --value, --group, --block, --run, --wide "
-          "or --rows-are-blocks with it");
+          "--summaries has its own columns (name, mean, sd, n); leave out --value, --group, --block, --run, --wide and "
+          "--rows-are-blocks");
     }
     return;
   }
   const std::set<std::string> different(arguments.values.begin(), arguments.values.end());
   if (different.size() < arguments.values.size()) {
-    throw std::invalid_argument("--value names a column twice, expected each once");
+    throw std::invalid_argument("--value names a column twice; expected each column once");
   }
   if (!arguments.quantity.empty() && arguments.values.size() > 1) {
     throw std::invalid_argument(
-        fmt::format("--quantity names one quantity, there are {} --value", arguments.values.size()));
+        fmt::format("--quantity names one quantity, but --value is given {} times", arguments.values.size()));
   }
   if (!arguments.wide && arguments.values.empty()) {
     throw std::invalid_argument(
-        "expected --value COLUMN, the column of the numbers (and --group COLUMN); or --wide, where every column is a "
+        "expected --value COLUMN, the column of the numbers (and --group COLUMN); or --wide if every column is a "
         "group");
   }
   if (arguments.wide && arguments.values.size() > 1) {
     throw std::invalid_argument(
-        "with --wide every column is a group; expected at most one --value, the name of the quantity");
+        "with --wide every column is a group; expected at most one --value, which names the quantity");
   }
   if (arguments.rows_are_blocks && !arguments.wide) {
-    throw std::invalid_argument("--rows-are-blocks is of --wide; expected --block COLUMN for one row a value");
+    throw std::invalid_argument("--rows-are-blocks needs --wide; with one value per row, use --block COLUMN");
   }
 }
 
@@ -160,30 +160,29 @@ void print(const Assessment& assessment) {
 void add_stats(CLI::App& app, Invocation& invocation) {
   auto arguments = std::make_shared<StatsArguments>();
   CLI::App* command =
-      app.add_subcommand("stats", "The statistics of a CSV: which group is better, by how much, on what evidence");
-  command->add_option("FILE", arguments->file, "CSV of observations, one row a value; - is standard input");
-  command->add_option("--summaries", arguments->summaries,
-                      "instead, a CSV of what was published: name, mean, sd, n; with a column metric, each by itself");
-  command->add_option("--value", arguments->values, "column of the numbers; may be given several times")
+      app.add_subcommand("stats", "Compare groups in a CSV: which is better, by how much, on what evidence");
+  command->add_option("FILE", arguments->file, "CSV of observations, one value per row; - for standard input");
+  command->add_option(
+      "--summaries", arguments->summaries,
+      "instead of FILE: CSV of published numbers with columns name, mean, sd, n and, for several quantities, metric");
+  command->add_option("--value", arguments->values, "column of the numbers; repeat for several")
       ->allow_extra_args(false);
-  command->add_option("--group", arguments->csv.group, "column of the groups; group, solver or algorithm if not given");
+  command->add_option("--group", arguments->csv.group, "column of the groups; default: group, solver or algorithm");
   command->add_option("--block", arguments->csv.block,
-                      "column of what all groups were given alike: a problem, a target; with --run, each run of it");
+                      "column of the blocks: the problem or target that all groups shared");
   command->add_option("--run", arguments->csv.run,
-                      "column of the runs: the rows of a group's run are averaged into one observation; with --block, "
-                      "the runs of a block");
+                      "column of the runs: the rows of a run are averaged into one observation; with --block, the "
+                      "runs of each block");
   command->add_flag("--wide", arguments->wide, "every column is a group");
-  command->add_flag("--rows-are-blocks", arguments->rows_are_blocks,
-                    "with --wide: the values of a row belong together");
-  command->add_flag("--larger-is-better", arguments->larger, "else smaller is better");
-  command->add_option("--quantity", arguments->quantity,
-                      "what the numbers are, with the unit: \"position error [cm]\"");
+  command->add_flag("--rows-are-blocks", arguments->rows_are_blocks, "with --wide: each row is a block");
+  command->add_flag("--larger-is-better", arguments->larger, "larger values are better; default: smaller");
+  command->add_option("--quantity", arguments->quantity, "name of the quantity with its unit: \"position error [cm]\"");
   command->add_flag("--force", arguments->forced,
-                    "take rows that repeat a run as observations all the same, and average what is left of runs and "
-                    "blocks that lack some; the report says so");
+                    "accept repeated rows of a run as observations, and average incomplete runs and blocks; the "
+                    "report says so");
   add_plan_options(*command, arguments->plan);
-  command->add_option("--out", arguments->out, "folder of the report; out/stats-<file> if not given");
-  command->add_flag("--no-figures", arguments->without_figures, "tables only");
+  command->add_option("--out", arguments->out, "folder for the report; default: out/stats-<file>");
+  command->add_flag("--no-figures", arguments->without_figures, "write tables, but draw no figures");
   command->footer(
       "Examples:\n"
       "  ikbench stats results.csv --value error --group solver\n"
@@ -192,12 +191,11 @@ void add_stats(CLI::App& app, Invocation& invocation) {
       "  ikbench export out/slim2023/store.sqlite | ikbench stats - --value position_error_cm --group solver --run "
       "run\n"
       "  ikbench stats --summaries published.csv --quantity \"position error [cm]\"\n\n"
-      "Several problems, several seeds of each: --block problem --run seed, whatever the problems' scales.\n"
-      "Rows that depend on each other, such as the points of one path: --run alone.\n"
-      "A run or a block in which a group has fewer values than others is left out, and the first lines warn, also of\n"
-      "whole runs that others have: what crashed may be absent, empty or NaN. Better write it Inf, which ranks last\n"
-      "(-Inf where larger is better).\n\n"
-      "What each line means: docs/statistics.md");
+      "Several problems with several seeds each: --block problem --run seed. The problems may have different scales.\n"
+      "Rows that depend on each other, such as the points of one path: --run.\n\n"
+      "Write Inf for a run that crashed (-Inf where larger is better): it then ranks last. A missing, empty or NaN\n"
+      "value makes its run or block incomplete. Incomplete runs and blocks are left out, and the first lines warn.\n\n"
+      "docs/statistics.md explains every line of the output.");
   command->callback([arguments, &invocation] {
     check(*arguments);
     const std::string& source = arguments->summaries.empty() ? arguments->file : arguments->summaries;

@@ -47,7 +47,7 @@ succeeds compare $base $fewer --label IK-BA --metric variation_deg
 [ "${out##*$'\n'}" = "No regression beyond 5 % is shown; 1 of 1 metrics is undecided." ] || fail "the last line is: ${out##*$'\n'}"
 run_it compare $base $fewer --label IK-BA --metric variation_deg --strict
 [ "$code" = 4 ] || fail "--strict, undecided: exit code $code, expected 4"
-has "${out##*$'\n'}" "With --strict that is not enough."
+has "${out##*$'\n'}" "With --strict this counts as a failure."
 run_it compare $base $fewer --label IK-BA --label K-ABC --metric position_error_cm --metric variation_deg --strict
 [ "$code" = 3 ] || fail "--strict, worse in one and undecided in another: exit code $code, expected 3"
 has "$out" "undecided"
@@ -145,7 +145,7 @@ refused '--margin: nan is not a share' compare $base $again --margin nan
 refused '--significance: 0.5 is not a number from 0.0001 to 0.2' compare $base $again --significance 0.5
 refused 'expected a name that ends in .md, .csv or .json' compare $base $again -o table.tex
 cp $base base.json
-refused '-o base.json is a store itself' compare base.json $again -o base.json
+refused '-o base.json is one of the stores' compare base.json $again -o base.json
 refused "no study 'other'" compare $base $again --study other
 refused 'B' compare $base
 refused '\x1b[31m' compare $'\e[31mred' $base

@@ -35,7 +35,7 @@ mv moved elsewhere
 ended 2 "'moved/store.sqlite' was removed, moved or replaced"
 mv elsewhere moved
 succeeds "${study[@]}" --out moved
-has "$out" "were there already)"
+has "$out" "were already stored)"
 succeeds run slim2023 "${small[@]}" --no-report --out another
 begin replaced
 cp another/store.sqlite replaced/copy
@@ -45,10 +45,10 @@ ended 2 "'replaced/store.sqlite' was removed, moved or replaced"
 # Another study of the same name takes its place in the store.
 begin shared
 succeeds run slim2023 "${small[@]}" --set seed=2 --no-report --out shared
-has "$err" "has another study named slim2023"
+has "$err" "has a different study named slim2023"
 ended 1 "the store has another study named 'slim2023' now"
 succeeds "${study[@]}" --out shared
-has "$out" "(600 were there already)"
+has "$out" "(600 were already stored)"
 has "$out" "Report: shared/report.html"
 
 # The same study runs twice.

@@ -120,7 +120,7 @@ refused 'is not a whole number' run slim2023 --jobs 0x2
 
 # What is written to nowhere is no success; that nobody hears a complaint is no crash.
 "$program" list robots >/dev/full 2>.err; [ $? = 2 ] || fail "a full standard output went unnoticed"
-has "$(<.err)" 'standard output cannot be written'
+has "$(<.err)" 'cannot write to standard output'
 "$program" list nonsense 2>/dev/full; [ $? = 1 ] || fail "a full standard error"
 refused 'is the store itself' export made/store.sqlite -o made/store.sqlite
 succeeds export made/store.sqlite

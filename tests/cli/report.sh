@@ -42,8 +42,8 @@ cmp -s points/tables/table-4.csv made/tables/table-4.csv && fail "--unit point g
 has "$(<made/tables/analysis-plan.md)" "The methods were fixed in the study before its first solve"
 succeeds run slim2023 "${small[@]}" --no-report --out planned
 succeeds run slim2023 "${small[@]}" --no-figures --set analysis.significance=0.01 --out planned
-has "$out" "(36 were there already)"
-has "$err" "warning: the analysis plan of slim2023 in planned was another: significance 0.05 -> 0.01"
+has "$out" "(36 were already stored)"
+has "$err" "warning: the analysis plan of slim2023 in planned has changed: significance 0.05 -> 0.01"
 has "$err" "warning: The analysis plan was changed after 36 of 36 solves were made: significance 0.05 -> 0.01."
 has "$(<planned/tables/analysis-plan.csv)" $'\nsignificance,0.01,'
 cmp planned/tables/table-4.csv made/tables/table-4.csv || fail "another plan gives another ANOVA"

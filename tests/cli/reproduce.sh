@@ -22,4 +22,4 @@ has "$(<context/tables/table-3.md)" "DLS"
 
 # It is the built-in study, and goes on from what is there.
 succeeds run slim2023 --set runs=2 --no-report --out paper
-has "$out" "(240 were there already)"
+has "$out" "(240 were already stored)"

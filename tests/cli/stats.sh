@@ -205,7 +205,7 @@ has "$(<forced/statistics.json)" '"flaw": "3 rows share run 1 of IK-BA'
 ### Mistakes.
 
 before=$(ls)
-refused 'none.csv cannot be read' stats none.csv --value error
+refused 'cannot read none.csv' stats none.csv --value error
 refused 'made is a folder' stats made --value error
 : >empty.csv
 refused 'empty.csv:1: nothing there' stats empty.csv --value error
@@ -232,7 +232,7 @@ refused '--test: welsh is not one of by_design, anova, welch, kruskal_wallis, fr
 refused '--test: 2 is not one of' stats pandas.csv --value error --test 2
 refused '--adjustment: holms is not one of holm,' stats pandas.csv --value error --adjustment holms
 for margin in 5 1 99.5% -1% nan% 150% inf% % 5%% 0x1p-3 1e-400%; do
-  refused "--margin: $margin is not a share from 0 % to 99 %, expected 5% or 0.05" stats pandas.csv --value error --margin=$margin
+  refused "--margin: $margin is not a share from 0 % to 99 %; expected for example 5% or 0.05" stats pandas.csv --value error --margin=$margin
 done
 for significance in 0 nan 0.3 2 -1 0.05x; do
   refused "--significance: $significance is not a number from 0.0001 to 0.2" \

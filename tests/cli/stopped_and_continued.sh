@@ -26,7 +26,7 @@ stop_in_the_middle KILL killed
 [ "$code" = 137 ] || fail "exit code $code after kill -9"
 run_it "${study[@]}" --out killed
 [ "$code" = 0 ] || fail "cannot go on after kill -9: $err"
-has "$out" "($done_before were there already)"
+has "$out" "($done_before were already stored)"
 numbers killed/store.sqlite | cmp - whole.csv || fail "killed and continued: other numbers"
 
 for signal in INT TERM; do
@@ -40,13 +40,13 @@ done
 # Again: nothing is left to do, and nothing changes.
 "$program" export whole/store.sqlite >before.csv
 succeeds "${study[@]}" --out whole
-has "$out" "(600 were there already)"
+has "$out" "(600 were already stored)"
 "$program" export whole/store.sqlite | cmp - before.csv || fail "running again changed the solves"
 
 # More runs: only those.
 succeeds "${study[@]}" --set runs=12 --out whole
 has "$out" "720 solves"
-has "$out" "(600 were there already)"
+has "$out" "(600 were already stored)"
 numbers whole/store.sqlite | awk -F, 'NR == 1 { for (i = 1; i <= NF; ++i) if ($i == "run") run = i } NR == 1 || $run <= 10' |
   cmp - whole.csv || fail "more runs changed the others"
 [ ! -e whole/store.sqlite-wal ] || fail "a finished store is more than one file"
