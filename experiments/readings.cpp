@@ -25,47 +25,47 @@ Reading reading(const std::string& name) {
     if (each.set == name) return each;
     names.push_back(each.set);
   }
-  throw std::invalid_argument(unknown_name("reading", name, names));
+  throw std::invalid_argument(unknown_name("interpretation", name, names));
 }
 
 }  // namespace
 
 const std::vector<Reading>& readings() {
   static const std::vector<Reading> list{
-      {"path.tool=eq27", "2.2", "The tool is held level, as Eq. 27 prints it."},
-      {"path.phase=cos_sin", "2.2", "The helix starts in front of the arm and turns the other way."},
+      {"path.tool=eq27", "2.2", "The tool is horizontal, as Eq. 27 prints it."},
+      {"path.phase=cos_sin", "2.2", "The helix starts in front of the arm and winds the other way."},
       {"path.start_deg=90", "2.2", "The helix starts a quarter turn later."},
       {"path.start_deg=180", "2.2", "The helix starts half a turn later."},
       {"path.start_deg=270", "2.2", "The helix starts three quarters of a turn later."},
       {"path.spacing=k_over_n_minus_1", "2.2", "The last point lies at the end of the path."},
-      {"search=all_joints", "2.3", "All seven joints are searched for the position alone; the wrist does not follow."},
-      {"bounds=initial", "2.4", "No solver is held to the joint limits after its first candidates."},
-      {"bounds=clamp", "2.4", "Every solver is held to the joint limits."},
+      {"search=all_joints", "2.3", "All seven joints are searched for the position alone; the orientation is ignored."},
+      {"bounds=initial", "2.4", "No solver is clamped to the joint limits after its initial candidates."},
+      {"bounds=clamp", "2.4", "Every solver is clamped to the joint limits."},
       {"IK-BA.step_factor=1", "2.4", "Eq. 14 as printed, without the factor 0.1 of Yang's code."},
-      {"IK-BA.epsilon=truncated", "2.4", "eps is a normal number within [-1, 1]."},
+      {"IK-BA.epsilon=truncated", "2.4", "eps is a normal number truncated to [-1, 1]."},
       {"IK-BA.acceptance=loudness", "2.4", "A better candidate is kept when rand < A, as Algorithm 1 says."},
-      {"IK-BA.acceptance=yang2020", "2.4", "A better candidate is kept when rand > A, as Yang's code has it."},
-      {"IK-BA.bounds=clamp", "2.4", "The bats are held to the joint limits."},
-      {"IK-BA.f_max=0", "2.4", "No frequency at all: Eqs. 5, 7 and 13 have no effect."},
+      {"IK-BA.acceptance=yang2020", "2.4", "A better candidate is kept when rand > A, as in Yang's code."},
+      {"IK-BA.bounds=clamp", "2.4", "The bats are clamped to the joint limits."},
+      {"IK-BA.f_max=0", "2.4", "The frequency is 0: Eqs. 5, 7 and 13 have no effect."},
       {"PSO.coefficients=as_printed", "2.5", "w = 1.1312, c1 = 2.0149, c2 = 0.53514 as Table 1 labels them."},
       {"PSO.bounds=initial", "2.5", "The particles may leave the joint limits."},
-      {"BA.best_of=evaluated", "2.6", "The best is taken from all candidates, not from the accepted ones."},
+      {"BA.best_of=evaluated", "2.6", "The best may be any evaluated candidate, not only an accepted one."},
       {"BA.bounds=initial", "2.6", "The bats may leave the joint limits."},
-      {"K-ABC.colony=half", "2.7", "Half of the colony are sources, half onlookers."},
-      {"K-ABC.neighbour=random", "2.7", "A source is compared with any other (plain ABC)."},
-      {"K-ABC.fitness_unit=m", "2.7", "The roulette takes the error in metres."},
+      {"K-ABC.colony=half", "2.7", "Half of the colony are food sources, half are onlookers."},
+      {"K-ABC.neighbour=random", "2.7", "A source is compared with a random other one (plain ABC)."},
+      {"K-ABC.fitness_unit=m", "2.7", "The roulette uses the error in metres."},
       {"K-ABC.bounds=initial", "2.7", "The sources may leave the joint limits."},
-      {"MO-PSO.leader=per_particle", "2.8", "Each particle has a leader of its own."},
-      {"MO-PSO.final_point=knee", "2.8", "The answer is the knee of the front, not its smallest error."},
-      {"MO-PSO.archive=100", "2.8", "An archive of 100 members."},
-      {"MO-PSO.archive=200", "2.8", "An archive of 200 members."},
-      {"DE.replacement=generation", "2.9", "Better trials take their places with the next generation."},
-      {"DE.bounds=reflect", "2.9", "What leaves the limits is reflected."},
-      {"DE.bounds=resample", "2.9", "What leaves the limits is drawn anew."},
+      {"MO-PSO.leader=per_particle", "2.8", "Each particle has its own leader."},
+      {"MO-PSO.final_point=knee", "2.8", "The answer is the knee of the front, not the point with the smallest error."},
+      {"MO-PSO.archive=100", "2.8", "The archive has 100 members."},
+      {"MO-PSO.archive=200", "2.8", "The archive has 200 members."},
+      {"DE.replacement=generation", "2.9", "Better trials replace their parents at the end of the generation."},
+      {"DE.bounds=reflect", "2.9", "Joints outside the limits are reflected."},
+      {"DE.bounds=resample", "2.9", "Joints outside the limits are drawn again."},
       {"DE.bounds=initial", "2.9", "The candidates may leave the joint limits."},
       {"wrist_branch=positive", "2.10", "Joint 6 is always positive."},
       {"wrist_branch=negative", "2.10", "Joint 6 is always negative."},
-      {"wrist_branch=inside", "2.10", "The nearer of the branches that are inside the limits."}};
+      {"wrist_branch=inside", "2.10", "The wrist takes the nearer branch inside the limits."}};
   return list;
 }
 
@@ -80,7 +80,7 @@ std::vector<Combination> full_grid(const std::vector<std::string>& names) {
   std::vector<std::vector<Reading>> factors;  // the readings of one setting
   for (const std::string& name : names) {
     if (std::ranges::count(names, name) > 1) {
-      throw std::invalid_argument(fmt::format("the reading {} stands twice; expected it once", name));
+      throw std::invalid_argument(fmt::format("the interpretation {} is given twice; expected it once", name));
     }
     const Reading chosen = reading(name);
     const auto same = std::ranges::find_if(
@@ -96,7 +96,7 @@ std::vector<Combination> full_grid(const std::vector<std::string>& names) {
     const std::vector<Combination> smaller = grid;
     if (smaller.size() * (factor.size() + 1) > most) {
       throw std::invalid_argument(
-          fmt::format("{} readings make more than {} combinations; expected fewer", names.size(), most));
+          fmt::format("{} interpretations make more than {} combinations; expected fewer", names.size(), most));
     }
     for (const Reading& level : factor) {
       for (Combination combination : smaller) {
@@ -111,7 +111,7 @@ std::vector<Combination> full_grid(const std::vector<std::string>& names) {
 ReadingsPlan plan_readings(const std::vector<Combination>& combinations, int seeds, const Overrides& overrides) {
   for (const std::string& text : overrides) {
     if (text.starts_with("seed=")) {
-      throw std::invalid_argument(fmt::format("--set {}: readings are solved with the seeds 1 to --seeds", text));
+      throw std::invalid_argument(fmt::format("--set {}: interpretations use the seeds 1 to --seeds", text));
     }
   }
   ReadingsPlan plan;

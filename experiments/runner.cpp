@@ -69,17 +69,17 @@ std::int64_t move_past_stored(Plan& plan, const Store& store) {
       if (record.run > study.runs) continue;
       const auto edited = [&](std::string_view what) {
         return std::invalid_argument(
-            fmt::format("the store's solve of run {}, point {} by {} {}; it was edited: take another --out", record.run,
-                        record.point, record.solver, what));
+            fmt::format("the stored solve of run {}, point {} by {} {}; the store was edited, so choose another --out",
+                        record.run, record.point, record.solver, what));
       };
-      if (record.run < 1) throw edited("has a run below 1");
-      if (record.point > plan.points) throw edited(fmt::format("is beyond the {} points", plan.points));
+      if (record.run < 1) throw edited("has a run number below 1");
+      if (record.point > plan.points) throw edited(fmt::format("is beyond the last point, {}", plan.points));
       if (record.answer_rad.size() != static_cast<std::size_t>(study.initial.size())) {
         throw edited(fmt::format("has {} joints instead of {}", record.answer_rad.size(), study.initial.size()));
       }
       Chained& chain = plan.chain(c, record.run);
       if (record.point != chain.next_point)
-        throw edited(fmt::format("is there, but not that of point {}", chain.next_point));
+        throw edited(fmt::format("exists, but the one of point {} is missing", chain.next_point));
       move_on(chain, record, study.start);
       if (!chain.configuration.allFinite()) throw edited("has an answer that is not finite");
       ++stored;
@@ -172,8 +172,8 @@ void check_is_stored(const Study& study, const Store& store) {
                                               [&](const Entrant& entrant) { return series_key(study, entrant); });
   if (stored.definition == to_json(study) && same_series) return;
   throw std::invalid_argument(fmt::format(
-      "the store has another study named '{}' now, which another ikbench saved meanwhile; no solve is lost: "
-      "run this one again for its report, and give the other another name or --out",
+      "another ikbench has meanwhile saved a different study named '{}' in this store; no solve is lost; give the other "
+      "study another name or --out, then run this one again for its report",
       study.name));
 }
 

@@ -41,7 +41,7 @@ std::string why_no_blocks(const Study& study) {
   }
   const std::int64_t blocks =
       (is_drawn ? std::int64_t{study.runs} : 1) * (is_chained ? 1 : std::int64_t{study.path->points()});
-  return blocks >= 2 ? "" : "there is only one such target, or one run of them";
+  return blocks >= 2 ? "" : "it has only one such target or one run";
 }
 
 std::vector<Unreachable> unreachable(const Study& study) {

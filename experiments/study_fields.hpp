@@ -11,55 +11,60 @@
 
 #include "experiments/fields.hpp"
 #include "experiments/study.hpp"
-#include "results/analysis_plan_fields.hpp"
 #include "numerics/units.hpp"
+#include "results/analysis_plan_fields.hpp"
 
 namespace ikbench::experiments {
 
 inline void list_fields(Fields& io, solvers::StopRule& stop) {
-  io.whole("iterations", stop.iterations, {0, 1'000'000'000}, "iterations at most", InKey::in_text);
-  io.number("tolerance_cm", stop.tolerance, numerics::centimetre, {0, 1e6}, "position error at which a solve ends; 0: none",
-            InKey::in_text);
-  io.whole("evaluations", stop.evaluations, {0, no_limit}, "evaluations after which a solve ends; 0: no such rule",
+  io.whole("iterations", stop.iterations, {0, 1'000'000'000}, "maximum number of iterations", InKey::in_text);
+  io.number("tolerance_cm", stop.tolerance, numerics::centimetre, {0, 1e6},
+            "a solve stops at this position error; 0: no tolerance", InKey::in_text);
+  io.whole("evaluations", stop.evaluations, {0, no_limit}, "maximum number of evaluations; 0: no maximum",
            InKey::in_text);
   io.number("seconds", stop.seconds, 1, {0, 1e6},
-            "wall time after which a solve ends, and numbers depend on the machine; 0: no such rule", InKey::in_text);
+            "maximum wall time of a solve; results then depend on the machine; 0: no maximum", InKey::in_text);
 }
 
 constexpr std::pair<std::int64_t, std::int64_t> populations{1, 100'000};
 
 inline void list_fields(Fields& io, Study& study) {
-  io.text("name", study.name, "folder of its results: out/<name>/", InKey::no);
+  io.text("name", study.name, "results go to out/<name>/", InKey::no);
   io.text("title", study.title, "", InKey::no);
-  io.text("published", study.published, "paper whose printed tables are set beside the results; \"\": none", InKey::no);
-  io.text("robot", study.robot, "see: ikbench list robots; or a file such as \"my_arm.toml\", beside the study",
-          InKey::in_text);
-  io.choice("search", study.search, Choices<Search>{{"wrist", Search::wrist}, {"all_joints", Search::all_joints}},
-            "wrist: the joints before a spherical wrist, which follows in closed form; all_joints: position only",
-            InKey::in_text);
+  io.text("published", study.published, "compare the results with the printed tables of this paper; \"\": none",
+          InKey::no);
+  io.text("robot", study.robot, "see: ikbench list robots; or a file such as \"my_arm.toml\", beside the study", InKey::in_text);
+  io.choice(
+      "search", study.search, Choices<Search>{{"wrist", Search::wrist}, {"all_joints", Search::all_joints}},
+      "wrist: search the joints before the spherical wrist and solve the wrist in closed form; all_joints: position only",
+      InKey::in_text);
   io.choice(
       "bounds", study.bounds,
       Choices<StudyBounds>{
           {"per_solver", StudyBounds::per_solver}, {"initial", StudyBounds::initial}, {"clamp", StudyBounds::clamp}},
-      "joint limits of candidates: each solver's own option, or one reading for all that have it", InKey::in_text);
+      "joint limits of candidates: as each solver's own option says, or the same for all solvers with that option",
+      InKey::in_text);
   io.choice("wrist_branch", study.wrist_branch,
             Choices<WristBranch>{{"nearest", WristBranch::nearest},
                                  {"positive", WristBranch::positive},
                                  {"negative", WristBranch::negative},
                                  {"inside", WristBranch::inside}},
-            "which of the wrist's two branches completes an answer", InKey::in_text);
-  io.choice("limits", study.limits, Choices<Limits>{{"recorded", Limits::recorded}, {"enforced", Limits::enforced}},
-            "answers outside the joint limits are kept and told; or candidates are clamped, the wrist takes a branch "
-            "inside, and an answer outside is refused: the arm stays where it was");
+            "which of the two wrist branches completes an answer", InKey::in_text);
+  io.choice(
+      "limits", study.limits, Choices<Limits>{{"recorded", Limits::recorded}, {"enforced", Limits::enforced}},
+      "recorded: answers outside the joint limits are kept and reported; enforced: candidates are clamped, the wrist "
+      "takes a branch inside the limits, and an answer outside is refused, so the arm stays where it was");
   io.choice("start", study.start, Choices<Start>{{"previous", Start::previous}, {"initial", Start::initial}},
-            "a solve starts where the one before it left the arm, or each at initial_deg");
-  io.numbers("initial_deg", study.initial, numerics::degree, 0, "configuration before the first point of a run", InKey::in_text);
+            "a solve starts where the previous one left the arm, or always at initial_deg");
+  io.numbers("initial_deg", study.initial, numerics::degree, 0, "configuration before the first point of a run",
+             InKey::in_text);
   io.whole("population", study.population, populations,
-           "candidates an iteration; an entry of [[solvers]] may have its own", InKey::in_text);
+           "candidates per iteration; an entry of [[solvers]] can override it", InKey::in_text);
   io.whole("runs", study.runs, {1, 1'000'000}, "independent repetitions", InKey::no);
-  io.whole("seed", study.seed, {0, no_limit}, "", InKey::in_text);
-  io.choice("trace", study.trace, Choices<solvers::Trace>{{"none", solvers::Trace::none}, {"best_error", solvers::Trace::best_error}},
-            "best error after every iteration, kept in the store", InKey::in_text);
+  io.whole("seed", study.seed, {0, no_limit}, "seed of all random numbers", InKey::in_text);
+  io.choice("trace", study.trace,
+            Choices<solvers::Trace>{{"none", solvers::Trace::none}, {"best_error", solvers::Trace::best_error}},
+            "whether to store the best error after every iteration", InKey::in_text);
 }
 
 }  // namespace ikbench::experiments

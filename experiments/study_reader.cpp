@@ -11,10 +11,10 @@
 #include "experiments/study_file.hpp"
 #include "experiments/study_overrides.hpp"
 #include "experiments/table_reader.hpp"
-#include "results/published.hpp"
 #include "numerics/names.hpp"
-#include "robots/spherical_wrist.hpp"
 #include "numerics/toml_table.hpp"
+#include "results/published.hpp"
+#include "robots/spherical_wrist.hpp"
 #include "solvers/registry.hpp"
 
 namespace ikbench::experiments {
@@ -55,7 +55,7 @@ Entrant read_entrant(TomlReader reader) {
   } catch (const std::invalid_argument& error) {
     throw std::invalid_argument(reader.where(name->source(), "solver") + error.what());
   }
-  if (entrant.label.empty()) reader.fail("label", *reader.find("label"), "a label that is not empty");
+  if (entrant.label.empty()) reader.fail("label", *reader.find("label"), "a non-empty label");
   reader.find("population");
   reader.nested(reader.table(), entrant.label + ".").whole("population", entrant.population, populations, "");
   if (const toml::table* options = reader.subtable("options")) {
@@ -70,7 +70,7 @@ Entrant read_entrant(TomlReader reader) {
       } else if (node.is_floating_point()) {
         entrant.options[option] = fmt::format("{}", *node.value<double>());
       } else {
-        option_reader.fail(option, node, "a number or a text in quotes");
+        option_reader.fail(option, node, "a number or a quoted string");
       }
       try {
         info.options({{option, entrant.options[option]}});
@@ -99,7 +99,7 @@ std::vector<Entrant> read_entrants(TomlReader& reader) {
     entrants.push_back(read_entrant(reader.nested(*element.as_table(), "solvers.")));
     if (!labels.insert(entrants.back().label).second) {
       throw std::invalid_argument(
-          fmt::format("{}label \"{}\" stands twice; expected one that no other entry of [[solvers]] has",
+          fmt::format("{}label \"{}\" is used twice; expected a different label for each entry of [[solvers]]",
                       reader.where(element.source(), "solvers"), entrants.back().label));
     }
   }
@@ -142,7 +142,7 @@ void check_entrants(const TomlReader& reader, const Study& study) {
   const toml::table& table = reader.table();
   const bool is_enforced = study.limits == Limits::enforced;
   constexpr std::string_view not_enforced =
-      "bounds is \"initial\", but limits is \"enforced\"; expected bounds that keep candidates inside";
+      "bounds is \"initial\", but limits is \"enforced\"; expected bounds that keep candidates inside the limits";
   if (is_enforced && study.bounds == StudyBounds::initial)
     throw mistake(reader, table.get("bounds"), "bounds", not_enforced);
   for (std::size_t i = 0; i < study.solvers.size(); ++i) {
@@ -191,7 +191,7 @@ Study read_study(const toml::table& table, std::string_view source, PointsAsObse
   Study study;
   TableReader fields(reader);
   list_fields(fields, study);
-  if (study.name.empty()) reader.fail("name", *table.get("name"), "a name that is not empty");
+  if (study.name.empty()) reader.fail("name", *table.get("name"), "a non-empty name");
   if (const toml::table* path = reader.subtable("path")) study.path = read_path(reader.nested(*path, "path."));
   if (const toml::table* stop = reader.subtable("stop")) {
     TomlReader stop_reader = reader.nested(*stop, "stop.");
@@ -218,7 +218,7 @@ Study read_study(const toml::table& table, std::string_view source, PointsAsObse
     study.initial = arm.limits.lower.cwiseMax(Eigen::VectorXd::Zero(arm.joints())).cwiseMin(arm.limits.upper);
   }
   if (study.initial.size() != arm.joints()) {
-    throw at("initial_deg", fmt::format("initial_deg has {} angles; expected {}, the joints of {}",
+    throw at("initial_deg", fmt::format("initial_deg has {} angles; expected {}, one for each joint of {}",
                                         study.initial.size(), arm.joints(), arm.name));
   }
   constexpr double most_solves = 1e8;
@@ -226,7 +226,7 @@ Study read_study(const toml::table& table, std::string_view source, PointsAsObse
     throw at("runs", "solvers, runs and points make more than 100 000 000 solves; expected fewer");
   }
   if (study.trace == Trace::best_error && study.stop.iterations > 1'000'000) {
-    throw at("trace", "a trace of more than 1 000 000 iterations was asked for; expected stop.iterations below that");
+    throw at("trace", "a trace has at most 1 000 000 iterations; expected stop.iterations of at most that");
   }
   check_entrants(reader, study);
   if (const double outside = arm.limits.violation(study.initial) / degree;

@@ -206,7 +206,7 @@ std::string to_toml(const Study& study) {
   Study fields = study;  // list_fields serves readers too
   TomlWriter writer;
   list_fields(writer, fields);
-  writer.out += "\n[analysis]  # how the solves will be judged; decides no number of them\n";
+  writer.out += "\n[analysis]  # how the results are judged; it does not affect the solves\n";
   list_fields(writer, fields.analysis);
   writer.out += "\n[stop]\n";
   list_fields(writer, fields.stop);
@@ -214,10 +214,9 @@ std::string to_toml(const Study& study) {
   for (const Entrant& entrant : study.solvers) {
     writer.out += "\n[[solvers]]\n";
     writer.line("label", toml_string(entrant.label), "");
-    writer.line("solver", toml_string(entrant.solver),
-                "options and their ranges: ikbench list solvers " + entrant.solver);
+    writer.line("solver", toml_string(entrant.solver), "options and ranges: ikbench list solvers " + entrant.solver);
     if (entrant.population > 0)
-      writer.line("population", fmt::format("{}", entrant.population), "instead of the study's");
+      writer.line("population", fmt::format("{}", entrant.population), "overrides the population of the study");
     std::vector<std::string> options;
     for (const auto& [name, value] : entrant.options)
       options.push_back(name + " = " + (number_from(value) ? value : toml_string(value)));

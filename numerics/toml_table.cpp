@@ -31,7 +31,7 @@ std::string text_of_file(const std::filesystem::path& file) {
   std::ifstream in(file, std::ios::binary);
   std::ostringstream content;
   content << in.rdbuf();
-  if (!in) throw std::invalid_argument(fmt::format("{}: cannot be read", file.string()));
+  if (!in) throw std::invalid_argument(fmt::format("cannot read {}", file.string()));
   return content.str();
 }
 
@@ -43,8 +43,8 @@ void refuse_deep_keys(std::string_view text, std::string_view source) {
     if (c == '\n' || c == ',') dots = 0;
     if (c == '.' && ++dots > most_dots) {
       throw std::invalid_argument(
-          fmt::format("{}:{}:{}: not TOML that can be read: {} dots in a row; expected keys nested less deeply", source,
-                      line, column, dots));
+          fmt::format("{}:{}:{}: not readable TOML: {} dots in a row; expected less deeply nested keys", source, line,
+                      column, dots));
     }
     if (c == '\n') {
       ++line;
@@ -70,7 +70,7 @@ void TomlReader::text(std::string_view key, std::string& field, std::string_view
   const toml::node* node = find(key);
   if (node == nullptr) return;
   const toml::value<std::string>* value = node->as_string();
-  if (value == nullptr) fail(key, *node, "a text in quotes");
+  if (value == nullptr) fail(key, *node, "a quoted string");
   if (!is_plain(value->get())) fail(key, *node, plain);
   field = value->get();
 }

@@ -31,18 +31,18 @@ template <class Io>
 void list_fields(Io& io, AnalysisPlan& plan) {
   constexpr double percent = 0.01;
   io.choice("test", plan.test, choices_of<DecidingTest>(deciding_test_names),
-            "the test that decides; by_design: friedman where the same targets are given to all, else welch");
+            "test that decides; by_design: friedman if all solvers share the same targets, otherwise welch");
   io.choice("adjustment", plan.adjustment, choices_of<Adjustment>(adjustment_names),
-            "how p-values of several contrasts are corrected for being several");
-  io.text("control", plan.control, "label that the others are held against; \"\": every pair is compared");
+            "how p-values are corrected for multiple comparisons");
+  io.text("control", plan.control, "label to compare the others with; \"\": compare every pair");
   io.number("significance", plan.significance, 1, significances,
-            "of a test; intervals have the level 1 - significance");
+            "significance level of a test; intervals have level 1 - significance");
   io.number("margin_percent", plan.margin, percent, margins_percent,
-            "relative difference that matters; below it two solvers count as the same");
-  io.number("power", plan.power, 1, powers, "with which a difference of that size should be found");
-  io.whole("quartiles", plan.quartiles, {1, 9}, "Hyndman-Fan type; 5 is MATLAB's");
+            "smallest relative difference that matters; within it two solvers count as the same");
+  io.number("power", plan.power, 1, powers, "power with which the tests should detect that difference");
+  io.whole("quartiles", plan.quartiles, {1, 9}, "Hyndman-Fan type of quartiles; 5 as in MATLAB");
   io.choice("unit", plan.unit, choices_of<Unit>(unit_names),
-            "what one observation is: a run's mean over its points, or a point, which needs --force");
+            "what one observation is: the mean of a run over its points, or a point, which needs --force");
 }
 
 }  // namespace ikbench::results

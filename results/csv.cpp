@@ -21,7 +21,7 @@ constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 class Reader {
  public:
   Reader(std::string_view text, std::string_view source) : rest_(text), source_(source) {
-    if (text.size() > max_csv_bytes) refuse(fmt::format("{} bytes, expected at most {}", text.size(), max_csv_bytes));
+    if (text.size() > max_csv_bytes) refuse(fmt::format("{} bytes; expected at most {}", text.size(), max_csv_bytes));
     take(byte_order_mark);
   }
 
@@ -33,12 +33,13 @@ class Reader {
     std::vector<std::string> cells;
     if (rest_.empty()) return cells;
     do {
-      if (cells.size() == max_csv_columns) refuse(fmt::format("expected at most {} columns", max_csv_columns));
+      if (cells.size() == max_csv_columns)
+        refuse(fmt::format("too many columns; expected at most {}", max_csv_columns));
       cells.push_back(take("\"") ? quoted_cell() : plain_cell());
     } while (take(","));
     if (!rest_.empty() && !take_line_end()) {
-      refuse(rest_.front() == '\r' ? "a carriage return alone, expected lines to end in LF or CRLF"
-                                   : "text after a closing quote, expected a comma or the end of the line");
+      refuse(rest_.front() == '\r' ? "a lone carriage return; expected lines to end in LF or CRLF"
+                                   : "text after a closing quote; expected a comma or the end of the line");
     }
     return cells;
   }
@@ -53,7 +54,7 @@ class Reader {
   std::string plain_cell() {
     const std::size_t length = std::min(rest_.find_first_of(",\"\r\n"), rest_.size());
     if (rest_.substr(length).starts_with('"'))
-      refuse("a quote inside an unquoted cell, expected the cell in quotes and the quote doubled");
+      refuse("a quote inside an unquoted cell; expected the cell in quotes and the quote doubled");
     return std::string(take_front(length));
   }
 
@@ -62,7 +63,7 @@ class Reader {
     std::string cell;
     do {
       const std::size_t length = rest_.find('"');
-      if (length == std::string_view::npos) refuse_row("a quote is opened and never closed, expected a closing quote");
+      if (length == std::string_view::npos) refuse_row("a quote is never closed; expected a closing quote");
       line_ += static_cast<std::size_t>(std::count(rest_.begin(), rest_.begin() + static_cast<long>(length), '\n'));
       cell += take_front(length + 1);  // with the quote, which is text if another follows
     } while (take("\""));
@@ -114,9 +115,9 @@ void append_cell(std::string& text, std::string_view cell) {
 std::size_t CsvTable::column(std::string_view name) const {
   const auto found = std::find(header.begin(), header.end(), name);
   if (found == header.end())
-    throw std::invalid_argument(fmt::format("no column '{}', expected one of: {}", name, fmt::join(header, ", ")));
+    throw std::invalid_argument(fmt::format("no column '{}'; expected one of: {}", name, fmt::join(header, ", ")));
   if (std::find(found + 1, header.end(), name) != header.end())
-    throw std::invalid_argument(fmt::format("two columns '{}', expected one", name));
+    throw std::invalid_argument(fmt::format("two columns '{}'; expected one", name));
   return static_cast<std::size_t>(found - header.begin());
 }
 
@@ -124,17 +125,17 @@ double CsvTable::number(std::size_t row, std::string_view column_name) const {
   const std::string& cell = rows.at(row)[column(column_name)];
   if (const auto value = number_from(cell)) return *value;
   throw std::invalid_argument(
-      fmt::format("row {} below the header, column '{}': '{}', expected a number", row + 1, column_name, cell));
+      fmt::format("row {} below the header, column '{}': '{}'; expected a number", row + 1, column_name, cell));
 }
 
 CsvTable parse_csv(std::string_view text, std::string_view source) {
   Reader reader(text, source);
   CsvTable table;
   table.header = reader.row();
-  if (table.header.empty()) reader.refuse_row("nothing there, expected a line with the names of the columns");
+  if (table.header.empty()) reader.refuse_row("the file is empty; expected a line with the names of the columns");
   for (auto row = reader.row(); !row.empty(); row = reader.row()) {
     if (row.size() != table.header.size())
-      reader.refuse_row(fmt::format("{} cells, expected {} as in the header", row.size(), table.header.size()));
+      reader.refuse_row(fmt::format("{} cells; expected {} as in the header", row.size(), table.header.size()));
     table.rows.push_back(std::move(row));
   }
   return table;

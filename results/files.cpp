@@ -107,7 +107,7 @@ void write_file(const fs::path& file, std::string_view text) {
   if (!error) error = write_whole(file, text);
   if (!error) return;
   throw std::invalid_argument(
-      fmt::format("cannot write '{}': {}; expected a place that can be written to", file.string(), error.message()));
+      fmt::format("cannot write '{}': {}; choose a place that you can write to", file.string(), error.message()));
 }
 
 std::optional<std::string> read_file(const fs::path& file) {

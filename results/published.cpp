@@ -30,9 +30,9 @@ CsvTable table(std::string_view paper, std::string_view name) {
   const auto names = tables(paper);
   if (names.empty())
     throw std::invalid_argument(
-        fmt::format("no published paper '{}', expected one of: {}", paper, fmt::join(papers(), ", ")));
+        fmt::format("no published paper '{}'; expected one of: {}", paper, fmt::join(papers(), ", ")));
   throw std::invalid_argument(
-      fmt::format("no table '{}' of {}, expected one of: {}", name, paper, fmt::join(names, ", ")));
+      fmt::format("no table '{}' of {}; expected one of: {}", name, paper, fmt::join(names, ", ")));
 }
 
 std::vector<std::string_view> papers() {

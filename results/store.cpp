@@ -98,7 +98,7 @@ std::int64_t check_study(const StudyEntry& study) {
   const std::int64_t points = definition.contains("points") ? defined(definition, "points", most_points, what) : 1;
   const std::int64_t solves = runs * points * static_cast<std::int64_t>(study.series.size());
   if (solves > most_solves)
-    throw TooManySolves(fmt::format("study {} asks for {} solves ({} runs, {} points, {} series), expected at most {}",
+    throw TooManySolves(fmt::format("study {} asks for {} solves ({} runs, {} points, {} series); expected at most {}",
                                     name, solves, runs, points, study.series.size(), most_solves));
   return runs;
 }
@@ -225,7 +225,7 @@ StudyEntry Store::study(const std::string& name) const {
   return guarded(database_->name(), [&] {
     if (auto found = database_->find_study(name)) return std::move(*found);
     throw std::invalid_argument(
-        fmt::format("no study '{}' in '{}', expected one of: {}", name, database_->name(), database_->study_names()));
+        fmt::format("no study '{}' in '{}'; expected one of: {}", name, database_->name(), database_->study_names()));
   });
 }
 

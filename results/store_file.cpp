@@ -21,10 +21,10 @@ constexpr std::chrono::seconds folding_patience{5};
 constexpr int largest_value = 256'000'000;  // bytes of a text in the file; more than any study needs
 
 [[noreturn]] void refuse_taken_away(const std::string& file) {
-  throw std::runtime_error(fmt::format(
-      "'{}' was removed, moved or replaced while ikbench wrote to it, so the new solves are not in it; if it "
-      "was moved, move it back; then run again",
-      file));
+  throw std::runtime_error(
+      fmt::format("'{}' was removed, moved or replaced while ikbench wrote to it, so it lacks the new solves; if you "
+                  "moved it, move it back; then run again",
+                  file));
 }
 
 struct TableMaker {
@@ -78,17 +78,17 @@ std::string checked_path(const std::filesystem::path& file, Store::Mode mode) {
   const auto path = std::filesystem::absolute(file, error);
   const auto status = std::filesystem::status(path, error);
   if (file.empty() || std::filesystem::is_directory(status))
-    throw std::invalid_argument(fmt::format("'{}' is a folder, expected the file of a store", file.string()));
+    throw std::invalid_argument(fmt::format("'{}' is a folder; expected a store file", file.string()));
   if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
-    throw std::invalid_argument(fmt::format("'{}' is not a regular file, expected the file of a store", file.string()));
+    throw std::invalid_argument(fmt::format("'{}' is not a regular file; expected a store file", file.string()));
   if (mode == Store::Mode::read && status.type() == std::filesystem::file_type::not_found)
     throw std::invalid_argument(
-        fmt::format("'{}' does not exist, expected a store; `ikbench run` writes one", file.string()));
+        fmt::format("'{}' does not exist; expected a store, which `ikbench run` writes", file.string()));
   if (mode == Store::Mode::write) {
     std::filesystem::create_directories(path.parent_path(), error);
     if (error)
       throw std::invalid_argument(fmt::format(
-          "'{}' cannot be written: its folder cannot be made ({}); give another path", file.string(), error.message()));
+          "cannot write '{}': its folder cannot be created ({}); choose another path", file.string(), error.message()));
   }
   return path.string();
 }
@@ -98,47 +98,47 @@ std::string checked_path(const std::filesystem::path& file, Store::Mode mode) {
 void refuse(const std::string& file, const SQLite::Exception& error) {
   switch (error.getErrorCode()) {
     case SQLITE_NOTADB:
-      throw std::invalid_argument(
-          fmt::format("'{}' is not an ikbench store: it is no SQLite file; expected one that ikbench wrote", file));
+      throw std::invalid_argument(fmt::format(
+          "'{}' is not an ikbench store: it is not an SQLite file; expected a file written by ikbench", file));
     case SQLITE_CORRUPT:
     case SQLITE_ERROR:  // our SQL is right, so the tables are not ours
       refuse(file, Damage(error.what()));
     case SQLITE_TOOBIG:
       throw std::invalid_argument(
-          fmt::format("'{}' cannot hold a value of more than {} MB; expected a shorter text, list or trace", file,
+          fmt::format("'{}' cannot store a value of more than {} MB; expected a shorter text, list or trace", file,
                       largest_value / 1'000'000));
     case SQLITE_READONLY:
       if (error.getExtendedErrorCode() == SQLITE_READONLY_DBMOVED) refuse_taken_away(file);
       if (error.getExtendedErrorCode() == SQLITE_READONLY_ROLLBACK)
         throw std::invalid_argument(fmt::format(
-            "'{}' was left half-written by an ikbench that was killed: keep '{}-journal' beside it and run the "
-            "study again, which undoes the unfinished write and goes on",
+            "'{}' is half-written, because ikbench was killed; keep '{}-journal' beside it and run the study "
+            "again, which undoes the unfinished write and continues",
             file, file));
       [[fallthrough]];
     case SQLITE_CANTOPEN:
     case SQLITE_PERM:
       throw std::invalid_argument(fmt::format(
-          "'{}' cannot be opened ({}); it, its folder or a '-wal' file that a run left beside it cannot be read or "
-          "written: give permission, or copy the store with its '-wal' file to a folder where you can write",
+          "cannot open '{}' ({}): you may not read or write the file, its folder or the '-wal' file beside it; change "
+          "the permissions, or copy the store with its '-wal' file to a folder where you can write",
           file, error.what()));
     case SQLITE_BUSY:
     case SQLITE_LOCKED:
-      throw std::runtime_error(fmt::format(
-          "'{}' was kept locked by another process for {} s; wait until that has ended", file, busy_timeout_ms / 1000));
+      throw std::runtime_error(fmt::format("another process has kept '{}' locked for {} s; wait until it has ended",
+                                           file, busy_timeout_ms / 1000));
     case SQLITE_CONSTRAINT:
       if (error.getExtendedErrorCode() != SQLITE_CONSTRAINT_PRIMARYKEY) {
-        throw std::logic_error(fmt::format("'{}' already has it: {}", file, error.what()));
+        throw std::logic_error(fmt::format("'{}' already has this row: {}", file, error.what()));
       }
       throw std::invalid_argument(fmt::format(
           "another ikbench is running the same study into '{}'; wait until it has ended, then run again", file));
     default:
-      throw std::runtime_error(fmt::format("'{}' cannot be used: {}", file, error.what()));
+      throw std::runtime_error(fmt::format("cannot use '{}': {}", file, error.what()));
   }
 }
 
 void refuse(const std::string& file, const Damage& damage) {
-  throw std::invalid_argument(fmt::format(
-      "'{}' is damaged ({}); restore it from a copy or run its studies into a new store", file, damage.what()));
+  throw std::invalid_argument(
+      fmt::format("'{}' is damaged ({}); restore a copy, or run its studies into a new store", file, damage.what()));
 }
 
 std::optional<StoreFile::Identity> StoreFile::identity_of(const std::string& path) {
@@ -229,16 +229,16 @@ void StoreFile::distrust() {
 
 void StoreFile::check_header() {
   if (number("PRAGMA application_id") != application_id)
-    throw std::invalid_argument(
-        fmt::format("'{}' is not an ikbench store: another program wrote it; expected one that ikbench wrote", name_));
+    throw std::invalid_argument(fmt::format(
+        "'{}' is not an ikbench store: another program wrote it; expected a file written by ikbench", name_));
   if (version() > schema_version)
     throw std::invalid_argument(
-        fmt::format("'{}' has schema {}, newer than the {} that this ikbench knows; use the ikbench that wrote it",
-                    name_, version(), schema_version));
+        fmt::format("'{}' has schema {}, but this ikbench knows only up to {}; use the ikbench that wrote it", name_,
+                    version(), schema_version));
   if (version() < 1) throw Damage(fmt::format("its user_version is {}, expected 1 or more", version()));
   // SQLite takes what is missing of the last page for zeros.
   if (std::filesystem::file_size(name_) % static_cast<std::uintmax_t>(number("PRAGMA page_size")) != 0)
-    throw Damage("it was cut short");
+    throw Damage("it is truncated");
 }
 
 // The tables of its version, as we make them, and nothing else.
@@ -257,9 +257,9 @@ void StoreFile::check_tables() {
     if (type == "index" && is_automatic && is_ours(query.getColumn(2).getString())) continue;
     const auto found = std::ranges::find(missing, name, &TableMaker::name);
     if (type != "table" || found == missing.end())
-      throw Damage(fmt::format("it holds {} {}, which no store of ikbench has", type.substr(0, 40), excerpt(name)));
+      throw Damage(fmt::format("it has {} {}, which no ikbench store has", type.substr(0, 40), excerpt(name)));
     if (on_one_line(query.getColumn(3).getString()) != found->sql)
-      throw Damage(fmt::format("its table {} has other columns or constraints than ikbench gives it", name));
+      throw Damage(fmt::format("its table {} has unexpected columns or constraints", name));
     missing.erase(found);
   }
   if (!missing.empty()) throw Damage(fmt::format("it has no table '{}'", missing.front().name));

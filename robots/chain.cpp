@@ -56,7 +56,7 @@ Chain::Chain(std::vector<DhLink> links, Frame base, Frame tool)
       has_base_(base_ != Frame()),
       tool_is_turned_(!tool_.rpy.isZero(0)) {
   if (links_.size() > most_joints) {
-    throw std::invalid_argument(fmt::format("an arm of {} joints; at most {}", links_.size(), most_joints));
+    throw std::invalid_argument(fmt::format("the arm has {} joints; expected at most {}", links_.size(), most_joints));
   }
   for (const DhLink& link : links_) {
     const SinCos alpha = sin_cos(link.alpha);
@@ -88,7 +88,8 @@ Chain::Chain(std::vector<DhLink> links, Frame base, Frame tool)
 template <class Visit>
 Pose Chain::follow(const ConfigurationRef& q, Visit&& visit) const {
   if (q.size() != joints()) {
-    throw std::invalid_argument(fmt::format("{} angles for an arm of {} joints", q.size(), joints()));
+    throw std::invalid_argument(
+        fmt::format("{} angles for an arm with {} joints; expected one for each joint", q.size(), joints()));
   }
   return all_turn_ ? follow_kind<Kind::all_turn>(q, visit) : follow_kind<Kind::any>(q, visit);
 }
@@ -173,7 +174,7 @@ Eigen::Vector3d Chain::linearize(const ConfigurationRef& q, Eigen::Ref<Eigen::Ma
 void Chain::position_errors(const CandidatesRef& q, const Eigen::Vector3d& target,
                             Eigen::Ref<Eigen::VectorXd> errors) const {
   if (q.rows() != joints() || errors.size() != q.cols()) {
-    throw std::invalid_argument(fmt::format("{} candidates of {} joints and {} errors for an arm of {} joints",
+    throw std::invalid_argument(fmt::format("{} candidates with {} joints and {} errors for an arm with {} joints",
                                             q.cols(), q.rows(), errors.size(), joints()));
   }
   const Eigen::Vector3d& tip = tool_.position;

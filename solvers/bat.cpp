@@ -29,12 +29,13 @@ class Bat final : public Solver {
     void list(OptionList& list) {
       list.number("f_min", f_min, {0, 10}, "smallest frequency, Eq. 5");
       list.number("f_max", f_max, {0, 10}, "largest frequency, Eq. 5");
-      list.number("alpha", alpha, {0, 1}, "factor of a bat's loudness when it accepts, Eq. 9");
-      list.number("gamma", gamma, {0, 10}, "growth of a bat's pulse rate, Eq. 10");
+      list.number("alpha", alpha, {0, 1}, "a bat's loudness is multiplied by this when it accepts, Eq. 9");
+      list.number("gamma", gamma, {0, 10}, "growth rate of a bat's pulse rate, Eq. 10");
       list.number("pulse_rate", pulse_rate, {0, 1}, "pulse rate r0, Eq. 10");
-      list.number("step_factor", step_factor, {0, 10}, "factor of eps A in Eq. 8; 0.1 in Yang's code, not printed");
+      list.number("step_factor", step_factor, {0, 10},
+                  "factor of eps A in Eq. 8; 0.1 in Yang's code, not given in the paper");
       list.choice("best_of", best_of, {{"accepted", BestOf::accepted}, {"evaluated", BestOf::evaluated}},
-                  "the best is taken from the accepted candidates, or from all evaluated ones");
+                  "the best may be an accepted candidate only, or any evaluated one");
       list_bounds(list, bounds);
     }
   };

@@ -14,7 +14,7 @@ enum class Bounds {
 
 inline void list_bounds(OptionList& list, Bounds& bounds) {
   list.choice("bounds", bounds, {{"initial", Bounds::initial}, {"clamp", Bounds::clamp}},
-              "joint limits hold for the initial candidates only, or for all (clamped)");
+              "joint limits apply to the initial candidates only, or all candidates are clamped to them");
 }
 
 // Uniform between the limits.

@@ -24,9 +24,11 @@ class DampedLeastSquares final : public Solver {
     Bounds bounds = Bounds::clamp;
 
     void list(OptionList& list) {
-      list.number("damping", damping, {1e-12, 1}, "first damping, as a share of the largest diagonal element of J^T J");
-      list.count("patience", patience, {1, 1000}, "trials in a row without 1 % less error that count as a stall");
-      list.number("small_error", small_error, {0, 1}, "a stall below this error [m] is convergence: no random restart");
+      list.number("damping", damping, {1e-12, 1}, "initial damping, relative to the largest diagonal element of J^T J");
+      list.count("patience", patience, {1, 1000},
+                 "the solver stalls after this many trials in a row that reduce the error by less than 1 %");
+      list.number("small_error", small_error, {0, 1},
+                  "a stall below this error [m] counts as convergence, without a random restart");
       list_bounds(list, bounds);
     }
   };

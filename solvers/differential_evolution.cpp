@@ -32,19 +32,19 @@ class DifferentialEvolution final : public Solver {
     Outside bounds = Outside::clamp;
 
     void list(OptionList& list) {
-      list.number("weight", weight, {0, 2}, "F, factor of the difference of two candidates");
-      list.number("crossover", crossover, {0, 1}, "C, chance of a joint to come from the mutant");
+      list.number("weight", weight, {0, 2}, "F, factor of the difference between two candidates");
+      list.number("crossover", crossover, {0, 1}, "C, probability that a joint comes from the mutant");
       list.choice("replacement", replacement,
                   {{"generation", Replacement::generation}, {"at_once", Replacement::at_once}},
-                  "a better trial takes its place with the next generation (Storn and Price), or at once: the next "
-                  "trial may combine it already");
+                  "a better trial replaces its parent at the end of the generation (Storn and Price), or at once, so "
+                  "that the next trial can use it");
       list.choice("bounds", bounds,
                   {{"initial", Outside::initial},
                    {"clamp", Outside::clamp},
                    {"reflect", Outside::reflect},
                    {"resample", Outside::resample}},
-                  "joint limits hold for the initial candidates only, or a joint outside is set to its limit, "
-                  "mirrored at it, or drawn anew");
+                  "joint limits apply to the initial candidates only, or a joint outside is clamped, reflected or "
+                  "drawn again");
     }
   };
 
@@ -53,7 +53,7 @@ class DifferentialEvolution final : public Solver {
   void start(const Problem& problem, Objective& objective, Random& random) override {
     if (problem.population < least_population) {
       throw std::invalid_argument(fmt::format(
-          "differential_evolution has a population of {}; it combines three others, so it needs at least {}",
+          "differential_evolution has a population of {}; expected at least {}, because it combines three others",
           problem.population, least_population));
     }
     problem_ = problem;

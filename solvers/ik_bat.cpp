@@ -33,17 +33,18 @@ class IkBat final : public Solver {
     void list(OptionList& list) {
       list.number("f_min", f_min, {0, 10}, "smallest frequency, Eq. 5");
       list.number("f_max", f_max, {0, 10}, "largest frequency, Eq. 5");
-      list.number("alpha", alpha, {0, 1}, "factor of the loudness an iteration, Eq. 9");
-      list.number("gamma", gamma, {0, 10}, "growth of the pulse rate, Eq. 10");
+      list.number("alpha", alpha, {0, 1}, "the loudness is multiplied by this in every iteration, Eq. 9");
+      list.number("gamma", gamma, {0, 10}, "growth rate of the pulse rate, Eq. 10");
       list.number("loudness", loudness, {0, 10}, "initial loudness A");
       list.number("pulse_rate", pulse_rate, {0, 1}, "final pulse rate r0, Eq. 10");
-      list.number("step_factor", step_factor, {0, 10}, "factor of eps A in Eq. 14; 0.1 in Yang's code, not printed");
+      list.number("step_factor", step_factor, {0, 10},
+                  "factor of eps A in Eq. 14; 0.1 in Yang's code, not given in the paper");
       list.choice("epsilon", epsilon, {{"normal", Epsilon::normal}, {"truncated", Epsilon::truncated}},
-                  "eps in Eq. 14 is standard normal (Yang's code), or that within [-1, 1] (Yang 2010)");
+                  "eps in Eq. 14 is standard normal (Yang's code), or truncated to [-1, 1] (Yang 2010)");
       list.choice(
           "acceptance", acceptance,
           {{"greedy", Acceptance::greedy}, {"loudness", Acceptance::loudness}, {"yang2020", Acceptance::yang2020}},
-          "a better candidate is kept always, if rand < A (the paper's text), or if rand > A (Yang 2020)");
+          "a better candidate is always kept, only if rand < A (the paper's text), or only if rand > A (Yang 2020)");
       list_bounds(list, bounds);
     }
   };

@@ -32,10 +32,10 @@ class KArtificialBeeColony final : public Solver {
 
     void list(OptionList& list) {
       list.choice("colony", colony, {{"full", Colony::full}, {"half", Colony::half}},
-                  "a population of N has N sources and N onlookers, or half of each");
+                  "a population of N has N sources and N onlookers, or N/2 of each");
       list.choice("neighbour", neighbour, {{"best", Neighbour::best}, {"random", Neighbour::random}},
-                  "a source is compared with the best one (K-ABC) or with any (plain ABC)");
-      list.count("limit", limit, {0, 1000000}, "failures after which a source is given up; 0: (N + joints) / 2");
+                  "a source is compared with the best one (K-ABC), or with a random one (plain ABC)");
+      list.count("limit", limit, {0, 1000000}, "a source is abandoned after this many failures; 0: (N + joints) / 2");
       list.choice("fitness_unit", fitness_unit, {{"cm", FitnessUnit::cm}, {"m", FitnessUnit::m}},
                   "unit of the error f in the roulette's 1 / (1 + f)");
       list_bounds(list, bounds);

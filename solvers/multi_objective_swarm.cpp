@@ -200,21 +200,21 @@ class MultiObjectiveSwarm final : public Solver {
     FinalPoint final_point = FinalPoint::smallest_error;
 
     void list(OptionList& list) {
-      list.number("inertia", inertia, {0, 10}, "inertia w, factor of the velocity");
-      list.number("cognitive", cognitive, {0, 10}, "c1, towards a particle's own best");
-      list.number("social", social, {0, 10}, "c2, towards the leader");
+      list.number("inertia", inertia, {0, 10}, "w, weight of the previous velocity");
+      list.number("cognitive", cognitive, {0, 10}, "c1, weight of a particle's own best");
+      list.number("social", social, {0, 10}, "c2, weight of the leader");
       list.count("grid", grid, {1, 1000}, "cells of the archive's grid along each objective");
-      list.count("archive", archive, {1, 10000}, "members of the archive; not printed");
+      list.count("archive", archive, {1, 10000}, "size of the archive; not given in the paper");
       list.number("velocity_limit_percent", velocity_limit_percent, {0, 100},
-                  "largest velocity kept for the next generation, in percent of a joint's range");
-      list.number("mutation", mutation, {0, 1}, "share of the swarm's second third that is drawn anew");
+                  "maximum velocity carried into the next generation, in percent of a joint's range");
+      list.number("mutation", mutation, {0, 1}, "share of the swarm's second third that is drawn again");
       list.choice("leader", leader,
                   {{"per_generation", Leader::per_generation}, {"per_particle", Leader::per_particle}},
-                  "one leader from the archive for all particles of a generation, or one for each");
+                  "all particles of a generation share one leader from the archive, or each has its own");
       list.choice("final_point", final_point,
                   {{"smallest_error", FinalPoint::smallest_error}, {"knee", FinalPoint::knee}},
                   "the answer is the candidate with the smallest error, or the archive's knee with the smallest error "
-                  "(a later knee with a larger one is passed over)");
+                  "so far");
     }
   };
 

@@ -23,13 +23,13 @@ class ParticleSwarm final : public Solver {
     Bounds bounds = Bounds::clamp;
 
     void list(OptionList& list) {
-      list.number("inertia", inertia, {0, 10}, "inertia w, factor of the velocity");
-      list.number("cognitive", cognitive, {0, 10}, "c1, towards a particle's own best");
-      list.number("social", social, {0, 10}, "c2, towards the swarm's best");
+      list.number("inertia", inertia, {0, 10}, "w, weight of the previous velocity");
+      list.number("cognitive", cognitive, {0, 10}, "c1, weight of a particle's own best");
+      list.number("social", social, {0, 10}, "c2, weight of the swarm's best");
       list.choice("coefficients", coefficients,
                   {{"permuted", Coefficients::permuted}, {"as_printed", Coefficients::as_printed}},
-                  "the three numbers by their names, or with the labels of Table 1: w = cognitive, c1 = social, "
-                  "c2 = inertia (diverges)");
+                  "use the three numbers by name, or as Table 1 labels them: w = cognitive, c1 = social, c2 = inertia "
+                  "(diverges)");
       list_bounds(list, bounds);
     }
   };

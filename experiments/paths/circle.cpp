@@ -18,10 +18,10 @@ class Circle final : public PathKind {
   std::unique_ptr<PathKind> copy() const override { return std::make_unique<Circle>(*this); }
 
   std::string_view name() const override { return "circle"; }
-  std::string_view summary() const override { return "a level circle"; }
+  std::string_view summary() const override { return "a horizontal circle"; }
 
   void list_fields(Fields& io) override {
-    io.numbers("centre_cm", centre_, centimetre, 3, "");
+    io.numbers("centre_cm", centre_, centimetre, 3, "x, y, z of the centre");
     io.number("radius_cm", radius_, centimetre, {0, 1e6}, "");
     io.whole("points", points_, point_counts,
              "point k = 0 ... n - 1 is the centre + radius (cos t, sin t, 0) with t = 360 k/n deg");

@@ -29,12 +29,12 @@ class Helix final : public PathKind {
   void list_fields(Fields& io) override {
     io.number("length_cm", length_, centimetre, {-1e6, 1e6}, "rise along z");
     io.number("turns", turns_, 1, {-1e3, 1e3}, "");
-    io.numbers("centre_cm", centre_, centimetre, 3, "centre of the bottom");
+    io.numbers("centre_cm", centre_, centimetre, 3, "x, y, z of the centre of its lowest turn");
     io.number("radius_cm", radius_, centimetre, {0, 1e6}, "");
     io.number("start_deg", start_, degree, {-1e5, 1e5}, "angle t of the first point");
     io.whole("points", points_, point_counts, "");
     io.choice("phase", phase_, Choices<Phase>{{"sin_cos", Phase::sin_cos}, {"cos_sin", Phase::cos_sin}},
-              "(x, y) from the centre: radius (sin t, cos t), or radius (cos t, sin t)");
+              "(x, y) relative to the centre: radius (sin t, cos t) or radius (cos t, sin t)");
     io.choice("spacing", spacing_,
               Choices<Spacing>{{"k_over_n", Spacing::k_over_n}, {"k_over_n_minus_1", Spacing::k_over_n_minus_1}},
               "point k = 0 ... n - 1 lies at this fraction of the path");

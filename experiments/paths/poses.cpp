@@ -15,7 +15,7 @@ class Poses final : public PathKind {
 
   std::string_view name() const override { return "poses"; }
   std::string_view summary() const override {
-    return "poses, one by one: { position_cm = [60, 0, 35], rpy_deg = [180, 0, 180] }";
+    return "a list of poses: { position_cm = [60, 0, 35], rpy_deg = [180, 0, 180] }";
   }
 
   void list_fields(Fields& io) override { io.poses("poses", poses_, ""); }

@@ -13,11 +13,11 @@ class RandomTargets final : public PathKind {
   std::unique_ptr<PathKind> copy() const override { return std::make_unique<RandomTargets>(*this); }
 
   std::string_view name() const override { return "random"; }
-  std::string_view summary() const override { return "the tool's poses at random joint angles within the limits"; }
+  std::string_view summary() const override { return "random poses that the arm can reach"; }
 
   void list_fields(Fields& io) override {
     io.whole("points", points_, point_counts,
-             "each the tool's pose at joint angles uniform within the limits, drawn from seed and run");
+             "each is the tool's pose at joint angles drawn uniformly within the limits from seed and run");
   }
 
   bool is_drawn() const override { return true; }

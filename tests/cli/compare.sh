@@ -131,19 +131,19 @@ has_no "$(<new/hostile.md)" '<'
 [ "$(grep -c '^|' new/hostile.md)" = 3 ] || fail "the table has other rows: $(<new/hostile.md)"
 
 # Mistakes.
-refused "there is no store 'IK-BA'; two labels of one store are compared with --store FILE" compare IK-BA BA
+refused "store 'IK-BA' does not exist; to compare two labels of one store, add --store FILE" compare IK-BA BA
 refused 'B: unknown label "IKBA"; did you mean "IK-BA"?' compare BA IKBA --store $base
 refused 'A: unknown label "none" (there are: IK-BA, BA' compare $base $again --label none
 refused 'A and B are both the label BA' compare BA BA --store $base
-refused '--label is for two stores' compare BA DE --store $base --label PSO
+refused '--label needs two stores' compare BA DE --store $base --label PSO
 refused 'no label in common (A: IK-BA, BA' compare $base drawn/store.sqlite
 refused 'unknown metric "speed" (there are: position_error_cm, variation_deg, evaluations, seconds, solved)' \
   compare $base $again --metric speed
-refused '--margin: 5 is not a share from 0 % to 99 %, expected 5% or 0.05' compare $base $again --margin 5
+refused '--margin: 5 is not a share from 0 % to 99 %; expected for example 5% or 0.05' compare $base $again --margin 5
 refused '--margin: -1% is not a share' compare $base $again --margin=-1%
 refused '--margin: nan is not a share' compare $base $again --margin nan
 refused '--significance: 0.5 is not a number from 0.0001 to 0.2' compare $base $again --significance 0.5
-refused 'expected a name that ends in .md, .csv or .json' compare $base $again -o table.tex
+refused 'expected a file name that ends in .md, .csv or .json' compare $base $again -o table.tex
 cp $base base.json
 refused '-o base.json is one of the stores' compare base.json $again -o base.json
 refused "no study 'other'" compare $base $again --study other

@@ -54,7 +54,7 @@ succeeds export made/store.sqlite -o one.csv
 cmp other.csv first.csv || fail "-o parted a file from its other name"
 for part in '' -wal -shm -journal; do
   [ -e "made/store.sqlite$part" ] || : >"made/store.sqlite$part"
-  refused 'is the store itself, or a part of it' export made/store.sqlite -o "made/store.sqlite$part"
+  refused 'is the store itself or part of it' export made/store.sqlite -o "made/store.sqlite$part"
   [ -s "made/store.sqlite$part" ] || rm "made/store.sqlite$part"
 done
 

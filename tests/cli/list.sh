@@ -53,13 +53,13 @@ done
 # So does how a study is judged.
 succeeds list studies slim2023
 for line in "[analysis]  # how" "test = 'by_design'  # by_design | anova | welch | kruskal_wallis | friedman: " \
-  "significance = 0.05  # of a test" "margin_percent = 5  # relative difference that matters" "unit = 'run'  # run | point: "; do
+  "significance = 0.05  # significance level of a test" "margin_percent = 5  # smallest relative difference that matters" "unit = 'run'  # run | point: "; do
   has "$out" $'\n'"$line"
 done
 
 # Keys come with their meaning, an entrant's own population too.
 succeeds list studies slim2023-time
 for line in "start = 'initial'  # previous | initial: a solve starts" "limits = 'recorded'  # recorded | enforced: " \
-  "kind = 'random'  # helix | circle | random | poses" "population = 12  # instead of the study's"; do
+  "kind = 'random'  # helix | circle | random | poses" "population = 12  # overrides the population of the study"; do
   has "$out" $'\n'"$line"
 done

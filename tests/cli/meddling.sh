@@ -46,7 +46,7 @@ ended 2 "'replaced/store.sqlite' was removed, moved or replaced"
 begin shared
 succeeds run slim2023 "${small[@]}" --set seed=2 --no-report --out shared
 has "$err" "has a different study named slim2023"
-ended 1 "the store has another study named 'slim2023' now"
+ended 1 "saved a different study named 'slim2023' in this store"
 succeeds "${study[@]}" --out shared
 has "$out" "(600 were already stored)"
 has "$out" "Report: shared/report.html"
@@ -79,7 +79,7 @@ PYTHON
 reader=$!
 until [ -e is-reading ]; do kill -0 $reader 2>.polled || fail "the reader does not read"; done
 wait $process || fail "exit code $? with a reader; it said: $(<.first-err)"
-has "$(<.first-err)" "read/store.sqlite-wal: copy both files together"
+has "$(<.first-err)" "read/store.sqlite-wal; copy both files together"
 : >end-reading
 wait $reader
 mkdir copied

@@ -21,8 +21,8 @@ succeeds readings slim2023 "${small[@]}" --seeds 1 --grid search=all_joints,DE.b
 has "$out" "search=all_joints + DE.bounds=reflect"
 [ "$(grep -c ' all ' <<<"$out")" -ge 4 ] || fail "not four combinations: $out"
 
-refused 'unknown reading "search=x"' readings slim2023 --grid search=x
-refused 'stands twice' readings slim2023 --grid search=all_joints,search=all_joints
+refused 'unknown interpretation "search=x"' readings slim2023 --grid search=x
+refused 'is given twice' readings slim2023 --grid search=all_joints,search=all_joints
 refused '--seeds' readings slim2023 --seeds 0
 refused 'STUDY' readings slim2024
 refused '--set runs' readings slim2023 --set runs=0

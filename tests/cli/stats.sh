@@ -208,11 +208,11 @@ before=$(ls)
 refused 'cannot read none.csv' stats none.csv --value error
 refused 'made is a folder' stats made --value error
 : >empty.csv
-refused 'empty.csv:1: nothing there' stats empty.csv --value error
-refused 'standard input:1: nothing there' stats - --value error
-refused "no column 'eror', expected one of: (empty), solver, error" stats pandas.csv --value eror
-refused "no column 'slover', expected one of:" stats pandas.csv --value error --group slover
-refused "no column 'problem', expected one of:" stats pandas.csv --value error --block problem
+refused 'empty.csv:1: the file is empty' stats empty.csv --value error
+refused 'standard input:1: the file is empty' stats - --value error
+refused "no column 'eror'; expected one of: (empty), solver, error" stats pandas.csv --value eror
+refused "no column 'slover'; expected one of:" stats pandas.csv --value error --group slover
+refused "no column 'problem'; expected one of:" stats pandas.csv --value error --block problem
 refused 'which column names the groups? (--group) There are: problem, error' stats <(printf 'problem,error\n1,2\n') --value error
 printf 'solver,error\nA,"1,5"\n' >decimal.csv
 refused "'1,5', a decimal comma; write 1.5" stats decimal.csv --value error
@@ -247,7 +247,7 @@ refused 'line.csv: no rows below the header' stats line.csv --value error
 { printf 'solver,error\n' && cat line.csv && printf ',1\nB,2\n'; } >endless.csv
 refused '3000000 bytes, expected a name of at most 1000' stats endless.csv --value error
 { cat line.csv && printf ',error\nA,1\n'; } >header.csv
-refused "no column 'value', expected one of: xxx" stats header.csv --value value
+refused "no column 'value'; expected one of: xxx" stats header.csv --value value
 [ "$(wc -c <.err)" -lt 1000 ] || fail "a message of $(wc -c <.err) bytes"
 { echo solver,error && seq 1001 | sed 's/.*/g&,&/'; } >many.csv
 refused "more than 1000 groups, the last 'g1001'" stats many.csv --value error

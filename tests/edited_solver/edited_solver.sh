@@ -17,21 +17,21 @@ before=$("$program" fingerprint store/store.sqlite)
 
 program=$edited
 succeeds "${run[@]}"
-has "$out" "slim2023: 36 solves in store/store.sqlite (30 were there already)" # all but IK-BA's 2 runs of 3 points
-has "$err" "warning: 6 solves of IK-BA were made by another version of the solver or of the code that all solvers share"
+has "$out" "slim2023: 36 solves in store/store.sqlite (30 were already stored)" # all but IK-BA's 2 runs of 3 points
+has "$err" "warning: 6 solves of IK-BA come from another version of the solver or of shared code"
 numbers_of IK-BA >ik-ba.after
 numbers_of DE | cmp - de.before || fail "a solver that was not edited gives other numbers"
 [ "$(wc -l <ik-ba.after)" = 6 ] || fail "IK-BA has $(wc -l <ik-ba.after) current solves, expected 6"
 cmp -s ik-ba.before ik-ba.after && fail "the edited solver gives the old numbers"
 [ "$("$program" fingerprint store/store.sqlite)" != "$before" ] || fail "other numbers have the same fingerprint"
 succeeds "${run[@]}"
-has "$out" "(36 were there already)"
+has "$out" "(36 were already stored)"
 has_no "$err" "another version"
 
 # The solves of before are current again for the program that made them.
 program=$original
 succeeds "${run[@]}"
-has "$out" "(36 were there already)"
+has "$out" "(36 were already stored)"
 numbers_of IK-BA | cmp - ik-ba.before || fail "the first solves did not come back"
 [ "$("$program" fingerprint store/store.sqlite)" = "$before" ] || fail "the same numbers have another fingerprint"
 

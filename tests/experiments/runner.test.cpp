@@ -361,7 +361,7 @@ TEST_CASE("a run whose study another process replaces is refused, keeps its solv
     };
     const std::string said =
         complaint<std::invalid_argument>([&] { run(small_study(), store, {.jobs = jobs, .progress = meddle}); });
-    CHECK_THAT(said, ContainsSubstring("the store has another study named 'small' now"));
+    CHECK_THAT(said, ContainsSubstring("saved a different study named 'small' in this store"));
     CHECK_THAT(said, ContainsSubstring("run this one again for its report"));
     CHECK(complaint<std::invalid_argument>([&] { check_is_stored(small_study(), store); }) == said);
     CHECK_NOTHROW(check_is_stored(other, store));
@@ -400,8 +400,8 @@ TEST_CASE("a store that was edited is refused and says where", "[runner]") {
   };
   for (const auto& [edit, part] : std::vector<std::pair<const char*, const char*>>{
            {"DELETE FROM solves WHERE solver = 'BA' AND run = 2 AND point = 3",
-            "run 2, point 4 by BA is there, but not that of point 3"},
-           {"UPDATE solves SET run = 0 WHERE solver = 'BA' AND run = 2", "has a run below 1"},
+            "run 2, point 4 by BA exists, but the one of point 3 is missing"},
+           {"UPDATE solves SET run = 0 WHERE solver = 'BA' AND run = 2", "has a run number below 1"},
            {"UPDATE solves SET answer_rad = '[1]' WHERE solver = 'BA' AND run = 2 AND point = 1",
             "run 2, point 1 by BA has 1 joints instead of"}}) {
     const std::string message = complaint_after(edit);

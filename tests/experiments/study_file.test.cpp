@@ -423,7 +423,7 @@ TEST_CASE("an unknown key is named with its place and the nearest known, at ever
 }
 
 TEST_CASE("a value of another type is shown with its place and what was expected", "[study][mistakes]") {
-  check({{"name = 3\n" + entrant, "my.toml:1:8: ", {"name is 3", "expected a text in quotes"}},
+  check({{"name = 3\n" + entrant, "my.toml:1:8: ", {"name is 3", "expected a quoted string"}},
          {"runs = \"x\"\n" + entrant, "my.toml:1:8: ", {"runs is \"x\"", "a whole number from 1 to 1000000"}},
          {"runs = 2.5\n" + entrant, "my.toml:1:8: ", {"runs is 2.5", "a whole number"}},
          {"runs = true\n" + entrant, "my.toml:1:8: ", {"runs is true", "a whole number"}},
@@ -447,9 +447,9 @@ TEST_CASE("a value of another type is shown with its place and what was expected
          {entrant + "options = 3\n", "my.toml:3:11: ", {"options is 3", "expected a table"}},
          {entrant + "options = { alpha = true }\n",
           "my.toml:3:21: ",
-          {"ik_bat.alpha is true", "a number or a text in quotes"}},
-         {entrant + "label = 3\n", "my.toml:3:9: ", {"label is 3", "a text in quotes"}},
-         {"[[solvers]]\nsolver = 3\n", "my.toml:2:10: ", {"solver is 3", "a text in quotes"}}});
+          {"ik_bat.alpha is true", "a number or a quoted string"}},
+         {entrant + "label = 3\n", "my.toml:3:9: ", {"label is 3", "a quoted string"}},
+         {"[[solvers]]\nsolver = 3\n", "my.toml:2:10: ", {"solver is 3", "a quoted string"}}});
 }
 
 TEST_CASE("what an analysis cannot be is told with its place and what it can be", "[study][mistakes][analysis]") {
@@ -572,10 +572,10 @@ TEST_CASE("a misspelt solver or robot is answered with the nearest and all there
 }
 
 TEST_CASE("a label stands once in a study", "[study][mistakes]") {
-  check({{entrant + entrant, "my.toml:3:1: ", {"label \"ik_bat\" stands twice"}},
+  check({{entrant + entrant, "my.toml:3:1: ", {"label \"ik_bat\" is used twice"}},
          {entrant + "label = \"A\"\n[[solvers]]\nsolver = \"bat\"\nlabel = \"A\"\n",
           "my.toml:4:1: ",
-          {"label \"A\" stands twice"}}});
+          {"label \"A\" is used twice"}}});
   CHECK(read(entrant + entrant + "label = \"IK-BA again\"\n").solvers.size() == 2);
 }
 
@@ -586,10 +586,10 @@ TEST_CASE("what fields ask of each other is checked where one of them stands", "
          {"robot = \"planar_2\"\n" + entrant, "my.toml:1:1: ", {"search is \"wrist\"", "expected \"all_joints\""}},
          {"initial_deg = [0, 0]\n" + entrant,
           "my.toml:1:15: ",
-          {"has 2 angles", "expected 7, the joints of kuka_iiwa14"}},
+          {"has 2 angles", "expected 7, one for each joint of kuka_iiwa14"}},
          {planar + "initial_deg = [0, 0, 0]\n" + entrant,
           "my.toml:3:15: ",
-          {"has 3 angles", "expected 2, the joints of planar_2"}}});
+          {"has 3 angles", "expected 2, one for each joint of planar_2"}}});
 }
 
 TEST_CASE("a pose is a place and a rotation", "[study][mistakes]") {
@@ -628,8 +628,8 @@ TEST_CASE("names and labels are short and without control characters", "[study][
          {entrant + "label = \"a\\tb\"\n", "my.toml:3:9: ", {expected}},
          {entrant + "options = { bounds = \"cl\\namp\" }\n", "my.toml:3:22: ", {expected}},
          {"name = \"" + std::string(201, 'x') + "\"\n" + entrant, "my.toml:1:8: ", {"...", expected}},
-         {"name = \"\"\n" + entrant, "my.toml:1:8: ", {"a name that is not empty"}},
-         {entrant + "label = \"\"\n", "my.toml:3:9: ", {"a label that is not empty"}}});
+         {"name = \"\"\n" + entrant, "my.toml:1:8: ", {"a non-empty name"}},
+         {entrant + "label = \"\"\n", "my.toml:3:9: ", {"a non-empty label"}}});
   CHECK(read("name = \"" + std::string(200, 'x') + "\"\n" + entrant).name.size() == 200);
   CHECK(said_of("name = \"" + std::string(100'000, 'x') + "\"\n" + entrant).size() < 300);
 }
@@ -656,8 +656,8 @@ TEST_CASE("nesting deeper than anyone means is refused, not followed to the end 
   };
   check({{"a = " + repeated("[", 100'000), "my.toml:1:", {"not TOML"}},
          {"a = " + repeated("{a = ", 100'000), "my.toml:1:", {"not TOML"}},
-         {"a" + repeated(".a", 100'000) + " = 1\n", "my.toml:1:", {"expected keys nested less deeply"}},
-         {"\n[a" + repeated(". a", 100'000) + "]\n", "my.toml:2:", {"expected keys nested less deeply"}},
+         {"a" + repeated(".a", 100'000) + " = 1\n", "my.toml:1:", {"expected less deeply nested keys"}},
+         {"\n[a" + repeated(". a", 100'000) + "]\n", "my.toml:2:", {"expected less deeply nested keys"}},
          {repeated("a.", 400) + "a = 1\n" + entrant, "my.toml:1:1: ", {"unknown key \"a\""}}});
 }
 
@@ -764,7 +764,7 @@ TEST_CASE("a mistake in an override is reported as that of --set, not of the fil
       {"runs=0", "--set runs: runs is 0; expected a whole number from 1"},
       {"runs=x", "--set runs: runs is \"x\"; expected a whole number from 1"},
       {"runs=", "--set runs: "},
-      {"name=2023", "--set name: name is 2023; expected a text in quotes"},
+      {"name=2023", "--set name: name is 2023; expected a quoted string"},
       {"runz=3", "--set runz: unknown key \"runz\"; did you mean \"runs\"?"},
       {"path.tool=sideways", "--set path.tool: path.tool is \"sideways\"; expected one of \"down\", \"eq27\""},
       {"path.tol=eq27", "--set path.tol: unknown key \"tol\"; did you mean \"tool\"?"},

@@ -42,18 +42,17 @@ TEST_CASE("a byte-order mark is no part of the first name", "[csv]") {
 }
 
 TEST_CASE("malformed CSV is refused with the line and what was expected", "[csv]") {
-  CHECK(complaint_about("") == "data.csv:1: nothing there, expected a line with the names of the columns");
-  CHECK(complaint_about("a,b\n1,2\n3\n") == "data.csv:3: 1 cells, expected 2 as in the header");
-  CHECK(complaint_about("a,b\n1,2,3\n") == "data.csv:2: 3 cells, expected 2 as in the header");
-  CHECK(complaint_about("a,b\n\"1\n\n2\",2\n3\n") == "data.csv:5: 1 cells, expected 2 as in the header");
-  CHECK(complaint_about("a,b\n1,\"2\n\n\n") ==
-        "data.csv:2: a quote is opened and never closed, expected a closing quote");
+  CHECK(complaint_about("") == "data.csv:1: the file is empty; expected a line with the names of the columns");
+  CHECK(complaint_about("a,b\n1,2\n3\n") == "data.csv:3: 1 cells; expected 2 as in the header");
+  CHECK(complaint_about("a,b\n1,2,3\n") == "data.csv:2: 3 cells; expected 2 as in the header");
+  CHECK(complaint_about("a,b\n\"1\n\n2\",2\n3\n") == "data.csv:5: 1 cells; expected 2 as in the header");
+  CHECK(complaint_about("a,b\n1,\"2\n\n\n") == "data.csv:2: a quote is never closed; expected a closing quote");
   CHECK(complaint_about("a,b\n1,2\"3\n") ==
-        "data.csv:2: a quote inside an unquoted cell, expected the cell in quotes and the quote doubled");
+        "data.csv:2: a quote inside an unquoted cell; expected the cell in quotes and the quote doubled");
   CHECK(complaint_about("a,b\n\"1\"2,3\n") ==
-        "data.csv:2: text after a closing quote, expected a comma or the end of the line");
-  CHECK(complaint_about("a,b\r1,2\r") == "data.csv:1: a carriage return alone, expected lines to end in LF or CRLF");
-  CHECK(complaint_about(std::string(max_csv_columns, ',')) == "data.csv:1: expected at most 10000 columns");
+        "data.csv:2: text after a closing quote; expected a comma or the end of the line");
+  CHECK(complaint_about("a,b\r1,2\r") == "data.csv:1: a lone carriage return; expected lines to end in LF or CRLF");
+  CHECK(complaint_about(std::string(max_csv_columns, ',')) == "data.csv:1: too many columns; expected at most 10000");
 }
 
 TEST_CASE("any text round-trips through CSV", "[csv][property]") {
@@ -106,7 +105,7 @@ TEST_CASE("a column is found by its name, and a wrong name is told the right one
   const CsvTable table = parse_csv("run,error,error\n1,2,3\n", "data.csv");
   CHECK(table.column("run") == 0);
   CHECK(complaint<std::invalid_argument>([&] { table.column("seconds"); }) ==
-        "no column 'seconds', expected one of: run, error, error");
+        "no column 'seconds'; expected one of: run, error, error");
   CHECK(complaint<std::invalid_argument>([&] { table.column("error"); }) == "two columns 'error', expected one");
 }
 
@@ -122,7 +121,7 @@ TEST_CASE("a cell is a number or is refused with its row, column and text", "[cs
   for (std::size_t row = 6; row < table.rows.size(); ++row)
     CHECK_THROWS_AS(table.number(row, "x"), std::invalid_argument);
   CHECK(complaint<std::invalid_argument>([&] { table.number(6, "x"); }) ==
-        "row 7 below the header, column 'x': '1,5', expected a number");
+        "row 7 below the header, column 'x': '1,5'; expected a number");
 }
 
 TEST_CASE("the text of a double gives the same double again", "[number]") {

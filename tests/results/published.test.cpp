@@ -41,7 +41,7 @@ TEST_CASE("a table that is not there is told which are", "[published]") {
         "no table 'table-9' of slim2023, expected one of: statements, table-3, table-4, table-5, table-6, table-7, "
         "table-8");
   CHECK(complaint<std::invalid_argument>([] { published::table("nobody1999", "table-3"); }) ==
-        "no published paper 'nobody1999', expected one of: slim2023");
+        "no published paper 'nobody1999'; expected one of: slim2023");
 }
 
 TEST_CASE("every table has its files' text, as printed", "[published]") {

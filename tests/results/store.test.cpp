@@ -222,7 +222,7 @@ TEST_CASE("a study whose definition has no integer runs is an error of ours", "[
   study = sample_study();
   study.definition = R"({"runs":1000000,"points":100})";  // what a study file may say: the user's mistake
   CHECK(complaint<std::invalid_argument>([&] { store.save_study(study); }) ==
-        "study 'table-3' asks for 200000000 solves (1000000 runs, 100 points, 2 series), expected at most 100000000");
+        "study 'table-3' asks for 200000000 solves (1000000 runs, 100 points, 2 series); expected at most 100000000");
   study = sample_study();
   study.series[0].options = "gamma=1";
   CHECK_THROWS_AS(store.save_study(study), std::logic_error);

@@ -20,8 +20,8 @@
 #include "robots/robot.hpp"
 #include "tests/catch.hpp"
 #include "tests/numerics/guarded.hpp"
-#include "tests/robots/random_configuration.hpp"
 #include "tests/numerics/reference.hpp"
+#include "tests/robots/random_configuration.hpp"
 
 using namespace ikbench;
 using namespace ikbench::numerics;
@@ -161,7 +161,8 @@ TEST_CASE("every instruction set gives the portable sines and cosines bit for bi
         if (dice.below(20) == 0) angles[i] = i % 2 == 0 ? infinity : not_a_number;
       }
       std::vector<double> sines(count), cosines(count);
-      numerics::kernels(InstructionSet::portable).sines_and_cosines(angles.data(), static_cast<ptrdiff_t>(count), sines.data(), cosines.data());
+      numerics::kernels(InstructionSet::portable)
+          .sines_and_cosines(angles.data(), static_cast<ptrdiff_t>(count), sines.data(), cosines.data());
       for (const InstructionSet set : instruction_sets()) {
         CAPTURE(name_of(set), count);
         Guarded s(count, page), c(count, page);
@@ -179,7 +180,8 @@ TEST_CASE("sines and cosines of fewer angles than there are lanes leave the numb
       CAPTURE(name_of(set), count);
       const std::vector<double> angles(count, 0.5);
       std::vector<double> sines(count + 10, -2), cosines(count + 10, -2);
-      numerics::kernels(set).sines_and_cosines(angles.data(), static_cast<ptrdiff_t>(count), sines.data(), cosines.data());
+      numerics::kernels(set).sines_and_cosines(angles.data(), static_cast<ptrdiff_t>(count), sines.data(),
+                                               cosines.data());
       CHECK(std::count(sines.begin(), sines.end(), -2) == 10);
       CHECK(std::count(cosines.begin(), cosines.end(), -2) == 10);
       CHECK(sines[count] == -2);
@@ -330,5 +332,5 @@ TEST_CASE("an instruction set can be named, and an unknown one is refused with t
 
 TEST_CASE("an arm has 64 joints at most", "[chain]") {
   CHECK(Chain(std::vector<DhLink>(64)).joints() == 64);
-  CHECK_THROWS_WITH(Chain(std::vector<DhLink>(65)), "an arm of 65 joints; at most 64");
+  CHECK_THROWS_WITH(Chain(std::vector<DhLink>(65)), "the arm has 65 joints; expected at most 64");
 }

@@ -148,6 +148,7 @@ TEST_CASE("DE needs three others", "[differential_evolution]") {
   Random random{Key(1)};
   CHECK_THROWS_AS(solver("differential_evolution").make({})->start(task.problem, objective, random),
                   std::invalid_argument);
-  CHECK_THROWS_WITH(solver("differential_evolution").make({})->start(task.problem, objective, random),
-                    "differential_evolution has a population of 3; it combines three others, so it needs at least 4");
+  CHECK_THROWS_WITH(
+      solver("differential_evolution").make({})->start(task.problem, objective, random),
+      "differential_evolution has a population of 3; expected at least 4, because it combines three others");
 }

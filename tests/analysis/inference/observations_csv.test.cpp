@@ -113,7 +113,7 @@ TEST_CASE("semicolons and tabs between the columns are refused by name, in quote
 }
 
 TEST_CASE("what is not in the file is refused with what is", "[csv]") {
-  CHECK(says(refusal("solver,err\nA,1\n"), {"no column 'error', expected one of: solver, err"}));
+  CHECK(says(refusal("solver,err\nA,1\n"), {"no column 'error'; expected one of: solver, err"}));
   CHECK(says(refusal("method,error\nA,1\n", {.value = "error"}), {"--group", "method, error"}));
   CHECK(says(refusal("solver,error\nA,1\n", {.group = "solver"}), {"--value", "solver, error"}));
   CHECK(says(refusal("solver,error\n"), {"no rows below the header"}));
@@ -437,7 +437,7 @@ TEST_CASE("a file that is no text, and a name that is none, are refused by what 
 }
 
 TEST_CASE("messages that list columns name those without a name", "[csv]") {
-  CHECK(says(refusal(",solver,err\n0,A,1\n"), {"no column 'error', expected one of: (empty), solver, err"}));
+  CHECK(says(refusal(",solver,err\n0,A,1\n"), {"no column 'error'; expected one of: (empty), solver, err"}));
 }
 
 TEST_CASE("a name for files and anchors is made of any column's name", "[csv]") {
