@@ -1,5 +1,5 @@
 // Paths: where the tool has to go, as a list of target poses. Metres and radians. A kind of path is one file of paths/
-// and one line of paths.inc (docs/adding-a-study.md).
+// and one line of paths.inc (docs/adding-anything.md).
 #pragma once
 
 #include <memory>

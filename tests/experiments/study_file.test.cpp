@@ -78,8 +78,8 @@ TEST_CASE("a built-in study is a file in experiments/studies, which has the stud
   CHECK(names == files);
 }
 
-TEST_CASE("the study of docs/adding-a-study.md is a study of two entrants", "[study]") {
-  const std::string docs = text_of("docs/adding-a-study.md"), opening = "```toml\n";
+TEST_CASE("the study of docs/adding-anything.md is a study of two entrants", "[study]") {
+  const std::string docs = text_of("docs/adding-anything.md"), opening = "```toml\n";
   const std::size_t begin = docs.find(opening) + opening.size();
   const Study study = read(docs.substr(begin, docs.find("```", begin) - begin));
   CHECK(study.name == "two-bats");
