@@ -8,6 +8,7 @@
 #include <limits>
 #include <optional>
 
+#include "analysis/figures/figure_parts.hpp"
 #include "analysis/inference/convergence.hpp"
 #include "analysis/inference/definition.hpp"
 #include "analysis/inference/ranking.hpp"

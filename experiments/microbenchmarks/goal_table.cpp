@@ -12,7 +12,6 @@
 
 namespace ikbench::microbenchmarks {
 
-
 namespace {
 
 using Values = std::vector<double>;  // one a repetition
@@ -137,7 +136,7 @@ std::vector<Goal> goals() {
       ratio("G1", "KDL's forward kinematics / ours, batch of 50", at_least(60, 30), fk + "kdl", fk + "ours", "KDL"),
       ratio("G2", "closed form with the C library's sin and cos / ours", at_least(12, 6), fk + "closed_form",
             fk + "ours"),
-      ratio("G3", "IK-BA solve / its forward kinematics alone", at_most(2.5, 2.5), ba + "ours", ba + "kinematics_only"),
+      ratio("G3", "IK-BA solve / its forward kinematics only", at_most(2.5, 2.5), ba + "ours", ba + "kinematics_only"),
       ratio("G5", "IK-BA, exactly sequential / synchronous", at_most(1.1, 1.1), ba + "ours", ba + "synchronous"),
       ratio("G6", "textbook IK-BA / ours", at_least(30, 18), ba + "textbook", ba + "ours")};
   for (const auto& [name, words] :
@@ -146,34 +145,34 @@ std::vector<Goal> goals() {
     const std::string pair = pagmo + name;
     goals.push_back(ratio("G7", fmt::format("pagmo's {} / ours", words), at_least(15, 10), pair + "/pagmo",
                           pair + "/ours", "pagmo"));
-    goals.push_back(ratio("", fmt::format("the same, where pagmo calls our chain", words), none, pair + "/our_chain",
+    goals.push_back(ratio("", fmt::format("the same, with pagmo calling our chain", words), none, pair + "/our_chain",
                           pair + "/ours", "pagmo"));
   }
   const std::vector<Goal> others{
       time("G9", "whole helix study, 2400 solves, one thread", at_most(0.8, 1.1), "study/threads/1", 1e9, "s"),
       ratio("G10", "whole helix study, one thread / two", at_least(1.85, 1.85), "study/threads/1", "study/threads/2"),
       {"G11",
-       "different results over instruction sets and 1, 2, 4 threads",
+       "number of different results over instruction sets and 1, 2, 4 threads",
        always_at_most(1),
        different_hashes,
        {"result_hash/*"}},
       {"G12",
-       "forward kinematics off long double",
+       "forward kinematics, error against long double",
        always_at_most(1e-13),
        [](const Measurements& all) {
          return largest_counter(all, {"accuracy/forward_kinematics"}, {"position_cm", "position_error_cm"});
        },
        {"accuracy/forward_kinematics"},
        "cm"},
-      counter("G12", "sin and cos off long double", always_at_most(2), "accuracy/sin_cos", "ulp", "ulp"),
+      counter("G12", "sin and cos, error against long double", always_at_most(2), "accuracy/sin_cos", "ulp", "ulp"),
       {"G13",
-       "heap allocations inside a solve, the worst solver",
+       "heap allocations in a solve, worst solver",
        always_at_most(0),
        [](const Measurements& all) { return largest_counter(all, all.names("allocations/"), {"allocations"}); },
        {"allocations/*"}},
       time("G14", "IK-BA with 12 bats until 0.1 cm, median solve", at_most(40, 60), ba + "to_tolerance", 1e3, "us"),
       {"",
-       "of these solves, without 0.1 cm after 1000 iterations",
+       "share of these solves that miss 0.1 cm after 1000 iterations",
        none,
        [](const Measurements& all) {
          Values shares = all.counter("ik_bat/to_tolerance", "missed_share");
@@ -182,8 +181,8 @@ std::vector<Goal> goals() {
        },
        {ba + "to_tolerance"},
        "%"},
-      growth("a candidate's joint, the dearest / the cheapest of 4 to 32 joints", fk + "joints/"),
-      growth("a candidate's joint, the dearest / the cheapest of 50 to 5000 candidates", fk + "population/")};
+      growth("time per candidate and joint, largest / smallest for 4 to 32 joints", fk + "joints/"),
+      growth("time per candidate and joint, largest / smallest for 50 to 5000 candidates", fk + "population/")};
   goals.insert(goals.end(), others.begin(), others.end());
   return goals;
 }

@@ -14,7 +14,7 @@ namespace {
 
 std::string text_of(const std::string& path) {
   std::ifstream in(path, std::ios::binary);
-  if (!in) throw std::invalid_argument(path + ": cannot be read");
+  if (!in) throw std::invalid_argument(path + ": cannot read this file");
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
@@ -36,21 +36,21 @@ void replace_run(const std::string& path, const std::string& instruction_set, co
   const std::string opening = "<!-- run " + instruction_set + " -->\n", closing = "<!-- end of run -->";
   const std::size_t from = text.find(opening);
   const std::size_t to = from == std::string::npos ? from : text.find(closing, from);
-  if (to == std::string::npos) throw std::invalid_argument(path + ": has no place for a run of " + instruction_set);
+  if (to == std::string::npos) throw std::invalid_argument(path + ": has no markers for a run of " + instruction_set);
   text.replace(from + opening.size(), to - from - opening.size(), tables);
   std::ofstream(path, std::ios::binary) << text;
 }
 
 int run(int argc, char** argv) {
-  CLI::App app{"The table of goals from what benchmark programs have written."};
+  CLI::App app{"Print the table of goals from the output of the benchmark programs."};
   std::vector<std::string> files;
   std::string docs;
   bool markdown = false, in_use = false, all = false;
   app.add_option("files", files, "JSON files of one run");
-  app.add_flag("--markdown", markdown, "as Markdown, with the machine and the median times");
-  app.add_option("--docs", docs, "write that into this document, at its markers");
-  app.add_flag("--instruction-set", in_use, "only name the instruction set in use");
-  app.add_flag("--instruction-sets", all, "only name those that this machine can run");
+  app.add_flag("--markdown", markdown, "print Markdown, with the machine and the median times");
+  app.add_option("--docs", docs, "write the Markdown into this document, between its markers");
+  app.add_flag("--instruction-set", in_use, "print only the instruction set in use");
+  app.add_flag("--instruction-sets", all, "print only the instruction sets that this machine supports");
   CLI11_PARSE(app, argc, argv);
 
   if (in_use) std::cout << name_of(instruction_set()) << '\n';

@@ -79,7 +79,7 @@ bool is_same_position(benchmark::State& state, const Chain& chain, const Configu
                       const Eigen::Vector3d& position) {
   const double difference = (chain.position(q) - position).norm();
   if (difference <= 1e-12) return true;
-  state.SkipWithError(fmt::format("the position is {} m away from that of our chain", difference).c_str());
+  state.SkipWithError(fmt::format("the position differs from that of our chain by {} m", difference).c_str());
   return false;
 }
 
