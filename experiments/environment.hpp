@@ -1,4 +1,4 @@
-// What the numbers were made with: the program, the compiler, the machine.
+// Facts about the program, the compiler and the machine, as text by name.
 #pragma once
 
 #include <map>

@@ -14,7 +14,7 @@ enum class Tool { down, eq27 };
 
 void list_tool(Fields& io, Tool& tool);
 Eigen::Matrix3d rotation(Tool tool);
-// The nine elements, row by row.
+// The nine elements of a rotation, row by row.
 std::vector<double> by_rows(const Eigen::Matrix3d& R);
 
 }  // namespace ikbench::experiments

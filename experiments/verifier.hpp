@@ -25,10 +25,10 @@ Verification verify(const robots::Robot& robot, const robots::Pose& target, cons
 
 // What is asked of an answer besides being a finite configuration.
 struct Requirement {
-  double claimed_error = 0;           // [m], the solver's own word
+  double claimed_error = 0;           // [m], as the solver reports it
   double tolerance = 0;               // [m]; 0: none
-  bool orientation_is_exact = false;  // the wrist's closed form took care of it
-  bool limits_are_enforced = false;   // else a violation is told, and the answer is one
+  bool orientation_is_exact = false;  // the closed form of the wrist sets it
+  bool limits_are_enforced = false;   // otherwise a violation is only recorded
 };
 
 // The most severe thing that is wrong with an answer, in the order of Status' description (results/record.hpp).

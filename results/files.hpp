@@ -13,7 +13,7 @@ namespace ikbench::results {
 // A file that has other names, that the shell has open, or whose folder takes no new file is written in its place.
 // std::invalid_argument names the file and the system's reason.
 void write_file(const std::filesystem::path& file, std::string_view text);
-// Nothing where it cannot be read.
+// Empty if the file cannot be read.
 std::optional<std::string> read_file(const std::filesystem::path& file);
 
 }  // namespace ikbench::results
