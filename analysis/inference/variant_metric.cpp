@@ -63,11 +63,11 @@ void rank(MetricComparison& result, const MetricSamples& samples, double level) 
   if (result.is_fact) return;
   double favour = result.b_better.value - 0.5;
   if (samples.paired) {
-    const WilcoxonSignedRank test = wilcoxon_signed_rank(a, b, level);
+    const WilcoxonSignedRank test = wilcoxon_signed_rank(a, b);
     result.p_ranks = test.p;
     favour = (test.V - test.n * (test.n + 1.0) / 4) * (smaller ? 1 : -1);
   } else {
-    result.p_ranks = mann_whitney(a, b, level).p;
+    result.p_ranks = mann_whitney(a, b).p;
   }
   if (result.a.std == 0 && result.b.std == 0) result.p_ranks = result.ratio.p_difference;  // ties have no exact p there
   result.ranks_favour = favour > 0 ? 1 : favour < 0 ? -1 : 0;

@@ -18,7 +18,6 @@ namespace ikbench::statistics {
 namespace {
 
 constexpr std::size_t most_left_out = 1000;  // values of a sample that the acceleration leaves out in turn
-constexpr std::size_t most_exhaustive = 7;   // 7^7 = 823543
 
 std::string too_few(std::size_t values) {
   if (values > 1) return {};
@@ -123,29 +122,6 @@ BootstrapInterval bootstrap(std::span<const double> sample, const Statistic& sta
     resampled.push_back(statistic(picked));
   }
   judge(result, std::move(resampled), settings.level);
-  return result;
-}
-
-BootstrapInterval bootstrap_exhaustive(std::span<const double> sample, const Statistic& statistic, double level) {
-  check_level(level);
-  BootstrapInterval result;
-  result.undefined = too_few(sample.size());
-  if (sample.size() > most_exhaustive) {
-    result.undefined = fmt::format("{} values have too many resamples to go through", sample.size());
-  }
-  result.bca_undefined = result.undefined;
-  if (!result.undefined.empty()) return result;
-
-  result.estimate = statistic(sample);
-  result.acceleration = acceleration(sample, statistic);
-  std::vector<double> resampled, picked(sample.begin(), sample.end());
-  std::vector<std::size_t> digits(sample.size(), 0);  // counts through all of them
-  for (auto digit = digits.begin(); digit != digits.end();) {
-    std::ranges::transform(digits, picked.begin(), [&](std::size_t pick) { return sample[pick]; });
-    resampled.push_back(statistic(picked));
-    for (digit = digits.begin(); digit != digits.end() && ++*digit == sample.size(); ++digit) *digit = 0;
-  }
-  judge(result, std::move(resampled), level);
   return result;
 }
 

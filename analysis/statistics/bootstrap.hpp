@@ -38,7 +38,4 @@ using Statistic = std::function<double(std::span<const double>)>;
 // Fewer than two resamples or a level outside (0, 1) is std::invalid_argument.
 BootstrapInterval bootstrap(std::span<const double> sample, const Statistic& statistic, const Resampling& = {});
 
-// All n^n resamples of at most seven values.
-BootstrapInterval bootstrap_exhaustive(std::span<const double> sample, const Statistic& statistic, double level = 0.95);
-
 }  // namespace ikbench::statistics

@@ -86,17 +86,9 @@ std::string obstacle(const GroupSummary& a, const GroupSummary& b) {
 
 }  // namespace
 
-double eta_squared(const AnovaTable& table) { return finite(table.ss_between / table.ss_total); }
-
 double omega_squared(const AnovaTable& table) {
   return finite((table.ss_between - table.df_between * table.ms_within) / (table.ss_total + table.ms_within));
 }
-
-double epsilon_squared(const AnovaTable& table) {
-  return finite((table.ss_between - table.df_between * table.ms_within) / table.ss_total);
-}
-
-double cohen_f(const AnovaTable& table) { return finite(std::sqrt(table.ss_between / table.ss_within)); }
 
 EffectSize cohen_d(const GroupSummary& a, const GroupSummary& b, double level) {
   check_level(level);

@@ -10,12 +10,9 @@
 
 namespace ikbench::statistics {
 
-// Shares of the variance between groups; not defined where the table has no sums of squares. Omega and epsilon squared
-// are corrected for chance and can be below 0 (Olejnik and Algina, Psychological Methods 8 (2003) 434).
-double eta_squared(const AnovaTable& table);
+// The share of the variance between groups, corrected for chance, so that it can be below 0 (Olejnik and Algina,
+// Psychological Methods 8 (2003) 434); not defined where the table has no sums of squares.
 double omega_squared(const AnovaTable& table);
-double epsilon_squared(const AnovaTable& table);
-double cohen_f(const AnovaTable& table);  // sqrt(eta^2 / (1 - eta^2)) (Cohen 1988)
 
 struct EffectSize {
   double value = not_defined;

@@ -41,10 +41,6 @@ void judge(Friedman& test, double rank_variance) {
   double between = 0;
   for (const double rank : test.average_ranks) between += (rank - (k + 1) / 2) * (rank - (k + 1) / 2) / (k - 1);
   const double agreement = between / rank_variance;
-  if (agreement > 1 + rounding) {
-    test.undefined = "no ranking has such average ranks";
-    return;
-  }
   test.kendall_w = std::min(1.0, agreement);
   test.df = static_cast<int>(test.average_ranks.size()) - 1;
   test.chi_squared = n * (k - 1) * test.kendall_w;
@@ -58,18 +54,6 @@ void judge(Friedman& test, double rank_variance) {
     test.F = (n - 1) * test.kendall_w / (1 - test.kendall_w);
     test.F_p = f_upper_tail(test.F, test.F_df_between, test.F_df_within);
   }
-}
-
-std::vector<RankComparison> compared(const Friedman& test, std::vector<RankComparison> pairs) {
-  for (RankComparison& pair : pairs) {
-    pair.undefined = test.undefined;
-    if (!test.undefined.empty()) continue;
-    pair.z = (test.average_ranks[pair.first] - test.average_ranks[pair.second]) /
-             rank_difference_error(test.average_ranks.size(), test.blocks);
-    pair.p = normal_two_sided(pair.z);
-    pair.direction = sign_of(pair.z);
-  }
-  return pairs;
 }
 
 }  // namespace
@@ -110,27 +94,17 @@ Friedman friedman(std::span<const std::vector<double>> groups) {
   return test;
 }
 
-Friedman friedman_from_ranks(std::span<const double> average_ranks, std::size_t blocks) {
-  Friedman test{.blocks = blocks, .average_ranks = {average_ranks.begin(), average_ranks.end()}};
-  test.undefined = too_few(average_ranks.size(), blocks);
-  if (!test.undefined.empty()) return test;
-  const auto k = static_cast<double>(average_ranks.size());
-  double sum = 0;
-  for (const double rank : average_ranks) sum += rank;
-  if (!(std::abs(sum - k * (k + 1) / 2) <= 0.01 * k)) {
-    test.undefined = fmt::format("the average ranks of {} groups add up to {}, not to {}", k, sum, k * (k + 1) / 2);
-    return test;
-  }
-  judge(test, k * (k + 1) / 12);
-  return test;
-}
-
 std::vector<RankComparison> compare_average_ranks(const Friedman& test) {
-  return compared(test, all_pairs<RankComparison>(test.average_ranks.size()));
-}
-
-std::vector<RankComparison> compare_average_ranks(const Friedman& test, std::size_t control) {
-  return compared(test, pairs_with(control, test.average_ranks.size()));
+  std::vector<RankComparison> pairs = all_pairs<RankComparison>(test.average_ranks.size());
+  for (RankComparison& pair : pairs) {
+    pair.undefined = test.undefined;
+    if (!test.undefined.empty()) continue;
+    pair.z = (test.average_ranks[pair.first] - test.average_ranks[pair.second]) /
+             rank_difference_error(test.average_ranks.size(), test.blocks);
+    pair.p = normal_two_sided(pair.z);
+    pair.direction = sign_of(pair.z);
+  }
+  return pairs;
 }
 
 double critical_difference(double q_alpha, std::size_t groups, std::size_t blocks) {

@@ -28,17 +28,11 @@ struct Friedman {
 // One vector a group, of one value a block. The smallest value of a block has rank 1: where larger is better, negate.
 Friedman friedman(std::span<const std::vector<double>> groups);
 
-// From published average ranks, which may be rounded to two decimals; ties within blocks are not known then.
-Friedman friedman_from_ranks(std::span<const double> average_ranks, std::size_t blocks);
-
-// z = (R_first - R_second) / sqrt(k (k + 1) / (6 blocks)) and its raw p, for every pair first < second, or for each
-// group against the control.
+// z = (R_first - R_second) / sqrt(k (k + 1) / (6 blocks)) and its raw p, for every pair first < second.
 std::vector<RankComparison> compare_average_ranks(const Friedman& test);
-std::vector<RankComparison> compare_average_ranks(const Friedman& test, std::size_t control);
 
-// Average ranks further apart differ. q_alpha: for all pairs (Nemenyi) the studentized range's quantile at infinite
-// degrees of freedom by sqrt 2; against a control (Bonferroni-Dunn) the normal quantile at 1 - alpha / (2 (k - 1)). NaN
-// where there are fewer than two groups or no blocks.
+// Average ranks further apart differ. q_alpha: the studentized range's quantile at infinite degrees of freedom by sqrt 2
+// (Nemenyi). NaN where there are fewer than two groups or no blocks.
 double critical_difference(double q_alpha, std::size_t groups, std::size_t blocks);
 
 }  // namespace ikbench::statistics

@@ -44,20 +44,6 @@ RankedGroups rank_groups(std::span<const std::vector<double>> groups) {
   return ranked;
 }
 
-std::vector<RankComparison> compared(std::span<const std::vector<double>> groups, std::vector<RankComparison> pairs) {
-  const RankedGroups ranked = rank_groups(groups);
-  for (RankComparison& pair : pairs) {
-    pair.undefined = ranked.undefined;
-    if (!ranked.undefined.empty()) continue;
-    const double sizes = 1 / static_cast<double>(groups[pair.first].size()) +  //
-                         1 / static_cast<double>(groups[pair.second].size());
-    pair.z = (ranked.mean_ranks[pair.first] - ranked.mean_ranks[pair.second]) / std::sqrt(ranked.variance * sizes);
-    pair.p = normal_two_sided(pair.z);
-    pair.direction = sign_of(pair.z);
-  }
-  return pairs;
-}
-
 }  // namespace
 
 KruskalWallis kruskal_wallis(std::span<const std::vector<double>> groups) {
@@ -77,11 +63,18 @@ KruskalWallis kruskal_wallis(std::span<const std::vector<double>> groups) {
 }
 
 std::vector<RankComparison> dunn(std::span<const std::vector<double>> groups) {
-  return compared(groups, all_pairs<RankComparison>(groups.size()));
-}
-
-std::vector<RankComparison> dunn(std::span<const std::vector<double>> groups, std::size_t control) {
-  return compared(groups, pairs_with(control, groups.size()));
+  std::vector<RankComparison> pairs = all_pairs<RankComparison>(groups.size());
+  const RankedGroups ranked = rank_groups(groups);
+  for (RankComparison& pair : pairs) {
+    pair.undefined = ranked.undefined;
+    if (!ranked.undefined.empty()) continue;
+    const double sizes = 1 / static_cast<double>(groups[pair.first].size()) +  //
+                         1 / static_cast<double>(groups[pair.second].size());
+    pair.z = (ranked.mean_ranks[pair.first] - ranked.mean_ranks[pair.second]) / std::sqrt(ranked.variance * sizes);
+    pair.p = normal_two_sided(pair.z);
+    pair.direction = sign_of(pair.z);
+  }
+  return pairs;
 }
 
 }  // namespace ikbench::statistics

@@ -21,9 +21,8 @@ struct KruskalWallis {
 
 KruskalWallis kruskal_wallis(std::span<const std::vector<double>> groups);
 
-// z and its raw p for every pair first < second, or for each group against the control. All groups are ranked together,
+// z and its raw p for every pair first < second. All groups are ranked together,
 // whichever pairs are asked for. z is that of mean rank of `first` less mean rank of `second`.
 std::vector<RankComparison> dunn(std::span<const std::vector<double>> groups);
-std::vector<RankComparison> dunn(std::span<const std::vector<double>> groups, std::size_t control);
 
 }  // namespace ikbench::statistics

@@ -2,11 +2,9 @@
 
 #include <cmath>
 #include <cstddef>
-#include <utility>
 #include <vector>
 
 #include "analysis/statistics/ranks.hpp"
-#include "analysis/statistics/tails.hpp"
 
 namespace ikbench::statistics {
 namespace {
@@ -30,13 +28,9 @@ std::vector<double> probabilities(std::size_t n1, std::size_t n2) {
   return by_first[n1];
 }
 
-// Two equal infinite values differ by nothing.
-double difference(double a, double b) { return a == b ? 0.0 : a - b; }
-
 }  // namespace
 
-MannWhitney mann_whitney(std::span<const double> first, std::span<const double> second, double level) {
-  check_level(level);
+MannWhitney mann_whitney(std::span<const double> first, std::span<const double> second) {
   MannWhitney test;
   if (first.empty() || second.empty()) {
     test.undefined = "a sample has no values";
@@ -67,14 +61,6 @@ MannWhitney mann_whitney(std::span<const double> first, std::span<const double> 
   test.p = distribution.two_sided(test.U);
   test.direction = distribution.direction(test.U);
   test.method = distribution.method();
-
-  if (n1 * n2 > static_cast<double>(most_differences)) return test;
-  std::vector<double> differences;
-  differences.reserve(first.size() * second.size());
-  for (const double a : first) {
-    for (const double b : second) differences.push_back(difference(a, b));
-  }
-  test.shift = shift_of(std::move(differences), distribution.interval_rank(level));
   return test;
 }
 

@@ -15,11 +15,9 @@ struct MannWhitney {
   int direction = 0;       // 1 where U is above its mean: `first` is the larger; -1 below, 0 at it
   std::string method;      // "exact": both samples have fewer than 50 values and no two values are equal; else
                            // "normal approximation", corrected for ties and continuity
-  Shift shift;             // of first - second, with an interval of at least the level (about it, where not exact);
-                           // not defined for more than a million pairs; infinite values may make it infinite
   std::string undefined;   // why there is no p; empty where there is
 };
 
-MannWhitney mann_whitney(std::span<const double> first, std::span<const double> second, double level = 0.95);
+MannWhitney mann_whitney(std::span<const double> first, std::span<const double> second);
 
 }  // namespace ikbench::statistics

@@ -3,10 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <boost/math/distributions/normal.hpp>
-#include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
-#include <cstdint>
 #include <stdexcept>
 
 #include "analysis/statistics/t_distribution.hpp"
@@ -47,33 +44,6 @@ RunsNeeded smallest_n(double goal, Power power_at) {
 
 }  // namespace
 
-double t_test_power(double d, double n, double alpha) {
-  if (!(n >= 2) || std::isnan(d) || !(alpha > 0 && alpha < 1)) return not_defined;
-  return std::min(1.0, two_sided_power(d * std::sqrt(n / 2), 2 * n - 2, alpha));
-}
-
-RunsNeeded runs_needed(double d, const PowerGoal& goal) {
-  check(goal);
-  if (std::isnan(d)) return {.undefined = "the difference is not defined"};
-  if (d == 0) return {.undefined = "no number of runs shows a difference of zero"};
-  return smallest_n(goal.power, [&](double n) { return t_test_power(d, n, goal.alpha); });
-}
-
-double smallest_effect(double n, const PowerGoal& goal) {
-  check(goal);
-  const auto excess = [&](double d) { return t_test_power(d, n, goal.alpha) - goal.power; };
-  constexpr double largest = 1e6;
-  const double at_largest = excess(largest);
-  if (!(at_largest >= 0)) return not_defined;
-  double high = 1;
-  while (excess(high) < 0) high *= 2;
-  std::uintmax_t evaluations = 200;
-  const auto [below, above] =
-      boost::math::tools::toms748_solve(excess, 0.0, high, goal.alpha - goal.power, excess(high),
-                                        boost::math::tools::eps_tolerance<double>(40), evaluations);
-  return (below + above) / 2;
-}
-
 RunsNeeded runs_to_see(const GroupSummary& a, const GroupSummary& b, double difference, const PowerGoal& goal) {
   check(goal);
   if (a.n < 2 || b.n < 2) return {.undefined = "a group of fewer than two values has no spread"};
@@ -87,17 +57,6 @@ RunsNeeded runs_to_see(const GroupSummary& a, const GroupSummary& b, double diff
   return smallest_n(goal.power, [&](double n) {
     return two_sided_power(difference / spread * std::sqrt(n), degrees * (n - 1), goal.alpha);
   });
-}
-
-RunsNeeded runs_for_rank_test(double a12, const PowerGoal& goal) {
-  check(goal);
-  if (!(a12 >= 0 && a12 <= 1)) return {.undefined = "A12 is not between 0 and 1"};
-  const boost::math::normal normal;
-  const double z = boost::math::quantile(normal, goal.power) - boost::math::quantile(normal, goal.alpha / 2);
-  const double n = std::ceil(z * z / (6 * (a12 - 0.5) * (a12 - 0.5)));
-  if (a12 == 0.5) return {.undefined = "no number of runs shows that neither is the larger"};
-  if (!(n <= most_runs)) return {.undefined = "more than ten million runs are needed"};
-  return {.n = std::max(n, 2.0)};
 }
 
 }  // namespace ikbench::statistics

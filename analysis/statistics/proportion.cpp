@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <boost/math/distributions/beta.hpp>
 #include <cmath>
 #include <limits>
 
@@ -43,21 +42,6 @@ Proportion wilson_of_mean(double p, int trials, double level) {
   return result;
 }
 
-Proportion clopper_pearson(Successes count, double level) {
-  check_level(level);
-  Proportion result{.undefined = wrong_with(count)};
-  if (!result.undefined.empty()) return result;
-  const double outside = (1 - level) / 2;
-  const double x = count.successes;
-  const double n = count.trials;
-  using boost::math::beta_distribution;
-  result.estimate = share(count);
-  result.low = x == 0 ? 0.0 : boost::math::quantile(beta_distribution<>(x, n - x + 1), outside);
-  result.high =
-      x == n ? 1.0 : boost::math::quantile(boost::math::complement(beta_distribution<>(x + 1, n - x), outside));
-  return result;
-}
-
 FisherExact fisher_exact(Successes first, Successes second) {
   FisherExact test{.undefined = wrong_with(first)};
   if (test.undefined.empty()) test.undefined = wrong_with(second);
@@ -65,7 +49,6 @@ FisherExact fisher_exact(Successes first, Successes second) {
   const double n1 = first.trials, n2 = second.trials;
   const double seen = first.successes;
   const double successes = seen + second.successes;
-  test.odds_ratio = seen * (n2 - second.successes) / ((n1 - seen) * second.successes);
 
   // Successes of the first, given all: their weights relative to the most probable number, going out from it until they
   // vanish, each from its neighbour.

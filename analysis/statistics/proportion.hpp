@@ -1,4 +1,4 @@
-// Shares of trials that succeeded: intervals of one, and Fisher's exact test of two.
+// Shares of trials that succeeded: the interval of one, and Fisher's exact test of two.
 #pragma once
 
 #include <string>
@@ -26,12 +26,9 @@ Proportion wilson(Successes count, double level = 0.95);
 // of those shares. Shares vary no more than successes and failures of the same mean do, so the interval is no narrower
 // than it must be.
 Proportion wilson_of_mean(double mean, int trials, double level = 0.95);
-// Clopper and Pearson's (Biometrika 26 (1934) 404): never less than the level.
-Proportion clopper_pearson(Successes count, double level = 0.95);
 
 // Have two the same chance? Conditional on the totals; two-sided: all tables no more probable than the one seen.
 struct FisherExact {
-  double odds_ratio = not_defined;  // of the table itself; infinite or not defined where a cell is zero
   double p = not_defined;
   std::string undefined;  // why there is no p; empty where there is
 };

@@ -43,15 +43,4 @@ std::vector<double> pooled(std::span<const std::vector<double>> groups) {
   return all;
 }
 
-std::vector<RankComparison> pairs_with(std::size_t control, std::size_t groups) {
-  if (control >= groups) {
-    throw std::invalid_argument(fmt::format("control group {}: there are {} groups, counted from 0", control, groups));
-  }
-  std::vector<RankComparison> pairs;
-  for (std::size_t group = 0; group < groups; ++group) {
-    if (group != control) pairs.push_back({.first = group, .second = control});
-  }
-  return pairs;
-}
-
 }  // namespace ikbench::statistics

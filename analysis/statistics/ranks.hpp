@@ -35,8 +35,4 @@ struct RankComparison {
   std::string undefined;  // why there is no p; empty where there is
 };
 
-// Each other group as `first` with the control as `second`; std::invalid_argument where there is no such group. All
-// pairs: pairs.hpp.
-std::vector<RankComparison> pairs_with(std::size_t control, std::size_t groups);
-
 }  // namespace ikbench::statistics

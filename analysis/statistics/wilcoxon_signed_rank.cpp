@@ -9,7 +9,6 @@
 
 #include "analysis/statistics/ranks.hpp"
 #include "analysis/statistics/rounding.hpp"
-#include "analysis/statistics/tails.hpp"
 
 namespace ikbench::statistics {
 namespace {
@@ -30,24 +29,9 @@ std::vector<double> probabilities(int n) {
   return distribution;
 }
 
-std::vector<double> pair_means(std::span<const double> differences) {
-  const std::size_t n = differences.size();
-  std::vector<double> means;
-  if (n > 2 * most_differences || n * (n + 1) / 2 > most_differences) return means;
-  means.reserve(n * (n + 1) / 2);
-  for (std::size_t i = 0; i < n; ++i) {
-    for (std::size_t j = i; j < n; ++j) {
-      const double a = differences[i], b = differences[j];
-      means.push_back(a == -b ? 0.0 : a / 2 + b / 2);  // opposite infinite values cancel too
-    }
-  }
-  return means;
-}
-
 }  // namespace
 
-WilcoxonSignedRank wilcoxon_signed_rank(std::span<const double> differences, double level) {
-  check_level(level);
+WilcoxonSignedRank wilcoxon_signed_rank(std::span<const double> differences) {
   WilcoxonSignedRank test;
   std::vector<double> sizes;
   std::vector<bool> positive;
@@ -79,18 +63,10 @@ WilcoxonSignedRank wilcoxon_signed_rank(std::span<const double> differences, dou
   test.p = distribution.two_sided(test.V);
   test.direction = distribution.direction(test.V);
   test.method = distribution.method();
-
-  if (test.zeros > 0) {  // the interval is of all differences, so its rank is that of a sum over all of them
-    const auto all = static_cast<double>(differences.size());
-    distribution.mean = all * (all + 1) / 4;
-    distribution.standard_deviation = std::sqrt(all * (all + 1) * (2 * all + 1) / 24);
-  }
-  test.shift = shift_of(pair_means(differences), distribution.interval_rank(level));
   return test;
 }
 
-WilcoxonSignedRank wilcoxon_signed_rank(std::span<const double> first, std::span<const double> second, double level) {
-  check_level(level);
+WilcoxonSignedRank wilcoxon_signed_rank(std::span<const double> first, std::span<const double> second) {
   if (first.size() != second.size()) {
     return {.undefined = fmt::format("{} and {} values are not pairs", first.size(), second.size())};
   }
@@ -98,7 +74,7 @@ WilcoxonSignedRank wilcoxon_signed_rank(std::span<const double> first, std::span
   for (std::size_t i = 0; i < first.size(); ++i) {
     if (first[i] == second[i]) differences[i] = 0;
   }
-  return wilcoxon_signed_rank(differences, level);
+  return wilcoxon_signed_rank(differences);
 }
 
 }  // namespace ikbench::statistics

@@ -16,16 +16,13 @@ struct WilcoxonSignedRank {
   int direction = 0;       // 1 where V is above its mean: the differences are above zero; -1 below, 0 at it
   std::string method;      // "exact": n < 50, no zeros, no two differences of one size; else "normal approximation",
                            // corrected for ties and continuity
-  Shift shift;             // the pseudo-median: of the means of all pairs of differences, zeros too, with an interval;
-                           // not defined for more than a million pairs; infinite differences may make it infinite
   std::string undefined;   // why there is no p; empty where there is
 };
 
-WilcoxonSignedRank wilcoxon_signed_rank(std::span<const double> differences, double level = 0.95);
+WilcoxonSignedRank wilcoxon_signed_rank(std::span<const double> differences);
 
 // Of first - second, pair by pair, without what rounding alone puts between them (rounding.hpp). Equal values differ by
 // zero, two infinite ones too. Samples of different sizes have no p.
-WilcoxonSignedRank wilcoxon_signed_rank(std::span<const double> first, std::span<const double> second,
-                                        double level = 0.95);
+WilcoxonSignedRank wilcoxon_signed_rank(std::span<const double> first, std::span<const double> second);
 
 }  // namespace ikbench::statistics

@@ -40,34 +40,25 @@ const GroupSummary table_3_ik_ba{0.0019, 1.7824e-4, 20}, table_3_ba{1.6849, 0.90
 
 }  // namespace
 
-TEST_CASE("shares of variance of PlantGrowth are those of R", "[effect_size]") {
+TEST_CASE("the share of variance of PlantGrowth is that of R", "[effect_size]") {
   // R 4.2.2, effectsize and rstatix on aov(weight ~ group).
   const AnovaTable table = anova(std::vector<Values>{{4.17, 5.58, 5.18, 6.11, 4.50, 4.61, 5.17, 4.53, 5.33, 5.14},
                                                      {4.81, 4.17, 4.41, 3.59, 5.87, 3.83, 6.03, 4.89, 4.32, 4.69},
                                                      {6.31, 5.12, 5.54, 5.50, 5.37, 5.29, 4.92, 6.15, 5.80, 5.26}});
-  CHECK(eta_squared(table) == Approx(0.264148296832).epsilon(1e-11));
   CHECK(omega_squared(table) == Approx(0.20407884599).epsilon(1e-10));
-  CHECK(epsilon_squared(table) == Approx(0.209640763264).epsilon(1e-11));
-  CHECK(cohen_f(table) == Approx(0.599140610614).epsilon(1e-11));
 }
 
 TEST_CASE("equal means have no share of the variance, or less than none after correction for chance", "[effect_size]") {
   const AnovaTable table =
       anova(std::vector<Values>{{1, 2, 3}, {1, 2, 3}});  // between 0, within 4 on 4: (0 - 1) / (4 + 1)
-  CHECK(eta_squared(table) == 0);
   CHECK(omega_squared(table) == Approx(-0.2));
-  CHECK(epsilon_squared(table) == Approx(-0.25));
-  CHECK(cohen_f(table) == 0);
 }
 
 TEST_CASE("a table without sums of squares has no effect size", "[effect_size]") {
   for (const auto& groups : {std::vector<Values>{}, {{1, 1}, {1, 1}}, {{1}, {2}}, {{1, not_defined}, {1, 2}}}) {
     const AnovaTable table = anova(groups);
     CHECK(std::isnan(omega_squared(table)));
-    CHECK(std::isnan(cohen_f(table)));
   }
-  CHECK(std::isnan(eta_squared(AnovaTable{})));
-  CHECK(std::isnan(epsilon_squared(AnovaTable{})));
 }
 
 TEST_CASE("Cohen's d of IK-BA's error against the others in Table 3", "[effect_size][paper]") {

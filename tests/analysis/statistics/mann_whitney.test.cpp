@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 #include <vector>
 
 #include "tests/analysis/statistics/samples.hpp"
@@ -14,17 +13,13 @@ using namespace ikbench::samples;
 
 using Sample = std::vector<double>;
 
-TEST_CASE("the permeability data have the exact p and the shift of R", "[mann_whitney]") {
-  // R's help page of wilcox.test (Hollander and Wolfe 1973, p. 69): W = 35, one-sided p 0.1272 = 382 / 3003 (counted);
-  // with conf.int: -0.15 .. 0.76, estimate 0.305.
+TEST_CASE("the permeability data have the exact p of R", "[mann_whitney]") {
+  // R's help page of wilcox.test (Hollander and Wolfe 1973, p. 69): W = 35, one-sided p 0.1272 = 382 / 3003 (counted).
   const Sample term{0.80, 0.83, 1.89, 1.04, 1.45, 1.38, 1.91, 1.64, 0.73, 1.46}, week{1.15, 0.88, 0.90, 0.74, 1.21};
   const MannWhitney test = mann_whitney(term, week);
   CHECK(test.U == 35);
   CHECK(test.method == "exact");
   CHECK(test.p == Approx(764.0 / 3003).epsilon(1e-13));
-  CHECK(test.shift.estimate == Approx(0.305));
-  CHECK(test.shift.low == Approx(-0.15));
-  CHECK(test.shift.high == Approx(0.76));
 }
 
 TEST_CASE("the ozone of May and August has the approximate p of R", "[mann_whitney]") {
@@ -36,9 +31,6 @@ TEST_CASE("the ozone of May and August has the approximate p of R", "[mann_whitn
   CHECK(test.U == 127.5);
   CHECK(test.method == "normal approximation");
   CHECK(test.p == Approx(0.0001208).epsilon(1e-3));
-  CHECK(test.shift.estimate == -32);  // the median of the 676 differences; the 231st from either end is the interval
-  CHECK(test.shift.low == -53);
-  CHECK(test.shift.high == -15);
 }
 
 TEST_CASE("the exact distribution of two and three values, counted by hand", "[mann_whitney]") {
@@ -51,13 +43,11 @@ TEST_CASE("the exact distribution of two and three values, counted by hand", "[m
   CHECK(mann_whitney(Sample{3, 2}, Sample{1, 2.5, 5}).p == 1);
 }
 
-TEST_CASE("swapping the samples keeps p and turns U and the shift round", "[mann_whitney]") {
+TEST_CASE("swapping the samples keeps p and turns U round", "[mann_whitney]") {
   const Sample a{1, 4, 6, 9.5}, b{2, 3, 5, 8, 12};
   const MannWhitney one = mann_whitney(a, b), other = mann_whitney(b, a);
   CHECK(one.U + other.U == 20);
   CHECK(one.p == Approx(other.p));
-  CHECK(one.shift.estimate == -other.shift.estimate);
-  CHECK(one.shift.low == -other.shift.high);
 }
 
 TEST_CASE("49 against 49 separated values: exact, one arrangement in all", "[mann_whitney]") {
@@ -86,33 +76,16 @@ TEST_CASE("the exact and the approximate p meet at fifty values", "[mann_whitney
   CHECK(exact == Approx(std::erfc(z / std::sqrt(2.0))).epsilon(0.02));
 }
 
-TEST_CASE("failed solves rank last and do not keep the others from a shift", "[mann_whitney]") {
+TEST_CASE("failed solves rank last", "[mann_whitney]") {
   const MannWhitney test = mann_whitney(Sample{1, 2, 3, 4, HUGE_VAL}, Sample{11, 12, 13, 14, HUGE_VAL});
   // Sixteen finite pairs all negative, four against a failure -inf, four of a failure +inf, one pair of failures equal.
   CHECK(test.U == 4.5);
-  CHECK(test.shift.estimate == -10);  // the 13th of 25, after the four -inf the 9th of -13 -12 -12 -11 -11 -11 -10 ...
   CHECK(!std::isnan(test.p));
 }
 
-TEST_CASE("too few values for the level have a p and no interval", "[mann_whitney]") {
-  const MannWhitney test = mann_whitney(Sample{1, 2}, Sample{3, 4});  // the best is 2 / 6
-  CHECK(test.p == Approx(1.0 / 3));
-  CHECK(test.shift.estimate == -2);
-  CHECK(std::isnan(test.shift.low));
-  CHECK(mann_whitney(Sample{1, 2}, Sample{3, 4}, 0.6).shift.low == -3);
+TEST_CASE("one value or two on each side have a p", "[mann_whitney]") {
+  CHECK(mann_whitney(Sample{1, 2}, Sample{3, 4}).p == Approx(1.0 / 3));
   CHECK(mann_whitney(Sample{1}, Sample{2}).p == 1);
-}
-
-TEST_CASE("more than a million pairs have a p and no shift", "[mann_whitney]") {
-  Sample a, b;
-  for (int i = 0; i < 1001; ++i) {
-    a.push_back(i);
-    b.push_back(i + 0.5);
-  }
-  const MannWhitney test = mann_whitney(a, b);
-  CHECK(test.U == 1001.0 * 1000 / 2);
-  CHECK(test.p > 0.9);
-  CHECK(std::isnan(test.shift.estimate));
 }
 
 TEST_CASE("where the two-sample test has no p it says why", "[mann_whitney]") {
@@ -121,6 +94,4 @@ TEST_CASE("where the two-sample test has no p it says why", "[mann_whitney]") {
   const MannWhitney constant = mann_whitney(Sample{3, 3}, Sample{3});
   CHECK(says(constant.undefined, "all values are equal"));
   CHECK(std::isnan(constant.p));
-  CHECK(mann_whitney(Sample{1e308}, Sample{-1e308, 0}).shift.estimate == HUGE_VAL);  // 2e308 is none
-  CHECK_THROWS_AS(mann_whitney(Sample{1}, Sample{2}, 95), std::invalid_argument);
 }

@@ -10,13 +10,11 @@ using namespace ikbench;
 using namespace ikbench::statistics;
 using namespace ikbench::samples;
 
-TEST_CASE("18 of 20: Wilson's interval and Clopper and Pearson's", "[proportion]") {
-  // R 4.2.2, prop.test(18, 20, correct = FALSE) and binom.test(18, 20)
+TEST_CASE("18 of 20 have Wilson's interval", "[proportion]") {
+  // R 4.2.2, prop.test(18, 20, correct = FALSE)
   CHECK(wilson({18, 20}).estimate == 0.9);
   CHECK(wilson({18, 20}).low == Approx(0.6989663548).epsilon(1e-9));
   CHECK(wilson({18, 20}).high == Approx(0.9721335188).epsilon(1e-9));
-  CHECK(clopper_pearson({18, 20}).low == Approx(0.6830172860).epsilon(1e-9));
-  CHECK(clopper_pearson({18, 20}).high == Approx(0.9876514728).epsilon(1e-9));
 }
 
 TEST_CASE("none or all of n have an interval that ends at 0 or 1", "[proportion]") {
@@ -25,17 +23,6 @@ TEST_CASE("none or all of n have an interval that ends at 0 or 1", "[proportion]
   CHECK(wilson({0, 20}).high == Approx(z2 / (20 + z2)));  // Wilson's equation at p = 0
   CHECK(wilson({20, 20}).low == Approx(20 / (20 + z2)));
   CHECK(wilson({20, 20}).high == 1);
-  CHECK(clopper_pearson({0, 20}).low == 0);
-  CHECK(clopper_pearson({0, 20}).high == Approx(1 - std::pow(0.025, 1.0 / 20)));  // (1 - p)^20 = 0.025
-  CHECK(clopper_pearson({20, 20}).low == Approx(std::pow(0.025, 1.0 / 20)));
-  CHECK(clopper_pearson({20, 20}).high == 1);
-}
-
-TEST_CASE("Clopper and Pearson's bounds are where the binomial tails are half of what lies outside", "[proportion]") {
-  // 2 of 3 at 0.9: P(X >= 2) = 3 p^2 - 2 p^3 = 0.05 at the low end, P(X <= 2) = 1 - p^3 = 0.05 at the high end.
-  const Proportion interval = clopper_pearson({2, 3}, 0.9);
-  CHECK(3 * std::pow(interval.low, 2) - 2 * std::pow(interval.low, 3) == Approx(0.05).epsilon(1e-10));
-  CHECK(interval.high == Approx(std::cbrt(0.95)).epsilon(1e-12));
 }
 
 TEST_CASE("a mean of shares has the interval of as many successes, whether or not they are whole", "[proportion]") {
@@ -56,7 +43,6 @@ TEST_CASE("a mean of shares has the interval of as many successes, whether or no
 TEST_CASE("Fisher's exact test: the tea, the convictions", "[proportion]") {
   // R's help page of fisher.test. Tea 3/4 and 1/4: tables of weights 1 16 36 16 1, two-sided (16 + 1) * 2 / 70.
   CHECK(fisher_exact({3, 4}, {1, 4}).p == Approx(34.0 / 70));
-  CHECK(fisher_exact({3, 4}, {1, 4}).odds_ratio == 9);
   // Convictions of twins, 2/12 and 15/18: p 0.0005367.
   CHECK(fisher_exact({2, 12}, {15, 18}).p == Approx(0.0005367241191434358).epsilon(1e-11));  // sums of binomials
   CHECK(fisher_exact({10, 13}, {2, 17}).p == Approx(0.0005367241191434358).epsilon(1e-11));  // columns for rows
@@ -73,8 +59,6 @@ TEST_CASE("Fisher's exact test of hundreds and of a thousand million trials", "[
 TEST_CASE("where there is only one table Fisher's p is 1", "[proportion]") {
   CHECK(fisher_exact({0, 10}, {0, 20}).p == 1);
   CHECK(fisher_exact({10, 10}, {20, 20}).p == 1);
-  CHECK(std::isnan(fisher_exact({0, 10}, {0, 20}).odds_ratio));
-  CHECK(std::isinf(fisher_exact({10, 10}, {1, 20}).odds_ratio));
   CHECK(fisher_exact({1, 1}, {0, 1}).p == 1);
 }
 
@@ -82,9 +66,7 @@ TEST_CASE("counts that cannot be have no interval and no p", "[proportion]") {
   CHECK(says(wilson({0, 0}).undefined, "no trials"));
   CHECK(says(wilson({3, 2}).undefined, "3 successes in 2 trials"));
   CHECK(says(wilson({-1, 2}).undefined, "cannot be"));
-  CHECK(says(clopper_pearson({0, -1}).undefined, "cannot be"));
   CHECK(says(fisher_exact({1, 2}, {0, 0}).undefined, "no trials"));
   CHECK(std::isnan(wilson({0, 0}).low));
   CHECK_THROWS_AS(wilson({1, 2}, 95), std::invalid_argument);
-  CHECK_THROWS_AS(clopper_pearson({1, 2}, 0), std::invalid_argument);
 }

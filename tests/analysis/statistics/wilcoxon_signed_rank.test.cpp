@@ -12,9 +12,8 @@ using namespace ikbench::samples;
 
 using Sample = std::vector<double>;
 
-TEST_CASE("the depression data have the exact p and the pseudo-median of R", "[wilcoxon_signed_rank]") {
+TEST_CASE("the depression data have the exact p of R", "[wilcoxon_signed_rank]") {
   // R's help page of wilcox.test (Hollander and Wolfe 1973, p. 29): V = 40, one-sided p 0.01953 = 10 / 512 (counted).
-  // The interval is the 6th mean of pairs from either end, the estimate the 23rd of 45 (counted).
   const Sample first{1.83, 0.50, 1.62, 2.48, 1.68, 1.88, 1.55, 3.06, 1.30};
   const Sample second{0.878, 0.647, 0.598, 2.05, 1.06, 1.29, 1.06, 3.14, 1.29};
   const WilcoxonSignedRank test = wilcoxon_signed_rank(first, second);
@@ -22,9 +21,6 @@ TEST_CASE("the depression data have the exact p and the pseudo-median of R", "[w
   CHECK(test.n == 9);
   CHECK(test.method == "exact");
   CHECK(test.p == Approx(20.0 / 512).epsilon(1e-14));
-  CHECK(test.shift.estimate == Approx(0.46));
-  CHECK(test.shift.low == Approx(0.01));
-  CHECK(test.shift.high == Approx(0.786));
 }
 
 TEST_CASE("zeros are dropped and counted, and ties make the test approximate", "[wilcoxon_signed_rank]") {
@@ -35,7 +31,6 @@ TEST_CASE("zeros are dropped and counted, and ties make the test approximate", "
   CHECK(test.V == 13.5);
   CHECK(test.method == "normal approximation");
   CHECK(test.p == Approx(std::erfc(5.5 / std::sqrt(13.625) / std::sqrt(2.0))).epsilon(1e-13));
-  CHECK(test.shift.estimate == 1.25);  // the 14th and 15th of the means of the 28 pairs are 1 and 1.5
 }
 
 TEST_CASE("a zero alone makes the test approximate", "[wilcoxon_signed_rank]") {
@@ -58,15 +53,6 @@ TEST_CASE("turning the signs keeps p", "[wilcoxon_signed_rank]") {
   const WilcoxonSignedRank other = wilcoxon_signed_rank(Sample{-1, 2, -3, -4, 5.5, -6});
   CHECK(one.V + other.V == 21);
   CHECK(one.p == Approx(other.p));
-  CHECK(one.shift.estimate == -other.shift.estimate);
-}
-
-TEST_CASE("the interval of six differences at 0.95 runs between the extremes, of five there is none",
-          "[wilcoxon_signed_rank]") {
-  const WilcoxonSignedRank six = wilcoxon_signed_rank(Sample{-1, 2, 3, 4, 5, 6.5});  // 2 / 64 is less than 0.05
-  CHECK(six.shift.low == -1);
-  CHECK(six.shift.high == 6.5);
-  CHECK(std::isnan(wilcoxon_signed_rank(Sample{-1, 2, 3, 4, 5}).shift.low));  // 2 / 32 is not
 }
 
 TEST_CASE("two failures in one pair are equal, one alone is the largest difference", "[wilcoxon_signed_rank]") {
@@ -75,15 +61,6 @@ TEST_CASE("two failures in one pair are equal, one alone is the largest differen
   CHECK(test.zeros == 1);
   CHECK(test.V == 10);
   CHECK(!std::isnan(test.p));
-  CHECK(!std::isnan(wilcoxon_signed_rank(Sample{HUGE_VAL, -HUGE_VAL, 1}).shift.estimate));
-}
-
-TEST_CASE("too many differences have a p and no pseudo-median", "[wilcoxon_signed_rank]") {
-  Sample differences;
-  for (int i = 1; i < 1500; ++i) differences.push_back(i % 2 == 0 ? i : -i);
-  const WilcoxonSignedRank test = wilcoxon_signed_rank(differences);
-  CHECK(test.p > 0.9);
-  CHECK(std::isnan(test.shift.estimate));
 }
 
 TEST_CASE("where the signed-rank test has no p it says why", "[wilcoxon_signed_rank]") {
