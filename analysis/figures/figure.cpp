@@ -64,6 +64,15 @@ void blank_date(std::string& pdf) {
   std::fill(pdf.begin() + static_cast<std::ptrdiff_t>(begin), pdf.begin() + static_cast<std::ptrdiff_t>(end), ' ');
 }
 
+// Gnuplot names one font, where machines without it would show another shape of letters.
+void name_similar_fonts(std::string& svg) {
+  constexpr std::string_view one = "font-family=\"Liberation Sans\"",
+                             several = "font-family=\"Liberation Sans, Arial, Helvetica, sans-serif\"";
+  for (std::size_t at = svg.find(one); at != std::string::npos; at = svg.find(one, at + several.size())) {
+    svg.replace(at, one.size(), several);
+  }
+}
+
 // Draws in the workshop, then writes the pictures to their place. std::invalid_argument says why it could not.
 void draw(const Figure& figure, const std::filesystem::path& workshop, const std::string& gnuplot) {
   // -d: the same look whatever ~/.gnuplot says.
@@ -77,6 +86,7 @@ void draw(const Figure& figure, const std::filesystem::path& workshop, const std
     std::optional<std::string> picture = read_file(workshop / file);
     if (!picture) throw std::invalid_argument(fmt::format("{} drew no {}: {}", gnuplot, file, result.output));
     if (type == "pdf") blank_date(*picture);
+    if (type == "svg") name_similar_fonts(*picture);
     write_file(workshop.parent_path() / file, *picture);
   }
 }

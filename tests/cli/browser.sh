@@ -9,9 +9,11 @@ for name in chromium chromium-browser google-chrome; do
 done
 [ -n "$browser" ] || exit 77
 
-hostile=('<script>alert(1)</script>' '</svg><script>alert(2)</script>' '"><img src=x onerror=alert(3)>' '{{{title}}} &amp; "')
+# What would leave a mark on the page, or on a figure opened by itself, if any of it ran.
+mark="document.documentElement.setAttribute('marked',1)"
+hostile=("</text></svg><script>$mark</script>" "\" onload=\"$mark" "\"><img src=x onerror=$mark>" '{{{title}}} &amp; "')
 {
-  printf 'name = "<script>alert(0)</script>"\ntitle = "<b>title</b>"\nruns = 2\npopulation = 6\n'
+  printf 'name = "<script>%s</script>"\ntitle = "<b>title</b>"\nruns = 2\npopulation = 6\n' "$mark"
   printf '[stop]\niterations = 5\n[path]\npoints = 3\n'
   for label in "${hostile[@]}"; do
     printf '[[solvers]]\nsolver = "bat"\nlabel = "%s"\n' "${label//\"/\\\"}"
@@ -55,17 +57,39 @@ probe() {
 }
 
 # Names are text, in tables, figures and headings: no element of their making.
-cat >names.js <<'E2'
+cat >names.js <<E2
 const cells = new Set([...document.querySelectorAll('#table-3 td')].map(cell => cell.textContent));
-const names = ['<script>alert(1)<\/script>', '</svg><script>alert(2)<\/script>', '"><img src=x onerror=alert(3)>', '{{{title}}} &amp; "'];
+const mark = "$mark";
+const names = ['</text></svg><script>' + mark + '<\\/script>', '" onload="' + mark, '"><img src=x onerror=' + mark + '>', '{{{title}}} &amp; "'];
 const meta = document.createElement('meta');
 meta.name = 'found';
-meta.content = [names.filter(name => cells.has(name)).length, document.images.length,
-  document.querySelectorAll('svg script, svg a, svg style, h1 b').length, document.querySelector('h1').textContent.length].join(' ');
+meta.content = [names.filter(name => cells.has(name)).length, document.querySelectorAll('img:not(.picture), [onload], [onerror], h1 b').length,
+  document.querySelector('h1').textContent.length].join(' ');
 document.head.append(meta);
 E2
 probe hostile/report.html names.js
-[ "$found" = "4 0 0 12" ] || fail "names in the table, images, strange elements, letters of the title: $found, expected 4 0 0 12"
+[ "$found" = "4 0 12" ] || fail "names in the table, strange elements, letters of the title: $found, expected 4 0 12"
+browse hostile/report.html --dump-dom
+has_no "$out" ' marked='
+
+# A figure that a reader opens by itself runs nothing either; a drawing that runs something would be seen.
+if command -v gnuplot >/dev/null; then
+  grep -q 'onload' hostile/figures/figure-6.svg || fail "figure 6 shows no hostile name"
+  for figure in hostile/figures/figure-6.svg hostile/figures/figure-10.svg; do
+    browse "$figure" --dump-dom
+    has "$out" '<svg'
+    has_no "$out" ' marked='
+  done
+  svg="<svg xmlns='http://www.w3.org/2000/svg'><script>$mark</script></svg>"
+  printf '%s' "$svg" >drawing.svg
+  browse drawing.svg --dump-dom
+  has "$out" ' marked='
+  # In the page it is an image, and runs nothing.
+  awk -v svg="$(printf '%s' "$svg" | base64 -w 0)" '{ sub(/svg\+xml;base64,[^"]*/, "svg+xml;base64," svg); print }' plain/report.html >plain/drawing.html
+  has "$(<plain/drawing.html)" "$(printf '%s' "$svg" | base64 -w 0)"
+  browse plain/drawing.html --dump-dom
+  has_no "$out" ' marked='
+fi
 
 # What is not of the page does not run, and the console says so: the check above can see something.
 sed 's|^</body>|<script>document.title = "run"</script></body>|' plain/report.html >plain/other.html
@@ -95,15 +119,15 @@ probe plain/report.html sort.js
 cat >links.js <<'E2'
 const ids = [...document.querySelectorAll('[id]')].map(element => element.id);
 const links = [...document.querySelectorAll('a[href^="#"]')].filter(link => !document.getElementById(link.hash.slice(1)));
-const uses = [...document.querySelectorAll('use')].filter(use => !document.getElementById(use.getAttribute('href').slice(1)));
+const broken = [...document.images].filter(image => !image.complete || image.naturalWidth === 0 || image.alt.length < 10);
 const meta = document.createElement('meta');
 meta.name = 'found';
-meta.content = [ids.length - new Set(ids).size, links.length, uses.length,
+meta.content = [ids.length - new Set(ids).size, links.length, broken.length,
   document.documentElement.scrollWidth <= document.documentElement.clientWidth].join(' ');
 document.head.append(meta);
 E2
 probe plain/report.html links.js
-[ "$found" = "0 0 0 true" ] || fail "ids twice, links to nowhere, markers missing, fits: $found"
+[ "$found" = "0 0 0 true" ] || fail "ids twice, links to nowhere, images that are broken or have no words, fits: $found"
 
 # The arm moves: a point on, another solver, on its own.
 if grep -q 'id="motion-data"' plain/report.html; then
