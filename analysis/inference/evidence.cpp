@@ -248,7 +248,6 @@ GroupEvidence describe_group(const Group& group, const AnalysisPlan& plan) {
   const ShapiroWilk normal = shapiro_wilk(group.values);
   result.normality = normal.p;
   result.normality_w = normal.W;
-  result.normality_undefined = normal.undefined;
   return result;
 }
 

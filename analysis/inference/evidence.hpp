@@ -30,7 +30,6 @@ struct GroupEvidence {
   double q3 = statistics::not_defined;
   double normality = statistics::not_defined;  // p of Shapiro and Wilk's test
   double normality_w = statistics::not_defined;
-  std::string normality_undefined = {};
   double mean_rank = statistics::not_defined;     // of all values together, 1 is best; only where there are values
   double average_rank = statistics::not_defined;  // over the blocks, 1 is best; only where there are blocks
 };

@@ -2,7 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <span>
 
 namespace ikbench::inference {
 namespace {
@@ -39,6 +42,17 @@ bool is_control(std::string_view sequence) {
 }
 
 bool is_word(char c) { return (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z'); }
+
+struct Substitute {
+  char character;
+  std::string_view text;
+};
+
+std::string escaped(char c, std::span<const Substitute> substitutes, std::string_view after_a_backslash) {
+  const auto found = std::ranges::find(substitutes, c, &Substitute::character);
+  if (found != substitutes.end()) return std::string(found->text);
+  return after_a_backslash.find(c) == std::string_view::npos ? std::string(1, c) : std::string{'\\', c};
+}
 
 }  // namespace
 
@@ -96,98 +110,40 @@ std::string row_label(std::string_view text, std::size_t length) {
 }
 
 std::string markdown_text(std::string_view text) {
+  constexpr std::array<Substitute, 5> substitutes{{
+      {'&', "&amp;"},
+      {'<', "&lt;"},
+      {'>', "&gt;"},
+      {'`', "&#96;"},
+      {'|', "&#124;"}  // an entity, because table parsers split at pipes before they look at backslashes
+  }};
   const std::string line = one_line(text);
   std::string result;
   for (std::size_t i = 0; i < line.size(); ++i) {
-    const char c = line[i];
     const bool inside_word = i > 0 && i + 1 < line.size() && is_word(line[i - 1]) && is_word(line[i + 1]);
-    switch (c) {
-      case '&':
-        result += "&amp;";
-        break;
-      case '<':
-        result += "&lt;";
-        break;
-      case '>':
-        result += "&gt;";
-        break;
-      case '|':  // an entity, because table parsers split at pipes before they look at backslashes
-        result += "&#124;";
-        break;
-      case '`':
-        result += "&#96;";
-        break;
-      case '_':
-        result += inside_word ? "_" : "\\_";
-        break;
-      case '\\':
-      case '*':
-      case '[':
-      case ']':
-      case '#':
-      case '~':
-      case '$':
-        result += '\\';
-        result += c;
-        break;
-      default:
-        result += c;
-    }
+    result += escaped(line[i], substitutes, inside_word ? "\\*[]#~$" : "\\*[]#~$_");
   }
   return result;
 }
 
 std::string latex_text(std::string_view text) {
+  constexpr std::array<Substitute, 11> substitutes{{
+      {'\\', "\\textbackslash{}"},
+      {'~', "\\textasciitilde{}"},
+      {'^', "\\textasciicircum{}"},
+      {'<', "\\textless{}"},
+      {'>', "\\textgreater{}"},
+      {'|', "\\textbar{}"},
+      {'`', "\\textasciigrave{}"},
+      {'"', "{\\char34}"},
+      {'[', "{[}"},
+      {']', "{]}"},
+      {'*', "{*}"}  // after \\ a bracket or a star would be an argument
+  }};
   std::string result;
   for (const char c : one_line(text)) {
-    switch (c) {
-      case '\\':
-        result += "\\textbackslash{}";
-        break;
-      case '~':
-        result += "\\textasciitilde{}";
-        break;
-      case '^':
-        result += "\\textasciicircum{}";
-        break;
-      case '<':
-        result += "\\textless{}";
-        break;
-      case '>':
-        result += "\\textgreater{}";
-        break;
-      case '|':
-        result += "\\textbar{}";
-        break;
-      case '`':
-        result += "\\textasciigrave{}";
-        break;
-      case '"':
-        result += "{\\char34}";
-        break;
-      case '-':  // no ligatures: -- is two hyphens
-        result += result.ends_with('-') ? "{}-" : "-";
-        break;
-      case '[':  // after \\ a bracket or a star would be an argument
-      case ']':
-      case '*':
-        result += '{';
-        result += c;
-        result += '}';
-        break;
-      case '{':
-      case '}':
-      case '$':
-      case '&':
-      case '#':
-      case '_':
-      case '%':
-        result += '\\';
-        result += c;
-        break;
-      default:
-        result += c;
-    }
+    if (c == '-' && result.ends_with('-')) result += "{}";  // no ligatures: -- is two hyphens
+    result += escaped(c, substitutes, "{}$&#_%");
   }
   return result;
 }
