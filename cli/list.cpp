@@ -7,7 +7,8 @@
 
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
-#include "experiments/study_file.hpp"
+#include "experiments/study_reader.hpp"
+#include "experiments/study_writer.hpp"
 #include "numerics/instruction_set.hpp"
 #include "numerics/names.hpp"
 #include "numerics/units.hpp"

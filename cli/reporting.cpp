@@ -12,7 +12,8 @@
 #include "cli/console.hpp"
 #include "experiments/environment.hpp"
 #include "experiments/runner.hpp"
-#include "experiments/study_file.hpp"
+#include "experiments/study_reader.hpp"
+#include "experiments/study_writer.hpp"
 
 namespace ikbench::cli {
 

@@ -11,7 +11,8 @@
 #include "cli/console.hpp"
 #include "cli/readings.hpp"
 #include "cli/reporting.hpp"
-#include "experiments/study_file.hpp"
+#include "experiments/study_reader.hpp"
+#include "experiments/study_writer.hpp"
 #include "results/fingerprint.hpp"
 
 namespace ikbench::cli {

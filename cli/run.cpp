@@ -4,7 +4,7 @@
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
 #include "cli/reporting.hpp"
-#include "experiments/study_file.hpp"
+#include "experiments/study_reader.hpp"
 
 namespace ikbench::cli {
 

@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "analysis/inference/observations_csv.hpp"
+#include "analysis/inference/summaries_csv.hpp"
 #include "analysis/inference/text.hpp"
 #include "analysis/report/assessment.hpp"
 #include "analysis/report/statistics_report.hpp"

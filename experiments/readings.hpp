@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "experiments/study_file.hpp"
+#include "experiments/study_reader.hpp"
 
 namespace ikbench::experiments {
 

@@ -9,7 +9,7 @@
 #include "experiments/environment.hpp"
 #include "experiments/series_key.hpp"
 #include "experiments/source_digest.hpp"
-#include "experiments/study_file.hpp"
+#include "experiments/study_writer.hpp"
 #include "experiments/workers.hpp"
 
 namespace ikbench::experiments {

@@ -1,4 +1,5 @@
-// A study from TOML: every mistake in one sentence with file, line, column, value and what was expected.
+#include "experiments/study_reader.hpp"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -8,7 +9,6 @@
 
 #include "experiments/built_in_studies.hpp"
 #include "experiments/study_fields.hpp"
-#include "experiments/study_file.hpp"
 #include "experiments/study_overrides.hpp"
 #include "experiments/table_reader.hpp"
 #include "numerics/names.hpp"

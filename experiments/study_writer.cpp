@@ -1,4 +1,5 @@
-// A study as text: TOML to be edited and run, JSON for the store.
+#include "experiments/study_writer.hpp"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -9,7 +10,7 @@
 
 #include "experiments/orientation.hpp"
 #include "experiments/study_fields.hpp"
-#include "experiments/study_file.hpp"
+#include "experiments/study_reader.hpp"
 #include "numerics/number.hpp"
 #include "numerics/toml_table.hpp"
 #include "robots/arm_fields.hpp"

@@ -264,6 +264,24 @@ TEST_CASE("a kind of path is one line in paths.inc and one file of that name, wh
   }
 }
 
+// What defines one thing that a list names (a solver, a kind of path, a command) needs no header, nor does a program.
+TEST_CASE("every source has a header of its name, and begins with it", "[architecture]") {
+  const Names solvers = registered_solvers();
+  const std::string commands = text_of("cli/commands.hpp");
+  for (const auto& [folder, below] : may_know()) {
+    for (const fs::path& file : sources_of(folder)) {
+      const std::string name = file.stem().string();
+      const bool listed = (folder == "solvers" && solvers.contains(name)) ||
+                          file.parent_path() == "experiments/paths" ||
+                          (folder == "cli" && commands.find("add_" + name + "(") != std::string::npos);
+      if (file.extension() != ".cpp" || listed || file == "cli/main.cpp" || folder == microbenchmarks) continue;
+      INFO(file.string());
+      const std::vector<std::string> includes = includes_of(file);
+      CHECK((!includes.empty() && includes.front() == fs::path(file).replace_extension(".hpp").string()));
+    }
+  }
+}
+
 TEST_CASE("libraries never print, only programs do", "[architecture]") {
   for (const auto& [folder, below] : may_know()) {
     if (folder == "cli" || folder == microbenchmarks) continue;

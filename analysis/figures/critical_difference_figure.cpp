@@ -1,4 +1,5 @@
-// Demsar's diagram of average ranks, Journal of Machine Learning Research 7 (2006) 1, Figure 1: the best to the right.
+#include "analysis/figures/critical_difference_figure.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,7 +9,6 @@
 
 #include "analysis/figures/figure_parts.hpp"
 #include "analysis/figures/row_chart.hpp"
-#include "analysis/figures/statistics_figures.hpp"
 #include "analysis/inference/text.hpp"
 #include "numerics/number.hpp"
 

@@ -1,4 +1,5 @@
-// Half violin, box plot and strip of the values of each group.
+#include "analysis/figures/raincloud_figure.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,7 +9,6 @@
 
 #include "analysis/figures/figure_parts.hpp"
 #include "analysis/figures/row_chart.hpp"
-#include "analysis/figures/statistics_figures.hpp"
 #include "analysis/inference/text.hpp"
 #include "analysis/statistics/kernel_density.hpp"
 

@@ -1,20 +1,14 @@
-// Figures of a statistical analysis: what was observed, which groups differ, by how much, and in which order they come.
-// Each names in its caption what its picture does not show.
+// Figures of a statistical analysis: by how much groups differ, and how strong the differences are. Each names in its
+// caption what its picture does not show.
 #pragma once
 
 #include <string>
 #include <vector>
 
 #include "analysis/figures/figure.hpp"
-#include "analysis/inference/observations.hpp"
-#include "analysis/statistics/quantile.hpp"
+#include "analysis/statistics/descriptive.hpp"
 
 namespace ikbench::figures {
-
-// Half violin, box plot and the values themselves, a row a group: Allen et al., Raincloud plots, Wellcome Open Research
-// 4:63 (2019). The values span an axis of logarithms where they differ by more than 30 times; so does the density then.
-Figure raincloud_figure(const inference::Observations& observations, statistics::QuantileType quartiles,
-                        const std::string& name);
 
 struct DifferenceRow {
   std::string label;                            // "BA - IK-BA"
@@ -32,18 +26,6 @@ struct DifferencesWords {
 
 // A forest plot: intervals of differences, those that exclude zero coloured.
 Figure differences_figure(const std::vector<DifferenceRow>& rows, const DifferencesWords& words);
-
-struct CriticalDifference {
-  std::string name;
-  std::vector<std::string> labels;
-  std::vector<double> average_ranks;  // as long as the labels; 1 is best
-  double critical_difference = statistics::not_defined;
-  double significance = 0.05;
-  std::string method;  // "Nemenyi, 14 problems"
-};
-
-// Demsar, Journal of Machine Learning Research 7 (2006) 1, Figure 1: bars join what does not differ.
-Figure critical_difference_figure(const CriticalDifference& ranks);
 
 struct EffectMatrix {
   std::string name;

@@ -1,11 +1,10 @@
-// Observations and published summaries from a user's CSV, as pandas, R and spreadsheets write it.
+// Observations from a user's CSV, as pandas, R and spreadsheets write it.
 // Every mistake in a file is std::invalid_argument: one sentence with the file, the row and what was expected.
 #pragma once
 
 #include <cstddef>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "analysis/inference/observations.hpp"
 
@@ -42,9 +41,5 @@ struct CsvRequest {
 // replicates: refused unless they are averaged (`run`) or taken as given, which Observations::flaw then says; so is the
 // mean of what is left of a run or a block that is not whole.
 Observations read_observations(std::string_view text, std::string_view source, const CsvRequest& request);
-
-// Columns, in any case: name (or group, solver, algorithm), mean, sd (or std, stddev), n (or count); and where several
-// quantities are in the file, metric (or quantity, variable). One for each of them, in the order of their first row.
-std::vector<Summaries> read_summaries(std::string_view text, std::string_view source);
 
 }  // namespace ikbench::inference

@@ -1,4 +1,5 @@
-// Published means and standard deviations from a user's CSV.
+#include "analysis/inference/summaries_csv.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>

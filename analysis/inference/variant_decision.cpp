@@ -1,4 +1,5 @@
-// What the tests of several metrics say together, and in words what they leave open.
+#include "analysis/inference/variant_decision.hpp"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -6,7 +7,6 @@
 #include <vector>
 
 #include "analysis/inference/text.hpp"
-#include "analysis/inference/variant_metric.hpp"
 #include "analysis/statistics/p_adjust.hpp"
 
 namespace ikbench::inference {

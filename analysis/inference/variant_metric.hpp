@@ -94,10 +94,4 @@ struct MetricComparison {
 // std::invalid_argument where the question is out of range, or pairs are not equally many.
 MetricComparison compare_metric(const MetricSamples& samples, const MarginQuestion& question);
 
-// The outcomes of several metrics: worse and better where Holm's correction over all of them leaves p below the
-// significance; same where both one-sided tests of equivalence are below it (Schuirmann, J. Pharmacokinetics and
-// Biopharmaceutics 15 (1987) 657), which a claim of "all the same" need not correct (Berger, Technometrics 24 (1982)
-// 295). In analysis/inference/variant_decision.cpp.
-void decide(std::span<MetricComparison> comparisons, const MarginQuestion& question);
-
 }  // namespace ikbench::inference

@@ -9,6 +9,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "analysis/inference/variant_decision.hpp"
 #include "analysis/inference/variant_design.hpp"
 #include "analysis/inference/variant_differences.hpp"
 

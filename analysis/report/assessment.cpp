@@ -5,8 +5,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analysis/figures/critical_difference_figure.hpp"
+#include "analysis/figures/raincloud_figure.hpp"
 #include "analysis/figures/statistics_figures.hpp"
 #include "analysis/inference/text.hpp"
+#include "analysis/report/assessment_json.hpp"
+#include "analysis/report/assessment_sentences.hpp"
+#include "analysis/report/assessment_tables.hpp"
 
 namespace ikbench::report {
 

@@ -29,9 +29,4 @@ Assessment assess(const inference::Summaries& summaries, const results::Analysis
 // What was observed, and no verdict on it: nothing is ranked, tested or compared. The observations' flaw is the reason.
 Assessment describe(const inference::Observations& observations, const results::AnalysisPlan& plan);
 
-std::vector<std::string> sentences_of(const inference::Evidence& evidence);
-std::vector<std::string> headlines_of(const inference::Evidence& evidence);
-std::vector<Table> tables_of(const inference::Evidence& evidence);
-std::string json_of(const inference::Evidence& evidence);
-
 }  // namespace ikbench::report

@@ -1,9 +1,10 @@
-// An assessment's numbers as JSON: every one of them, whatever the tables leave out.
+#include "analysis/report/assessment_json.hpp"
+
 #include <array>
 #include <cmath>
 #include <string_view>
 
-#include "analysis/report/assessment.hpp"
+#include "analysis/report/assessment_sentences.hpp"
 #include "analysis/report/json.hpp"
 
 namespace ikbench::report {

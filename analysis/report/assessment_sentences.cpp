@@ -1,4 +1,5 @@
-// The words of an assessment: what a good reviewer would ask, answered in order.
+#include "analysis/report/assessment_sentences.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -6,7 +7,7 @@
 #include <utility>
 
 #include "analysis/inference/text.hpp"
-#include "analysis/report/assessment.hpp"
+#include "analysis/report/assessment_verdicts.hpp"
 #include "analysis/report/assessment_words.hpp"
 
 namespace ikbench::report {

@@ -1,11 +1,11 @@
-// The tables of an assessment.
+#include "analysis/report/assessment_tables.hpp"
+
 #include <fmt/format.h>
 
 #include <cmath>
 #include <utility>
 
 #include "analysis/inference/text.hpp"
-#include "analysis/report/assessment.hpp"
 #include "analysis/statistics/effect_size.hpp"
 
 namespace ikbench::report {

@@ -1,4 +1,5 @@
-// Who differs from whom, and where methods disagree: the words for the pairs of an assessment.
+#include "analysis/report/assessment_verdicts.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>

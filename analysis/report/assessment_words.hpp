@@ -25,9 +25,4 @@ bool variances_differ(const inference::Evidence& evidence);
 // So far that a pooled variance is that of the most variable group alone.
 bool pooling_misleads(const inference::Evidence& evidence);
 
-// Of assessment_verdicts.cpp.
-std::string in_short(const inference::Evidence& evidence);  // empty where there is nothing to compare
-std::vector<std::string> who_differs(const inference::Evidence& evidence);
-std::string disagreements(const inference::Evidence& evidence);
-
 }  // namespace ikbench::report

@@ -1,47 +1,18 @@
 #include "analysis/slim2023/audit.hpp"
 
-#include <fmt/format.h>
-
 #include <array>
-#include <cmath>
-#include <stdexcept>
 
-#include "analysis/slim2023/audit_items.hpp"
-#include "analysis/slim2023/published_numbers.hpp"
-#include "numerics/number.hpp"
-#include "results/published.hpp"
+#include "analysis/slim2023/audit_conditions.hpp"
+#include "analysis/slim2023/audit_geometry.hpp"
+#include "analysis/slim2023/audit_statistics.hpp"
 
 namespace ikbench::slim2023 {
 
-using namespace numerics;
-using namespace results;
 using namespace report;
 
 std::string_view name_of(AuditVerdict verdict) {
   constexpr std::array<std::string_view, 4> names{"consistent", "rounding", "misprint", "contradiction"};
   return names[static_cast<std::size_t>(verdict)];
-}
-
-Statements::Statements(std::string_view paper) : table_(published::table(paper, "statements")) {}
-
-double Statements::number(std::string_view name) const { return number_from(text(name)).value(); }
-
-const std::string& Statements::cell(std::string_view name, std::string_view column) const {
-  const std::size_t names = table_.column("name");
-  for (const auto& row : table_.rows) {
-    if (row[names] == name) return row[table_.column(column)];
-  }
-  throw std::logic_error(fmt::format("no statement '{}'", name));
-}
-
-AuditVerdict unless(bool holds, AuditVerdict otherwise) { return holds ? AuditVerdict::consistent : otherwise; }
-
-AuditVerdict judged(const std::string& printed, double follows, double slack, AuditVerdict otherwise) {
-  const double half = half_unit(printed);
-  const double distance = std::abs(number_from(printed).value() - follows);
-  constexpr double room = 1 + 1e-9;  // 2.5 printed as 2 is half a unit off, and doubles are not exact
-  if (distance <= half * room) return AuditVerdict::consistent;
-  return distance <= (half + slack) * room ? AuditVerdict::rounding : otherwise;
 }
 
 std::vector<AuditItem> audit(std::string_view paper) {

@@ -1,4 +1,5 @@
-// Checks 3.6 to 3.9: the parameters of Table 1, and who was given what.
+#include "analysis/slim2023/audit_conditions.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>

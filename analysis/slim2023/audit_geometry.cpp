@@ -1,4 +1,5 @@
-// Checks 3.4 and 3.5: the circle of Table 8, the helix of Eq. 27 and the arms that have to reach them. Centimetres.
+#include "analysis/slim2023/audit_geometry.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>

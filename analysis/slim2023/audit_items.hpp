@@ -30,12 +30,5 @@ AuditVerdict judged(const std::string& printed, double follows, double slack,
 AuditVerdict unless(bool holds, AuditVerdict otherwise);
 
 using AuditItems = std::vector<AuditItem>;
-AuditItems anova_items(std::string_view paper);      // 3.1: Tables 4-6 from Table 3
-AuditItems variance_items(std::string_view paper);   // 3.2: what equal variances would ask
-AuditItems summary_items(std::string_view paper);    // 3.3: Tables 3 and 7 row by row
-AuditItems circle_items(std::string_view paper);     // 3.4: Table 8
-AuditItems geometry_items(std::string_view paper);   // 3.5: Eq. 27 and the arm
-AuditItems parameter_items(std::string_view paper);  // 3.6: Table 1
-AuditItems condition_items(std::string_view paper);  // 3.7-3.9: who was given what
 
 }  // namespace ikbench::slim2023

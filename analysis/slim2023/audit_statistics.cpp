@@ -1,4 +1,5 @@
-// Checks 3.1 to 3.3: the statistics of Tables 3 to 7.
+#include "analysis/slim2023/audit_statistics.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>

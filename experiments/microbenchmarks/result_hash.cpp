@@ -9,7 +9,7 @@
 
 #include "experiments/environment.hpp"
 #include "experiments/runner.hpp"
-#include "experiments/study_file.hpp"
+#include "experiments/study_reader.hpp"
 #include "results/fingerprint.hpp"
 
 using namespace ikbench::results;

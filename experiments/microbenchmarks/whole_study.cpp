@@ -2,7 +2,7 @@
 // thread and by two.
 #include "experiments/microbenchmarks/harness.hpp"
 #include "experiments/runner.hpp"
-#include "experiments/study_file.hpp"
+#include "experiments/study_reader.hpp"
 
 namespace ikbench::microbenchmarks {
 

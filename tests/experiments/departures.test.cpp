@@ -1,7 +1,8 @@
 // What of the paper's study a study that claims to be it has changed, as the store's definition says it.
 #include <nlohmann/json.hpp>
 
-#include "experiments/study_file.hpp"
+#include "experiments/study_reader.hpp"
+#include "experiments/study_writer.hpp"
 #include "tests/catch.hpp"
 
 using namespace ikbench;

@@ -2,7 +2,7 @@
 // the shoulder (0, 0, 36) cm has to be within 42 + 40 = 82 cm of the wrist's centre, 12.6 cm behind the tool.
 #include <algorithm>
 
-#include "experiments/study_file.hpp"
+#include "experiments/study_reader.hpp"
 #include "robots/spherical_wrist.hpp"
 #include "tests/catch.hpp"
 #include "tests/experiments/samples.hpp"

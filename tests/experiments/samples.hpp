@@ -6,7 +6,7 @@
 
 #include "experiments/runner.hpp"
 #include "experiments/series_key.hpp"
-#include "experiments/study_file.hpp"
+#include "experiments/study_reader.hpp"
 #include "tests/results/samples.hpp"
 
 namespace ikbench {
@@ -61,7 +61,8 @@ inline std::vector<results::SolveRecord> solves_of(const experiments::Study& stu
   return store.solves(study.name);
 }
 
-inline std::vector<results::SolveRecord> only(const std::string& solver, const std::vector<results::SolveRecord>& records) {
+inline std::vector<results::SolveRecord> only(const std::string& solver,
+                                              const std::vector<results::SolveRecord>& records) {
   std::vector<results::SolveRecord> chosen;
   for (const results::SolveRecord& record : records) {
     if (record.solver == solver) chosen.push_back(record);

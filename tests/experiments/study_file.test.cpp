@@ -1,5 +1,4 @@
 // Study files: what is written is read again, and what is wrong is said with its place.
-#include "experiments/study_file.hpp"
 
 #include <cmath>
 #include <limits>
@@ -8,6 +7,8 @@
 #include <random>
 
 #include "experiments/orientation.hpp"
+#include "experiments/study_reader.hpp"
+#include "experiments/study_writer.hpp"
 #include "numerics/names.hpp"
 #include "solvers/registry.hpp"
 #include "tests/catch.hpp"

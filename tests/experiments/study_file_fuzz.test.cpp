@@ -1,7 +1,8 @@
 // Whatever a study file holds: it is a study, or a std::invalid_argument says why not.
 #include <random>
 
-#include "experiments/study_file.hpp"
+#include "experiments/study_reader.hpp"
+#include "experiments/study_writer.hpp"
 #include "solvers/registry.hpp"
 #include "tests/catch.hpp"
 #include "tests/experiments/samples.hpp"

@@ -8,7 +8,7 @@
 
 #include "analysis/slim2023/paper_tables.hpp"
 #include "experiments/runner.hpp"
-#include "experiments/study_file.hpp"
+#include "experiments/study_reader.hpp"
 #include "tests/catch.hpp"
 
 using namespace ikbench;

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "analysis/figures/critical_difference_figure.hpp"
+#include "analysis/figures/raincloud_figure.hpp"
 #include "analysis/figures/row_chart.hpp"
 #include "analysis/inference/text.hpp"
 #include "analysis/statistics/kernel_density.hpp"

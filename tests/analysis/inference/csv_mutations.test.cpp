@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "analysis/inference/observations_csv.hpp"
+#include "analysis/inference/summaries_csv.hpp"
 #include "analysis/report/assessment.hpp"
 #include "tests/catch.hpp"
 

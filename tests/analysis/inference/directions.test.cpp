@@ -15,6 +15,7 @@
 #include "analysis/inference/contrasts.hpp"
 #include "analysis/inference/evidence.hpp"
 #include "analysis/report/assessment.hpp"
+#include "analysis/report/assessment_sentences.hpp"
 #include "tests/catch.hpp"
 
 using namespace ikbench;

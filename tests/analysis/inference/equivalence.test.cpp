@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "analysis/report/assessment.hpp"
+#include "analysis/report/assessment_sentences.hpp"
 #include "tests/analysis/synthetic.hpp"
 #include "tests/catch.hpp"
 

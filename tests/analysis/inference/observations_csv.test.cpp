@@ -6,6 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "analysis/inference/summaries_csv.hpp"
 #include "results/export.hpp"
 #include "tests/analysis/synthetic.hpp"
 #include "tests/catch.hpp"

@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 
+#include "analysis/inference/variant_decision.hpp"
 #include "tests/analysis/inference/variant_samples.hpp"
 #include "tests/catch.hpp"
 #include "tests/results/samples.hpp"

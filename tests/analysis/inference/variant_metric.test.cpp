@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "analysis/inference/variant_decision.hpp"
 #include "tests/analysis/inference/variant_samples.hpp"
 #include "tests/analysis/synthetic.hpp"
 #include "tests/catch.hpp"

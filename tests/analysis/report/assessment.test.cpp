@@ -9,6 +9,8 @@
 #include <string>
 
 #include "analysis/inference/observations_csv.hpp"
+#include "analysis/inference/summaries_csv.hpp"
+#include "analysis/report/assessment_sentences.hpp"
 #include "results/csv.hpp"
 #include "results/published.hpp"
 #include "tests/catch.hpp"

@@ -1,4 +1,4 @@
-// Studies as TOML: written with a meaning on every line, read with file, line and column in every message.
+// A study from TOML: every mistake in one sentence with file, line, column, value and what was expected.
 #pragma once
 
 #include <filesystem>
@@ -28,14 +28,5 @@ std::vector<Study> studies();
 // A built-in study by name, or else a file.
 Study load_study(const std::string& name_or_file, const Overrides& overrides = {},
                  PointsAsObservations points_as_observations = PointsAsObservations::refused);
-
-// The whole study, to be edited and run; parse_study gives the same study back.
-std::string to_toml(const Study& study);
-// A path as it stands there, at [path].
-std::string to_toml(Path path);
-// The whole study without its solvers and with its number of points and its arm, as the store keeps it.
-std::string to_json(const Study& study);
-// A plan as it stands there, at "/analysis".
-std::string to_json(const results::AnalysisPlan& plan);
 
 }  // namespace ikbench::experiments

@@ -1,0 +1,16 @@
+// Published means and standard deviations from a user's CSV. Every mistake in a file is std::invalid_argument: one
+// sentence with the file, the row and what was expected.
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "analysis/inference/observations.hpp"
+
+namespace ikbench::inference {
+
+// Columns, in any case: name (or group, solver, algorithm), mean, sd (or std, stddev), n (or count); and where several
+// quantities are in the file, metric (or quantity, variable). One for each of them, in the order of their first row.
+std::vector<Summaries> read_summaries(std::string_view text, std::string_view source);
+
+}  // namespace ikbench::inference
