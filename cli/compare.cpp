@@ -138,6 +138,13 @@ Compared compare_stores(const CompareArguments& arguments) {
   return compared;
 }
 
+// "a, b or c"
+std::string metric_names() {
+  std::vector<std::string_view> names;
+  for (const Metric metric : compared_metrics()) names.push_back(name_of(metric));
+  return fmt::format("{} or {}", fmt::join(names.begin(), names.end() - 1, ", "), names.back());
+}
+
 // What a terminal is wide enough for.
 Table narrow(const Table& table) {
   constexpr std::array<std::string_view, 11> shown{"label", "metric", "B_is", "mean_A",  "mean_B", "B_by_A",
@@ -216,9 +223,7 @@ void add_compare(CLI::App& app, Invocation& invocation) {
       ->add_option("--label", arguments->labels,
                    "with two stores: compare only this label; repeat for more; default: all that both stores have")
       ->allow_extra_args(false);
-  command
-      ->add_option("--metric", arguments->metrics,
-                   "position_error_cm, variation_deg, evaluations, seconds or solved; repeat for more; default: all")
+  command->add_option("--metric", arguments->metrics, metric_names() + "; repeat for more; default: all")
       ->allow_extra_args(false);
   const CLI::Option *margin = add_margin_option(*command, arguments->plan.margin),
                     *significance = add_significance_option(*command, arguments->plan.significance);

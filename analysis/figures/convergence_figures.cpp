@@ -101,7 +101,7 @@ std::optional<Figure> convergence_figure(const StudyResults& study, const std::v
 
 Figure runtime_figure(const StudyResults& study, const std::vector<Solves>& courses, Cost cost) {
   const std::vector<double> targets = target_errors_cm(study);
-  ShareCurves shares{.label = std::string(quantity(cost == Cost::seconds ? Metric::seconds : Metric::evaluations)),
+  ShareCurves shares{.label = quantity(cost == Cost::seconds ? Metric::seconds : Metric::evaluations),
                      .share_of = "share of solves and targets"};
   for (const Solves& solves : courses) {
     std::vector<double> costs;
@@ -129,7 +129,7 @@ Figure runtime_figure(const StudyResults& study, const std::vector<Solves>& cour
 }
 
 Figure error_figure(const StudyResults& study) {
-  ShareCurves shares{.label = std::string(quantity(Metric::position_error_cm)), .share_of = "share of solves"};
+  ShareCurves shares{.label = quantity(Metric::position_error_cm), .share_of = "share of solves"};
   bool has_zero = false;
   for (const Solves& solves : solves_by_solver(study)) {
     std::vector<double> errors;
@@ -203,7 +203,7 @@ std::optional<Figure> profile_figure(const StudyResults& study, ProfileOf of) {
 
 // The share of solves that have not come to the tolerance yet.
 Figure survival_figure(const StudyResults& study) {
-  ShareCurves shares{.label = std::string(quantity(Metric::evaluations)),
+  ShareCurves shares{.label = quantity(Metric::evaluations),
                      .share_of = "share not yet at the tolerance",
                      .start = 1,
                      .ends_with_last = true};

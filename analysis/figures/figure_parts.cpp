@@ -33,7 +33,7 @@ std::string data_number(double value) { return std::isfinite(value) ? text_of(va
 
 std::string with_notes(std::string caption, const StudyResults& study, Metric metric, const Axis& axis) {
   if (axis.shows_at_edge) caption += " Values of zero are drawn at the lower edge.";
-  if (metric == Metric::seconds) {
+  if (info_of(metric).kind == Kind::time) {
     if (const std::string note = timing_note(study); !note.empty()) caption += ' ' + note;
   }
   return caption;

@@ -106,7 +106,7 @@ std::string block_of(Blocks blocks) {
 
 Observations without_groups(Metric metric) {
   const MetricInfo& info = info_of(metric);
-  return {.name = std::string(info.slug), .quantity = std::string(info.quantity), .better = Better::smaller};
+  return {.name = std::string(info.slug), .quantity = quantity(metric), .better = info.better};
 }
 
 void fill_blocks(Observations& result, const StudyResults& study, const std::vector<Block>& blocks, Metric metric) {
@@ -135,7 +135,7 @@ void add_notes(Observations& result, const StudyResults& study, Metric metric) {
     result.notes.push_back(
         fmt::format("{}: {} of {} observations are not finite.", group.name, not_finite, group.values.size()));
   }
-  if (metric != Metric::seconds) return;
+  if (info_of(metric).kind != Kind::time) return;
   if (std::string note = timing_note(study); !note.empty() && result.flaw.empty()) result.flaw = std::move(note);
 }
 

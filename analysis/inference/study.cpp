@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -128,32 +127,6 @@ double tolerance_cm(const StudyResults& study) {
   return tolerance > 0 ? tolerance : not_defined;
 }
 
-const MetricInfo& info_of(Metric metric) {
-  static constexpr std::array<MetricInfo, 4> infos{
-      {{"position_error_cm", "error", "position error", "position error [cm]"},
-       {"variation_deg", "variation", "angles variation", "angles variation [deg]"},
-       {"seconds", "time", "computing time", "computing time [s]"},
-       {"evaluations", "evaluations", "evaluations", "evaluations"}}};
-  return infos[static_cast<std::size_t>(metric)];
-}
-
-std::string_view name_of(Metric metric) { return info_of(metric).column; }
-std::string_view quantity(Metric metric) { return info_of(metric).quantity; }
-
-double value_of(const SolveRecord& solve, Metric metric) {
-  switch (metric) {
-    case Metric::position_error_cm:
-      return solve.position_error_cm;
-    case Metric::variation_deg:
-      return solve.variation_deg;
-    case Metric::seconds:
-      return solve.seconds;
-    case Metric::evaluations:
-      return static_cast<double>(solve.evaluations);
-  }
-  return not_defined;
-}
-
 std::vector<Sample> samples(const StudyResults& study, Metric metric, Unit unit) {
   std::vector<Sample> result;
   for (const std::string& solver : study.solvers) {
@@ -263,5 +236,9 @@ std::string timing_note(const StudyResults& study) {
 }
 
 bool times_are_comparable(const StudyResults& study) { return timing_note(study).empty(); }
+
+bool is_comparable(const StudyResults& study, Metric metric) {
+  return info_of(metric).kind != Kind::time || times_are_comparable(study);
+}
 
 }  // namespace ikbench::inference

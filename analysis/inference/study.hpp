@@ -2,13 +2,13 @@
 // each other; the unit of analysis is therefore the run, one observation being the mean over its points.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "analysis/inference/metrics.hpp"
 #include "results/analysis_plan.hpp"
 #include "results/record.hpp"
 #include "results/store.hpp"
@@ -36,22 +36,6 @@ StudyResults make_study(std::string name, std::vector<results::SolveRecord> solv
 
 // The position error at which a solve ends; not defined where the study has none.
 double tolerance_cm(const StudyResults& study);
-
-enum class Metric { position_error_cm, variation_deg, seconds, evaluations };
-constexpr std::array<Metric, 4> all_metrics{Metric::position_error_cm, Metric::variation_deg, Metric::seconds,
-                                            Metric::evaluations};
-constexpr std::array<Metric, 3> paper_metrics{Metric::position_error_cm, Metric::variation_deg, Metric::seconds};
-
-struct MetricInfo {
-  std::string_view column;    // its name in the record
-  std::string_view slug;      // of files and anchors, and where it is clear what it is of
-  std::string_view name;      // as it is read
-  std::string_view quantity;  // with its unit
-};
-const MetricInfo& info_of(Metric metric);
-std::string_view name_of(Metric metric);   // the column's name
-std::string_view quantity(Metric metric);  // with its unit
-double value_of(const results::SolveRecord& solve, Metric metric);
 
 // The observations of one solver. A run of which points are missing gives no run mean; it is counted instead.
 struct Sample {
@@ -87,6 +71,7 @@ std::vector<std::string> status_notes(const StudyResults& study);
 // them follows it. The note says why they cannot be; it is empty where they can.
 std::string timing_note(const StudyResults& study);
 bool times_are_comparable(const StudyResults& study);
+bool is_comparable(const StudyResults& study, Metric metric);  // all metrics are but times
 // Whether other programs were at work while the solves ran that are recorded as clean: by their wall and CPU time.
 bool times_were_disturbed(const StudyResults& study);
 constexpr std::string_view times_not_judged = "times are not comparable";

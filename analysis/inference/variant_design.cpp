@@ -174,19 +174,19 @@ std::string sentence_of(const VariantDesign& design, int points) {
       design.a.size(), design.b.size(), observation);
 }
 
-std::vector<double> values_of(const std::vector<Observed>& observed, const ComparedMetric& metric) {
+std::vector<double> values_of(const std::vector<Observed>& observed, Metric metric) {
   std::vector<double> result;
   for (const Observed& one : observed) {
     std::vector<double> values;
-    for (const SolveRecord* solve : one.solves) values.push_back(metric.value(*solve));
+    for (const SolveRecord* solve : one.solves) values.push_back(value_of(*solve, metric));
     result.push_back(mean(values));
   }
   return result;
 }
 
-bool has_same_bits(const VariantDesign& design, const ComparedMetric& metric) {
+bool has_same_bits(const VariantDesign& design, Metric metric) {
   const auto is_same = [&](const SolveRecord* a, const SolveRecord* b) {
-    const double one = metric.value(*a), other = metric.value(*b);
+    const double one = value_of(*a, metric), other = value_of(*b, metric);
     return std::bit_cast<std::uint64_t>(one) == std::bit_cast<std::uint64_t>(other) ||
            (std::isnan(one) && std::isnan(other));
   };

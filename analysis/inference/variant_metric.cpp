@@ -56,7 +56,7 @@ std::vector<double> rankable(std::span<const double> values, Better better) {
 }
 
 void rank(MetricComparison& result, const MetricSamples& samples, double level) {
-  const Better better = samples.metric.better;
+  const Better better = info_of(samples.metric).better;
   const std::vector<double> a = rankable(samples.a, better), b = rankable(samples.b, better);
   const bool smaller = better == Better::smaller;
   result.b_better = vargha_delaney(smaller ? a : b, smaller ? b : a, level);
@@ -124,7 +124,7 @@ void compare_ratio(MetricComparison& result, const MetricSamples& samples, const
   const auto shown = [&](double p) { return p == 0 ? least : p; };
   ratio.p_difference = shown(ratio.p_difference);
   if (ratio.undefined.empty()) {
-    const bool smaller = samples.metric.better == Better::smaller;
+    const bool smaller = info_of(samples.metric).better == Better::smaller;
     ratio.p_equivalent = shown(ratio.p_equivalent);
     result.p_worse = shown(smaller ? ratio.p_above : ratio.p_below);
     result.p_better = shown(smaller ? ratio.p_below : ratio.p_above);
@@ -146,18 +146,19 @@ void compare_means(MetricComparison& result, const MetricSamples& samples, const
         fmt::format("a single {} has no spread; more runs have one (--set runs=20)", samples.observation);
     return;
   }
-  const double ahead = (mean(samples.a) - mean(samples.b)) * (samples.metric.better == Better::smaller ? 1 : -1);
+  const double ahead =
+      (mean(samples.a) - mean(samples.b)) * (info_of(samples.metric).better == Better::smaller ? 1 : -1);
   result.mean_favours = ahead > 0 ? 1 : ahead < 0 ? -1 : 0;
   const bool is_constant = result.a.std == 0 && result.b.std == 0;
-  if (is_constant && samples.metric.kind == Kind::counted) return compare_counts(result, question.margin);
+  if (is_constant && info_of(samples.metric).kind == Kind::count) return compare_counts(result, question.margin);
   compare_ratio(result, samples, question);
-  if (is_constant && samples.metric.kind == Kind::share) limit_by_failures(result, question.margin);
+  if (is_constant && info_of(samples.metric).kind == Kind::share) limit_by_failures(result, question.margin);
 }
 
 bool are_rounding(const MetricSamples& samples) {
-  const auto is_rounding = [&](double value) { return value >= 0 && value <= samples.metric.rounding; };
-  return samples.metric.rounding > 0 && std::ranges::all_of(samples.a, is_rounding) &&
-         std::ranges::all_of(samples.b, is_rounding);
+  const double rounding = info_of(samples.metric).rounding;
+  const auto is_rounding = [&](double value) { return value >= 0 && value <= rounding; };
+  return rounding > 0 && std::ranges::all_of(samples.a, is_rounding) && std::ranges::all_of(samples.b, is_rounding);
 }
 
 struct FiniteValues {
@@ -218,7 +219,7 @@ void compare_not_finite(MetricComparison& result, const MetricSamples& samples, 
 
 MetricComparison compare_metric(const MetricSamples& samples, const MarginQuestion& question) {
   check(question);
-  MetricComparison result{.metric = samples.metric.name,
+  MetricComparison result{.metric = name_of(samples.metric),
                           .observation = samples.observation,
                           .a = summarise(samples.a),
                           .b = summarise(samples.b)};
@@ -235,7 +236,8 @@ MetricComparison compare_metric(const MetricSamples& samples, const MarginQuesti
   } else if (not_finite(samples.a) + not_finite(samples.b) > 0) {
     compare_not_finite(result, samples, question);
   } else if (are_rounding(samples)) {
-    settle(result, Outcome::same, fmt::format("both are rounding, below {}", short_number(samples.metric.rounding)));
+    settle(result, Outcome::same,
+           fmt::format("both are rounding, below {}", short_number(info_of(samples.metric).rounding)));
   } else {
     compare_means(result, samples, question);
   }

@@ -9,39 +9,12 @@
 #include <string_view>
 #include <vector>
 
-#include "analysis/inference/observations.hpp"
+#include "analysis/inference/metrics.hpp"
 #include "analysis/statistics/descriptive.hpp"
 #include "analysis/statistics/effect_size.hpp"
 #include "analysis/statistics/mean_ratio.hpp"
-#include "results/record.hpp"
 
 namespace ikbench::inference {
-
-// counted: how often a solver does something, which is a fact where it is constant; share: of what can fail, so that
-// never having failed is no proof.
-enum class Kind { measured, counted, share };
-
-struct ComparedMetric {
-  std::string_view name;     // a column of the record, or what is made of one
-  std::string_view meaning;  // with its unit
-  Kind kind;
-  Better better;
-  double rounding;  // up to here a value is none to the verifier, which counts 1e-9 m and rad as rounding
-  double (*value)(const results::SolveRecord& solve);
-};
-
-inline constexpr std::array<ComparedMetric, 5> compared_metrics{{
-    {"position_error_cm", "position error [cm]", Kind::measured, Better::smaller, 1e-7,
-     [](const results::SolveRecord& solve) { return solve.position_error_cm; }},
-    {"variation_deg", "angles variation [deg]", Kind::measured, Better::smaller, 1e-9 * 57.29577951308232,
-     [](const results::SolveRecord& solve) { return solve.variation_deg; }},
-    {"evaluations", "candidates evaluated", Kind::counted, Better::smaller, 0,
-     [](const results::SolveRecord& solve) { return static_cast<double>(solve.evaluations); }},
-    {"seconds", "computing time [s]", Kind::measured, Better::smaller, 0,
-     [](const results::SolveRecord& solve) { return solve.seconds; }},
-    {"solved", "share of solves with status ok", Kind::share, Better::larger, 0,
-     [](const results::SolveRecord& solve) { return solve.status == results::Status::ok ? 1.0 : 0.0; }},
-}};
 
 // Of b held against a. not_worse: shown not to be worse by more than the margin, but neither shown better by more than
 // it nor the same within it.
@@ -58,7 +31,7 @@ struct MarginQuestion {
 };
 
 struct MetricSamples {
-  const ComparedMetric& metric;
+  Metric metric;
   std::span<const double> a;
   std::span<const double> b;
   std::string_view observation = "run";  // what one value is of: "run" or "target"

@@ -20,20 +20,20 @@ using namespace results;
 namespace {
 
 // In the order in which they were asked for, once each.
-std::vector<const ComparedMetric*> chosen(std::span<const std::string> names) {
-  std::vector<const ComparedMetric*> result;
-  if (names.empty()) {
-    for (const ComparedMetric& metric : compared_metrics) result.push_back(&metric);
-  }
+std::vector<Metric> chosen(std::span<const std::string> names) {
+  const std::vector<Metric> all = compared_metrics();
+  if (names.empty()) return all;
+  const auto column = [](Metric metric) { return name_of(metric); };
+  std::vector<Metric> result;
   for (const std::string& name : names) {
-    const auto* const found = std::ranges::find(compared_metrics, name, &ComparedMetric::name);
-    if (found == compared_metrics.end()) {
+    const auto found = std::ranges::find(all, name, column);
+    if (found == all.end()) {
       std::vector<std::string_view> known;
-      for (const ComparedMetric& metric : compared_metrics) known.push_back(metric.name);
+      for (const Metric metric : all) known.push_back(name_of(metric));
       throw std::invalid_argument(
           fmt::format("unknown metric \"{}\" (there are: {})", name.substr(0, 100), fmt::join(known, ", ")));
     }
-    if (std::ranges::find(result, found) == result.end()) result.push_back(found);
+    if (std::ranges::find(result, *found) == result.end()) result.push_back(*found);
   }
   return result;
 }
@@ -69,7 +69,7 @@ std::vector<Variant> variants(const Store& store, const StudyEntry& study) {
 
 VariantComparison compare_variants(const Variant& a, const Variant& b, std::span<const std::string> metrics,
                                    const MarginQuestion& question) {
-  const std::vector<const ComparedMetric*> asked = chosen(metrics);
+  const std::vector<Metric> asked = chosen(metrics);
   const VariantDesign design = variant_design(a, b);
   const bool is_of_targets = design.pairs == Blocks::drawn_targets || design.pairs == Blocks::path_targets;
   VariantComparison comparison{.label = a.series.label == b.series.label
@@ -78,15 +78,15 @@ VariantComparison compare_variants(const Variant& a, const Variant& b, std::span
                                .paired = design.pairs != Blocks::none,
                                .design = sentence_of(design, a.study.points)};
   const std::string why_not_timed = why_times_differ(a, b);
-  for (const ComparedMetric* metric : asked) {
-    const std::vector<double> of_a = values_of(design.a, *metric), of_b = values_of(design.b, *metric);
-    const bool is_time = metric->name == "seconds";
-    comparison.metrics.push_back(compare_metric({.metric = *metric,
+  for (const Metric metric : asked) {
+    const std::vector<double> of_a = values_of(design.a, metric), of_b = values_of(design.b, metric);
+    const bool is_time = info_of(metric).kind == Kind::time;
+    comparison.metrics.push_back(compare_metric({.metric = metric,
                                                  .a = of_a,
                                                  .b = of_b,
                                                  .observation = is_of_targets ? "target" : "run",
                                                  .paired = comparison.paired,
-                                                 .same_bits = has_same_bits(design, *metric),
+                                                 .same_bits = has_same_bits(design, metric),
                                                  .tests = static_cast<int>(asked.size()),
                                                  .not_compared = is_time && !why_not_timed.empty() ? "see below" : ""},
                                                 question));

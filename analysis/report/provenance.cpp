@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <array>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -128,8 +127,7 @@ bool same_targets(const StudyResults& a, const StudyResults& b) {
 }
 
 Table perspective_table(const std::vector<StudyResults>& studies, Unit unit) {
-  constexpr std::array<Metric, 4> metrics{Metric::position_error_cm, Metric::variation_deg, Metric::seconds,
-                                          Metric::evaluations};
+  const std::vector<Metric> metrics = reported_metrics();
   Table table{.name = "perspective",
               .caption = "The study beside others with the same targets",
               .columns = {{"study", Align::left}, {"algorithm", Align::left}, {"observations"}, {"not_finite"}}};

@@ -105,7 +105,7 @@ std::vector<Assessment> printed_assessments(const StudyResults& study, const Ana
   std::vector<Assessment> result;
   for (const Metric metric : paper_metrics) {
     Summaries printed{.name = fmt::format("printed-{}", info_of(metric).slug),
-                      .quantity = as_printed(info_of(metric).quantity)};
+                      .quantity = as_printed(quantity(metric))};
     for (const PrintedRow& row : printed_table_3(study, metric)) printed.groups.push_back({row.algorithm, row.summary});
     if (printed.groups.size() < 2) continue;
     AnalysisPlan of_summaries = plan;  // ranks and controls of this study's own are not to be had
@@ -123,11 +123,11 @@ bool can_be_made(const AnalysisPlan& plan, const Observations& observed) {
 std::vector<Assessment> assessments_of(const StudyResults& study, const AnalysisPlan& plan) {
   if (study.solves.empty()) return {};
   std::vector<Assessment> result;
-  for (const Metric metric : all_metrics) {
+  for (const Metric metric : reported_metrics()) {
     Observations observed = observations(study, metric, plan.unit);
     AnalysisPlan possible = plan;  // a foreign store may plan what its data do not have
     if (!can_be_made(plan, observed)) possible.test = DecidingTest::by_design;
-    if (metric != Metric::seconds || times_are_comparable(study)) {
+    if (is_comparable(study, metric)) {
       result.push_back(assess(observed, possible));
       continue;
     }

@@ -36,7 +36,7 @@ std::string lettered(std::string_view item, std::size_t index) {
   return fmt::format("{}{}", item, static_cast<char>('a' + index));
 }
 
-std::string_view words_for(Metric metric) { return measured[static_cast<std::size_t>(metric)].words; }
+std::string_view words_for(Metric metric) { return std::ranges::find(measured, metric, &Measured::metric)->words; }
 
 std::string table_words(const std::string& name) { return "Table " + name.substr(name.size() - 1); }
 

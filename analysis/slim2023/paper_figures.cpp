@@ -78,7 +78,7 @@ Figure path_figure(const StudyResults& study) {
 }
 
 Figure curves_figure(const StudyResults& study, Metric metric) {
-  Figure figure{.name = fmt::format("figure-{}", 6 + static_cast<int>(metric)),
+  Figure figure{.name = fmt::format("figure-{}", paper_numbers(metric).curves_figure),
                 .caption = fmt::format("{}: mean over the runs at each point.", capitalised(quantity(metric)))};
   std::vector<std::vector<double>> curves;
   std::vector<double> all;
@@ -163,7 +163,7 @@ std::vector<Figure> joint_figures(const StudyResults& study) {
 Figure box_figure(const StudyResults& study, const BoxRequest& request) {
   const std::string observation = request.unit == Unit::run ? "run means" : "points";
   Figure figure{
-      .name = fmt::format("figure-{}", 10 + static_cast<int>(request.metric)),
+      .name = fmt::format("figure-{}", paper_numbers(request.metric).box_figure),
       .caption = fmt::format("{}: box plots over the {}. Quartiles of type {} (Hyndman and Fan), whiskers to the "
                              "last value within 1.5 box heights.",
                              capitalised(quantity(request.metric)), observation, static_cast<int>(request.quartiles))};
@@ -257,11 +257,10 @@ Figure box_figure(const StudyResults& study, const BoxRequest& request) {
 
 std::vector<Figure> paper_figures(const StudyResults& study, Unit unit, QuantileType quartiles) {
   if (study.solves.empty()) return {};
-  constexpr std::array<Metric, 3> metrics{Metric::position_error_cm, Metric::variation_deg, Metric::seconds};
   std::vector<Figure> figures{path_figure(study)};
-  for (const Metric metric : metrics) figures.push_back(curves_figure(study, metric));
+  for (const Metric metric : paper_metrics) figures.push_back(curves_figure(study, metric));
   for (Figure& figure : joint_figures(study)) figures.push_back(std::move(figure));
-  for (const Metric metric : metrics) {
+  for (const Metric metric : paper_metrics) {
     figures.push_back(box_figure(study, {.metric = metric, .unit = unit, .quartiles = quartiles}));
   }
   for (Figure& figure : circle_figures(study)) figures.push_back(std::move(figure));

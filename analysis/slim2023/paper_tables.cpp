@@ -229,12 +229,12 @@ Table table_3_as_printed(std::string_view paper) {
 }
 
 Table anova_table(const StudyResults& study, Metric metric, Unit unit) {
-  const int number = 4 + static_cast<int>(metric);
+  const int number = paper_numbers(metric).anova_table;
   Table table{.name = fmt::format("table-{}", number),
               .caption = fmt::format("Table {}: one-way ANOVA of the {}", number, quantity(metric)),
               .columns = anova_columns()};
   const StudyAnova ours = anova(study, metric, unit);
-  const bool is_judged = metric != Metric::seconds || times_are_comparable(study);
+  const bool is_judged = is_comparable(study, metric);
   add_anova_rows(table, ours.table, comparable_printed_anova(study, metric, unit));
   if (!is_judged) leave_out_test(table);
   if (is_judged && !ours.table.undefined.empty())

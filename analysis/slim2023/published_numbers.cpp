@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 
 #include "analysis/inference/definition.hpp"
 #include "numerics/number.hpp"
@@ -30,6 +31,12 @@ std::optional<PrintedRow> row_of(const std::vector<PrintedRow>& rows, std::strin
 }
 
 }  // namespace
+
+const PaperNumbers& paper_numbers(Metric metric) {
+  static const std::map<Metric, PaperNumbers> numbers{
+      {Metric::position_error_cm, {4, 6, 10}}, {Metric::variation_deg, {5, 7, 11}}, {Metric::seconds, {6, 8, 12}}};
+  return numbers.at(metric);
+}
 
 double half_unit(std::string_view printed) {
   const std::size_t e = std::min(printed.find_first_of("eE"), printed.size());
@@ -72,8 +79,8 @@ std::optional<PrintedRow> printed_row(const StudyResults& study, std::string_vie
 }
 
 std::optional<AnovaTable> printed_anova(std::string_view paper, Metric metric) {
-  if (metric == Metric::evaluations) return std::nullopt;
-  const std::string name = fmt::format("table-{}", 4 + static_cast<int>(metric));
+  if (std::ranges::find(paper_metrics, metric) == paper_metrics.end()) return std::nullopt;
+  const std::string name = fmt::format("table-{}", paper_numbers(metric).anova_table);
   if (!has_table(paper, name)) return std::nullopt;
   const CsvTable table = published::table(paper, name);
   constexpr std::size_t between = 0, within = 1, total = 2;

@@ -12,6 +12,15 @@
 
 namespace ikbench::slim2023 {
 
+// What the paper measured, and by which numbers it prints that: the table of its ANOVA, the figures of its curves over
+// the points and of its box plots.
+constexpr std::array<inference::Metric, 3> paper_metrics{inference::Metric::position_error_cm,
+                                                         inference::Metric::variation_deg, inference::Metric::seconds};
+struct PaperNumbers {
+  int anova_table, curves_figure, box_figure;
+};
+const PaperNumbers& paper_numbers(inference::Metric metric);  // std::out_of_range for what the paper did not measure
+
 struct PrintedRow {
   std::string algorithm;
   statistics::GroupSummary summary;

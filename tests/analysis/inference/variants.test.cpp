@@ -20,7 +20,7 @@ TEST_CASE("identical variants are the same to the bit in every metric", "[varian
     for (const std::vector<double>& errors :
          std::vector<std::vector<double>>{about(1, 0.5), {1}, {0, 0}, {not_defined, 1}}) {
       const VariantComparison comparison = compared(variant(errors, change), variant(errors, change));
-      REQUIRE(comparison.metrics.size() == compared_metrics.size());
+      REQUIRE(comparison.metrics.size() == compared_metrics().size());
       for (const MetricComparison& metric : comparison.metrics) {
         CHECK(metric.outcome == Outcome::same);
         CHECK(metric.remark == "to the bit");
