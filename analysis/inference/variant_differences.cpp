@@ -73,9 +73,7 @@ Facts facts_of(const Variant& variant) {
 
 std::string why_times_differ(const Variant& a, const Variant& b) {
   for (const Variant* side : {&a, &b}) {
-    if (const std::string note = timing_note(side->study); !note.empty()) {
-      return fmt::format("{}: {}", side == &a ? "A" : "B", note);
-    }
+    if (!side->timing.empty()) return fmt::format("{}: {}", side == &a ? "A" : "B", side->timing);
   }
   std::set<std::string> cpus = values_of(a, "cpu");
   cpus.merge(values_of(b, "cpu"));

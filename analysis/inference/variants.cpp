@@ -50,13 +50,15 @@ void note_missing_runs(VariantComparison& comparison, const Variant& side, std::
 
 std::vector<Variant> variants(const Store& store, const StudyEntry& study) {
   std::map<std::string, std::vector<SolveRecord>> solves;
-  for (SolveRecord& solve : store.solves(study.name)) solves[solve.solver].push_back(std::move(solve));
+  StudyResults whole = make_study(study, store.solves(study.name));
+  const std::string timing = timing_note(whole);
+  for (SolveRecord& solve : whole.solves) solves[solve.solver].push_back(std::move(solve));
   const std::vector<Session> sessions = store.sessions();
   std::vector<Variant> result;
   for (const Series& series : study.series) {
     StudyEntry alone = study;
     alone.series = {series};
-    Variant variant{.series = series, .study = make_study(alone, std::move(solves[series.label]))};
+    Variant variant{.series = series, .study = make_study(alone, std::move(solves[series.label])), .timing = timing};
     std::set<std::int64_t> used;
     for (const SolveRecord& solve : variant.study.solves) used.insert(solve.session);
     for (const Session& session : sessions) {

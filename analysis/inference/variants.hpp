@@ -17,6 +17,7 @@ struct Variant {
   results::Series series;
   StudyResults study;                           // of that label alone
   std::vector<results::Session> sessions = {};  // those that solved it
+  std::string timing = {};  // why times of its whole study are not comparable, as a report has it; empty where they are
 };
 
 // One for each label of the study, in its order. std::invalid_argument as make_study.

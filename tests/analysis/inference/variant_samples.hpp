@@ -43,9 +43,12 @@ inline inference::Variant variant(const std::vector<double>& errors_cm, const Ch
       .name = "study",
       .definition = fmt::format(R"({{"points": 1, "runs": {}, "stop": {{"iterations": 200}}}})", errors_cm.size()),
       .series = {series}};
+  inference::StudyResults study = inference::make_study(entry, std::move(solves));
+  const std::string timing = inference::timing_note(study);
   return {.series = series,
-          .study = inference::make_study(entry, std::move(solves)),
-          .sessions = {{.id = 1, .environment = {{"cpu", "one"}, {"commit", "abc"}}}}};
+          .study = std::move(study),
+          .sessions = {{.id = 1, .environment = {{"cpu", "one"}, {"commit", "abc"}}}},
+          .timing = timing};
 }
 
 // Many points a run: their targets are the path's, and errors what `error_cm` says of run and point.
