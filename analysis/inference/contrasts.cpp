@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "analysis/inference/judge.hpp"
 #include "analysis/statistics/effect_size.hpp"
 #include "analysis/statistics/friedman.hpp"
 #include "analysis/statistics/kruskal_wallis.hpp"
@@ -58,8 +59,7 @@ std::optional<std::size_t> reference_of(const Evidence& evidence) {
     return static_cast<std::size_t>(control - groups.begin());
   }
   if (groups.size() <= most_groups_in_pairs) return std::nullopt;
-  const auto worth = [&](const GroupEvidence& group) { return standing(evidence, group); };
-  return static_cast<std::size_t>(std::ranges::min_element(groups, {}, worth) - groups.begin());
+  return best_group(evidence);
 }
 
 void add_nemenyi(const Evidence& evidence, std::vector<Contrast>& all) {
@@ -171,9 +171,21 @@ int ahead_by_means(const Evidence& evidence, double difference) {
   return evidence.better == Better::smaller ? -sign_of(difference) : sign_of(difference);
 }
 
-// Of two that differ.
-Relation better_of(const Contrast& contrast) {
-  return contrast.ahead > 0 ? Relation::first_better : Relation::second_better;
+// By the one rule (judge.hpp), with the p of whichever is ahead.
+Relation relation_of(const Evidence& evidence, const Contrast& contrast, double p) {
+  const Tested tested{.p_better = contrast.ahead > 0 ? p : 1,
+                      .p_worse = contrast.ahead > 0 ? 1 : p,
+                      .within_margin = contrast.within_margin};
+  switch (answer_of(tested, evidence.plan.significance)) {
+    case Answer::better:
+      return Relation::first_better;
+    case Answer::worse:
+      return Relation::second_better;
+    case Answer::same:
+      return Relation::equivalent;
+    default:
+      return Relation::not_told_apart;
+  }
 }
 
 // Two groups of one value each. So many values are needed to find a difference, and as many to find that there is none.
@@ -190,7 +202,7 @@ void judge_constants(const Evidence& evidence, Contrast& contrast) {
   if (by_chance >= evidence.plan.significance) return;
   contrast.difference = {difference, difference, difference};
   contrast.within_margin = std::abs(difference) <= margin_of(evidence, contrast);
-  contrast.relation = contrast.ahead == 0 ? Relation::equivalent : better_of(contrast);
+  contrast.relation = relation_of(evidence, contrast, contrast.p);
 }
 
 void judge(const Evidence& evidence, Contrast& contrast) {
@@ -210,12 +222,9 @@ void judge(const Evidence& evidence, Contrast& contrast) {
   contrast.within_margin = std::abs(contrast.difference.low) <= room && std::abs(contrast.difference.high) <= room;
   // Ranks of few values are no more normal than these: a pair is only found where all groups together are.
   const TestResult* together = deciding_test(evidence);
-  const bool found =
-      contrast.p < evidence.plan.significance && (!evidence.ranks_decide() || evidence.groups.size() == 2 ||
-                                                  together == nullptr || together->p < evidence.plan.significance);
-  contrast.relation = found                    ? better_of(contrast)
-                      : contrast.within_margin ? Relation::equivalent
-                                               : Relation::not_told_apart;
+  const bool counts = !evidence.ranks_decide() || evidence.groups.size() == 2 || together == nullptr ||
+                      is_significant(together->p, evidence.plan);
+  contrast.relation = relation_of(evidence, contrast, counts ? contrast.p : 1);
 }
 
 double deciding_p(const Evidence& evidence, const Contrast& contrast) {

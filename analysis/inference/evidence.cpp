@@ -245,9 +245,6 @@ GroupEvidence describe_group(const Group& group, const AnalysisPlan& plan) {
   result.q3 = q3;
   const MedianInterval median = median_interval(ranked, level);
   result.median = {.value = of.median, .low = median.low, .high = median.high};
-  const ShapiroWilk normal = shapiro_wilk(group.values);
-  result.normality = normal.p;
-  result.normality_w = normal.W;
   return result;
 }
 
@@ -297,6 +294,20 @@ std::string_view deciding_words(const Evidence& evidence) {
   return words[static_cast<std::size_t>(evidence.plan.test)];
 }
 
+std::string_view pair_test_words(const Evidence& evidence) {
+  const bool is_of_two = evidence.groups.size() == 2;
+  switch (evidence.plan.test) {
+    case DecidingTest::anova:
+      return is_of_two ? "Student's test" : "Tukey's test";
+    case DecidingTest::kruskal_wallis:
+      return is_of_two ? "Mann and Whitney's test" : "Dunn's test";
+    case DecidingTest::friedman:
+      return is_of_two ? "Wilcoxon's signed-rank test" : "Friedman's test of ranks";
+    default:
+      return is_of_two ? "Welch's test" : "Games and Howell's test";
+  }
+}
+
 const TestResult* deciding_test(const Evidence& evidence) {
   switch (evidence.plan.test) {
     case DecidingTest::anova:
@@ -317,6 +328,15 @@ double standing(const Evidence& evidence, const GroupEvidence& group) {
   if (std::isfinite(rank)) return rank;
   const double mean = evidence.better == Better::smaller ? group.described.mean : -group.described.mean;
   return std::isfinite(mean) ? mean : std::numeric_limits<double>::infinity();
+}
+
+std::size_t best_group(const Evidence& evidence) {
+  const auto& groups = evidence.groups;
+  if (evidence.contrasts.size() == 1 && evidence.contrasts[0].ahead != 0) {
+    return evidence.contrasts[0].ahead > 0 ? evidence.contrasts[0].first : evidence.contrasts[0].second;
+  }
+  const auto worth = [&](const GroupEvidence& group) { return standing(evidence, group); };
+  return static_cast<std::size_t>(std::ranges::min_element(groups, {}, worth) - groups.begin());
 }
 
 std::string_view interval_words(const Evidence& evidence) {
@@ -353,31 +373,63 @@ Evidence evidence(const Summaries& summaries, const AnalysisPlan& plan) {
   return result;
 }
 
-Evidence evidence(const Observations& given, const AnalysisPlan& plan) {
-  const Observations observations = exact(given);
+AnalysisPlan feasible(AnalysisPlan plan, const Observations& observations) {
+  if (plan.test == DecidingTest::friedman && observations.blocks.empty()) plan.test = DecidingTest::by_design;
+  return plan;
+}
+
+AnalysisPlan feasible(AnalysisPlan plan, const Summaries&) {
+  if (plan.test != DecidingTest::anova) plan.test = DecidingTest::welch;
+  plan.control.clear();
+  return plan;
+}
+
+namespace {
+
+Samples values_of(const Observations& observations) {
+  Samples values;
+  for (const Group& group : observations.groups) values.push_back(group.values);
+  return values;
+}
+
+// Of exact observations.
+Evidence describe_groups(const Observations& observations, const AnalysisPlan& plan) {
   Evidence result = begin(observations.name, observations.quantity, observations.better, plan);
   result.replicate = observations.replicate;
   result.block = observations.block;
   result.blocks = observations.blocks.size();
   result.notes = observations.notes;
   result.flaw = observations.flaw;
-  Samples values;
   std::vector<GroupSummary> summaries;
   for (const Group& group : observations.groups) {
     result.groups.push_back(describe_group(group, plan));
-    values.push_back(group.values);
     summaries.push_back(summarise(group.values));
   }
-  bootstrap_means(result, values);
   check_control(result);
   settle_test(result);
-  if (result.groups.size() < 2) return result;
+  const std::size_t k = result.groups.size();
+  if (k < 2) return result;
+  result.pairs = k * (k - 1) / 2;
   result.constant = std::ranges::all_of(result.groups, [](const GroupEvidence& g) { return is_constant(g.described); });
+  if (!result.constant) compare_variances(result, summaries);
+  return result;
+}
+
+void make_tests(Evidence& result, const Observations& observations) {
+  const Samples values = values_of(observations);
+  std::vector<GroupSummary> summaries;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    summaries.push_back(summarise(values[i]));
+    const ShapiroWilk normal = shapiro_wilk(values[i]);
+    result.groups[i].normality = normal.p;
+    result.groups[i].normality_w = normal.W;
+    result.groups[i].normality_undefined = normal.undefined;
+  }
+  if (result.groups.size() < 2) return;
   const Samples ranks = rankable(observations);
   const KruskalWallis by_ranks = kruskal_wallis(ranks);
   add_mean_ranks(result, by_ranks);
   if (!result.constant) {
-    compare_variances(result, summaries);
     result.tests = {of_brown_forsythe(brown_forsythe(values)), of_bartlett(bartlett(values)), of_anova(anova(values)),
                     of_welch(result.groups, summaries), of_kruskal_wallis(by_ranks)};
     if (ranks.size() == 2) result.tests.push_back(of_two(ranks[0], ranks[1], result));
@@ -385,6 +437,29 @@ Evidence evidence(const Observations& given, const AnalysisPlan& plan) {
   if (result.blocks > 0 && !result.constant) add_friedman(result, ranks);
   add_contrasts(result, summaries, ranks);
   name_groups(result);
+}
+
+}  // namespace
+
+Evidence evidence(const Observations& given, const AnalysisPlan& plan) {
+  const Observations observations = exact(given);
+  Evidence result = describe_groups(observations, plan);
+  bootstrap_means(result, values_of(observations));
+  make_tests(result, observations);
+  return result;
+}
+
+Evidence tested(const Observations& given, const AnalysisPlan& plan) {
+  const Observations observations = exact(given);
+  Evidence result = describe_groups(observations, plan);
+  make_tests(result, observations);
+  return result;
+}
+
+Evidence described(const Observations& given, const AnalysisPlan& plan) {
+  const Observations observations = exact(given);
+  Evidence result = describe_groups(observations, plan);
+  bootstrap_means(result, values_of(observations));
   return result;
 }
 

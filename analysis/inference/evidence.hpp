@@ -112,6 +112,14 @@ constexpr std::size_t most_groups_in_pairs = 20;
 // summaries) is std::invalid_argument.
 Evidence evidence(const Observations& observations, const results::AnalysisPlan& plan);
 Evidence evidence(const Summaries& summaries, const results::AnalysisPlan& plan);
+// The same without the intervals that the bootstrap takes its time for.
+Evidence tested(const Observations& observations, const results::AnalysisPlan& plan);
+// The groups described, and no test made.
+Evidence described(const Observations& observations, const results::AnalysisPlan& plan);
+
+// What of a plan can be followed with these: no blocks, no Friedman; of summaries no ranks, and no control.
+results::AnalysisPlan feasible(results::AnalysisPlan plan, const Observations& observations);
+results::AnalysisPlan feasible(results::AnalysisPlan plan, const Summaries& summaries);
 
 // The names of the tests of all groups, of which one decides.
 constexpr std::string_view anova_name = "One-way ANOVA", welch_name = "Welch's ANOVA",
@@ -121,9 +129,13 @@ constexpr std::string_view anova_name = "One-way ANOVA", welch_name = "Welch's A
                            bartlett_name = "Bartlett's test of equal variances";
 // The test of pairs that decides, with that of all groups where they go together.
 std::string_view deciding_words(const Evidence& evidence);
+// The test of one pair that decides, in words.
+std::string_view pair_test_words(const Evidence& evidence);
 // How good a group is by what decides: its mean rank, average rank or mean, the smaller the better; infinite where it
 // is not defined.
 double standing(const Evidence& evidence, const GroupEvidence& group);
+// The group that what decides puts first.
+std::size_t best_group(const Evidence& evidence);
 // The test of all groups that goes with the pairs' deciding one; null where it was not made.
 const TestResult* deciding_test(const Evidence& evidence);
 // By which method the differences have their intervals.

@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <tuple>
 
+#include "analysis/inference/analysis_plan.hpp"
 #include "analysis/inference/definition.hpp"
 #include "analysis/statistics/descriptive.hpp"
 
@@ -98,6 +99,7 @@ StudyResults make_study(const StudyEntry& entry, std::vector<SolveRecord> solves
   StudyResults study{.name = entry.name,
                      .runs = defined_number(entry.name, definition, "runs", most_runs),
                      .points = defined_number(entry.name, definition, "points", most_points),
+                     .plan = plan_of(entry),
                      .definition = entry.definition,
                      .solves = std::move(solves)};
   const auto defined_text = [&](const char* key) {

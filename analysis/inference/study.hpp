@@ -23,6 +23,7 @@ struct StudyResults {
   int points = 0;                         // as defined, per run
   std::string published = {};             // paper whose printed tables it is held against (results/published), or empty
   std::vector<std::string> departures = {};  // what of the published study's definition was changed
+  results::AnalysisPlan plan = {};           // how it is judged
   std::string definition = {};  // JSON, as the store has it (analysis/inference/definition.hpp); empty where none
   std::vector<results::SolveRecord> solves = {};
 };

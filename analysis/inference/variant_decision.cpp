@@ -6,6 +6,7 @@
 #include <cmath>
 #include <vector>
 
+#include "analysis/inference/judge.hpp"
 #include "analysis/inference/text.hpp"
 #include "analysis/statistics/p_adjust.hpp"
 
@@ -85,15 +86,13 @@ void decide(std::span<MetricComparison> comparisons, const MarginQuestion& quest
   for (std::size_t i = 0; i < comparisons.size(); ++i) {
     MetricComparison& comparison = comparisons[i];
     if (comparison.is_fact) continue;
-    if (worse[i] < alpha) {
-      comparison.outcome = Outcome::worse;
-    } else if (better[i] < alpha) {
-      comparison.outcome = Outcome::better;
-    } else if (comparison.ratio.p_equivalent < alpha) {
-      comparison.outcome = Outcome::same;
-    } else if (comparison.p_not_worse < alpha) {
-      comparison.outcome = Outcome::not_worse;
-    }
+    const Answer answer = answer_of(
+        {.p_better = better[i], .p_worse = worse[i], .within_margin = comparison.ratio.p_equivalent < alpha}, alpha);
+    comparison.outcome = answer == Answer::worse          ? Outcome::worse
+                         : answer == Answer::better       ? Outcome::better
+                         : answer == Answer::same         ? Outcome::same
+                         : comparison.p_not_worse < alpha ? Outcome::not_worse
+                                                          : Outcome::undecided;
     comparison.remark = remark_on(comparison, question);
     comparison.p_worse = worse[i];
     comparison.p_better = better[i];

@@ -123,14 +123,7 @@ Assessment assess(const Summaries& summaries, const AnalysisPlan& plan) {
 }
 
 Assessment describe(const Observations& observations, const AnalysisPlan& plan) {
-  Evidence found = evidence(observations, plan);
-  found.tests.clear();
-  found.contrasts.clear();
-  found.critical_difference = not_defined;
-  for (GroupEvidence& group : found.groups) {
-    group.normality = group.normality_w = group.mean_rank = group.average_rank = not_defined;
-  }
-  return with_observations(found, observations);
+  return with_observations(described(observations, plan), observations);
 }
 
 }  // namespace ikbench::report

@@ -97,16 +97,6 @@ std::string better_words(const Evidence& evidence, const Contrast& contrast) {
   return text;
 }
 
-// The group that what decides puts first.
-std::size_t best_group(const Evidence& evidence) {
-  const auto& groups = evidence.groups;
-  if (evidence.contrasts.size() == 1 && evidence.contrasts[0].ahead != 0) {
-    return evidence.contrasts[0].ahead > 0 ? evidence.contrasts[0].first : evidence.contrasts[0].second;
-  }
-  const auto worth = [&](const GroupEvidence& group) { return standing(evidence, group); };
-  return static_cast<std::size_t>(std::ranges::min_element(groups, {}, worth) - groups.begin());
-}
-
 // "10 of the 15 pairs differ. IK-BA is better than BA: ..."; of pairs with the best, or of the others where none of
 // those differs.
 std::string who_differs_words(const Evidence& evidence, const std::vector<std::string>& with_best,

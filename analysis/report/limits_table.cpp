@@ -9,10 +9,11 @@
 #include <string>
 
 #include "analysis/inference/definition.hpp"
+#include "analysis/inference/design.hpp"
+#include "analysis/inference/judge.hpp"
 #include "analysis/inference/ranking.hpp"
 #include "analysis/inference/text.hpp"
 #include "analysis/statistics/descriptive.hpp"
-#include "analysis/statistics/welch.hpp"
 
 namespace ikbench::report {
 
@@ -32,20 +33,26 @@ struct Side {
   // Means over the answers that were not refused. A refused one leaves the arm where it stood: its variation is 0.
   double accepted_error_cm = not_defined;
   double accepted_variation_deg = not_defined;
-  Description accepted_variation_of_runs;  // the same of every run that has such an answer
+  std::vector<double> accepted_variation_of_runs;  // the same of every run that has such an answer
   SolverCounts counts;
   Placing error_placing = {};  // among the solvers of both studies; no place where there is no mean
   Placing variation_placing = {};
+};
+
+// The study that enforces the limits.
+struct Enforced {
+  std::vector<Side> sides;
+  Evidence error, variation;
 };
 
 // What solvers are placed by, and what a test of a place looks at.
 struct Measure {
   const char* name;
   Placing Side::*placing;
-  Description Side::*tested;
+  Evidence Enforced::*tested;
 };
-constexpr Measure by_error{"error", &Side::error_placing, &Side::error_cm};
-constexpr Measure by_variation{"variation", &Side::variation_placing, &Side::accepted_variation_of_runs};
+constexpr Measure by_error{"error", &Side::error_placing, &Enforced::error};
+constexpr Measure by_variation{"variation", &Side::variation_placing, &Enforced::variation};
 
 bool has_solver(const StudyResults& study, const std::string& solver) {
   return std::ranges::find(study.solvers, solver) != study.solvers.end();
@@ -81,12 +88,25 @@ std::vector<Side> sides_of(const StudyResults& study, const StudyResults& other,
                      .variation_deg = statistics::describe(variations[i].values),
                      .accepted_error_cm = statistics::describe(accepted_errors).mean,
                      .accepted_variation_deg = statistics::describe(accepted_variations).mean,
-                     .accepted_variation_of_runs = statistics::describe(means_of_runs),
+                     .accepted_variation_of_runs = means_of_runs,
                      .counts = all_counts[i]});
   }
   place(sides, &Side::error_placing, [](const Side& of) { return of.error_cm.mean; });
   place(sides, &Side::variation_placing, [](const Side& of) { return of.accepted_variation_deg; });
   return sides;
+}
+
+Enforced enforced_of(const StudyResults& study, const StudyResults& other, Unit unit) {
+  Enforced result{.sides = sides_of(study, other, unit), .error = evidence_of(study, Metric::position_error_cm, unit)};
+  Observations accepted{.name = "accepted-variation", .quantity = quantity(Metric::variation_deg)};
+  if (unit == Unit::point) accepted.flaw = points_flaw;
+  for (const Side& side : result.sides) {
+    accepted.groups.push_back({.name = side.solver, .values = side.accepted_variation_of_runs});
+  }
+  AnalysisPlan plan = feasible(study.plan, accepted);
+  if (!has_solver(other, plan.control)) plan.control.clear();
+  result.variation = tested(accepted, plan);
+  return result;
 }
 
 // 0.0017 -> 0.071 cm (42 x)
@@ -100,41 +120,45 @@ const Side& side_of(const std::vector<Side>& sides, const std::string& solver) {
   return *std::ranges::find(sides, solver, &Side::solver);
 }
 
-// Who is first now, and whether that may be chance. Points of a run depend on each other, so it is asked of runs alone.
-std::string overtaken(const Side& side, const std::vector<Side>& sides, const Measure& measure, Unit unit) {
+// Who is first now, and whether that may be chance.
+std::string overtaken(const Side& side, const Enforced& enforced, const Measure& measure) {
   const auto is_first = [&](const Side& other) { return (other.*measure.placing).place == 1; };
-  const auto first = std::ranges::find_if(sides, is_first);
-  if (unit == Unit::point || first == sides.end() || is_first(side)) return "";
-  const auto summary = [](const Description& of) { return GroupSummary{.mean = of.mean, .std = of.std, .n = of.n}; };
-  const double p = welch(summary(side.*measure.tested), summary((*first).*measure.tested)).p;
-  return std::isfinite(p) ? fmt::format(" (that is {}; Welch's test, p = {})", first->solver, rounded_number(p, 2))
-                          : "";
+  const auto first = std::ranges::find_if(enforced.sides, is_first);
+  if (first == enforced.sides.end() || is_first(side)) return "";
+  const Judgement found = judge(enforced.*measure.tested, first->solver, side.solver);
+  if (!std::isfinite(found.p)) return "";
+  return fmt::format(" (that is {}, {}; {}, p = {})", first->solver,
+                     found.answer == Answer::better  ? "which is better"
+                     : found.answer == Answer::worse ? "though by the test it is worse"
+                     : found.answer == Answer::same  ? "which is the same within the margin"
+                                                     : "which may be chance",
+                     found.test, rounded_number(found.p, 2));
 }
 
 std::string placing_words(Placing of) { return fmt::format("{}{}", of.place, of.shared ? " (shared)" : ""); }
 
-std::string move_words(const Side& free, const std::vector<Side>& all_enforced, const Measure& measure, Unit unit) {
-  const Side& enforced = side_of(all_enforced, free.solver);
+std::string move_words(const Side& free, const Enforced& all_enforced, const Measure& measure) {
+  const Side& enforced = side_of(all_enforced.sides, free.solver);
   const Placing before = free.*measure.placing, after = enforced.*measure.placing;
   if (before.place == 0 || after.place == 0) return fmt::format("in {} not in both rankings", measure.name);
   const std::string where = fmt::format("in {} place {} -> {} of {}", measure.name, placing_words(before),
-                                        placing_words(after), all_enforced.size());
+                                        placing_words(after), all_enforced.sides.size());
   const auto is_first = [](Placing of) { return of.place == 1 && !of.shared; };
   if (is_first(before) && is_first(after)) return where + ", still the first";
-  if (is_first(before)) return where + ", no longer the first" + overtaken(enforced, all_enforced, measure, unit);
+  if (is_first(before)) return where + ", no longer the first" + overtaken(enforced, all_enforced, measure);
   if (is_first(after)) return where + ", now the first";
   return where + (before.place == after.place && before.shared == after.shared ? ", as before" : "");
 }
 
-std::string sentence(const Side& free, const std::vector<Side>& all_enforced, Unit unit) {
-  const Side& enforced = side_of(all_enforced, free.solver);
+std::string sentence(const Side& free, const Enforced& all_enforced) {
+  const Side& enforced = side_of(all_enforced.sides, free.solver);
   return fmt::format(
       "{}: position error {}, {} cm over the answers that are not refused; variation of such answers {}; answers "
       "outside the limits {} of {} -> refused {} of {}; {}; {}.",
       free.solver, change(free.error_cm.mean, enforced.error_cm.mean, "cm"), short_number(enforced.accepted_error_cm),
       change(free.accepted_variation_deg, enforced.accepted_variation_deg, "deg"), free.counts.outside_limits,
       free.counts.solves, enforced.counts.of(Status::refused), enforced.counts.solves,
-      move_words(free, all_enforced, by_error, unit), move_words(free, all_enforced, by_variation, unit));
+      move_words(free, all_enforced, by_error), move_words(free, all_enforced, by_variation));
 }
 
 Table table_of(const StudyResults& free, const StudyResults& enforced, Unit unit) {
@@ -153,7 +177,8 @@ Table table_of(const StudyResults& free, const StudyResults& enforced, Unit unit
                           {"rank_variation"},
                           {"outside_limits"}}};
   for (const std::string_view status : status_names) table.columns.push_back({std::string(status)});
-  const std::vector<Side> before = sides_of(free, enforced, unit), after = sides_of(enforced, free, unit);
+  const std::vector<Side> before = sides_of(free, enforced, unit);
+  const Enforced after = enforced_of(enforced, free, unit);
   const auto add_row = [&](const Side& side, const StudyResults& study, const char* limits) {
     const auto rank = [](Placing of) { return of.place == 0 ? Cell(not_defined) : Cell(std::int64_t{of.place}); };
     std::vector<Cell> row{side.solver,
@@ -173,8 +198,8 @@ Table table_of(const StudyResults& free, const StudyResults& enforced, Unit unit
   };
   for (const Side& side : before) {
     add_row(side, free, "recorded");
-    add_row(side_of(after, side.solver), enforced, "enforced");
-    table.notes.push_back(sentence(side, after, unit));
+    add_row(side_of(after.sides, side.solver), enforced, "enforced");
+    table.notes.push_back(sentence(side, after));
   }
   table.notes.emplace_back(
       "Both studies have the same targets. recorded: answers outside the joint limits are kept and counted; enforced: "

@@ -108,16 +108,9 @@ std::vector<Assessment> printed_assessments(const StudyResults& study, const Ana
                       .quantity = as_printed(quantity(metric))};
     for (const PrintedRow& row : printed_table_3(study, metric)) printed.groups.push_back({row.algorithm, row.summary});
     if (printed.groups.size() < 2) continue;
-    AnalysisPlan of_summaries = plan;  // ranks and controls of this study's own are not to be had
-    of_summaries.test = plan.test == DecidingTest::anova ? DecidingTest::anova : DecidingTest::welch;
-    of_summaries.control.clear();
-    result.push_back(assess(printed, of_summaries));
+    result.push_back(assess(printed, feasible(plan, printed)));
   }
   return result;
-}
-
-bool can_be_made(const AnalysisPlan& plan, const Observations& observed) {
-  return plan.test != DecidingTest::friedman || !observed.blocks.empty();
 }
 
 std::vector<Assessment> assessments_of(const StudyResults& study, const AnalysisPlan& plan) {
@@ -125,8 +118,7 @@ std::vector<Assessment> assessments_of(const StudyResults& study, const Analysis
   std::vector<Assessment> result;
   for (const Metric metric : reported_metrics()) {
     Observations observed = observations(study, metric, plan.unit);
-    AnalysisPlan possible = plan;  // a foreign store may plan what its data do not have
-    if (!can_be_made(plan, observed)) possible.test = DecidingTest::by_design;
+    const AnalysisPlan possible = feasible(plan, observed);
     if (is_comparable(study, metric)) {
       result.push_back(assess(observed, possible));
       continue;
@@ -180,11 +172,12 @@ std::vector<std::string> warnings_of(const StudyResults& study, const std::vecto
 
 Report write_report(const Store& store, const ReportRequest& request) {
   const StudyEntry entry = store.study(request.study);
-  const StudyResults study = make_study(entry, store.solves(request.study));
+  StudyResults study = make_study(entry, store.solves(request.study));
+  study.plan = request.plan.value_or(plan_of(entry));
   const std::vector<Session> sessions = store.sessions();
   const std::vector<StudyResults> together = with_same_targets(store, study);
   const std::vector<StudyResults> companions = companions_of(store, study);
-  const AnalysisPlan plan = request.plan.value_or(plan_of(entry));
+  const AnalysisPlan plan = study.plan;
 
   std::vector<Table> tables{definition_table(entry), options_table(entry),
                             plan_table(entry, plan, plan_notes(entry, sessions, study.solves)),

@@ -8,13 +8,13 @@
 #include <utility>
 
 #include "analysis/figures/figure_parts.hpp"
+#include "analysis/inference/judge.hpp"
 #include "analysis/inference/ranking.hpp"
 #include "analysis/inference/text.hpp"
 #include "analysis/slim2023/circle.hpp"
 #include "analysis/slim2023/paper_tables.hpp"
 #include "analysis/slim2023/published_numbers.hpp"
 #include "analysis/slim2023/time_assessment.hpp"
-#include "analysis/statistics/welch.hpp"
 
 namespace ikbench::report {
 
@@ -65,8 +65,8 @@ std::string ranking_sentence(const StudyResults& study, const std::vector<Compar
                             printed_order_words(compare_pairs(printed, ours)));
 }
 
-// The paper's second finding: its solver moves the joints less than every other. Welch's test says where the difference
-// cannot be told from chance; points of one run depend on each other, so it is asked of run means only.
+// The paper's second finding: its solver moves the joints less than every other. The plan's test says where the
+// difference cannot be told from chance; points of one run depend on each other, so it is asked of run means only.
 std::string variation_sentence(const StudyResults& study, const std::vector<Comparison>& rows, Unit unit) {
   if (unit == Unit::point) return "";
   const auto printed = printed_ranking(study, Metric::variation_deg, ranking(rows, Metric::variation_deg));
@@ -78,20 +78,22 @@ std::string variation_sentence(const StudyResults& study, const std::vector<Comp
   const auto printed_reference = std::ranges::find(printed, time_reference, &Standing::solver);
   if (printed_reference == printed.end()) return "";
   const Description reference = description(time_reference);
+  const Evidence found = evidence_of(study, Metric::variation_deg, unit);
   std::string less, alike, more;
   for (const Standing& standing : printed) {
     if (standing.mean <= printed_reference->mean) continue;
     const Description other = description(standing.solver);
-    const WelchTest test = welch({.mean = reference.mean, .std = reference.std, .n = reference.n},
-                                 {.mean = other.mean, .std = other.std, .n = other.n});
-    const bool undecided = reference.mean == other.mean || test.p >= significance;
-    std::string& list = undecided ? alike : reference.mean < other.mean ? less : more;
+    const Answer answer = judge(found, time_reference, standing.solver).answer;
+    std::string& list = answer == Answer::better ? less : answer == Answer::worse ? more : alike;
     list +=
         fmt::format("{}{} ({:.0f} %)", list.empty() ? "" : ", ", standing.solver, 100 * reference.mean / other.mean);
   }
   std::string text;
   if (!less.empty()) text += " Here it is less than that of " + less + ".";
-  if (!alike.empty()) text += " Here it cannot be told apart from that of " + alike + " (Welch's test, p >= 0.05).";
+  if (!alike.empty()) {
+    text += fmt::format(" Here it cannot be told apart from that of {} ({}, p >= {}).", alike, pair_test_words(found),
+                        rounded_number(study.plan.significance, 3));
+  }
   if (!more.empty()) text += " Here it is not less than that of " + more + ".";
   if (text.empty()) return "";
   return fmt::format(
@@ -107,12 +109,14 @@ std::string anova_sentence(const StudyResults& study, Metric metric, Unit unit) 
   if (!ours.table.undefined.empty()) {
     text += "not defined, " + ours.table.undefined;
   } else {
-    const bool differ = ours.table.p < significance;
+    const bool differ = is_significant(ours.table.p, study.plan);
     text += fmt::format("F({}, {}) = {}, p {}: the solvers {}", ours.table.df_between, ours.table.df_within,
                         rounded_number(ours.table.F, 4),
                         ours.table.p < 1e-300 ? "< 1e-300" : "= " + rounded_number(ours.table.p, 3),
                         differ ? "differ" : "are not shown to differ");
-    if (printed) text += (printed->p < significance) == differ ? ", as in the paper" : ", other than in the paper";
+    if (printed) {
+      text += is_significant(printed->p, study.plan) == differ ? ", as in the paper" : ", other than in the paper";
+    }
   }
   if (unit == Unit::point) text += "; but the points of one run depend on each other, so this p is no evidence";
   for (const std::string& sentence : ours.left_out) text += ". " + sentence.substr(0, sentence.size() - 1);

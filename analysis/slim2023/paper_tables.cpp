@@ -8,10 +8,11 @@
 #include <optional>
 #include <set>
 
+#include "analysis/inference/judge.hpp"
+#include "analysis/inference/text.hpp"
 #include "analysis/slim2023/circle.hpp"
 #include "analysis/slim2023/published_numbers.hpp"
 #include "analysis/slim2023/time_assessment.hpp"
-#include "analysis/statistics/welch.hpp"
 #include "results/published.hpp"
 
 namespace ikbench::slim2023 {
@@ -49,13 +50,15 @@ double mean_of(const std::vector<Comparison>& rows, std::string_view solver, Met
   return not_defined;
 }
 
-void hold_against_printed(Comparison& row, const PrintedRow& printed, Unit unit) {
+void hold_against_printed(Comparison& row, const PrintedRow& printed, const AnalysisPlan& plan) {
   row.paper_mean = printed.summary.mean;
   row.ratio = row.ours.mean / row.paper_mean;
   row.agreement = by_ratio(row.ratio);
-  if (unit == Unit::point) return;
-  const WelchTest test = welch({.mean = row.ours.mean, .std = row.ours.std, .n = row.ours.n}, printed.summary);
-  if (test.p >= significance) row.agreement = Agreement::agrees;
+  if (plan.unit == Unit::point) return;
+  const Judgement found =
+      judge({.first = {.mean = row.ours.mean, .std = row.ours.std, .n = row.ours.n}, .second = printed.summary}, plan);
+  const bool differs = found.answer == Answer::better || found.answer == Answer::worse;
+  if (std::isfinite(found.p) && !differs) row.agreement = Agreement::agrees;
 }
 
 // The printed times are of another machine and language: only their ratio to IK-BA's can be compared.
@@ -151,12 +154,14 @@ std::vector<Comparison> compare(const StudyResults& study, Unit unit) {
   if (study.published.empty()) return rows;
   const double our_reference = mean_of(rows, time_reference, Metric::seconds);
   const bool has_comparable_times = times_are_comparable(study);
+  AnalysisPlan plan = study.plan;
+  plan.unit = unit;
   for (Comparison& row : rows) {
     if (row.metric == Metric::seconds) {
       hold_against_printed_time(row, our_reference, study);
       if (!has_comparable_times) row = without_agreement(row);
     } else if (const auto printed = printed_row(study, row.solver, row.metric)) {
-      hold_against_printed(row, *printed, unit);
+      hold_against_printed(row, *printed, plan);
     }
   }
   return rows;
@@ -208,11 +213,12 @@ Table table_3(const StudyResults& study, Unit unit) {
   add_notes(table, study, unit);
   if (!printed_table_3(study, Metric::position_error_cm).empty()) {
     table.notes.push_back(fmt::format(
-        "Verdict: agrees, Welch's test of our mean against the printed one has p >= {} (for its spread only: their "
+        "Verdict: agrees, {} of our mean against the printed one has p >= {} (for its spread only: their "
         "ratio is nevertheless not within 0.5 to 2); close, their ratio is within 0.5 to 2; differs otherwise. "
         "Computing time is compared relative to {} only: (t / t_{}) ours by (t / t_{}) "
         "printed.",
-        significance, time_reference, time_reference, time_reference));
+        study.plan.test == DecidingTest::anova ? "Student's test" : "Welch's test",
+        rounded_number(study.plan.significance, 3), time_reference, time_reference, time_reference));
   }
   if (std::string note = timing_note(study); !note.empty()) table.notes.push_back(std::move(note));
   return table;

@@ -14,7 +14,7 @@
 
 namespace ikbench::slim2023 {
 
-// How a number of ours stands to the printed one: `agrees` when Welch's test from the two summaries has p >= 0.05,
+// How a number of ours stands to the printed one: `agrees` when a test of the two summaries does not tell them apart,
 // `close` when their ratio is within 0.5 to 2, else `differs`; `none` where there is nothing to hold it against, and
 // `not_comparable` of times that are not.
 enum class Agreement { none, agrees, close, differs, not_comparable };
@@ -35,7 +35,6 @@ struct Comparison {
 bool rests_on_spread(const Comparison& row);
 
 constexpr std::string_view time_reference = "IK-BA";
-constexpr double significance = 0.05;
 
 std::vector<Comparison> compare(const inference::StudyResults& study, results::Unit unit);
 

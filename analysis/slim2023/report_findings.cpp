@@ -11,6 +11,7 @@
 #include "analysis/figures/figure_parts.hpp"
 #include "analysis/inference/convergence.hpp"
 #include "analysis/inference/definition.hpp"
+#include "analysis/inference/judge.hpp"
 #include "analysis/inference/ranking.hpp"
 #include "analysis/inference/text.hpp"
 #include "analysis/report/provenance.hpp"
@@ -19,8 +20,6 @@
 #include "analysis/slim2023/published_numbers.hpp"
 #include "analysis/slim2023/time_assessment.hpp"
 #include "analysis/statistics/descriptive.hpp"
-#include "analysis/statistics/studentized_range.hpp"
-#include "analysis/statistics/welch.hpp"
 #include "results/published.hpp"
 
 namespace ikbench::slim2023 {
@@ -62,32 +61,23 @@ std::vector<Pair> pairs(const StudyResults& study, const std::vector<Comparison>
 
 GroupSummary summary_of(const Description& of) { return {.mean = of.mean, .std = of.std, .n = of.n}; }
 
-// Whether one mean is smaller than another, since two means always differ: by Games and Howell's test, which is Welch's
-// corrected for all pairs of so many groups.
+// Whether one is smaller than another, since two means always differ.
 struct Smaller {
   Verdict verdict;
   double p;  // not defined where there is no test
 };
-Smaller smaller(const GroupSummary& a, const GroupSummary& b, std::size_t groups) {
-  const WelchTest test = welch(a, b);
-  const double p =
-      studentized_range_upper_tail(std::abs(test.t) * std::sqrt(2.0), static_cast<double>(groups), test.df);
-  if (!std::isfinite(p) || p >= significance) return {Verdict::undecided, p};
-  return {a.mean < b.mean ? Verdict::holds : Verdict::does_not_hold, p};
+Smaller smaller(const Judgement& found) {
+  return {found.answer == Answer::better  ? Verdict::holds
+          : found.answer == Answer::worse ? Verdict::does_not_hold
+                                          : Verdict::undecided,
+          found.p};
 }
 
-// Of our observations: points of one run depend on each other, so runs alone are tested. A mean that is not defined is
-// the larger.
-struct Tested {
-  Unit unit;
-  std::size_t groups;
-};
-Smaller smaller(const Description& a, const Description& b, Tested as) {
-  if (std::isfinite(a.mean) != std::isfinite(b.mean)) {
-    return {std::isfinite(a.mean) ? Verdict::holds : Verdict::does_not_hold, not_defined};
-  }
-  return as.unit == Unit::run ? smaller(summary_of(a), summary_of(b), as.groups)
-                              : Smaller{Verdict::undecided, not_defined};
+// What the paper printed of those solvers.
+Evidence printed_evidence(const std::vector<Pair>& pairs, const AnalysisPlan& plan) {
+  Summaries printed;
+  for (const Pair& pair : pairs) printed.groups.push_back({pair.solver, pair.printed});
+  return evidence(printed, feasible(plan, printed));
 }
 
 // A claim about several holds as far as it does for the least certain of them.
@@ -104,10 +94,12 @@ std::string at_most(double p) {
   return std::isfinite(p) ? fmt::format(" (p at most {} against each other solver)", rounded_number(p, 2)) : "";
 }
 
-std::string_view how_tested(Unit unit) {
-  return unit == Unit::run
-             ? " p by Games and Howell's test, for all pairs together, here over run means."
-             : " Points of one run depend on each other: no test here; printed, p by Games and Howell's test.";
+std::string how_tested(const Evidence& here, const Evidence& printed) {
+  const std::string_view test = pair_test_words(here), other = pair_test_words(printed);
+  if (here.plan.unit == Unit::point)
+    return fmt::format(" Points of one run depend on each other: no test here; printed, p by {}.", other);
+  const std::string of_printed = test == other ? "" : fmt::format("; printed, by {}", other);
+  return fmt::format(" p by {}, for all pairs together, here over run means{}.", test, of_printed);
 }
 
 // What is ranked: "Accuracy", in "cm".
@@ -146,20 +138,21 @@ Held held_against_printed(const StudyResults& study, const std::vector<Pair>& pa
 std::optional<Finding> ranking(const StudyResults& study, const std::vector<Comparison>& rows, const Ranked& what) {
   const std::vector<Pair> printed = pairs(study, rows, what.metric);
   if (printed.size() < 2) return std::nullopt;
+  const Evidence tested = printed_evidence(printed, study.plan);
   int all = 0, differ = 0;
   for (std::size_t i = 0; i < printed.size(); ++i) {
     for (std::size_t j = i + 1; j < printed.size(); ++j) {
       ++all;
-      if (smaller(printed[i].printed, printed[j].printed, printed.size()).verdict == Verdict::holds) ++differ;
+      if (judge(tested, printed[i].solver, printed[j].solver).answer == Answer::better) ++differ;
     }
   }
-  const Smaller first_two = smaller(printed[0].printed, printed[1].printed, printed.size());
+  const Smaller first_two = smaller(judge(tested, printed[0].solver, printed[1].solver));
   const Held here = held_against_printed(study, printed, what);
   return Finding{
       .claim = fmt::format("{}: {}", what.name, order_words(standings(printed, printed_mean))),
       .verdict = here.verdict,
-      .evidence = fmt::format("{} Printed: {} of {} pairs differ by Games and Howell's test, {} and {} {}{}.",
-                              here.evidence, differ, all, printed[0].solver, printed[1].solver,
+      .evidence = fmt::format("{} Printed: {} of {} pairs differ by {}, {} and {} {}{}.", here.evidence, differ, all,
+                              pair_test_words(tested), printed[0].solver, printed[1].solver,
                               first_two.verdict == Verdict::holds ? "among them" : "do not", in_brackets(first_two.p)),
       .table = "table-3",
       .printed = differ == all                         ? Verdict::holds
@@ -179,11 +172,13 @@ std::optional<Finding> most_accurate(const StudyResults& study, const std::vecto
   const Pair first = all[0], printed_second = all[1];
   const std::vector<Standing> ours = standings(all, our_mean);
   const Standing& other = ours[0].solver == first.solver ? ours[1] : ours[0];
+  const Evidence found = evidence_of(study, Metric::position_error_cm, unit);
+  const Evidence found_printed = printed_evidence(all, study.plan);
   Smaller here{Verdict::holds, not_defined}, printed{Verdict::holds, not_defined};
   for (const Pair& each : all) {
     if (each.solver == first.solver) continue;
-    weaken(here, smaller(first.ours, each.ours, {unit, all.size()}));
-    weaken(printed, smaller(first.printed, each.printed, all.size()));
+    weaken(here, smaller(judge(found, first.solver, each.solver)));
+    weaken(printed, smaller(judge(found_printed, first.solver, each.solver)));
   }
   return Finding{.claim = fmt::format("{} is the most accurate", first.solver),
                  .verdict = here.verdict,
@@ -193,7 +188,7 @@ std::optional<Finding> most_accurate(const StudyResults& study, const std::vecto
                      short_number(first.ours.mean), other.solver, short_number(other.mean),
                      short_number(other.mean / first.ours.mean), at_most(here.p), short_number(first.printed.mean),
                      printed_second.solver, short_number(printed_second.printed.mean), at_most(printed.p),
-                     how_tested(unit), closest_point_by_point(study)),
+                     how_tested(found, found_printed), closest_point_by_point(study)),
                  .table = "table-3",
                  .printed = printed.verdict};
 }
@@ -202,14 +197,15 @@ std::optional<Finding> most_accurate(const StudyResults& study, const std::vecto
 struct Others {
   std::vector<Pair> solvers;
   std::string words;
-  std::size_t groups;  // of the whole study
+  const Evidence& here;
+  const Evidence& printed;
 };
-Finding moves_less(const Pair& reference, const Others& of, Unit unit) {
+Finding moves_less(const Pair& reference, const Others& of) {
   Verdict here = Verdict::holds, printed = Verdict::holds;
   std::string our_list, printed_list;
   for (const Pair& other : of.solvers) {
-    const Smaller ours = smaller(reference.ours, other.ours, {unit, of.groups});
-    const Smaller theirs = smaller(reference.printed, other.printed, of.groups);
+    const Smaller ours = smaller(judge(of.here, reference.solver, other.solver));
+    const Smaller theirs = smaller(judge(of.printed, reference.solver, other.solver));
     here = std::max(here, ours.verdict);
     printed = std::max(printed, theirs.verdict);
     our_list += fmt::format(", {} by {}{}", other.solver, short_number(other.ours.mean), in_brackets(ours.p));
@@ -219,7 +215,7 @@ Finding moves_less(const Pair& reference, const Others& of, Unit unit) {
           .verdict = here,
           .evidence = fmt::format("{} moves the joints by {} deg a point{}. Printed: {} {}{}.{}", reference.solver,
                                   short_number(reference.ours.mean), our_list, reference.solver,
-                                  short_number(reference.printed.mean), printed_list, how_tested(unit)),
+                                  short_number(reference.printed.mean), printed_list, how_tested(of.here, of.printed)),
           .table = "table-3",
           .printed = printed};
 }
@@ -227,9 +223,11 @@ Finding moves_less(const Pair& reference, const Others& of, Unit unit) {
 std::vector<Finding> variation(const StudyResults& study, const std::vector<Comparison>& rows, Unit unit) {
   const std::vector<Pair> all = pairs(study, rows, Metric::variation_deg);
   if (all.size() < 2 || all.front().solver != time_reference) return {};
-  std::vector<Finding> result{moves_less(all[0], {{all[1]}, all[1].solver, all.size()}, unit)};
+  const Evidence here = evidence_of(study, Metric::variation_deg, unit);
+  const Evidence printed = printed_evidence(all, study.plan);
+  std::vector<Finding> result{moves_less(all[0], {{all[1]}, all[1].solver, here, printed})};
   if (all.size() > 2)
-    result.push_back(moves_less(all[0], {{all.begin() + 2, all.end()}, "the other solvers", all.size()}, unit));
+    result.push_back(moves_less(all[0], {{all.begin() + 2, all.end()}, "the other solvers", here, printed}));
   return result;
 }
 
@@ -240,7 +238,7 @@ std::optional<Finding> solvers_differ(const StudyResults& study, Unit unit) {
   for (const Metric metric : paper_metrics) {
     const std::optional<AnovaTable> printed = comparable_printed_anova(study, metric, unit);
     if (!printed) return std::nullopt;
-    if (printed->p >= significance) ++printed_alike;
+    if (!is_significant(printed->p, study.plan)) ++printed_alike;
     list += fmt::format("{}{} ", list.empty() ? "" : "; ", name_of(metric));
     if (metric == Metric::seconds && !times_are_comparable(study)) {
       list += fmt::format("not tested, {} (see the warnings)", times_not_judged);
@@ -248,7 +246,7 @@ std::optional<Finding> solvers_differ(const StudyResults& study, Unit unit) {
     }
     const AnovaTable table = anova(study, metric, unit).table;
     if (!std::isfinite(table.p)) return std::nullopt;
-    ++(table.p >= significance ? alike : differ);
+    ++(is_significant(table.p, study.plan) ? differ : alike);
     list += fmt::format("F = {}, p = {}", short_number(table.F), rounded_number(table.p, 2));
   }
   const auto verdict_of = [](int number_alike, int number_differing) {
@@ -357,14 +355,14 @@ std::optional<Finding> accurate_inside_limits(const StudyResults& study, const S
   const auto ours = description(limits, time_reference, Metric::position_error_cm, unit);
   const auto before = description(study, time_reference, Metric::position_error_cm, unit);
   std::optional<Description> best;
-  std::vector<Description> others;
+  std::vector<std::string> others;
   std::string best_solver, refused;
   for (const SolverCounts& count : counts(limits)) {
     refused += fmt::format("{}{} {} of {}", refused.empty() ? "" : ", ", count.solver, count.of(Status::refused),
                            count.solves);
     const auto other = description(limits, count.solver, Metric::position_error_cm, unit);
     if (count.solver == time_reference || !other) continue;
-    others.push_back(*other);
+    others.push_back(count.solver);
     if (!std::isfinite(other->mean)) continue;
     if (best && best->mean <= other->mean) continue;
     best = other;
@@ -372,7 +370,8 @@ std::optional<Finding> accurate_inside_limits(const StudyResults& study, const S
   }
   if (!ours || !before || !best) return std::nullopt;
   Smaller here{Verdict::holds, not_defined};
-  for (const Description& other : others) weaken(here, smaller(*ours, other, {unit, others.size() + 1}));
+  const Evidence found = evidence_of(limits, Metric::position_error_cm, unit);
+  for (const std::string& other : others) weaken(here, smaller(judge(found, time_reference, other)));
   return Finding{
       .claim = fmt::format("With the joint limits enforced {} stays the most accurate", time_reference),
       .verdict = here.verdict,
@@ -380,7 +379,7 @@ std::optional<Finding> accurate_inside_limits(const StudyResults& study, const S
                               "Refused answers: {}.",
                               short_number(ours->mean), short_number(before->mean), best_solver,
                               short_number(best->mean), short_number(best->mean / ours->mean), at_most(here.p),
-                              unit == Unit::run ? how_tested(unit) : "", refused),
+                              unit == Unit::run ? how_tested(found, found) : "", refused),
       .table = "limits"};
 }
 
@@ -391,13 +390,16 @@ std::optional<Finding> better_than_classical(const StudyResults& study, const St
   constexpr std::array<std::string_view, 3> words{"cm of mean position error", "deg of variation", "evaluations"};
   if (!same_targets(study, context)) return std::nullopt;
   int better = 0, worse = 0;
-  std::string list;
+  std::string list, test;
   for (std::size_t i = 0; i < metrics.size(); ++i) {
     const auto ours = description(study, time_reference, metrics[i], unit);
     const auto other = description(context, classical, metrics[i], unit);
     if (!ours || !other) return std::nullopt;
-    Smaller here = smaller(*ours, *other, {unit, 2});
-    if (metrics[i] == Metric::evaluations && ours->mean != other->mean) {  // counted, not measured
+    const MeanPair means{summary_of(*ours), summary_of(*other), info_of(metrics[i]).better};
+    const Judgement found = unit == Unit::run ? judge(means, study.plan) : Judgement{};
+    if (!found.test.empty()) test = found.test;
+    Smaller here = smaller(found);
+    if (info_of(metrics[i]).kind == Kind::count && ours->mean != other->mean) {  // counted, not measured
       here = {ours->mean < other->mean ? Verdict::holds : Verdict::does_not_hold, not_defined};
     }
     if (here.verdict == Verdict::holds) ++better;
@@ -411,7 +413,7 @@ std::optional<Finding> better_than_classical(const StudyResults& study, const St
                             : worse > 0                                ? Verdict::does_not_hold
                                                                        : Verdict::undecided,
                  .evidence = fmt::format("{} against {}, a point: {}.{}", time_reference, classical, list,
-                                         unit == Unit::run ? " p by Welch's test over run means." : ""),
+                                         test.empty() ? "" : fmt::format(" p by {} over run means.", test)),
                  .table = "perspective"};
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "analysis/inference/definition.hpp"
+#include "analysis/inference/judge.hpp"
 #include "analysis/inference/text.hpp"
 #include "analysis/slim2023/published_numbers.hpp"
 #include "analysis/statistics/descriptive.hpp"
@@ -93,15 +94,14 @@ std::string scaling_verdict(const StudyResults& study, const std::vector<TimeAss
   };
   const Growth ours = growth_of(ours_of(*first), ours_of(*last));
   const Growth theirs = growth_of(printed_of(printed.front(), 0), printed_of(printed.back(), printed.size() - 1));
-  const double errors_apart =
-      std::log(ours.ratio / theirs.ratio) / std::sqrt(ours.relative_variance + theirs.relative_variance);
-  if (!std::isfinite(errors_apart)) return "";
-  constexpr double significant = 1.96;  // two-sided 5 % of the normal distribution
-  const bool ours_grows = std::log(ours.ratio) > significant * std::sqrt(ours.relative_variance);
-  const std::string answer = std::abs(errors_apart) <= significant ? "cannot be told apart from the printed growth"
-                             : errors_apart > 0                    ? "grows more than the printed"
-                             : ours_grows                          ? "grows, but less than the printed"
-                                                                   : "does not grow as the printed does";
+  const Judgement more = judge(std::log(ours.ratio / theirs.ratio),
+                               std::sqrt(ours.relative_variance + theirs.relative_variance), study.plan);
+  if (!more.undefined.empty()) return "";
+  const Judgement grows = judge(std::log(ours.ratio), std::sqrt(ours.relative_variance), study.plan);
+  const std::string answer = more.answer == Answer::undecided ? "cannot be told apart from the printed growth"
+                             : more.answer == Answer::better  ? "grows more than the printed"
+                             : grows.answer == Answer::better ? "grows, but less than the printed"
+                                                              : "does not grow as the printed does";
   return fmt::format(
       "Scaling: our mean time of the solves that reach the tolerance {}: {} from {} to {}, printed {}; median "
       "iterations "

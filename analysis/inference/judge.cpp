@@ -1,0 +1,110 @@
+#include "analysis/inference/judge.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include "analysis/inference/design.hpp"
+#include "analysis/statistics/tails.hpp"
+
+namespace ikbench::inference {
+
+using namespace results;
+using namespace statistics;
+
+namespace {
+
+std::size_t place_of(const Evidence& evidence, std::string_view group) {
+  const auto found = std::ranges::find(evidence.groups, group, &GroupEvidence::name);
+  if (found != evidence.groups.end()) return static_cast<std::size_t>(found - evidence.groups.begin());
+  throw std::invalid_argument(fmt::format("no group '{}' to be judged", group));
+}
+
+Answer turned(Answer answer) {
+  return answer == Answer::better ? Answer::worse : answer == Answer::worse ? Answer::better : answer;
+}
+
+Answer answer_in(const Contrast& contrast) {
+  switch (contrast.relation) {
+    case Relation::first_better:
+      return Answer::better;
+    case Relation::second_better:
+      return Answer::worse;
+    case Relation::equivalent:
+      return Answer::same;
+    default:
+      return Answer::undecided;
+  }
+}
+
+// As if the second were the first.
+Judgement turned(Judgement judgement) {
+  judgement.answer = turned(judgement.answer);
+  const Estimate before = judgement.difference;
+  judgement.difference = {.value = -before.value, .low = -before.high, .high = -before.low};
+  return judgement;
+}
+
+}  // namespace
+
+Answer answer_of(const Tested& tested, double significance) {
+  if (tested.p_worse < significance) return Answer::worse;
+  if (tested.p_better < significance) return Answer::better;
+  return tested.within_margin ? Answer::same : Answer::undecided;
+}
+
+Judgement judge(const Evidence& evidence, std::string_view first, std::string_view second) {
+  const std::size_t one = place_of(evidence, first), other = place_of(evidence, second);
+  Judgement result{.test = std::string(pair_test_words(evidence))};
+  const bool has_mean = std::isfinite(evidence.groups[one].described.mean),
+             other_has_mean = std::isfinite(evidence.groups[other].described.mean);
+  // Contrasts have the smaller place first.
+  const auto found = std::ranges::find_if(evidence.contrasts, [&](const Contrast& contrast) {
+    return contrast.first == std::min(one, other) && contrast.second == std::max(one, other);
+  });
+  const bool is_tested = found != evidence.contrasts.end() && found->relation != Relation::undefined;
+  if (!is_tested && has_mean != other_has_mean) {
+    result.answer = has_mean ? Answer::better : Answer::worse;
+  } else if (!evidence.flaw.empty()) {
+    result.undefined = evidence.flaw;
+  } else if (found == evidence.contrasts.end()) {
+    result.undefined = "the plan does not compare the two";
+  } else {
+    result.answer = answer_in(*found);
+    result.p = found->p;
+    result.difference = found->difference;
+    result.undefined = found->undefined;
+    if (one > other) return turned(std::move(result));
+  }
+  return result;
+}
+
+Judgement judge(const MeanPair& means, const AnalysisPlan& plan) {
+  const Summaries two{.better = means.better, .groups = {{"first", means.first}, {"second", means.second}}};
+  return judge(evidence(two, feasible(plan, two)), "first", "second");
+}
+
+Judgement judge(double value, double standard_error, const AnalysisPlan& plan) {
+  const double p = normal_two_sided(value / standard_error);
+  const double reach = normal_critical(1 - plan.significance) * standard_error;
+  const Tested tested{.p_better = value > 0 ? p : 1, .p_worse = value > 0 ? 1 : p};
+  return {.answer = std::isfinite(p) ? answer_of(tested, plan.significance) : Answer::undecided,
+          .p = p,
+          .difference = {.value = value, .low = value - reach, .high = value + reach},
+          .test = "a normal approximation",
+          .undefined = std::isfinite(p) ? "" : "the number or its standard error is not defined"};
+}
+
+bool is_significant(double p, const AnalysisPlan& plan) { return p < plan.significance; }
+
+Evidence evidence_of(const StudyResults& study, Metric metric, Unit unit) {
+  const Observations observed = observations(study, metric, unit);
+  AnalysisPlan plan = study.plan;
+  plan.unit = unit;
+  return tested(observed, feasible(std::move(plan), observed));
+}
+
+}  // namespace ikbench::inference

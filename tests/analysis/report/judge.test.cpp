@@ -1,0 +1,192 @@
+// One judge for everything that a report and `ikbench compare` say of two: by the significance of the plan, and no
+// other.
+#include "analysis/inference/judge.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "analysis/inference/variants.hpp"
+#include "analysis/report/report.hpp"
+#include "analysis/report/summary.hpp"
+#include "analysis/slim2023/paper_tables.hpp"
+#include "analysis/slim2023/report_findings.hpp"
+#include "results/store.hpp"
+#include "tests/analysis/folder.hpp"
+#include "tests/catch.hpp"
+
+using namespace ikbench;
+using namespace ikbench::results;
+using namespace ikbench::inference;
+using namespace ikbench::report;
+using namespace ikbench::slim2023;
+
+namespace {
+
+bool contains(const std::string& text, const std::string& words) { return text.find(words) != std::string::npos; }
+
+// 20 values with that mean and a standard deviation of 1, of i = 0 to 19, whose own is sqrt(35).
+double value_in(int run, double mean) { return mean + (run - 10.5) / std::sqrt(35.0); }
+
+// Between two such samples t = (difference) / sqrt(2 / 20), of 38 degrees of freedom: p = 0.027 where it is 2.3.
+constexpr double apart = 2.3 * 0.31622776601683794;
+
+// A study of the paper's, in which IK-BA is ahead of MO-PSO in everything with p = 0.027.
+void save(Store& store, const std::string& name, double significance, const std::string& limits) {
+  StudyEntry entry{.name = name,
+                   .definition = R"({"path": {"kind": "helix", "points": 1}, "runs": 20, "published": "slim2023",)"
+                                 R"( "limits": ")" +
+                                 limits + R"(", "analysis": {"significance": )" + std::to_string(significance) + "}}",
+                   .series = {}};
+  const std::int64_t session = store.begin_session({{"cpu", "one"}});
+  std::vector<SolveRecord> solves;
+  for (const char* solver : {"IK-BA", "MO-PSO"}) {
+    const std::string key = name + "-" + solver;
+    entry.series.push_back({key, solver, "bat", "{}"});
+    for (int run = 1; run <= 20; ++run) {
+      const double more = solver == std::string("IK-BA") ? 0 : apart;
+      SolveRecord solve{.study = name, .solver = solver, .series = key, .run = run};
+      solve.target_position_m = {0.6, 0.2, 0.1};
+      solve.target_rotation = {1, 0, 0, 0, 1, 0, 0, 0, 1};
+      solve.position_error_cm = value_in(run, 10 + more);
+      solve.variation_deg = value_in(run, 87 + more);
+      solve.seconds = solve.cpu_seconds = value_in(run, 10 + more);
+      solve.evaluations = static_cast<std::int64_t>(1e6 * value_in(run, 10 + more));
+      solve.session = session;
+      solves.push_back(solve);
+    }
+  }
+  store.save_study(entry);
+  store.append(solves);
+}
+
+struct Told {
+  std::vector<std::string> relations;  // of everything that was observed
+  std::string text;                    // of the whole report
+  std::vector<Finding> findings;
+  Outcome compared;
+};
+
+Told told_at(double significance) {
+  const TestFolder folder;
+  Store store(folder.path() / "store.db", Store::Mode::write);
+  save(store, "own", significance, "recorded");
+  save(store, "own-limits", significance, "enforced");
+  const std::filesystem::path out = folder.path() / "report";
+  write_report(store, {.study = "own", .folder = out, .figures = {.render = false}});
+  Told told;
+  for (const auto& found : nlohmann::json::parse(text_of_file(out / "statistics.json"))) {
+    if (found.at("from_summaries")) continue;
+    for (const auto& contrast : found.at("contrasts")) told.relations.push_back(contrast.at("relation"));
+  }
+  for (const std::string& file : files_in(out)) {
+    if (!file.starts_with("figures")) told.text += text_of_file(out / file);
+  }
+  const auto study_of = [&](const char* name) { return make_study(store.study(name), store.solves(name)); };
+  told.findings = findings(study_of("own"), {study_of("own-limits")}, Unit::run);
+  const std::vector<Variant> both = variants(store, store.study("own"));
+  const std::vector<std::string> error{"position_error_cm"};
+  told.compared =
+      compare_variants(both[0], both[1], error, {.margin = 0, .significance = significance}).metrics.front().outcome;
+  return told;
+}
+
+Verdict verdict_of(const Told& told, const std::string& claim) {
+  const auto found =
+      std::ranges::find_if(told.findings, [&](const Finding& finding) { return contains(finding.claim, claim); });
+  REQUIRE(found != told.findings.end());
+  return found->verdict;
+}
+
+constexpr std::array<const char*, 3> claims{"IK-BA is the most accurate", "moves the joints less than MO-PSO",
+                                            "stays the most accurate"};
+
+}  // namespace
+
+TEST_CASE("where the plan says 0.05, p = 0.027 decides", "[judge]") {
+  const Told told = told_at(0.05);
+  CHECK(told.relations == std::vector<std::string>(4, "first is better"));
+  for (const char* claim : claims) CHECK(verdict_of(told, claim) == Verdict::holds);
+  CHECK(contains(told.text, "Here it is less than that of MO-PSO"));
+  CHECK(contains(told.text, "the solvers differ"));
+  CHECK(told.compared == Outcome::worse);
+}
+
+TEST_CASE("where the plan says 0.01, nothing is decided at 0.05: in no claim, table, sentence or comparison",
+          "[judge]") {
+  const Told told = told_at(0.01);
+  CHECK(told.relations == std::vector<std::string>(4, "not told apart"));
+  for (const char* claim : claims) CHECK(verdict_of(told, claim) == Verdict::undecided);
+  CHECK(contains(told.text, "cannot be told apart from that of MO-PSO (99 %) (Welch's test, p >= 0.01)"));
+  CHECK(contains(told.text, "Welch's test of our mean against the printed one has p >= 0.01"));
+  CHECK(!contains(told.text, "the solvers differ"));
+  for (const char* other : {"p >= 0.05", "at 0.05", "95 %"}) CHECK(!contains(told.text, other));
+  CHECK(told.compared == Outcome::undecided);
+}
+
+TEST_CASE("Table 3 agrees with what is printed by the plan's significance", "[judge]") {
+  // Printed of IK-BA's variation: 87.2166 deg, 20 runs; whatever its spread, there is a mean of ours with 0.01 < p <
+  // 0.05.
+  const auto agreement_at = [](double significance, double mean) {
+    std::vector<SolveRecord> solves;
+    for (int run = 1; run <= 20; ++run) {
+      SolveRecord solve{.solver = "IK-BA", .run = run};
+      solve.variation_deg = value_in(run, mean);
+      solves.push_back(solve);
+    }
+    StudyResults study = make_study("own", solves);
+    study.published = "slim2023";
+    study.plan.significance = significance;
+    return compare(study, Unit::run)[1].agreement;
+  };
+  int only_at_one_percent = 0;
+  for (double mean = 80; mean < 95; mean += 0.05) {
+    const Agreement strict = agreement_at(0.01, mean), usual = agreement_at(0.05, mean);
+    if (strict == Agreement::agrees && usual == Agreement::close) ++only_at_one_percent;
+    if (usual == Agreement::agrees) CHECK(strict == Agreement::agrees);
+  }
+  CHECK(only_at_one_percent > 0);
+}
+
+TEST_CASE("the one rule: found before small, small before open", "[judge]") {
+  CHECK(answer_of({.p_better = 0.04, .p_worse = 1, .within_margin = true}, 0.05) == Answer::better);
+  CHECK(answer_of({.p_better = 1, .p_worse = 0.04}, 0.05) == Answer::worse);
+  CHECK(answer_of({.p_better = 0.04, .p_worse = 1, .within_margin = true}, 0.01) == Answer::same);
+  CHECK(answer_of({.p_better = 0.04, .p_worse = 1}, 0.01) == Answer::undecided);
+  CHECK(answer_of({}, 0.05) == Answer::undecided);
+}
+
+TEST_CASE("a judgement of two, the other way round, is the opposite", "[judge]") {
+  Observations observed{.name = "error", .quantity = "error [cm]"};
+  for (const auto& [name, mean] : {std::pair("one", 10.0), std::pair("other", 12.0)}) {
+    Group group{.name = name};
+    for (int run = 1; run <= 20; ++run) group.values.push_back(value_in(run, mean));
+    observed.groups.push_back(group);
+  }
+  const Judgement found = judge(evidence(observed, {}), "one", "other"),
+                  back = judge(evidence(observed, {}), "other", "one");
+  CHECK(found.answer == Answer::better);
+  CHECK(back.answer == Answer::worse);
+  CHECK(found.p == back.p);
+  CHECK(found.difference.value == Approx(-2));
+  CHECK(back.difference.low == -found.difference.high);
+  CHECK(found.test == "Welch's test");
+
+  observed.flaw = "made up";
+  CHECK(judge(evidence(observed, {}), "one", "other").answer == Answer::undecided);
+  CHECK(judge(evidence(observed, {}), "one", "other").undefined == "made up");
+  observed.groups[1].values[3] = statistics::not_defined;
+  CHECK(judge(evidence(observed, {}), "one", "other").answer == Answer::better);  // of the two it alone has a mean
+  CHECK_THROWS_AS(judge(evidence(observed, {}), "one", "none"), std::invalid_argument);
+}
+
+TEST_CASE("a number with a standard error is judged by the plan too", "[judge]") {
+  CHECK(judge(2.3, 1, {.significance = 0.05}).answer == Answer::better);  // p = 0.0214
+  CHECK(judge(-2.3, 1, {.significance = 0.05}).answer == Answer::worse);
+  CHECK(judge(2.3, 1, {.significance = 0.01}).answer == Answer::undecided);
+  CHECK(judge(2.3, 1, {.significance = 0.05}).difference.low == Approx(2.3 - 1.959964));
+  CHECK(!judge(statistics::not_defined, 1, {}).undefined.empty());
+}
