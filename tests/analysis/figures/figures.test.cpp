@@ -3,7 +3,9 @@
 #include <stdexcept>
 
 #include "analysis/figures/axis.hpp"
+#include "analysis/figures/box_figure.hpp"
 #include "analysis/figures/process.hpp"
+#include "analysis/figures/study_figures.hpp"
 #include "analysis/slim2023/paper_figures.hpp"
 #include "tests/analysis/folder.hpp"
 #include "tests/analysis/synthetic.hpp"
@@ -147,7 +149,7 @@ TEST_CASE("figures are drawn where values are zero, not finite, or all the same"
 TEST_CASE("random targets are not joined by a line", "[figure]") {
   const auto solves = synthetic::solves({.solvers = {"IK-BA"}, .runs = 1});
   const auto path_of = [&](const char* definition) {
-    return path_figure(make_study(StudyEntry{.name = "s", .definition = definition, .series = {}}, solves));
+    return path_figure(make_study(StudyEntry{.name = "s", .definition = definition, .series = {}}, solves), "path");
   };
   CHECK(contains(path_of(R"({"path": {"kind": "helix"}})").plot, "with lines"));
   const Figure random = path_of(R"({"path": {"kind": "random"}})");

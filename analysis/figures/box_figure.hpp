@@ -1,0 +1,28 @@
+// Box plots of one metric, a box a solver.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "analysis/figures/figure.hpp"
+#include "analysis/inference/study.hpp"
+#include "analysis/statistics/quantile.hpp"
+
+namespace ikbench::figures {
+
+// What is known of a solver from elsewhere, drawn in grey beside its box.
+struct Mark {
+  std::string solver;
+  double min, median, max;
+};
+
+struct BoxRequest {
+  std::string name;
+  inference::Metric metric = inference::Metric::position_error_cm;
+  results::Unit unit = results::Unit::run;
+  statistics::QuantileType quartiles = statistics::QuantileType::type_5;
+  std::vector<Mark> printed = {};
+};
+Figure box_figure(const inference::StudyResults& study, const BoxRequest& request);
+
+}  // namespace ikbench::figures

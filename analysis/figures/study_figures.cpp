@@ -1,0 +1,157 @@
+#include "analysis/figures/study_figures.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <string_view>
+
+#include "analysis/figures/axis.hpp"
+#include "analysis/figures/figure_parts.hpp"
+#include "analysis/inference/definition.hpp"
+#include "analysis/inference/text.hpp"
+#include "analysis/statistics/descriptive.hpp"
+#include "numerics/number.hpp"
+
+namespace ikbench::figures {
+
+using namespace numerics;
+using namespace results;
+using namespace statistics;
+using namespace inference;
+
+namespace {
+
+// 0 is a, 25 z, 26 aa.
+std::string letters(std::size_t index) {
+  std::string text(1, static_cast<char>('a' + index % 26));
+  return index < 26 ? text : letters(index / 26 - 1) + text;
+}
+
+}  // namespace
+
+Figure path_figure(const StudyResults& study, const std::string& name) {
+  const std::string solver = study.solves.front().solver;
+  const bool is_path = !Definition(study.definition).draws_targets();
+  Figure figure{.name = name,
+                .caption = fmt::format("The targets ({}dots) and where {} came to in its first run (rings).",
+                                       is_path ? "line, " : "", solver),
+                .height_cm = 8.0};
+  figure.data = "# target x, y, z [cm]; reached x, y, z [cm] and position error [cm] of " + one_line(solver) + "\n";
+  std::array<std::vector<double>, 3> coordinates;
+  double largest_error = 0;
+  for (const auto& [point, solve] : first_run(study, solver)) {
+    if (solve->target_position_m.size() != coordinates.size()) continue;
+    for (std::size_t axis = 0; axis < coordinates.size(); ++axis) {
+      coordinates[axis].push_back(100 * solve->target_position_m[axis]);
+      figure.data += data_number(coordinates[axis].back()) + ' ';
+    }
+    for (std::size_t axis = 0; axis < coordinates.size(); ++axis) {
+      const bool known = solve->reached_position_m.size() == coordinates.size();
+      figure.data += data_number(known ? 100 * solve->reached_position_m[axis] : not_defined) + ' ';
+    }
+    figure.data += data_number(solve->position_error_cm) + '\n';
+    largest_error =
+        std::isfinite(solve->position_error_cm) ? std::max(largest_error, solve->position_error_cm) : not_defined;
+  }
+  figure.caption += std::isfinite(largest_error)
+                        ? fmt::format(" The farthest is {} cm off.", rounded_number(largest_error, 2))
+                        : " Not all of its answers are finite.";
+  figure.settings = space_axes(coordinates) + "unset key\n";
+  std::vector<std::string> clauses;
+  const auto add = [&](std::string_view what) { clauses.push_back(fmt::format("'{}.dat' using {}", name, what)); };
+  if (is_path) add("1:2:3 with lines lw 0.7 lc rgb '#888888'");
+  add("1:2:3 with points pt 7 ps 0.35 lc rgb '#000000'");
+  add("4:5:6 with points pt 6 ps 0.8 lw 0.8 lc rgb '#0072B2'");
+  if (is_path) add("1:2:3:('start') every ::0::0 with labels right offset -0.9,0.4");
+  figure.plot = plot_command(clauses, "splot");
+  return figure;
+}
+
+Figure curves_figure(const StudyResults& study, Metric metric, const std::string& name) {
+  Figure figure{.name = name,
+                .caption = fmt::format("{}: mean over the runs at each point.", capitalised(quantity(metric)))};
+  std::vector<std::vector<double>> curves;
+  std::vector<double> all;
+  for (const std::string& solver : study.solvers) {
+    curves.push_back(means_by_point(study, solver, metric));
+    all.insert(all.end(), curves.back().begin(), curves.back().end());
+  }
+  const Axis axis =
+      value_axis(all, quantity(metric), metric == Metric::position_error_cm ? Scale::logarithmic : Scale::by_spread);
+  figure.caption = with_notes(figure.caption, study, metric, axis);
+  figure.settings = axis.settings + point_axis(study.points);
+  add_legend(figure, study.solvers);
+
+  const int points_per_marker = 1 + study.points / 40;
+  figure.data = fmt::format("# column 1: point; then {}, mean over the runs, of\n", quantity(metric));
+  std::vector<std::string> clauses{"NaN notitle"};
+  for (std::size_t i = 0; i < study.solvers.size(); ++i) {
+    figure.data += fmt::format("# column {}: {}\n", i + 2, one_line(study.solvers[i]));
+    const std::string label = shortened(study.solvers[i], longest_label);
+    if (std::ranges::any_of(curves[i], [](double value) { return std::isfinite(value); })) {
+      clauses.push_back(fmt::format("'{}.dat' using 1:(shown(${})) with linespoints ls {} pointinterval {} title {}",
+                                    figure.name, i + 2, i + 1, points_per_marker, gnuplot_string(label)));
+    } else {  // in the legend all the same
+      clauses.push_back(
+          fmt::format("keyentry with linespoints ls {} title {}", i + 1, gnuplot_string(label + " (nothing to show)")));
+    }
+  }
+  for (std::size_t point = 0; point < static_cast<std::size_t>(study.points); ++point) {
+    figure.data += fmt::to_string(point + 1);
+    for (const auto& curve : curves) figure.data += ' ' + data_number(curve[point]);
+    figure.data += '\n';
+  }
+  figure.plot = plot_command(clauses);
+  return figure;
+}
+
+std::vector<Figure> joint_figures(const StudyResults& study, const std::string& name) {
+  std::vector<Figure> figures;
+  for (const std::string& solver : study.solvers) {
+    const auto solves = first_run(study, solver);
+    if (solves.empty()) continue;
+    Figure figure{
+        .name = fmt::format("{}-{}", name, letters(figures.size())),
+        .caption = fmt::format("Joint angles along the path, run {} of {}.", solves.begin()->second->run, solver)};
+    std::size_t joints = 0;
+    double largest = 180;
+    for (const auto& [point, solve] : solves) {
+      joints = std::max(joints, solve->answer_rad.size());
+      for (const double angle : solve->answer_rad) {
+        if (std::isfinite(angle)) largest = std::max(largest, std::abs(angle) * 180 / std::numbers::pi);
+      }
+    }
+    figure.data = "# point, then the angle of each joint [deg]\n";
+    for (const auto& [point, solve] : solves) {
+      figure.data += fmt::to_string(point);
+      for (std::size_t joint = 0; joint < joints; ++joint) {
+        const double angle = joint < solve->answer_rad.size() ? solve->answer_rad[joint] : not_defined;
+        figure.data += ' ' + data_number(angle * 180 / std::numbers::pi);
+      }
+      figure.data += '\n';
+    }
+    const double range = largest <= 180 ? 180 : 1.05 * largest;
+    figure.settings = fmt::format(
+        "set title {} noenhanced offset 0, -0.6\nset tmargin 2\nset ylabel 'joint angle [deg]'\nset yrange [{}:{}]\n{}",
+        gnuplot_string(shortened(solver, 2 * longest_label)), -range, range, largest <= 180 ? "set ytics 60\n" : "");
+    figure.settings += point_axis(study.points);
+    std::vector<std::string> clauses;
+    std::vector<std::string> labels;
+    for (std::size_t joint = 1; joint <= joints; ++joint) {
+      labels.push_back(fmt::format("joint {}", joint));
+      clauses.push_back(fmt::format("'{}.dat' using 1:(${}) with linespoints ls {} title '{}'", figure.name, joint + 1,
+                                    joint, labels.back()));
+    }
+    if (clauses.empty()) continue;
+    add_legend(figure, labels);
+    figure.plot = plot_command(clauses);
+    figures.push_back(std::move(figure));
+  }
+  return figures;
+}
+
+}  // namespace ikbench::figures

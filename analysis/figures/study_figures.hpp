@@ -1,0 +1,18 @@
+// The figures of any study: its path, a metric point by point, and the joint angles of each solver's first run. The
+// study has solves.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "analysis/figures/figure.hpp"
+#include "analysis/inference/study.hpp"
+
+namespace ikbench::figures {
+
+Figure path_figure(const inference::StudyResults& study, const std::string& name);
+Figure curves_figure(const inference::StudyResults& study, inference::Metric metric, const std::string& name);
+// NAME-a, NAME-b, ...: one per solver that has solves.
+std::vector<Figure> joint_figures(const inference::StudyResults& study, const std::string& name);
+
+}  // namespace ikbench::figures
