@@ -9,8 +9,9 @@
 #include <vector>
 
 #include "analysis/inference/study.hpp"
-#include "analysis/report/table.hpp"
+#include "analysis/report/study_tables.hpp"
 #include "analysis/statistics/anova.hpp"
+#include "analysis/statistics/descriptive.hpp"
 
 namespace ikbench::slim2023 {
 
@@ -38,23 +39,15 @@ constexpr std::string_view time_reference = "IK-BA";
 
 std::vector<Comparison> compare(const inference::StudyResults& study, results::Unit unit);
 
-// The ANOVA over all solvers that have observations and only finite ones; the others are named.
-struct StudyAnova {
-  statistics::AnovaTable table;
-  std::vector<std::string> left_out;  // a sentence each
-};
-StudyAnova anova(const inference::StudyResults& study, inference::Metric metric, results::Unit unit);
-
 // The printed ANOVA of that metric where it answers the same question: the same solvers, runs as observations.
 std::optional<statistics::AnovaTable> comparable_printed_anova(const inference::StudyResults& study,
                                                                inference::Metric metric, results::Unit unit);
 
 report::Table table_3(const inference::StudyResults& study, results::Unit unit);
 report::Table table_3_as_printed(std::string_view paper);
-report::Table anova_table(const inference::StudyResults& study, inference::Metric metric,
-                          results::Unit unit);  // table-4, table-5, table-6
+report::Table printed_anova_table(const inference::StudyResults& study, inference::Metric metric,
+                                  results::Unit unit);  // table-4, table-5, table-6
 report::Table anova_from_printed_table_3(std::string_view paper);
-report::Table status_table(const inference::StudyResults& study);
 
 // Every table above that the study has, in the paper's order.
 std::vector<report::Table> paper_tables(const inference::StudyResults& study, results::Unit unit);
