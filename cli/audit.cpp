@@ -1,14 +1,15 @@
 // ikbench audit: whether a paper's printed numbers agree with each other.
-#include "analysis/slim2023/audit.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <memory>
+#include <stdexcept>
 
+#include "analysis/papers.hpp"
 #include "analysis/report/report.hpp"
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
+#include "cli/reporting.hpp"
 
 namespace ikbench::cli {
 
@@ -16,7 +17,6 @@ using namespace numerics;
 using namespace results;
 using namespace inference;
 using namespace report;
-using namespace slim2023;
 
 namespace {
 
@@ -56,7 +56,7 @@ void add_audit(CLI::App& app) {
   };
   auto arguments = std::make_shared<Arguments>();
   CLI::App* command = app.add_subcommand("audit", "Check whether a paper's printed numbers agree with each other");
-  command->add_option("PAPER", arguments->paper, "a paper whose tables are built in: slim2023")->required();
+  add_paper_option(*command, arguments->paper);
   command->add_option("--out", arguments->out, "folder for tables/audit.md, .csv and .tex; default: print only");
   command->footer(
       "Examples:\n"
@@ -68,9 +68,11 @@ void add_audit(CLI::App& app) {
       "  misprint        a number is wrong, and other numbers of the paper show the right one\n"
       "  contradiction   two statements cannot both hold, or the numbers do not support a claim");
   command->callback([arguments] {
-    const std::vector<AuditItem> items = audit(arguments->paper);
+    const Paper& paper = analysis::paper(arguments->paper);
+    if (!paper.audit) throw std::invalid_argument(fmt::format("nothing of the paper {} is audited", paper.name));
+    const std::vector<AuditItem> items = paper.audit();
     if (!arguments->out.empty()) {
-      write_table(audit_table(arguments->paper), std::filesystem::path(arguments->out) / "tables");
+      write_table(audit_table(items), std::filesystem::path(arguments->out) / "tables");
     }
     fmt::print("{}\n{}\n", shown(items), counted(items));
   });

@@ -6,8 +6,10 @@
 #include <algorithm>
 #include <atomic>
 #include <memory>
+#include <stdexcept>
 
 #include "analysis/inference/study.hpp"
+#include "analysis/papers.hpp"
 #include "analysis/report/report.hpp"
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
@@ -23,12 +25,11 @@ using namespace experiments;
 using namespace inference;
 using namespace figures;
 using namespace report;
-using namespace slim2023;
 
 namespace {
 
 struct ReadingsArguments {
-  std::string study, out;
+  std::string paper, out;
   std::vector<std::string> grid;
   Overrides overrides;
   int seeds = 3, jobs = 1;
@@ -103,9 +104,9 @@ std::vector<ReadingResults> results_of(const ReadingsPlan& plan, const std::vect
   return results;
 }
 
-std::string reading_list() {
+std::string reading_list(const std::vector<Reading>& readings) {
   std::vector<std::vector<std::string>> rows{{"INTERPRETATION", "NOTES", "MEANING"}};
-  for (const Reading& reading : readings()) rows.push_back({reading.set, reading.section, reading.sentence});
+  for (const Reading& reading : readings) rows.push_back({reading.set, reading.section, reading.sentence});
   return aligned(rows);
 }
 
@@ -126,21 +127,19 @@ void write_and_tell(const ReadingsReport& report, const ReadingsArguments& argum
 
 }  // namespace
 
-Read read(const std::string& paper, const ReadingsPlan& plan, int jobs, const std::atomic<bool>& cancelled) {
+Read read(const Paper& paper, const ReadingsPlan& plan, int jobs, const std::atomic<bool>& cancelled) {
   const std::vector<RunMeans> means = solved(plan, jobs, cancelled);
   const std::vector<ReadingResults> results = results_of(plan, means);
   Read answer{.done = results.size(), .is_complete = means.size() == plan.parts.size()};
-  if (!results.empty()) answer.report = readings_report(paper, results);
+  if (!results.empty()) answer.report = paper.readings(results);
   return answer;
 }
 
 void add_readings(CLI::App& app, Invocation& invocation) {
   auto arguments = std::make_shared<ReadingsArguments>();
   CLI::App* command = app.add_subcommand(
-      "readings", "Compare interpretations of what the paper leaves open, one by one, with the default");
-  command->add_option("STUDY", arguments->study, "the study to vary: slim2023")
-      ->required()
-      ->check(CLI::IsMember({"slim2023"}));
+      "readings", "Compare interpretations of what a paper leaves open, one by one, with the default");
+  add_paper_option(*command, arguments->paper);
   command->add_flag("--list", arguments->list, "list the interpretations without solving");
   command->add_option("--grid", arguments->grid, "try all combinations of these instead of one at a time")
       ->delimiter(',')
@@ -167,14 +166,19 @@ void add_readings(CLI::App& app, Invocation& invocation) {
       "  ikbench readings slim2023 --grid search=all_joints,IK-BA.step_factor=1,IK-BA.epsilon=truncated\n\n"
       "Solvers that an interpretation does not affect are not run again. Ctrl-C shows what is finished.");
   command->callback([arguments, &invocation] {
+    const Paper& paper = analysis::paper(arguments->paper);
+    if (!paper.readings) throw std::invalid_argument(fmt::format("the paper {} has no readings", paper.name));
+    const std::string& study = paper.studies.front().name;
+    const std::vector<Reading> all = readings(study);
     if (arguments->list) {
-      fmt::print("{}", reading_list());
+      fmt::print("{}", reading_list(all));
       return;
     }
     const CancelOnSignal signals;
-    const ReadingsPlan plan = plan_readings(arguments->grid.empty() ? one_at_a_time() : full_grid(arguments->grid),
-                                            arguments->seeds, arguments->overrides);
-    const Read answer = read(arguments->study, plan, arguments->jobs, signals.requested());
+    const ReadingsPlan plan =
+        plan_readings(study, arguments->grid.empty() ? one_at_a_time(all) : full_grid(all, arguments->grid),
+                      arguments->seeds, arguments->overrides);
+    const Read answer = read(paper, plan, arguments->jobs, signals.requested());
     if (answer.report) write_and_tell(*answer.report, *arguments);
     if (answer.is_complete) return;
     say(fmt::format("Stopped: {} of {} interpretations are done, including the default.", answer.done,

@@ -5,19 +5,19 @@
 #include <optional>
 #include <string>
 
-#include "analysis/slim2023/readings.hpp"
+#include "analysis/report/paper.hpp"
 #include "experiments/readings.hpp"
 
 namespace ikbench::cli {
 
 struct Read {
-  std::optional<slim2023::ReadingsReport> report = {};  // none where not even the default was finished
-  std::size_t done = 0;                                 // combinations, counting the default
-  bool is_complete = false;                             // else it was cancelled
+  std::optional<report::ReadingsReport> report = {};  // none where not even the default was finished
+  std::size_t done = 0;                               // combinations, counting the default
+  bool is_complete = false;                           // else it was cancelled
 };
 
 // With progress, on `jobs` threads.
-Read read(const std::string& paper, const experiments::ReadingsPlan& plan, int jobs,
+Read read(const report::Paper& paper, const experiments::ReadingsPlan& plan, int jobs,
           const std::atomic<bool>& cancelled);
 
 }  // namespace ikbench::cli

@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "analysis/inference/analysis_plan.hpp"
+#include "analysis/papers.hpp"
 #include "analysis/report/report.hpp"
 #include "cli/console.hpp"
 #include "experiments/environment.hpp"
@@ -22,7 +23,6 @@ using namespace results;
 using namespace experiments;
 using namespace inference;
 using namespace report;
-using namespace slim2023;
 
 namespace {
 
@@ -82,6 +82,14 @@ CLI::Validator whole_number() {
       "");
 }
 
+void add_paper_option(CLI::App& command, std::string& paper) {
+  std::vector<std::string> names;
+  for (const Paper& each : analysis::papers()) names.push_back(each.name);
+  paper = names.front();
+  command.add_option("PAPER", paper, fmt::format("a paper that is in the program: {}", fmt::join(names, ", ")))
+      ->capture_default_str();
+}
+
 void add_report_options(CLI::App& command, ReportArguments& arguments) {
   command
       .add_option("--unit", arguments.unit,
@@ -117,6 +125,7 @@ void write_and_announce(const Store& store, WrittenReport wanted) {
                                              .folder = wanted.folder,
                                              .plan = plan,
                                              .figures = {.render = !wanted.arguments.without_figures},
+                                             .papers = analysis::papers(),
                                              .extra_tables = std::move(wanted.tables),
                                              .extra_figures = std::move(wanted.figures)});
   fmt::print("\n{}\n", aligned(readable_cells(report.results)));

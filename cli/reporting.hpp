@@ -16,6 +16,9 @@ namespace ikbench::cli {
 // Decimal digits and nothing else: CLI11 alone reads 010 as 8 and takes what is too large for the largest.
 CLI::Validator whole_number();
 
+// PAPER, one of analysis/papers.inc; the first where none is given.
+void add_paper_option(CLI::App& command, std::string& paper);
+
 struct ReportArguments {
   std::string unit = {};  // instead of what the study says
   int quartiles = 0;      // instead of what the study says; 0: not given

@@ -1,12 +1,13 @@
-// ikbench reproduce: every study of the paper in one store, the interpretations and the audit, with one report.
+// ikbench reproduce: every study of a paper in one store, the interpretations and the audit, with one report.
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <memory>
 #include <thread>
 #include <utility>
 
-#include "analysis/slim2023/audit.hpp"
+#include "analysis/papers.hpp"
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
 #include "cli/readings.hpp"
@@ -20,7 +21,6 @@ namespace ikbench::cli {
 using namespace results;
 using namespace experiments;
 using namespace report;
-using namespace slim2023;
 
 namespace {
 
@@ -36,10 +36,22 @@ std::string compared_with_reference(const Store& store, const std::string& name)
                                          : fmt::format("different from the reference {}", reference));
 }
 
+// The paper's studies, each with those of the overrides that it takes.
+std::vector<std::pair<std::string, Overrides>> studies_of(const Paper& paper,
+                                                          const std::map<std::string, std::string>& given) {
+  std::vector<std::pair<std::string, Overrides>> studies;
+  for (const PaperStudy& study : paper.studies) {
+    Overrides& overrides = studies.emplace_back(study.name, Overrides()).second;
+    for (const std::string& option : study.takes) overrides.push_back(given.at(option));
+  }
+  return studies;
+}
+
 }  // namespace
 
 void add_reproduce(CLI::App& app, Invocation& invocation) {
   struct Arguments {
+    std::string paper;
     std::int64_t seed = 1;
     int runs = 20;
     int seeds = 3;
@@ -48,7 +60,8 @@ void add_reproduce(CLI::App& app, Invocation& invocation) {
   };
   auto arguments = std::make_shared<Arguments>();
   CLI::App* command = app.add_subcommand(
-      "reproduce", "Repeat the experiments of Slim et al. 2023 and report beside the printed results");
+      "reproduce", "Repeat the experiments of a paper and report beside the printed results");
+  add_paper_option(*command, arguments->paper);
   add_run_options(*command, arguments->run);
   command->add_option("--seed", arguments->seed, "seed of the studies")->check(whole_number())->capture_default_str();
   command->add_option("--runs", arguments->runs, "runs of each solver on the helix")
@@ -70,14 +83,12 @@ void add_reproduce(CLI::App& app, Invocation& invocation) {
       "  ikbench reproduce --jobs 2               faster: two solves at once, but times are not comparable");
   command->callback([arguments, &invocation] {
     refuse_points(arguments->report);
+    const Paper& paper = analysis::paper(arguments->paper);
+    const std::string& first = paper.studies.front().name;
     const std::filesystem::path folder =
-        arguments->run.out.empty() ? default_folder("slim2023") : std::filesystem::path(arguments->run.out);
+        arguments->run.out.empty() ? default_folder(first) : std::filesystem::path(arguments->run.out);
     const std::string seed = fmt::format("seed={}", arguments->seed), runs = fmt::format("runs={}", arguments->runs);
-    const std::vector<std::pair<std::string, Overrides>> studies{
-        {"slim2023", {seed, runs}},                                                                        // Sec. 5.2
-        {"slim2023-context", {seed, runs}}, {"slim2023-limits", {seed, runs}}, {"slim2023-time", {seed}},  // Sec. 5.3.1
-        {"slim2023-dobot", {seed}},                                                                        // Sec. 6
-    };
+    const auto studies = studies_of(paper, {{"seed", seed}, {"runs", runs}});
     for (const auto& [name, overrides] : studies) {
       if (run_and_tell(load_study(name, overrides), folder,
                        {.jobs = arguments->run.jobs, .command = invocation.command}) == Ended::stopped) {
@@ -85,13 +96,13 @@ void add_reproduce(CLI::App& app, Invocation& invocation) {
         return;
       }
     }
-    WrittenReport wanted{.study = "slim2023", .folder = folder, .arguments = arguments->report};
-    if (arguments->seeds > 0) {
+    WrittenReport wanted{.study = first, .folder = folder, .arguments = arguments->report};
+    if (paper.readings && arguments->seeds > 0) {
       const CancelOnSignal signals;
-      const ReadingsPlan plan = plan_readings(one_at_a_time(), arguments->seeds, {runs});
+      const ReadingsPlan plan = plan_readings(first, one_at_a_time(readings(first)), arguments->seeds, {runs});
       // No time is measured here, so all processors may work.
       const int processors = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
-      const Read answer = read("slim2023", plan, std::max(arguments->run.jobs, processors), signals.requested());
+      const Read answer = read(paper, plan, std::max(arguments->run.jobs, processors), signals.requested());
       if (!answer.is_complete) {
         say("Stopped before the report. The solves are kept; run the same command again to continue.");
         invocation.exit_code = 130;
@@ -100,7 +111,7 @@ void add_reproduce(CLI::App& app, Invocation& invocation) {
       wanted.tables.push_back(answer.report->table);
       wanted.figures.push_back(answer.report->figure);
     }
-    wanted.tables.push_back(audit_table("slim2023"));
+    if (paper.audit) wanted.tables.push_back(audit_table(paper.audit()));
     const Store store(store_in(folder), Store::Mode::read);
     for (const auto& [name, overrides] : studies) {
       check_is_stored(load_study(name, overrides), store);

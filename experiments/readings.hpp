@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "experiments/study_reader.hpp"
@@ -13,21 +14,22 @@ namespace ikbench::experiments {
 // One alternative, known by what --set takes: "path.tool=eq27".
 struct Reading {
   std::string set;
-  std::string section;  // of docs/paper-notes.md
+  std::string section;  // of the paper's notes
   std::string sentence;
 };
 
-// Those of slim2023, in the order of the notes.
-const std::vector<Reading>& readings();
+// Those of a built-in study, which the build carries in the program: the file of its name in readings/. None where
+// there is no such file.
+std::vector<Reading> readings(std::string_view study);
 
 // Readings that are tried together; none of them is the default.
 using Combination = std::vector<Reading>;
 
 // The default, then each reading by itself.
-std::vector<Combination> one_at_a_time();
+std::vector<Combination> one_at_a_time(const std::vector<Reading>& readings);
 // Every combination of the named readings, the default first; of readings that set the same thing at most one. An
 // unknown or repeated name, and more than 256 combinations, are std::invalid_argument.
-std::vector<Combination> full_grid(const std::vector<std::string>& names);
+std::vector<Combination> full_grid(const std::vector<Reading>& readings, const std::vector<std::string>& names);
 
 // Every combination over several seeds. The numbers of a solver are decided by its series key, so each is solved once,
 // whatever combinations it is part of.
@@ -43,6 +45,7 @@ struct ReadingsPlan {
 };
 
 // `overrides` hold for the default and all combinations; the seeds are 1 to `seeds`.
-ReadingsPlan plan_readings(const std::vector<Combination>& combinations, int seeds, const Overrides& overrides = {});
+ReadingsPlan plan_readings(const std::string& study, const std::vector<Combination>& combinations, int seeds,
+                           const Overrides& overrides = {});
 
 }  // namespace ikbench::experiments

@@ -9,7 +9,7 @@
 namespace ikbench::figures {
 
 struct Figure {
-  std::string name;       // stable, the files' name: "figure-6"
+  std::string name;       // stable, the files' name: "path"
   std::string caption;    // plain text
   double width_cm = 8.5;  // one column of a journal
   double height_cm = 6.4;

@@ -14,7 +14,6 @@
 
 namespace ikbench::report {
 
-using namespace slim2023;
 using namespace results;
 using namespace figures;
 

@@ -24,7 +24,7 @@ struct Publication {
 struct Report {
   std::filesystem::path page;         // report.html
   std::filesystem::path file;         // report.md
-  Table results = {};                 // Table 3, of a study
+  Table results = {};                 // of a study, what was reached
   std::vector<std::string> summary;   // what it says first, sentence by sentence
   std::vector<std::string> warnings;  // figures that were not drawn, a study that is incomplete, ...
 };

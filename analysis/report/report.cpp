@@ -1,13 +1,13 @@
 #include "analysis/report/report.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <iterator>
 #include <optional>
-#include <string_view>
+#include <span>
 
 #include "analysis/figures/convergence_figures.hpp"
 #include "analysis/figures/figure_parts.hpp"
@@ -23,14 +23,9 @@
 #include "analysis/report/provenance.hpp"
 #include "analysis/report/report_content.hpp"
 #include "analysis/report/summary.hpp"
-#include "analysis/slim2023/paper_figures.hpp"
-#include "analysis/slim2023/paper_tables.hpp"
-#include "analysis/slim2023/published_numbers.hpp"
-#include "results/published.hpp"
 
 namespace ikbench::report {
 
-using namespace slim2023;
 using namespace results;
 using namespace statistics;
 using namespace inference;
@@ -61,59 +56,42 @@ std::vector<StudyResults> with_same_limits(const std::vector<StudyResults>& stud
   return result;
 }
 
-// The paper's other experiments, where the store has them: studies named after the reported one.
-std::vector<StudyResults> companions_of(const Store& store, const StudyResults& study) {
+// The paper of the study; one that says nothing where it has none.
+const Paper& paper_of(const StudyResults& study, std::span<const Paper> papers) {
+  static const Paper none;
+  const auto found = std::ranges::find(papers, study.published, &Paper::name);
+  return study.published.empty() || found == papers.end() ? none : *found;
+}
+
+// The paper's other studies, where the store has them: they are named after the reported one as after the paper's own.
+std::vector<StudyResults> companions_of(const Store& store, const StudyResults& study, const Paper& paper) {
   std::vector<StudyResults> result;
   for (const StudyEntry& entry : store.studies()) {
-    for (const char* part : {"-time", "-dobot", "-limits", "-context"}) {
-      if (entry.name == study.name + part) result.push_back(make_study(entry, store.solves(entry.name)));
+    for (const PaperStudy& other : paper.studies) {
+      const std::string part = other.name.substr(paper.studies.front().name.size());
+      if (!part.empty() && entry.name == study.name + part) {
+        result.push_back(make_study(entry, store.solves(entry.name)));
+      }
     }
   }
   return result;
 }
 
-// What only a companion has.
-void add_pieces(const StudyResults& companion, const AnalysisPlan& plan, std::vector<Table>& tables,
-                std::vector<Figure>& figures) {
-  const auto is_its_own = [](const std::string& name) {
-    constexpr std::array<std::string_view, 7> names{"table-7",   "table-8",   "figure-14", "figure-15",
-                                                    "figure-16", "figure-17", "figure-18"};
-    return std::ranges::find(names, name) != names.end();
-  };
-  for (Table& table : paper_tables(companion, plan.unit)) {
-    if (is_its_own(table.name)) tables.push_back(std::move(table));
-  }
-  for (Figure& figure : paper_figures(companion, plan.unit, quantile_type(plan.quartiles))) {
-    if (is_its_own(figure.name)) figures.push_back(std::move(figure));
-  }
-}
-
-// What the paper's tables say of themselves where points are the observations.
+// What a study's own tables say of themselves where points are the observations.
 Table flagged(Table table, const AnalysisPlan& plan) {
   if (plan.unit == Unit::point) table.notes.push_back(capitalised(points_flaw) + '.');
   return table;
 }
 
-// "computing time, as printed [s]"
-std::string as_printed(std::string_view quantity) {
-  const std::size_t unit = std::min(quantity.find(" ["), quantity.size());
-  return fmt::format("{}, as printed{}", quantity.substr(0, unit), quantity.substr(unit));
-}
-
-// What the paper printed, by the same methods.
-std::vector<Assessment> printed_assessments(const StudyResults& study, const AnalysisPlan& plan) {
+// What a paper printed, by the same methods.
+std::vector<Assessment> printed_assessments(const StudyResults& study, const AnalysisPlan& plan, const Paper& paper) {
   std::vector<Assessment> result;
-  for (const Metric metric : paper_metrics) {
-    Summaries printed{.name = fmt::format("printed-{}", info_of(metric).slug),
-                      .quantity = as_printed(quantity(metric))};
-    for (const PrintedRow& row : printed_table_3(study, metric)) printed.groups.push_back({row.algorithm, row.summary});
-    if (printed.groups.size() < 2) continue;
-    result.push_back(assess(printed, feasible(plan, printed)));
-  }
+  if (!paper.printed) return result;
+  for (const Summaries& printed : paper.printed(study)) result.push_back(assess(printed, feasible(plan, printed)));
   return result;
 }
 
-std::vector<Assessment> assessments_of(const StudyResults& study, const AnalysisPlan& plan) {
+std::vector<Assessment> assessments_of(const StudyResults& study, const AnalysisPlan& plan, const Paper& paper) {
   if (study.solves.empty()) return {};
   std::vector<Assessment> result;
   for (const Metric metric : reported_metrics()) {
@@ -126,7 +104,7 @@ std::vector<Assessment> assessments_of(const StudyResults& study, const Analysis
     observed.flaw = timing_note(study);
     result.push_back(describe(observed, possible));
   }
-  std::ranges::move(printed_assessments(study, plan), std::back_inserter(result));
+  std::ranges::move(printed_assessments(study, plan, paper), std::back_inserter(result));
   return result;
 }
 
@@ -146,13 +124,15 @@ std::string out_of_reach_warning(const StudyResults& study) {
       rounded_number(of("farthest_cm"), 4), rounded_number(of("reach_cm"), 4), is_one ? "it" : "them");
 }
 
-std::vector<std::string> warnings_of(const StudyResults& study, const std::vector<StudyResults>& companions) {
+std::vector<std::string> warnings_of(const StudyResults& study, const std::vector<StudyResults>& companions,
+                                     std::span<const Paper> papers) {
   std::vector<std::string> warnings;
   if (std::string warning = out_of_reach_warning(study); !warning.empty()) warnings.push_back(std::move(warning));
-  const auto papers = published::papers();
-  if (!study.published.empty() && std::ranges::find(papers, study.published) == papers.end()) {
+  if (!study.published.empty() && paper_of(study, papers).name.empty()) {
+    std::vector<std::string> names;
+    for (const Paper& paper : papers) names.push_back(paper.name);
     warnings.push_back(fmt::format("no published tables of '{}' to compare with; there are: {}", study.published,
-                                   fmt::join(papers, ", ")));
+                                   fmt::join(names, ", ")));
   }
   for (const SolverCounts& count : counts(study)) {
     if (count.solves >= count.expected) continue;
@@ -176,28 +156,32 @@ Report write_report(const Store& store, const ReportRequest& request) {
   study.plan = request.plan.value_or(plan_of(entry));
   const std::vector<Session> sessions = store.sessions();
   const std::vector<StudyResults> together = with_same_targets(store, study);
-  const std::vector<StudyResults> companions = companions_of(store, study);
   const AnalysisPlan plan = study.plan;
+  const Paper& paper = paper_of(study, request.papers);
+  const std::vector<StudyResults> companions = companions_of(store, study, paper);
+  const Reported reported{study, companions, plan};
 
   std::vector<Table> tables{definition_table(entry), options_table(entry),
                             plan_table(entry, plan, plan_notes(entry, sessions, study.solves)),
                             environment_table(study, sessions)};
-  std::vector<Figure> figures = paper_figures(study, plan.unit, quantile_type(plan.quartiles));
-  std::ranges::move(paper_tables(study, plan.unit), std::back_inserter(tables));
+  StudyPieces pieces = paper.pieces ? paper.pieces(reported) : study_pieces(study, plan);
+  std::vector<Figure> figures = std::move(pieces.figures);
+  std::ranges::move(pieces.tables, std::back_inserter(tables));
   const std::vector<StudyResults> beside = with_same_limits(together);
   if (beside.size() > 1) tables.push_back(flagged(perspective_table(beside, plan.unit), plan));
   if (std::optional<Table> table = limits_table(together, plan.unit))
     tables.push_back(flagged(std::move(*table), plan));
-  for (const StudyResults& companion : companions) add_pieces(companion, plan, tables, figures);
   std::ranges::copy(request.extra_tables, std::back_inserter(tables));
   std::ranges::copy(request.extra_figures, std::back_inserter(figures));
 
   ReportContent content{.study = study.name,
                         .title = study.title.empty() ? study.name : study.title,
-                        .findings = findings(study, companions, plan.unit),
-                        .summary = summary(study, plan.unit),
-                        .warnings = warnings_of(study, companions),
-                        .command = command_of(study, sessions)};
+                        .claims = paper.claims ? paper.claims(reported) : std::vector<Claim>(),
+                        .summary = summary(reported, paper),
+                        .warnings = warnings_of(study, companions, request.papers),
+                        .command = command_of(study, sessions),
+                        .plan = paper.sections,
+                        .path = pieces.path};
   std::ranges::copy(plan_changes(entry, sessions, study.solves), std::back_inserter(content.warnings));
   if (plan.test == DecidingTest::friedman && !blocked_observations(study, Metric::position_error_cm)) {
     content.warnings.push_back(
@@ -212,12 +196,12 @@ Report write_report(const Store& store, const ReportRequest& request) {
   if (std::string closest = closest_point_by_point(study); !closest.empty()) {
     content.summary.push_back(std::move(closest));
   }
-  std::vector<Assessment> assessments = assessments_of(study, plan);
+  std::vector<Assessment> assessments = assessments_of(study, plan, paper);
   for (const Assessment& assessment : assessments) {
     if (!assessment.warnings.empty()) continue;  // of flawed observations there is no headline
     std::ranges::copy(assessment.headlines, std::back_inserter(content.summary));
   }
-  const Table results = *std::ranges::find(tables, "table-3", &Table::name);
+  const Table results = *std::ranges::find(tables, pieces.results, &Table::name);
   Report report = publish({.content = std::move(content),
                            .tables = std::move(tables),
                            .figures = std::move(figures),

@@ -3,11 +3,13 @@
 
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "analysis/figures/figure.hpp"
 #include "analysis/inference/study.hpp"
+#include "analysis/report/paper.hpp"
 #include "analysis/report/publish.hpp"
 #include "analysis/report/table.hpp"
 #include "results/analysis_plan.hpp"
@@ -20,6 +22,7 @@ struct ReportRequest {
   std::filesystem::path folder;                    // made where missing; files of the same names are replaced
   std::optional<results::AnalysisPlan> plan = {};  // instead of the study's own, which the report says
   figures::RenderOptions figures = {};
+  std::span<const Paper> papers = {};               // of which the study's, if it is there, has its say
   std::vector<Table> extra_tables = {};             // written and shown with the others (report_content.cpp says where)
   std::vector<figures::Figure> extra_figures = {};  // likewise
 };

@@ -8,51 +8,39 @@
 
 namespace ikbench::report {
 
-using namespace slim2023;
-
 namespace {
 
-// Names in order; one that ends in * stands for all that begin so.
-struct Plan {
-  std::string heading;
-  std::string paragraph;
-  std::vector<std::string> names;
-};
-
-const std::vector<Plan>& circumstances() {
-  static const std::vector<Plan> plans{{"What was run", "", {"definition", "options", "analysis-plan"}},
-                                       {"Where it was run", "", {"environment"}},
-                                       {"What became of every solve", "", {"status"}}};
+const std::vector<SectionPlan>& circumstances() {
+  static const std::vector<SectionPlan> plans{{"What was run", "", {"definition", "options", "analysis-plan"}},
+                                              {"Where it was run", "", {"environment"}},
+                                              {"What became of every solve", "", {"status"}}};
   return plans;
 }
 
-// The paper's own.
-const std::vector<Plan>& results() {
-  static const std::vector<Plan> plans{
-      {"Results", "", {"figure-5", "table-3", "table-3-as-printed", "figure-6", "figure-7", "figure-8", "figure-9-*"}},
-      {"Analysis of variance",
+// Of a study without a paper.
+const std::vector<SectionPlan>& results() {
+  static const std::vector<SectionPlan> plans{
+      {"Results",
        "",
-       {"figure-10", "figure-11", "figure-12", "table-4", "table-5", "table-6", "anova-from-printed-table-3"}},
+       {"results", "path", "error-boxes", "variation-boxes", "time-boxes", "evaluations-boxes", "error", "variation",
+        "time", "evaluations", "joints-*"}},
+      {"Analysis of variance", "", {"anova-*"}},
   };
   return plans;
 }
 
-const std::vector<Plan>& further() {
-  static const std::vector<Plan> plans{
-      {"Convergence and cost",
-       "How the error falls with what is spent on it. Curves go over solves, and describe them: solves of one run "
-       "depend "
-       "on each other where each starts from the answer before. Convergence and runtimes need the solves' traces, "
-       "trace = "
-       "\"best_error\" in the study; costs and survival a tolerance.",
-       {"statistics-convergence", "statistics-ecdf-*", "statistics-profile-*", "statistics-survival-*",
-        "statistics-cost*"}},
-      {"Computing time",
-       "The paper's test for real time: how long a swarm of a given size takes to come within 0.1 cm.",
-       {"table-7"}},
-      {"Circle",
-       "The paper's second arm, a Dobot Magician, on a circle.",
-       {"table-8", "figure-14", "figure-15", "figure-16", "figure-17", "figure-18"}},
+SectionPlan convergence() {
+  return {
+      "Convergence and cost",
+      "How the error falls with what is spent on it. Curves go over solves, and describe them: solves of one run "
+      "depend on each other where each starts from the answer before. Convergence and runtimes need the solves' traces, "
+      "trace = \"best_error\" in the study; costs and survival a tolerance.",
+      {"statistics-convergence", "statistics-ecdf-*", "statistics-profile-*", "statistics-survival-*",
+       "statistics-cost*"}};
+}
+
+const std::vector<SectionPlan>& last() {
+  static const std::vector<SectionPlan> plans{
       {"Audit of the printed numbers",
        "What can be computed from the printed numbers alone, and whether they agree with each other.",
        {"audit*"}},
@@ -67,7 +55,7 @@ bool asks_for(std::string_view asked, std::string_view name) {
 }
 
 // Takes what the plan asks for out of the pieces.
-Section section(const Plan& plan, std::vector<Piece>& pieces) {
+Section section(const SectionPlan& plan, std::vector<Piece>& pieces) {
   Section result{.heading = plan.heading, .paragraph = plan.paragraph, .sentences = {}, .pieces = {}};
   for (const std::string& asked : plan.names) {
     const auto others = std::stable_partition(pieces.begin(), pieces.end(),
@@ -92,20 +80,22 @@ const std::string& name_of(const Piece& piece) {
 }
 
 void arrange(std::vector<Piece> pieces, const std::vector<Assessment>& assessments, ReportContent& content) {
-  const auto fill = [&](const std::vector<Plan>& plans, std::vector<Section>& sections) {
-    for (const Plan& plan : plans) {
+  const auto fill = [&](const std::vector<SectionPlan>& plans, std::vector<Section>& sections) {
+    for (const SectionPlan& plan : plans) {
       Section filled = section(plan, pieces);
       if (!filled.pieces.empty()) sections.push_back(std::move(filled));
     }
   };
   fill(circumstances(), content.circumstances);
-  fill(results(), content.results);
+  fill(content.plan.results.empty() ? results() : content.plan.results, content.results);
   for (const Assessment& assessment : assessments) {
     Section& filled = content.results.emplace_back(
         section({assessment.heading, "", {fmt::format("statistics-{}-*", assessment.name)}}, pieces));
     filled.sentences = assessment.sentences;
   }
-  fill(further(), content.results);
+  fill({convergence()}, content.results);
+  fill(content.plan.further, content.results);
+  fill(last(), content.results);
   if (pieces.empty()) return;
   content.results.push_back({.heading = "Further", .paragraph = "", .sentences = {}, .pieces = std::move(pieces)});
 }

@@ -7,8 +7,8 @@
 
 #include "analysis/figures/figure.hpp"
 #include "analysis/report/assessment.hpp"
+#include "analysis/report/claims.hpp"
 #include "analysis/report/table.hpp"
-#include "analysis/slim2023/report_findings.hpp"
 
 namespace ikbench::report {
 
@@ -29,16 +29,31 @@ struct Section {
   std::vector<Piece> pieces;
 };
 
+// A section and the pieces that it asks for: names in order; one that ends in * stands for all that begin so.
+struct SectionPlan {
+  std::string heading;
+  std::string paragraph;
+  std::vector<std::string> names;
+};
+
+// Where the pieces of a paper stand: the results of its study, and what else belongs to it.
+struct ReportPlan {
+  std::vector<SectionPlan> results = {};  // where empty, those of any study
+  std::vector<SectionPlan> further = {};
+};
+
 struct ReportContent {
   std::string study;
   std::string kind = "Report of the study";  // what stands before its name
   std::string title;
-  std::vector<slim2023::Finding> findings;
+  std::vector<Claim> claims;
   std::vector<std::string> summary;
   std::vector<std::string> warnings;
   std::string command;                 // gives the numbers again; empty where nobody knows
   std::vector<Section> circumstances;  // what was run, where, and what became of it
-  std::vector<Section> results;        // in the paper's order
+  std::vector<Section> results;
+  ReportPlan plan = {};
+  std::string path = "path";  // the figure that stands where nothing moves
 };
 
 // Puts every piece into the section that asks for it by name. A section of which nothing is there is left out; pieces

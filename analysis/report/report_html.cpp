@@ -14,7 +14,7 @@
 
 namespace ikbench::report {
 
-using namespace slim2023;
+using namespace numerics;
 using namespace results;
 using namespace inference;
 using namespace figures;
@@ -181,28 +181,28 @@ const Piece* piece_named(const ReportContent& content, std::string_view name) {
   return nullptr;
 }
 
-// "does not hold" is the class does-not-hold.
+// "in part" is the class in-part.
 std::string kind_of(Verdict verdict) {
   std::string kind(name_of(verdict));
   std::ranges::replace(kind, ' ', '-');
   return kind;
 }
 
-Data findings_data(const ReportContent& content) {
+Data claims_data(const ReportContent& content) {
   Data list(Data::type::list);
-  for (const Finding& finding : content.findings) {
+  for (const Claim& claim : content.claims) {
     Data data;
-    data.set("claim", text(finding.claim));
-    data.set("verdict", text(name_of(finding.verdict)));
-    data.set("kind", Data(kind_of(finding.verdict)));
-    if (finding.printed) {
-      data.set("printed", text(name_of(*finding.printed)));
-      data.set("printed_kind", Data(kind_of(*finding.printed)));
+    data.set("claim", text(claim.statement));
+    data.set("verdict", text(name_of(claim.verdict)));
+    data.set("kind", Data(kind_of(claim.verdict)));
+    if (claim.printed) {
+      data.set("printed", text(name_of(*claim.printed)));
+      data.set("printed_kind", Data(kind_of(*claim.printed)));
     }
-    data.set("evidence", text(finding.evidence));
-    if (piece_named(content, finding.table)) {
-      data.set("table", Data(finding.table));
-      data.set("link", Data(title_of(finding.table)));
+    data.set("evidence", text(claim.evidence));
+    if (piece_named(content, claim.table)) {
+      data.set("table", Data(claim.table));
+      data.set("link", Data(title_of(claim.table)));
     }
     list.push_back(data);
   }
@@ -220,10 +220,10 @@ std::string to_html(const ReportContent& content, const HtmlExtras& extras) {
   page.set("study", text(content.study));
   page.set("kind", text(content.kind));
   page.set("summary", list_of(content.summary));
-  if (!content.findings.empty()) {
-    page.set("has_findings", true);
-    page.set("findings", findings_data(content));
-    page.set("tally", Data(tally(content.findings)));
+  if (!content.claims.empty()) {
+    page.set("has_claims", true);
+    page.set("claims", claims_data(content));
+    page.set("tally", Data(tally(content.claims)));
   }
   if (!content.warnings.empty()) {
     page.set("has_warnings", true);
@@ -235,7 +235,7 @@ std::string to_html(const ReportContent& content, const HtmlExtras& extras) {
   const bool moves = extras.motion && extras.drawing_library;
   if (extras.motion) {
     Data motion;
-    const Piece* piece = piece_named(content, "figure-5");
+    const Piece* piece = piece_named(content, content.path);
     const auto* figure = piece ? std::get_if<ReportFigure>(piece) : nullptr;
     if (const auto svg = figure && figure->drawn ? pieces.picture(figure->figure) : std::nullopt) {
       motion.set("still", Data(*svg));

@@ -6,7 +6,6 @@
 
 namespace ikbench::report {
 
-using namespace slim2023;
 using namespace results;
 using namespace inference;
 using namespace figures;
@@ -33,17 +32,16 @@ std::string markdown(const ReportFigure& piece) {
 
 std::string markdown(const Table& table) { return to_markdown(table) + '\n'; }
 
-// A column that no finding fills is left out.
-std::string markdown(const std::vector<Finding>& findings) {
-  if (findings.empty()) return "";
+// A column that no claim fills is left out.
+std::string markdown(const std::vector<Claim>& claims) {
+  if (claims.empty()) return "";
   Table table{
-      .name = "findings",
-      .caption = tally(findings),
-      .columns = {
-          {"finding", Align::left}, {"here", Align::left}, {"printed", Align::left}, {"evidence", Align::left}}};
-  for (const Finding& finding : findings) {
-    table.rows.push_back({finding.claim, std::string(name_of(finding.verdict)),
-                          finding.printed ? Cell(std::string(name_of(*finding.printed))) : Cell(), finding.evidence});
+      .name = "claims",
+      .caption = tally(claims),
+      .columns = {{"claim", Align::left}, {"here", Align::left}, {"printed", Align::left}, {"evidence", Align::left}}};
+  for (const Claim& claim : claims) {
+    table.rows.push_back({claim.statement, std::string(name_of(claim.verdict)),
+                          claim.printed ? Cell(std::string(name_of(*claim.printed))) : Cell(), claim.evidence});
   }
   return "## Verdict\n\n" + markdown(table);
 }
@@ -67,7 +65,7 @@ std::string to_markdown(const ReportContent& content) {
   std::string text = fmt::format("# {}\n\n", markdown_text(content.title));
   text += fmt::format("{} {}.\n\n", content.kind, markdown_text(content.study));
   if (!content.warnings.empty()) text += "## Warnings\n\n" + bullets(content.warnings);
-  text += markdown(content.findings) + "## Summary\n\n";
+  text += markdown(content.claims) + "## Summary\n\n";
   text += bullets(content.summary);
   if (!content.command.empty()) {
     text += fmt::format("To get these numbers again:\n\n    {}\n\n", one_line(content.command));

@@ -89,7 +89,7 @@ Table anova_table(const StudyResults& study, Metric metric, Unit unit) {
     std::vector<Cell>& row = table.rows.emplace_back(1, std::string(anova_sources[i]));
     row.insert(row.end(), cells[i].begin(), cells[i].end());
   }
-  const bool is_judged = metric != Metric::seconds || times_are_comparable(study);
+  const bool is_judged = is_comparable(study, metric);
   if (!is_judged) leave_out_test(table);
   if (is_judged && !ours.table.undefined.empty())
     table.notes.push_back("F and p are not defined: " + ours.table.undefined + ".");

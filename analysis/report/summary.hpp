@@ -1,15 +1,26 @@
-// What a study says, in plain words: the paper's findings and whether they hold here.
+// What a study says, in plain words.
 #pragma once
 
 #include <string>
 #include <vector>
 
+#include "analysis/inference/ranking.hpp"
 #include "analysis/inference/study.hpp"
+#include "analysis/report/paper.hpp"
 
 namespace ikbench::report {
 
-// Sentences, the most important first; plain text.
-std::vector<std::string> summary(const inference::StudyResults& study, results::Unit unit);
+// Sentences, the most important first; plain text. What a paper says of a study stands between what every study says.
+std::vector<std::string> summary(const Reported& reported, const Paper& paper);
+
+// Of what a summary is made; empty where there is nothing to say.
+// The solvers that have a mean of the metric.
+std::vector<inference::Standing> standings(const inference::StudyResults& study, inference::Metric metric,
+                                           results::Unit unit);
+std::string ranking_sentence(const inference::StudyResults& study, inference::Metric metric, results::Unit unit);
+std::string limits_sentence(const inference::StudyResults& study);
+// Why times are not ranked.
+std::string times_sentence(const inference::StudyResults& study);
 
 // How the solvers of another study with the same targets did, in a sentence.
 std::string perspective(const inference::StudyResults& other, results::Unit unit);

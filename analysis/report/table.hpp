@@ -32,7 +32,7 @@ struct Column {
 };
 
 struct Table {
-  std::string name;     // stable, the file's name: "table-3"
+  std::string name;     // stable, the file's name: "results"
   std::string caption;  // plain text, as are notes, heads and cells: the writers escape
   std::vector<Column> columns = {};
   std::vector<std::vector<Cell>> rows = {};  // each as long as columns

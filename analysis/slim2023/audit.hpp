@@ -1,32 +1,14 @@
-// The audit of a paper: what its printed numbers say about each other. Nothing is solved.
+// The audit of Slim et al. (2023): what its printed numbers say about each other. Nothing is solved.
 #pragma once
 
-#include <string>
 #include <string_view>
 #include <vector>
 
-#include "analysis/report/table.hpp"
+#include "analysis/report/audit.hpp"
 
 namespace ikbench::slim2023 {
 
-// consistent: what follows is what is printed, to its last digit; rounding: it differs by no more than the rounding of
-// the printed numbers that it follows from; misprint: a word or number that others of the paper show to be another;
-// contradiction: two things that cannot both hold, or a claim that the numbers do not carry.
-enum class AuditVerdict { consistent, rounding, misprint, contradiction };
-std::string_view name_of(AuditVerdict verdict);
-
-struct AuditItem {
-  std::string id;  // the item of docs/paper-notes.md, section 3, with a letter: "3.1a"
-  std::string where;
-  std::string printed;
-  std::string follows;
-  AuditVerdict verdict;
-  std::string sentence;
-};
-
-// std::invalid_argument where the paper is not among the published.
-std::vector<AuditItem> audit(std::string_view paper);
-// Named "audit".
-report::Table audit_table(std::string_view paper);
+// By the items of docs/paper-notes.md, section 3. std::invalid_argument where the paper is not among the published.
+std::vector<report::AuditItem> audit(std::string_view paper);
 
 }  // namespace ikbench::slim2023

@@ -19,6 +19,7 @@ namespace ikbench::slim2023 {
 
 using namespace results;
 using namespace statistics;
+using namespace report;
 using namespace inference;
 
 namespace {

@@ -13,6 +13,7 @@ namespace ikbench::slim2023 {
 
 using namespace numerics;
 using namespace results;
+using namespace report;
 
 Statements::Statements(std::string_view paper) : table_(published::table(paper, "statements")) {}
 

@@ -23,12 +23,12 @@ class Statements {
 };
 
 // A printed number against the one that follows; `slack` is what the rounding of what it follows from may change.
-AuditVerdict judged(const std::string& printed, double follows, double slack,
-                    AuditVerdict otherwise = AuditVerdict::contradiction);
+report::AuditVerdict judged(const std::string& printed, double follows, double slack,
+                            report::AuditVerdict otherwise = report::AuditVerdict::contradiction);
 
 // consistent where it holds.
-AuditVerdict unless(bool holds, AuditVerdict otherwise);
+report::AuditVerdict unless(bool holds, report::AuditVerdict otherwise);
 
-using AuditItems = std::vector<AuditItem>;
+using AuditItems = std::vector<report::AuditItem>;
 
 }  // namespace ikbench::slim2023

@@ -14,7 +14,8 @@ succeeds audit slim2023 --out folder
 for type in md csv tex; do [ -s "folder/tables/audit.$type" ] || fail "no audit.$type"; done
 [ "$(head -1 folder/tables/audit.csv)" = "id,where,printed,follows,verdict,why" ] || fail "$(head -1 folder/tables/audit.csv)"
 
-refused "no published paper 'nobody1999'; expected one of: slim2023" audit nobody1999
-refused 'PAPER' audit
+refused 'unknown paper "nobody1999"' audit nobody1999
+succeeds audit # of the first paper
+has "$out" "Table 7, 20 bats"
 echo "a file" >file
 refused 'file' audit slim2023 --out file

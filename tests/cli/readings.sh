@@ -24,7 +24,7 @@ has "$out" "search=all_joints + DE.bounds=reflect"
 refused 'unknown interpretation "search=x"' readings slim2023 --grid search=x
 refused 'is given twice' readings slim2023 --grid search=all_joints,search=all_joints
 refused '--seeds' readings slim2023 --seeds 0
-refused 'STUDY' readings slim2024
+refused 'did you mean "slim2023"' readings slim2024
 refused '--set runs' readings slim2023 --set runs=0
 refused 'seeds 1 to --seeds' readings slim2023 --set seed=77
 

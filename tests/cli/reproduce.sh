@@ -18,7 +18,7 @@ for label in IK-BA BA DE PSO K-ABC MO-PSO; do
   has "$(<paper/tables/table-3.md)" "$label"
 done
 succeeds report paper/store.sqlite --study slim2023-context --no-figures --out context
-has "$(<context/tables/table-3.md)" "DLS"
+has "$(<context/tables/results.md)" "DLS"
 
 # It is the built-in study, and goes on from what is there.
 succeeds run slim2023 --set runs=2 --no-report --out paper

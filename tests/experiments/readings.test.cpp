@@ -1,6 +1,7 @@
 #include "experiments/readings.hpp"
 
 #include <algorithm>
+#include <filesystem>
 #include <set>
 #include <stdexcept>
 
@@ -36,10 +37,10 @@ std::set<std::string> moved(const ReadingsPlan& plan, const std::string& set) {
 }  // namespace
 
 TEST_CASE("every reading is an override of slim2023 that changes a series", "[readings]") {
-  const ReadingsPlan plan = plan_readings(one_at_a_time(), 1);
-  CHECK(plan.rows.size() == readings().size() + 1);
+  const ReadingsPlan plan = plan_readings("slim2023", one_at_a_time(readings("slim2023")), 1);
+  CHECK(plan.rows.size() == readings("slim2023").size() + 1);
   std::set<std::string> names;
-  for (const Reading& reading : readings()) {
+  for (const Reading& reading : readings("slim2023")) {
     CAPTURE(reading.set);
     CHECK(names.insert(reading.set).second);
     CHECK(reading.section.starts_with("2."));
@@ -48,8 +49,25 @@ TEST_CASE("every reading is an override of slim2023 that changes a series", "[re
   }
 }
 
+TEST_CASE("every built-in list of readings is of a built-in study, which each of them changes", "[readings]") {
+  int lists = 0;
+  for (const auto& file : std::filesystem::directory_iterator("experiments/readings")) {
+    const std::string study = file.path().stem().string();
+    CAPTURE(study);
+    const Study usual = load_study(study);
+    CHECK_FALSE(readings(study).empty());
+    for (const Reading& reading : readings(study)) {
+      CAPTURE(reading.set);
+      CHECK(to_toml(load_study(study, {reading.set})) != to_toml(usual));
+    }
+    ++lists;
+  }
+  CHECK(lists > 0);
+  CHECK(readings("slim2023-context").empty());
+}
+
 TEST_CASE("only the solvers that a reading moves are solved again, and each series once", "[readings]") {
-  const ReadingsPlan plan = plan_readings(one_at_a_time(), 2);
+  const ReadingsPlan plan = plan_readings("slim2023", one_at_a_time(readings("slim2023")), 2);
   CHECK(moved(plan, "search=all_joints").size() == 6);
   CHECK(moved(plan, "BA.best_of=evaluated") == std::set<std::string>{"BA"});
   CHECK(moved(plan, "bounds=clamp") == std::set<std::string>{"IK-BA"});  // the others are clamped already
@@ -64,7 +82,7 @@ TEST_CASE("only the solvers that a reading moves are solved again, and each seri
 }
 
 TEST_CASE("a part alone has the numbers that it has in the whole study", "[readings]") {
-  const ReadingsPlan plan = plan_readings({{}}, 1, small);
+  const ReadingsPlan plan = plan_readings("slim2023", {{}}, 1, small);
   const std::vector<SolveRecord> whole = solves_of(load_study("slim2023", small));
   std::vector<SolveRecord> parts;
   for (const Study& part : plan.parts) {
@@ -82,14 +100,14 @@ TEST_CASE("a part alone has the numbers that it has in the whole study", "[readi
 }
 
 TEST_CASE("the default reaches all targets, Eq. 27 does not", "[readings]") {
-  const ReadingsPlan plan = plan_readings(one_at_a_time(), 1);
+  const ReadingsPlan plan = plan_readings("slim2023", one_at_a_time(readings("slim2023")), 1);
   CHECK(plan.rows.front().out_of_reach == 0);
   CHECK(row_of(plan, "path.tool=eq27").out_of_reach > 0);
 }
 
 TEST_CASE("a grid has every combination, of alternatives at most one", "[readings]") {
-  const auto grid =
-      full_grid({"search=all_joints", "IK-BA.acceptance=loudness", "IK-BA.acceptance=yang2020", "DE.bounds=reflect"});
+  const auto grid = full_grid(readings("slim2023"), {"search=all_joints", "IK-BA.acceptance=loudness",
+                                                     "IK-BA.acceptance=yang2020", "DE.bounds=reflect"});
   CHECK(grid.size() == 2 * 3 * 2);
   CHECK(grid.front().empty());
   for (const Combination& combination : grid) {
@@ -102,12 +120,12 @@ TEST_CASE("a grid has every combination, of alternatives at most one", "[reading
 
 TEST_CASE("a grid refuses what it does not know, what stands twice, and what is too much", "[readings]") {
   CHECK_THROWS_WITH(
-      full_grid({"search=all_joint"}),
+      full_grid(readings("slim2023"), {"search=all_joint"}),
       Catch::Matchers::StartsWith("unknown reading \"search=all_joint\"; did you mean \"search=all_joints\""));
-  CHECK_THROWS_AS(full_grid({"DE.bounds=reflect", "DE.bounds=reflect"}), std::invalid_argument);
+  CHECK_THROWS_AS(full_grid(readings("slim2023"), {"DE.bounds=reflect", "DE.bounds=reflect"}), std::invalid_argument);
   std::vector<std::string> all;
-  for (const Reading& reading : readings()) all.push_back(reading.set);
-  CHECK_THROWS_AS(full_grid(all), std::invalid_argument);
+  for (const Reading& reading : readings("slim2023")) all.push_back(reading.set);
+  CHECK_THROWS_AS(full_grid(readings("slim2023"), all), std::invalid_argument);
 }
 
 TEST_CASE("solving without a store ends when it is cancelled", "[readings]") {

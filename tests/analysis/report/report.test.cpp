@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "analysis/papers.hpp"
 #include "analysis/report/provenance.hpp"
 #include "analysis/report/summary.hpp"
 #include "results/csv.hpp"
@@ -53,13 +54,22 @@ void save(Store& store, const Example& example) {
   store.append(solves);
 }
 
+Report written_report(const Store& store, ReportRequest request) {
+  request.papers = analysis::papers();
+  return write_report(store, request);
+}
+
+std::vector<std::string> summary_of(const StudyResults& study) {
+  return summary({study, {}, AnalysisPlan{}}, analysis::paper("slim2023"));
+}
+
 }  // namespace
 
 TEST_CASE("a report has its tables, figures and report.md", "[report]") {
   const TestFolder folder;
   Store store(folder.path() / "store.db", Store::Mode::write);
   save(store, {});
-  const Report report = write_report(store, {.study = "slim2023", .folder = folder.path() / "out"});
+  const Report report = written_report(store, {.study = "slim2023", .folder = folder.path() / "out"});
   CHECK(report.file == folder.path() / "out" / "report.md");
   CHECK(report.page == folder.path() / "out" / "report.html");
   CHECK(std::filesystem::file_size(report.page) < 4'000'000);
@@ -86,7 +96,7 @@ TEST_CASE("every link of a report leads to a file", "[report]") {
   const TestFolder folder;
   Store store(folder.path() / "store.db", Store::Mode::write);
   save(store, {.shape = {.runs = 2}});
-  const std::string text = text_of_file(write_report(store, {.study = "slim2023", .folder = folder.path()}).file);
+  const std::string text = text_of_file(written_report(store, {.study = "slim2023", .folder = folder.path()}).file);
   int links = 0;
   for (std::size_t at = text.find("](figures/"); at != std::string::npos; at = text.find("](figures/", at + 1)) {
     const std::string target = text.substr(at + 2, text.find(')', at) - at - 2);
@@ -128,7 +138,7 @@ TEST_CASE("a study with the same targets is shown in perspective, one with other
                .definition = R"({"runs": 2, "limits": "enforced"})",
                .shape = {.solvers = {"not beside the others"}, .runs = 2}});
   const Report report =
-      write_report(store, {.study = "slim2023", .folder = folder.path() / "out", .figures = {.render = false}});
+      written_report(store, {.study = "slim2023", .folder = folder.path() / "out", .figures = {.render = false}});
   CHECK(contains(text_of_file(report.file), "## Perspective"));
   CHECK(!contains(text_of_file(report.file), "not beside the others"));
   const std::string csv = text_of_file(folder.path() / "out/tables/perspective.csv");
@@ -141,7 +151,7 @@ TEST_CASE("without gnuplot the tables are written and the report says what is mi
   const TestFolder folder;
   Store store(folder.path() / "store.db", Store::Mode::write);
   save(store, {.shape = {.runs = 20}});
-  const Report report = write_report(
+  const Report report = written_report(
       store, {.study = "slim2023", .folder = folder.path() / "out", .figures = {.gnuplot = "no-such-gnuplot"}});
   REQUIRE(report.warnings.size() == 1);  // one for all figures
   CHECK(contains(report.warnings[0], "cannot start no-such-gnuplot"));
@@ -160,7 +170,7 @@ TEST_CASE("names of a study and its solvers show as text in the report", "[repor
                .definition = R"({"runs": 2, "title": "<script>\n# x"})",
                .shape = {.solvers = {"<b>`|\n\n# y", "![](x)"}, .runs = 2, .points = 2},
                .command = "ikbench '\n# z'"});
-  const Report report = write_report(store, {.study = name, .folder = folder.path() / "out"});
+  const Report report = written_report(store, {.study = name, .folder = folder.path() / "out"});
   for (const auto& entry : std::filesystem::recursive_directory_iterator(folder.path() / "out")) {
     if (entry.path().extension() != ".md") continue;
     const std::string text = text_of_file(entry.path());
@@ -184,7 +194,7 @@ TEST_CASE("a study of which nothing is solved has a report that says so", "[repo
   const TestFolder folder;
   Store store(folder.path() / "store.db", Store::Mode::write);
   save(store, {.shape = {.runs = 0}});
-  const Report report = write_report(store, {.study = "slim2023", .folder = folder.path()});
+  const Report report = written_report(store, {.study = "slim2023", .folder = folder.path()});
   CHECK(contains(text_of_file(report.file), "Nothing of this study is solved yet."));
   CHECK(report.warnings.size() == 6);  // each solver: 0 of 400
 }
@@ -194,7 +204,7 @@ TEST_CASE("an incomplete study, parallel times and answers outside the limits ar
   solves.pop_back();
   solves[0].timing = Timing::parallel;
   solves[1].limit_violation_deg = 7.5;
-  const auto sentences = summary(make_study("s", solves), Unit::run);
+  const auto sentences = summary_of(make_study("s", solves));
   const auto says = [&](const std::string& words) {
     return std::ranges::any_of(sentences, [&](const std::string& sentence) { return contains(sentence, words); });
   };
@@ -215,7 +225,7 @@ TEST_CASE("the summary writes solvers that are the same to the bit as equal, and
   StudyResults study = make_study("s", solves);
   study.published = "slim2023";
   std::string all;
-  for (const std::string& sentence : summary(study, Unit::run)) all += sentence + '\n';
+  for (const std::string& sentence : summary_of(study)) all += sentence + '\n';
   CHECK(contains(all,
                  "smallest first): IK-BA = BA = DE. The paper: IK-BA < DE < BA. IK-BA is first in the paper, and "
                  "here it is IK-BA, BA and DE, which share the place; 0 of 3 pairs stand in the printed order, 3 "
@@ -231,7 +241,7 @@ TEST_CASE("targets that no configuration reaches are told first", "[report]") {
   save(store, {.definition = R"({"runs": 20, "points": 20, "search": "all_joints", "out_of_reach": {"points": 3,
                                  "farthest_point": 7, "farthest_cm": 1012.345, "reach_cm": 82}})"});
   const Report report =
-      write_report(store, {.study = "slim2023", .folder = folder.path() / "out", .figures = {.render = false}});
+      written_report(store, {.study = "slim2023", .folder = folder.path() / "out", .figures = {.render = false}});
   REQUIRE(!report.warnings.empty());
   CHECK(report.warnings[0] ==
         "3 of the 20 targets of a run are out of the arm's reach (the farthest is point 7: it is 1012 cm from the "
@@ -247,7 +257,7 @@ TEST_CASE("where the wrist is searched, it is the wrist's centre that a target p
   save(store, {.definition = R"({"runs": 20, "points": 20, "search": "wrist", "out_of_reach": {"points": 1,
                                  "farthest_point": 7, "farthest_cm": 100, "reach_cm": 82}})"});
   const Report report =
-      write_report(store, {.study = "slim2023", .folder = folder.path() / "out", .figures = {.render = false}});
+      written_report(store, {.study = "slim2023", .folder = folder.path() / "out", .figures = {.render = false}});
   REQUIRE(!report.warnings.empty());
   CHECK(report.warnings[0] ==
         "1 of the 20 targets of a run is out of the arm's reach (point 7: the wrist's centre would be 100 cm from the "
@@ -259,7 +269,7 @@ TEST_CASE("what is said of times follows one state of them, in every part of a r
   Store store(folder.path() / "store.db", Store::Mode::write);
   const auto report_of = [&](double slowdown, const std::string& name) {
     save(store, {.name = name, .definition = R"({"runs": 20, "published": "slim2023"})", .slowdown = slowdown});
-    write_report(store, {.study = name, .folder = folder.path() / name, .figures = {.render = false}});
+    written_report(store, {.study = name, .folder = folder.path() / name, .figures = {.render = false}});
     return text_of_file(folder.path() / name / "report.md");
   };
   const auto table = [&](const std::string& name, const std::string& which) {
@@ -314,7 +324,7 @@ TEST_CASE("times that are not comparable have no verdict anywhere in a report", 
   const TestFolder folder;
   Store store(folder.path() / "store.db", Store::Mode::write);
   save(store, {.slowdown = 2});
-  write_report(
+  written_report(
       store,
       {.study = "slim2023", .folder = folder.path(), .plan = AnalysisPlan{.unit = unit}, .figures = {.render = false}});
   const std::string text = text_of_file(folder.path() / "report.md");
@@ -368,7 +378,7 @@ TEST_CASE("times that are not comparable have no verdict anywhere in a report", 
   }
 }
 
-TEST_CASE("the summary says which findings of the paper hold", "[report]") {
+TEST_CASE("the summary says which claims of the paper hold", "[report]") {
   std::vector<SolveRecord> solves = synthetic::solves({});
   for (SolveRecord& solve : solves) {
     if (solve.solver == "MO-PSO") solve.variation_deg /= 2;
@@ -376,7 +386,7 @@ TEST_CASE("the summary says which findings of the paper hold", "[report]") {
   StudyResults study = make_study("s", solves);
   study.published = "slim2023";
   std::string all;
-  for (const std::string& sentence : summary(study, Unit::run)) all += sentence + '\n';
+  for (const std::string& sentence : summary_of(study)) all += sentence + '\n';
   CHECK(contains(all, "IK-BA is first in the paper, and here too"));
   CHECK(contains(all, "IK-BA is first in the paper, and here it is MO-PSO; 14 of 15 pairs stand in the printed order"));
   CHECK(contains(all, "Here it is not less than that of MO-PSO"));
@@ -389,7 +399,7 @@ TEST_CASE("a difference in variation that may be chance is said to be one", "[re
   for (std::size_t i = 0; i < solves.size(); ++i) solves[i].variation_deg = variations[i];
   StudyResults study = make_study("s", solves);
   study.published = "slim2023";
-  CHECK(contains(summary(study, Unit::run)[3], "cannot be told apart from that of MO-PSO (98 %)"));
+  CHECK(contains(summary_of(study)[3], "cannot be told apart from that of MO-PSO (98 %)"));
 }
 
 TEST_CASE("points as observations are flagged at the top, in the tables and in the plan", "[report][analysis]") {
@@ -397,10 +407,10 @@ TEST_CASE("points as observations are flagged at the top, in the tables and in t
   Store store(folder.path() / "store.db", Store::Mode::write);
   save(store, {.shape = {.runs = 20}});
   save(store, {.name = "context", .definition = R"({"runs": 20})", .shape = {.solvers = {"random search"}}});
-  const Report report = write_report(store, {.study = "slim2023",
-                                             .folder = folder.path() / "out",
-                                             .plan = AnalysisPlan{.quartiles = 7, .unit = Unit::point},
-                                             .figures = {.render = false}});
+  const Report report = written_report(store, {.study = "slim2023",
+                                               .folder = folder.path() / "out",
+                                               .plan = AnalysisPlan{.quartiles = 7, .unit = Unit::point},
+                                               .figures = {.render = false}});
   REQUIRE(!report.warnings.empty());
   CHECK(report.warnings[0] ==
         "Points of one run depend on each other; used as observations because --force was given.");
@@ -419,7 +429,7 @@ TEST_CASE("without a word on the command line the study's plan decides", "[repor
   Store store(folder.path() / "store.db", Store::Mode::write);
   save(store, {.definition = R"({"runs": 20, "analysis": {"quartiles": 7, "unit": "point"}})"});
   const Report report =
-      write_report(store, {.study = "slim2023", .folder = folder.path(), .figures = {.render = false}});
+      written_report(store, {.study = "slim2023", .folder = folder.path(), .figures = {.render = false}});
   CHECK(contains(report.warnings.at(0), "Points of one run depend on each other"));
   CHECK(contains(text_of_file(folder.path() / "tables/analysis-plan.csv"), "\nquartiles,7,"));
   CHECK(!contains(text_of_file(folder.path() / "tables/analysis-plan.md"), "Given on the command line"));
@@ -428,7 +438,7 @@ TEST_CASE("without a word on the command line the study's plan decides", "[repor
 TEST_CASE("an unknown study is refused by name", "[report]") {
   const TestFolder folder;
   Store store(folder.path() / "store.db", Store::Mode::write);
-  CHECK_THROWS_AS(write_report(store, {.study = "nothing", .folder = folder.path()}), std::invalid_argument);
+  CHECK_THROWS_AS(written_report(store, {.study = "nothing", .folder = folder.path()}), std::invalid_argument);
 }
 
 TEST_CASE("a file that cannot be written is an error that names it, and nothing is left of it", "[report]") {

@@ -121,7 +121,7 @@ TEST_CASE("every item of the audit says where, what is printed, what follows and
 }
 
 TEST_CASE("the audit's table has a row an item, in three forms", "[audit]") {
-  const Table table = audit_table("slim2023");
+  const Table table = audit_table(audit("slim2023"));
   CHECK(table.name == "audit");
   CHECK(table.rows.size() == audit("slim2023").size());
   const TestFolder folder;

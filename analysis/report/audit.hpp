@@ -1,0 +1,30 @@
+// The audit of a paper: what its printed numbers say about each other. Nothing is solved.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "analysis/report/table.hpp"
+
+namespace ikbench::report {
+
+// consistent: what follows is what is printed, to its last digit; rounding: it differs by no more than the rounding of
+// the printed numbers that it follows from; misprint: a word or number that others of the paper show to be another;
+// contradiction: two things that cannot both hold, or a claim that the numbers do not carry.
+enum class AuditVerdict { consistent, rounding, misprint, contradiction };
+std::string_view name_of(AuditVerdict verdict);
+
+struct AuditItem {
+  std::string id;  // of the item in the paper's notes, with a letter: "3.1a"
+  std::string where;
+  std::string printed;
+  std::string follows;
+  AuditVerdict verdict;
+  std::string sentence;
+};
+
+// Named "audit".
+Table audit_table(const std::vector<AuditItem>& items);
+
+}  // namespace ikbench::report

@@ -1,0 +1,49 @@
+// What a paper adds to the report of a study that is held against it. A paper is a folder beside this one, which fills
+// one Paper, and a line in analysis/papers.inc. What it leaves empty is as in the report of a study without a paper.
+#pragma once
+
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "analysis/inference/observations.hpp"
+#include "analysis/inference/study.hpp"
+#include "analysis/report/audit.hpp"
+#include "analysis/report/claims.hpp"
+#include "analysis/report/readings.hpp"
+#include "analysis/report/report_content.hpp"
+#include "analysis/report/study_pieces.hpp"
+#include "results/analysis_plan.hpp"
+
+namespace ikbench::report {
+
+// A study with its companions, the paper's other studies where the store has them, and how it is judged.
+struct Reported {
+  const inference::StudyResults& study;
+  const std::vector<inference::StudyResults>& companions;
+  const results::AnalysisPlan& plan;
+};
+
+// A built-in study that `ikbench reproduce` runs.
+struct PaperStudy {
+  std::string name;
+  std::vector<std::string> takes;  // of the command's options: "seed", "runs"
+};
+
+struct Paper {
+  std::string name;  // as a study's `published` and results/published have it
+  // The first is the paper's own; "first-part" is a companion of it, and "mine-part" of a study "mine".
+  std::vector<PaperStudy> studies = {};
+  std::function<std::vector<Claim>(const Reported&)> claims = {};
+  std::function<StudyPieces(const Reported&)> pieces = {};  // instead of study_pieces, which it may take and add to
+  ReportPlan sections = {};                                 // where these stand
+  std::function<std::vector<std::string>(const Reported&)> summary = {};  // of a study with solves
+  // What is printed and can be assessed by the same methods.
+  std::function<std::vector<inference::Summaries>(const inference::StudyResults&)> printed = {};
+  std::function<std::vector<AuditItem>()> audit = {};
+  // The first of the results is the default, by which the others are measured.
+  std::function<ReadingsReport(std::span<const ReadingResults>)> readings = {};
+};
+
+}  // namespace ikbench::report

@@ -1,0 +1,159 @@
+#include "analysis/slim2023/paper_summary.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+#include <span>
+#include <utility>
+
+#include "analysis/inference/judge.hpp"
+#include "analysis/inference/ranking.hpp"
+#include "analysis/inference/text.hpp"
+#include "analysis/report/summary.hpp"
+#include "analysis/slim2023/circle.hpp"
+#include "analysis/slim2023/paper_tables.hpp"
+#include "analysis/slim2023/published_numbers.hpp"
+#include "analysis/slim2023/time_assessment.hpp"
+
+namespace ikbench::slim2023 {
+
+using namespace results;
+using namespace statistics;
+using namespace inference;
+using namespace report;
+
+namespace {
+
+// The printed ranking of those solvers that are in ours.
+std::vector<Standing> printed_ranking(const StudyResults& study, Metric metric, const std::vector<Standing>& ours) {
+  std::vector<Standing> standings;
+  for (const PrintedRow& row : printed_table_3(study, metric)) {
+    if (std::ranges::find(ours, row.algorithm, &Standing::solver) == ours.end()) continue;
+    standings.push_back({row.algorithm, row.summary.mean});
+  }
+  return ranked(std::move(standings));
+}
+
+// Our ranking, and how the printed one stands to it.
+std::string rankings(const StudyResults& study, Metric metric, Unit unit) {
+  const std::string text = ranking_sentence(study, metric, unit);
+  const auto ours = standings(study, metric, unit);
+  const auto printed = printed_ranking(study, metric, ours);
+  if (printed.size() < 2) return text;
+  const bool same_first = first_of(printed) == first_of(ours);
+  return text + fmt::format(" The paper: {}. {} is first in the paper, and {}; {}.", order_words(printed),
+                            first_words(printed),
+                            same_first ? std::string("here too") : fmt::format("here it is {}", first_words(ours)),
+                            printed_order_words(compare_pairs(printed, ours)));
+}
+
+// The paper's second claim: its solver moves the joints less than every other. The plan's test says where the
+// difference cannot be told from chance; points of one run depend on each other, so it is asked of run means only.
+std::string variation_sentence(const StudyResults& study, const std::vector<Comparison>& rows, Unit unit) {
+  if (unit == Unit::point) return "";
+  const auto printed = printed_ranking(study, Metric::variation_deg, standings(study, Metric::variation_deg, unit));
+  const auto description = [&](std::string_view solver) {
+    return std::ranges::find_if(
+               rows, [&](const Comparison& row) { return row.solver == solver && row.metric == Metric::variation_deg; })
+        ->ours;
+  };
+  const auto printed_reference = std::ranges::find(printed, time_reference, &Standing::solver);
+  if (printed_reference == printed.end()) return "";
+  const Description reference = description(time_reference);
+  const Evidence found = evidence_of(study, Metric::variation_deg, unit);
+  std::string less, alike, more;
+  for (const Standing& standing : printed) {
+    if (standing.mean <= printed_reference->mean) continue;
+    const Description other = description(standing.solver);
+    const Answer answer = judge(found, time_reference, standing.solver).answer;
+    std::string& list = answer == Answer::better ? less : answer == Answer::worse ? more : alike;
+    list +=
+        fmt::format("{}{} ({:.0f} %)", list.empty() ? "" : ", ", standing.solver, 100 * reference.mean / other.mean);
+  }
+  std::string text;
+  if (!less.empty()) text += " Here it is less than that of " + less + ".";
+  if (!alike.empty()) {
+    text += fmt::format(" Here it cannot be told apart from that of {} ({}, p >= {}).", alike, pair_test_words(found),
+                        rounded_number(study.plan.significance, 3));
+  }
+  if (!more.empty()) text += " Here it is not less than that of " + more + ".";
+  if (text.empty()) return "";
+  return fmt::format(
+      "The paper prints a smaller angles variation for {} than for the others.{} (In brackets: {}'s in "
+      "percent of the other's.)",
+      time_reference, text, time_reference);
+}
+
+std::string anova_sentence(const StudyResults& study, Metric metric, Unit unit) {
+  const StudyAnova ours = anova(study, metric, unit);
+  const auto printed = comparable_printed_anova(study, metric, unit);
+  std::string text = fmt::format("ANOVA of {}: ", name_of(metric));
+  if (!ours.table.undefined.empty()) {
+    text += "not defined, " + ours.table.undefined;
+  } else {
+    const bool differ = is_significant(ours.table.p, study.plan);
+    text += fmt::format("F({}, {}) = {}, p {}: the solvers {}", ours.table.df_between, ours.table.df_within,
+                        rounded_number(ours.table.F, 4),
+                        ours.table.p < 1e-300 ? "< 1e-300" : "= " + rounded_number(ours.table.p, 3),
+                        differ ? "differ" : "are not shown to differ");
+    if (printed) {
+      text += is_significant(printed->p, study.plan) == differ ? ", as in the paper" : ", other than in the paper";
+    }
+  }
+  if (unit == Unit::point) text += "; but the points of one run depend on each other, so this p is no evidence";
+  for (const std::string& sentence : ours.left_out) text += ". " + sentence.substr(0, sentence.size() - 1);
+  return text + ".";
+}
+
+// Which numbers agree, are close, differ.
+std::vector<std::string> number_sentences(const std::vector<Comparison>& rows) {
+  std::vector<std::string> sentences;
+  const auto add = [&](std::string_view verdict, auto&& has_it) {
+    int count = 0;
+    std::string list;
+    for (const Comparison& row : rows) {
+      if (!has_it(row) || (row.metric == Metric::seconds && row.solver == time_reference)) continue;
+      ++count;
+      list += fmt::format("{}{} {}{} ({} x)", count == 1 ? "" : ", ", row.solver,
+                          row.metric == Metric::seconds ? "relative " : "", info_of(row.metric).slug,
+                          rounded_number(row.ratio, 3));
+    }
+    if (count > 0) {
+      sentences.push_back(fmt::format("Table 3, verdict '{}' ({} means; ratio ours/paper): {}.", verdict, count, list));
+    }
+  };
+  for (const Agreement agreement : {Agreement::agrees, Agreement::close, Agreement::differs}) {
+    add(name_of(agreement), [&](const Comparison& row) { return row.agreement == agreement && !rests_on_spread(row); });
+  }
+  add("agrees, for its spread only", rests_on_spread);
+  return sentences;
+}
+
+// The paper's metrics without the times where those cannot be compared.
+std::span<const Metric> judged_metrics(const StudyResults& study) {
+  static_assert(paper_metrics.back() == Metric::seconds);
+  const std::span<const Metric> all = paper_metrics;
+  return times_are_comparable(study) ? all : all.first(all.size() - 1);
+}
+
+}  // namespace
+
+std::vector<std::string> paper_summary(const StudyResults& study, Unit unit) {
+  const auto rows = compare(study, unit);
+  std::vector<std::string> sentences;
+  const std::span<const Metric> judged = judged_metrics(study);
+  for (const Metric metric : judged) {
+    sentences.push_back(rankings(study, metric, unit));
+    if (metric == Metric::position_error_cm) sentences.push_back(limits_sentence(study));
+    if (metric == Metric::variation_deg) sentences.push_back(variation_sentence(study, rows, unit));
+  }
+  sentences.push_back(times_sentence(study));
+  sentences.push_back(real_time_verdict(study));
+  sentences.push_back(printed_angles_verdict(study));
+  for (const Metric metric : judged) sentences.push_back(anova_sentence(study, metric, unit));
+  for (std::string& sentence : number_sentences(rows)) sentences.push_back(std::move(sentence));
+  return sentences;
+}
+
+}  // namespace ikbench::slim2023

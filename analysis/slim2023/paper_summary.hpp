@@ -1,0 +1,14 @@
+// The summary of a study that is held against Slim et al. (2023): our numbers beside the printed.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "analysis/inference/study.hpp"
+
+namespace ikbench::slim2023 {
+
+// Sentences, the most important first; some may be empty. The study has solves.
+std::vector<std::string> paper_summary(const inference::StudyResults& study, results::Unit unit);
+
+}  // namespace ikbench::slim2023
