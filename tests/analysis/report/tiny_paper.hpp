@@ -1,0 +1,10 @@
+// A paper of one claim, one printed table and one figure.
+#pragma once
+
+#include "analysis/report/paper.hpp"
+
+namespace ikbench::tiny {
+
+report::Paper paper();
+
+}  // namespace ikbench::tiny
