@@ -59,8 +59,8 @@ void add_reproduce(CLI::App& app, Invocation& invocation) {
     ReportArguments report;
   };
   auto arguments = std::make_shared<Arguments>();
-  CLI::App* command = app.add_subcommand(
-      "reproduce", "Repeat the experiments of a paper and report beside the printed results");
+  CLI::App* command =
+      app.add_subcommand("reproduce", "Repeat the experiments of a paper and report beside the printed results");
   add_paper_option(*command, arguments->paper);
   add_run_options(*command, arguments->run);
   command->add_option("--seed", arguments->seed, "seed of the studies")->check(whole_number())->capture_default_str();

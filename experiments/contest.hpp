@@ -18,10 +18,13 @@ class Task {
   Task(const Study& study, const robots::Robot& arm);
 
   const robots::Chain& arm() const { return wrist_ ? wrist_->arm() : arm_.chain; }
-  Eigen::Vector3d goal(const robots::Pose& target) const { return wrist_ ? wrist_->centre(target) : target.translation(); }
+  Eigen::Vector3d goal(const robots::Pose& target) const {
+    return wrist_ ? wrist_->centre(target) : target.translation();
+  }
   solvers::Problem problem(const robots::Configuration& start, int population) const;
   // All joints of the answer: those searched, and the wrist's by the closed form.
-  robots::Configuration completed(const robots::Configuration& found, const robots::Pose& target, const robots::Configuration& start) const;
+  robots::Configuration completed(const robots::Configuration& found, const robots::Pose& target,
+                                  const robots::Configuration& start) const;
 
  private:
   std::size_t chosen(const std::array<Eigen::Vector3d, 2>& branches, const Eigen::Vector3d& near) const;
@@ -39,7 +42,8 @@ class Contest {
   const results::Series& series() const { return series_; }
   // Good for any number of solves, one after the other: a solver that is started anew remembers nothing.
   std::unique_ptr<solvers::Solver> make_solver() const { return info_.make(options_); }
-  results::SolveRecord solve(solvers::Solver& solver, const robots::Pose& target, const robots::Configuration& start, int run, int point) const;
+  results::SolveRecord solve(solvers::Solver& solver, const robots::Pose& target, const robots::Configuration& start,
+                             int run, int point) const;
 
  private:
   const Study& study_;

@@ -10,7 +10,7 @@ namespace {
 
 using MakePath = std::unique_ptr<PathKind> (*)();
 
-constexpr MakePath kinds[]{
+constexpr MakePath path_makers[]{
 #define PATH(name) name##_path,
 #include "experiments/paths.inc"
 #undef PATH
@@ -18,11 +18,11 @@ constexpr MakePath kinds[]{
 
 }  // namespace
 
-Path::Path() : Path(kinds[0]()) {}
+Path::Path() : Path(path_makers[0]()) {}
 
 std::vector<Path> paths() {
   std::vector<Path> all;
-  for (const MakePath make : kinds) all.emplace_back(make());
+  for (const MakePath make : path_makers) all.emplace_back(make());
   return all;
 }
 

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "experiments/fields.hpp"
-#include "robots/robot.hpp"
 #include "numerics/random.hpp"
+#include "robots/robot.hpp"
 
 namespace ikbench::experiments {
 

@@ -18,7 +18,7 @@ using namespace solvers;
 
 namespace {
 
-constexpr std::pair<std::string_view, std::string_view> files[]{
+constexpr std::pair<std::string_view, std::string_view> reading_files[]{
 #include "readings.inc"
 };
 
@@ -37,7 +37,7 @@ const Reading& reading(const std::vector<Reading>& readings, const std::string& 
 }  // namespace
 
 std::vector<Reading> readings(std::string_view study) {
-  for (const auto& [file, text] : files) {
+  for (const auto& [file, text] : reading_files) {
     if (file.substr(0, file.rfind('.')) != study) continue;
     const toml::table table = toml::parse(text, file);
     std::vector<Reading> list;

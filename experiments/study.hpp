@@ -36,10 +36,10 @@ enum class Limits { recorded, enforced };
 enum class Start { previous, initial };
 
 struct Entrant {
-  std::string label;   // unique within the study; its name in tables and figures
-  std::string solver;  // registered name
-  solvers::Settings options;    // those that differ from the solver's defaults
-  int population = 0;  // 0: the study's
+  std::string label;          // unique within the study; its name in tables and figures
+  std::string solver;         // registered name
+  solvers::Settings options;  // those that differ from the solver's defaults
+  int population = 0;         // 0: the study's
 };
 
 struct Study {

@@ -33,7 +33,8 @@ inline void list_fields(Fields& io, Study& study) {
   io.text("title", study.title, "", InKey::no);
   io.text("published", study.published, "compare the results with the printed tables of this paper; \"\": none",
           InKey::no);
-  io.text("robot", study.robot, "see: ikbench list robots; or a file such as \"my_arm.toml\", beside the study", InKey::in_text);
+  io.text("robot", study.robot, "see: ikbench list robots; or a file such as \"my_arm.toml\", beside the study",
+          InKey::in_text);
   io.choice(
       "search", study.search, Choices<Search>{{"wrist", Search::wrist}, {"all_joints", Search::all_joints}},
       "wrist: search the joints before the spherical wrist and solve the wrist in closed form; all_joints: position only",

@@ -178,9 +178,8 @@ Robot read_arm(const TomlReader& reader, Study& study) {
   const std::filesystem::path file = folder / study.robot;
   std::error_code error;
   if (!std::filesystem::is_regular_file(file, error)) {
-    throw mistake(
-        reader, node, "robot",
-        fmt::format("there is no file {}; expected one, or an arm of: ikbench list robots", file.string()));
+    throw mistake(reader, node, "robot",
+                  fmt::format("there is no file {}; expected one, or an arm of: ikbench list robots", file.string()));
   }
   study.robot_of_file = std::make_shared<const Robot>(load_robot(file));
   return *study.robot_of_file;

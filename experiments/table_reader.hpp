@@ -10,7 +10,8 @@
 
 namespace ikbench::experiments {
 
-// Fields whose keys are not given stay as they are; the others are set, or std::invalid_argument (numerics/toml_table.hpp).
+// Fields whose keys are not given stay as they are; the others are set, or std::invalid_argument
+// (numerics/toml_table.hpp).
 class TableReader final : public Fields {
  public:
   explicit TableReader(numerics::TomlReader& table) : table_(table) {}

@@ -4,9 +4,9 @@
 
 #include <utility>
 
-#include "robots/robot.hpp"
 #include "numerics/names.hpp"
 #include "numerics/units.hpp"
+#include "robots/robot.hpp"
 
 namespace ikbench::robots {
 

@@ -10,7 +10,6 @@ enum class InstructionSet;
 
 namespace ikbench::robots {
 
-
 // What a link's joint does.
 enum class Joint : unsigned char {
   turns,   // the link and all after it, about z

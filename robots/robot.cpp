@@ -4,9 +4,9 @@
 #include <array>
 #include <stdexcept>
 
-#include "robots/arm_fields.hpp"
 #include "numerics/names.hpp"
 #include "numerics/toml_table.hpp"
+#include "robots/arm_fields.hpp"
 
 namespace ikbench::robots {
 

@@ -29,7 +29,7 @@ struct Solution {
 };
 
 // `not_finite` where the best error or the answer is not a finite number.
-Solution solve(Solver& solver, const Problem& problem, Objective& objective, numerics::Random& random, const StopRule& stop,
-               Trace trace = Trace::none);
+Solution solve(Solver& solver, const Problem& problem, Objective& objective, numerics::Random& random,
+               const StopRule& stop, Trace trace = Trace::none);
 
 }  // namespace ikbench::solvers

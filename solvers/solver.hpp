@@ -4,14 +4,15 @@
 
 #include <limits>
 
-#include "solvers/objective.hpp"
 #include "numerics/random.hpp"
+#include "solvers/objective.hpp"
 
 namespace ikbench::solvers {
 
 // What a solver is told of the task besides the objective.
 struct Problem {
-  robots::Configuration start;  // Theta_s: the configuration the arm is in [rad]; its size is the number of joints searched
+  robots::Configuration
+      start;  // Theta_s: the configuration the arm is in [rad]; its size is the number of joints searched
   robots::Configuration lower;  // joint limits [rad], Eq. 4
   robots::Configuration upper;
   int population = 50;   // candidates an iteration
@@ -21,7 +22,7 @@ struct Problem {
 };
 
 struct Best {
-  robots::Configuration q;                                         // [rad]
+  robots::Configuration q;                                 // [rad]
   double error = std::numeric_limits<double>::infinity();  // [m], as the objective gave it
 
   // Keeps the candidate if it is better; says whether it did.

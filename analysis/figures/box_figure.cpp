@@ -20,8 +20,6 @@ using namespace inference;
 
 namespace {
 
-constexpr double two_columns_cm = 17.0;
-
 // Of the marks' solvers: position, smallest, median, largest.
 std::string marks_data(const StudyResults& study, const std::vector<Mark>& marks) {
   std::string data;

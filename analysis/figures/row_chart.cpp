@@ -16,7 +16,6 @@ using namespace inference;
 
 namespace {
 
-constexpr double two_columns_cm = 17.0;
 constexpr double widest_in_one_column_cm = 2.8;
 constexpr std::size_t longest_row_label = 2 * longest_label;  // two names in a row of a comparison
 constexpr double row_spread_for_logarithmic = 30;

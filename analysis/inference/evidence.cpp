@@ -423,7 +423,6 @@ void make_tests(Evidence& result, const Observations& observations) {
     const ShapiroWilk normal = shapiro_wilk(values[i]);
     result.groups[i].normality = normal.p;
     result.groups[i].normality_w = normal.W;
-    result.groups[i].normality_undefined = normal.undefined;
   }
   if (result.groups.size() < 2) return;
   const Samples ranks = rankable(observations);

@@ -14,7 +14,6 @@
 
 namespace ikbench::report {
 
-using namespace numerics;
 using namespace results;
 using namespace inference;
 using namespace figures;
@@ -269,9 +268,10 @@ std::string to_html(const ReportContent& content, const HtmlExtras& extras) {
   page.set("sections", sections);
   page.set("style", Data(std::string(report_css)));
   page.set("script", Data(std::string(report_js)));
-  page.set("policy", Data(fmt::format("default-src 'none'; img-src data:; script-src {}; style-src {}; base-uri 'none'; "
-                                      "form-action 'none'",
-                                      scripts, source(report_css))));
+  page.set("policy",
+           Data(fmt::format("default-src 'none'; img-src data:; script-src {}; style-src {}; base-uri 'none'; "
+                            "form-action 'none'",
+                            scripts, source(report_css))));
   kainjow::mustache::mustache page_template{std::string(report_html)};
   return page_template.render(page);
 }

@@ -13,12 +13,13 @@ using namespace inference;
 using namespace figures;
 
 StudyPieces study_pieces(const StudyResults& study, const results::AnalysisPlan& plan) {
-  StudyPieces pieces{.tables = {results_table(study, all_metrics, plan.unit), status_table(study)}};
-  for (const Metric metric : all_metrics) pieces.tables.push_back(anova_table(study, metric, plan.unit));
+  const std::vector<Metric> metrics = reported_metrics();
+  StudyPieces pieces{.tables = {results_table(study, metrics, plan.unit), status_table(study)}};
+  for (const Metric metric : metrics) pieces.tables.push_back(anova_table(study, metric, plan.unit));
   if (study.solves.empty()) return pieces;
   pieces.figures = joint_figures(study, "joints");
   pieces.figures.push_back(path_figure(study, "path"));
-  for (const Metric metric : all_metrics) {
+  for (const Metric metric : metrics) {
     const std::string name(info_of(metric).slug);
     pieces.figures.push_back(curves_figure(study, metric, name));
     pieces.figures.push_back(box_figure(study, {.name = name + "-boxes",

@@ -46,7 +46,7 @@ Table results_table(const StudyResults& study, std::span<const Metric> metrics, 
           {"algorithm", Align::left}, {"metric", Align::left}, {"mean"}, {"median"}, {"std"}, {"max"}, {"min"}}};
   for (const Metric metric : metrics) {
     for (const Sample& sample : samples(study, metric, unit)) {
-      const Description of = describe(sample.values);
+      const Description of = statistics::describe(sample.values);
       table.rows.push_back({sample.solver, std::string(name_of(metric)), of.mean, of.median, of.std, of.max, of.min});
     }
   }
@@ -59,7 +59,7 @@ StudyAnova anova(const StudyResults& study, Metric metric, Unit unit) {
   StudyAnova result;
   std::vector<std::vector<double>> groups;
   for (Sample& sample : samples(study, metric, unit)) {
-    const Description description = describe(sample.values);
+    const Description description = statistics::describe(sample.values);
     if (description.n == 0) {
       result.left_out.push_back(fmt::format("Left out of the ANOVA: {} (no observations).", sample.solver));
     } else if (description.not_finite > 0) {

@@ -34,7 +34,7 @@ std::string wrong_claims_sentence(const StudyResults& study) {
 // Of a study without a paper.
 std::vector<std::string> rankings(const Reported& reported) {
   std::vector<std::string> sentences;
-  for (const Metric metric : all_metrics) {
+  for (const Metric metric : reported_metrics()) {
     sentences.push_back(metric == Metric::seconds && !times_are_comparable(reported.study)
                             ? times_sentence(reported.study)
                             : ranking_sentence(reported.study, metric, reported.plan.unit));

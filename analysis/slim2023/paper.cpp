@@ -23,7 +23,7 @@ using namespace report;
 
 namespace {
 
-constexpr const char* name = "slim2023";
+constexpr const char* this_paper = "slim2023";
 
 // What only a companion has.
 bool is_of_companions(const std::string& piece) {
@@ -86,8 +86,8 @@ ReportPlan sections() {
 }  // namespace
 
 Paper paper() {
-  return {.name = name,
-          .studies = {{name, {"seed", "runs"}},                // Sec. 5.2
+  return {.name = this_paper,
+          .studies = {{this_paper, {"seed", "runs"}},          // Sec. 5.2
                       {"slim2023-context", {"seed", "runs"}},  // beside it: a classical solver
                       {"slim2023-limits", {"seed", "runs"}},   // the same with the limits enforced
                       {"slim2023-time", {"seed"}},             // Sec. 5.3.3
@@ -97,8 +97,8 @@ Paper paper() {
           .sections = sections(),
           .summary = [](const Reported& of) { return paper_summary(of.study, of.plan.unit); },
           .printed = printed_summaries,
-          .audit = [] { return audit(name); },
-          .readings = [](std::span<const ReadingResults> results) { return readings_report(name, results); }};
+          .audit = [] { return audit(this_paper); },
+          .readings = [](std::span<const ReadingResults> results) { return readings_report(this_paper, results); }};
 }
 
 }  // namespace ikbench::slim2023

@@ -31,8 +31,8 @@ Friedman friedman(std::span<const std::vector<double>> groups);
 // z = (R_first - R_second) / sqrt(k (k + 1) / (6 blocks)) and its raw p, for every pair first < second.
 std::vector<RankComparison> compare_average_ranks(const Friedman& test);
 
-// Average ranks further apart differ. q_alpha: the studentized range's quantile at infinite degrees of freedom by sqrt 2
-// (Nemenyi). NaN where there are fewer than two groups or no blocks.
+// Average ranks further apart differ. q_alpha: the studentized range's quantile at infinite degrees of freedom by sqrt
+// 2 (Nemenyi). NaN where there are fewer than two groups or no blocks.
 double critical_difference(double q_alpha, std::size_t groups, std::size_t blocks);
 
 }  // namespace ikbench::statistics

@@ -4,8 +4,8 @@
 #include "experiments/microbenchmarks/textbook_ik_bat.hpp"
 #include "numerics/functions.hpp"
 #include "solvers/bounds.hpp"
-#include "solvers/registry.hpp"
 #include "solvers/kernels.hpp"
+#include "solvers/registry.hpp"
 #include "solvers/solve.hpp"
 
 namespace ikbench::microbenchmarks {
@@ -50,14 +50,14 @@ class SynchronousIkBat final : public Solver {
     for (Eigen::Index j = 0; j < x_.rows(); ++j) {
       double *const x = &x_(j, 0), *const v = &v_(j, 0);
       kernels_.fly({.pole = 0.5 * (best_.q[j] + theta_s_[j]),  // Eqs. 13 and 7
-                 .frequency = frequency_.data(),
-                 .x = x,
-                 .v = v,
-                 .x_next = x,
-                 .v_next = v,
-                 .count = x_.cols()});
+                    .frequency = frequency_.data(),
+                    .x = x,
+                    .v = v,
+                    .x_next = x,
+                    .v_next = v,
+                    .count = x_.cols()});
       kernels_.scatter(r * best_.q[j] + (1 - r) * theta_s_[j], 0.1 * loudness_, &epsilon_(j, 0), &candidates_(j, 0),
-                    x_.cols());  // Eq. 14
+                       x_.cols());  // Eq. 14
     }
     objective.errors(candidates_, errors_);
     Eigen::Index i;

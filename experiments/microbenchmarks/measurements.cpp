@@ -5,7 +5,6 @@
 
 namespace ikbench::microbenchmarks {
 
-
 namespace {
 
 // Google Benchmark appends to a name how it was run.

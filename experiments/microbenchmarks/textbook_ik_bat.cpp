@@ -5,7 +5,6 @@
 
 namespace ikbench::microbenchmarks::textbook {
 
-
 namespace {
 
 Matrix multiply(const Matrix& a, const Matrix& b) {

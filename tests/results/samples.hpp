@@ -118,7 +118,8 @@ bool same(const Value& a, const Value& b) {
 
 inline bool same(const results::SolveRecord& a, const results::SolveRecord& b) {
   bool equal = true;
-  results::for_each_column([&](std::string_view, auto member, std::string_view) { equal &= same(a.*member, b.*member); });
+  results::for_each_column(
+      [&](std::string_view, auto member, std::string_view) { equal &= same(a.*member, b.*member); });
   return equal;
 }
 

@@ -8,8 +8,8 @@
 #include "numerics/functions.hpp"
 #include "robots/robot.hpp"
 #include "tests/catch.hpp"
-#include "tests/robots/random_configuration.hpp"
 #include "tests/numerics/reference.hpp"
+#include "tests/robots/random_configuration.hpp"
 
 using namespace ikbench;
 using namespace ikbench::numerics;

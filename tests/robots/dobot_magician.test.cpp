@@ -4,8 +4,8 @@
 #include <numbers>
 
 #include "numerics/functions.hpp"
-#include "robots/robot.hpp"
 #include "numerics/units.hpp"
+#include "robots/robot.hpp"
 #include "tests/catch.hpp"
 #include "tests/robots/random_configuration.hpp"
 

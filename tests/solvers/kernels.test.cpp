@@ -248,7 +248,7 @@ TEST_CASE("every instruction set chooses by chance as the plain loop does, and t
         for (std::size_t i = 0; i < size; ++i) expected[i] = chance[i] < limit ? before[i] : other[i];
         Row chance_row(chance, page), other_row(other, page), row(before, page);
         solvers::kernels(set).choose(chance_row.data(), limit, other_row.data(), row.data(),
-                                   static_cast<ptrdiff_t>(size));
+                                     static_cast<ptrdiff_t>(size));
         REQUIRE(same_bits(row.data(), expected.data(), size));
         REQUIRE(row.kept_within());
         REQUIRE((only_read(chance_row, chance) && only_read(other_row, other)));

@@ -14,7 +14,8 @@ namespace ikbench {
 // Logs every candidate, one by one. Its errors are the real ones, or those of `script` in turn and then infinity.
 class RecordingObjective final : public solvers::Objective {
  public:
-  RecordingObjective(const robots::Chain& chain, const Eigen::Vector3d& target) : solvers::Objective(chain, target, 1) {}
+  RecordingObjective(const robots::Chain& chain, const Eigen::Vector3d& target)
+      : solvers::Objective(chain, target, 1) {}
   RecordingObjective(const robots::Chain& chain, std::vector<double> script)
       : solvers::Objective(chain, Eigen::Vector3d::Zero(), 1), scripted_(true), script_(std::move(script)) {}
 
