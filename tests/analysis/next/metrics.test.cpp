@@ -59,15 +59,15 @@ TEST_CASE("a metric is a line of the table: tables, figures, statistics, the pag
   const auto statistics = nlohmann::json::parse(text_of_file(out / "statistics.json"));
   const std::string page = text_of_file(out / "report.html"), text = text_of_file(out / "report.md");
   struct Line {
-    std::string slug, quantity, column;
+    std::string slug, name, quantity, column;
   };
-  for (const Line& line : {Line{"joint-travel", "joint travel [deg]", "largest_move_deg"},
-                           Line{"success", "share within the tolerance", "success"}}) {
+  for (const Line& line : {Line{"joint-travel", "joint travel", "joint travel [deg]", "largest_move_deg"},
+                           Line{"success", "share within the tolerance", "share within the tolerance", "success"}}) {
     CAPTURE(line.slug);
     CHECK(has_file(out / "tables", "statistics-" + line.slug));
     CHECK(std::ranges::any_of(statistics, [&](const auto& found) { return found.at("quantity") == line.quantity; }));
     CHECK(contains(page, "Statistics: " + line.quantity));
-    CHECK(contains(text, "Statistics: " + line.quantity));
+    CHECK(contains(text, "Statistics: " + line.name));
     CHECK(contains(text_of_file(out / "tables" / "perspective.csv"), "mean_" + line.column));
     const std::vector<Variant> all = variants(store, store.study("mine"));
     const std::vector<std::string> asked{line.column};

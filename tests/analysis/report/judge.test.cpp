@@ -10,10 +10,11 @@
 #include <vector>
 
 #include "analysis/inference/variants.hpp"
+#include "analysis/papers.hpp"
 #include "analysis/report/report.hpp"
 #include "analysis/report/summary.hpp"
+#include "analysis/slim2023/paper_claims.hpp"
 #include "analysis/slim2023/paper_tables.hpp"
-#include "analysis/slim2023/report_findings.hpp"
 #include "results/store.hpp"
 #include "tests/analysis/folder.hpp"
 #include "tests/catch.hpp"
@@ -39,7 +40,8 @@ void save(Store& store, const std::string& name, double significance, const std:
   StudyEntry entry{.name = name,
                    .definition = R"({"path": {"kind": "helix", "points": 1}, "runs": 20, "published": "slim2023",)"
                                  R"( "limits": ")" +
-                                 limits + R"(", "analysis": {"significance": )" + std::to_string(significance) + "}}",
+                                 limits + R"(", "analysis": {"significance": )" + std::to_string(significance) +
+                                 R"(, "margin_percent": 0}})",
                    .series = {}};
   const std::int64_t session = store.begin_session({{"cpu", "one"}});
   std::vector<SolveRecord> solves;
@@ -66,7 +68,7 @@ void save(Store& store, const std::string& name, double significance, const std:
 struct Told {
   std::vector<std::string> relations;  // of everything that was observed
   std::string text;                    // of the whole report
-  std::vector<Finding> findings;
+  std::vector<Claim> claims;
   Outcome compared;
 };
 
@@ -76,7 +78,7 @@ Told told_at(double significance) {
   save(store, "own", significance, "recorded");
   save(store, "own-limits", significance, "enforced");
   const std::filesystem::path out = folder.path() / "report";
-  write_report(store, {.study = "own", .folder = out, .figures = {.render = false}});
+  write_report(store, {.study = "own", .folder = out, .figures = {.render = false}, .papers = analysis::papers()});
   Told told;
   for (const auto& found : nlohmann::json::parse(text_of_file(out / "statistics.json"))) {
     if (found.at("from_summaries")) continue;
@@ -86,7 +88,7 @@ Told told_at(double significance) {
     if (!file.starts_with("figures")) told.text += text_of_file(out / file);
   }
   const auto study_of = [&](const char* name) { return make_study(store.study(name), store.solves(name)); };
-  told.findings = findings(study_of("own"), {study_of("own-limits")}, Unit::run);
+  told.claims = slim2023::claims(study_of("own"), {study_of("own-limits")}, Unit::run);
   const std::vector<Variant> both = variants(store, store.study("own"));
   const std::vector<std::string> error{"position_error_cm"};
   told.compared =
@@ -96,20 +98,20 @@ Told told_at(double significance) {
 
 Verdict verdict_of(const Told& told, const std::string& claim) {
   const auto found =
-      std::ranges::find_if(told.findings, [&](const Finding& finding) { return contains(finding.claim, claim); });
-  REQUIRE(found != told.findings.end());
+      std::ranges::find_if(told.claims, [&](const Claim& each) { return contains(each.statement, claim); });
+  REQUIRE(found != told.claims.end());
   return found->verdict;
 }
 
-constexpr std::array<const char*, 3> claims{"IK-BA is the most accurate", "moves the joints less than MO-PSO",
-                                            "stays the most accurate"};
+constexpr std::array<const char*, 3> judged_claims{"IK-BA is the most accurate", "moves the joints less than MO-PSO",
+                                                   "stays the most accurate"};
 
 }  // namespace
 
 TEST_CASE("where the plan says 0.05, p = 0.027 decides", "[judge]") {
   const Told told = told_at(0.05);
   CHECK(told.relations == std::vector<std::string>(4, "first is better"));
-  for (const char* claim : claims) CHECK(verdict_of(told, claim) == Verdict::holds);
+  for (const char* claim : judged_claims) CHECK(verdict_of(told, claim) == Verdict::holds);
   CHECK(contains(told.text, "Here it is less than that of MO-PSO"));
   CHECK(contains(told.text, "the solvers differ"));
   CHECK(told.compared == Outcome::worse);
@@ -119,11 +121,11 @@ TEST_CASE("where the plan says 0.01, nothing is decided at 0.05: in no claim, ta
           "[judge]") {
   const Told told = told_at(0.01);
   CHECK(told.relations == std::vector<std::string>(4, "not told apart"));
-  for (const char* claim : claims) CHECK(verdict_of(told, claim) == Verdict::undecided);
-  CHECK(contains(told.text, "cannot be told apart from that of MO-PSO (99 %) (Welch's test, p >= 0.01)"));
-  CHECK(contains(told.text, "Welch's test of our mean against the printed one has p >= 0.01"));
+  for (const char* claim : judged_claims) CHECK(verdict_of(told, claim) == Verdict::undecided);
+  CHECK(contains(told.text, "cannot be told apart from that of MO-PSO (99 %) (Welch's test, p &gt;= 0.01)"));
+  CHECK(contains(told.text, "Welch's test of our mean against the printed one has p &gt;= 0.01"));
   CHECK(!contains(told.text, "the solvers differ"));
-  for (const char* other : {"p >= 0.05", "at 0.05", "95 %"}) CHECK(!contains(told.text, other));
+  for (const char* other : {"p >= 0.05", "p &gt;= 0.05", "at 0.05", "95 %"}) CHECK(!contains(told.text, other));
   CHECK(told.compared == Outcome::undecided);
 }
 

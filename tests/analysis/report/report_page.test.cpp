@@ -13,7 +13,6 @@
 #include "tests/catch.hpp"
 
 using namespace ikbench;
-using namespace ikbench::numerics;
 using namespace ikbench::results;
 using namespace ikbench::statistics;
 using namespace ikbench::inference;
