@@ -12,20 +12,18 @@
 #include <stdexcept>
 
 #include "analysis/inference/contrasts.hpp"
+#include "analysis/inference/test_results.hpp"
 #include "analysis/inference/text.hpp"
 #include "analysis/statistics/anova.hpp"
 #include "analysis/statistics/bootstrap.hpp"
-#include "analysis/statistics/effect_size.hpp"
 #include "analysis/statistics/equal_variances.hpp"
 #include "analysis/statistics/kruskal_wallis.hpp"
-#include "analysis/statistics/mann_whitney.hpp"
 #include "analysis/statistics/median_interval.hpp"
 #include "analysis/statistics/quantile.hpp"
 #include "analysis/statistics/ranks.hpp"
 #include "analysis/statistics/rounding.hpp"
 #include "analysis/statistics/shapiro_wilk.hpp"
 #include "analysis/statistics/welch.hpp"
-#include "analysis/statistics/wilcoxon_signed_rank.hpp"
 
 namespace ikbench::inference {
 
@@ -35,8 +33,6 @@ using namespace statistics;
 namespace {
 
 using Samples = std::vector<std::vector<double>>;
-
-constexpr std::size_t longest_name = 60;
 
 // The methods count groups from 1, "group 2 is constant"; a reader knows them by name.
 std::string with_name(std::string reason, const std::vector<GroupEvidence>& groups) {
@@ -48,7 +44,7 @@ std::string with_name(std::string reason, const std::vector<GroupEvidence>& grou
   const auto [end, error] = std::from_chars(digits, reason.data() + reason.size(), number);
   if (error != std::errc{} || number < 1 || number > groups.size()) return reason;
   const std::size_t length = word.size() + static_cast<std::size_t>(end - digits);
-  return reason.replace(start, length, row_label(groups[number - 1].name, longest_name));
+  return reason.replace(start, length, row_label(groups[number - 1].name, longest_group_name));
 }
 
 void name_groups(Evidence& evidence) {
@@ -98,83 +94,6 @@ void compare_variances(Evidence& evidence, std::span<const GroupSummary> summari
   evidence.variance_ratio = ratio * ratio;
 }
 
-TestResult of_bartlett(const Bartlett& test) {
-  return {.test = std::string(bartlett_name),
-          .role = Role::assumption,
-          .symbol = "chi^2",
-          .statistic = test.chi_squared,
-          .df = static_cast<double>(test.df),
-          .p = test.p,
-          .undefined = test.undefined};
-}
-
-TestResult of_brown_forsythe(const BrownForsythe& test) {
-  return {.test = std::string(brown_forsythe_name),
-          .role = Role::assumption,
-          .symbol = "F",
-          .statistic = test.F,
-          .df = static_cast<double>(test.df_between),
-          .df_within = static_cast<double>(test.df_within),
-          .p = test.p,
-          .undefined = test.undefined};
-}
-
-TestResult of_kruskal_wallis(const KruskalWallis& test) {
-  return {.test = std::string(kruskal_wallis_name),
-          .symbol = "H",
-          .statistic = test.H,
-          .df = static_cast<double>(test.df),
-          .p = test.p,
-          .effect_symbol = "epsilon^2",
-          .effect = test.epsilon_squared,
-          .undefined = test.undefined};
-}
-
-TestResult of_anova(const AnovaTable& table) {
-  return {.test = std::string(anova_name),
-          .role = Role::paper,
-          .symbol = "F",
-          .statistic = table.F,
-          .df = static_cast<double>(table.df_between),
-          .df_within = static_cast<double>(table.df_within),
-          .p = table.p,
-          .effect_symbol = "omega^2",
-          .effect = omega_squared(table),
-          .undefined = table.undefined};
-}
-
-// Those that Welch's test can weigh; the others are named.
-TestResult of_welch(const std::vector<GroupEvidence>& groups, std::span<const GroupSummary> summaries) {
-  TestResult result{.test = std::string(welch_name), .role = Role::sound, .symbol = "F"};
-  std::vector<GroupSummary> usable;
-  std::vector<std::string> others;
-  for (std::size_t i = 0; i < summaries.size(); ++i) {
-    const bool weighed = summaries[i].n >= 2 && summaries[i].std > 0 && std::isfinite(summaries[i].mean);
-    if (weighed) {
-      usable.push_back(summaries[i]);
-    } else {
-      others.push_back(row_label(groups[i].name, longest_name));
-    }
-  }
-  if (usable.size() < 2) {
-    result.undefined = "fewer than two groups have a spread";
-    return result;
-  }
-  const WelchAnova test = welch_anova(usable);
-  result.statistic = test.F;
-  result.df = test.df_between;
-  result.df_within = test.df_within;
-  result.p = test.p;
-  if (!std::isfinite(test.p)) result.undefined = "the spreads are too far apart for double precision";
-  if (!others.empty()) {
-    constexpr std::size_t most_named = 3;
-    result.without = fmt::format("without {}, whose spread is none or not defined",
-                                 others.size() > most_named ? fmt::format("{} groups", others.size())
-                                                            : fmt::format("{}", fmt::join(others, ", ")));
-  }
-  return result;
-}
-
 Evidence begin(std::string name, std::string_view quantity, Better better, const AnalysisPlan& plan) {
   Evidence evidence;
   evidence.name = std::move(name);
@@ -202,26 +121,6 @@ void bootstrap_means(Evidence& evidence, const Samples& values) {
     const BootstrapInterval found = bootstrap(values[i], mean_of, {.level = 1 - evidence.plan.significance});
     evidence.groups[i].bootstrapped = {.value = found.estimate, .low = found.bca_low, .high = found.bca_high};
   }
-}
-
-std::string in_brackets(const std::string& text) { return text.empty() ? "" : fmt::format(" ({})", text); }
-
-// Two groups alone: by the ranks of their values, or of the differences where the same was given to both.
-TestResult of_two(const std::vector<double>& first, const std::vector<double>& second, const Evidence& evidence) {
-  if (evidence.blocks > 0) {
-    const WilcoxonSignedRank test = wilcoxon_signed_rank(first, second);
-    return {.test = "Wilcoxon's signed-rank test" + in_brackets(test.method),
-            .symbol = "V",
-            .statistic = test.V,
-            .p = test.p,
-            .undefined = test.undefined};
-  }
-  const MannWhitney test = mann_whitney(first, second);
-  return {.test = "Mann and Whitney's test" + in_brackets(test.method),
-          .symbol = "U",
-          .statistic = test.U,
-          .p = test.p,
-          .undefined = test.undefined};
 }
 
 void add_mean_ranks(Evidence& evidence, const KruskalWallis& test) {
