@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "experiments/runner.hpp"
+#include "experiments/study_writer.hpp"
 #include "tests/catch.hpp"
 #include "tests/experiments/samples.hpp"
 
