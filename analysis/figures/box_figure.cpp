@@ -113,10 +113,10 @@ std::string plot_of(const std::vector<Box>& boxes, const std::string& name, bool
 Figure box_figure(const StudyResults& study, const BoxRequest& request) {
   Figure figure{
       .name = request.name,
-      .caption = fmt::format("{}: box plots over the {}. Quartiles of type {} (Hyndman and Fan), whiskers to the "
-                             "last value within 1.5 box heights.",
-                             capitalised(quantity(request.metric)), request.unit == Unit::run ? "run means" : "points",
-                             static_cast<int>(request.quartiles))};
+      .caption = fmt::format(
+          "{}: box plots over the {}. Quartiles: Hyndman-Fan type {}. Whiskers: last value within 1.5 box heights.",
+          capitalised(quantity(request.metric)), request.unit == Unit::run ? "run means" : "points",
+          static_cast<int>(request.quartiles))};
   std::vector<Box> boxes;
   std::vector<double> all;
   for (const Sample& sample : samples(study, request.metric, request.unit)) {
@@ -129,7 +129,7 @@ Figure box_figure(const StudyResults& study, const BoxRequest& request) {
       if (std::ranges::find(study.solvers, mark.solver) == study.solvers.end()) continue;
       all.insert(all.end(), {mark.min, mark.median, mark.max});
     }
-    figure.caption += " Grey: smallest, median and largest value as printed.";
+    figure.caption += " Grey: printed minimum, median and maximum.";
   }
   const Axis axis = value_axis(all, quantity(request.metric), Scale::by_spread);
   figure.caption = with_notes(figure.caption, study, request.metric, axis);

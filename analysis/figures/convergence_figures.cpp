@@ -28,9 +28,8 @@ constexpr std::size_t most_bands = 6;  // more lie on top of each other
 
 std::string dependence(const StudyResults& study) {
   return is_chained(study)
-             ? " The solves of a run depend on each other, so the curves describe them and no interval is "
-               "claimed."
-             : " The curves describe the solves; no interval is claimed.";
+             ? " The solves of a run depend on each other, so the curves only describe them and have no intervals."
+             : " The curves describe the solves; they have no intervals.";
 }
 
 std::string without_course(const StudyResults& study) {
@@ -80,11 +79,10 @@ std::optional<Figure> convergence_figure(const StudyResults& study, const std::v
     ++block;
   }
   figure.caption = fmt::format(
-      "Best position error [cm] against evaluations, over all solves: median{}. Iteration i of n stands for "
-      "i/n of a solve's evaluations; a solve that has ended keeps its last error, and a curve ends with the longest "
-      "solve; an answer that is not "
-      "finite, refused or not as good as claimed ranks as worse than every number, and where half of the solves have "
-      "none there is no line.{}{}",
+      "Best position error [cm] against evaluations, over all solves: median{}. Iteration i of n counts as i/n of a "
+      "solve's evaluations. A solve that has stopped keeps its last error, and a curve ends with the longest solve. An "
+      "answer that is not finite, refused or worse than claimed ranks last; if half of the solves have no error, there "
+      "is no line.{}{}",
       has_bands ? ", and the quartiles as a band" : " (the quartiles are in the data file)", dependence(study),
       without_course(study));
   const Axis axis = value_axis(all, quantity(Metric::position_error_cm), Scale::logarithmic);
@@ -115,11 +113,10 @@ Figure runtime_figure(const StudyResults& study, const std::vector<Solves>& cour
   const bool has_tolerance = std::isfinite(tolerance_cm(study));
   Figure figure{.name = fmt::format("statistics-ecdf-{}", cost == Cost::seconds ? "seconds" : "evaluations")};
   figure.caption = fmt::format(
-      "Share of the pairs of a solve and a target error that were reached within so {} (after COCO). The targets are "
-      "{} "
-      "errors, evenly spaced in logarithm from {} cm to {} cm, {}. Iteration i of n stands for i/n of a solve's "
-      "{}; beyond its longest solve a curve stays level.{}{}",
-      cost == Cost::seconds ? "much time" : "many evaluations", targets.size(), rounded_number(targets.front(), 3),
+      "Share of pairs of a solve and a target error that were reached within this {} (after COCO). The targets are {} "
+      "errors, evenly spaced on a logarithmic scale from {} cm to {} cm, {}. Iteration i of n counts as i/n of a "
+      "solve's {}. Beyond its longest solve, a curve stays level.{}{}",
+      cost == Cost::seconds ? "time" : "number of evaluations", targets.size(), rounded_number(targets.front(), 3),
       rounded_number(targets.back(), 3),
       has_tolerance ? "the tolerance of the study"
                     : "the decade below the smallest error of any solve, at least 1e-8 cm",
@@ -139,8 +136,8 @@ Figure error_figure(const StudyResults& study) {
   }
   Figure figure{.name = "statistics-ecdf-error",
                 .caption =
-                    "Share of the solves whose position error is at most so large; an answer that is not finite "
-                    "counts among the solves and has no error." +
+                    "Share of solves with at most this position error. An answer that is not finite counts as a solve "
+                    "without an error." +
                     dependence(study)};
   if (has_zero) figure.caption += " Errors of zero are drawn at the left edge.";
   draw_shares(figure, study, shares);
@@ -156,7 +153,7 @@ std::string problem(const StudyResults& study) {
   std::string words = " A problem is one target in one run";
   if (start == "initial" || study.points == 1) words += ", from the same start for all solvers.";
   if (start == "previous" && study.points > 1) {
-    words += "; after the first, each solver starts where its own last answer left the arm.";
+    words += "; after the first, each solver starts where its previous answer left the arm.";
   }
   if (start.empty() && study.points > 1) words += ".";
   const bool is_known = !definition.text("/path/kind").empty();
@@ -184,15 +181,15 @@ std::optional<Figure> profile_figure(const StudyResults& study, ProfileOf of) {
   for (const auto& ratios : profile.ratios) shares.curves.push_back(shares_within(ratios));
   Figure figure{.name = fmt::format("statistics-profile-{}", name)};
   figure.caption = fmt::format(
-      "Performance profiles (Dolan and Moré, 2002): share of {} problems at which a solver's {}{} is at most so many "
+      "Performance profiles (Dolan and Moré, 2002): share of {} problems in which a solver's {}{} is at most this many "
       "times the smallest of all solvers.{}",
       profile.problems, words,
       of == ProfileOf::error ? "" : fmt::format(" until the position error is {} cm", rounded_number(tolerance, 3)),
       problem(study));
-  if (profile.unsolved > 0) figure.caption += fmt::format(" {} of them no solver solves.", profile.unsolved);
+  if (profile.unsolved > 0) figure.caption += fmt::format(" No solver solves {} of them.", profile.unsolved);
   if (profile.has_zero_costs) {
     figure.caption +=
-        fmt::format(" Where the smallest {} is zero, another than zero is infinitely many times as large.", words);
+        fmt::format(" If the smallest {} is zero, any other value is infinitely many times as large.", words);
   }
   if (profile.left_out > 0) {
     figure.caption += fmt::format(" {} problems that not every solver was given are left out.", profile.left_out);

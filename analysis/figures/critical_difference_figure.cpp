@@ -177,15 +177,16 @@ std::string caption_of(const CriticalDifference& ranks, std::size_t shown, const
   std::string caption = fmt::format("Average ranks, the best (1) to the right ({}).", ranks.method);
   if (has_critical_difference(ranks)) {
     caption += fmt::format(
-        " Bars join what is not told apart by Nemenyi's test at the significance {}: what differs by no more than the "
-        "critical difference, CD = {}.",
+        " Bars join groups whose difference is undecided by Nemenyi's test at significance {}: their ranks differ by "
+        "at most the critical difference, CD = {}.",
         rounded_number(ranks.significance, 6), rounded_number(ranks.critical_difference, 4));
     if (reach_of(ranks.critical_difference, frame).is_cut) caption += " Its bar is cut at the axis' end.";
   } else {
-    caption += " The critical difference is not defined: nothing is said about which differ.";
+    caption += " The critical difference is not defined, so the figure does not show which groups differ.";
   }
   if (shown < ranks.labels.size()) {
-    caption += fmt::format(" Shown are {} of {}: the others have no rank or no room.", shown, ranks.labels.size());
+    caption +=
+        fmt::format(" Only {} of {} are shown; the others have no rank or do not fit.", shown, ranks.labels.size());
   }
   return caption;
 }
@@ -205,7 +206,7 @@ Figure critical_difference_figure(const CriticalDifference& ranks) {
   if (has_bar) add_critical_difference(figure, ranks.critical_difference, frame);
   figure.data += "\n\n# average ranks and their labels' lines: rank, height [cm]\n";
   figure.data += leaders.lines.empty() ? "NaN NaN\n" : leaders.lines;
-  figure.data += "\n\n# what is not told apart: from rank, height [cm], to rank\n" + lines_of(bars, sorted, frame);
+  figure.data += "\n\n# undecided differences: from rank, height [cm], to rank\n" + lines_of(bars, sorted, frame);
   if (sorted.empty()) figure.settings += "set label 'nothing to show' at graph 0.5, graph 0.2 center\n";
   figure.plot = plot_command(
       {fmt::format("'{}.dat' index 1 with lines lw 0.7 lc rgb '#666666'", ranks.name),

@@ -171,25 +171,23 @@ Figure raincloud_figure(const Observations& observations, QuantileType quartiles
   figure.caption = capitalised(observations.quantity.empty() ? "values" : observations.quantity) + ": ";
   if (n <= most_violins) {
     figure.caption += fmt::format(
-        "density (Gaussian kernel, Silverman's bandwidth{}; cut at the extremes, all of one height, not drawn of fewer "
-        "than 5 values), ",
+        "density (Gaussian kernel, Silverman's bandwidth{}; cut at the extremes, equal heights, at least 5 values), ",
         axis.logarithmic ? ", of the logarithm" : "");
   }
-  figure.caption += fmt::format(
-      "box plot (quartiles of type {} after Hyndman and Fan, whiskers to the last value within 1.5 box heights) and ",
-      static_cast<int>(quartiles));
-  figure.caption += thinned ? fmt::format("the values, where there are more than {0} of a group {0} at even ranks.",
-                                          most_strip_values)
-                            : "every value.";
-  if (!observations.replicate.empty()) figure.caption += fmt::format(" A value is {}.", observations.replicate);
+  figure.caption +=
+      fmt::format("box plot (quartiles: Hyndman-Fan type {}; whiskers: last value within 1.5 box heights) and ",
+                  static_cast<int>(quartiles));
+  figure.caption += thinned
+                        ? fmt::format("the values; of more than {0} in a group, {0} at even ranks.", most_strip_values)
+                        : "every value.";
+  if (!observations.replicate.empty()) figure.caption += fmt::format(" One value is {}.", observations.replicate);
   if (axis.shows_at_edge) figure.caption += " Values of zero are drawn at the lower edge and are not in the density.";
   if (undrawn)
     figure.caption +=
-        " Values that are not finite cannot be drawn, nor those beyond 1e300; how many is written beside "
-        "the row. They keep their ranks, what is not a number the last: where a quartile is one of them, there is no "
-        "box.";
+        " Values beyond 1e300 and values that are not finite are not drawn; the row gives their number. They keep "
+        "their ranks, and values that are not a number rank last. If a quartile is one of them, there is no box.";
   if (n < observations.groups.size()) {
-    figure.caption += fmt::format(" Shown are the first {} of {} groups.", n, observations.groups.size());
+    figure.caption += fmt::format(" Only the first {} of {} groups are shown.", n, observations.groups.size());
   }
   if (!observations.flaw.empty()) figure.caption += fmt::format(" Flawed: {}", observations.flaw);
   return figure;

@@ -68,12 +68,12 @@ Figure differences_figure(const std::vector<DifferenceRow>& rows, const Differen
   for (std::string& clause : clauses_for(1, "word(colours, 1)", "pt 7")) clauses.push_back(std::move(clause));
   figure.plot = n > 0 ? plot_command(clauses) : "plot NaN notitle";
   figure.caption = fmt::format(
-      "{}: simultaneous intervals of level {} ({}). Blue, with a filled dot: the interval excludes zero; grey, with a "
-      "ring: it does not.",
+      "{}: simultaneous {} intervals ({}). Blue with a filled dot: the interval excludes zero. Grey with a ring: it "
+      "does not.",
       capitalised(words.quantity.empty() ? "difference" : words.quantity), rounded_number(100 * words.level, 6) + " %",
       words.method);
-  if (unknown) figure.caption += " Where an interval is not defined or unbounded, the picture says so in words.";
-  if (n < rows.size()) figure.caption += fmt::format(" Shown are the first {} of {} rows.", n, rows.size());
+  if (unknown) figure.caption += " Undefined and unbounded intervals are labelled.";
+  if (n < rows.size()) figure.caption += fmt::format(" Only the first {} of {} rows are shown.", n, rows.size());
   return figure;
 }
 
@@ -139,11 +139,11 @@ Figure effect_matrix_figure(const EffectMatrix& matrix) {
        fmt::format("{} index 0 using 1:2:(sprintf('%.2f', $3)) with labels font ',{}'", file, n > 8 ? 6 : 7),
        fmt::format("{} index 1 using 1:2:3 with labels font ',6' textcolor rgb '#666666'", file)});
   figure.caption =
-      fmt::format("{}: {}, a tie counted half. Blue: the row tends to be better; orange: worse; white: neither.",
+      fmt::format("{}: {}; ties count half. Blue: the row tends to be better. Orange: worse. White: neither.",
                   capitalised(matrix.quantity.empty() ? "values" : matrix.quantity), matrix.meaning);
   if (undefined.find("n.d.") != std::string::npos) figure.caption += " n.d.: not defined.";
   if (n < matrix.labels.size()) {
-    figure.caption += fmt::format(" Shown are the first {} of {} groups.", n, matrix.labels.size());
+    figure.caption += fmt::format(" Only the first {} of {} groups are shown.", n, matrix.labels.size());
   }
   return figure;
 }

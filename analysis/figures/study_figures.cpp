@@ -37,7 +37,7 @@ Figure path_figure(const StudyResults& study, const std::string& name) {
   const std::string solver = study.solves.front().solver;
   const bool is_path = !Definition(study.definition).draws_targets();
   Figure figure{.name = name,
-                .caption = fmt::format("The targets ({}dots) and where {} came to in its first run (rings).",
+                .caption = fmt::format("Targets ({}dots) and positions that {} reached in its first run (rings).",
                                        is_path ? "line, " : "", solver),
                 .height_cm = 8.0};
   figure.data = "# target x, y, z [cm]; reached x, y, z [cm] and position error [cm] of " + one_line(solver) + "\n";
@@ -58,8 +58,8 @@ Figure path_figure(const StudyResults& study, const std::string& name) {
         std::isfinite(solve->position_error_cm) ? std::max(largest_error, solve->position_error_cm) : not_defined;
   }
   figure.caption += std::isfinite(largest_error)
-                        ? fmt::format(" The farthest is {} cm off.", rounded_number(largest_error, 2))
-                        : " Not all of its answers are finite.";
+                        ? fmt::format(" The largest error is {} cm.", rounded_number(largest_error, 2))
+                        : " Some of its answers are not finite.";
   figure.settings = space_axes(coordinates) + "unset key\n";
   std::vector<std::string> clauses;
   const auto add = [&](std::string_view what) { clauses.push_back(fmt::format("'{}.dat' using {}", name, what)); };

@@ -125,7 +125,7 @@ std::string unreadable_note(const StudyEntry& entry) {
     reader.unreadable.emplace_back("control");
   }
   if (reader.unreadable.empty()) return "";
-  return fmt::format("The study's analysis plan has values that are none ({}); the program's default stands for them.",
+  return fmt::format("The study's analysis plan has invalid values ({}); the defaults replace them.",
                      fmt::join(reader.unreadable, ", "));
 }
 
@@ -200,16 +200,15 @@ std::vector<std::string> plan_notes(const StudyEntry& entry, const std::vector<S
                                     const std::vector<SolveRecord>& solves) {
   std::vector<std::string> notes = plan_changes(entry, sessions, solves);
   if (const std::int64_t nowhere = recorded(entry, sessions, solves).nowhere; nowhere > 0) {
-    notes.push_back(
-        fmt::format("{} of {} solves were made by a version that recorded no analysis plan.", nowhere, solves.size()));
+    notes.push_back(fmt::format("{} of {} solves come from a version that did not store the analysis plan.", nowhere,
+                                solves.size()));
   }
-  if (!plan_json(entry).is_object())
-    notes.emplace_back("The study has no analysis plan; this is the program's default.");
+  if (!plan_json(entry).is_object()) notes.emplace_back("The study has no analysis plan; this is the default plan.");
   if (!notes.empty()) return notes;
   std::vector<std::string> values;
   for (const PlanValue& value : values_of(plan_of(entry))) values.push_back(value.field + ' ' + value.text);
   return {fmt::format("The methods {} ({}).",
-                      solves.empty() ? "are fixed in the study, of which nothing is solved yet"
+                      solves.empty() ? "are fixed in the study, which has no solves yet"
                                      : "were fixed in the study before its first solve in this store",
                       fmt::join(values, ", "))};
 }

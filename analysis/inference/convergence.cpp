@@ -244,10 +244,10 @@ std::string closest_point_by_point(const StudyResults& study) {
   for (const auto& [problems, solver] : winners) {
     list += fmt::format("{}{} in {}", list.empty() ? "" : ", ", solver, share_of(problems));
   }
-  if (tied > 0) list += fmt::format("; in {} it is a tie", share_of(tied));
+  if (tied > 0) list += fmt::format("; {} are ties", share_of(tied));
   return fmt::format(
-      "Point by point, of {} solves by each, the closest to the target is {}. (A run's mean is decided by its "
-      "worst points.)",
+      "Point by point, over {} solves each, the closest to the target is {}. (The worst points of a run decide its "
+      "mean.)",
       profile.problems, list);
 }
 

@@ -24,10 +24,10 @@ constexpr std::size_t longest_list = 200;  // of columns in a message, in charac
 // Text, and separators in the header outside quotes: a file from a spreadsheet of another language has no comma there.
 void expect_text_with_commas(std::string_view text, std::string_view source) {
   if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF")) {
-    throw std::invalid_argument(fmt::format("{}: text in UTF-16, expected UTF-8", source));
+    throw std::invalid_argument(fmt::format("{}: the text is UTF-16; expected UTF-8", source));
   }
   if (const std::size_t nul = text.find('\0'); nul != std::string_view::npos) {
-    throw std::invalid_argument(fmt::format("{}:{}: a NUL byte, expected text in UTF-8", source,
+    throw std::invalid_argument(fmt::format("{}:{}: a NUL byte; expected text in UTF-8", source,
                                             1 + std::ranges::count(text.substr(0, nul), '\n')));
   }
   std::array<std::size_t, 3> found{};
@@ -47,7 +47,7 @@ void expect_text_with_commas(std::string_view text, std::string_view source) {
 // What to write instead of a number that was not read.
 std::string remedy(std::string_view cell) {
   const auto commas = std::ranges::count(cell, ',');
-  if (commas == 0) return "expected a number within the range of a double, or NA where it is missing";
+  if (commas == 0) return "expected a number within the range of a double, or NA if it is missing";
   std::string with_point(cell);
   std::ranges::replace(with_point, ',', '.');
   std::string without_commas(cell);
@@ -68,9 +68,9 @@ void CsvFile::refuse_cell(std::size_t row, std::size_t column, std::string_view 
 
 std::size_t CsvFile::column(std::string_view name) const {
   const auto found = std::ranges::find(table.header, name);
-  if (found == table.header.end()) refuse(fmt::format("no column {}, expected one of: {}", in_quotes(name), columns()));
+  if (found == table.header.end()) refuse(fmt::format("no column {}; expected one of: {}", in_quotes(name), columns()));
   if (std::find(found + 1, table.header.end(), name) != table.header.end()) {
-    refuse(fmt::format("two columns {}, expected one", in_quotes(name)));
+    refuse(fmt::format("two columns {}; expected one", in_quotes(name)));
   }
   return static_cast<std::size_t>(found - table.header.begin());
 }
@@ -84,7 +84,7 @@ std::string CsvFile::columns() const {
 std::string CsvFile::group_name(std::size_t row, std::size_t column) const {
   const std::string& name = table.rows[row][column];
   if (name.size() > longest_name) {
-    refuse_cell(row, column, fmt::format("{} bytes, expected a name of at most {}", name.size(), longest_name));
+    refuse_cell(row, column, fmt::format("{} bytes; expected a name of at most {}", name.size(), longest_name));
   }
   return name.empty() ? "(empty)" : name;
 }
@@ -112,7 +112,7 @@ std::string CsvFile::name() const { return one_line(std::string_view(source).sub
 CsvFile open_csv(std::string_view text, std::string_view source) {
   expect_text_with_commas(text, source);
   CsvFile file{.source = std::string(source), .table = parse_csv(text, source)};
-  if (file.table.rows.empty()) file.refuse("no rows below the header, expected at least one");
+  if (file.table.rows.empty()) file.refuse("no rows below the header; expected at least one");
   return file;
 }
 

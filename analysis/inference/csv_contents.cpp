@@ -16,7 +16,7 @@ namespace {
 
 void expect_few(const CsvFile& file, const Names& groups) {
   if (groups.all().size() <= max_groups) return;
-  file.refuse(fmt::format("more than {} groups, the last {}; expected the names of what is compared", max_groups,
+  file.refuse(fmt::format("more than {} groups, the last {}; expected the names of the groups to compare", max_groups,
                           in_quotes(groups.all().back())));
 }
 
@@ -24,7 +24,7 @@ std::size_t group_column(const CsvFile& file, const CsvRequest& request) {
   constexpr std::array<std::string_view, 3> titles{"group", "solver", "algorithm"};
   if (!request.group.empty()) return file.column(request.group);
   if (const auto column = file.column_like(titles)) return *column;
-  file.refuse(fmt::format("which column names the groups? (--group) There are: {}", file.columns()));
+  file.refuse(fmt::format("no column of groups; name one with --group: {}", file.columns()));
 }
 
 // The numbers of rows that pandas and R write, and the empty columns that spreadsheets do.
@@ -38,7 +38,7 @@ bool is_index(const CsvFile& file, std::size_t column) {
 
 Contents read_long(const CsvFile& file, const CsvRequest& request) {
   if (request.value.empty()) {
-    file.refuse(fmt::format("which column holds the values? (--value) There are: {}", file.columns()));
+    file.refuse(fmt::format("no column of values; name one with --value: {}", file.columns()));
   }
   const std::size_t value = file.column(request.value);
   const std::size_t group = group_column(file, request);
@@ -55,7 +55,7 @@ Contents read_long(const CsvFile& file, const CsvRequest& request) {
 Contents read_wide(const CsvFile& file, const CsvRequest& request) {
   if (!request.group.empty()) {
     file.refuse(
-        fmt::format("--group {}: where every column is a group, no column names the groups", in_quotes(request.group)));
+        fmt::format("--group {}: with --wide every column is a group; leave out --group", in_quotes(request.group)));
   }
   Contents contents;
   for (std::size_t column = 0; column < file.table.header.size(); ++column) {
@@ -63,23 +63,23 @@ Contents read_wide(const CsvFile& file, const CsvRequest& request) {
     const bool is_asked_for = !title.empty() && (title == request.block || title == request.run);
     if (is_index(file, column) || is_asked_for) continue;
     if (names_replicates(title)) {
-      contents.notes.push_back(fmt::format("Column {} numbers the repetitions and is no group.", in_quotes(title)));
+      contents.notes.push_back(fmt::format("Column {} numbers the repetitions and is not a group.", in_quotes(title)));
       continue;
     }
     const std::size_t groups_before = contents.groups.all().size();
     if (title.size() > longest_name) {
-      file.refuse(fmt::format("column {} has a name of {} bytes, expected at most {}", in_quotes(title), title.size(),
+      file.refuse(fmt::format("column {} has a name of {} bytes; expected at most {}", in_quotes(title), title.size(),
                               longest_name));
     }
     const std::size_t group = contents.groups.index_of(title.empty() ? "(empty)" : title);
-    if (group < groups_before) file.refuse(fmt::format("two columns {}, expected one", in_quotes(title)));
+    if (group < groups_before) file.refuse(fmt::format("two columns {}; expected one", in_quotes(title)));
     expect_few(file, contents.groups);
     for (std::size_t row = 0; row < file.table.rows.size(); ++row) {
       if (file.is_blank(row)) continue;
       contents.observations.push_back({.group = group, .row = row, .value = file.number(row, column)});
     }
   }
-  if (contents.groups.all().empty()) file.refuse("no column of values, expected one a group");
+  if (contents.groups.all().empty()) file.refuse("no column of values; expected one for each group");
   return contents;
 }
 
@@ -105,7 +105,7 @@ Labels expect_labels(const CsvFile& file, std::size_t column) {
   Labels labels = labels_of(file, column);
   const auto missing = [&](std::size_t row) { return labels.of_row[row] == no_label && !file.is_blank(row); };
   for (std::size_t row = 0; row < labels.of_row.size(); ++row) {
-    if (missing(row)) file.refuse_cell(row, column, "expected which one it is");
+    if (missing(row)) file.refuse_cell(row, column, "expected a name or a number");
   }
   return labels;
 }

@@ -88,20 +88,21 @@ namespace {
 
 std::string replicate_of(const StudyResults& study, Unit unit) {
   if (unit == Unit::point) return "one point of a run";
-  return study.points == 1 ? "a run's only solve" : fmt::format("a run's mean over its {} points", study.points);
+  return study.points == 1 ? "the only solve of a run"
+                           : fmt::format("the mean of a run over its {} points", study.points);
 }
 
 std::string replicate_of(const StudyResults& study, Blocks blocks) {
   if (blocks == Blocks::runs) return replicate_of(study, Unit::run);
-  if (blocks == Blocks::drawn_targets) return "a target's only solve";
+  if (blocks == Blocks::drawn_targets) return "the only solve of a target";
   const std::size_t runs = common_runs(study).size();
-  return runs == 1 ? "a target's only solve" : fmt::format("a target's mean over {} runs", runs);
+  return runs == 1 ? "the only solve of a target" : fmt::format("the mean of a target over {} runs", runs);
 }
 
 std::string block_of(Blocks blocks) {
-  if (blocks == Blocks::runs) return "a run, its targets drawn anew and the same for all";
-  if (blocks == Blocks::drawn_targets) return "a target, drawn anew and the same for all";
-  return "a target of the path, solved by all from the same configuration";
+  if (blocks == Blocks::runs) return "a run with its own random targets, the same for all solvers";
+  if (blocks == Blocks::drawn_targets) return "a random target, the same for all solvers";
+  return "a target of the path, which all solvers start from the same configuration";
 }
 
 Observations without_groups(Metric metric) {
@@ -124,7 +125,7 @@ void fill_blocks(Observations& result, const StudyResults& study, const std::vec
   const std::size_t runs = common_runs(study).size();
   if (const auto all = static_cast<std::size_t>(study.runs); runs < all) {
     result.notes.push_back(
-        fmt::format("Left out: {} of {} runs, which are not complete for all solvers.", all - runs, all));
+        fmt::format("Left out: {} of {} runs, because they are not complete for all solvers.", all - runs, all));
   }
 }
 
@@ -145,13 +146,13 @@ std::string why_not_blocked(const StudyResults& study) {
   const Blocks blocks = blocks_of(study);
   if (blocks == Blocks::none) {
     return Definition(study.definition).text("/path/kind").empty()
-               ? "There are no blocks: the study does not say what its path is."
-               : "There are no blocks: each solve starts where the solver's last answer left the arm.";
+               ? "There are no blocks: the study does not state its path."
+               : "There are no blocks: each solve starts where the solver's previous answer left the arm.";
   }
-  if (!were_given_the_same(study, blocks)) return "There are no blocks: the solvers were not given the same targets.";
+  if (!were_given_the_same(study, blocks)) return "There are no blocks: the solvers did not have the same targets.";
   const std::size_t count = layout(study, blocks).size();
   if (count == 0) return "There are no blocks: no run is complete for all solvers.";
-  return count == 1 ? "There are no blocks to compare: there is only one." : "";
+  return count == 1 ? "There are no blocks to compare, because there is only one." : "";
 }
 
 std::optional<Observations> blocked_observations(const StudyResults& study, Metric metric) {
@@ -175,8 +176,8 @@ Observations observations(const StudyResults& study, Metric metric, Unit unit) {
   if (unit == Unit::run) result.notes.push_back(why_not_blocked(study));
   for (Sample& sample : samples(study, metric, unit)) {
     if (sample.incomplete_runs > 0) {
-      result.notes.push_back(fmt::format("{}: {} of its runs have missing points and give no observation.",
-                                         sample.solver, sample.incomplete_runs));
+      result.notes.push_back(fmt::format("{}: {} of its runs lack points and give no observation.", sample.solver,
+                                         sample.incomplete_runs));
     }
     result.groups.push_back({.name = std::move(sample.solver), .values = std::move(sample.values)});
   }

@@ -60,8 +60,8 @@ void check_control(const Evidence& evidence) {
   if (found != evidence.groups.end()) return;
   std::vector<std::string> names;
   for (const GroupEvidence& group : evidence.groups) names.push_back(group.name);
-  throw std::invalid_argument(fmt::format("no group '{}' to be the control, expected one of: {}", evidence.plan.control,
-                                          fmt::join(names, ", ")));
+  throw std::invalid_argument(
+      fmt::format("no group '{}' for the control; expected one of: {}", evidence.plan.control, fmt::join(names, ", ")));
 }
 
 // Before the data are looked at: what by_design means for them, and what they do not have.
@@ -70,12 +70,10 @@ void settle_test(Evidence& evidence) {
   if (test == DecidingTest::by_design) test = evidence.blocks > 0 ? DecidingTest::friedman : DecidingTest::welch;
   if (test == DecidingTest::friedman && evidence.blocks == 0) {
     throw std::invalid_argument(
-        "Friedman's test needs blocks, in which every group was given the same; expected another test, or a block "
-        "column");
+        "Friedman's test needs blocks, which all groups share; expected another test, or a block column");
   }
   if (test == DecidingTest::kruskal_wallis && evidence.from_summaries) {
-    throw std::invalid_argument(
-        "Kruskal and Wallis' test needs the values themselves; expected anova or welch for summaries");
+    throw std::invalid_argument("the Kruskal-Wallis test needs single values; expected anova or welch for summaries");
   }
 }
 
@@ -174,7 +172,7 @@ Samples rankable(const Observations& observations) {
 
 std::string_view name_of(Relation relation) {
   constexpr std::array<std::string_view, 5> names{"first is better", "second is better", "same within the margin",
-                                                  "not told apart", "not defined"};
+                                                  "undecided", "not defined"};
   return names[static_cast<std::size_t>(relation)];
 }
 
@@ -185,10 +183,10 @@ const TestResult* Evidence::test(std::string_view test_name) const {
 
 std::string_view deciding_words(const Evidence& evidence) {
   constexpr std::array<std::string_view, 5> words{"the test of the design", "One-way ANOVA with Tukey's test",
-                                                  "Welch's ANOVA with Games and Howell's test",
-                                                  "Kruskal and Wallis' test with Dunn's", "Friedman's test of ranks"};
+                                                  "Welch's ANOVA with the Games-Howell test",
+                                                  "Kruskal-Wallis test with Dunn's test", "Friedman's test"};
   if (evidence.groups.size() == 2 && evidence.ranks_decide()) {
-    return evidence.ranks_within_blocks() ? "Wilcoxon's signed-rank test" : "Mann and Whitney's test";
+    return evidence.ranks_within_blocks() ? "Wilcoxon signed-rank test" : "Mann-Whitney test";
   }
   return words[static_cast<std::size_t>(evidence.plan.test)];
 }
@@ -199,11 +197,11 @@ std::string_view pair_test_words(const Evidence& evidence) {
     case DecidingTest::anova:
       return is_of_two ? "Student's test" : "Tukey's test";
     case DecidingTest::kruskal_wallis:
-      return is_of_two ? "Mann and Whitney's test" : "Dunn's test";
+      return is_of_two ? "Mann-Whitney test" : "Dunn's test";
     case DecidingTest::friedman:
-      return is_of_two ? "Wilcoxon's signed-rank test" : "Friedman's test of ranks";
+      return is_of_two ? "Wilcoxon signed-rank test" : "Friedman's test";
     default:
-      return is_of_two ? "Welch's test" : "Games and Howell's test";
+      return is_of_two ? "Welch's test" : "Games-Howell test";
   }
 }
 
@@ -241,11 +239,11 @@ std::size_t best_group(const Evidence& evidence) {
 std::string_view interval_words(const Evidence& evidence) {
   switch (evidence.plan.test) {
     case DecidingTest::friedman:
-      return "paired t within blocks, corrected by Bonferroni";
+      return "paired t-test within blocks, Bonferroni-corrected";
     case DecidingTest::anova:
-      return "Tukey, one variance for all groups";
+      return "Tukey, pooled variance";
     default:
-      return "Games-Howell, each group's own variance";
+      return "Games-Howell, separate variances";
   }
 }
 

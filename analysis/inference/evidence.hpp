@@ -123,9 +123,9 @@ results::AnalysisPlan feasible(results::AnalysisPlan plan, const Summaries& summ
 
 // The names of the tests of all groups, of which one decides.
 constexpr std::string_view anova_name = "One-way ANOVA", welch_name = "Welch's ANOVA",
-                           kruskal_wallis_name = "Kruskal and Wallis' test", friedman_name = "Friedman's test",
-                           iman_davenport_name = "Iman and Davenport's form of it",
-                           brown_forsythe_name = "Brown and Forsythe's test of equal variances",
+                           kruskal_wallis_name = "Kruskal-Wallis test", friedman_name = "Friedman's test",
+                           iman_davenport_name = "Iman-Davenport form",
+                           brown_forsythe_name = "Brown-Forsythe test of equal variances",
                            bartlett_name = "Bartlett's test of equal variances";
 // The test of pairs that decides, with that of all groups where they go together.
 std::string_view deciding_words(const Evidence& evidence);

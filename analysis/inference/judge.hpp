@@ -26,7 +26,7 @@ struct Judgement {
   Answer answer = Answer::undecided;
   double p = statistics::not_defined;  // corrected for the pairs that are compared
   Estimate difference = {};            // first - second
-  std::string test = {};               // "Games and Howell's test"
+  std::string test = {};               // "Games-Howell test"
   std::string undefined = {};          // why there is no test; empty where there is one
 };
 

@@ -94,8 +94,9 @@ std::size_t rows_of_a_run(const CsvFile& file, const CsvRequest& request, const 
                                         shortened(file.table.rows[rows.front()][file.column(request.run)], 40),
                                         shortened(contents.groups.all()[run.first], 40), rows.size(), whole);
   if (request.replicates == Replicates::checked)
-    file.refuse(words + ": is one of them there twice, or do the others lack some? --force averages them as they are");
-  add_flaw(result, words + "; averaged all the same");
+    file.refuse(words +
+                "; a row may be duplicated, or the other runs may lack rows; --force averages them as they are");
+  add_flaw(result, words + "; averaged anyway");
   return whole;
 }
 
@@ -221,21 +222,20 @@ std::string flaw_of(const CsvFile& file, const Contents& contents, const CsvRequ
     const auto [shared, told_by] = shared_run(file, contents, request, column);
     if (shared.empty()) continue;
     if (request.replicates == Replicates::as_given)
-      return fmt::format("{}; {}; used as observations all the same", shared, why);
+      return fmt::format("{}; {}; used as observations anyway", shared, why);
     const std::string run = one_line(title);
     if (told_by.empty())
-      file.refuse(fmt::format("{}; {}; average them with --run {}, or insist with --force", shared, why, run));
+      file.refuse(fmt::format("{}; {}; average them with --run {}, or accept them with --force", shared, why, run));
     const std::string name = lower_case(told_by);
     if (name.starts_with("point") || name.starts_with("step")) {  // of a path
       file.refuse(fmt::format(
-          "{0}, one for each {1}, and are not replicates; where each {1} leads to the next, average them with --run "
-          "{2}; where each was solved by itself, compare {1} by {1} with --block {1} --run {2}; or insist with --force",
+          "{0}, one for each {1}, and are not replicates; if each {1} depends on the previous one, average them with "
+          "--run {2}; if each was solved separately, compare within blocks with --block {1} --run {2}; or use --force",
           shared, told_by, run));
     }
     file.refuse(fmt::format(
-        "{0}, one for each {1}, and are not replicates; compare the groups {1} by {1} with --block {1} --run {2}, or "
-        "where the rows of a run depend on each other, as points of one path do, average them with --run {2}, or "
-        "insist with --force",
+        "{0}, one for each {1}, and are not replicates; compare within blocks with --block {1} --run {2}, or, if the "
+        "rows of a run depend on each other like points of one path, average them with --run {2}, or use --force",
         shared, told_by, run));
   }
   return {};
@@ -253,8 +253,8 @@ void expect_one_a_block(const CsvFile& file, const Contents& contents, const Obs
   }
   const auto& [group, block] = several->first;
   file.refuse(
-      fmt::format("{} rows of {} in block {}, expected one; average the rows of a run and the runs of a block "
-                  "with --run {}, or average the rows as they are with --force",
+      fmt::format("{} rows of {} in block {}; expected one; average the rows of a run and the runs of a block with "
+                  "--run {}, or average all rows with --force",
                   several->second, in_quotes(result.groups[group].name), in_quotes(result.blocks[block]), run));
 }
 
@@ -290,8 +290,8 @@ void fill_blocks(const CsvFile& file, const Contents& cells, std::string_view wh
     if (absent != block.end() && example.empty()) example = lack_in_words(*absent, what, result);
   }
   if (complete.empty()) {
-    file.refuse(fmt::format("no block has a value of every group: {}{}", example,
-                            some_left ? "; --force averages what is left of each" : ""));
+    file.refuse(fmt::format("no block has a value for every group: {}{}", example,
+                            some_left ? "; --force averages the values that exist" : ""));
   }
   if (const std::size_t left_out = blocks.size() - complete.size(); left_out > 0) {
     result.notes.push_back(
@@ -299,7 +299,7 @@ void fill_blocks(const CsvFile& file, const Contents& cells, std::string_view wh
   }
   if (const std::string words = in_words(lacks, "blocks", cells.groups); !words.empty()) {
     add_flaw(result, fmt::format("values are missing in {}; {}; {}", words,
-                                 some_averaged ? "of each of these blocks what is left is averaged"
+                                 some_averaged ? "the remaining values of these blocks are averaged"
                                                : "these blocks are left out for all groups",
                                  flattered));
   }
@@ -327,16 +327,16 @@ std::vector<std::string> label(const CsvFile& file, const CsvRequest& request, C
 // What the means over the rows of a run are, and which runs have none.
 void add_run_notes(const CsvFile& file, const CsvRequest& request, const Contents& runs, Observations& result) {
   if (std::ranges::none_of(runs.observations, [](const Observation& run) { return run.value.has_value(); })) {
-    file.refuse("no run has a value in each of its rows, expected some; --force averages the rows that have one");
+    file.refuse("no run is complete; --force averages the rows that have a value");
   }
   const std::string rows = counts_in_words(runs.observations);
   if (std::ranges::all_of(runs.observations, [](const Observation& run) { return run.whole == 1; })) return;
-  result.replicate = fmt::format("a run's mean over its {} rows of {}", rows, file.name());
+  result.replicate = fmt::format("the mean of a run over its {} rows of {}", rows, file.name());
   result.notes.push_back(
       fmt::format("Each observation is the mean over the {} rows of a run (column {}).", rows, in_quotes(request.run)));
   if (request.replicates == Replicates::as_given) return;
   if (const std::string words = in_words(lacks_of(runs), "runs", runs.groups); !words.empty()) {
-    result.notes.push_back(fmt::format("Left out because rows of them are missing: {}.", words));
+    result.notes.push_back(fmt::format("Left out because rows are missing: {}.", words));
   }
 }
 
@@ -347,7 +347,7 @@ Observations read_observations(std::string_view text, std::string_view source, c
   Contents contents =
       request.layout == Layout::one_column_a_group ? read_wide(file, request) : read_long(file, request);
   if (std::ranges::none_of(contents.observations, [](const Observation& o) { return o.value.has_value(); })) {
-    file.refuse("every value is missing, expected some");
+    file.refuse("all values are missing; expected at least one");
   }
   const std::string quantity = request.value.empty() ? "value" : request.value;
   Observations result{
@@ -360,9 +360,9 @@ Observations read_observations(std::string_view text, std::string_view source, c
     if (result.flaw.empty()) add_absent_rows(file, request, contents);
   }
   if (const std::string words = in_words(lacks_of(contents), "values", contents.groups); !words.empty()) {
-    result.notes.push_back(fmt::format(
-        "Left out because missing: {}. A failure without a number is better written {}, which ranks as the worst.",
-        words, request.better == Better::smaller ? "Inf" : "-Inf"));
+    result.notes.push_back(
+        fmt::format("Missing and left out: {}. For a failed run, write {} instead, which ranks as the worst.", words,
+                    request.better == Better::smaller ? "Inf" : "-Inf"));
   }
 
   if (!request.run.empty()) {

@@ -47,7 +47,7 @@ std::vector<std::string> first_of(const std::vector<Standing>& ranking) {
 std::string first_words(const std::vector<Standing>& ranking) {
   const std::vector<std::string> names = first_of(ranking);
   if (names.size() == 1) return names.front();
-  return fmt::format("{} and {}, which share the place", fmt::join(names.begin(), names.end() - 1, ", "), names.back());
+  return fmt::format("{} and {} (tied)", fmt::join(names.begin(), names.end() - 1, ", "), names.back());
 }
 
 PairOrder compare_pairs(const std::vector<Standing>& of, const std::vector<Standing>& other) {
@@ -68,7 +68,7 @@ PairOrder compare_pairs(const std::vector<Standing>& of, const std::vector<Stand
 }
 
 std::string printed_order_words(const PairOrder& pairs) {
-  return fmt::format("{} of {} pairs stand in the printed order{}", pairs.same, pairs.pairs,
+  return fmt::format("{} of {} pairs rank as in the paper{}", pairs.same, pairs.pairs,
                      pairs.tied > 0 ? fmt::format(", {} {} tied", pairs.tied, pairs.tied == 1 ? "is" : "are") : "");
 }
 

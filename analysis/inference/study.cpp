@@ -55,7 +55,7 @@ void check_and_count(StudyResults& study) {
                       solve.solver, solve.run, solve.point, most_runs, most_points));
     }
     if (!seen.emplace(solve.solver, solve.run, solve.point).second) {
-      throw std::invalid_argument(fmt::format("study '{}', solver '{}': run {}, point {} is there twice; expected once",
+      throw std::invalid_argument(fmt::format("study '{}', solver '{}': run {}, point {} appears twice; expected once",
                                               study.name, solve.solver, solve.run, solve.point));
     }
     if (solve.answer_rad.size() > most_joints) {
@@ -186,8 +186,8 @@ std::vector<std::string> status_notes(const StudyResults& study) {
   std::vector<std::string> notes{note + "."};
   if (solves < expected) {
     notes.push_back(
-        fmt::format("The study is incomplete. Runs with missing points: {}; they give no run mean, and only "
-                    "complete runs enter the observations.",
+        fmt::format("The study is incomplete. Runs with missing points: {}; they have no mean, and only complete runs "
+                    "are observations.",
                     incomplete_runs));
   }
   if (by_status[static_cast<std::size_t>(Status::refused)] > 0) {
@@ -227,13 +227,13 @@ std::string timing_note(const StudyResults& study) {
   const auto parallel = timed(Timing::parallel), debug = timed(Timing::debug_build);
   if (parallel + debug > 0) {
     return fmt::format(
-        "Times are not comparable: of {} solves, {} were timed while others ran in parallel and {} in a debug build.",
+        "Times are not comparable: of {} solves, {} ran in parallel with others and {} in a debug build.",
         study.solves.size(), parallel, debug);
   }
   if (!times_were_disturbed(study)) return "";
   return fmt::format(
-      "Times are not comparable: the wall time of the solves is {:.2f} times their CPU time, so other programs were at "
-      "work on the machine.",
+      "Times are not comparable: the wall time of the solves is {:.2f} times their CPU time, so other programs were "
+      "running.",
       clean_slowdown(study));
 }
 

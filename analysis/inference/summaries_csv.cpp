@@ -31,7 +31,7 @@ constexpr std::array<std::string_view, 3> quantity_titles{"metric", "quantity", 
 
 std::size_t expect_column(const CsvFile& file, std::span<const std::string_view> titles) {
   if (const auto column = file.column_like(titles)) return *column;
-  file.refuse(fmt::format("no column {}, expected one beside: {}", fmt::join(titles, " or "), file.columns()));
+  file.refuse(fmt::format("no column {}; found only: {}", fmt::join(titles, " or "), file.columns()));
 }
 
 }  // namespace
@@ -52,14 +52,15 @@ std::vector<Summaries> read_summaries(std::string_view text, std::string_view so
     SummaryGroup group{.name = file.group_name(row, name), .summary = {}};
     const std::string of = quantity ? file.group_name(row, *quantity) : "value";
     if (!seen.insert({of, group.name}).second) {
-      file.refuse_cell(row, name,
-                       quantity ? "twice, expected each group once a metric" : "twice, expected each group once");
+      file.refuse_cell(
+          row, name,
+          quantity ? "given twice; expected each group once per metric" : "given twice; expected each group once");
     }
     if (seen.size() > max_groups) file.refuse(fmt::format("expected at most {} groups", max_groups));
 
     const double count = file.number(row, n).value_or(not_defined);
     if (!(count >= 1 && count <= std::numeric_limits<int>::max() && count == std::floor(count))) {
-      file.refuse_cell(row, n, "expected how many observations, a whole number from 1");
+      file.refuse_cell(row, n, "expected the number of observations, a whole number from 1");
     }
     group.summary.n = static_cast<int>(count);
     group.summary.mean = file.number(row, mean).value_or(not_defined);
@@ -79,7 +80,7 @@ std::vector<Summaries> read_summaries(std::string_view text, std::string_view so
     if (all > std::numeric_limits<int>::max()) file.refuse_cell(row, n, "expected at most 2147483647 in all groups");
     summaries->groups.push_back(std::move(group));
   }
-  if (result.empty()) file.refuse("no rows below the header, expected at least one");
+  if (result.empty()) file.refuse("no rows below the header; expected at least one");
   return result;
 }
 

@@ -79,7 +79,7 @@ TestResult of_welch(const std::vector<GroupEvidence>& groups, std::span<const Gr
     }
   }
   if (usable.size() < 2) {
-    result.undefined = "fewer than two groups have a spread";
+    result.undefined = "fewer than two groups have a variance";
     return result;
   }
   const WelchAnova test = welch_anova(usable);
@@ -87,10 +87,10 @@ TestResult of_welch(const std::vector<GroupEvidence>& groups, std::span<const Gr
   result.df = test.df_between;
   result.df_within = test.df_within;
   result.p = test.p;
-  if (!std::isfinite(test.p)) result.undefined = "the spreads are too far apart for double precision";
+  if (!std::isfinite(test.p)) result.undefined = "the variances are too far apart for double precision";
   if (!others.empty()) {
     constexpr std::size_t most_named = 3;
-    result.without = fmt::format("without {}, whose spread is none or not defined",
+    result.without = fmt::format("without {}, whose variance is 0 or not defined",
                                  others.size() > most_named ? fmt::format("{} groups", others.size())
                                                             : fmt::format("{}", fmt::join(others, ", ")));
   }

@@ -20,23 +20,24 @@ std::string of_constants(const MetricComparison& comparison) {
   const int a = comparison.a.n, b = comparison.b.n;
   const std::string number = a == b ? fmt::format("{}", a) : fmt::format("{} and {}", a, b);
   return comparison.mean_favours == 0
-             ? fmt::format("equal in these {} {}s", number, comparison.observation)
-             : fmt::format("differs in these {} {}s; too few to show more", number, comparison.observation);
+             ? fmt::format("equal in all {} {}s", number, comparison.observation)
+             : fmt::format("differs in these {} {}s, but they are too few to decide", number, comparison.observation);
 }
 
 // What is known of a metric that no test has decided.
 std::string what_is_known(const MetricComparison& comparison, const MarginQuestion& question) {
   const double alpha = question.significance;
   const std::string_view word = comparison.mean_favours > 0 ? "better" : "worse";
-  std::string known = "not told apart";
+  std::string known = "no difference shown";
   if (comparison.p_worse < alpha || comparison.p_better < alpha) {
-    known = fmt::format("{} by its own p, not by Holm's", comparison.p_better < alpha ? "better" : "worse");
+    known =
+        fmt::format("{} before Holm's correction, but not after it", comparison.p_better < alpha ? "better" : "worse");
   } else if (comparison.a.std == 0 && comparison.b.std == 0 && !(comparison.ratio.p_difference < alpha)) {
     known = of_constants(comparison);
   } else if (!comparison.ratio.undefined.empty()) {
     known = comparison.ratio.undefined;
   } else if (comparison.ratio.p_difference < alpha) {
-    known = fmt::format("{}, but not shown to be by more than {}", word, percent(question.margin));
+    known = fmt::format("{}, but perhaps by less than {}", word, percent(question.margin));
   }
   if (!std::isfinite(comparison.n_to_decide)) return known;
   return fmt::format("{}; about {:.0f} {}s would decide", known, comparison.n_to_decide, comparison.observation);
@@ -49,13 +50,13 @@ std::string ranks_remark(const MetricComparison& comparison, double alpha) {
   const std::string p = fmt::format("p {}", short_number(comparison.p_ranks));
   const std::string_view favoured = comparison.ranks_favour > 0 ? "better" : "worse";
   if (by_means && by_ranks && comparison.ranks_favour == -comparison.mean_favours) {
-    return fmt::format("the ranks contradict the mean: by them B is {} ({})", favoured, p);
+    return fmt::format("ranks contradict the mean: by ranks B is {} ({})", favoured, p);
   }
   if (by_ranks && comparison.outcome == Outcome::undecided && !by_means) {
     return fmt::format("by ranks B is {} ({})", favoured, p);
   }
   if (!by_ranks && (comparison.outcome == Outcome::worse || comparison.outcome == Outcome::better)) {
-    return fmt::format("not told apart by ranks ({})", p);
+    return fmt::format("undecided by ranks ({})", p);
   }
   return "";
 }

@@ -45,14 +45,13 @@ enum class Starts { first, all };
 std::string difference_in_task(const Observed& a, const Observed& b, Starts starts) {
   for (std::size_t i = 0; i < a.solves.size(); ++i) {
     const SolveRecord &one = *a.solves[i], &other = *b.solves[i];
-    if (one.robot != other.robot) return fmt::format("another robot ({} and {})", one.robot, other.robot);
+    if (one.robot != other.robot) return fmt::format("different robots ({} and {})", one.robot, other.robot);
     if (one.target_position_m != other.target_position_m || one.target_rotation != other.target_rotation) {
-      return fmt::format("other targets (run {} and {}, point {}: {} and {})", one.run, other.run, one.point,
+      return fmt::format("different targets (run {} and {}, point {}: {} and {})", one.run, other.run, one.point,
                          place_of(one.target_position_m), place_of(other.target_position_m));
     }
     if ((i == 0 || starts == Starts::all) && one.start_rad != other.start_rad) {
-      return fmt::format("another configuration to start from (run {} and {}, point {})", one.run, other.run,
-                         one.point);
+      return fmt::format("different start configurations (run {} and {}, point {})", one.run, other.run, one.point);
     }
   }
   return "";
@@ -72,7 +71,7 @@ void keep_common(std::vector<Observed>& a, std::vector<Observed>& b) {
 
 std::invalid_argument refused(std::string_view what) {
   return std::invalid_argument(
-      fmt::format("A and B cannot be compared: they were given {}; run both with the same robot, path and seed", what));
+      fmt::format("cannot compare A and B: they have {}; run both with the same robot, path and seed", what));
 }
 
 Starts starts_of(const Variant& a, const Variant& b) {
@@ -107,13 +106,13 @@ std::string observation_of(const VariantDesign& design, int points) {
     const std::string runs = design.runs_of_a == design.runs_of_b
                                  ? fmt::format("the {} runs of each", design.runs_of_a)
                                  : fmt::format("the {} runs of A and the {} of B", design.runs_of_a, design.runs_of_b);
-    return fmt::format("one observation is a target's mean over {}", runs);
+    return fmt::format("one observation is the mean of a target over {}", runs);
   }
   if (design.pairs == Blocks::path_targets || design.pairs == Blocks::drawn_targets) {
-    return "one observation is a target's only solve";
+    return "one observation is the only solve of a target";
   }
-  return points == 1 ? "one observation is a run's only solve"
-                     : fmt::format("one observation is a run's mean over its {} points", points);
+  return points == 1 ? "one observation is the only solve of a run"
+                     : fmt::format("one observation is the mean of a run over its {} points", points);
 }
 
 }  // namespace
@@ -122,11 +121,11 @@ VariantDesign variant_design(const Variant& a, const Variant& b) {
   std::vector<Observed> runs_of_a = observed(a.study, Blocks::runs), runs_of_b = observed(b.study, Blocks::runs);
   for (const Variant* side : {&a, &b}) {
     if (!(side == &a ? runs_of_a : runs_of_b).empty()) continue;
-    throw std::invalid_argument(fmt::format("{} has no complete run of {}; there is nothing to compare",
+    throw std::invalid_argument(fmt::format("{} has no complete run of {}, so there is nothing to compare",
                                             side == &a ? "A" : "B", side->series.label));
   }
   if (a.study.points != b.study.points) {
-    throw refused(fmt::format("other targets ({} and {} points a run)", a.study.points, b.study.points));
+    throw refused(fmt::format("different targets ({} and {} points per run)", a.study.points, b.study.points));
   }
   const Starts starts = starts_of(a, b);
   const bool is_one_path = is_fixed(runs_of_a, starts) && is_fixed(runs_of_b, starts);
@@ -134,7 +133,7 @@ VariantDesign variant_design(const Variant& a, const Variant& b) {
   if (is_one_path) refuse_other_tasks({runs_of_a.front()}, {runs_of_b.front()}, starts);
   if (design.pairs == Blocks::runs || design.pairs == Blocks::drawn_targets) {
     keep_common(runs_of_a, runs_of_b);
-    if (runs_of_a.empty()) throw refused("other targets (they have no run in common, and each run has its own)");
+    if (runs_of_a.empty()) throw refused("different targets (every run has its own, and they have no run in common)");
     refuse_other_tasks(runs_of_a, runs_of_b, starts);
   }
   design.runs_of_a = static_cast<int>(runs_of_a.size());
@@ -155,22 +154,22 @@ std::string sentence_of(const VariantDesign& design, int points) {
   const std::size_t pairs = design.a.size();
   switch (design.pairs) {
     case Blocks::runs:
-      return fmt::format("{} pairs of runs, {}: run by run both have the same targets, and every run has its own.",
-                         pairs, observation);
+      return fmt::format("{} pairs of runs, {}: every run has its own targets, the same for A and B.", pairs,
+                         observation);
     case Blocks::drawn_targets:
       return fmt::format(
-          "{} pairs of targets, {}: every run has its own targets, the same for both, each solved from the same "
+          "{} pairs of targets, {}: every run has its own targets, the same for A and B, each solved from the same "
           "configuration.",
           pairs, observation);
     case Blocks::path_targets:
-      return fmt::format("{} pairs of targets, {}: both solve each target of the path from the same configuration.",
+      return fmt::format("{} pairs of targets, {}: A and B solve each target of the path from the same configuration.",
                          pairs, observation);
     case Blocks::none:
       break;
   }
   return fmt::format(
-      "Independent runs, {} of A and {} of B, {}: every run has the same targets, so "
-      "that no run of A belongs to one of B.",
+      "Independent runs, {} of A and {} of B, {}: all runs have the same targets, so runs of A and B do not form "
+      "pairs.",
       design.a.size(), design.b.size(), observation);
 }
 

@@ -78,11 +78,11 @@ std::string why_times_differ(const Variant& a, const Variant& b) {
   std::set<std::string> cpus = values_of(a, "cpu");
   cpus.merge(values_of(b, "cpu"));
   if (a.sessions.empty() || b.sessions.empty() || cpus.contains("unknown")) {
-    return "Times are not comparable: the stores do not say on which CPU they were taken.";
+    return "Times are not comparable: the stores do not name the CPU.";
   }
   return cpus.size() == 1
              ? ""
-             : fmt::format("Times are not comparable: they are of several CPUs ({}).", fmt::join(cpus, ", "));
+             : fmt::format("Times are not comparable: they come from different CPUs ({}).", fmt::join(cpus, ", "));
 }
 
 std::string other_sessions_note(const Variant& a, const Variant& b) {
@@ -90,8 +90,8 @@ std::string other_sessions_note(const Variant& a, const Variant& b) {
     return one.id == other.id && one.environment == other.environment;
   };
   if (std::ranges::equal(a.sessions, b.sessions, same)) return "";
-  return "Times of A and B are of separate sessions: what the machine itself changed between them is in no run's "
-         "spread. Two labels of one study are timed in turn.";
+  return "The times of A and B come from separate sessions, and the machine may have changed between them. To avoid "
+         "this, run both as labels of one study.";
 }
 
 std::string differences(const Variant& a, const Variant& b) {
@@ -110,7 +110,7 @@ std::string differences(const Variant& a, const Variant& b) {
     const std::string one = value_in(of_a, key), other = value_in(of_b, key);
     if (one != other) found.push_back(fmt::format("{} ({}, {})", key, one, other));
   }
-  if (found.empty()) return "The stores tell no difference between A and B but their sessions.";
+  if (found.empty()) return "The stores show no difference between A and B except their sessions.";
   const std::size_t named = std::min(found.size(), most_named);
   const std::string more = found.size() == named ? "" : fmt::format(" and {} more", found.size() - named);
   return fmt::format("B differs from A in {}{}.",

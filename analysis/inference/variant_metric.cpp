@@ -103,8 +103,8 @@ double p_of_lying_apart(const MetricSamples& samples) {
 void compare_counts(MetricComparison& result, double margin) {
   const std::string constant = "constant in both";
   const double size = std::abs(result.a.mean), beyond = std::abs(result.b.mean - result.a.mean) - margin * size;
-  if (result.mean_favours == 0) return settle(result, Outcome::same, constant + ", and equal");
-  if (without_rounding(beyond, size) <= 0) return settle(result, Outcome::same, constant + ", and within the margin");
+  if (result.mean_favours == 0) return settle(result, Outcome::same, constant + " and equal");
+  if (without_rounding(beyond, size) <= 0) return settle(result, Outcome::same, constant + " and within the margin");
   settle(result, result.mean_favours > 0 ? Outcome::better : Outcome::worse, constant);
 }
 
@@ -143,7 +143,7 @@ void compare_ratio(MetricComparison& result, const MetricSamples& samples, const
 void compare_means(MetricComparison& result, const MetricSamples& samples, const MarginQuestion& question) {
   if (samples.a.size() < 2 || samples.b.size() < 2) {
     result.ratio.undefined =
-        fmt::format("a single {} has no spread; more runs have one (--set runs=20)", samples.observation);
+        fmt::format("a single {} shows no variation; use more runs (--set runs=20)", samples.observation);
     return;
   }
   const double ahead =
@@ -188,9 +188,9 @@ void compare_not_finite(MetricComparison& result, const MetricSamples& samples, 
   others.a = finite.a;
   others.b = finite.b;
   if (finite.a.size() < 2 || finite.b.size() < 2) {
-    result.ratio.undefined = "too few are finite to compare these";
+    result.ratio.undefined = "too few finite values";
   } else if (are_rounding(others)) {
-    result.ratio.undefined = "those that are finite are rounding";
+    result.ratio.undefined = "the finite values are rounding errors";
   } else {
     compare_means(result, others, question);
   }
@@ -207,8 +207,8 @@ void compare_not_finite(MetricComparison& result, const MetricSamples& samples, 
   result.remark = fmt::format("not finite: {} of {} {}s of A, {} of {} of B", a.successes, a.trials,
                               samples.observation, b.successes, b.trials);
   if (p_better < question.significance && (counts_against || means_against)) {
-    result.ratio.undefined =
-        counts_against ? "the finite ones of B are better, but fewer" : "more of B are finite, but these are worse";
+    result.ratio.undefined = counts_against ? "the finite values of B are better, but fewer"
+                                            : "B has more finite values, but they are worse";
   }
   result.p_better = counts_against || means_against ? 1 : p_better;
   result.p_worse = either(counts_worse, result.p_worse);
@@ -228,16 +228,16 @@ MetricComparison compare_metric(const MetricSamples& samples, const MarginQuesti
     return result;
   }
   if (samples.a.empty() || samples.b.empty()) {
-    result.ratio.undefined = "there is no complete run to compare";
+    result.ratio.undefined = "no complete run to compare";
     return result;
   }
   if (samples.same_bits) {
-    settle(result, Outcome::same, "to the bit");
+    settle(result, Outcome::same, "equal bit for bit");
   } else if (not_finite(samples.a) + not_finite(samples.b) > 0) {
     compare_not_finite(result, samples, question);
   } else if (are_rounding(samples)) {
     settle(result, Outcome::same,
-           fmt::format("both are rounding, below {}", short_number(info_of(samples.metric).rounding)));
+           fmt::format("both are rounding errors, below {}", short_number(info_of(samples.metric).rounding)));
   } else {
     compare_means(result, samples, question);
   }

@@ -41,7 +41,7 @@ std::vector<Metric> chosen(std::span<const std::string> names) {
 void note_missing_runs(VariantComparison& comparison, const Variant& side, std::string_view name, int used) {
   if (const int all = side.study.runs; used < all) {
     comparison.notes.push_back(
-        fmt::format("{}: {} of {} runs are left out: not there, with points missing, or without a partner.", name,
+        fmt::format("{}: {} of {} runs are left out, because they or their partners are missing or incomplete.", name,
                     all - used, all));
   }
 }

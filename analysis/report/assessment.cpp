@@ -67,8 +67,7 @@ void add_effects(const Evidence& evidence, std::vector<Figure>& figures) {
       .quantity = evidence.quantity,
       .meaning = evidence.blocks > 0
                      ? "the share of blocks in which the row is better than the column"
-                     : "Vargha and Delaney's A12, the chance that a value of the row is better than one of "
-                       "the column"};
+                     : "Vargha-Delaney A12: the probability that a value of the row is better than one of the column"};
   matrix.effects.assign(k, std::vector<double>(k, not_defined));
   for (const GroupEvidence& group : evidence.groups) matrix.labels.push_back(group.name);
   for (const Contrast& contrast : evidence.contrasts) {

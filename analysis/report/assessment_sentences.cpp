@@ -30,14 +30,13 @@ std::string sizes(const Evidence& evidence) {
 std::string design(const Evidence& evidence) {
   std::vector<std::string> names;
   for (std::size_t i = 0; i < evidence.groups.size(); ++i) names.push_back(name_words(evidence, i));
-  std::string text = fmt::format("What was compared: {}, {} is better, of {} {} ({}) with {} each", evidence.quantity,
+  std::string text = fmt::format("Data: {}, {} is better; {} {} ({}) with {} each", evidence.quantity,
                                  evidence.better == Better::smaller ? "smaller" : "larger", names.size(),
                                  names.size() == 1 ? "group" : "groups", listed(names), sizes(evidence));
-  text += evidence.from_summaries ? ", of which means, standard deviations and numbers alone are known." : ".";
+  text += evidence.from_summaries ? "; only means, standard deviations and sizes are known." : ".";
   if (!evidence.replicate.empty()) text += fmt::format(" One observation is {}.", evidence.replicate);
   if (evidence.blocks > 0)
-    text +=
-        fmt::format(" All groups were given the same in {} blocks: a block is {}.", evidence.blocks, evidence.block);
+    text += fmt::format(" All groups share {} blocks. A block is {}.", evidence.blocks, evidence.block);
   return text;
 }
 
@@ -45,17 +44,18 @@ std::string methods(const Evidence& evidence) {
   std::string text = fmt::format("Methods: {} decides, at {}", deciding_words(evidence),
                                  rounded_number(evidence.plan.significance, 3));
   if (!evidence.plan.control.empty()) {
-    text += fmt::format(", each against the control {}", row_label(evidence.plan.control, longest_name_in_text));
+    text +=
+        fmt::format(", for each group against the control {}", row_label(evidence.plan.control, longest_name_in_text));
   } else if (evidence.pairs > 1) {
-    text += fmt::format(", over all {} pairs", evidence.pairs);
+    text += fmt::format(", for all {} pairs", evidence.pairs);
   }
   if (!evidence.from_summaries && evidence.pairs > 1) {
-    constexpr std::array<std::string_view, 4> whose{"Holm", "Hochberg", "Bonferroni", "Benjamini and Hochberg"};
-    text += fmt::format("; p-values of ranks are corrected by {}",
+    constexpr std::array<std::string_view, 4> whose{"Holm", "Hochberg", "Bonferroni", "Benjamini-Hochberg"};
+    text += fmt::format("; p-values of rank tests are corrected by {}",
                         whose[static_cast<std::size_t>(evidence.plan.adjustment)]);
   }
-  return text + "; a difference matters from " + percent(evidence.plan.margin) +
-         " on. The other methods stand beside it and decide nothing.";
+  return text + "; differences below " + percent(evidence.plan.margin) +
+         " do not matter. The other methods are shown for comparison.";
 }
 
 // "F(5, 44.3) = 142, p = 4e-26"
@@ -78,15 +78,15 @@ std::string assumptions(const Evidence& evidence) {
   if (tests.empty()) return "";
   const TestResult* test = variance_test(evidence);
   const bool tested = test != nullptr && test->undefined.empty();
-  text += !tested                      ? "equal variances could not be tested"
-          : variances_differ(evidence) ? "equal variances are refuted"
-                                       : "equal variances are not refuted";
+  text += !tested                      ? "equal variances cannot be tested"
+          : variances_differ(evidence) ? "equal variances are rejected"
+                                       : "equal variances are not rejected";
   if (std::isfinite(evidence.variance_ratio)) {
-    text += fmt::format("; that of {} is {} times that of {}", name_words(evidence, evidence.most_variable),
+    text += fmt::format("; the variance of {} is {} times that of {}", name_words(evidence, evidence.most_variable),
                         number_words(evidence.variance_ratio), name_words(evidence, evidence.least_variable));
   }
   text += fmt::format(" ({}).", fmt::join(tests, "; "));
-  if (evidence.from_summaries) return text + " Whether the values are normal cannot be told from summaries.";
+  if (evidence.from_summaries) return text + " Summaries do not show whether the values are normal.";
   std::vector<std::string> not_normal;
   std::size_t known = 0;
   for (std::size_t i = 0; i < evidence.groups.size(); ++i) {
@@ -95,12 +95,13 @@ std::string assumptions(const Evidence& evidence) {
     if (p < evidence.plan.significance)
       not_normal.push_back(fmt::format("{} ({})", name_words(evidence, i), p_words(p)));
   }
-  if (known == 0) return text + " Normality could not be tested.";
+  if (known == 0) return text + " Normality cannot be tested.";
   if (!not_normal.empty()) {
-    return text + fmt::format(" Normality is refuted for {} (Shapiro-Wilk, each group by itself).", listed(not_normal));
+    return text +
+           fmt::format(" Normality is rejected for {} (Shapiro-Wilk, separately for each group).", listed(not_normal));
   }
-  return text + fmt::format(" Normality is not refuted for any group{} (Shapiro-Wilk).",
-                            known < evidence.groups.size() ? " that could be tested" : "");
+  return text + fmt::format(" Normality is not rejected for any group{} (Shapiro-Wilk).",
+                            known < evidence.groups.size() ? " that can be tested" : "");
 }
 
 // Values over decades: the mean is that of the largest few, and a test of means is a test of those.
@@ -116,8 +117,8 @@ std::string decades(const Evidence& evidence) {
   }
   if (names.empty() || evidence.ranks_decide()) return "";
   return fmt::format(
-      "Caution: the values of {} span more than two decades, so that a mean is decided by the largest few; "
-      "A12 and the tests of ranks are not, and logarithms of the values may say more.",
+      "Caution: the values of {} span more than two decades, so the largest few decide the mean. A12 and rank tests do "
+      "not have this problem. Consider comparing logarithms.",
       listed(names));
 }
 
@@ -132,12 +133,11 @@ std::string analyses(const Evidence& evidence, Role role, std::string_view headi
     text += fmt::format(" {}{}: {}{}{}.", test.test, test.without.empty() ? "" : fmt::format(" ({})", test.without),
                         result_words(test), effect_words(test),
                         !test.undefined.empty()               ? ""
-                        : test.p < evidence.plan.significance ? "; the groups are not all the same"
-                                                              : "; a difference is not shown");
+                        : test.p < evidence.plan.significance ? "; at least one group differs"
+                                                              : "; no difference is shown");
   }
   if (text.empty()) return "";
-  if (role == Role::paper && variances_differ(evidence))
-    text += " It takes equal variances for granted, and they are refuted.";
+  if (role == Role::paper && variances_differ(evidence)) text += " It assumes equal variances, which are rejected.";
   return fmt::format("{}:{}", heading, text);
 }
 
@@ -152,38 +152,38 @@ std::vector<std::string> limits(const Evidence& evidence) {
     beyond += evidence.blocks == 0 && !std::isfinite(contrast.runs_to_see_margin) ? 1 : 0;
   }
   if (open > 0) {
-    parts.push_back(fmt::format("not told apart is not the same: {}",
-                                most > 0 ? fmt::format("to find a difference of {} with {} certainty in {}, a group "
-                                                       "needs {}{:.0f} observations",
-                                                       percent(evidence.plan.margin), percent(evidence.plan.power),
-                                                       open == 1    ? "that pair"
-                                                       : beyond > 0 ? fmt::format("{} of those pairs", open - beyond)
-                                                                    : "each of those pairs",
-                                                       open == 1 ? "" : "up to ", most)
-                                         : "the data allow for a difference"));
+    parts.push_back(fmt::format(
+        "undecided does not mean equal: {}",
+        most > 0 ? fmt::format("to detect a difference of {} with {} power in {}, a group needs {}{:.0f} observations",
+                               percent(evidence.plan.margin), percent(evidence.plan.power),
+                               open == 1    ? "that pair"
+                               : beyond > 0 ? fmt::format("{} of those pairs", open - beyond)
+                                            : "each of those pairs",
+                               open == 1 ? "" : "up to ", most)
+                 : "a difference remains possible"));
   }
   if (beyond > 0) {
     parts.push_back(
-        fmt::format("in {} of the pairs not told apart that would take more than ten million observations", beyond));
+        fmt::format("in {} of the undecided pairs that would take more than ten million observations", beyond));
   }
-  if (!evidence.flaw.empty()) parts.push_back("the p-values are no evidence where the observations are flawed");
+  if (!evidence.flaw.empty()) parts.push_back("with flawed observations the p-values are no evidence");
   if (evidence.from_summaries)
-    parts.push_back("summaries say nothing of the distributions: no ranks, no medians, no normality");
+    parts.push_back("summaries do not show distributions: no ranks, no medians, no normality");
   parts.push_back(
-      "it speaks of these conditions alone, not of other targets, arms, budgets or settings; and each quantity is "
-      "judged by itself");
+      "the results hold for these conditions only, not for other targets, arms, budgets or settings; each quantity is "
+      "judged separately");
   return {fmt::format("What this does not show: {}.", fmt::join(parts, "; "))};
 }
 
 }  // namespace
 
 std::vector<std::string> sentences_of(const Evidence& evidence) {
-  if (evidence.groups.empty()) return {"There is no group."};
+  if (evidence.groups.empty()) return {"There are no groups."};
   std::vector<std::string> sentences;
   if (evidence.groups.size() > 1 && evidence.contrasts.empty()) {
     sentences.emplace_back(
-        "Not judged: what was observed is described, and no group is ranked, tested or compared with another. The note "
-        "under the table says why.");
+        "Not judged: the observations are described, but the groups are not ranked, tested or compared. The note below "
+        "the table says why.");
     sentences.push_back(design(evidence));
     for (const std::string& note : evidence.notes) sentences.push_back("Note: " + note);
     return sentences;
@@ -193,22 +193,22 @@ std::vector<std::string> sentences_of(const Evidence& evidence) {
   sentences.push_back(design(evidence));
   for (const std::string& note : evidence.notes) sentences.push_back("Note: " + note);
   if (evidence.groups.size() < 2) {
-    sentences.push_back("One group alone: it is described, and there is nothing to compare it with.");
+    sentences.push_back("There is only one group, so there is nothing to compare.");
     return sentences;
   }
   if (evidence.constant) {
     for (std::string& sentence : who_differs(evidence)) sentences.push_back(std::move(sentence));
-    sentences.push_back(fmt::format(
-        "Every group has one value alone. p is of {}: could chance have dealt the values so? Of what always does the "
-        "same, as a budget of evaluations, a difference is a fact.",
-        evidence.blocks > 0 ? "the sign test within blocks" : "Fisher's exact test"));
+    sentences.push_back(
+        fmt::format("All values within a group are equal. p comes from {}. If a quantity is fixed by design, such as a "
+                    "budget of evaluations, its difference is a fact and needs no test.",
+                    evidence.blocks > 0 ? "the sign test within blocks" : "Fisher's exact test"));
     return sentences;
   }
   sentences.push_back(methods(evidence));
   sentences.push_back(assumptions(evidence));
   sentences.push_back(decades(evidence));
   sentences.push_back(analyses(evidence, Role::paper, "The classical analysis"));
-  sentences.push_back(analyses(evidence, Role::sound, "The sound analysis"));
+  sentences.push_back(analyses(evidence, Role::sound, "The robust analysis"));
   for (std::string& sentence : who_differs(evidence)) sentences.push_back(std::move(sentence));
   sentences.push_back(disagreements(evidence));
   for (std::string& sentence : limits(evidence)) sentences.push_back(std::move(sentence));

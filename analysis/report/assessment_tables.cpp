@@ -36,13 +36,13 @@ Cell unless_zero(int count) {
 Table groups_table(const Evidence& evidence) {
   const std::string level = percent(1 - evidence.plan.significance);
   Table table{.name = table_name(evidence, "groups"),
-              .caption = fmt::format("What was observed: {}", evidence.quantity),
+              .caption = fmt::format("Observations: {}", evidence.quantity),
               .columns = {{"group", Align::left},
                           {"n"},
                           {"not finite"},
                           {"mean"},
                           {level + " interval of the mean"},
-                          {"by bootstrap"},
+                          {"bootstrap interval"},
                           {"sd"},
                           {"median"},
                           {level + " interval of the median"},
@@ -69,9 +69,8 @@ Table groups_table(const Evidence& evidence) {
   if (!evidence.replicate.empty()) table.notes.push_back(fmt::format("One observation is {}.", evidence.replicate));
   if (!evidence.from_summaries) {
     table.notes.push_back(
-        fmt::format("Intervals: of the mean by Student's t and by the bootstrap (BCa), of the median by order "
-                    "statistics. Quartiles of type {} (Hyndman and "
-                    "Fan).",
+        fmt::format("Intervals: Student's t and BCa bootstrap for the mean, order statistics for the median. "
+                    "Quartiles: Hyndman-Fan type {}.",
                     evidence.plan.quartiles));
   }
   for (const std::string& note : evidence.notes) table.notes.push_back(note);
@@ -91,13 +90,13 @@ Cell with_symbol(const std::string& symbol, double value) {
 }
 
 std::string role_words(Role role) {
-  constexpr std::array<std::string_view, 3> words{"assumption", "classical", "sound"};
+  constexpr std::array<std::string_view, 3> words{"assumption", "classical", "robust"};
   return std::string(words[static_cast<std::size_t>(role)]);
 }
 
 Table tests_table(const Evidence& evidence) {
   Table table{.name = table_name(evidence, "tests"),
-              .caption = fmt::format("Tests of all groups together: {}", evidence.quantity),
+              .caption = fmt::format("Tests of all groups: {}", evidence.quantity),
               .columns = {{"part", Align::left},
                           {"test", Align::left},
                           {"statistic", Align::left},
@@ -107,9 +106,8 @@ Table tests_table(const Evidence& evidence) {
                           {"verdict", Align::left}}};
   for (const TestResult& test : evidence.tests) {
     const bool significant = test.p < evidence.plan.significance;
-    const std::string_view finding = test.role == Role::assumption
-                                         ? (significant ? "refuted" : "not refuted")
-                                         : (significant ? "the groups differ" : "not told apart");
+    const std::string_view finding = test.role == Role::assumption ? (significant ? "rejected" : "not rejected")
+                                                                   : (significant ? "the groups differ" : "undecided");
     table.rows.push_back(
         {role_words(test.role),
          fmt::format("{}{}", test.test, test.without.empty() ? "" : fmt::format(" ({})", test.without)),
@@ -117,15 +115,14 @@ Table tests_table(const Evidence& evidence) {
          with_symbol(test.effect_symbol, test.effect),
          test.undefined.empty() ? std::string(finding) : "not defined: " + test.undefined});
   }
-  table.notes.push_back(fmt::format("Each at {}. {} decides, by the plan and not by the data.",
+  table.notes.push_back(fmt::format("Significance {}. {} decides. The plan chooses the test, not the data.",
                                     rounded_number(evidence.plan.significance, 3), deciding_words(evidence)));
   if (!evidence.flaw.empty()) table.notes.push_back("Flawed: " + evidence.flaw);
   return table;
 }
 
 std::string verdict_of(const Evidence& evidence, const Contrast& contrast) {
-  const std::string within =
-      contrast.within_margin ? fmt::format(", by less than {}", percent(evidence.plan.margin)) : "";
+  const std::string within = contrast.within_margin ? fmt::format(", within {}", percent(evidence.plan.margin)) : "";
   switch (contrast.relation) {
     case Relation::first_better:
       return fmt::format("{} is better{}", evidence.groups[contrast.first].name, within);
@@ -147,11 +144,12 @@ Cell size_words(const Contrast& contrast) {
 // What the p-values and intervals are corrected for.
 std::string family_note(const Evidence& evidence) {
   if (evidence.pairs == 1) return fmt::format("{} decides.", deciding_words(evidence));
-  const std::string all = fmt::format("all {} pairs together", evidence.pairs);
-  const std::string with_control = fmt::format("the {} pairs with the control together", evidence.groups.size() - 1);
+  const std::string all = fmt::format("all {} pairs", evidence.pairs);
+  const std::string with_control = fmt::format("the {} pairs with the control", evidence.groups.size() - 1);
   const bool by_control = !evidence.plan.control.empty();
-  return fmt::format("{} decides: p holds for {}. Interval of the difference: {}, for {}.", deciding_words(evidence),
-                     by_control && evidence.ranks_decide() ? with_control : all, interval_words(evidence),
+  return fmt::format("{} decides. p: adjusted for {}. Interval of the difference: {}, adjusted for {}.",
+                     deciding_words(evidence), by_control && evidence.ranks_decide() ? with_control : all,
+                     interval_words(evidence),
                      by_control && evidence.plan.test == DecidingTest::friedman ? with_control : all);
 }
 
@@ -159,7 +157,7 @@ Table contrasts_table(const Evidence& evidence) {
   const std::string level = percent(1 - evidence.plan.significance);
   Table table{
       .name = table_name(evidence, "contrasts"),
-      .caption = fmt::format("Who differs from whom: {}", evidence.quantity),
+      .caption = fmt::format("Pairwise comparisons: {}", evidence.quantity),
       .columns = {{"first", Align::left},
                   {"second", Align::left},
                   {"verdict", Align::left},
@@ -167,17 +165,17 @@ Table contrasts_table(const Evidence& evidence) {
                   {level + " interval"},
                   {"p"},
                   {evidence.blocks > 0 ? "ahead in blocks" : "A12"},
-                  {level + (evidence.blocks > 0 ? " interval of that" : " interval of A12")},
+                  {level + (evidence.blocks > 0 ? " interval of the share" : " interval of A12")},
                   {"size", Align::left},
                   {"Hedges g"},
                   {"p, Tukey"},
                   {"p, Games-Howell"},
                   {"p, paired t"},
                   {evidence.groups.size() == 2 ? (evidence.ranks_within_blocks() ? "p, Wilcoxon" : "p, Mann-Whitney")
-                   : evidence.ranks_within_blocks() ? "p, Friedman ranks"
+                   : evidence.ranks_within_blocks() ? "p, Friedman"
                                                     : "p, Dunn"},
                   {"p, Nemenyi"},
-                  {fmt::format("runs to see {}", percent(evidence.plan.margin))}}};
+                  {fmt::format("runs to detect {}", percent(evidence.plan.margin))}}};
   for (const Contrast& contrast : evidence.contrasts) {
     const double runs = contrast.runs_to_see_margin;
     table.rows.push_back(
@@ -190,17 +188,16 @@ Table contrasts_table(const Evidence& evidence) {
   }
   table.notes.push_back(family_note(evidence));
   if (!evidence.from_summaries) {
-    table.notes.push_back(evidence.blocks > 0 ? "Ahead in blocks: the share of blocks in which the first is better, "
-                                                "ties counted half; its interval is for "
-                                                "that pair alone, and none where there are ties."
-                                              : "A12: the chance that an observation of the first is better than one "
-                                                "of the second, ties counted half; its "
-                                                "interval is for that pair alone.");
+    table.notes.push_back(evidence.blocks > 0
+                              ? "Ahead in blocks: the share of blocks in which the first is better; ties count half. "
+                                "Its interval is not adjusted, and is not defined with ties."
+                              : "A12: the probability that an observation of the first is better than one of the "
+                                "second; ties count half. Its interval is not adjusted.");
   }
   if (evidence.reference) {
     table.notes.push_back(fmt::format(
-        "Shown are the pairs with {}{}.", evidence.groups[*evidence.reference].name,
-        evidence.plan.control.empty() ? ", the best; all pairs of so many groups are not shown" : ", the control"));
+        "The table shows the pairs with {}{}.", evidence.groups[*evidence.reference].name,
+        evidence.plan.control.empty() ? ", the best; there are too many groups to show all pairs" : ", the control"));
   }
   if (!evidence.flaw.empty()) table.notes.push_back("Flawed: " + evidence.flaw);
   return table;

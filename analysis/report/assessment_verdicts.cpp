@@ -21,14 +21,14 @@ namespace {
 std::string against(double mean, double other) {
   if (!std::isfinite(mean) || !std::isfinite(other)) {
     const auto words = [](double value) { return std::isfinite(value) ? number_words(value) : std::string("no mean"); };
-    return fmt::format("{} against {}", words(mean), words(other));
+    return fmt::format("{} vs {}", words(mean), words(other));
   }
   std::string one = number_words(mean), two = number_words(other);
   for (int digits = 4; one == two && digits <= 12; ++digits) {
     one = rounded_number(mean, digits);
     two = rounded_number(other, digits);
   }
-  return fmt::format("{} against {}", one, two);
+  return fmt::format("{} vs {}", one, two);
 }
 
 // What says that the other of a pair is better than the one for which the deciding test is.
@@ -56,7 +56,7 @@ std::string dissent_words(const Evidence& evidence, const Dissent& dissent) {
   if (dissent.median) measures.emplace_back("the median");
   if (dissent.share) measures.emplace_back(evidence.blocks > 0 ? "the share of blocks" : "A12");
   if (measures.empty()) return "";
-  return fmt::format("{} {} the other way", listed(measures), measures.size() == 1 ? "points" : "point");
+  return fmt::format("{} {} the other", listed(measures), measures.size() == 1 ? "favours" : "favour");
 }
 
 // ", by 0.1 to 0.5, though the median points the other way". An interval around a mean that does is left out.
@@ -68,7 +68,7 @@ std::string extent_words(const Evidence& evidence, const Contrast& contrast) {
     const double low = std::min(std::abs(contrast.difference.low), std::abs(contrast.difference.high));
     const double high = std::max(std::abs(contrast.difference.low), std::abs(contrast.difference.high));
     if (contrast.difference.low < 0 && contrast.difference.high > 0) {
-      doubts.emplace_back("the interval of the difference of means includes zero");
+      doubts.emplace_back("the interval of the difference between means includes zero");
     } else {
       text = number_words(low) == number_words(high)
                  ? fmt::format(", by {}", number_words(low))
@@ -76,7 +76,7 @@ std::string extent_words(const Evidence& evidence, const Contrast& contrast) {
     }
   }
   if (std::string words = dissent_words(evidence, found); !words.empty()) doubts.push_back(std::move(words));
-  return doubts.empty() ? text : fmt::format("{}, though {}", text, fmt::join(doubts, " and "));
+  return doubts.empty() ? text : fmt::format("{}, although {}", text, fmt::join(doubts, " and "));
 }
 
 // "IK-BA is better than DE: 0.00190 against 0.365, difference -0.363 (95 % interval ...), p = ..., A12 = 0.98"
@@ -87,7 +87,7 @@ std::string better_words(const Evidence& evidence, const Contrast& contrast) {
       fmt::format("{} is better than {}: {}", name_words(evidence, winner), name_words(evidence, loser),
                   against(evidence.groups[winner].described.mean, evidence.groups[loser].described.mean));
   text += extent_words(evidence, contrast);
-  if (contrast.within_margin) text += fmt::format(", which is less than {}", percent(evidence.plan.margin));
+  if (contrast.within_margin) text += fmt::format(", which is within the margin of {}", percent(evidence.plan.margin));
   if (std::isfinite(contrast.p)) text += ", " + p_words(contrast.p);
   if (std::isfinite(contrast.superiority.value)) {
     const double chance = first ? contrast.superiority.value : 1 - contrast.superiority.value;
@@ -103,11 +103,11 @@ std::string who_differs_words(const Evidence& evidence, const std::vector<std::s
                               const std::vector<std::string>& of_others) {
   const std::size_t pairs = evidence.contrasts.size(), differ = with_best.size() + of_others.size();
   const std::string best = name_words(evidence, evidence.reference.value_or(best_group(evidence)));
-  if (pairs == 1) return differ == 1 ? with_best.front() : "a difference is not shown";
+  if (pairs == 1) return differ == 1 ? with_best.front() : "no difference is shown";
   const std::string of = evidence.reference ? fmt::format("pairs with {}", best) : "pairs";
-  if (differ == 0) return fmt::format("none of the {} {} is shown to differ", pairs, of);
+  if (differ == 0) return fmt::format("no difference is shown in any of the {} {}", pairs, of);
   return fmt::format("{} of the {} {} {}. {}{}", differ, pairs, of, differ == 1 ? "differs" : "differ",
-                     with_best.empty() ? fmt::format("No pair with {} is among them: ", best) : "",
+                     with_best.empty() ? fmt::format("None of them includes {}: ", best) : "",
                      clauses(with_best.empty() ? of_others : with_best));
 }
 
@@ -123,7 +123,7 @@ Dispute dispute(const Evidence& evidence, double Contrast::*here, double Contras
     const double p = contrast.*here, other = contrast.*there;
     if (!std::isfinite(p) || !std::isfinite(other) || (p < alpha) == (other < alpha)) continue;
     (p < alpha ? result.only_here : result.only_there)
-        .push_back(fmt::format("{} ({} against {})", pair_words(evidence, contrast), p_words(p), p_words(other)));
+        .push_back(fmt::format("{} ({} vs {})", pair_words(evidence, contrast), p_words(p), p_words(other)));
   }
   return result;
 }
@@ -144,26 +144,25 @@ std::string together_or_apart(const Evidence& evidence) {
     return contrast.relation == Relation::first_better || contrast.relation == Relation::second_better;
   });
   if (all_differ == some_pair) return "";
-  return all_differ
-             ? fmt::format("All groups together differ ({}), and no pair by itself: which ones is not shown",
-                           p_words(together->p))
-             : fmt::format("Some pairs differ, and all groups together are not shown to ({})", p_words(together->p));
+  return all_differ ? fmt::format("The test of all groups finds a difference ({}), but no pair differs on its own",
+                                  p_words(together->p))
+                    : fmt::format("Some pairs differ, but the test of all groups shows no difference ({})",
+                                  p_words(together->p));
 }
 
 // What is known of two that are not told apart.
 std::string open_words(const Contrast& contrast) {
   if (contrast.p == 1 && contrast.difference.value == 0 && !std::isfinite(contrast.difference.low)) {
-    return "equal in all observations, but too few to call them the same";
+    return "all observations are equal, but there are too few to call the groups the same";
   }
   if (!std::isfinite(contrast.difference.low)) return p_words(contrast.p);
-  return fmt::format("{}; the difference is between {} and {}", p_words(contrast.p),
-                     number_words(contrast.difference.low), number_words(contrast.difference.high));
+  return fmt::format("{}; difference between {} and {}", p_words(contrast.p), number_words(contrast.difference.low),
+                     number_words(contrast.difference.high));
 }
 
 std::string rank_test_words(const Evidence& evidence) {
-  if (evidence.groups.size() == 2)
-    return evidence.ranks_within_blocks() ? "Wilcoxon's test" : "Mann and Whitney's test";
-  return evidence.ranks_within_blocks() ? "Friedman's test" : "Dunn's test";
+  if (evidence.groups.size() == 2) return evidence.ranks_within_blocks() ? "Wilcoxon" : "Mann-Whitney";
+  return evidence.ranks_within_blocks() ? "Friedman" : "Dunn";
 }
 
 }  // namespace
@@ -185,10 +184,10 @@ std::vector<std::string> who_differs(const Evidence& evidence) {
     }
   }
   std::vector<std::string> sentences;
-  sentences.push_back(fmt::format("Who differs: {}.", who_differs_words(evidence, with_best, of_others)));
+  sentences.push_back(fmt::format("Differences: {}.", who_differs_words(evidence, with_best, of_others)));
   if (!same.empty())
     sentences.push_back(fmt::format("The same within {}: {}.", percent(evidence.plan.margin), listed(same)));
-  if (!others_open.empty()) sentences.push_back(fmt::format("Not told apart: {}.", listed(others_open)));
+  if (!others_open.empty()) sentences.push_back(fmt::format("Undecided: {}.", listed(others_open)));
   if (!undefined.empty()) sentences.push_back(fmt::format("Not defined: {}.", listed(undefined)));
   return sentences;
 }
@@ -200,32 +199,31 @@ std::string disagreements(const Evidence& evidence) {
   });
   if (!comparable) return "";
   std::vector<std::string> parts;
-  const std::string ranks = fmt::format("{}, of ranks,", rank_test_words(evidence));
+  const std::string ranks = fmt::format("{} (ranks)", rank_test_words(evidence));
   Dispute pooled;
   if (evidence.ranks_within_blocks()) {
-    add_dispute(parts, dispute(evidence, &Contrast::p_paired, &Contrast::p_ranks),
-                "The paired t, of means within blocks,", ranks);
+    add_dispute(parts, dispute(evidence, &Contrast::p_paired, &Contrast::p_ranks), "The paired t-test within blocks",
+                ranks);
     add_dispute(parts, dispute(evidence, &Contrast::p_ranks, &Contrast::p_nemenyi),
-                fmt::format("{} with the planned correction", rank_test_words(evidence)), "Nemenyi's test");
+                fmt::format("{} with the planned correction", rank_test_words(evidence)), "Nemenyi");
   }
   if (!evidence.ranks_within_blocks() || !evidence.ranks_decide()) {
     pooled = dispute(evidence, &Contrast::p_pooled, &Contrast::p_unpooled);
-    add_dispute(parts, pooled, "Tukey, with one variance for all,", "Games-Howell, with each group's own,");
-    add_dispute(parts, dispute(evidence, &Contrast::p_unpooled, &Contrast::p_ranks), "Games-Howell, of means,", ranks);
+    add_dispute(parts, pooled, "Tukey (pooled variance)", "Games-Howell (separate variances)");
+    add_dispute(parts, dispute(evidence, &Contrast::p_unpooled, &Contrast::p_ranks), "Games-Howell (means)", ranks);
   }
   if (std::string words = together_or_apart(evidence); !words.empty()) parts.push_back(std::move(words));
-  if (parts.empty()) return "Where methods disagree: nowhere do they come to another verdict.";
+  if (parts.empty()) return "Where methods disagree: nowhere; all methods give the same verdicts.";
   std::string text = fmt::format("Where methods disagree: {}.", fmt::join(parts, ". "));
   const bool pooling = !pooled.only_here.empty() || !pooled.only_there.empty();
   if (pooling && pooling_misleads(evidence)) {
     const std::string least = name_words(evidence, evidence.least_variable);
     text += fmt::format(
-        " Tukey's one variance is dominated by {}, {}: where variances are so unequal, Games-Howell is the one of "
-        "the two to believe.",
+        " {} dominates Tukey's pooled variance: {}. With variances this unequal, trust Games-Howell rather than Tukey.",
         name_words(evidence, evidence.most_variable),
         std::isfinite(evidence.variance_ratio)
-            ? fmt::format("whose own is {} times that of {}", number_words(evidence.variance_ratio), least)
-            : fmt::format("while {} has none", least));
+            ? fmt::format("its variance is {} times that of {}", number_words(evidence.variance_ratio), least)
+            : fmt::format("{} has no variance", least));
   }
   return text;
 }
@@ -246,7 +244,7 @@ std::string in_short(const Evidence& evidence) {
     if (decided) {
       const bool wins = is_first == (contrast.relation == Relation::first_better);
       const std::string doubt = dissent_words(evidence, dissent(evidence, contrast));
-      (wins ? ahead : behind).push_back(doubt.empty() ? other : fmt::format("{} (though {})", other, doubt));
+      (wins ? ahead : behind).push_back(doubt.empty() ? other : fmt::format("{} (although {})", other, doubt));
       if (std::isfinite(contrast.p)) largest_p = std::max(largest_p, contrast.p);
     }
     if (contrast.relation == Relation::not_told_apart) open.push_back(other);
@@ -264,13 +262,14 @@ std::string in_short(const Evidence& evidence) {
                                 percent(evidence.plan.margin)));
   }
   if (!open.empty())
-    parts.push_back(fmt::format("{} is not told apart from {}", name_words(evidence, best), listed(open)));
+    parts.push_back(fmt::format("{} against {} is undecided", name_words(evidence, best), listed(open)));
   const Dispute pooled =
       evidence.blocks > 0 ? Dispute{} : dispute(evidence, &Contrast::p_pooled, &Contrast::p_unpooled);
   if (pooling_misleads(evidence) && !pooled.only_there.empty()) {
-    parts.push_back(fmt::format("one variance for all (ANOVA, Tukey) would hide {}", listed(pooled.only_there)));
+    parts.push_back(
+        fmt::format("a pooled-variance test would miss the difference between {}", listed(pooled.only_there)));
   }
-  if (parts.empty()) parts.push_back(fmt::format("no pair with {} could be judged", name_words(evidence, best)));
+  if (parts.empty()) parts.push_back(fmt::format("no pair with {} can be judged", name_words(evidence, best)));
   if (evidence.contrasts.size() > 1)
     parts.push_back(fmt::format("{} of {} pairs differ", differ, evidence.contrasts.size()));
   return fmt::format("{}{}.", fmt::join(parts, "; "),

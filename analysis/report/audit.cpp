@@ -11,7 +11,7 @@ std::string_view name_of(AuditVerdict verdict) {
 
 Table audit_table(const std::vector<AuditItem>& items) {
   Table table{.name = "audit",
-              .caption = "Audit: what the printed numbers say about each other",
+              .caption = "Audit: whether the printed numbers agree with each other",
               .columns = {{"id", Align::left},
                           {"where", Align::left},
                           {"printed", Align::left},

@@ -8,7 +8,7 @@
 namespace ikbench::report {
 
 std::string_view name_of(Verdict verdict) {
-  constexpr std::array<std::string_view, 4> names{"holds", "in part", "undecided", "fails"};
+  constexpr std::array<std::string_view, 4> names{"holds", "holds in part", "undecided", "fails"};
   return names[static_cast<std::size_t>(verdict)];
 }
 
@@ -32,7 +32,7 @@ std::string tally(const std::vector<Claim>& claims) {
   }
   const auto is_printed = [](const Claim& claim) { return claim.printed.has_value(); };
   if (const auto printed = std::ranges::count_if(claims, is_printed); printed > 0) {
-    text += fmt::format(". On the printed numbers {} of {} hold",
+    text += fmt::format(". By the printed numbers, {} of {} hold",
                         std::ranges::count(claims, Verdict::holds, &Claim::printed), printed);
   }
   return text + '.';

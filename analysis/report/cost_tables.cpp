@@ -108,16 +108,17 @@ void append(std::vector<Cell>& cells, const Successes& count, const Proportion& 
 
 std::string dependence_note(Trials trials) {
   if (trials == Trials::targets) {
-    return "Each solve starts at the initial configuration, and targets repeat: a target is one trial, of which the "
-           "share of its solves that come to the tolerance counts. The interval is Wilson's, at 95 %, of the mean of "
-           "those shares. There is no log-rank test: it would count every repetition.";
+    return "Each solve starts at the initial configuration, and targets repeat, so one trial is a target: the share of "
+           "its solves that reach the tolerance. The interval is the 95 % Wilson interval of the mean share. There is "
+           "no log-rank test, because it would count every repetition.";
   }
   if (trials == Trials::solves) {
-    return "Solves are independent: each starts at the initial configuration. The interval is Wilson's, at 95 %.";
+    return "Solves are independent: each starts at the initial configuration. The interval is the 95 % Wilson "
+           "interval.";
   }
-  return "The solves of a run depend on each other, as each starts where the last answer left the arm: no interval or "
-         "test counts solves as if they did not. Runs are independent: the interval is Wilson's, at 95 %, of the share "
-         "of complete runs in which every point comes to the tolerance.";
+  return "The solves of a run depend on each other, because each starts where the last answer left the arm. Therefore "
+         "no interval or test uses single solves. Runs are independent: the interval is the 95 % Wilson interval of "
+         "the share of complete runs in which every point reaches the tolerance.";
 }
 
 std::string log_rank_note(Trials trials, const Groups& groups) {
@@ -125,10 +126,10 @@ std::string log_rank_note(Trials trials, const Groups& groups) {
   Groups present;
   std::ranges::copy_if(groups, std::back_inserter(present), [](const auto& group) { return !group.empty(); });
   const LogRank test = log_rank(present);
-  if (!test.undefined.empty()) return fmt::format("Log-rank test of all solvers: not defined, {}.", test.undefined);
+  if (!test.undefined.empty()) return fmt::format("Log-rank test of all solvers: not defined ({}).", test.undefined);
   return fmt::format(
-      "Log-rank test that all solvers cost the same: chi-squared {}, df {}, p {}. It takes the solvers "
-      "for independent samples, and makes no use of their having been given the same targets.",
+      "Log-rank test of equal cost: chi-squared {}, df {}, p {}. It treats the solvers as independent samples and "
+      "ignores that they share targets.",
       rounded_number(test.chi_squared, 5), test.df, readable(PValue{test.p}));
 }
 
@@ -176,22 +177,21 @@ Table cost_table(const StudyResults& study, Cost cost) {
     const std::string& reason = time.undefined.empty() ? curves[i].undefined : time.undefined;
     if (!reason.empty()) undefined.push_back(fmt::format("{}: {}", study.solvers[i], reason));
   }
-  table.notes.push_back(fmt::format(
-      "A solve reaches the tolerance where the verifier's error is at most {} cm, inside the joint limits or "
-      "not. ert: what all solves spent, by the number of those that reached it. sp1: mean of what those "
-      "spent, by their share.",
-      tolerance));
-  table.notes.push_back(fmt::format(
-      "Of the Kaplan-Meier curve, which takes it that solves given up at what they spent would have gone on "
-      "as the others did: median, the first cost at which half have reached the tolerance, not defined "
-      "where they never do; restricted_mean, the mean up to {} {}, to which the curves of all solvers are "
-      "known.",
-      rounded_number(horizon, 6), unit));
+  table.notes.push_back(
+      fmt::format("A solve reaches the tolerance if the verifier's error is at most {} cm, inside the joint limits or "
+                  "not. ert: cost of all solves divided by the number of successful ones. sp1: mean cost of the "
+                  "successful solves divided by their share.",
+                  tolerance));
+  table.notes.push_back(
+      fmt::format("The Kaplan-Meier curve assumes that unsuccessful solves would have continued as the others did. "
+                  "median: the first cost at which half have reached the tolerance, not defined if they never do. "
+                  "restricted_mean: the mean up to {} {}, to which the curves of all solvers are known.",
+                  rounded_number(horizon, 6), unit));
   const auto diverged = std::ranges::count(study.solves, StopReason::not_finite, &SolveRecord::stop_reason);
   if (diverged > 0) {
     table.notes.push_back(
-        fmt::format("Solves that ended with an error that is not finite: {}. They would not have gone on; median and "
-                    "restricted_mean make their solvers look better than they are.",
+        fmt::format("Solves that ended with an error that is not finite: {}. They would not have continued, so median "
+                    "and restricted_mean flatter their solvers.",
                     diverged));
   }
   table.notes.push_back(dependence_note(trials));

@@ -127,11 +127,11 @@ std::string overtaken(const Side& side, const Enforced& enforced, const Measure&
   if (first == enforced.sides.end() || is_first(side)) return "";
   const Judgement found = judge(enforced.*measure.tested, first->solver, side.solver);
   if (!std::isfinite(found.p)) return "";
-  return fmt::format(" (that is {}, {}; {}, p = {})", first->solver,
+  return fmt::format(" ({} is now first, {}; {}, p = {})", first->solver,
                      found.answer == Answer::better  ? "which is better"
-                     : found.answer == Answer::worse ? "though by the test it is worse"
+                     : found.answer == Answer::worse ? "though the test finds it worse"
                      : found.answer == Answer::same  ? "which is the same within the margin"
-                                                     : "which may be chance",
+                                                     : "which is undecided",
                      found.test, rounded_number(found.p, 2));
 }
 
@@ -140,21 +140,21 @@ std::string placing_words(Placing of) { return fmt::format("{}{}", of.place, of.
 std::string move_words(const Side& free, const Enforced& all_enforced, const Measure& measure) {
   const Side& enforced = side_of(all_enforced.sides, free.solver);
   const Placing before = free.*measure.placing, after = enforced.*measure.placing;
-  if (before.place == 0 || after.place == 0) return fmt::format("in {} not in both rankings", measure.name);
-  const std::string where = fmt::format("in {} place {} -> {} of {}", measure.name, placing_words(before),
+  if (before.place == 0 || after.place == 0) return fmt::format("not ranked by {} in both studies", measure.name);
+  const std::string where = fmt::format("rank by {}: {} -> {} of {}", measure.name, placing_words(before),
                                         placing_words(after), all_enforced.sides.size());
   const auto is_first = [](Placing of) { return of.place == 1 && !of.shared; };
-  if (is_first(before) && is_first(after)) return where + ", still the first";
-  if (is_first(before)) return where + ", no longer the first" + overtaken(enforced, all_enforced, measure);
-  if (is_first(after)) return where + ", now the first";
-  return where + (before.place == after.place && before.shared == after.shared ? ", as before" : "");
+  if (is_first(before) && is_first(after)) return where + ", still ranked first";
+  if (is_first(before)) return where + ", no longer first" + overtaken(enforced, all_enforced, measure);
+  if (is_first(after)) return where + ", now ranked first";
+  return where + (before.place == after.place && before.shared == after.shared ? ", unchanged" : "");
 }
 
 std::string sentence(const Side& free, const Enforced& all_enforced) {
   const Side& enforced = side_of(all_enforced.sides, free.solver);
   return fmt::format(
-      "{}: position error {}, {} cm over the answers that are not refused; variation of such answers {}; answers "
-      "outside the limits {} of {} -> refused {} of {}; {}; {}.",
+      "{}: position error {}, {} cm for accepted answers; variation of accepted answers {}; answers outside the limits "
+      "{} of {} -> refused {} of {}; {}; {}.",
       free.solver, change(free.error_cm.mean, enforced.error_cm.mean, "cm"), short_number(enforced.accepted_error_cm),
       change(free.accepted_variation_deg, enforced.accepted_variation_deg, "deg"), free.counts.outside_limits,
       free.counts.solves, enforced.counts.of(Status::refused), enforced.counts.solves,
@@ -163,7 +163,7 @@ std::string sentence(const Side& free, const Enforced& all_enforced) {
 
 Table table_of(const StudyResults& free, const StudyResults& enforced, Unit unit) {
   Table table{.name = "limits",
-              .caption = "What is left where the joint limits are enforced",
+              .caption = "Results with enforced joint limits",
               .columns = {{"algorithm", Align::left},
                           {"study", Align::left},
                           {"limits", Align::left},
@@ -202,11 +202,10 @@ Table table_of(const StudyResults& free, const StudyResults& enforced, Unit unit
     table.notes.push_back(sentence(side, after));
   }
   table.notes.emplace_back(
-      "Both studies have the same targets. recorded: answers outside the joint limits are kept and counted; enforced: "
-      "they are refused. Places are by means, 1 the smallest, among the solvers of both studies.");
+      "Both studies have the same targets. recorded: answers outside the joint limits are kept and counted. enforced: "
+      "they are refused. Ranks order the means of the solvers that are in both studies; 1 is the smallest.");
   table.notes.emplace_back(
-      "A refused answer leaves the arm where it stood: a variation of 0 deg that no solver should gain by. So places "
-      "in "
+      "A refused answer leaves the arm where it was. Its variation of 0 deg should not help a solver, so the ranks in "
       "variation are by mean_accepted_variation_deg, over the answers that are not refused; mean_variation_deg is over "
       "all. The tests of variation compare the runs' means over such answers.");
   for (const StudyResults* const study : {&free, &enforced}) {

@@ -58,7 +58,7 @@ Table definition_table(const StudyEntry& entry) {
 Table options_table(const StudyEntry& entry) {
   Table table{
       .name = "options",
-      .caption = "Options of every solver",
+      .caption = "Options of the solvers",
       .columns = {
           {"solver", Align::left}, {"algorithm", Align::left}, {"option", Align::left}, {"value", Align::left}}};
   for (const Series& series : entry.series) {
@@ -74,7 +74,8 @@ Table plan_table(const StudyEntry& entry, const AnalysisPlan& used, std::vector<
               .notes = std::move(notes)};
   for (const PlanValue& value : values_of(used)) table.rows.push_back({value.field, value.text, value.meaning});
   if (const std::string given = changes_between(plan_of(entry), used); !given.empty()) {
-    table.notes.push_back(fmt::format("Given on the command line, after the data, and not by the study: {}.", given));
+    table.notes.push_back(
+        fmt::format("Set on the command line after the data were collected, not by the study: {}.", given));
   }
   return table;
 }
@@ -129,7 +130,7 @@ bool same_targets(const StudyResults& a, const StudyResults& b) {
 Table perspective_table(const std::vector<StudyResults>& studies, Unit unit) {
   const std::vector<Metric> metrics = reported_metrics();
   Table table{.name = "perspective",
-              .caption = "The study beside others with the same targets",
+              .caption = "Other studies with the same targets",
               .columns = {{"study", Align::left}, {"algorithm", Align::left}, {"observations"}, {"not_finite"}}};
   for (const Metric metric : metrics) {
     table.columns.push_back({fmt::format("mean_{}", name_of(metric))});

@@ -32,7 +32,7 @@ std::vector<std::string> failures_of(const std::vector<FigureOutcome>& outcomes)
     }
   }
   std::vector<std::string> warnings;
-  for (const auto& [error, names] : failures) warnings.push_back(fmt::format("not drawn: {}: {}", names, error));
+  for (const auto& [error, names] : failures) warnings.push_back(fmt::format("{} not drawn: {}", names, error));
   return warnings;
 }
 

@@ -117,8 +117,8 @@ std::string out_of_reach_warning(const StudyResults& study) {
   if (!is_count || !std::isfinite(all)) return "";  // nothing, or somebody's own
   const bool is_one = points == 1;
   return fmt::format(
-      "{} of the {} targets of a run {} out of the arm's reach ({}point {}: {} {} cm from the shoulder; the reach "
-      "is {} cm). No solver can reach {}, so errors there say nothing about the solvers.",
+      "{} of the {} targets of a run {} out of the arm's reach ({}point {}: {} {} cm from the shoulder; the reach is "
+      "{} cm). No solver can reach {}, so those errors say nothing about the solvers.",
       points, study.points, is_one ? "is" : "are", is_one ? "" : "the farthest is ", of("farthest_point"),
       definition.text("/search") == "wrist" ? "the wrist's centre would be" : "it is",
       rounded_number(of("farthest_cm"), 4), rounded_number(of("reach_cm"), 4), is_one ? "it" : "them");
@@ -131,13 +131,13 @@ std::vector<std::string> warnings_of(const StudyResults& study, const std::vecto
   if (!study.published.empty() && paper_of(study, papers).name.empty()) {
     std::vector<std::string> names;
     for (const Paper& paper : papers) names.push_back(paper.name);
-    warnings.push_back(fmt::format("no published tables of '{}' to compare with; there are: {}", study.published,
-                                   fmt::join(names, ", ")));
+    warnings.push_back(
+        fmt::format("no published tables of '{}'; known papers: {}", study.published, fmt::join(names, ", ")));
   }
   for (const SolverCounts& count : counts(study)) {
     if (count.solves >= count.expected) continue;
     warnings.push_back(
-        fmt::format("{}: {} of {} solves are there", one_line(count.solver), count.solves, count.expected));
+        fmt::format("{}: only {} of {} solves are stored", one_line(count.solver), count.solves, count.expected));
   }
   if (std::string note = timing_note(study); !note.empty()) warnings.push_back(std::move(note));
   for (const StudyResults& companion : companions) {
@@ -185,8 +185,8 @@ Report write_report(const Store& store, const ReportRequest& request) {
   std::ranges::copy(plan_changes(entry, sessions, study.solves), std::back_inserter(content.warnings));
   if (plan.test == DecidingTest::friedman && !blocked_observations(study, Metric::position_error_cm)) {
     content.warnings.push_back(
-        fmt::format("Friedman's test was planned and cannot be made; Welch's ANOVA with Games and "
-                    "Howell's test decides instead. {}",
+        fmt::format("The plan asks for Friedman's test, which needs blocks. Welch's ANOVA with the Games-Howell test "
+                    "decides instead. {}",
                     why_not_blocked(study)));
   }
   if (plan.unit == Unit::point) content.warnings.insert(content.warnings.begin(), capitalised(points_flaw) + '.');

@@ -11,9 +11,9 @@ namespace ikbench::report {
 namespace {
 
 const std::vector<SectionPlan>& circumstances() {
-  static const std::vector<SectionPlan> plans{{"What was run", "", {"definition", "options", "analysis-plan"}},
-                                              {"Where it was run", "", {"environment"}},
-                                              {"What became of every solve", "", {"status"}}};
+  static const std::vector<SectionPlan> plans{{"Study", "", {"definition", "options", "analysis-plan"}},
+                                              {"Environment", "", {"environment"}},
+                                              {"Outcome of every solve", "", {"status"}}};
   return plans;
 }
 
@@ -30,23 +30,20 @@ const std::vector<SectionPlan>& results() {
 }
 
 SectionPlan convergence() {
-  return {
-      "Convergence and cost",
-      "How the error falls with what is spent on it. Curves go over solves, and describe them: solves of one run "
-      "depend on each other where each starts from the answer before. Convergence and runtimes need the solves' traces, "
-      "trace = \"best_error\" in the study; costs and survival a tolerance.",
-      {"statistics-convergence", "statistics-ecdf-*", "statistics-profile-*", "statistics-survival-*",
-       "statistics-cost*"}};
+  return {"Convergence and cost",
+          "How the error falls with the cost. The curves describe single solves, which depend on each other where each "
+          "starts from the previous answer. Convergence and runtimes need traces, trace = \"best_error\" in the study. "
+          "Costs and survival need a tolerance.",
+          {"statistics-convergence", "statistics-ecdf-*", "statistics-profile-*", "statistics-survival-*",
+           "statistics-cost*"}};
 }
 
 const std::vector<SectionPlan>& last() {
   static const std::vector<SectionPlan> plans{
-      {"Audit of the printed numbers",
-       "What can be computed from the printed numbers alone, and whether they agree with each other.",
-       {"audit*"}},
-      {"Readings", "Where the paper leaves a choice: what each choice would have given.", {"readings*"}},
-      {"Joint limits", "The same study with every joint held inside its limits, the wrist's too.", {"limits"}},
-      {"Perspective", "", {"perspective"}}};
+      {"Audit of the printed numbers", "Whether the paper's printed numbers agree with each other.", {"audit*"}},
+      {"Interpretations of what the paper leaves open", "What each choice would have given.", {"readings*"}},
+      {"Joint limits", "The same study with all joint limits enforced, including the wrist's.", {"limits"}},
+      {"Baselines", "", {"perspective"}}};
   return plans;
 }
 

@@ -24,7 +24,8 @@ std::string markdown(const ReportFigure& piece) {
   const auto link = [&](std::string_view type) { return fmt::format("[{0}](figures/{1}.{0})", type, figure.name); };
   const std::string title = fmt::format("**{}**\n\n", markdown_text(title_of(figure.name)));
   if (!piece.drawn) {
-    return title + fmt::format("{} Not drawn; gnuplot draws it from {} and {}.\n\n", caption, link("gp"), link("dat"));
+    return title +
+           fmt::format("{} Not drawn. Gnuplot can draw it from {} and {}.\n\n", caption, link("gp"), link("dat"));
   }
   return title + fmt::format("![{0}](figures/{1}.png)\n\n{0} ({2}, {3}; {4}, {5})\n\n", caption, figure.name,
                              link("svg"), link("pdf"), link("gp"), link("dat"));
@@ -68,11 +69,11 @@ std::string to_markdown(const ReportContent& content) {
   text += markdown(content.claims) + "## Summary\n\n";
   text += bullets(content.summary);
   if (!content.command.empty()) {
-    text += fmt::format("To get these numbers again:\n\n    {}\n\n", one_line(content.command));
+    text += fmt::format("To repeat this:\n\n    {}\n\n", one_line(content.command));
   }
   text +=
-      "Every table is in `tables/` as Markdown, CSV (all digits) and LaTeX; every figure in `figures/` as SVG, PDF and "
-      "PNG, with the script and the data it is drawn from.\n\n";
+      "`tables/` has every table as Markdown, CSV (all digits) and LaTeX. `figures/` has every figure as SVG, PDF and "
+      "PNG, with its script and data.\n\n";
   return text + markdown(content.circumstances) + markdown(content.results);
 }
 

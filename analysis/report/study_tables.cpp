@@ -17,7 +17,7 @@ using namespace inference;
 namespace {
 
 std::string_view unit_note(Unit unit) {
-  return unit == Unit::run ? "One observation is one run's mean over its points."
+  return unit == Unit::run ? "One observation is the mean of a run over its points."
                            : "One observation is one point. Points of one run depend on each other, so p-values and "
                              "standard deviations claim more than the data say.";
 }
@@ -101,7 +101,7 @@ Table anova_table(const StudyResults& study, Metric metric, Unit unit) {
 
 Table status_table(const StudyResults& study) {
   Table table{.name = "status",
-              .caption = "What became of every solve, by the independent verifier",
+              .caption = "Outcome of every solve, checked by the independent verifier",
               .columns = {{"algorithm", Align::left}}};
   for (const std::string_view name : status_names) table.columns.push_back({std::string(name)});
   for (const char* name :
@@ -130,11 +130,11 @@ Table status_table(const StudyResults& study) {
   }
   table.notes = status_notes(study);
   table.notes.emplace_back(
-      "A solve counts under the first status that applies: not_finite, claimed_but_wrong, refused, "
-      "limit_violated, tolerance_missed, ok. So ok means: finite, as claimed, inside the joint limits, and within the "
-      "tolerance where the study has one. outside_limits counts every answer with a joint outside its limits, whatever "
-      "its status; worst_outside_deg is how far the worst of them is. timing_disturbed: run one by one, while other "
-      "programs were at work on the machine.");
+      "A solve has the first status that applies: not_finite, claimed_but_wrong, refused, limit_violated, "
+      "tolerance_missed, ok. So ok means finite, as claimed, inside the joint limits and within the tolerance, if the "
+      "study has one. outside_limits counts all answers with a joint outside its limits, whatever their status; "
+      "worst_outside_deg is the largest such violation. timing_disturbed: solved one by one, but while other programs "
+      "were running.");
   if (std::string note = timing_note(study); !note.empty()) table.notes.push_back(std::move(note));
   return table;
 }

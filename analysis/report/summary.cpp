@@ -21,14 +21,14 @@ namespace {
 
 std::string departures_sentence(const StudyResults& study) {
   if (study.departures.empty()) return "";
-  return fmt::format("This is not the paper's study as the program has it; it departs in: {}.",
+  return fmt::format("This study departs from the built-in study of the paper in: {}.",
                      fmt::join(study.departures, ", "));
 }
 
 std::string wrong_claims_sentence(const StudyResults& study) {
   int wrong = 0;
   for (const SolverCounts& count : counts(study)) wrong += count.of(Status::claimed_but_wrong);
-  return wrong == 0 ? "" : fmt::format("{} answers are not what their solver claimed.", wrong);
+  return wrong == 0 ? "" : fmt::format("{} answers do not have the error that their solver claimed.", wrong);
 }
 
 // Of a study without a paper.
@@ -78,18 +78,18 @@ std::string limits_sentence(const StudyResults& study) {
     worst = std::max(worst, count.worst_outside_deg);
   }
   if (outside == 0) return "Every answer is inside the joint limits.";
-  return fmt::format("{} of {} answers are outside the joint limits ({}), the worst joint by {} deg.", outside,
-                     study.solves.size(), list, rounded_number(worst, 3));
+  return fmt::format("{} of {} answers are outside the joint limits ({}); the worst joint is outside by {} deg.",
+                     outside, study.solves.size(), list, rounded_number(worst, 3));
 }
 
 std::string times_sentence(const StudyResults& study) {
   if (times_are_comparable(study)) return "";
-  return fmt::format("Computing time is neither ranked nor tested: {} (see the warnings).", times_not_judged);
+  return fmt::format("Computing times are not ranked or tested: {} (see the warnings).", times_not_judged);
 }
 
 std::vector<std::string> summary(const Reported& reported, const Paper& paper) {
   const StudyResults& study = reported.study;
-  if (study.solves.empty()) return {"Nothing of this study is solved yet."};
+  if (study.solves.empty()) return {"This study has no solves yet."};
   std::vector<std::string> sentences{departures_sentence(study)};
   for (std::string& sentence : paper.summary ? paper.summary(reported) : rankings(reported)) {
     sentences.push_back(std::move(sentence));
@@ -116,7 +116,7 @@ std::string perspective(const StudyResults& other, Unit unit) {
     list += fmt::format("{}{} {} cm, {} deg, {}{} evaluations", i == 0 ? "" : "; ", other.solvers[i], error[i],
                         variation[i], comparable ? seconds[i] + " s and " : "and ", evaluations[i]);
   }
-  return fmt::format("For perspective, means of the study {} on the same targets: {}{}.", other.name, list,
+  return fmt::format("Baselines: means of the study {} on the same targets: {}{}.", other.name, list,
                      comparable ? "" : fmt::format("; its {}", times_not_judged));
 }
 

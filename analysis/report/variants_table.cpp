@@ -81,7 +81,7 @@ std::string regressions(std::span<const VariantComparison> comparisons) {
 Table variants_table(std::span<const VariantComparison> comparisons, const MarginQuestion& question) {
   Table table{
       .name = "comparison",
-      .caption = fmt::format("B held against A, with a margin of {}", percent(question.margin)),
+      .caption = fmt::format("B compared with A, with a margin of {}", percent(question.margin)),
       .columns = {{"label", Align::left},
                   {"metric", Align::left},
                   {"B_is", Align::left},
@@ -103,13 +103,11 @@ Table variants_table(std::span<const VariantComparison> comparisons, const Margi
                   {"n_to_decide"},
                   {"remark", Align::left}},
       .notes = {fmt::format(
-          "low and high bound B_by_A with a confidence of {:g} %, which is that of two one-sided tests at {:g}. "
-          "p_worse "
-          "and p_better: that B is worse, better by more than the margin, corrected by Holm over the metrics of the "
-          "label; p_same: that it is within it; p_ranks: Wilcoxon's test of signed ranks where observations are "
-          "paired, "
-          "else Mann-Whitney's. a12, with an interval of the same confidence: the chance that any one observation of "
-          "B is better than any one of A, which makes no use of pairs.",
+          "B_by_A is the ratio of means. low and high are its {:g} % interval, as for two one-sided tests at {:g}. "
+          "p_worse and p_better test whether B is worse or better by more than the margin, with Holm's correction over "
+          "the metrics of a label; p_same tests whether it is within the margin. p_ranks: Wilcoxon signed-rank test "
+          "for paired observations, otherwise Mann-Whitney test. a12, with an interval of the same level: the "
+          "probability that an observation of B is better than one of A, ignoring pairs.",
           100 * (1 - 2 * question.significance), question.significance)}};
   for (const VariantComparison& comparison : comparisons) {
     for (const MetricComparison& metric : comparison.metrics) table.rows.push_back(row_of(comparison, metric));
@@ -150,9 +148,9 @@ std::string variants_verdict(std::span<const VariantComparison> comparisons, con
   };
   const std::string undecided = counted(Outcome::undecided), not_compared = counted(Outcome::not_compared);
   if (undecided.empty() && not_compared.empty()) {
-    return fmt::format("No regression beyond {}: none of {} metrics is worse by more.", margin, all);
+    return fmt::format("No regression beyond {}: none of {} metrics is worse by more than that.", margin, all);
   }
-  return fmt::format("No regression beyond {} is shown; {}{}{}.", margin, undecided,
+  return fmt::format("No regression beyond {} was found, but {}{}{}.", margin, undecided,
                      undecided.empty() || not_compared.empty() ? "" : ", ", not_compared);
 }
 

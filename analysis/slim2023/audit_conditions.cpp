@@ -40,7 +40,7 @@ AuditItems parameter_items(std::string_view paper) {
   items.push_back(
       {"3.6a", "Table 1 against Eq. 9: alpha", statements.text("alpha_words"),
        fmt::format("{}^{:.0f} = {}: A decreases", alpha, iterations, rounded_number(std::pow(alpha, iterations), 2)),
-       unless(alpha > 1, AuditVerdict::misprint), "A <- alpha A with alpha below 1 attenuates the loudness."});
+       unless(alpha > 1, AuditVerdict::misprint), "A <- alpha A with alpha below 1 reduces the loudness."});
   items.push_back(
       {"3.6b", "Table 1 against Eq. 10: gamma", statements.text("gamma_words"),
        fmt::format("1 - exp(-{} t) = {} at t = 10: r increases", gamma, rounded_number(1 - std::exp(-10 * gamma), 2)),
@@ -59,20 +59,20 @@ AuditItems condition_items(std::string_view paper) {
        fmt::format("{} agents", statements.text("population")),
        fmt::format("{} agents", statements.text("population_of_test")),
        unless(statements.number("population") == statements.number("population_of_test"), AuditVerdict::contradiction),
-       "Two sizes of the swarm are given for the test of Table 3."});
+       "The paper gives two swarm sizes for the test of Table 3."});
 
   const double solve = statements.number("population") * statements.number("iterations");
   const double factor = statements.number("k_abc_evaluations_a_source");
   const auto seconds = [&](std::string_view algorithm) {
     return printed_row(paper, algorithm, Metric::seconds).value().summary.mean;
   };
-  items.push_back(
-      {"3.8a", "Sec. 5.2: equal iterations", fmt::format("{} iterations for all", statements.text("iterations")),
-       fmt::format("evaluations: K-ABC {:.0f}, PSO {:.0f}", factor * solve, solve),
-       unless(factor == 1, AuditVerdict::contradiction),
-       fmt::format("Equal iterations are not equal effort: K-ABC evaluates sources and onlookers; its printed "
-                   "time is {:.1f} times PSO's.",
-                   seconds("K-ABC") / seconds("PSO"))});
+  items.push_back({"3.8a", "Sec. 5.2: equal iterations",
+                   fmt::format("{} iterations for all", statements.text("iterations")),
+                   fmt::format("evaluations: K-ABC {:.0f}, PSO {:.0f}", factor * solve, solve),
+                   unless(factor == 1, AuditVerdict::contradiction),
+                   fmt::format("Equal iterations do not mean equal effort: K-ABC evaluates sources and onlookers, and "
+                               "its printed time is {:.1f} times PSO's.",
+                               seconds("K-ABC") / seconds("PSO"))});
   const auto variation = [&](std::string_view algorithm) {
     return printed_row(paper, algorithm, Metric::variation_deg).value().summary.mean;
   };
@@ -82,12 +82,12 @@ AuditItems condition_items(std::string_view paper) {
       {"3.8b", fmt::format("{}: equal starts", statements.source("start_of_ik_ba")), statements.text("start_of_ik_ba"),
        fmt::format("variation of BA, DE, PSO, K-ABC at least {:.1f} times IK-BA's", least / variation("IK-BA")),
        AuditVerdict::contradiction,
-       "Those that start at random and do not know Theta_s cannot keep near it: the starts are not equal."});
+       "Solvers that start at random and do not know Theta_s cannot stay near it, so the starts are not equal."});
   items.push_back({"3.9", "Tables 3 and 6: computing time",
                    fmt::format("taken on {} machines", statements.text("machines")),
                    "only ratios on one machine can be compared",
                    unless(statements.number("machines") == 1, AuditVerdict::contradiction),
-                   "Table 6 tests the times as if one machine had taken them all."});
+                   "Table 6 tests the times as if they came from one machine."});
   return items;
 }
 

@@ -106,19 +106,20 @@ AuditItems circle_items(std::string_view paper) {
   AuditItems items;
   items.push_back({"3.4a", "Table 8 and its text: mean error [cm]", said, rounded_number(mean(errors), 4),
                    judged(said, mean(errors), slack, AuditVerdict::misprint),
-                   "The 20 printed errors do not have the mean that the text gives."});
+                   "The mean of the 20 printed errors is not the one in the text."});
   const auto point = static_cast<std::size_t>(std::ranges::max_element(errors) - errors.begin()) + 1;
   std::vector<double> mended = errors;
   mended[point - 1] /= 10;
-  items.push_back({"3.4b", fmt::format("Table 8 with {} at point {}", rounded_number(mended[point - 1], 3), point),
-                   said, rounded_number(mean(mended), 4), judged(said, mean(mended), slack, AuditVerdict::misprint),
-                   "With a tenth of the largest error the mean is that of the text: its exponent is the misprint."});
+  items.push_back(
+      {"3.4b", fmt::format("Table 8 with {} at point {}", rounded_number(mended[point - 1], 3), point), said,
+       rounded_number(mean(mended), 4), judged(said, mean(mended), slack, AuditVerdict::misprint),
+       "With a tenth of the largest error, the mean equals that in the text, so its exponent is misprinted."});
   items.push_back({"3.4c", "Table 8: angles of the circle",
                    fmt::format("{} angles to 0.1 deg", names.size() * table.rows.size()),
                    fmt::format("largest difference {} deg", rounded_number(farthest, 2)),
                    unless(farthest <= 0.05 * (1 + 1e-9), AuditVerdict::contradiction),
                    "All follow in closed form from links of 13.5, 14.7 and 6.1 cm and a shoulder 5.8 cm above the "
-                   "tool, which are fitted to these angles."});
+                   "tool, which we fitted to these angles."});
   return items;
 }
 
@@ -127,17 +128,18 @@ AuditItems geometry_items(std::string_view paper) {
   AuditItems items;
   const double down = -statements.number("tool_axis_z");
   items.push_back(
-      {"3.5a", "Eq. 27 against its text", statements.text("tool_words"),
+      {"3.5a", "Eq. 27 and its text", statements.text("tool_words"),
        fmt::format("third column ({}, {}, {}): {:.0f} deg from it", statements.text("tool_axis_x"),
                    statements.text("tool_axis_y"), statements.text("tool_axis_z"), std::acos(down) / degree),
        unless(std::abs(std::abs(down) - 1) < 1e-9, AuditVerdict::contradiction),
-       "The third column is the tool's axis; that of Eq. 27 is horizontal."});
+       "The third column is the axis of the tool; in Eq. 27 it is horizontal."});
 
   const double reach = statements.number("upper_arm_cm") + statements.number("forearm_cm");
   const auto reached = [&](const std::string& id, const std::string& starts, int step_deg,
                            const std::string& sentence) {
     const std::pair<double, Helix27> nearest = nearest_helix(statements, step_deg);
-    items.push_back({id, fmt::format("Eq. 27: the helix from {}", starts), "PSO's minimum is 0.0000: all are reached",
+    items.push_back({id, fmt::format("Eq. 27: the helix from {}", starts),
+                     "PSO's minimum is 0.0000: all points are reached",
                      fmt::format("wrist {:.2f} cm from the shoulder (start {} deg); reach {:.2f} cm", nearest.first,
                                  nearest.second.start_deg, reach),
                      unless(nearest.first <= reach, AuditVerdict::contradiction), sentence});
@@ -146,7 +148,7 @@ AuditItems geometry_items(std::string_view paper) {
           "With the lengths of the real arm, a helix that starts at 0, 90, 180 or 270 deg, either way round and with "
           "either spacing, has points out of reach.");
   reached("3.5c", "any whole degree", 1,
-          "A start that the paper does not give would just do: the reach alone does not refute Eq. 27.");
+          "A start angle that the paper does not give would just suffice, so reach alone does not refute Eq. 27.");
   items.push_back(
       {"3.5d", fmt::format("{} against {}", statements.source("offset_of_3T4"), statements.source("offset_of_joint_4")),
        statements.text("offset_of_3T4"), statements.text("offset_of_joint_4"),
@@ -158,7 +160,7 @@ AuditItems geometry_items(std::string_view paper) {
                    fmt::format("The LBR iiwa with a reach of {:.0f} mm is the 14 R820.", reach * 10)});
   items.push_back({"3.5f", statements.source("twist_axis"), "alpha turns about " + statements.text("twist_axis"),
                    "about x", unless(statements.text("twist_axis") == "x", AuditVerdict::misprint),
-                   "Turned about z by alpha as well as theta, all axes of the arm would be parallel."});
+                   "If alpha also rotated about z, all axes of the arm would be parallel."});
   return items;
 }
 

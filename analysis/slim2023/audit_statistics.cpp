@@ -90,7 +90,7 @@ PairTest test_of(std::string_view paper, std::string_view a, std::string_view b,
 std::string impossible(double mean, double median, double std, double max, double min, double n) {
   if (mean > max) return "the mean exceeds the maximum";
   if (mean < min) return "the mean is below the minimum";
-  if (median > max || median < min) return "the median is beyond the extremes";
+  if (median > max || median < min) return "the median is outside the extremes";
   // Popoviciu's inequality for the sample standard deviation.
   if (std > (max - min) / 2 * std::sqrt(n / (n - 1))) return "the standard deviation exceeds what the extremes allow";
   // The mean and the median are at most one standard deviation (divided by n) apart.
@@ -109,7 +109,7 @@ AuditItems anova_items(std::string_view paper) {
     const double F = anova_from_summaries(summaries(paper, metric)).F;
     items.push_back({lettered("3.1", i), fmt::format("{}: F of the {}", table_words(name), words), printed,
                      fmt::format("{:.4f}", F), judged(printed, F, slack_of_F(paper, metric)),
-                     "F follows from the means and standard deviations of Table 3 with 20 values a group."});
+                     "F follows from the means and standard deviations of Table 3 with 20 values per group."});
   }
   for (std::size_t i = 0; i < measured.size(); ++i) {
     const std::string& name = measured[i].anova;
@@ -127,8 +127,9 @@ AuditItems anova_items(std::string_view paper) {
   const CsvTable table = published::table(paper, "table-4");
   const std::string& df = table.rows[1][table.column("df")];
   const double follows = algorithms * statements.number("runs") - algorithms;
-  items.push_back({"3.1g", "Tables 4-6: degrees of freedom", df, fmt::format("{}", follows), judged(df, follows, 0),
-                   "One observation is one run's mean over its points: six algorithms of 20 runs."});
+  items.push_back(
+      {"3.1g", "Tables 4-6: degrees of freedom", df, fmt::format("{}", follows), judged(df, follows, 0),
+       "One observation is the mean of a run over its points; there are six algorithms with 20 runs each."});
   return items;
 }
 
@@ -143,9 +144,9 @@ AuditItems variance_items(std::string_view paper) {
     const bool unequal = f_upper_tail(ratio, most.n - 1, least.n - 1) * pairs < 0.05;
     items.push_back({lettered("3.2", i), fmt::format("{}: variances of the {}", table_words(name), words),
                      "one-way ANOVA, which assumes equal variances",
-                     fmt::format("largest by smallest {}", rounded_number(ratio, 3)),
+                     fmt::format("largest / smallest = {}", rounded_number(ratio, 3)),
                      unequal ? AuditVerdict::contradiction : AuditVerdict::consistent,
-                     "The F test of the two variances, times the number of pairs, has p < 0.05 where they differ."});
+                     "The variances differ if p of their F test, times the number of pairs, is below 0.05."});
   }
   for (std::size_t i = 0; i < measured.size(); ++i) {
     const auto& [metric, words, name] = measured[i];
@@ -155,7 +156,7 @@ AuditItems variance_items(std::string_view paper) {
                      fmt::format("F {}, p {}", table.rows[0][table.column("f")], table.rows[0][table.column("p")]),
                      fmt::format("Welch F {:.2f}, p {}", test.F, rounded_number(test.p, 3)),
                      test.p < 0.05 ? AuditVerdict::consistent : AuditVerdict::contradiction,
-                     "That not all means are the same stands without the assumption."});
+                     "Without this assumption, the means still differ."});
   }
 
   struct Pair {
@@ -172,7 +173,7 @@ AuditItems variance_items(std::string_view paper) {
     const bool below = unpooled < 0.05;
     std::string sentence = below ? fmt::format("Without equal variances {} is below {}", pair.a, pair.b)
                                  : fmt::format("The numbers do not show that {} is below {}", pair.a, pair.b);
-    if (below && pooled >= 0.05) sentence += "; with the one variance of the ANOVA it could not be told";
+    if (below && pooled >= 0.05) sentence += "; the pooled variance of the ANOVA would not show it";
     items.push_back({pair.id, fmt::format("Table 3: mean {} of {} and {}", words_for(pair.metric), pair.a, pair.b),
                      fmt::format("{} below {}", a, b),
                      fmt::format("p of all pairs: {} by Games-Howell, {} by Tukey", rounded_number(unpooled, 3),
@@ -196,28 +197,26 @@ AuditItems summary_items(std::string_view paper) {
                      fmt::format("mean {}, std {}, max {}", number("mean_ms"), number("std_ms"), number("max_ms")),
                      reason.empty() ? "possible" : reason,
                      reason.empty() ? AuditVerdict::consistent : AuditVerdict::misprint,
-                     "A sample's mean, median and spread have to fit its extremes."});
+                     "The mean, median and spread of a sample must fit its extremes."});
     if (reason.empty()) {
       per_bat.push_back({number("mean_ms") / bats, number("std_ms") / bats, static_cast<int>(n)});
       shown.push_back(fmt::format("{} bats {:.2f}", bats, number("mean_ms") / bats));
       continue;
     }
     const double most = (number("max_ms") - number("min_ms")) / 2 * std::sqrt(n / (n - 1));
-    items.back().sentence =
-        number("std_ms") > most
-            ? fmt::format(
-                  "No sample is such; its std {} exceeds the {:.1f} that the extremes allow too, so the maximum "
-                  "is what is wrong.",
-                  number("std_ms"), most)
-            : "No sample is such; which of the five numbers is wrong is not told.";
+    items.back().sentence = number("std_ms") > most
+                                ? fmt::format(
+                                      "No sample has these numbers. The std {} also exceeds the {:.1f} that the "
+                                      "extremes allow, so the maximum is wrong.",
+                                      number("std_ms"), most)
+                                : "No sample has these numbers. It is unknown which of the five is wrong.";
   }
   const double p = welch_anova(per_bat).p;
-  items.push_back(
-      {lettered("3.3", items.size()), "Table 7: time by bats, possible rows",
-       fmt::format("{} ms a bat", fmt::join(shown, ", ")),
-       fmt::format("{}: Welch p {}", p < 0.05 ? "not the same" : "cannot be told apart", rounded_number(p, 2)),
-       p < 0.05 ? AuditVerdict::contradiction : AuditVerdict::consistent,
-       "Welch's test of the mean time per bat. Not to be told apart is not to be the same: the times spread widely."});
+  items.push_back({lettered("3.3", items.size()), "Table 7: time by bats, possible rows",
+                   fmt::format("{} ms per bat", fmt::join(shown, ", ")),
+                   fmt::format("{}: Welch p {}", p < 0.05 ? "they differ" : "undecided", rounded_number(p, 2)),
+                   p < 0.05 ? AuditVerdict::contradiction : AuditVerdict::consistent,
+                   "Welch's test of the mean time per bat. Undecided does not mean equal: the times vary widely."});
 
   const CsvTable results = published::table(paper, "table-3");
   std::vector<std::string> wrong;
@@ -231,7 +230,7 @@ AuditItems summary_items(std::string_view paper) {
                    fmt::format("{} rows of five statistics", results.rows.size()),
                    wrong.empty() ? "all possible" : fmt::format("{}", fmt::join(wrong, "; ")),
                    wrong.empty() ? AuditVerdict::consistent : AuditVerdict::misprint,
-                   "A sample's mean, median and spread have to fit its extremes."});
+                   "The mean, median and spread of a sample must fit its extremes."});
   return items;
 }
 

@@ -85,15 +85,15 @@ std::string verdict(const std::vector<Row>& rows, std::size_t printed_points) {
   }
   const std::size_t printed = printed_points * compared_angles;
   std::string text = fmt::format(
-      "{} of the {} printed angles (theta4 = theta1 is not counted again) are within {} deg, the rounding of the "
-      "printed digits, of ours",
+      "{} of the {} printed angles (without theta4 = theta1) agree with ours within {} deg, the rounding of the "
+      "printed digits",
       within == printed ? "All" : fmt::to_string(within), printed, printed_rounding_deg);
   if (solved > 0) {
     text += std::isfinite(largest) ? fmt::format("; the largest difference is {} deg", rounded_number(largest, 2))
-                                   : "; not all of ours are finite";
+                                   : "; some of ours are not finite";
   }
-  if (!others.empty()) text += "; points with an angle that is not: " + others;
-  if (solved < printed_points) text += fmt::format("; points that are not solved: {}", printed_points - solved);
+  if (!others.empty()) text += "; points with an angle that does not agree: " + others;
+  if (solved < printed_points) text += fmt::format("; unsolved points: {}", printed_points - solved);
   return text + ".";
 }
 
@@ -102,13 +102,13 @@ std::string printed_errors_note(const std::vector<PrintedPosture>& printed) {
   std::vector<double> errors;
   for (const PrintedPosture& posture : printed) errors.push_back(posture.error_cm);
   const double printed_mean = mean(errors);
-  std::string text = fmt::format("The printed errors have the mean {} cm; the paper's text says {} cm.",
+  std::string text = fmt::format("The mean of the printed errors is {} cm; the paper's text says {} cm.",
                                  rounded_number(printed_mean, 3), printed_mean_error_cm);
   const auto largest = std::ranges::max_element(errors);
   const auto point = printed[static_cast<std::size_t>(largest - errors.begin())].point;
   const double as_printed = *largest;
   *largest /= 10;
-  return text + fmt::format(" With {} in place of {} cm at point {} it would be {} cm.", *largest, as_printed, point,
+  return text + fmt::format(" With {} instead of {} cm at point {} it would be {} cm.", *largest, as_printed, point,
                             rounded_number(mean(errors), 4));
 }
 
@@ -148,17 +148,16 @@ std::optional<Table> table_8(const StudyResults& study) {
   if (!rows.empty()) {
     const double our_mean = mean(errors);
     table.notes.push_back(std::isfinite(our_mean)
-                              ? fmt::format("Our errors have the mean {} cm.", rounded_number(our_mean, 3))
-                              : "Not all of our answers are finite: their errors have no mean.");
-    table.notes.push_back(fmt::format(
-        "Ours are the first run of {}. theta4 turns the tool about the vertical and moves it nowhere; where the arm of "
-        "the study has three joints it is taken equal to theta1, as it is in all of the printed rows.",
-        study.solvers.front()));
+                              ? fmt::format("The mean of our errors is {} cm.", rounded_number(our_mean, 3))
+                              : "Some of our answers are not finite, so their mean error is not defined.");
+    table.notes.push_back(
+        fmt::format("Our numbers are from the first run of {}. theta4 rotates the tool without moving its tip. If the "
+                    "arm of the study has three joints, we set theta4 to theta1, as in all printed rows.",
+                    study.solvers.front()));
   }
   table.notes.emplace_back(
-      "The paper does not print the arm's four lengths: they were fitted to the angles of this table. So agreement "
-      "tests "
-      "the closed form and the solver, not the geometry.");
+      "The paper does not print the four lengths of the arm, so we fitted them to the angles of this table. Agreement "
+      "therefore tests the closed form and the solver, but not the geometry.");
   table.notes.push_back(printed_errors_note(printed));
   for (std::string& note : status_notes(study)) table.notes.push_back(std::move(note));
   return table;

@@ -51,8 +51,8 @@ std::string largest_error(const StudyResults& study) {
     const double error = solve->position_error_cm;
     largest = std::isfinite(error) ? std::max(largest, error) : not_defined;
   }
-  return std::isfinite(largest) ? fmt::format(" The farthest is {} cm off.", rounded_number(largest, 2))
-                                : " Not all of its answers are finite.";
+  return std::isfinite(largest) ? fmt::format(" The largest error is {} cm.", rounded_number(largest, 2))
+                                : " Some of its answers are not finite.";
 }
 
 // Targets and where the arm came to, x, y, z [cm].
@@ -161,10 +161,11 @@ double order_of_rounding_cm(const StudyResults& study) {
 }  // namespace
 
 Figure circle_plane_figure(const StudyResults& study) {
-  Figure figure{.name = "figure-14",
-                .caption = fmt::format("The circle, its points (dots) and where {} came to in its first run (rings).{}",
-                                       shown_solver(study), largest_error(study)),
-                .height_cm = 8.2};
+  Figure figure{
+      .name = "figure-14",
+      .caption = fmt::format("Circle, its points (dots) and positions that {} reached in its first run (rings).{}",
+                             shown_solver(study), largest_error(study)),
+      .height_cm = 8.2};
   figure.data = points_data(study) + circle_data(study) + "\n\n# labels: x, y [cm], point\n";
   const auto solves = first_run(study, shown_solver(study));
   std::array<std::vector<double>, 2> drawn, targets;
@@ -211,11 +212,10 @@ Figure circle_space_figure(const StudyResults& study) {
   for (const auto& [point, corners] : drawn) shown.push_back(point);
   Figure figure{
       .name = "figure-15",
-      .caption = fmt::format("The circle in space, its points (dots) and where {} came to in its first run "
-                             "(rings){}.{}",
-                             shown_solver(study),
-                             shown.empty() ? "" : fmt::format(", with the arm at points {}", fmt::join(shown, ", ")),
-                             largest_error(study)),
+      .caption = fmt::format(
+          "Circle in space, its points (dots) and positions that {} reached in its first run (rings){}.{}",
+          shown_solver(study), shown.empty() ? "" : fmt::format(", with the arm at points {}", fmt::join(shown, ", ")),
+          largest_error(study)),
       .height_cm = 8.0};
   figure.data = points_data(study) + circle_data(study);
   std::array<std::vector<double>, 3> coordinates;
@@ -300,7 +300,7 @@ Figure circle_joints_figure(const StudyResults& study) {
                                   joint + 1, joint, labels.back()));
   }
   const std::size_t limited = std::min({joints, lower.size(), upper.size()});
-  if (limited > 0) figure.caption += " Dashed: the limits of each joint, in its colour.";
+  if (limited > 0) figure.caption += " Dashed: joint limits, in the colour of the joint.";
   for (std::size_t joint = 0; joint < limited; ++joint) {
     for (const double limit : {lower[joint], upper[joint]}) {
       if (!std::isfinite(limit)) continue;
@@ -372,10 +372,10 @@ Figure convergence_figure(const StudyResults& study) {
   const double rounding_cm = order_of_rounding_cm(study);
   Figure figure{
       .name = "figure-18",
-      .caption = fmt::format("Best position error [cm] after every iteration, mean over all solves; one that "
-                             "ended earlier keeps its last. Dashed: {} cm, the order of rounding (2^-52 of the "
-                             "farthest target's distance from the base).",
-                             rounded_number(rounding_cm, 2))};
+      .caption = fmt::format(
+          "Best position error [cm] after every iteration, mean over all solves; solves that stop early keep their "
+          "last error. Dashed: {} cm, the rounding level (2^-52 of the farthest target's distance from the base).",
+          rounded_number(rounding_cm, 2))};
   std::vector<double> all;
   if (rounding_cm > 0) all.push_back(rounding_cm);
   std::vector<std::string> clauses, labels;
@@ -397,9 +397,9 @@ Figure convergence_figure(const StudyResults& study) {
   figure.settings =
       axis.settings + fmt::format("set xlabel 'iteration'\nset xrange [0:{}]\n", std::max<std::size_t>(iterations, 2));
   if (rounding_cm > 0) {
-    labels.emplace_back("order of rounding");
+    labels.emplace_back("rounding level");
     clauses.push_back(
-        fmt::format("{} with lines lw 0.9 dt 2 lc rgb '#777777' title 'order of rounding'", text_of(rounding_cm)));
+        fmt::format("{} with lines lw 0.9 dt 2 lc rgb '#777777' title 'rounding level'", text_of(rounding_cm)));
   }
   add_legend(figure, labels);
   figure.plot = plot_command(clauses);

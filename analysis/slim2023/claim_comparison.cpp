@@ -60,9 +60,9 @@ std::string at_most(double p) {
 std::string how_tested(const Evidence& here, const Evidence& printed) {
   const std::string_view test = pair_test_words(here), other = pair_test_words(printed);
   if (here.plan.unit == Unit::point)
-    return fmt::format(" Points of one run depend on each other: no test here; printed, p by {}.", other);
-  const std::string of_printed = test == other ? "" : fmt::format("; printed, by {}", other);
-  return fmt::format(" p by {}, for all pairs together, here over run means{}.", test, of_printed);
+    return fmt::format(" No test here, because points of one run depend on each other; printed p-values: {}.", other);
+  const std::string of_printed = test == other ? "" : fmt::format("; printed: {}", other);
+  return fmt::format(" p-values: {} on run means, adjusted for all pairs{}.", test, of_printed);
 }
 
 }  // namespace ikbench::slim2023

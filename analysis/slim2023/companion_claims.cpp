@@ -41,19 +41,18 @@ std::optional<Claim> real_time(const StudyResults& study) {
   if (row == rows.end() || row->solves == 0) return std::nullopt;
   const bool comparable = times_are_comparable(study);
   const std::string here =
-      comparable ? fmt::format(
-                       "This program on the machine of the run, not MATLAB: {} of {} targets within {} cm in "
-                       "less than {} ms; mean {} ms, the slowest {} ms.",
-                       row->in_time, row->solves, tolerance_cm(study), real_time_ms, short_number(row->time_ms.mean),
-                       short_number(row->time_ms.max))
-                 : fmt::format("Not judged: {} (see the warnings).", times_not_judged);
+      comparable
+          ? fmt::format("Here, in C++: {} of {} targets reach {} cm in less than {} ms; mean {} ms, slowest {} ms.",
+                        row->in_time, row->solves, tolerance_cm(study), real_time_ms, short_number(row->time_ms.mean),
+                        short_number(row->time_ms.max))
+          : fmt::format("Not judged, because {} (see the warnings).", times_not_judged);
   return Claim{
       .statement = fmt::format("With {} bats IK-BA answers in real time", printed.bats),
       .verdict = !comparable                        ? Verdict::undecided
                  : row->in_time == row->solves      ? Verdict::holds
                  : row->time_ms.max >= real_time_ms ? Verdict::fails
                                                     : Verdict::in_part,
-      .evidence = fmt::format("{} Printed, of MATLAB on another machine, {}.", here, printed_real_time(printed)),
+      .evidence = fmt::format("{} Printed, in MATLAB on another machine: {}.", here, printed_real_time(printed)),
       .table = "table-7",
       .printed = printed.max_ms < real_time_ms    ? Verdict::holds
                  : printed.mean_ms < real_time_ms ? Verdict::in_part
@@ -78,10 +77,10 @@ std::optional<Claim> circle(const StudyResults& study) {
   if (ours.empty()) return std::nullopt;
   const double rounding = step * farthest_cm;
   const auto verdict_of = [&](double error) { return error <= order * rounding ? Verdict::holds : Verdict::fails; };
-  return Claim{.statement = "IK-BA leads the Dobot Magician along a circle to rounding error",
+  return Claim{.statement = "IK-BA moves the Dobot Magician along a circle with an error at rounding level",
                .verdict = verdict_of(mean(ours)),
-               .evidence = fmt::format("Mean error {} cm over {} points; printed {} cm. Rounding is {} cm (2^-52 of "
-                                       "{} cm, the farthest target); up to {} times that counts as rounding.",
+               .evidence = fmt::format("Mean error {} cm over {} points; printed {} cm. Rounding level: {} cm (2^-52 "
+                                       "of {} cm, the farthest target) times at most {}.",
                                        short_number(mean(ours)), ours.size(), short_number(mean(printed)),
                                        short_number(rounding), short_number(farthest_cm), order),
                .table = "table-8",
@@ -115,7 +114,7 @@ std::optional<Claim> accurate_inside_limits(const StudyResults& study, const Stu
   const Evidence found = evidence_of(limits, Metric::position_error_cm, unit);
   for (const std::string& other : others) weaken(here, smaller(judge(found, time_reference, other)));
   return Claim{
-      .statement = fmt::format("With the joint limits enforced {} stays the most accurate", time_reference),
+      .statement = fmt::format("With enforced joint limits, {} is still the most accurate", time_reference),
       .verdict = here.verdict,
       .evidence = fmt::format("Mean position error {} cm ({} cm without); {} comes to {} cm, {} times as much{}.{} "
                               "Refused answers: {}.",
@@ -146,7 +145,7 @@ std::optional<Claim> better_than_classical(const StudyResults& study, const Stud
     }
     if (here.verdict == Verdict::holds) ++better;
     if (here.verdict == Verdict::fails) ++worse;
-    list += fmt::format("{}{} against {} {}{}", list.empty() ? "" : ", ", short_number(ours->mean),
+    list += fmt::format("{}{} vs {} {}{}", list.empty() ? "" : ", ", short_number(ours->mean),
                         short_number(other->mean), words[i], in_brackets(here.p));
   }
   return Claim{.statement = fmt::format("{} is better than a classical solver (damped least squares)", time_reference),
@@ -154,8 +153,8 @@ std::optional<Claim> better_than_classical(const StudyResults& study, const Stud
                           : better > 0                               ? Verdict::in_part
                           : worse > 0                                ? Verdict::fails
                                                                      : Verdict::undecided,
-               .evidence = fmt::format("{} against {}, a point: {}.{}", time_reference, classical, list,
-                                       test.empty() ? "" : fmt::format(" p by {} over run means.", test)),
+               .evidence = fmt::format("{} against {}, per point: {}.{}", time_reference, classical, list,
+                                       test.empty() ? "" : fmt::format(" p-values: {} on run means.", test)),
                .table = "perspective"};
 }
 

@@ -76,7 +76,7 @@ ReportPlan sections() {
                        {"figure-10", "figure-11", "figure-12", "table-4", "table-5", "table-6",
                         "anova-from-printed-table-3"}}},
           .further = {{"Computing time",
-                       "The paper's test for real time: how long a swarm of a given size takes to come within 0.1 cm.",
+                       "The paper's real-time test: how long a swarm of a given size takes to reach 0.1 cm.",
                        {"table-7"}},
                       {"Circle",
                        "The paper's second arm, a Dobot Magician, on a circle.",

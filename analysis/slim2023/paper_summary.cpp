@@ -72,15 +72,15 @@ std::string variation_sentence(const StudyResults& study, const std::vector<Comp
         fmt::format("{}{} ({:.0f} %)", list.empty() ? "" : ", ", standing.solver, 100 * reference.mean / other.mean);
   }
   std::string text;
-  if (!less.empty()) text += " Here it is less than that of " + less + ".";
+  if (!less.empty()) text += " Here it is smaller than that of " + less + ".";
   if (!alike.empty()) {
-    text += fmt::format(" Here it cannot be told apart from that of {} ({}, p >= {}).", alike, pair_test_words(found),
+    text += fmt::format(" Against {} it is undecided ({}, p >= {}).", alike, pair_test_words(found),
                         rounded_number(study.plan.significance, 3));
   }
-  if (!more.empty()) text += " Here it is not less than that of " + more + ".";
+  if (!more.empty()) text += " Here it is not smaller than that of " + more + ".";
   if (text.empty()) return "";
   return fmt::format(
-      "The paper prints a smaller angles variation for {} than for the others.{} (In brackets: {}'s in "
+      "The paper prints a smaller angles variation for {} than for the others.{} (In brackets: the variation of {} in "
       "percent of the other's.)",
       time_reference, text, time_reference);
 }
@@ -98,10 +98,10 @@ std::string anova_sentence(const StudyResults& study, Metric metric, Unit unit) 
                         ours.table.p < 1e-300 ? "< 1e-300" : "= " + rounded_number(ours.table.p, 3),
                         differ ? "differ" : "are not shown to differ");
     if (printed) {
-      text += is_significant(printed->p, study.plan) == differ ? ", as in the paper" : ", other than in the paper";
+      text += is_significant(printed->p, study.plan) == differ ? ", as in the paper" : ", unlike in the paper";
     }
   }
-  if (unit == Unit::point) text += "; but the points of one run depend on each other, so this p is no evidence";
+  if (unit == Unit::point) text += "; but this p is no evidence, because the points of one run depend on each other";
   for (const std::string& sentence : ours.left_out) text += ". " + sentence.substr(0, sentence.size() - 1);
   return text + ".";
 }
@@ -126,7 +126,7 @@ std::vector<std::string> number_sentences(const std::vector<Comparison>& rows) {
   for (const Agreement agreement : {Agreement::agrees, Agreement::close, Agreement::differs}) {
     add(name_of(agreement), [&](const Comparison& row) { return row.agreement == agreement && !rests_on_spread(row); });
   }
-  add("agrees, for its spread only", rests_on_spread);
+  add("agrees only because of its spread", rests_on_spread);
   return sentences;
 }
 

@@ -69,10 +69,10 @@ Cell verdict(const Comparison& row) {
   if (!std::isfinite(row.paper_mean)) return {};
   if (row.metric != Metric::seconds) {
     if (row.agreement == Agreement::none) return text("not defined");
-    return rests_on_spread(row) ? "agrees, for its spread only" : text(name_of(row.agreement));
+    return rests_on_spread(row) ? "agrees only because of its spread" : text(name_of(row.agreement));
   }
   if (row.agreement == Agreement::not_comparable) return text(name_of(row.agreement));
-  if (row.agreement == Agreement::none) return fmt::format("no time of {} to relate to", time_reference);
+  if (row.agreement == Agreement::none) return fmt::format("no time of {} to compare with", time_reference);
   if (row.solver == time_reference) return text("relative only: the reference");
   return fmt::format("relative only: {}", name_of(row.agreement));
 }
@@ -144,13 +144,12 @@ Table table_3(const StudyResults& study, Unit unit) {
   }
   if (printed_table_3(study, Metric::position_error_cm).empty()) return table;
   std::string note = fmt::format(
-      "Verdict: agrees, {} of our mean against the printed one has p >= {} (for its spread only: their "
-      "ratio is nevertheless not within 0.5 to 2); close, their ratio is within 0.5 to 2; differs otherwise. "
-      "Computing time is compared relative to {} only: (t / t_{}) ours by (t / t_{}) "
-      "printed.",
+      "Verdict: agrees if {} of our mean against the printed one has p >= {} (only because of its spread if the "
+      "ratio is outside 0.5 to 2); close if the ratio is within 0.5 to 2; otherwise differs. "
+      "Computing times are compared relative to {}: our t / t_{} divided by the printed t / t_{}.",
       study.plan.test == DecidingTest::anova ? "Student's test" : "Welch's test",
       rounded_number(study.plan.significance, 3), time_reference, time_reference, time_reference);
-  if (unit == Unit::point) note += " Where points are the observations, verdicts go by the ratio alone.";
+  if (unit == Unit::point) note += " With points as observations, verdicts use the ratio only.";
   table.notes.insert(table.notes.end() - (timing_note(study).empty() ? 0 : 1), std::move(note));
   return table;
 }
@@ -197,8 +196,8 @@ Table anova_from_printed_table_3(std::string_view paper) {
   }
   table.columns.push_back({"p_of_paper_F"});
   table.notes.emplace_back(
-      "No solve enters this table: it checks the printed tables against each other. Differences are those of the "
-      "printed numbers' rounding. p_of_paper_F is the upper tail of the F distribution at the printed F.");
+      "This table uses printed numbers only and checks them against each other. The differences come from rounding in "
+      "the printed numbers. p_of_paper_F is the upper tail of the F distribution at the printed F.");
   return table;
 }
 

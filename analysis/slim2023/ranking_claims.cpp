@@ -45,7 +45,7 @@ struct Held {
 };
 Held held_against_printed(const StudyResults& study, const std::vector<Pair>& pairs, const Ranked& what) {
   if (what.metric == Metric::seconds && !times_are_comparable(study))
-    return {.evidence = fmt::format("Here: not ranked, {} (see the warnings).", times_not_judged)};
+    return {.evidence = fmt::format("Here: not ranked, because {} (see the warnings).", times_not_judged)};
   const std::vector<Standing> ours = standings(pairs, our_mean), printed = standings(pairs, printed_mean);
   const PairOrder order = compare_pairs(printed, ours);
   const bool same_first = first_of(ours) == first_of(printed);
@@ -76,16 +76,16 @@ std::optional<Claim> ranking(const StudyResults& study, const std::vector<Compar
   }
   const Smaller first_two = smaller(judge(tested, printed[0].solver, printed[1].solver));
   const Held here = held_against_printed(study, printed, what);
-  return Claim{
-      .statement = fmt::format("{}: {}", what.name, order_words(standings(printed, printed_mean))),
-      .verdict = here.verdict,
-      .evidence = fmt::format("{} Printed: {} of {} pairs differ by {}, {} and {} {}{}.", here.evidence, differ, all,
-                              pair_test_words(tested), printed[0].solver, printed[1].solver,
-                              first_two.verdict == Verdict::holds ? "among them" : "do not", in_brackets(first_two.p)),
-      .table = "table-3",
-      .printed = differ == all                         ? Verdict::holds
-                 : first_two.verdict == Verdict::holds ? Verdict::in_part
-                                                       : Verdict::undecided};
+  return Claim{.statement = fmt::format("{}: {}", what.name, order_words(standings(printed, printed_mean))),
+               .verdict = here.verdict,
+               .evidence = fmt::format("{} Printed: {} of {} pairs differ by {}; {} and {} {}{}.", here.evidence,
+                                       differ, all, pair_test_words(tested), printed[0].solver, printed[1].solver,
+                                       first_two.verdict == Verdict::holds ? "differ" : "do not differ significantly",
+                                       in_brackets(first_two.p)),
+               .table = "table-3",
+               .printed = differ == all                         ? Verdict::holds
+                          : first_two.verdict == Verdict::holds ? Verdict::in_part
+                                                                : Verdict::undecided};
 }
 
 }  // namespace
@@ -96,7 +96,7 @@ std::optional<Claim> accuracy(const StudyResults& study, const std::vector<Compa
 
 std::optional<Claim> computing_time(const StudyResults& study, const std::vector<Comparison>& rows) {
   std::optional<Claim> claim = ranking(study, rows, {Metric::seconds, "Computing time", "s"});
-  if (claim) claim->evidence += " The implementation decides it: the paper timed MATLAB, here it is C++.";
+  if (claim) claim->evidence += " Times depend on the implementation: MATLAB there, C++ here.";
   return claim;
 }
 

@@ -108,31 +108,32 @@ std::vector<std::string> nearest(std::span<const ReadingResults> readings, const
         if (off(r) < off(best)) best = r;
       }
       const bool is_nearer = off(0) - off(best) > usual.highest - usual.lowest;
-      sentences.push_back(
-          fmt::format("The printed {} of {}: the default {:+.3f} (seeds from {:+.3f} to {:+.3f}); {}.", words[m],
-                      readings.front().solvers[s].label, usual.log_ratio, usual.lowest, usual.highest,
-                      is_nearer ? fmt::format("nearest {} ({:+.3f})", readings[best].name, scores[best][m][s].log_ratio)
-                                : "no reading is nearer by more than seeds differ"));
+      sentences.push_back(fmt::format(
+          "Printed {} of {}: default {:+.3f} (seeds from {:+.3f} to {:+.3f}); {}.", words[m],
+          readings.front().solvers[s].label, usual.log_ratio, usual.lowest, usual.highest,
+          is_nearer ? fmt::format("closest: {} ({:+.3f})", readings[best].name, scores[best][m][s].log_ratio)
+                    : "no interpretation is closer than the variation between seeds"));
     }
   }
   return sentences;
 }
 
 Table table_of(std::span<const ReadingResults> readings, const Scores& scores) {
-  Table table{.name = "readings",
-              .caption = "Readings: what each moves, and how far from the printed Table 3",
-              .columns = {{"reading", Align::left},
-                          {"notes", Align::left},
-                          {"out_of_reach"},
-                          {"algorithm", Align::left},
-                          {"error_cm"},
-                          {"error_log_ratio"},
-                          {"error_moved"},
-                          {"error_fits", Align::left},
-                          {"variation_deg"},
-                          {"variation_log_ratio"},
-                          {"variation_moved"},
-                          {"variation_fits", Align::left}}};
+  Table table{
+      .name = "readings",
+      .caption = "Interpretations of what the paper leaves open: what each changes, compared with the printed Table 3",
+      .columns = {{"reading", Align::left},
+                  {"notes", Align::left},
+                  {"out_of_reach"},
+                  {"algorithm", Align::left},
+                  {"error_cm"},
+                  {"error_log_ratio"},
+                  {"error_moved"},
+                  {"error_fits", Align::left},
+                  {"variation_deg"},
+                  {"variation_log_ratio"},
+                  {"variation_moved"},
+                  {"variation_fits", Align::left}}};
   const std::size_t seeds = readings.front().solvers.front().error_cm.size();
   const auto rounded = [](double value) -> Cell {
     return std::isfinite(value) ? std::round(value * 1000) / 1000 + 0.0 : value;
@@ -161,19 +162,19 @@ Table table_of(std::span<const ReadingResults> readings, const Scores& scores) {
     }
   }
 
-  table.notes.push_back(fmt::format(
-      "Means over seeds 1 to {}. log_ratio: log10 of our mean by the printed one, 0 where they are equal, 0.3 where "
-      "ours is twice as large; in the rows of all algorithms the root mean square over them. moved: by how much the "
-      "reading changes it. Algorithms without a row have the numbers of the default, bit for bit. out_of_reach: how "
-      "many targets no configuration reaches.",
-      seeds));
+  table.notes.push_back(
+      fmt::format("Means over seeds 1 to {}. log_ratio: log10 of our mean divided by the printed mean; 0 means equal, "
+                  "0.3 means twice as large. Rows for all algorithms have the root mean square. moved: change of "
+                  "log_ratio against the default. Algorithms without a row equal the default bit for bit. "
+                  "out_of_reach: number of targets that no configuration reaches.",
+                  seeds));
   if (seeds == 1) {
-    table.notes.push_back("One seed shows no spread: neither fits nor what is nearest can be told from it.");
+    table.notes.push_back("One seed shows no variation, so fits and the closest interpretation are not defined.");
   } else {
-    table.notes.push_back(fmt::format(
-        "fits: which of the printed median, standard deviation, maximum and minimum lie between the smallest and the "
-        "largest of ours over the seeds. Of a reading that is the paper's, each would in {} % of cases.",
-        100 * (seeds - 1) / (seeds + 1)));
+    table.notes.push_back(
+        fmt::format("fits: which of the printed median, standard deviation, maximum and minimum lie within our range "
+                    "over the seeds. If an interpretation is the paper's, each does so with a probability of {} %.",
+                    100 * (seeds - 1) / (seeds + 1)));
     for (std::string& sentence : nearest(readings, scores)) table.notes.push_back(std::move(sentence));
   }
   for (const ReadingResults& reading : readings) {
@@ -225,9 +226,9 @@ Figure figure_of(std::span<const ReadingResults> readings, const Scores& scores)
   constexpr std::size_t longest_reading = 60;
   Figure figure{.name = "readings",
                 .caption =
-                    "Readings: our mean by the printed one of Table 3, left of the position error, right of the "
-                    "angles variation. Dots: the algorithms that a reading moves, bars from the smallest to the "
-                    "largest seed. Coloured lines: the default. Black: as printed.",
+                    "Interpretations: our mean divided by the printed mean of Table 3, position error (left) and "
+                    "angles variation (right). Dots: the algorithms that an interpretation changes, with the range "
+                    "over the seeds. Coloured lines: the default. Black: as printed.",
                 .width_cm = 17,
                 .height_cm = 3.2 + row_cm * static_cast<double>(readings.size())};
   const std::array<Panel, 2> panels{panel_of(scores, 0, 0, 1), panel_of(scores, 1, 1.08, 0.72)};
@@ -241,8 +242,8 @@ Figure figure_of(std::span<const ReadingResults> readings, const Scores& scores)
                                  text_of(-static_cast<double>(r))));
   }
   figure.settings = fmt::format(
-      "set xrange [0:{}]\nset yrange [{}:0.6]\nset xtics ({}, {})\nset ytics noenhanced font ',7' ({})\n"
-      "set xlabel 'ours by printed'\nset tmargin 1.6\nset bars 0.4\nset key maxcols 6\n",
+      "set xrange [0:{}]\nset yrange [{}:0.6]\nset xtics ({}, {})\nset ytics noenhanced font ',7' ({})\nset xlabel "
+      "'ours / printed'\nset tmargin 1.6\nset bars 0.4\nset key maxcols 6\n",
       text_of(panels[1].left + panels[1].width), text_of(-rows + 0.4), ticks_of(panels[0]), ticks_of(panels[1]),
       fmt::join(labels, ", "));
   const auto line = [&](double x, std::string_view style) {
@@ -297,7 +298,7 @@ Figure figure_of(std::span<const ReadingResults> readings, const Scores& scores)
 
 ReadingsReport readings_report(std::string_view paper, std::span<const ReadingResults> readings) {
   if (readings.empty() || readings.front().solvers.empty() || readings.front().solvers.front().error_cm.empty()) {
-    throw std::invalid_argument("no reading to report; expected the default first");
+    throw std::invalid_argument("no interpretation to report; expected the default first");
   }
   const Scores scores = scores_of(paper, readings);
   return {.table = table_of(readings, scores), .figure = figure_of(readings, scores)};

@@ -38,7 +38,7 @@ Claim moves_less(const Pair& reference, const Others& of) {
   }
   return {.statement = fmt::format("{} moves the joints less than {}", reference.solver, of.words),
           .verdict = here,
-          .evidence = fmt::format("{} moves the joints by {} deg a point{}. Printed: {} {}{}.{}", reference.solver,
+          .evidence = fmt::format("{} moves the joints by {} deg per point{}. Printed: {} {}{}.{}", reference.solver,
                                   short_number(reference.ours.mean), our_list, reference.solver,
                                   short_number(reference.printed.mean), printed_list, how_tested(of.here, of.printed)),
           .table = "table-3",
@@ -68,13 +68,13 @@ std::optional<Claim> solvers_differ(const StudyResults& study, Unit unit) {
     if (!is_significant(printed->p, study.plan)) ++printed_alike;
     list += fmt::format("{}{} ", list.empty() ? "" : "; ", name_of(metric));
     if (metric == Metric::seconds && !times_are_comparable(study)) {
-      list += fmt::format("not tested, {} (see the warnings)", times_not_judged);
+      list += fmt::format("not tested, because {} (see the warnings)", times_not_judged);
       continue;
     }
     const AnovaTable table = anova(study, metric, unit).table;
     if (!std::isfinite(table.p)) return std::nullopt;
     ++(is_significant(table.p, study.plan) ? differ : alike);
-    list += fmt::format("F = {}, p = {}", short_number(table.F), rounded_number(table.p, 2));
+    list += fmt::format("F({}, {}) = {}, p = {}", short_number(table.F), rounded_number(table.p, 2));
   }
   const auto verdict_of = [](int number_alike, int number_differing) {
     if (number_differing == static_cast<int>(paper_metrics.size())) return Verdict::holds;
@@ -91,13 +91,14 @@ std::optional<Claim> solvers_differ(const StudyResults& study, Unit unit) {
 std::optional<Claim> inside_limits(const StudyResults& study) {
   for (const SolverCounts& count : counts(study)) {
     if (count.solver != time_reference || count.solves == 0) continue;
-    return Claim{.statement = fmt::format("{}'s answers are inside the joint limits (Eq. 4)", count.solver),
-                 .verdict = count.outside_limits == 0 ? Verdict::holds : Verdict::fails,
-                 .evidence = count.outside_limits == 0
-                                 ? fmt::format("All of {} are.", count.solves)
-                                 : fmt::format("{} of {} are not, the worst joint by {} deg.", count.outside_limits,
-                                               count.solves, short_number(count.worst_outside_deg)),
-                 .table = "status"};
+    return Claim{
+        .statement = fmt::format("{}'s answers are inside the joint limits (Eq. 4)", count.solver),
+        .verdict = count.outside_limits == 0 ? Verdict::holds : Verdict::fails,
+        .evidence = count.outside_limits == 0
+                        ? fmt::format("All {} are.", count.solves)
+                        : fmt::format("{} of {} are not; the worst joint is outside by {} deg.", count.outside_limits,
+                                      count.solves, short_number(count.worst_outside_deg)),
+        .table = "status"};
   }
   return std::nullopt;
 }

@@ -49,17 +49,16 @@ std::string verdict(const std::vector<TimeAssessment>& rows, double tolerance,
     in_time += row.in_time;
     if (row.solves > 0 && (worst == nullptr || !(row.time_ms.max <= worst->time_ms.max))) worst = &row;
   }
-  if (worst == nullptr) return "Real time: nothing is solved yet.";
-  std::string text =
-      fmt::format("Real time of this program on the machine of the run, {} less than {} ms: ",
-                  std::isfinite(tolerance) ? fmt::format("{} cm reached in", tolerance)
-                                           : "which asks for a tolerance that the study does not have, in",
-                  real_time_ms);
+  if (worst == nullptr) return "Real time: there are no solves yet.";
+  std::string text = fmt::format(
+      "Real time here, {} less than {} ms: ",
+      std::isfinite(tolerance) ? fmt::format("{} cm reached in", tolerance) : "although the study has no tolerance, in",
+      real_time_ms);
   text += in_time == solves ? fmt::format("all {} solves", solves)
                             : fmt::format("{} of {} solves ({})", in_time, solves, listed(rows, [](const auto& row) {
                                             return fmt::format("{} {} of {}", row.solver, row.in_time, row.solves);
                                           }));
-  return text + fmt::format("; the longest solve {} ms ({}). By the printed times, of MATLAB on another machine, {}.",
+  return text + fmt::format("; the longest solve took {} ms ({}). Printed times, in MATLAB on another machine: {}.",
                             rounded_number(worst->time_ms.max, 3), worst->solver, printed_real_time(printed.front()));
 }
 
@@ -98,14 +97,13 @@ std::string scaling_verdict(const StudyResults& study, const std::vector<TimeAss
                                std::sqrt(ours.relative_variance + theirs.relative_variance), study.plan);
   if (!more.undefined.empty()) return "";
   const Judgement grows = judge(std::log(ours.ratio), std::sqrt(ours.relative_variance), study.plan);
-  const std::string answer = more.answer == Answer::undecided ? "cannot be told apart from the printed growth"
-                             : more.answer == Answer::better  ? "grows more than the printed"
-                             : grows.answer == Answer::better ? "grows, but less than the printed"
-                                                              : "does not grow as the printed does";
+  const std::string answer = more.answer == Answer::undecided ? "is compatible with the printed growth"
+                             : more.answer == Answer::better  ? "grows more than printed"
+                             : grows.answer == Answer::better ? "grows, but less than printed"
+                                                              : "does not grow as printed";
   return fmt::format(
-      "Scaling: our mean time of the solves that reach the tolerance {}: {} from {} to {}, printed {}; median "
-      "iterations "
-      "of such solves {} -> {}. {} and {} solves are few; --set path.points=2000 gives more.",
+      "Scaling: our mean time of solves that reach the tolerance {}: {} from {} to {}; printed: {}. Median iterations "
+      "of these solves: {} -> {}. These are only {} and {} solves; --set path.points=2000 gives more.",
       answer, with_error(ours), first->solver, last->solver, with_error(theirs), first->iterations_reached_median,
       last->iterations_reached_median, first->reached_ms.n, last->reached_ms.n);
 }
@@ -145,7 +143,7 @@ std::vector<TimeAssessment> assess_times(const StudyResults& study) {
 
 std::string printed_real_time(const PrintedTime& printed) {
   const bool in_the_mean = printed.mean_ms < real_time_ms, in_the_worst_case = printed.max_ms < real_time_ms;
-  return fmt::format("{}: mean {} ms, maximum {} ms: in the mean {}, in the worst case {}", label_of(printed),
+  return fmt::format("{}: mean {} ms, maximum {} ms; on average {}, in the worst case {}", label_of(printed),
                      printed.mean_ms, printed.max_ms, in_the_mean ? "yes" : "no", in_the_worst_case ? "yes" : "no");
 }
 
@@ -214,38 +212,38 @@ std::optional<Table> table_7(const StudyResults& study) {
   }
   double farthest_printed = 0;
   for (const PrintedTime& row : printed) farthest_printed = std::max(farthest_printed, row.max_ms / row.mean_ms);
-  table.notes.push_back(fmt::format(
-      "One observation is one solve. The times are of all solves, also of those that end without the tolerance "
-      "reached: "
-      "an arm waits for them too. mean_reached_ms is of the others alone; share_in_time counts a solve that reaches "
-      "the tolerance in less than {} ms. The paper does not say that there are solves "
-      "that never reach it; its longest take at most {} times its mean.",
-      real_time_ms, rounded_number(farthest_printed, 2)));
+  table.notes.push_back(
+      fmt::format("One observation is one solve. Times include solves that do not reach the tolerance, because an arm "
+                  "waits for them too. mean_reached_ms covers only those that reach it; share_in_time counts solves "
+                  "that reach the tolerance in less than {} ms. The paper does not mention solves that never reach it; "
+                  "its longest solves take at most {} times the mean.",
+                  real_time_ms, rounded_number(farthest_printed, 2)));
   if (std::isfinite(tolerance)) {
     int never = 0;
     for (const TimeAssessment& row : rows) never += row.never_reached;
     table.notes.push_back(
-        never == 0 ? "Here every solve reaches it."
-                   : fmt::format("Here {} never reach it: {}.", never, listed(rows, [](const TimeAssessment& row) {
-                                   return fmt::format("{} {} of {}", row.solver, row.never_reached, row.solves);
-                                 })));
+        never == 0
+            ? "Here every solve reaches the tolerance."
+            : fmt::format("Here {} never reach the tolerance: {}.", never, listed(rows, [](const TimeAssessment& row) {
+                            return fmt::format("{} {} of {}", row.solver, row.never_reached, row.solves);
+                          })));
   }
   const std::string printed_per_bat = listed(printed, [](const PrintedTime& row) {
     return fmt::format("{} {}", label_of(row), rounded_number(row.mean_ms / row.bats, 3));
   });
   if (times_are_comparable(study)) {
     table.notes.push_back(fmt::format(
-        "The printed times are of MATLAB on another machine: only ratios can be compared. ratio_reached and "
-        "paper_ratio are mean times by that of {}, ours of the solves that reach the tolerance.",
+        "The printed times come from MATLAB on another machine, so only ratios are comparable. ratio_reached and "
+        "paper_ratio are mean times divided by that of {}; ours only of solves that reach the tolerance.",
         reference));
-    table.notes.push_back(fmt::format(
-        "Mean time per bat [ms], printed: {}; ours, of the solves that reach the tolerance: {}. Were it the "
-        "same for all, the number of iterations would not depend on the number of bats.",
-        printed_per_bat, listed(rows, [&](const TimeAssessment& row) {
-          const auto same = std::ranges::find(printed, row.solver, label_of);
-          if (same == printed.end() || !std::isfinite(row.reached_ms.mean)) return std::string();
-          return fmt::format("{} {}", row.solver, rounded_number(row.reached_ms.mean / same->bats, 3));
-        })));
+    table.notes.push_back(
+        fmt::format("Mean time per bat [ms], printed: {}; ours, of solves that reach the tolerance: {}. If it were "
+                    "constant, the number of iterations would not depend on the number of bats.",
+                    printed_per_bat, listed(rows, [&](const TimeAssessment& row) {
+                      const auto same = std::ranges::find(printed, row.solver, label_of);
+                      if (same == printed.end() || !std::isfinite(row.reached_ms.mean)) return std::string();
+                      return fmt::format("{} {}", row.solver, rounded_number(row.reached_ms.mean / same->bats, 3));
+                    })));
   } else {
     table.notes.push_back(timing_note(study));
     table.notes.push_back(fmt::format("Mean time per bat [ms], printed: {}.", printed_per_bat));
@@ -262,7 +260,7 @@ std::optional<Table> table_7(const StudyResults& study) {
 
 std::string real_time_verdict(const StudyResults& study) {
   if (!is_time_study(study)) return "";
-  if (!times_are_comparable(study)) return fmt::format("Real time: not judged, {}.", times_not_judged);
+  if (!times_are_comparable(study)) return fmt::format("Real time: not judged, because {}.", times_not_judged);
   return verdict(assess_times(study), tolerance_cm(study), printed_table_7(study.published));
 }
 

@@ -23,8 +23,8 @@ base=base/store.sqlite again=again/store.sqlite fewer=fewer/store.sqlite
 
 # The same, to the bit.
 succeeds compare $base $again --metric position_error_cm --metric variation_deg --metric evaluations --metric solved
-[ "$(grep -c '  same  .* to the bit$' <<<"$out")" = 24 ] || fail "6 labels have 4 metrics that are the same: $out"
-[ "${out##*$'\n'}" = "No regression beyond 5 %: none of 24 metrics is worse by more." ] || fail "the last line is: ${out##*$'\n'}"
+[ "$(grep -c '  same  .* equal bit for bit$' <<<"$out")" = 24 ] || fail "6 labels have 4 metrics that are the same: $out"
+[ "${out##*$'\n'}" = "No regression beyond 5 %: none of 24 metrics is worse by more than that." ] || fail "the last line is: ${out##*$'\n'}"
 quiet
 
 # A regression, in the label and metric that has it; the other way round it is none.
@@ -44,7 +44,7 @@ has "$out" "B: IK-BA, against A: BA, in study slim2023"
 
 # What is not decided is no regression, unless --strict says that it must be.
 succeeds compare $base $fewer --label IK-BA --metric variation_deg
-[ "${out##*$'\n'}" = "No regression beyond 5 % is shown; 1 of 1 metrics is undecided." ] || fail "the last line is: ${out##*$'\n'}"
+[ "${out##*$'\n'}" = "No regression beyond 5 % was found, but 1 of 1 metrics is undecided." ] || fail "the last line is: ${out##*$'\n'}"
 run_it compare $base $fewer --label IK-BA --metric variation_deg --strict
 [ "$code" = 4 ] || fail "--strict, undecided: exit code $code, expected 4"
 has "${out##*$'\n'}" "With --strict this counts as a failure."
@@ -63,27 +63,27 @@ for folder in drawn drawn_again; do
   succeeds run slim2023-time --set runs=6 --set path.points=2 --set stop.iterations=10 --no-report --out $folder
 done
 succeeds compare drawn/store.sqlite drawn_again/store.sqlite --metric evaluations
-has "$out" "12 pairs of targets, one observation is a target's only solve"
+has "$out" "12 pairs of targets, one observation is the only solve of a target"
 for folder in chained chained_again; do
   succeeds run slim2023-time --set runs=6 --set path.points=2 --set start=previous --set stop.iterations=10 --no-report --out $folder
 done
 succeeds compare chained/store.sqlite chained_again/store.sqlite --metric evaluations
-has "$out" "6 pairs of runs, one observation is a run's mean over its 2 points"
-refused 'they were given another configuration to start from' compare drawn/store.sqlite chained/store.sqlite
+has "$out" "6 pairs of runs, one observation is the mean of a run over its 2 points"
+refused 'they have different start configurations' compare drawn/store.sqlite chained/store.sqlite
 
 # A path whose targets are each solved from the initial configuration: target by target.
 study each --set start=initial
 study each_fewer --set start=initial --set stop.iterations=5
 is_worse each/store.sqlite each_fewer/store.sqlite --label K-ABC --metric position_error_cm --significance 0.2
-has "$out" "3 pairs of targets, one observation is a target's mean over the 8 runs of each"
+has "$out" "3 pairs of targets, one observation is the mean of a target over the 8 runs of each"
 succeeds run slim2023-time --set runs=6 --set path.points=2 --set stop.iterations=10 --set seed=2 --no-report --out elsewhere
-refused 'they were given other targets (run 1 and 1, point 1: ' compare drawn/store.sqlite elsewhere/store.sqlite
+refused 'they have different targets (run 1 and 1, point 1: ' compare drawn/store.sqlite elsewhere/store.sqlite
 study longer --set path.points=4
-refused 'they were given other targets (3 and 4 points a run)' compare $base longer/store.sqlite
+refused 'they have different targets (3 and 4 points per run)' compare $base longer/store.sqlite
 study farther --set path.radius_cm=21
-refused 'they were given other targets (run 1 and 1, point 1: ' compare $base farther/store.sqlite
+refused 'they have different targets (run 1 and 1, point 1: ' compare $base farther/store.sqlite
 study turned --set initial_deg=[1,0,0,0,0,0,0] --set runs=2
-refused 'they were given another configuration to start from' compare $base turned/store.sqlite
+refused 'they have different start configurations' compare $base turned/store.sqlite
 
 # Files for other programs.
 for type in md csv json; do
@@ -115,7 +115,7 @@ for edge in "analysis.margin_percent=99 analysis.significance=0.2 analysis.power
   read -r margin significance power <<<"$edge"
   study edge --set "$margin" --set "$significance" --set "$power"
   succeeds compare edge/store.sqlite $fewer --label K-ABC --metric variation_deg
-  has "$out" "each test at ${significance#*=}"
+  has "$out" "significance ${significance#*=} for each test"
   "$program" export edge/store.sqlite >edge.csv
   succeeds stats edge.csv --value position_error_cm --group solver --run run --no-figures --margin "${margin#*=}%" \
     --significance "${significance#*=}" --power "${power#*=}" --out edge_stats

@@ -8,7 +8,7 @@ has "$out" "DE.bounds=reflect"
 
 succeeds readings slim2023 "${small[@]}" --seeds 2 --jobs 2 --out folder
 quiet
-has "$out" "The printed error of IK-BA: the default"
+has "$out" "Printed error of IK-BA: default"
 for type in md csv tex; do [ -s "folder/tables/readings.$type" ] || fail "no readings.$type"; done
 for type in gp dat; do [ -s "folder/figures/readings.$type" ] || fail "no readings.$type"; done
 ! command -v gnuplot >/dev/null || [ -s folder/figures/readings.png ] || fail "no picture"

@@ -35,7 +35,7 @@ refused 'points of one run depend on each other' report copy/theirs.sqlite --no-
 [ ! -e points ] || fail "a refused report was written"
 succeeds report copy/theirs.sqlite --no-figures --unit point --quartiles 7 --force --out points
 has "$err" "warning: Points of one run depend on each other; used as observations because --force was given."
-has "$(<points/tables/analysis-plan.md)" "Given on the command line, after the data, and not by the study"
+has "$(<points/tables/analysis-plan.md)" "Set on the command line after the data were collected, not by the study"
 cmp -s points/tables/table-4.csv made/tables/table-4.csv && fail "--unit point gives the same ANOVA"
 
 # The study says how it is judged; a change after its solves were made is told, and costs no solve.

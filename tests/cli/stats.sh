@@ -52,9 +52,9 @@ rows() {
 printf ',solver,error\n0,A,1.0\n1,A,1.2\n2,A,NaN\n3,A,1.1\n4,B,2.0\n5,B,2.5\n6,B,2.25\n7,B,\n' >pandas.csv
 succeeds stats pandas.csv --value error
 quiet
-has "$out" "smaller is better, of 2 groups (A and B) with 3 observations each"
-has "$out" "Left out because missing: 1 of 4 values of A, 1 of 4 of B."
-has "$out" "Who differs: A is better than B: 1.1 against 2.25" # by hand: (1 + 1.2 + 1.1) / 3, (2 + 2.5 + 2.25) / 3
+has "$out" "smaller is better; 2 groups (A and B) with 3 observations each"
+has "$out" "Missing and left out: 1 of 4 values of A, 1 of 4 of B."
+has "$out" "Differences: A is better than B: 1.1 vs 2.25" # by hand: (1 + 1.2 + 1.1) / 3, (2 + 2.5 + 2.25) / 3
 [ "$(tail -n 1 .out)" = "Report: out/stats-pandas/report.html" ] || fail "the last line is: $(tail -n 1 .out)"
 has_outputs out/stats-pandas error groups tests contrasts
 has_figures out/stats-pandas error observations differences
@@ -64,7 +64,7 @@ has "$(<out/stats-pandas/report.md)" "ikbench stats pandas.csv --value error"
 # R's write.csv: everything quoted, row names, NA.
 printf '"","solver","error"\r\n"1","A",1.0\r\n"2","A",NA\r\n"3","A",1.5\r\n"4","B",2\r\n"5","B",2.5\r\n' >r.csv
 succeeds stats r.csv --value error --larger-is-better --no-figures --out r
-has "$out" "larger is better, of 2 groups (A and B) with 2 observations each"
+has "$out" "larger is better; 2 groups (A and B) with 2 observations each"
 has_outputs r error groups tests contrasts
 [ -z "$(find r -name '*.svg' -o -name '*.png' -o -name '*.pdf')" ] || fail "--no-figures drew figures"
 [ "$(ls out)" = stats-pandas ] || fail "--out wrote elsewhere: $(ls out)"
@@ -73,10 +73,10 @@ has_outputs r error groups tests contrasts
 printf 'A,B,C\n1,2,3\n2,3,4\n1.5,2.5,3.25\n1.75,2,3.5\n' >wide.csv
 succeeds stats wide.csv --wide --no-figures --out wide
 has "$out" "of 3 groups (A, B and C) with 4 observations each"
-has "$out" "Methods: Welch's ANOVA with Games and Howell's test decides"
+has "$out" "Methods: Welch's ANOVA with the Games-Howell test decides"
 succeeds stats wide.csv --wide --rows-are-blocks --value AUC --larger-is-better --out blocks
-has "$out" "All groups were given the same in 4 blocks"
-has "$out" "Methods: Friedman's test of ranks decides"
+has "$out" "All groups share 4 blocks"
+has "$out" "Methods: Friedman's test decides"
 has "$out" "Friedman's test: chi^2(2) = 8," # all four blocks rank alike: N (k - 1)
 has "$out" "C is better than A"
 has "$out" "ahead in 100 % of blocks"
@@ -100,7 +100,7 @@ has "$out" "Left out because incomplete: 1 of 4 blocks ('p4' has no value of 'B'
     done
   done
 } >crashes.csv
-refused "5 rows share seed 1 of A, one for each problem, and are not replicates; compare the groups problem by problem \
+refused "5 rows share seed 1 of A, one for each problem, and are not replicates; compare within blocks \
 with --block problem --run seed" stats crashes.csv --value error
 succeeds stats crashes.csv --value error --block problem --run seed --no-figures --out crashes
 [[ $(grep -m 1 '^- ' .out) == "- Flawed: values are missing in 1 of 5 blocks of B; "* ]] ||
@@ -110,7 +110,7 @@ has "$out" "Left out because incomplete: 1 of 5 blocks ('100' has 2 of 3 runs of
 has "$out" "with 4 observations each. One observation is the mean over the 3 runs of a block"
 succeeds stats crashes.csv --value error --block problem --run seed --force --no-figures --out crashes
 has "$out" "One observation is the mean over the 2 to 3 runs of a block"
-has "$out" "- Flawed: values are missing in 1 of 5 blocks of B; of each of these blocks what is left is averaged; "
+has "$out" "- Flawed: values are missing in 1 of 5 blocks of B; the remaining values of these blocks are averaged; "
 
 # Twenty runs of two rows each, of which B crashed on five altogether: they are not there.
 {
@@ -125,7 +125,7 @@ succeeds stats absent.csv --value error --run run --no-figures --out absent
   fail "the first lines do not warn of runs that B lacks: $out"
 has "$err" "warning: incomplete: 5 of 20 runs of B"
 { cat absent.csv && echo A,1,1; } >doubled.csv
-refused "run 1 of A has 3 rows where other runs have 2: is one of them there twice" stats doubled.csv --value error --run run
+refused "run 1 of A has 3 rows where other runs have 2; a row may be duplicated" stats doubled.csv --value error --run run
 
 # Two columns that are one name for a file, one of them without a Latin letter.
 printf 'solver,a b,a-b,誤差,плечо\nA,1,2,3,1\nA,2,3,5,1.5\nB,2,2,8,2\nB,2.5,1,3,3\n' >names.csv
@@ -147,19 +147,19 @@ for name in position-error-cm variation-deg seconds; do
   has_outputs published $name groups tests contrasts
   has_figures published $name differences
 done
-of_quantity() { sed -n "/^Statistics: $1\$/,/^What was observed/p" .out; }
+of_quantity() { sed -n "/^Statistics: $1\$/,/^Observations/p" .out; }
 error=$(of_quantity position_error_cm) variation=$(of_quantity variation_deg) seconds=$(of_quantity seconds)
 # R 4.2.2, aov and oneway.test on the printed means and standard deviations.
 has "$error" "One-way ANOVA: F(5, 114) = 40.77"
 has "$error" "Welch's ANOVA: F(5, 44.3) = 141.8"
-pooled=$(grep -o 'Tukey, with one variance for all, does not separate .*; Games-Howell' <<<"$error") ||
+pooled=$(grep -o 'Tukey (pooled variance) does not separate .*; Games-Howell' <<<"$error") ||
   fail "nothing on Tukey in: $error"
 has "$pooled" "IK-BA and DE (p = 0.0695 against p = 0.000297)"
 has "$pooled" "IK-BA and K-ABC (p = 0.5 against p = 1.89e-10)"
 has "$error" "IK-BA is better than DE"
 has "$error" "IK-BA is better than K-ABC"
-has "$error" "Games-Howell is the one of the two to believe"
-has "$variation" "Not told apart: IK-BA and MO-PSO (p = 0.997;"
+has "$error" "trust Games-Howell"
+has "$variation" "Undecided: IK-BA and MO-PSO (p = 0.997;"
 has_no "$variation" "IK-BA is better than MO-PSO"
 has "$seconds" "PSO is better than IK-BA: 0.207 against 0.244"
 grep -q '^IK-BA,PSO,PSO is better,' published/tables/statistics-seconds-contrasts.csv ||
@@ -182,12 +182,12 @@ from_store() { # ARGUMENTS...: as `ikbench export STORE | ikbench stats - ...`
 from_store --no-figures --out dependent
 [ "$code" = 1 ] || fail "points of one run were taken as replicates: $out"
 [ -z "$out" ] && [ "$(wc -l <.err)" = 1 ] || fail "not one line: $out $err"
-has "$err" "share run 1 of IK-BA, one for each point, and are not replicates; where each point leads to the next, average \
-them with --run run; where each was solved by itself, compare point by point with --block point --run run; or insist"
+has "$err" "share run 1 of IK-BA, one for each point, and are not replicates; if each point depends on the previous one, average \
+them with --run run; if each was solved separately, compare within blocks with --block point --run run; or use --force"
 [ ! -e dependent ] || fail "a refused report was written"
 from_store --run run --no-figures --out means
 [ "$code" = 0 ] || fail "--run run: $err"
-has "$out" "with 3 observations each. One observation is a run's mean over its 3 rows of standard input."
+has "$out" "with 3 observations each. One observation is the mean of a run over its 3 rows of standard input."
 has_no "$out$err" "Flawed"
 from_store --force --no-figures --out forced
 [ "$code" = 0 ] || fail "--force: $err"
@@ -213,7 +213,7 @@ refused 'standard input:1: the file is empty' stats - --value error
 refused "no column 'eror'; expected one of: (empty), solver, error" stats pandas.csv --value eror
 refused "no column 'slover'; expected one of:" stats pandas.csv --value error --group slover
 refused "no column 'problem'; expected one of:" stats pandas.csv --value error --block problem
-refused 'which column names the groups? (--group) There are: problem, error' stats <(printf 'problem,error\n1,2\n') --value error
+refused 'no column of groups; name one with --group: problem, error' stats <(printf 'problem,error\n1,2\n') --value error
 printf 'solver,error\nA,"1,5"\n' >decimal.csv
 refused "'1,5', a decimal comma; write 1.5" stats decimal.csv --value error
 printf 'solver;error\nA;1,5\n' >semicolons.csv
@@ -225,9 +225,9 @@ refused '--summaries has its own columns' stats --summaries summaries.csv --valu
 refused '--value names a column twice' stats pandas.csv --value error --value error
 refused '--quantity names one quantity' stats names.csv --value 'a b' --value a-b --quantity 'error [cm]'
 refused '--quantity names one quantity' stats --summaries "$published" --quantity 'error [cm]'
-refused "no group 'Z' to be the control, expected one of: A, B" stats pandas.csv --value error --control Z
+refused "no group 'Z' for the control; expected one of: A, B" stats pandas.csv --value error --control Z
 refused "Friedman's test needs blocks" stats pandas.csv --value error --test friedman
-refused "needs the values themselves" stats --summaries summaries.csv --test kruskal_wallis
+refused "needs single values" stats --summaries summaries.csv --test kruskal_wallis
 refused '--test: welsh is not one of by_design, anova, welch, kruskal_wallis, friedman' stats pandas.csv --value error --test welsh
 refused '--test: 2 is not one of' stats pandas.csv --value error --test 2
 refused '--adjustment: holms is not one of holm,' stats pandas.csv --value error --adjustment holms
@@ -245,7 +245,7 @@ refused 'nul.csv:2: a NUL byte' stats nul.csv --value error
 head -c 3000000 /dev/zero | tr '\0' x >line.csv
 refused 'line.csv: no rows below the header' stats line.csv --value error
 { printf 'solver,error\n' && cat line.csv && printf ',1\nB,2\n'; } >endless.csv
-refused '3000000 bytes, expected a name of at most 1000' stats endless.csv --value error
+refused '3000000 bytes; expected a name of at most 1000' stats endless.csv --value error
 { cat line.csv && printf ',error\nA,1\n'; } >header.csv
 refused "no column 'value'; expected one of: xxx" stats header.csv --value value
 [ "$(wc -c <.err)" -lt 1000 ] || fail "a message of $(wc -c <.err) bytes"
@@ -337,24 +337,24 @@ degenerate() { # WORDS CSV...: a report that has the words, whose numbers are JS
   if command -v gnuplot >/dev/null; then has_no "$err" "not drawn"; fi
   has_no "$out" "group 1"
 }
-degenerate "One group alone" A "1 2 3"
+degenerate "There is only one group" A "1 2 3"
 degenerate "of 1 group (A) with 1 observation each" A 1
-degenerate "equal variances could not be tested" A 1 B 2 C 3
+degenerate "equal variances cannot be tested" A 1 B 2 C 3
 degenerate "Not defined: A and B (A has a single value, so it has no spread)" A 1 B 2
-degenerate "Welch's ANOVA (without B, whose spread is none or not defined): F(1, 4) = 1.5" A "1 2 3" B 7 C "2 3 4" # t^2 = 1 / (2 / 3)
-degenerate "Every group has one value alone" A "1 1 1 1 1" B "2 2 2 2 2"
+degenerate "Welch's ANOVA (without B, whose variance is 0 or not defined): F(1, 4) = 1.5" A "1 2 3" B 7 C "2 3 4" # t^2 = 1 / (2 / 3)
+degenerate "All values within a group are equal" A "1 1 1 1 1" B "2 2 2 2 2"
 has "$out" "A is better than B: 1 against 2, by 1, p = 0.00794, ahead in 100 %" # 2 of 252 arrangements
 degenerate "The same within 5 %: A and B" A "1 1 1 1" B "1 1 1 1"
-degenerate "Not told apart: A and B (equal in all observations, but too few to call them the same)" A "1 1 1" B "1 1 1"
-degenerate "equal variances could not be tested" A "1.1 1.4" B "2.3 9.7" C "0.1 0.7"
-degenerate "1 of the 3 pairs differs. No pair with A is among them: B is better than C: 2 against 3, by 1" A "1 2 3 1 2 3" B "2 2 2 2 2 2" C "3 3 3 3 3 3"
+degenerate "Undecided: A and B (all observations are equal, but there are too few to call the groups the same)" A "1 1 1" B "1 1 1"
+degenerate "equal variances cannot be tested" A "1.1 1.4" B "2.3 9.7" C "0.1 0.7"
+degenerate "1 of the 3 pairs differs. None of them includes A: B is better than C: 2 vs 3, by 1" A "1 2 3 1 2 3" B "2 2 2 2 2 2" C "3 3 3 3 3 3"
 has "$out" "dominated by A, while B has none"
 degenerate "A has values that are not finite" A "1 2 Inf" B "2 3 4"
 degenerate "A has values that are not finite" A "Inf Inf" B "-Inf Inf"
-degenerate "Mann and Whitney's test: not defined, all values are equal" A "Inf Inf" B "Inf Inf"
+degenerate "Mann-Whitney test: not defined, all values are equal" A "Inf Inf" B "Inf Inf"
 degenerate "the difference or its spread is too large for double precision" A "1e308 1.1e308 1.2e308" B "-1e308 -1.1e308 1e307"
 degenerate "A has no values" A "NaN NaN" B "1 2" C "2 3"
-degenerate "Not told apart: A and B" A "1e-320 2e-320 3e-320" B "5e-324 1e-323 9e-320"
+degenerate "Undecided: A and B" A "1e-320 2e-320 3e-320" B "5e-324 1e-323 9e-320"
 degenerate "of 2 groups" A "-0 0 0" B "0 0 1"
 
 # One block that is complete: ranks, and no test of them.

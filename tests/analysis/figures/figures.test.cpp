@@ -155,7 +155,7 @@ TEST_CASE("random targets are not joined by a line", "[figure]") {
   const Figure random = path_of(R"({"path": {"kind": "random"}})");
   CHECK(!contains(random.plot, "with lines"));
   CHECK(!contains(random.plot, "start"));
-  CHECK(random.caption.starts_with("The targets (dots)"));
+  CHECK(random.caption.starts_with("Targets (dots)"));
 }
 
 TEST_CASE("a study of which nothing is solved has no figures", "[figure]") { CHECK(figures_of({}).empty()); }

@@ -131,7 +131,7 @@ TEST_CASE("of more than 200 values a raincloud shows 200, the extremes among the
   CHECK(lines.size() == 200);
   CHECK(lines.front().starts_with("1 "));
   CHECK(lines.back().starts_with("1000 "));
-  CHECK(contains(figure.caption, "more than 200 of a group 200 at even ranks"));
+  CHECK(contains(figure.caption, "of more than 200 in a group, 200 at even ranks"));
 }
 
 TEST_CASE("a raincloud of values that differ by decades is drawn on their logarithms", "[figure]") {
@@ -155,7 +155,7 @@ TEST_CASE("values that cannot be drawn are counted beside their row", "[figure]"
   CHECK(contains(figure.settings, "\"2 not\\ndrawn\" at graph 1, first 1 "));
   CHECK(contains(figure.settings, "\"1 not\\ndrawn\" at graph 1, first 2 "));
   CHECK(contains(figure.settings, "\"no\\nvalues\" at graph 1, first 3 "));
-  CHECK(contains(figure.caption, "not finite cannot be drawn"));
+  CHECK(contains(figure.caption, "not finite are not drawn"));
   // Ranked 1 2 3 Inf Inf, the upper quartile is infinite: no box, rather than one that ends at 3.
   CHECK(lines_below(figure.data, "# row, lower").front() == "1 NaN NaN NaN NaN NaN 5 2");
 }
@@ -193,7 +193,7 @@ TEST_CASE("intervals are marked where they exclude zero, and in words where ther
 
 TEST_CASE("Demsar's Figure 1a: at 0.10 two bars, C4.5 apart from the two with m", "[figure]") {
   const Figure figure = demsar(1.12, 0.1);
-  const Texts bars = lines_below(figure.data, "# what is not told apart");
+  const Texts bars = lines_below(figure.data, "# undecided differences");
   REQUIRE(bars.size() == 2);
   const auto ends = [](const std::string& line) {
     double from = 0, height = 0, to = 0;
@@ -204,18 +204,19 @@ TEST_CASE("Demsar's Figure 1a: at 0.10 two bars, C4.5 apart from the two with m"
   CHECK(ends(bars[0]).second == Approx(2.893).margin(0.06));
   CHECK(ends(bars[1]).first == Approx(2.893).margin(0.06));
   CHECK(ends(bars[1]).second == Approx(3.143).margin(0.06));
-  CHECK(contains(figure.caption, "Bars join what is not told apart by Nemenyi's test at the significance 0.1: "));
+  CHECK(contains(figure.caption,
+                 "Bars join groups whose difference is undecided by Nemenyi's test at significance 0.1: "));
   CHECK(contains(figure.caption, "CD = 1.12"));
-  CHECK(lines_below(demsar(1.25356, 0.05).data, "# what is not told apart").size() == 1);  // at 0.05 none differ
+  CHECK(lines_below(demsar(1.25356, 0.05).data, "# undecided differences").size() == 1);  // at 0.05 none differ
 }
 
 TEST_CASE("without a critical difference nothing is joined, and ranks that are none are told", "[figure]") {
-  CHECK(lines_below(demsar(NAN, 0.05).data, "# what is not told apart") == Texts{"NaN NaN NaN"});
+  CHECK(lines_below(demsar(NAN, 0.05).data, "# undecided differences") == Texts{"NaN NaN NaN"});
   CHECK(contains(demsar(NAN, 0.05).caption, "critical difference is not defined"));
   CHECK(contains(demsar(20, 0.05).caption, "cut at the axis' end"));
   const Figure figure = critical_difference_figure(
       {.name = "cd", .labels = {"a", "b", "c", "d"}, .average_ranks = {1, NAN, 1e308, 0}, .critical_difference = 1});
-  CHECK(contains(figure.caption, "Shown are 1 of 4"));
+  CHECK(contains(figure.caption, "Only 1 of 4 are shown"));
 }
 
 TEST_CASE("effects out of 0 to 1 or missing are not defined, and 20 groups are shown", "[figure]") {

@@ -89,7 +89,9 @@ TEST_CASE("a plan that was there before the first solve is said to be so", "[ana
           "The methods were fixed in the study before its first solve in this store (test by_design, adjustment holm, "
           "control none, significance 0.01, margin_percent 5, power 0.8, quartiles 5, unit run)."});
   CHECK(plan_changes(entry_with(plan), sessions_with({plan, plan}), solves_by_session({3, 2})).empty());
-  CHECK(plan_notes(entry_with(plan), {}, {}).at(0).starts_with("The methods are fixed in the study, of which nothing"));
+  CHECK(plan_notes(entry_with(plan), {}, {})
+            .at(0)
+            .starts_with("The methods are fixed in the study, which has no solves yet"));
 }
 
 TEST_CASE("a plan that was changed after some of the solves is said to be, with what changed", "[analysis_plan]") {
@@ -107,11 +109,11 @@ TEST_CASE("solves of a version that recorded no plan are counted", "[analysis_pl
   const auto notes =
       plan_notes(entry_with("{}"), sessions_with({"", "{}", "garbage"}), solves_by_session({3, 4, 2, 1}));
   CHECK(notes ==  // 3 of the first, 2 of the third, 1 of a session that is not there
-        std::vector<std::string>{"6 of 10 solves were made by a version that recorded no analysis plan."});
+        std::vector<std::string>{"6 of 10 solves come from a version that did not store the analysis plan."});
   const StudyEntry old{.name = "s", .definition = "{}", .series = {}};
   CHECK(plan_notes(old, sessions_with({""}), solves_by_session({3})) ==
-        std::vector<std::string>{"3 of 3 solves were made by a version that recorded no analysis plan.",
-                                 "The study has no analysis plan; this is the program's default."});
+        std::vector<std::string>{"3 of 3 solves come from a version that did not store the analysis plan.",
+                                 "The study has no analysis plan; this is the default plan."});
 }
 
 TEST_CASE("the table of the plan has every field with its value and meaning", "[analysis_plan]") {
@@ -123,5 +125,6 @@ TEST_CASE("the table of the plan has every field with its value and meaning", "[
   for (const auto& row : table.rows) CHECK(!readable(row[2]).empty());
   CHECK(table.notes ==
         std::vector<std::string>{
-            "a note", "Given on the command line, after the data, and not by the study: margin_percent 5 -> 10."});
+            "a note",
+            "Set on the command line after the data were collected, not by the study: margin_percent 5 -> 10."});
 }

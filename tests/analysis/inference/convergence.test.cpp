@@ -299,7 +299,7 @@ TEST_CASE("a caption says what a problem is and what the solves depend on", "[co
   StudyResults study = make_study("s", solves_with_traces({.runs = 2}));
   study.definition = R"({"path": {"kind": "helix"}, "start": "previous"})";
   const std::vector<Figure> chained = convergence_figures(study);
-  CHECK(contains(named(chained, "statistics-profile-error").caption, "starts where its own last answer left the arm"));
+  CHECK(contains(named(chained, "statistics-profile-error").caption, "starts where its previous answer left the arm"));
   CHECK(contains(named(chained, "statistics-profile-error").caption, "The runs repeat the same targets"));
   CHECK(contains(named(chained, "statistics-convergence").caption, "solves of a run depend on each other"));
   study.definition = with_tolerance;

@@ -69,8 +69,9 @@ TEST_CASE("on a chained path observations are run means in independent groups, a
   CHECK(found.groups[1].values == Values{204, 404});
   CHECK(found.blocks.empty());
   CHECK(found.block.empty());
-  CHECK(found.replicate == "a run's mean over its 3 points");
-  CHECK(found.notes == Names{"There are no blocks: each solve starts where the solver's last answer left the arm."});
+  CHECK(found.replicate == "the mean of a run over its 3 points");
+  CHECK(found.notes ==
+        Names{"There are no blocks: each solve starts where the solver's previous answer left the arm."});
   CHECK(found.flaw.empty());
   CHECK(!blocked_observations(study, error));
   CHECK(why_not_blocked(study) == found.notes.front());
@@ -97,8 +98,8 @@ TEST_CASE("targets drawn anew in every run make a block of each run", "[design]"
     CHECK(found.blocks == Names{"run 1", "run 2", "run 3"});
     CHECK(found.groups[0].values == Values{102, 202, 302});
     CHECK(found.groups[1].values == Values{204, 404, 604});
-    CHECK(found.replicate == "a run's mean over its 3 points");
-    CHECK(found.block == "a run, its targets drawn anew and the same for all");
+    CHECK(found.replicate == "the mean of a run over its 3 points");
+    CHECK(found.block == "a run with its own random targets, the same for all solvers");
   }
 }
 
@@ -107,7 +108,7 @@ TEST_CASE("drawn targets that are solved from the same configuration are blocks 
   const Observations found = *blocked_observations(study, error);
   CHECK(found.blocks == Names{"run 1, point 1", "run 1, point 2", "run 1, point 3"});
   CHECK(found.groups[1].values == Values{202, 204, 206});
-  CHECK(found.replicate == "a target's only solve");
+  CHECK(found.replicate == "the only solve of a target");
   CHECK(observations(study, error, Unit::run).blocks == found.blocks);
   CHECK(observations(study, error, Unit::point).blocks.empty());
 }
@@ -118,12 +119,13 @@ TEST_CASE("targets of a path that are solved from the same configuration are blo
   const Observations found = *blocked_observations(study, error);
   CHECK(found.blocks == Names{"point 1", "point 2", "point 3"});
   CHECK(found.groups[0].values == Values{151, 152, 153});  // of 101 and 201, ...
-  CHECK(found.replicate == "a target's mean over 2 runs");
+  CHECK(found.replicate == "the mean of a target over 2 runs");
   CHECK(observations(study, error, Unit::run).blocks == found.blocks);
   CHECK(observations(study, error, Unit::run).groups[0].values == found.groups[0].values);
   std::vector<SolveRecord> solves = solves_of({.points = 1});  // nothing is chained to
   for (SolveRecord& solve : solves) solve.start_rad = {0};
-  CHECK(why_not_blocked(study_of({.points = 1}, solves)) == "There are no blocks to compare: there is only one.");
+  CHECK(why_not_blocked(study_of({.points = 1}, solves)) ==
+        "There are no blocks to compare, because there is only one.");
 }
 
 TEST_CASE("a run that is not complete for all solvers is in no block, and that is said", "[design]") {
@@ -135,21 +137,21 @@ TEST_CASE("a run that is not complete for all solvers is in no block, and that i
     const Observations found = *blocked_observations(study, error);
     CHECK(found.groups[0].values == (shape.path == "random" ? Values{102, 202} : Values{151, 152, 153}));
     CHECK(found.groups[0].values.size() == found.blocks.size());
-    CHECK(found.notes == Names{"Left out: 1 of 3 runs, which are not complete for all solvers."});
+    CHECK(found.notes == Names{"Left out: 1 of 3 runs, because they are not complete for all solvers."});
   }
   std::vector<SolveRecord> solves = solves_of({});
   solves.pop_back();
   const Observations independent = observations(study_of({}, solves), error, Unit::run);
   CHECK(independent.groups[0].values == Values{102, 202});  // A loses nothing by what B has not done
-  CHECK(independent.notes.back() == "B: 1 of its runs have missing points and give no observation.");
+  CHECK(independent.notes.back() == "B: 1 of its runs lack points and give no observation.");
 }
 
 TEST_CASE("with fewer than two blocks there is no blocked design, and why is said", "[design]") {
   CHECK(why_not_blocked(study_of({.path = "random", .runs = 1})) ==
-        "There are no blocks to compare: there is only one.");
+        "There are no blocks to compare, because there is only one.");
   const Observations alone = observations(study_of({.path = "random", .runs = 1}), error, Unit::run);
   CHECK(alone.groups[0].values == Values{102});
-  CHECK(alone.notes == Names{"There are no blocks to compare: there is only one."});
+  CHECK(alone.notes == Names{"There are no blocks to compare, because there is only one."});
   CHECK(observations(study_of({.path = "random", .runs = 1}), error, Unit::point).notes.empty());
   std::vector<SolveRecord> solves = solves_of({.path = "random", .runs = 1});
   solves.pop_back();
@@ -158,14 +160,14 @@ TEST_CASE("with fewer than two blocks there is no blocked design, and why is sai
   CHECK(!why_not_blocked(study_of({.path = "random"}, {})).empty());
   CHECK(observations(study_of({.path = "random"}, {}), error, Unit::run).groups.size() == 2);
   CHECK(why_not_blocked(make_study("a CSV", solves_of({}))) ==
-        "There are no blocks: the study does not say what its path is.");
+        "There are no blocks: the study does not state its path.");
 }
 
 TEST_CASE("a store that claims the same targets for all, and has others, has no blocks", "[design]") {
   std::vector<SolveRecord> solves = solves_of({.path = "random"});
   solves.back().target_position_m[2] = 1e-9;
   CHECK(why_not_blocked(study_of({.path = "random"}, solves)) ==
-        "There are no blocks: the solvers were not given the same targets.");
+        "There are no blocks: the solvers did not have the same targets.");
   solves = solves_of({.start = "initial"});
   solves.back().start_rad = {0.1};
   CHECK(!blocked_observations(study_of({.start = "initial"}, solves), error));
@@ -182,7 +184,7 @@ TEST_CASE("what is not finite stays in its place and is counted, and times that 
   CHECK(found.notes == Names{"A: 1 of 2 observations are not finite."});
   const Observations times = observations(study, Metric::seconds, Unit::run);
   CHECK(times.name == "time");
-  CHECK((times.flaw.starts_with("Times are not comparable: of 12 solves, 1 were timed")));
+  CHECK((times.flaw.starts_with("Times are not comparable: of 12 solves, 1 ran in parallel")));
 }
 
 TEST_CASE("every measure is read as a name with its unit, and has a name of its own for files", "[design]") {

@@ -89,8 +89,9 @@ TEST_CASE("equal values that are too few are said to be equal, and no more", "[a
   std::string text;
   for (const std::string& sentence : sentences_of(evidence(with({{1, 1}, {1, 1}}), {}))) text += sentence + '\n';
   INFO(text);
-  CHECK(text.find("In short: g0 is not told apart from g1.") != std::string::npos);
-  CHECK(text.find("Not told apart: g0 and g1 (equal in all observations, but too few to call them the same)") !=
+  CHECK(text.find("In short: g0 against g1 is undecided.") != std::string::npos);
+  CHECK(text.find(
+            "Undecided: g0 and g1 (all observations are equal, but there are too few to call the groups the same)") !=
         std::string::npos);
   CHECK(text.find("same within") == std::string::npos);
 }

@@ -20,7 +20,7 @@ using Texts = std::vector<std::string>;
 
 namespace {
 
-const std::string as_failure = " A failure without a number is better written Inf, which ranks as the worst.";
+const std::string as_failure = " For a failed run, write Inf instead, which ranks as the worst.";
 
 const CsvRequest by_solver{.value = "error", .group = "solver"};
 const CsvRequest wide{.layout = Layout::one_column_a_group};
@@ -76,7 +76,7 @@ TEST_CASE("R's write.csv with quoted texts and row names reads the same", "[csv]
   const Observations seen = read("\"\",\"solver\",\"error\"\n\"1\",\"IK-BA\",1e-05\n\"2\",\"BA\",NA\n\"3\",\"BA\",2\n");
   CHECK(seen.groups[0].values == Values{1e-5});
   CHECK(seen.groups[1].values == Values{2});
-  CHECK(seen.notes == Texts{"Left out because missing: 1 of 2 values of BA." + as_failure});
+  CHECK(seen.notes == Texts{"Missing and left out: 1 of 2 values of BA." + as_failure});
 }
 
 TEST_CASE("a spreadsheet's byte-order mark, CRLF and empty rows below the table mean nothing", "[csv]") {
@@ -92,7 +92,7 @@ TEST_CASE("every spelling of a missing value is left out and counted by group, i
   CHECK(seen.groups[0].values == Values{1});
   CHECK(seen.groups[1].values == Values{HUGE_VAL, -HUGE_VAL, 2});
   CHECK(seen.groups[2].values.empty());  // a group that has nothing is still there
-  CHECK(seen.notes == Texts{"Left out because missing: 9 of 10 values of A, 1 of 1 of C." + as_failure});
+  CHECK(seen.notes == Texts{"Missing and left out: 9 of 10 values of A, 1 of 1 of C." + as_failure});
 }
 
 TEST_CASE("a number of another language is refused with what to write", "[csv]") {
@@ -118,8 +118,8 @@ TEST_CASE("what is not in the file is refused with what is", "[csv]") {
   CHECK(says(refusal("method,error\nA,1\n", {.value = "error"}), {"--group", "method, error"}));
   CHECK(says(refusal("solver,error\nA,1\n", {.group = "solver"}), {"--value", "solver, error"}));
   CHECK(says(refusal("solver,error\n"), {"no rows below the header"}));
-  CHECK(says(refusal("solver,error\nA,NA\n"), {"every value is missing"}));
-  CHECK(says(refusal(""), {"nothing there"}));
+  CHECK(says(refusal("solver,error\nA,NA\n"), {"all values are missing"}));
+  CHECK(says(refusal(""), {"the file is empty"}));
   CHECK(names_of(read("Algorithm,error\nA,1\n", {.value = "error"})) == Texts{"A"});  // found without being named
 }
 
@@ -132,20 +132,20 @@ TEST_CASE("rows that share a run are not replicates", "[csv]") {
   const std::string text = "solver,run,point,error\nA,1,1,1\nA,1,2,3\nA,2,1,5\nA,2,2,7\nB,1,1,2\nB,1,2,4\n";
   CHECK(refusal("solver,run,error\nA,1,1\nA,1,3\nA,2,5\nB,1,2\n") ==
         "a/folder/file.csv: 2 rows share run 1 of A; points of one run depend on each other and are not replicates; "
-        "average them with --run run, or insist with --force");
+        "average them with --run run, or accept them with --force");
 
   const Observations means = read(text, {.value = "error", .group = "solver", .run = "run"});
   CHECK(means.groups[0].values == Values{2, 6});
   CHECK(means.groups[1].values == Values{3});
-  CHECK(means.replicate == "a run's mean over its 2 rows of file.csv");
+  CHECK(means.replicate == "the mean of a run over its 2 rows of file.csv");
   CHECK(means.notes == Texts{"Each observation is the mean over the 2 rows of a run (column 'run').",
-                             "Left out because rows of them are missing: 1 of 2 runs of B."});
+                             "Left out because rows are missing: 1 of 2 runs of B."});
   CHECK(means.flaw == "incomplete: 1 of 2 runs of B; a group that failed there looks better than it is");
 
   CsvRequest forced = by_solver;
   forced.replicates = Replicates::as_given;
   CHECK(read(text, forced).groups[0].values == Values{1, 3, 5, 7});
-  CHECK(says(read(text, forced).flaw, {"2 rows share run 1 of A", "all the same"}));
+  CHECK(says(read(text, forced).flaw, {"2 rows share run 1 of A", "anyway"}));
 }
 
 TEST_CASE("where a column tells the rows of a run apart, the advice is to take it for blocks", "[csv]") {
@@ -155,9 +155,9 @@ TEST_CASE("where a column tells the rows of a run apart, the advice is to take i
            last_row;
   };
   const std::string advice =
-      "a/folder/file.csv: 2 rows share seed 1 of A, one for each problem, and are not replicates; compare the groups "
-      "problem by problem with --block problem --run seed, or where the rows of a run depend on each other, as points "
-      "of one path do, average them with --run seed, or insist with --force";
+      "a/folder/file.csv: 2 rows share seed 1 of A, one for each problem, and are not replicates; compare within "
+      "blocks with --block problem --run seed, or, if the rows of a run depend on each other like points of one path, "
+      "average them with --run seed, or use --force";
   CHECK(refusal(text_with("1,B,q,2,120,10\n")) == advice);
   CHECK(refusal(text_with("")) == advice);  // B crashed there
   CHECK(refusal(text_with(""), {.value = "error", .group = "solver", .block = "problem", .run = "seed"}) ==
@@ -172,20 +172,19 @@ TEST_CASE("where a column tells the rows of a run apart, the advice is to take i
 TEST_CASE("rows of a path may lead to one another, and the advice says what to do in either case", "[csv]") {
   for (const std::string title : {"point", "Step"}) {
     CAPTURE(title);
-    CHECK(
-        refusal("solver,run," + title + ",error\nA,1,1,1\nA,1,2,2\nA,2,1,3\nA,2,2,4\n") ==
-        fmt::format("a/folder/file.csv: 2 rows share run 1 of A, one for each {0}, and are not replicates; where each "
-                    "{0} leads to the next, average them with --run run; where each was solved by itself, compare "
-                    "{0} by {0} with --block {0} --run run; or insist with --force",
-                    title));
+    CHECK(refusal("solver,run," + title + ",error\nA,1,1,1\nA,1,2,2\nA,2,1,3\nA,2,2,4\n") ==
+          fmt::format("a/folder/file.csv: 2 rows share run 1 of A, one for each {0}, and are not replicates; if each "
+                      "{0} depends on the previous one, average them with --run run; if each was solved separately, "
+                      "compare within blocks with --block {0} --run run; or use --force",
+                      title));
   }
 }
 
 TEST_CASE("the solves that the program exports are refused as replicates and averaged by run", "[csv]") {
   const std::string text = to_csv(synthetic::solves({.solvers = {"IK-BA", "BA"}, .runs = 3, .points = 5}));
   const CsvRequest errors{.value = "position_error_cm", .group = "solver"};
-  CHECK(says(refusal(text, errors), {"5 rows share run 1 of IK-BA, one for each point, and are not replicates; where "
-                                     "each point leads to the next, average them with --run run; "}));
+  CHECK(says(refusal(text, errors), {"5 rows share run 1 of IK-BA, one for each point, and are not replicates; if each "
+                                     "point depends on the previous one, average them with --run run; "}));
   CsvRequest by_run = errors;
   by_run.run = "run";
   CHECK(read(text, by_run).groups[1].values.size() == 3);
@@ -208,10 +207,10 @@ TEST_CASE("a run with a missing row has no mean and is left out", "[csv]") {
   const Observations seen = read("solver,run,error\nA,1,1\nA,1,NA\nA,2,2\nA,2,4\nA,3,Inf\nA,3,1\n",
                                  {.value = "error", .group = "solver", .run = "run"});
   CHECK(seen.groups[0].values == Values{3, HUGE_VAL});
-  CHECK(seen.notes.back() == "Left out because rows of them are missing: 1 of 3 runs of A.");
+  CHECK(seen.notes.back() == "Left out because rows are missing: 1 of 3 runs of A.");
   CHECK(seen.flaw == "incomplete: 1 of 3 runs of A; a group that failed there looks better than it is");
   CHECK(says(refusal("solver,run,error\nA,,1\nA,2,1\n", {.value = "error", .group = "solver", .run = "run"}),
-             {"row 1 below the header, column 'run': '', expected which one it is"}));
+             {"row 1 below the header, column 'run': '', expected a name or a number"}));
 }
 
 TEST_CASE("a run that lacks a row which others have has no mean, whether the row is there without a value or not",
@@ -223,15 +222,15 @@ TEST_CASE("a run that lacks a row which others have has no mean, whether the row
         read(std::string("solver,run,error\nA,1,1\nA,1,9\nA,2,2\nA,2,8\nB,1,1\nB,2,4\nB,2,6\n") + failed, by_run);
     CHECK(seen.groups[0].values == Values{5, 5});
     CHECK(seen.groups[1].values == Values{5});  // not 1, which is the easier row alone
-    CHECK(seen.replicate == "a run's mean over its 2 rows of file.csv");
+    CHECK(seen.replicate == "the mean of a run over its 2 rows of file.csv");
     CHECK(seen.flaw == "incomplete: 1 of 2 runs of B; a group that failed there looks better than it is");
   }
-  CHECK(says(refusal("solver,run,error\nA,1,1\nA,1,NA\nB,1,1\n", by_run), {"no run has a value in each of its rows"}));
+  CHECK(says(refusal("solver,run,error\nA,1,1\nA,1,NA\nB,1,1\n", by_run), {"no run is complete"}));
   CsvRequest forced = by_run;
   forced.replicates = Replicates::as_given;
   const Observations seen = read("solver,run,error\nA,1,1\nA,1,9\nB,1,1\n", forced);
   CHECK(seen.groups[1].values == Values{1});
-  CHECK(seen.replicate == "a run's mean over its 1 to 2 rows of file.csv");
+  CHECK(seen.replicate == "the mean of a run over its 1 to 2 rows of file.csv");
   CHECK(says(seen.flaw, {"incomplete: 1 of 1 runs of B"}));
 }
 
@@ -266,7 +265,7 @@ TEST_CASE("a row that is absent counts as missing where a column numbers the run
   const Observations seen = read("solver,seed,error\nA,1,1\nA,2,2\nA,3,3\nB,1,1\nB,3,2\n");
   CHECK(seen.groups[1].values == Values{1, 2});
   CHECK(seen.flaw == "missing: 1 of 3 values of B; a group that failed there looks better than it is");
-  CHECK(seen.notes == Texts{"Left out because missing: 1 of 3 values of B." + as_failure});
+  CHECK(seen.notes == Texts{"Missing and left out: 1 of 3 values of B." + as_failure});
   CHECK(read("solver,seed,error\nA,1,1\nA,2,2\nA,3,3\nB,4,1\nB,5,2\n").flaw.empty());
 }
 
@@ -277,14 +276,13 @@ TEST_CASE("a row that is there twice is refused, and takes nothing from the othe
   }
   CsvRequest request{.value = "error", .group = "solver", .run = "run"};
   CHECK(read(text, request).flaw.empty());
-  CHECK(
-      refusal(text + "A,1,6\n", request) ==
-      "a/folder/file.csv: run 1 of A has 4 rows where other runs have 3: is one of them there twice, or do the others "
-      "lack some? --force averages them as they are");
+  CHECK(refusal(text + "A,1,6\n", request) ==
+        "a/folder/file.csv: run 1 of A has 4 rows where other runs have 3; a row may be duplicated, or the other runs "
+        "may lack rows; --force averages them as they are");
   request.replicates = Replicates::as_given;
   const Observations seen = read(text + "A,1,6\n", request);
   CHECK(seen.groups[0].values == Values{3, 2, 2, 2, 2, 2, 2, 2, 2, 2});
-  CHECK(seen.flaw == "run 1 of A has 4 rows where other runs have 3; averaged all the same");
+  CHECK(seen.flaw == "run 1 of A has 4 rows where other runs have 3; averaged anyway");
 }
 
 TEST_CASE("a missing value without blocks is a flaw, because a group that failed there looks better", "[csv]") {
@@ -308,20 +306,19 @@ TEST_CASE("blocks are aligned over the groups, incomplete ones left out and coun
   CHECK(seen.groups[0].values == Values{1, 3});
   CHECK(seen.groups[1].values == Values{2, 4});
   CHECK(seen.block == "a value of 'problem' in file.csv");
-  CHECK(seen.notes == Texts{"Left out because missing: 1 of 4 values of A." + as_failure,
+  CHECK(seen.notes == Texts{"Missing and left out: 1 of 4 values of A." + as_failure,
                             "Left out because incomplete: 2 of 4 blocks ('p3' has no value of 'B')."});
-  CHECK(says(refusal("problem,solver,error\np1,A,1\np2,B,1\n", request), {"no block has a value of every group"}));
-  CHECK(says(refusal("problem,solver,error\n,A,1\n", request), {"column 'problem': '', expected which one"}));
+  CHECK(says(refusal("problem,solver,error\np1,A,1\np2,B,1\n", request), {"no block has a value for every group"}));
+  CHECK(says(refusal("problem,solver,error\n,A,1\n", request), {"column 'problem': '', expected a name"}));
 }
 
 TEST_CASE("runs of a block are averaged where the runs are named", "[csv]") {
   const std::string text =
       "problem,solver,run,error\np,A,1,1\np,A,2,3\np,B,1,10\np,B,2,20\nq,A,1,5\nq,A,2,NA\nq,B,1,2\nq,B,2,4\n";
   CsvRequest request{.value = "error", .group = "solver", .block = "problem"};
-  CHECK(
-      refusal(text, request) ==
-      "a/folder/file.csv: 2 rows of 'A' in block 'p', expected one; average the rows of a run and the runs of a block "
-      "with --run run, or average the rows as they are with --force");
+  CHECK(refusal(text, request) ==
+        "a/folder/file.csv: 2 rows of 'A' in block 'p'; expected one; average the rows of a run and the runs of a "
+        "block with --run run, or average all rows with --force");
   request.run = "run";
   const Observations seen = read(text, request);
   CHECK(seen.blocks == Texts{"p"});
@@ -356,15 +353,15 @@ TEST_CASE("a group with fewer runs than another in a block has no value there", 
   const Observations seen = read(text, forced);
   CHECK(seen.groups[1].values == Values{1, 7, 4});
   CHECK(seen.flaw ==
-        "values are missing in 1 of 3 blocks of B; of each of these blocks what is left is averaged; a group that "
+        "values are missing in 1 of 3 blocks of B; the remaining values of these blocks are averaged; a group that "
         "failed there looks better than it is");
 }
 
 TEST_CASE("a group that has fewer runs in every block is refused with the way to insist", "[csv]") {
   const std::string text = "solver,problem,seed,error\nA,p,1,1\nA,p,2,1\nB,p,1,1\nA,q,1,1\nA,q,2,1\nB,q,1,1\n";
   CHECK(refusal(text, {.value = "error", .group = "solver", .block = "problem", .run = "seed"}) ==
-        "a/folder/file.csv: no block has a value of every group: 'p' has 1 of 2 runs of 'B'; --force averages what is "
-        "left of each");
+        "a/folder/file.csv: no block has a value for every group: 'p' has 1 of 2 runs of 'B'; --force averages the "
+        "values that exist");
 }
 
 TEST_CASE("a run that is the block gives one mean a run and group", "[csv]") {
@@ -387,7 +384,7 @@ TEST_CASE("wide columns are groups, of unequal size where cells are empty", "[cs
   CHECK(seen.groups[0].values == Values{1, 3, 5});
   CHECK(seen.groups[1].values == Values{2});
   CHECK(seen.blocks.empty());
-  CHECK(seen.notes == Texts{"Left out because missing: 2 of 3 values of B." + as_failure});
+  CHECK(seen.notes == Texts{"Missing and left out: 2 of 3 values of B." + as_failure});
 }
 
 TEST_CASE("rows of the wide layout are blocks where that is asked", "[csv]") {
@@ -408,7 +405,7 @@ TEST_CASE("a wide column that is no group is refused or known", "[csv]") {
   CHECK(says(refusal("A\n1\n", {.layout = Layout::one_column_a_group, .group = "A"}), {"--group 'A'"}));
   const Observations seen = read("run,A\n1,2\n2,3\n", wide);
   CHECK(names_of(seen) == Texts{"A"});
-  CHECK(seen.notes == Texts{"Column 'run' numbers the repetitions and is no group."});
+  CHECK(seen.notes == Texts{"Column 'run' numbers the repetitions and is not a group."});
 }
 
 TEST_CASE("200 groups are read, more than 1000 refused", "[csv]") {
@@ -428,7 +425,7 @@ TEST_CASE("a file that is no text, and a name that is none, are refused by what 
   CHECK(says(refusal("A\0,error\nA,1\n"s), {"file.csv:1: a NUL byte"}));
   const std::string endless(3'000'000, 'x');
   CHECK(says(refusal("solver,error\n" + endless + ",1\n"), {"row 1 below the header", "3000000 bytes"}));
-  CHECK(says(refusal(endless + ",b\n1,2\n", wide), {"3000000 bytes, expected at most 1000"}));
+  CHECK(says(refusal(endless + ",b\n1,2\n", wide), {"3000000 bytes; expected at most 1000"}));
   CHECK(says(summary_refusal("name,mean,sd,n\n" + endless + ",1,1,2\n"), {"3000000 bytes"}));
   for (const std::string& message : {refusal(endless + ",b\n1,2\n"), refusal(endless + ",solver,error\n1,A,x\n"),
                                      refusal("solver,error\n" + endless + ",1\n")}) {
@@ -469,9 +466,9 @@ TEST_CASE("summaries that cannot be are refused", "[csv]") {
   CHECK(says(summary_refusal("name,mean,n\nA,1,2\n"), {"no column sd or std or stddev"}));
   CHECK(says(summary_refusal("name,mean,sd,n\nA,1,-1,2\n"), {"'-1', expected a standard deviation"}));
   CHECK(says(summary_refusal("name,mean,sd,n\nA,1,,2\n"), {"'', expected a standard deviation"}));
-  CHECK(says(summary_refusal("name,mean,sd,n\nA,1,1,2.5\n"), {"'2.5', expected how many observations"}));
-  CHECK(says(summary_refusal("name,mean,sd,n\nA,1,1,0\n"), {"'0', expected how many observations"}));
-  CHECK(says(summary_refusal("name,mean,sd,n\nA,1,1,1e12\n"), {"expected how many observations"}));
+  CHECK(says(summary_refusal("name,mean,sd,n\nA,1,1,2.5\n"), {"'2.5', expected the number of observations"}));
+  CHECK(says(summary_refusal("name,mean,sd,n\nA,1,1,0\n"), {"'0', expected the number of observations"}));
+  CHECK(says(summary_refusal("name,mean,sd,n\nA,1,1,1e12\n"), {"expected the number of observations"}));
   CHECK(says(summary_refusal("name,mean,sd,n\nA,Inf,1,2\n"), {"'Inf', expected a finite number"}));
   CHECK(says(summary_refusal("name,mean,sd,n\nA,1,1,2\nA,1,1,2\n"), {"'A', twice"}));
   CHECK(says(summary_refusal("name,mean,sd,n\n"), {"no rows below the header"}));

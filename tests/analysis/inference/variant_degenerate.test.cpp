@@ -43,7 +43,7 @@ TEST_CASE("what is constant in few runs differs in these runs, and shows no more
   const MetricComparison two = comparison_of(2, {});
   CHECK(two.outcome == Outcome::undecided);
   CHECK_FALSE(two.is_fact);
-  CHECK(two.remark == "differs in these 2 runs; too few to show more");
+  CHECK(two.remark == "differs in these 2 runs, but they are too few to decide");
   CHECK(two.p_worse == Approx(1 / 3.0));  // 2 of the 6 ways to choose two of four
   CHECK(two.p_ranks == Approx(1 / 3.0));
   CHECK(comparison_of(3, {}).outcome == Outcome::undecided);  // 2 of 20
@@ -55,7 +55,7 @@ TEST_CASE("what is constant in few runs differs in these runs, and shows no more
   const MetricComparison from_none =
       compared(solved(2, Status::tolerance_missed, {}), solved(2, Status::ok, {}), {"solved"}).metrics.front();
   CHECK(from_none.outcome == Outcome::undecided);
-  CHECK(from_none.remark == "differs in these 2 runs; too few to show more");
+  CHECK(from_none.remark == "differs in these 2 runs, but they are too few to decide");
   CHECK(compared(solved(4, Status::tolerance_missed, {}), solved(4, Status::ok, {}), {"solved"})
             .metrics.front()
             .outcome == Outcome::better);
@@ -86,7 +86,7 @@ TEST_CASE("runs that all succeed show no failures as rare as their number allows
   };
   const MetricComparison few = comparison_of(8, 10);
   CHECK(few.outcome == Outcome::undecided);
-  CHECK(few.remark == "equal in these 8 and 10 runs");
+  CHECK(few.remark == "equal in all 8 and 10 runs");
   CHECK(few.ratio.p_equivalent == Approx(std::pow(1.05, -8)));
   CHECK(comparison_of(62, 59).outcome == Outcome::same);  // 1.05^-62 = 0.0486, 0.95^59 = 0.0485
   CHECK(comparison_of(61, 59).outcome == Outcome::not_worse);
@@ -105,7 +105,7 @@ TEST_CASE("one answer in eight that is not finite hides no errors ten times as l
     const MetricComparison better = error_of(variant(b, change), variant(a, change));
     CHECK(better.outcome == Outcome::undecided);
     CHECK(better.p_better == 1);
-    CHECK(better.remark == "not finite: 0 of 8 runs of A, 1 of 8 of B; the finite ones of B are better, but fewer");
+    CHECK(better.remark == "not finite: 0 of 8 runs of A, 1 of 8 of B; the finite values of B are better, but fewer");
   }
 }
 
@@ -114,7 +114,7 @@ TEST_CASE("one answer in eight that is not finite is no difference by itself", "
   diverged[0] = not_defined;
   const MetricComparison to = error_of(variant(finite), variant(diverged));
   CHECK(to.outcome == Outcome::undecided);
-  CHECK(to.remark == "not finite: 0 of 8 runs of A, 1 of 8 of B; not told apart");
+  CHECK(to.remark == "not finite: 0 of 8 runs of A, 1 of 8 of B; no difference shown");
   CHECK(to.p_worse == Approx(1));  // of one such run in all, either side has it with the probability 1 / 2
   CHECK(error_of(variant(diverged), variant(finite)).outcome == Outcome::undecided);
   CHECK(error_of(variant({1}), variant({not_defined})).outcome == Outcome::undecided);
@@ -131,12 +131,12 @@ TEST_CASE("many answers that are not finite are worse, whatever the others are",
   CHECK(error_of(variant(finite), variant(diverged)).outcome == Outcome::worse);
   const MetricComparison opposed = error_of(variant(diverged), variant(about(0.11, 0.1)));
   CHECK(opposed.outcome == Outcome::undecided);
-  CHECK_THAT(opposed.remark, ContainsSubstring("more of B are finite, but these are worse"));
+  CHECK_THAT(opposed.remark, ContainsSubstring("B has more finite values, but they are worse"));
   // All of four and none of four: 2 of the 70 ways to choose four of eight.
   const MetricComparison none = error_of(variant({1, 2, 3, 4}), variant(std::vector<double>(4, not_defined)));
   CHECK(none.outcome == Outcome::worse);
   CHECK(none.p_worse == Approx(2 / 70.0));
-  CHECK_THAT(none.remark, ContainsSubstring("too few are finite to compare these"));
+  CHECK_THAT(none.remark, ContainsSubstring("too few finite values"));
 }
 
 TEST_CASE("the means of those that are finite have half the significance", "[variants]") {

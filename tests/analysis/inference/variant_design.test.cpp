@@ -38,8 +38,8 @@ TEST_CASE("targets of a path that are each solved from the same configuration ar
   CHECK(error.b.mean == Approx(1.2 * 5.5 + 0.05));  // of runs 1 and 2: (0.02 + 0.08) / 2
   CHECK(error.outcome == Outcome::worse);
   CHECK(comparison.design ==
-        "10 pairs of targets, one observation is a target's mean over the 3 runs of A and the 2 of B: both solve each "
-        "target of the path from the same configuration.");
+        "10 pairs of targets, one observation is the mean of a target over the 3 runs of A and the 2 of B: A and B "
+        "solve each target of the path from the same configuration.");
   CHECK(comparison.notes.size() == 1);  // nothing is left out
 }
 
@@ -72,10 +72,10 @@ TEST_CASE("drawn targets are pairs by run where they are chained, else each for 
   };
   const VariantComparison alone = comparison_of(drawn_from_initial), chained = comparison_of(chained_drawn);
   CHECK(alone.metrics.front().a.n == 8);
-  CHECK(alone.design.starts_with("8 pairs of targets, one observation is a target's only solve: "));
+  CHECK(alone.design.starts_with("8 pairs of targets, one observation is the only solve of a target: "));
   CHECK(alone.notes.front().starts_with("A: 1 of 3 runs are left out"));
   CHECK(chained.metrics.front().a.n == 2);
-  CHECK(chained.design.starts_with("2 pairs of runs, one observation is a run's mean over its 4 points: "));
+  CHECK(chained.design.starts_with("2 pairs of runs, one observation is the mean of a run over its 4 points: "));
 }
 
 TEST_CASE("runs that are chained along a path, or have a single target, are independent", "[variants]") {
@@ -102,7 +102,7 @@ TEST_CASE("solves that start where the one before ended are not held against tho
                             [](SolveRecord& solve) { solve.start_rad[0] = 0.1 * (solve.point - 1); });
   for (const auto& sides : {std::pair(a, b), std::pair(b, a)}) {
     CHECK_THAT(complaint<std::invalid_argument>([&] { compared(sides.first, sides.second); }),
-               ContainsSubstring("another configuration to start from (run 1 and 1, point 2)"));
+               ContainsSubstring("different start configurations (run 1 and 1, point 2)"));
   }
 }
 
@@ -139,14 +139,14 @@ TEST_CASE("solvers that were given other things to do are not compared", "[varia
     return complaint<std::invalid_argument>([&] { compared(one, other); });
   };
   CHECK_THAT(complaint_of(a, variant(about(1, 0.1), [](SolveRecord& solve) { solve.target_position_m[1] = 0.3; })),
-             ContainsSubstring("other targets (run 1 and 1, point 1: 60 20 10 cm and 60 30 10 cm)"));
+             ContainsSubstring("different targets (run 1 and 1, point 1: 60 20 10 cm and 60 30 10 cm)"));
   CHECK_THAT(complaint_of(a, variant(about(1, 0.1), [](SolveRecord& solve) { solve.target_rotation[0] = -1; })),
-             ContainsSubstring("other targets"));
+             ContainsSubstring("different targets"));
   CHECK_THAT(complaint_of(a, variant(about(1, 0.1), [](SolveRecord& solve) { solve.robot = "leg"; })),
-             ContainsSubstring("another robot (arm and leg)"));
+             ContainsSubstring("different robots (arm and leg)"));
   CHECK_THAT(complaint_of(a, variant(about(1, 0.1), [](SolveRecord& solve) { solve.start_rad[1] = 1; })),
-             ContainsSubstring("another configuration to start from"));
-  CHECK_THAT(complaint_of(a, variant(about(1, 0.1), draw_target)), ContainsSubstring("other targets"));
+             ContainsSubstring("different start configurations"));
+  CHECK_THAT(complaint_of(a, variant(about(1, 0.1), draw_target)), ContainsSubstring("different targets"));
   CHECK_THAT(complaint_of(a, variant({})), ContainsSubstring("B has no complete run of mine"));
   CHECK_THAT(complaint_of(variant({}), a), ContainsSubstring("A has no complete run of mine"));
   const auto shift = [](SolveRecord& solve) {

@@ -60,7 +60,7 @@ TEST_CASE("equivalent is a claim that is shown, and few or wide runs do not show
   CHECK(error_of(variant(about(1, 0.01)), variant(about(1.001, 0.01))).outcome == Outcome::same);
   const MetricComparison wide = error_of(variant(about(1, 0.5)), variant(about(1.001, 0.4)));
   CHECK(wide.outcome == Outcome::undecided);
-  CHECK_THAT(wide.remark, ContainsSubstring("not told apart; about "));
+  CHECK_THAT(wide.remark, ContainsSubstring("no difference shown; about "));
   CHECK(wide.n_to_decide > 20);
 }
 
@@ -69,13 +69,13 @@ TEST_CASE("worse, but not shown to be by more than the margin, is undecided and 
   // from 0, and the margin's end.
   const MetricComparison comparison = error_of(variant(about(1, 0.04)), variant(about(1.05, 0.04)));
   CHECK(comparison.outcome == Outcome::undecided);
-  CHECK(comparison.remark.starts_with("worse, but not shown to be by more than 5 %"));
+  CHECK(comparison.remark.starts_with("worse, but perhaps by less than 5 %"));
 }
 
 TEST_CASE("what is shown not to be worse by the margin need not be shown better or the same", "[variants]") {
   const MetricComparison comparison = error_of(variant(about(1, 0.04)), variant(about(0.95, 0.04)));
   CHECK(comparison.outcome == Outcome::not_worse);
-  CHECK(comparison.remark.starts_with("better, but not shown to be by more than 5 %"));
+  CHECK(comparison.remark.starts_with("better, but perhaps by less than 5 %"));
 }
 
 TEST_CASE("as many runs as are said to decide do decide, mostly", "[variants]") {
@@ -130,7 +130,7 @@ TEST_CASE("worse is corrected for the number of metrics that are looked at", "[v
       metric_of(compared(a, b, {"variation_deg", "solved", "position_error_cm"}), "position_error_cm");
   CHECK(among.p_worse > 2 * alone.p_worse);
   CHECK(among.outcome == Outcome::undecided);
-  CHECK(among.remark.starts_with("worse by its own p, not by Holm's"));
+  CHECK(among.remark.starts_with("worse before Holm's correction, but not after it"));
 }
 
 TEST_CASE("ranks that say other than the mean are told", "[variants]") {
@@ -144,5 +144,5 @@ TEST_CASE("ranks that say other than the mean are told", "[variants]") {
   for (std::size_t i = 0; i < 6; ++i) b[i] = 5;
   const MetricComparison opposed = error_of(variant(a), variant(b), {.significance = 0.1});
   CHECK(opposed.outcome == Outcome::worse);
-  CHECK_THAT(opposed.remark, ContainsSubstring("the ranks contradict the mean: by them B is better (p "));
+  CHECK_THAT(opposed.remark, ContainsSubstring("ranks contradict the mean: by ranks B is better (p "));
 }

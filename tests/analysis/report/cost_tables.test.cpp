@@ -106,7 +106,7 @@ TEST_CASE("where runs repeat their targets, a target is one trial and there is n
   CHECK(number_at(table, 0, "share_low") == Approx(0.3006418426).epsilon(1e-8));
   CHECK(number_at(table, 0, "share_high") == Approx(0.9544127392).epsilon(1e-8));
   CHECK(!has_note(table, "chi-squared"));
-  CHECK(has_note(table, "targets repeat: a target is one trial"));
+  CHECK(has_note(table, "targets repeat, so one trial is a target"));
   CHECK(!has_note(table, "Solves are independent"));
   // Half of the runs come to the fourth: the mean of the shares is 3.5 of 4.
   for (SolveRecord& solve : study.solves) solve.position_error_cm = solve.point < 4 || solve.run % 2 == 0 ? 0 : 1;

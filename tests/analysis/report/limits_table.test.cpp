@@ -72,16 +72,17 @@ TEST_CASE("the limits table sets a study beside the one that enforces the limits
 
 TEST_CASE("what survives is said of every solver", "[limits]") {
   const Table table = *limits_table({recorded, enforced}, Unit::run);
-  CHECK(has_note(table, "IK-BA: position error 2 -> 11 cm (5.5 x), 1 cm over the answers that are not refused; "));
+  CHECK(has_note(table, "IK-BA: position error 2 -> 11 cm (5.5 x), 1 cm for accepted answers; "));
   CHECK(has_note(
-      table, "variation of such answers 50 -> 80 deg (1.6 x); answers outside the limits 1 of 2 -> refused 1 of 2; "));
+      table,
+      "variation of accepted answers 50 -> 80 deg (1.6 x); answers outside the limits 1 of 2 -> refused 1 of 2; "));
   // 11 against 3, variances 200 and 0, n = 2: t = 0.8, 1 degree of freedom; of two groups p were 1 - 2 atan(t) / pi.
   CHECK(has_note(table,
-                 "in error place 1 -> 2 of 2, no longer the first (that is DE, which may be chance; Games and "
-                 "Howell's test, p = 0.77); "));
-  CHECK(has_note(table, "in variation place 1 -> 1 of 2, still the first."));
+                 "rank by error: 1 -> 2 of 2, no longer first (DE is now first, which is undecided; Games-Howell test, "
+                 "p = 0.77); "));
+  CHECK(has_note(table, "rank by variation: 1 -> 1 of 2, still ranked first."));
   CHECK(has_note(table, "DE: position error 4 -> 3 cm (0.75 x)"));
-  CHECK(has_note(table, "in error place 2 -> 1 of 2, now the first; in variation place 2 -> 2 of 2, as before."));
+  CHECK(has_note(table, "rank by error: 2 -> 1 of 2, now ranked first; rank by variation: 2 -> 2 of 2, unchanged."));
 }
 
 TEST_CASE("a solver gains no place in variation by being refused", "[limits]") {
@@ -100,10 +101,10 @@ TEST_CASE("a solver gains no place in variation by being refused", "[limits]") {
   CHECK(number_at(table, 1, "rank_variation") == 1);
   CHECK(number_at(table, 3, "rank_variation") == 2);
   CHECK(has_note(table,
-                 "DE: position error 1 -> 7 cm (7 x), 1 cm over the answers that are not refused; variation of "
-                 "such answers 300 -> 120 deg (0.4 x); answers outside the limits 0 of 2 -> refused 3 of 4; "));
-  CHECK(has_note(table, "in variation place 1 -> 1 of 2, still the first."));
-  CHECK(has_note(table, "A refused answer leaves the arm where it stood"));
+                 "DE: position error 1 -> 7 cm (7 x), 1 cm for accepted answers; variation of accepted answers 300 -> "
+                 "120 deg (0.4 x); answers outside the limits 0 of 2 -> refused 3 of 4; "));
+  CHECK(has_note(table, "rank by variation: 1 -> 1 of 2, still ranked first."));
+  CHECK(has_note(table, "A refused answer leaves the arm where it was"));
 }
 
 TEST_CASE("a place that is shared makes no solver the first", "[limits]") {
@@ -111,9 +112,9 @@ TEST_CASE("a place that is shared makes no solver the first", "[limits]") {
   const Table table =
       *limits_table({alike, study_of("held", "enforced", {{"IK-BA", 1, 40}, {"DE", 2, 40}})}, Unit::run);
   CHECK(has_note(table,
-                 "in error place 1 (shared) -> 1 of 2, now the first; in variation place 1 (shared) -> 1 (shared) "
-                 "of 2, as before."));
-  CHECK(has_note(table, "in error place 1 (shared) -> 2 of 2; "));
+                 "rank by error: 1 (shared) -> 1 of 2, now ranked first; rank by variation: 1 (shared) -> 1 (shared) "
+                 "of 2, unchanged."));
+  CHECK(has_note(table, "rank by error: 1 (shared) -> 2 of 2; "));
   CHECK(number_at(table, 0, "rank_error") == 1);
   CHECK(number_at(table, 2, "rank_error") == 1);
 }
@@ -137,7 +138,7 @@ TEST_CASE("answers that are not finite, refused throughout or not there leave no
       {recorded, study_of("s", "enforced", {{"IK-BA", NAN, 1, Status::not_finite}, {"DE", 7, 0, Status::refused}})},
       Unit::run);
   CHECK(has_note(table, "IK-BA: position error 2 -> not defined cm, not defined cm over"));
-  CHECK(has_note(table, "in error not in both rankings"));
+  CHECK(has_note(table, "not ranked by error in both studies"));
   CHECK(has_note(table, "DE: position error 4 -> 7 cm (1.75 x), not defined cm over"));
   CHECK(!std::isfinite(number_at(table, 1, "rank_error")));
 }

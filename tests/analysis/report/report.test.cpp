@@ -89,7 +89,7 @@ TEST_CASE("a report has its tables, figures and report.md", "[report]") {
     CAPTURE(words);
     CHECK(contains(text, words));
   }
-  CHECK(!contains(text, "## Perspective"));
+  CHECK(!contains(text, "## Baselines"));
 }
 
 TEST_CASE("every link of a report leads to a file", "[report]") {
@@ -139,7 +139,7 @@ TEST_CASE("a study with the same targets is shown in perspective, one with other
                .shape = {.solvers = {"not beside the others"}, .runs = 2}});
   const Report report =
       written_report(store, {.study = "slim2023", .folder = folder.path() / "out", .figures = {.render = false}});
-  CHECK(contains(text_of_file(report.file), "## Perspective"));
+  CHECK(contains(text_of_file(report.file), "## Baselines"));
   CHECK(!contains(text_of_file(report.file), "not beside the others"));
   const std::string csv = text_of_file(folder.path() / "out/tables/perspective.csv");
   CHECK(contains(csv, "\ncontext,random search,2,0,"));
@@ -195,7 +195,7 @@ TEST_CASE("a study of which nothing is solved has a report that says so", "[repo
   Store store(folder.path() / "store.db", Store::Mode::write);
   save(store, {.shape = {.runs = 0}});
   const Report report = written_report(store, {.study = "slim2023", .folder = folder.path()});
-  CHECK(contains(text_of_file(report.file), "Nothing of this study is solved yet."));
+  CHECK(contains(text_of_file(report.file), "This study has no solves yet."));
   CHECK(report.warnings.size() == 6);  // each solver: 0 of 400
 }
 
@@ -210,7 +210,7 @@ TEST_CASE("an incomplete study, parallel times and answers outside the limits ar
   };
   CHECK(says("1 of 359 answers are outside the joint limits ("));
   CHECK(says("Solves: 359 of 360 expected"));
-  CHECK(says("Computing time is neither ranked nor tested: times are not comparable (see the warnings)."));
+  CHECK(says("Computing times are not ranked or tested: times are not comparable (see the warnings)."));
 }
 
 TEST_CASE("the summary writes solvers that are the same to the bit as equal, and none of them as first", "[report]") {
@@ -227,12 +227,11 @@ TEST_CASE("the summary writes solvers that are the same to the bit as equal, and
   std::string all;
   for (const std::string& sentence : summary_of(study)) all += sentence + '\n';
   CHECK(contains(all,
-                 "smallest first): IK-BA = BA = DE. The paper: IK-BA < DE < BA. IK-BA is first in the paper, and "
-                 "here it is IK-BA, BA and DE, which share the place; 0 of 3 pairs stand in the printed order, 3 "
-                 "are tied."));
+                 "smallest first): IK-BA = BA = DE. The paper: IK-BA < DE < BA. IK-BA is first in the paper, and here "
+                 "it is IK-BA, BA and DE (tied); 0 of 3 pairs rank as in the paper, 3 are tied."));
   CHECK(!contains(all, "here too"));
-  CHECK(!contains(all, "Here it is less"));
-  CHECK(!contains(all, "Here it is not less"));
+  CHECK(!contains(all, "Here it is smaller"));
+  CHECK(!contains(all, "Here it is not smaller"));
 }
 
 TEST_CASE("targets that no configuration reaches are told first", "[report]") {
@@ -245,10 +244,10 @@ TEST_CASE("targets that no configuration reaches are told first", "[report]") {
   REQUIRE(!report.warnings.empty());
   CHECK(report.warnings[0] ==
         "3 of the 20 targets of a run are out of the arm's reach (the farthest is point 7: it is 1012 cm from the "
-        "shoulder; the reach is 82 cm). No solver can reach them, so errors there say nothing about the solvers.");
+        "shoulder; the reach is 82 cm). No solver can reach them, so those errors say nothing about the solvers.");
   const std::string text = text_of_file(report.file), page = text_of_file(report.page);
   CHECK(text.find("3 of the 20 targets") < text.find("## Summary"));
-  CHECK(page.find("3 of the 20 targets") < page.find("In words, number by number"));
+  CHECK(page.find("3 of the 20 targets") < page.find("Summary in words"));
 }
 
 TEST_CASE("where the wrist is searched, it is the wrist's centre that a target puts out of reach", "[report]") {
@@ -261,7 +260,7 @@ TEST_CASE("where the wrist is searched, it is the wrist's centre that a target p
   REQUIRE(!report.warnings.empty());
   CHECK(report.warnings[0] ==
         "1 of the 20 targets of a run is out of the arm's reach (point 7: the wrist's centre would be 100 cm from the "
-        "shoulder; the reach is 82 cm). No solver can reach it, so errors there say nothing about the solvers.");
+        "shoulder; the reach is 82 cm). No solver can reach it, so those errors say nothing about the solvers.");
 }
 
 TEST_CASE("what is said of times follows one state of them, in every part of a report", "[report]") {
@@ -284,18 +283,19 @@ TEST_CASE("what is said of times follows one state of them, in every part of a r
 
   const std::string busy = report_of(2, "busy");
   std::size_t said = 0;
-  const std::string head = busy.substr(0, busy.find("## What was run"));
+  const std::string head = busy.substr(0, busy.find("## Study"));
   for (std::size_t at = head.find("2.00 times their CPU time"); at != std::string::npos;
        at = head.find("2.00 times their CPU time", at + 1))
     ++said;
   CHECK(said == 1);  // the reason, among the warnings
-  CHECK(contains(head, "Computing time is neither ranked nor tested: times are not comparable"));
+  CHECK(contains(head, "Computing times are not ranked or tested: times are not comparable"));
   CHECK(!contains(head, "ANOVA of seconds"));
   CHECK(!contains(head, "Computing time (mean, smallest first)"));
   CHECK(!contains(head, "relative time"));
   CHECK(!contains(head, "computing time \\[s\\]: "));
-  CHECK(contains(head, "| undecided | in part | Here: not ranked, times are not comparable (see the warnings)."));
-  CHECK(contains(head, "seconds not tested, times are not comparable (see the warnings)."));
+  CHECK(contains(
+      head, "| undecided | holds in part | Here: not ranked, because times are not comparable (see the warnings)."));
+  CHECK(contains(head, "Computing time: not tested, because times are not comparable (see the warnings)."));
   CHECK(!contains(table("busy", "table-3"), "relative only: agrees"));
   CHECK(!contains(table("busy", "table-3"), "relative only: close"));
   CHECK(!contains(table("busy", "table-3"), "relative only: differs"));
@@ -333,13 +333,12 @@ TEST_CASE("times that are not comparable have no verdict anywhere in a report", 
   const std::string in_page = section_of(page, ">Statistics: computing time [s]</h2>", "<h2");
   for (const std::string& section : {in_text, in_page}) {
     CAPTURE(section);
-    CHECK(contains(section, "What was observed: computing time"));
+    CHECK(contains(section, "Observations: computing time"));
     CHECK(contains(section, "Not judged"));
     CHECK(times_said(section, "2.00 times their CPU time") == 2);  // once with the table, once with the figure
-    for (const char* verdict :
-         {"In short", "Who differs", "Not told apart", "Methods", "Assumptions", "classical analysis", "sound analysis",
-          "Where methods disagree", "is better than", "are the same within", "p = ", "Shapiro", "Tests of all groups",
-          "average rank", "A12"}) {
+    for (const char* verdict : {"In short", "Differences", "Undecided", "Methods", "Assumptions", "classical analysis",
+                                "robust analysis", "Where methods disagree", "is better than", "are the same within",
+                                "p = ", "Shapiro", "Tests of all groups", "average rank", "A12"}) {
       CAPTURE(verdict);
       CHECK(!contains(section, verdict));
     }
@@ -355,10 +354,9 @@ TEST_CASE("times that are not comparable have no verdict anywhere in a report", 
   // What the printed times say among themselves has a section of its own: "computing time, as printed [s]".
   for (const std::string& whole : {text, page}) {
     for (const char* verdict :
-         {"computing time [s]: ", "computing time \\[s\\]: ", "Who differs from whom: computing time [s]",
-          "Tests of all groups together: computing time [s]", "ANOVA of seconds",
-          "Computing time (mean, smallest first)", "relative only: agrees", "relative only: close",
-          "relative only: differs"}) {
+         {"computing time [s]: ", "computing time \\[s\\]: ", "Pairwise comparisons: computing time [s]",
+          "Tests of all groups: computing time [s]", "ANOVA of seconds", "Computing time (mean, smallest first)",
+          "relative only: agrees", "relative only: close", "relative only: differs"}) {
       CAPTURE(verdict);
       CHECK(!contains(whole, verdict));
     }
@@ -388,8 +386,8 @@ TEST_CASE("the summary says which claims of the paper hold", "[report]") {
   std::string all;
   for (const std::string& sentence : summary_of(study)) all += sentence + '\n';
   CHECK(contains(all, "IK-BA is first in the paper, and here too"));
-  CHECK(contains(all, "IK-BA is first in the paper, and here it is MO-PSO; 14 of 15 pairs stand in the printed order"));
-  CHECK(contains(all, "Here it is not less than that of MO-PSO"));
+  CHECK(contains(all, "IK-BA is first in the paper, and here it is MO-PSO; 14 of 15 pairs rank as in the paper"));
+  CHECK(contains(all, "Here it is not smaller than that of MO-PSO"));
   CHECK(contains(all, "the solvers differ, as in the paper"));
 }
 
@@ -399,7 +397,7 @@ TEST_CASE("a difference in variation that may be chance is said to be one", "[re
   for (std::size_t i = 0; i < solves.size(); ++i) solves[i].variation_deg = variations[i];
   StudyResults study = make_study("s", solves);
   study.published = "slim2023";
-  CHECK(contains(summary_of(study)[3], "cannot be told apart from that of MO-PSO (98 %)"));
+  CHECK(contains(summary_of(study)[3], "Against MO-PSO (98 %) it is undecided"));
 }
 
 TEST_CASE("points as observations are flagged at the top, in the tables and in the plan", "[report][analysis]") {
@@ -418,8 +416,8 @@ TEST_CASE("points as observations are flagged at the top, in the tables and in t
     return text_of_file(folder.path() / "out/tables" / (name + ".md"));
   };
   CHECK(contains(table("perspective"), "--force was given"));
-  CHECK(contains(table("table-4"), "p-values and standard deviations claim more than the data say"));
-  CHECK(contains(table("analysis-plan"), "Given on the command line, after the data, and not by the study: "));
+  CHECK(contains(table("table-4"), "p-values and standard deviations are too optimistic"));
+  CHECK(contains(table("analysis-plan"), "Set on the command line after the data were collected, not by the study: "));
   CHECK(contains(table("analysis-plan"), "quartiles 5 -&gt; 7, unit run -&gt; point"));
   CHECK(contains(text_of_file(folder.path() / "out/tables/perspective.csv"), "slim2023,IK-BA,400,"));  // 20 x 20
 }
@@ -432,7 +430,7 @@ TEST_CASE("without a word on the command line the study's plan decides", "[repor
       written_report(store, {.study = "slim2023", .folder = folder.path(), .figures = {.render = false}});
   CHECK(contains(report.warnings.at(0), "Points of one run depend on each other"));
   CHECK(contains(text_of_file(folder.path() / "tables/analysis-plan.csv"), "\nquartiles,7,"));
-  CHECK(!contains(text_of_file(folder.path() / "tables/analysis-plan.md"), "Given on the command line"));
+  CHECK(!contains(text_of_file(folder.path() / "tables/analysis-plan.md"), "Set on the command line"));
 }
 
 TEST_CASE("an unknown study is refused by name", "[report]") {

@@ -65,8 +65,8 @@ TEST_CASE("pieces come in the order of their sections, and none is lost", "[repo
     }
   }
   CHECK(order ==
-        "What became of every solve: status\nResults: figure-5 table-3 figure-9-a figure-9-b\nComputing time: table-7\n"
-        "Further: unheard-of\n");
+        "Outcome of every solve: status\nResults: figure-5 table-3 figure-9-a figure-9-b\nComputing time: "
+        "table-7\nFurther: unheard-of\n");
 }
 
 TEST_CASE("a page has both verdicts of a claim, or the one that there is", "[report]") {

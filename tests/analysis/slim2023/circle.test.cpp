@@ -60,9 +60,9 @@ TEST_CASE("angles by the closed form are the 60 printed ones of Table 8", "[circ
   }
   CHECK(number_at(table, 0, "paper_theta2_deg") == 66.5);  // the printed Table 8
   CHECK(number_at(table, 11, "paper_error_cm") == 9.61e-14);
-  CHECK(has_note(table, "fitted to the angles of this table"));
+  CHECK(has_note(table, "fitted them to the angles of this table"));
   CHECK(contains(printed_angles_verdict(study),
-                 "Table 8: All of the 60 printed angles (theta4 = theta1 is not counted again) are within 0.05 deg"));
+                 "Table 8: All of the 60 printed angles (without theta4 = theta1) agree with ours within 0.05 deg"));
 }
 
 TEST_CASE("the verdict on the printed angles is counted", "[circle]") {
@@ -72,25 +72,25 @@ TEST_CASE("the verdict on the printed angles is counted", "[circle]") {
   const std::string verdict = printed_angles_verdict(study_of(solves));
   CHECK(contains(verdict, "Table 8: 58 of the 60 printed angles"));
   CHECK(contains(verdict, "the largest difference is 40 deg"));
-  CHECK(contains(verdict, "points with an angle that is not: 5, 7."));
+  CHECK(contains(verdict, "points with an angle that does not agree: 5, 7."));
   solves.pop_back();
   CHECK(contains(printed_angles_verdict(study_of(solves)), "55 of the 60"));
-  CHECK(contains(printed_angles_verdict(study_of(solves)), "points that are not solved: 1."));
+  CHECK(contains(printed_angles_verdict(study_of(solves)), "unsolved points: 1."));
   solves[0].answer_rad[1] = NAN;
   CHECK(contains(printed_angles_verdict(study_of(solves)), "54 of the 60"));
-  CHECK(contains(printed_angles_verdict(study_of(solves)), "not all of ours are finite"));
+  CHECK(contains(printed_angles_verdict(study_of(solves)), "some of ours are not finite"));
 }
 
 TEST_CASE("Table 8 tells of our mean error and of the printed errors' two means", "[circle]") {
   std::vector<SolveRecord> solves = synthetic::dobot_solves();
   for (SolveRecord& solve : solves) solve.position_error_cm = solve.point * 1e-15;  // mean 10.5e-15
   const Table table = *table_8(study_of(solves));
-  CHECK(has_note(table, "Our errors have the mean 1.05e-14 cm."));
+  CHECK(has_note(table, "The mean of our errors is 1.05e-14 cm."));
   CHECK(has_note(table,
-                 "mean 2.55e-14 cm; the paper's text says 2.1196e-14 cm. With 9.61e-15 in place of 9.61e-14 cm at "
-                 "point 12 it would be 2.12e-14 cm."));
+                 "mean 2.55e-14 cm; the paper's text says 2.1196e-14 cm. With 9.61e-15 instead of 9.61e-14 cm at point "
+                 "12 it would be 2.12e-14 cm."));
   solves[3].position_error_cm = HUGE_VAL;
-  CHECK(has_note(*table_8(study_of(solves)), "Not all of our answers are finite"));
+  CHECK(has_note(*table_8(study_of(solves)), "Some of our answers are not finite"));
 }
 
 TEST_CASE("only a circle that claims to be the paper's has a Table 8, and it is not held against Table 3", "[circle]") {
@@ -123,7 +123,7 @@ TEST_CASE("a circle has figures 14 to 18, and every one is drawn", "[circle]") {
   check_drawn(figures);
   CHECK(contains(figures[1].caption, "with the arm at points 1, 8, 15."));
   CHECK(contains(figures[1].data, "\n0 0 5.8"));  // the shoulder
-  CHECK(contains(figures[2].caption, "Dashed: the limits"));
+  CHECK(contains(figures[2].caption, "Dashed: joint limits"));
   CHECK(contains(figures[3].data, "\n12 9.61e-14\n"));
 }
 
@@ -163,7 +163,7 @@ TEST_CASE("figures of a circle are drawn whatever is missing from the study", "[
       solve.trace_cm.assign(5, NAN);
     }
     const auto figures = circle_figures(study_of(solves));
-    CHECK(contains(figures[0].caption, "Not all of its answers are finite."));
+    CHECK(contains(figures[0].caption, "Some of its answers are not finite."));
     check_drawn(figures);
   }
   SECTION("errors of zero") {

@@ -108,7 +108,7 @@ TEST_CASE("runs, points and the paper come from the study's definition", "[study
 TEST_CASE("a solve that is there twice or is not numbered from 1 is refused", "[study]") {
   std::vector<SolveRecord> solves = synthetic::solves({.solvers = {"BA"}, .runs = 1, .points = 2});
   solves[1].point = 1;
-  CHECK_THROWS_WITH(make_study("s", solves), "study 's', solver 'BA': run 1, point 1 is there twice; expected once");
+  CHECK_THROWS_WITH(make_study("s", solves), "study 's', solver 'BA': run 1, point 1 appears twice; expected once");
   solves[1].point = 0;
   CHECK_THROWS_AS(make_study("s", solves), std::invalid_argument);
 }
@@ -165,7 +165,8 @@ TEST_CASE("a mean that agrees only because its spread is large says so", "[paper
   CHECK(row.agreement == Agreement::agrees);  // t = 0.99 on one degree of freedom
   CHECK(row.ratio > 50);
   CHECK(rests_on_spread(row));
-  CHECK(to_markdown(table_3(study_of(solves), Unit::run)).find("| agrees, for its spread only |") != std::string::npos);
+  CHECK(to_markdown(table_3(study_of(solves), Unit::run)).find("| agrees only because of its spread |") !=
+        std::string::npos);
 }
 
 TEST_CASE("the printed ANOVA stands beside ours only where both ask the same", "[paper]") {
@@ -197,7 +198,7 @@ TEST_CASE("computing time is compared relative to IK-BA only", "[paper]") {
 
 TEST_CASE("without IK-BA there is no relative time, and the verdict says so", "[paper]") {
   const Table table = table_3(study_of(synthetic::solves({.solvers = {"BA", "DE"}})), Unit::run);
-  CHECK(std::get<std::string>(table.rows.back().back()) == "no time of IK-BA to relate to");
+  CHECK(std::get<std::string>(table.rows.back().back()) == "no time of IK-BA to compare with");
 }
 
 TEST_CASE("without published numbers their columns are empty", "[paper]") {
@@ -250,7 +251,7 @@ TEST_CASE("the status table has every solve, every status, and how far answers l
       "incomplete_runs,outside_limits,worst_outside_deg,timing_clean,timing_disturbed,timing_parallel,"
       "timing_debug_build\n"
       "IK-BA,1,0,1,1,1,0,4,4,1,0,2,12.5,3,0,1,0\n");
-  CHECK(contains(table.notes, "Times are not comparable: of 4 solves, 1 were timed while others ran in parallel"));
+  CHECK(contains(table.notes, "Times are not comparable: of 4 solves, 1 ran in parallel with others"));
   CHECK(contains(table.notes, "A refused answer leaves the arm where it was"));
   solves[3].status = Status::ok;
   CHECK_FALSE(contains(status_table(make_study("s", solves)).notes, "refused answer leaves"));

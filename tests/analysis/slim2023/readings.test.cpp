@@ -75,7 +75,7 @@ TEST_CASE("the notes name the reading that is nearest to each printed mean", "[r
   const auto says = [&](const std::string& words) {
     return std::ranges::any_of(table.notes, [&](const std::string& note) { return note.find(words) == 0; });
   };
-  CHECK(says("The printed error of IK-BA: the default -0.023"));  // log10(0.0018 / 0.0019)
+  CHECK(says("Printed error of IK-BA: default -0.023"));  // log10(0.0018 / 0.0019)
   CHECK(says("IK-BA.step_factor=1: Ten times as far."));
 }
 
