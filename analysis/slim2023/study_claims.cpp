@@ -6,6 +6,7 @@
 #include <cmath>
 #include <string>
 
+#include "analysis/figures/figure_parts.hpp"
 #include "analysis/inference/text.hpp"
 #include "analysis/slim2023/claim_comparison.hpp"
 
@@ -66,7 +67,7 @@ std::optional<Claim> solvers_differ(const StudyResults& study, Unit unit) {
     const std::optional<AnovaTable> printed = comparable_printed_anova(study, metric, unit);
     if (!printed) return std::nullopt;
     if (!is_significant(printed->p, study.plan)) ++printed_alike;
-    list += fmt::format("{}{} ", list.empty() ? "" : "; ", name_of(metric));
+    list += fmt::format("{}{}: ", list.empty() ? "" : "; ", figures::capitalised(info_of(metric).name));
     if (metric == Metric::seconds && !times_are_comparable(study)) {
       list += fmt::format("not tested, because {} (see the warnings)", times_not_judged);
       continue;
@@ -74,7 +75,8 @@ std::optional<Claim> solvers_differ(const StudyResults& study, Unit unit) {
     const AnovaTable table = anova(study, metric, unit).table;
     if (!std::isfinite(table.p)) return std::nullopt;
     ++(is_significant(table.p, study.plan) ? differ : alike);
-    list += fmt::format("F({}, {}) = {}, p = {}", short_number(table.F), rounded_number(table.p, 2));
+    list += fmt::format("F({}, {}) = {}, p = {}", table.df_between, table.df_within, short_number(table.F),
+                        rounded_number(table.p, 2));
   }
   const auto verdict_of = [](int number_alike, int number_differing) {
     if (number_differing == static_cast<int>(paper_metrics.size())) return Verdict::holds;

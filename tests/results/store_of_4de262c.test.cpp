@@ -97,6 +97,6 @@ TEST_CASE("a damaged store of the program of 4de262c is refused", "[store][older
     write_text(file, whole);
     SQLite::Database(file.string(), SQLite::OPEN_READWRITE).exec(sql);
     CHECK_THAT(complaint<std::invalid_argument>([&] { const Store store(file, Store::Mode::write); }),
-               ContainsSubstring("its table solves has other columns"));
+               ContainsSubstring("its table solves has unexpected columns"));
   }
 }

@@ -160,12 +160,13 @@ TEST_CASE("an older store that may not be written is read all the same", "[store
 
 TEST_CASE("a store whose columns are not those of its version is damaged", "[store][columns][faults]") {
   for (const auto& [sql, word] : std::vector<std::pair<std::string, std::string>>{
-           {"ALTER TABLE solves DROP COLUMN all_seconds", "its table solves has other columns"},
+           {"ALTER TABLE solves DROP COLUMN all_seconds", "its table solves has unexpected columns"},
            {"ALTER TABLE solves DROP COLUMN repetitions; PRAGMA user_version = 5",
-            "its table solves has other columns"},
-           {"ALTER TABLE solves DROP COLUMN seconds; PRAGMA user_version = 5", "its table solves has other columns"},
-           {"PRAGMA user_version = 5", "its table solves has other columns"},
-           {"ALTER TABLE solves ADD COLUMN more REAL", "its table solves has other columns"},
+            "its table solves has unexpected columns"},
+           {"ALTER TABLE solves DROP COLUMN seconds; PRAGMA user_version = 5",
+            "its table solves has unexpected columns"},
+           {"PRAGMA user_version = 5", "its table solves has unexpected columns"},
+           {"ALTER TABLE solves ADD COLUMN more REAL", "its table solves has unexpected columns"},
            {"PRAGMA user_version = 0", "its user_version is 0"}}) {
     CAPTURE(sql);
     const ScratchFolder folder;
