@@ -38,7 +38,7 @@ stages "ctest --preset dev" 1 "${all[@]}"
 stages "ctest --preset release" 1 "${all[@]}"
 stages "clang-format" 1 "${all[@]}"
 said "check: failed with format"
-said "check: not formatted; to format: git ls-files '*.cpp' '*.hpp' | xargs clang-format -i"
+said "check: some files are not formatted; run: git ls-files '*.cpp' '*.hpp' | xargs clang-format -i"
 stages "setup dev" 1 "setup dev" "ctest --preset release" "clang-format"
 said "check: failed with dev"
 ! grep -qF "ctest --preset dev" "$work/calls" || { echo "FAILED: tests what was not built"; exit 1; }

@@ -19,7 +19,7 @@ namespace {
 std::string_view unit_note(Unit unit) {
   return unit == Unit::run ? "One observation is the mean of a run over its points."
                            : "One observation is one point. Points of one run depend on each other, so p-values and "
-                             "standard deviations claim more than the data say.";
+                             "standard deviations are too optimistic.";
 }
 
 void add_notes(Table& table, const StudyResults& study, Unit unit) {

@@ -90,7 +90,7 @@ std::string anova_sentence(const StudyResults& study, Metric metric, Unit unit) 
   const auto printed = comparable_printed_anova(study, metric, unit);
   std::string text = fmt::format("ANOVA of {}: ", name_of(metric));
   if (!ours.table.undefined.empty()) {
-    text += "not defined, " + ours.table.undefined;
+    text += "not defined (" + ours.table.undefined + ")";
   } else {
     const bool differ = is_significant(ours.table.p, study.plan);
     text += fmt::format("F({}, {}) = {}, p {}: the solvers {}", ours.table.df_between, ours.table.df_within,

@@ -26,13 +26,13 @@ grep -q 'id="motion-data"' made/report.html || fail "the page does not show the 
 # The file is the one beside the study, from wherever the program is called; a copy of the arm is the same arm.
 mkdir elsewhere
 (cd elsewhere && "$program" run ../my_study.toml "${small[@]}" --no-report --out ../made >../.out 2>&1) || fail "$(<.out)"
-has "$(<.out)" "(6 were there already)"
+has "$(<.out)" "(6 were already stored)"
 cp my_arm.toml copy.toml
 succeeds run my_study.toml "${small[@]}" --set robot=copy.toml --no-report --out made
-has "$out" "(6 were there already)"
+has "$out" "(6 were already stored)"
 sed -i 's/0.30/0.31/' my_arm.toml
 succeeds run my_study.toml "${small[@]}" --no-report --out made
-has_no "$out" "were there already"
+has_no "$out" "were already stored"
 
 # Mistakes.
 refused 'there is no file none.toml' list robots none.toml

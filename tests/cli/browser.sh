@@ -58,7 +58,7 @@ probe() {
 
 # Names are text, in tables, figures and headings: no element of their making.
 cat >names.js <<E2
-const cells = new Set([...document.querySelectorAll('#table-3 td')].map(cell => cell.textContent));
+const cells = new Set([...document.querySelectorAll('#results td')].map(cell => cell.textContent));
 const mark = "$mark";
 const names = ['</text></svg><script>' + mark + '<\\/script>', '" onload="' + mark, '"><img src=x onerror=' + mark + '>', '{{{title}}} &amp; "'];
 const meta = document.createElement('meta');
@@ -74,8 +74,8 @@ has_no "$out" ' marked='
 
 # A figure that a reader opens by itself runs nothing either; a drawing that runs something would be seen.
 if command -v gnuplot >/dev/null; then
-  grep -q 'onload' hostile/figures/figure-6.svg || fail "figure 6 shows no hostile name"
-  for figure in hostile/figures/figure-6.svg hostile/figures/figure-10.svg; do
+  grep -q 'onload' hostile/figures/error.svg || fail "the figure of the error shows no hostile name"
+  for figure in hostile/figures/error.svg hostile/figures/error-boxes.svg; do
     browse "$figure" --dump-dom
     has "$out" '<svg'
     has_no "$out" ' marked='

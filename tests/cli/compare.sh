@@ -56,7 +56,7 @@ succeeds compare $base $again --label IK-BA --metric solved --strict
 study single --set runs=1
 succeeds compare single/store.sqlite single/store.sqlite --label BA --metric evaluations
 succeeds compare $base single/store.sqlite --label BA --metric position_error_cm
-has "$out" "a single run has no spread"
+has "$out" "a single run shows no variation"
 
 # Random targets: run by run the same.
 for folder in drawn drawn_again; do

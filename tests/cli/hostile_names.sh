@@ -33,7 +33,7 @@ mkdir here
   ! grep -q '<script>\|<b>\|<img' "$folder/report.md" || fail "the report has HTML of the user's making"
   if command -v gnuplot >/dev/null; then
     has_no "$err" "figure"
-    [ -s "$folder/figures/figure-6.svg" ] || fail "no figure 6"
+    [ -s "$folder/figures/error.svg" ] || fail "no figure of the error"
     ! grep -q '<b>\|<script>' "$folder"/figures/*.svg || fail "a figure has HTML of the user's making"
   fi
 ) || exit 1

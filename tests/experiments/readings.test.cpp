@@ -122,7 +122,7 @@ TEST_CASE("a grid has every combination, of alternatives at most one", "[reading
 TEST_CASE("a grid refuses what it does not know, what stands twice, and what is too much", "[readings]") {
   CHECK_THROWS_WITH(
       full_grid(readings("slim2023"), {"search=all_joint"}),
-      Catch::Matchers::StartsWith("unknown reading \"search=all_joint\"; did you mean \"search=all_joints\""));
+      Catch::Matchers::StartsWith("unknown interpretation \"search=all_joint\"; did you mean \"search=all_joints\""));
   CHECK_THROWS_AS(full_grid(readings("slim2023"), {"DE.bounds=reflect", "DE.bounds=reflect"}), std::invalid_argument);
   std::vector<std::string> all;
   for (const Reading& reading : readings("slim2023")) all.push_back(reading.set);

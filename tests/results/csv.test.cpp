@@ -106,7 +106,7 @@ TEST_CASE("a column is found by its name, and a wrong name is told the right one
   CHECK(table.column("run") == 0);
   CHECK(complaint<std::invalid_argument>([&] { table.column("seconds"); }) ==
         "no column 'seconds'; expected one of: run, error, error");
-  CHECK(complaint<std::invalid_argument>([&] { table.column("error"); }) == "two columns 'error', expected one");
+  CHECK(complaint<std::invalid_argument>([&] { table.column("error"); }) == "two columns 'error'; expected one");
 }
 
 TEST_CASE("a cell is a number or is refused with its row, column and text", "[csv]") {

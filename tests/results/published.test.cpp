@@ -38,7 +38,7 @@ TEST_CASE("Tables 3 to 8 of the paper and its statements are in the program", "[
 
 TEST_CASE("a table that is not there is told which are", "[published]") {
   CHECK(complaint<std::invalid_argument>([] { published::table("slim2023", "table-9"); }) ==
-        "no table 'table-9' of slim2023, expected one of: statements, table-3, table-4, table-5, table-6, table-7, "
+        "no table 'table-9' of slim2023; expected one of: statements, table-3, table-4, table-5, table-6, table-7, "
         "table-8");
   CHECK(complaint<std::invalid_argument>([] { published::table("nobody1999", "table-3"); }) ==
         "no published paper 'nobody1999'; expected one of: slim2023");

@@ -136,11 +136,11 @@ TEST_CASE("a study that is not there is told which are", "[store]") {
   const auto file = folder.path / "a.ikb";
   Store store(file, Store::Mode::write);
   CHECK(complaint<std::invalid_argument>([&] { store.study("x"); }) ==
-        "no study 'x' in " + quoted(file) + ", expected one of: (the store is empty)");
+        "no study 'x' in " + quoted(file) + "; expected one of: (the store is empty)");
   store.save_study(sample_study("helix"));
   store.save_study(sample_study("circle"));
   CHECK(complaint<std::invalid_argument>([&] { store.solves("x"); }) ==
-        "no study 'x' in " + quoted(file) + ", expected one of: helix, circle");
+        "no study 'x' in " + quoted(file) + "; expected one of: helix, circle");
   for (int i = 3; i <= 23; ++i) store.save_study(sample_study("s" + std::to_string(i)));
   CHECK_THAT(complaint<std::invalid_argument>([&] { store.study("x"); }), ContainsSubstring(", s19, s20 and 3 more"));
 }

@@ -104,7 +104,7 @@ TEST_CASE("a mistake in an arm file is told with file, line, column, value and w
       {many + "]", "my_arm.toml:1:9: links is"},
       {"links = = 3", "my_arm.toml:1:9: not TOML"},
       {"links = [{}]\nsummery = 'x'", "my_arm.toml:2:1: unknown key \"summery\"; did you mean \"summary\"?"},
-      {"summary = 7\nlinks = [{}]", "my_arm.toml:1:11: summary is 7; expected a text in quotes"},
+      {"summary = 7\nlinks = [{}]", "my_arm.toml:1:11: summary is 7; expected a quoted string"},
       {"source = \"a\\nb\"\nlinks = [{}]", "my_arm.toml:1:10: source is"},
       {"links = [{ alpha_rad = 1 }]", "my_arm.toml:1:12: unknown key \"alpha_rad\"; did you mean \"alpha_deg\"?"},
       {"links = [{ d_m = 101 }]", "my_arm.toml:1:18: links.d_m is 101; expected a number from -100 to 100"},

@@ -188,7 +188,7 @@ TEST_CASE("intervals are marked where they exclude zero, and in words where ther
         Texts{"1 1 0.5 1.5 1", "2 -1 -1.5 -0.5 1", "3 0.1 -1 1 0", "4 1 0 2 0", "5 NaN NaN NaN 0", "6 1 NaN 2 0"});
   CHECK(contains(figure.settings, "'not defined' at 0, first 5"));
   CHECK(contains(figure.settings, "'unbounded' at 0, first 6"));
-  CHECK(contains(figure.caption, "level 95 % (Games-Howell)"));
+  CHECK(contains(figure.caption, "simultaneous 95 % intervals (Games-Howell)"));
 }
 
 TEST_CASE("Demsar's Figure 1a: at 0.10 two bars, C4.5 apart from the two with m", "[figure]") {

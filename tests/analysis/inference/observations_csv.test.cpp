@@ -107,7 +107,7 @@ TEST_CASE("semicolons and tabs between the columns are refused by name, in quote
   CHECK(refusal("solver;error\nA;1,5\n") ==
         "a/folder/file.csv:1: semicolons between the columns; expected commas (and a point, not a comma, in a number)");
   CHECK(says(refusal("solver\terror\nA\t1\n"), {":1: tabs between the columns; expected commas"}));
-  CHECK(says(refusal(std::string_view("\xFF\xFEs\0", 4)), {"UTF-16, expected UTF-8"}));
+  CHECK(says(refusal(std::string_view("\xFF\xFEs\0", 4)), {"UTF-16; expected UTF-8"}));
   CHECK(read("\"solver\",\"error; squared\"\nA,1\n", {.value = "error; squared", .group = "solver"}).name ==
         "error-squared");
   CHECK(read("\"a;b\"\n1\n", wide).groups[0].name == "a;b");
@@ -470,6 +470,6 @@ TEST_CASE("summaries that cannot be are refused", "[csv]") {
   CHECK(says(summary_refusal("name,mean,sd,n\nA,1,1,0\n"), {"'0', expected the number of observations"}));
   CHECK(says(summary_refusal("name,mean,sd,n\nA,1,1,1e12\n"), {"expected the number of observations"}));
   CHECK(says(summary_refusal("name,mean,sd,n\nA,Inf,1,2\n"), {"'Inf', expected a finite number"}));
-  CHECK(says(summary_refusal("name,mean,sd,n\nA,1,1,2\nA,1,1,2\n"), {"'A', twice"}));
+  CHECK(says(summary_refusal("name,mean,sd,n\nA,1,1,2\nA,1,1,2\n"), {"'A', given twice"}));
   CHECK(says(summary_refusal("name,mean,sd,n\n"), {"no rows below the header"}));
 }

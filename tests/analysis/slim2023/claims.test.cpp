@@ -97,7 +97,7 @@ TEST_CASE("claims are judged on the printed numbers too, by Games and Howell's t
   CHECK(printed("Computing time: PSO < IK-BA") == Verdict::in_part);  // PSO and IK-BA differ, DE and K-ABC do not
   CHECK(printed("The solvers differ") == Verdict::holds);
   CHECK(!printed("inside the joint limits"));
-  CHECK(tally(all) == "Of 7 claims, 6 hold and 1 is undecided. On the printed numbers 3 of 6 hold.");
+  CHECK(tally(all) == "Of 7 claims, 6 hold and 1 is undecided. By the printed numbers, 3 of 6 hold.");
 }
 
 TEST_CASE("an order that most pairs keep holds in part", "[report]") {
@@ -122,7 +122,7 @@ TEST_CASE("companions say what is left with limits enforced and against a classi
     solve.evaluations = 11;
   }
   auto all = claims(study, {limits, context}, Unit::run);
-  CHECK(verdict_of(all, "enforced IK-BA is still the most accurate") == Verdict::holds);
+  CHECK(verdict_of(all, "enforced joint limits, IK-BA is still the most accurate") == Verdict::holds);
   CHECK(contains(claim_of(all, "enforced").evidence, "IK-BA 1 of 400, BA 0 of 400"));
   CHECK(verdict_of(all, "classical") == Verdict::fails);
   CHECK(contains(claim_of(all, "classical").evidence, "against 11 evaluations"));
