@@ -72,7 +72,7 @@ has_outputs r error groups tests contrasts
 # A column a group; the same with its rows as blocks.
 printf 'A,B,C\n1,2,3\n2,3,4\n1.5,2.5,3.25\n1.75,2,3.5\n' >wide.csv
 succeeds stats wide.csv --wide --no-figures --out wide
-has "$out" "of 3 groups (A, B and C) with 4 observations each"
+has "$out" "; 3 groups (A, B and C) with 4 observations each"
 has "$out" "Methods: Welch's ANOVA with the Games-Howell test decides"
 succeeds stats wide.csv --wide --rows-are-blocks --value AUC --larger-is-better --out blocks
 has "$out" "All groups share 4 blocks"
@@ -86,7 +86,7 @@ has_figures blocks auc observations differences ranks effects
 # Blocks in a column.
 printf 'problem,solver,error\np1,A,1\np1,B,2\np2,A,2\np2,B,3\np3,A,1\np3,B,1.5\np4,A,1\n' >blocks.csv
 succeeds stats blocks.csv --value error --block problem --test friedman --no-figures --out blocked
-has "$out" "in 3 blocks"
+has "$out" "All groups share 3 blocks"
 has "$out" "Left out because incomplete: 1 of 4 blocks ('p4' has no value of 'B')."
 
 # Problems of any scale, three seeds each: B crashes in the worst seed of the hardest, its row is not there.
@@ -154,14 +154,14 @@ has "$error" "One-way ANOVA: F(5, 114) = 40.77"
 has "$error" "Welch's ANOVA: F(5, 44.3) = 141.8"
 pooled=$(grep -o 'Tukey (pooled variance) does not separate .*; Games-Howell' <<<"$error") ||
   fail "nothing on Tukey in: $error"
-has "$pooled" "IK-BA and DE (p = 0.0695 against p = 0.000297)"
-has "$pooled" "IK-BA and K-ABC (p = 0.5 against p = 1.89e-10)"
+has "$pooled" "IK-BA and DE (p = 0.0695 vs p = 0.000297)"
+has "$pooled" "IK-BA and K-ABC (p = 0.5 vs p = 1.89e-10)"
 has "$error" "IK-BA is better than DE"
 has "$error" "IK-BA is better than K-ABC"
 has "$error" "trust Games-Howell"
 has "$variation" "Undecided: IK-BA and MO-PSO (p = 0.997;"
 has_no "$variation" "IK-BA is better than MO-PSO"
-has "$seconds" "PSO is better than IK-BA: 0.207 against 0.244"
+has "$seconds" "PSO is better than IK-BA: 0.207 vs 0.244"
 grep -q '^IK-BA,PSO,PSO is better,' published/tables/statistics-seconds-contrasts.csv ||
   fail "the table does not say that PSO is better in seconds"
 
@@ -338,24 +338,24 @@ degenerate() { # WORDS CSV...: a report that has the words, whose numbers are JS
   has_no "$out" "group 1"
 }
 degenerate "There is only one group" A "1 2 3"
-degenerate "of 1 group (A) with 1 observation each" A 1
+degenerate "; 1 group (A) with 1 observation each" A 1
 degenerate "equal variances cannot be tested" A 1 B 2 C 3
 degenerate "Not defined: A and B (A has a single value, so it has no spread)" A 1 B 2
 degenerate "Welch's ANOVA (without B, whose variance is 0 or not defined): F(1, 4) = 1.5" A "1 2 3" B 7 C "2 3 4" # t^2 = 1 / (2 / 3)
 degenerate "All values within a group are equal" A "1 1 1 1 1" B "2 2 2 2 2"
-has "$out" "A is better than B: 1 against 2, by 1, p = 0.00794, ahead in 100 %" # 2 of 252 arrangements
+has "$out" "A is better than B: 1 vs 2, by 1, p = 0.00794, ahead in 100 %" # 2 of 252 arrangements
 degenerate "The same within 5 %: A and B" A "1 1 1 1" B "1 1 1 1"
 degenerate "Undecided: A and B (all observations are equal, but there are too few to call the groups the same)" A "1 1 1" B "1 1 1"
 degenerate "equal variances cannot be tested" A "1.1 1.4" B "2.3 9.7" C "0.1 0.7"
 degenerate "1 of the 3 pairs differs. None of them includes A: B is better than C: 2 vs 3, by 1" A "1 2 3 1 2 3" B "2 2 2 2 2 2" C "3 3 3 3 3 3"
-has "$out" "dominated by A, while B has none"
+has "$out" "A dominates Tukey's pooled variance: B has no variance"
 degenerate "A has values that are not finite" A "1 2 Inf" B "2 3 4"
 degenerate "A has values that are not finite" A "Inf Inf" B "-Inf Inf"
 degenerate "Mann-Whitney test: not defined, all values are equal" A "Inf Inf" B "Inf Inf"
 degenerate "the difference or its spread is too large for double precision" A "1e308 1.1e308 1.2e308" B "-1e308 -1.1e308 1e307"
 degenerate "A has no values" A "NaN NaN" B "1 2" C "2 3"
 degenerate "Undecided: A and B" A "1e-320 2e-320 3e-320" B "5e-324 1e-323 9e-320"
-degenerate "of 2 groups" A "-0 0 0" B "0 0 1"
+degenerate "; 2 groups" A "-0 0 0" B "0 0 1"
 
 # One block that is complete: ranks, and no test of them.
 printf 'A,B,C\n1,2,3\n' >block.csv

@@ -137,8 +137,8 @@ TEST_CASE("answers that are not finite, refused throughout or not there leave no
   const Table table = *limits_table(
       {recorded, study_of("s", "enforced", {{"IK-BA", NAN, 1, Status::not_finite}, {"DE", 7, 0, Status::refused}})},
       Unit::run);
-  CHECK(has_note(table, "IK-BA: position error 2 -> not defined cm, not defined cm over"));
+  CHECK(has_note(table, "IK-BA: position error 2 -> not defined cm, not defined cm for accepted answers"));
   CHECK(has_note(table, "not ranked by error in both studies"));
-  CHECK(has_note(table, "DE: position error 4 -> 7 cm (1.75 x), not defined cm over"));
+  CHECK(has_note(table, "DE: position error 4 -> 7 cm (1.75 x), not defined cm for accepted answers"));
   CHECK(!std::isfinite(number_at(table, 1, "rank_error")));
 }

@@ -125,7 +125,7 @@ TEST_CASE("companions say what is left with limits enforced and against a classi
   CHECK(verdict_of(all, "enforced joint limits, IK-BA is still the most accurate") == Verdict::holds);
   CHECK(contains(claim_of(all, "enforced").evidence, "IK-BA 1 of 400, BA 0 of 400"));
   CHECK(verdict_of(all, "classical") == Verdict::fails);
-  CHECK(contains(claim_of(all, "classical").evidence, "against 11 evaluations"));
+  CHECK(contains(claim_of(all, "classical").evidence, "vs 11 evaluations"));
 
   for (SolveRecord& solve : context.solves) solve.evaluations = 20000;
   for (SolveRecord& solve : limits.solves) solve.position_error_cm *= solve.solver == "IK-BA" ? 1000 : 1;
