@@ -100,14 +100,14 @@ TestResult of_welch(const std::vector<GroupEvidence>& groups, std::span<const Gr
 TestResult of_two(const std::vector<double>& first, const std::vector<double>& second, const Evidence& evidence) {
   if (evidence.blocks > 0) {
     const WilcoxonSignedRank test = wilcoxon_signed_rank(first, second);
-    return {.test = "Wilcoxon's signed-rank test" + in_brackets(test.method),
+    return {.test = "Wilcoxon signed-rank test" + in_brackets(test.method),
             .symbol = "V",
             .statistic = test.V,
             .p = test.p,
             .undefined = test.undefined};
   }
   const MannWhitney test = mann_whitney(first, second);
-  return {.test = "Mann and Whitney's test" + in_brackets(test.method),
+  return {.test = "Mann-Whitney test" + in_brackets(test.method),
           .symbol = "U",
           .statistic = test.U,
           .p = test.p,
