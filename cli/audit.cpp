@@ -69,7 +69,7 @@ void add_audit(CLI::App& app) {
       "  contradiction   two statements cannot both hold, or the numbers do not support a claim");
   command->callback([arguments] {
     const Paper& paper = analysis::paper(arguments->paper);
-    if (!paper.audit) throw std::invalid_argument(fmt::format("nothing of the paper {} is audited", paper.name));
+    if (!paper.audit) throw std::invalid_argument(fmt::format("the program has no audit of the paper {}", paper.name));
     const std::vector<AuditItem> items = paper.audit();
     if (!arguments->out.empty()) {
       write_table(audit_table(items), std::filesystem::path(arguments->out) / "tables");

@@ -167,7 +167,8 @@ void add_readings(CLI::App& app, Invocation& invocation) {
       "Solvers that an interpretation does not affect are not run again. Ctrl-C shows what is finished.");
   command->callback([arguments, &invocation] {
     const Paper& paper = analysis::paper(arguments->paper);
-    if (!paper.readings) throw std::invalid_argument(fmt::format("the paper {} has no readings", paper.name));
+    if (!paper.readings)
+      throw std::invalid_argument(fmt::format("the program has no interpretations of the paper {}", paper.name));
     const std::string& study = paper.studies.front().name;
     const std::vector<Reading> all = readings(study);
     if (arguments->list) {

@@ -115,7 +115,7 @@ void add_solve(CLI::App& app) {
   command->add_option("--tool", arguments->tool, "orientation of the tool: down, or as in the paper's Eq. 27")
       ->check(CLI::IsMember({"down", "eq27"}))
       ->capture_default_str();
-  command->add_option("--robot", arguments->robot, "a name that ikbench list robots prints, or a file: my_arm.toml")
+  command->add_option("--robot", arguments->robot, "a name from ikbench list robots, or a file such as my_arm.toml")
       ->capture_default_str();
   command->add_option("--solver", arguments->solver, "see: ikbench list solvers")->capture_default_str();
   command

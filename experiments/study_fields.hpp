@@ -33,7 +33,7 @@ inline void list_fields(Fields& io, Study& study) {
   io.text("title", study.title, "", InKey::no);
   io.text("published", study.published, "compare the results with the printed tables of this paper; \"\": none",
           InKey::no);
-  io.text("robot", study.robot, "see: ikbench list robots; or a file such as \"my_arm.toml\", beside the study",
+  io.text("robot", study.robot, "a name from ikbench list robots, or a file beside the study such as \"my_arm.toml\"",
           InKey::in_text);
   io.choice(
       "search", study.search, Choices<Search>{{"wrist", Search::wrist}, {"all_joints", Search::all_joints}},

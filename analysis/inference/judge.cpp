@@ -20,7 +20,7 @@ namespace {
 std::size_t place_of(const Evidence& evidence, std::string_view group) {
   const auto found = std::ranges::find(evidence.groups, group, &GroupEvidence::name);
   if (found != evidence.groups.end()) return static_cast<std::size_t>(found - evidence.groups.begin());
-  throw std::invalid_argument(fmt::format("no group '{}' to be judged", group));
+  throw std::invalid_argument(fmt::format("there is no group '{}'", group));
 }
 
 Answer turned(Answer answer) {

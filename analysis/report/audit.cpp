@@ -23,11 +23,12 @@ Table audit_table(const std::vector<AuditItem>& items) {
         {item.id, item.where, item.printed, item.follows, std::string(name_of(item.verdict)), item.sentence});
   }
   table.notes.emplace_back(
-      "No solve enters this table. Numbers follow from what the paper prints and, where it is silent, from statements "
-      "that results/published marks as not printed. "
-      "consistent: to the last printed digit; "
-      "rounding: within what the rounding of the printed numbers allows; misprint: others of the paper's numbers show "
-      "what is meant; contradiction: two things that cannot both hold, or a claim that the numbers do not carry.");
+      "This table uses no solves. Its numbers follow from what the paper prints and, where the paper is silent, from "
+      "statements that results/published marks as not printed. "
+      "consistent: the numbers agree to the last printed digit. "
+      "rounding: they agree within the rounding of the printed digits. misprint: a number is wrong, and other numbers of "
+      "the paper show the right one. contradiction: two statements cannot both hold, or the numbers do not support a "
+      "claim.");
   return table;
 }
 
