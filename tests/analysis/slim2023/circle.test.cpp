@@ -86,9 +86,10 @@ TEST_CASE("Table 8 tells of our mean error and of the printed errors' two means"
   for (SolveRecord& solve : solves) solve.position_error_cm = solve.point * 1e-15;  // mean 10.5e-15
   const Table table = *table_8(study_of(solves));
   CHECK(has_note(table, "The mean of our errors is 1.05e-14 cm."));
-  CHECK(has_note(table,
-                 "mean of the printed errors is 2.55e-14 cm; the paper's text says 2.1196e-14 cm. With 9.61e-15 instead of 9.61e-14 cm at point "
-                 "12 it would be 2.12e-14 cm."));
+  CHECK(has_note(
+      table,
+      "mean of the printed errors is 2.55e-14 cm; the paper's text says 2.1196e-14 cm. With 9.61e-15 instead of 9.61e-14 cm at point "
+      "12 it would be 2.12e-14 cm."));
   solves[3].position_error_cm = HUGE_VAL;
   CHECK(has_note(*table_8(study_of(solves)), "Some of our answers are not finite"));
 }

@@ -101,8 +101,8 @@ TEST_CASE("Table 7 tells of the printed mean beyond its maximum and of the print
   const Table table = *table_7(study_of(by_hand));
   CHECK(has_note(table, "20 bats (83.75 by 80.06)"));
   CHECK(has_note(table, "printed: 12 bats 4, 15 bats 4.07, 20 bats 4.19, 30 bats 6.03; ours"));  // 48.01 / 12 and so on
-  CHECK(has_note(table, "of solves that reach the tolerance: 12 bats 0.417, 15 bats 0.289."));  // 5 / 12, 13/3 / 15
-  CHECK(has_note(table, "its longest solves take at most 2.5 times the mean"));                     // 448.44 / 180.94
+  CHECK(has_note(table, "of solves that reach the tolerance: 12 bats 0.417, 15 bats 0.289."));   // 5 / 12, 13/3 / 15
+  CHECK(has_note(table, "its longest solves take at most 2.5 times the mean"));                  // 448.44 / 180.94
 }
 
 TEST_CASE("Table 7 tells whether our time grows with the bats as the printed does", "[time]") {
