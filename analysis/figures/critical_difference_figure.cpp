@@ -20,7 +20,7 @@ using namespace inference;
 
 namespace {
 
-constexpr double row_cm = 0.45;
+constexpr double label_row_cm = 0.45;
 constexpr double bar_cm = 0.22;
 constexpr double plot_cm = 6.0;
 constexpr double above_cm = 1.35;
@@ -89,7 +89,7 @@ Frame frame_of(std::span<const Ranked> sorted, std::span<const Bar> bars) {
   return {.last_rank = last_rank,
           .overhang = 0.03 * (last_rank - best_rank),
           .labels_top_cm = labels_top_cm,
-          .below_cm = labels_top_cm + row_cm * static_cast<double>((sorted.size() + 1) / 2),
+          .below_cm = labels_top_cm + label_row_cm * static_cast<double>((sorted.size() + 1) / 2),
           .side_cm = widest_cm + 1.2};  // and a rank
 }
 
@@ -115,7 +115,7 @@ Leaders leaders_of(std::span<const Ranked> sorted, const Frame& frame) {
   for (std::size_t i = 0; i < sorted.size(); ++i) {
     const bool right = i < (sorted.size() + 1) / 2;
     const std::size_t row = right ? i : sorted.size() - 1 - i;
-    const double y = frame.labels_top_cm + row_cm * static_cast<double>(row);
+    const double y = frame.labels_top_cm + label_row_cm * static_cast<double>(row);
     const double end = right ? best_rank - frame.overhang : frame.last_rank + frame.overhang;
     const std::string x = data_number(sorted[i].rank);
     leaders.lines += fmt::format("# {}\n{} 0\n{} {}\n{} {}\n\n", one_line(sorted[i].label), x, x, text_of(y),
