@@ -5,9 +5,9 @@
 #include <map>
 #include <stdexcept>
 
-#include "experiments/contest.hpp"
 #include "experiments/environment.hpp"
 #include "experiments/series_key.hpp"
+#include "experiments/solve_runner.hpp"
 #include "experiments/source_digest.hpp"
 #include "experiments/study_writer.hpp"
 #include "experiments/workers.hpp"
@@ -21,7 +21,7 @@ using namespace results;
 namespace {
 
 struct Chained {  // one run of one entrant, and how far it is
-  const Contest* contest;
+  const SolveRunner* solve_runner;
   int run;
   int next_point;
   Configuration configuration;  // where the arm is
@@ -31,23 +31,23 @@ struct Chained {  // one run of one entrant, and how far it is
 // alike.
 struct Plan {
   explicit Plan(const Study& of) : study(of), arm(arm_of(of)), points(of.path->points()) {
-    for (const Entrant& entrant : study.solvers) contests.emplace_back(study, entrant, arm);
-    chains.reserve(contests.size() * static_cast<std::size_t>(study.runs));
+    for (const Entrant& entrant : study.solvers) solve_runners.emplace_back(study, entrant, arm);
+    chains.reserve(solve_runners.size() * static_cast<std::size_t>(study.runs));
     for (int run = 1; run <= study.runs; ++run) {
-      for (const Contest& contest : contests) chains.push_back({&contest, run, 1, study.initial});
+      for (const SolveRunner& solve_runner : solve_runners) chains.push_back({&solve_runner, run, 1, study.initial});
     }
   }
-  Plan(const Plan&) = delete;  // contests refer to the arm, chains to the contests
+  Plan(const Plan&) = delete;  // solve_runners refer to the arm, chains to the solve_runners
   Plan& operator=(const Plan&) = delete;
 
-  Chained& chain(std::size_t contest, int run) {
-    return chains[static_cast<std::size_t>(run - 1) * contests.size() + contest];
+  Chained& chain(std::size_t solve_runner, int run) {
+    return chains[static_cast<std::size_t>(run - 1) * solve_runners.size() + solve_runner];
   }
 
   const Study& study;
   Robot arm;
   int points;  // of a run
-  std::vector<Contest> contests;
+  std::vector<SolveRunner> solve_runners;
   std::vector<Chained> chains;
 };
 
@@ -64,8 +64,8 @@ void move_on(Chained& chain, const SolveRecord& record, Start start) {
 std::int64_t move_past_stored(Plan& plan, const Store& store) {
   const Study& study = plan.study;
   std::int64_t stored = 0;
-  for (std::size_t c = 0; c < plan.contests.size(); ++c) {
-    for (const SolveRecord& record : store.series(plan.contests[c].series().key)) {
+  for (std::size_t c = 0; c < plan.solve_runners.size(); ++c) {
+    for (const SolveRecord& record : store.series(plan.solve_runners[c].series().key)) {
       if (record.run > study.runs) continue;
       const auto edited = [&](std::string_view what) {
         return std::invalid_argument(
@@ -89,21 +89,21 @@ std::int64_t move_past_stored(Plan& plan, const Store& store) {
 }
 
 // Solves what is left of every chain, `jobs` of them at once.
-void solve_rest(Plan& plan, int jobs, const std::atomic<bool>* cancelled, Desk::PassOn pass_on) {
-  Desk desk(std::move(pass_on));
+void solve_rest(Plan& plan, int jobs, const std::atomic<bool>* cancelled, RecordQueue::PassOn pass_on) {
+  RecordQueue record_queue(std::move(pass_on));
   std::atomic<std::size_t> next{0};
   std::atomic<bool> has_failed{false};
   const auto is_over = [&] { return has_failed || (cancelled != nullptr && *cancelled); };
   const auto work_on = [&](Chained& chain) {
     if (chain.next_point > plan.points) return;
-    const std::unique_ptr<Solver> solver = chain.contest->make_solver();
+    const std::unique_ptr<Solver> solver = chain.solve_runner->make_solver();
     const std::vector<Pose> poses = targets(plan.study, chain.run);
     while (chain.next_point <= plan.points && !is_over()) {
-      SolveRecord record = chain.contest->solve(*solver, poses[static_cast<std::size_t>(chain.next_point - 1)],
-                                                chain.configuration, chain.run, chain.next_point);
+      SolveRecord record = chain.solve_runner->solve(*solver, poses[static_cast<std::size_t>(chain.next_point - 1)],
+                                                     chain.configuration, chain.run, chain.next_point);
       if (jobs > 1 && record.timing == Timing::clean) record.timing = Timing::parallel;
       move_on(chain, record, plan.study.start);
-      desk.hand_in(std::move(record));
+      record_queue.hand_in(std::move(record));
     }
   };
   work_together(jobs, [&] {
@@ -118,7 +118,7 @@ void solve_rest(Plan& plan, int jobs, const std::atomic<bool>* cancelled, Desk::
 
 StudyEntry entry_of(const Plan& plan) {
   StudyEntry entry{.name = plan.study.name, .definition = to_json(plan.study), .series = {}};
-  for (const Contest& contest : plan.contests) entry.series.push_back(contest.series());
+  for (const SolveRunner& solve_runner : plan.solve_runners) entry.series.push_back(solve_runner.series());
   return entry;
 }
 
@@ -187,8 +187,8 @@ void solve_study(const Study& study, int jobs, const std::function<void(SolveRec
 
 SolveRecord solve_once(const Study& study, const Entrant& entrant, const Pose& target) {
   const Robot arm = arm_of(study);
-  const Contest contest(study, entrant, arm);
-  return contest.solve(*contest.make_solver(), target, study.initial, 1, 1);
+  const SolveRunner solve_runner(study, entrant, arm);
+  return solve_runner.solve(*solve_runner.make_solver(), target, study.initial, 1, 1);
 }
 
 }  // namespace ikbench::experiments

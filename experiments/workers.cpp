@@ -42,7 +42,7 @@ void work_together(int jobs, const std::function<void()>& worker) {
   tbb::task_arena(jobs).execute([&] { tbb::parallel_for(0, jobs, work); });
 }
 
-void Desk::hand_in(SolveRecord record) {
+void RecordQueue::hand_in(SolveRecord record) {
   std::unique_lock lock(mutex_);
   waiting_.push_back(std::move(record));
   if (is_busy_) return;

@@ -1,4 +1,4 @@
-// Threads that work side by side, and the desk where they hand in what they made.
+// Threads that work side by side, and the record_queue where they hand in what they made.
 #pragma once
 
 #include <functional>
@@ -15,11 +15,11 @@ void work_together(int jobs, const std::function<void()>& worker);
 
 // Passes records on, one thread at a time. What is handed in meanwhile waits and is passed on next, all at once, by the
 // thread that is at it, so that no worker ever waits for another's. Once passing on has failed it is not tried again.
-class Desk {
+class RecordQueue {
  public:
   using PassOn = std::function<void(std::vector<results::SolveRecord>)>;
 
-  explicit Desk(PassOn pass_on) : pass_on_(std::move(pass_on)) {}
+  explicit RecordQueue(PassOn pass_on) : pass_on_(std::move(pass_on)) {}
   void hand_in(results::SolveRecord record);
 
  private:

@@ -153,7 +153,7 @@ Pose Chain::forward(const ConfigurationRef& q) const {
   return T;
 }
 
-Eigen::Vector3d Chain::linearize(const ConfigurationRef& q, Eigen::Ref<Eigen::Matrix3Xd> jacobian) const {
+Eigen::Vector3d Chain::position_jacobian(const ConfigurationRef& q, Eigen::Ref<Eigen::Matrix3Xd> jacobian) const {
   Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, most_joints> origins(3, joints());
   const auto column = [&](int j, const Eigen::Matrix3d& R, const Eigen::Vector3d& p, const Eigen::Vector3d* coupled) {
     jacobian.col(j) = R.col(2);

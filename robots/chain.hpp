@@ -57,7 +57,7 @@ class Chain {
   // Position of the tool point alone: forward(q).translation().
   Eigen::Vector3d position(const ConfigurationRef& q) const { return forward(q).translation(); }
   // The tool's position, and d position / d q into `jacobian`, 3 x joints.
-  Eigen::Vector3d linearize(const ConfigurationRef& q, Eigen::Ref<Eigen::Matrix3Xd> jacobian) const;
+  Eigen::Vector3d position_jacobian(const ConfigurationRef& q, Eigen::Ref<Eigen::Matrix3Xd> jacobian) const;
   // Distance of each candidate's tool point to the target, Eq. 1; `errors` has one element a candidate. It is not a
   // finite number where a joint or the target is not, or an angle is 2^51 quarter turns (3.5e15 rad) or more.
   void position_errors(const CandidatesRef& q, const Eigen::Vector3d& target, Eigen::Ref<Eigen::VectorXd> errors) const;

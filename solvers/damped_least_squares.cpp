@@ -90,7 +90,7 @@ class DampedLeastSquares final : public Solver {
     q_ = candidate_;
     error_ = error;
     best_.improve(q_, error_);
-    to_go_ = objective.linearize(q_, jacobian_);
+    to_go_ = objective.position_jacobian(q_, jacobian_);
   }
 
   Options options_;

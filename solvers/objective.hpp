@@ -50,7 +50,7 @@ class Objective {
 
   // The way still to go, target - position [m], and the position's Jacobian (3 x joints) into `jacobian`; counts one
   // evaluation.
-  Eigen::Vector3d linearize(const robots::ConfigurationRef& q, Eigen::Ref<Eigen::Matrix3Xd> jacobian) {
+  Eigen::Vector3d position_jacobian(const robots::ConfigurationRef& q, Eigen::Ref<Eigen::Matrix3Xd> jacobian) {
     ++evaluations_;
     return evaluate_linear(q, jacobian);
   }
@@ -66,7 +66,7 @@ class Objective {
     arm_.position_errors(q, target_, errors);
   }
   virtual Eigen::Vector3d evaluate_linear(const robots::ConfigurationRef& q, Eigen::Ref<Eigen::Matrix3Xd> jacobian) {
-    return target_ - arm_.linearize(q, jacobian);
+    return target_ - arm_.position_jacobian(q, jacobian);
   }
 
  private:

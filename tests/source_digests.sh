@@ -53,7 +53,7 @@ expect "" "a title"
 sed -i '0,/0\.5/s//0.25/' solvers/bat.cpp
 expect bat "a number in bat.cpp"
 for file in solvers/kernels.cpp numerics/lanes.hpp solvers/objective.hpp solvers/solve.cpp numerics/random.cpp robots/spherical_wrist.cpp \
-  experiments/path.cpp experiments/paths/random.cpp experiments/verifier.cpp experiments/contest.cpp experiments/runner.cpp; do
+  experiments/path.cpp experiments/paths/random.cpp experiments/verifier.cpp experiments/solve_runner.cpp experiments/runner.cpp; do
   echo 'constexpr int another = 1;' >>$file
   expect shared $file
 done

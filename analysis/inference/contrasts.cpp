@@ -247,7 +247,7 @@ void add_friedman(Evidence& evidence, Values values) {
     evidence.groups[i].average_rank = test.average_ranks[i];
   }
   evidence.tests.push_back({.test = std::string(friedman_name),
-                            .role = Role::sound,
+                            .role = Role::robust,
                             .symbol = "chi^2",
                             .statistic = test.chi_squared,
                             .df = static_cast<double>(test.df),
@@ -256,7 +256,7 @@ void add_friedman(Evidence& evidence, Values values) {
                             .effect = test.kendall_w,
                             .undefined = test.undefined});
   evidence.tests.push_back({.test = std::string(iman_davenport_name),
-                            .role = Role::sound,
+                            .role = Role::robust,
                             .symbol = "F",
                             .statistic = test.F,
                             .df = test.F_df_between,

@@ -34,13 +34,13 @@ struct GroupEvidence {
   double average_rank = statistics::not_defined;  // over the blocks, 1 is best; only where there are blocks
 };
 
-// assumption: what a test takes for granted. paper: the analysis that the paper made. sound: what needs less.
-enum class Role { assumption, paper, sound };
+// assumption: what a test takes for granted. paper: the analysis that the paper made. robust: what needs less.
+enum class Role { assumption, paper, robust };
 
 struct TestResult {
   std::string test;
   std::string without = {};  // groups that it had to leave out, in words
-  Role role = Role::sound;
+  Role role = Role::robust;
   std::string symbol = {};  // of the statistic: "F", "H"
   double statistic = statistics::not_defined;
   double df = statistics::not_defined;

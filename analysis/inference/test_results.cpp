@@ -67,7 +67,7 @@ TestResult of_anova(const AnovaTable& table) {
 }
 
 TestResult of_welch(const std::vector<GroupEvidence>& groups, std::span<const GroupSummary> summaries) {
-  TestResult result{.test = std::string(welch_name), .role = Role::sound, .symbol = "F"};
+  TestResult result{.test = std::string(welch_name), .role = Role::robust, .symbol = "F"};
   std::vector<GroupSummary> usable;
   std::vector<std::string> others;
   for (std::size_t i = 0; i < summaries.size(); ++i) {

@@ -43,7 +43,7 @@ Json group_json(const GroupEvidence& group) {
 }
 
 Json test_json(const TestResult& test) {
-  constexpr std::array<std::string_view, 3> roles{"assumption", "classical", "sound"};
+  constexpr std::array<std::string_view, 3> roles{"assumption", "classical", "robust"};
   Json object{{"test", test.test},
               {"role", roles[static_cast<std::size_t>(test.role)]},
               {"without", test.without},

@@ -208,7 +208,7 @@ std::vector<std::string> sentences_of(const Evidence& evidence) {
   sentences.push_back(assumptions(evidence));
   sentences.push_back(decades(evidence));
   sentences.push_back(analyses(evidence, Role::paper, "The classical analysis"));
-  sentences.push_back(analyses(evidence, Role::sound, "The robust analysis"));
+  sentences.push_back(analyses(evidence, Role::robust, "The robust analysis"));
   for (std::string& sentence : who_differs(evidence)) sentences.push_back(std::move(sentence));
   sentences.push_back(disagreements(evidence));
   for (std::string& sentence : limits(evidence)) sentences.push_back(std::move(sentence));

@@ -1,4 +1,4 @@
-// Workers side by side, and the desk where they hand in.
+// Workers side by side, and the record_queue where they hand in.
 #include "experiments/workers.hpp"
 
 #include <atomic>
@@ -47,42 +47,42 @@ TEST_CASE("what workers did is there for whoever called them, and what one throw
   }
 }
 
-TEST_CASE("what is handed in one by one is passed on at once", "[desk]") {
+TEST_CASE("what is handed in one by one is passed on at once", "[record_queue]") {
   std::vector<int> passed;
-  Desk desk([&](const std::vector<SolveRecord>& records) {
+  RecordQueue record_queue([&](const std::vector<SolveRecord>& records) {
     REQUIRE(records.size() == 1);
     passed.push_back(records.front().point);
   });
   for (const int point : {1, 2, 3}) {
-    desk.hand_in(sample_record("key-a", 1, point));
+    record_queue.hand_in(sample_record("key-a", 1, point));
     CHECK(passed.back() == point);
   }
 }
 
-TEST_CASE("nobody waits for what another is passing on, and what came meanwhile goes on together", "[desk]") {
+TEST_CASE("nobody waits for what another is passing on, and what came meanwhile goes on together", "[record_queue]") {
   std::atomic<bool> is_passing{false}, others_are_back{false};
   std::vector<std::vector<int>> passed;
-  Desk desk([&](const std::vector<SolveRecord>& records) {
+  RecordQueue record_queue([&](const std::vector<SolveRecord>& records) {
     passed.emplace_back();
     for (const SolveRecord& record : records) passed.back().push_back(record.point);
     is_passing = true;
     while (!others_are_back) std::this_thread::yield();
   });
-  std::thread first([&] { desk.hand_in(sample_record("key-a", 1, 1)); });
+  std::thread first([&] { record_queue.hand_in(sample_record("key-a", 1, 1)); });
   while (!is_passing) std::this_thread::yield();
-  for (const int point : {2, 3, 4}) desk.hand_in(sample_record("key-a", 1, point));
+  for (const int point : {2, 3, 4}) record_queue.hand_in(sample_record("key-a", 1, point));
   others_are_back = true;
   first.join();
   CHECK(passed == std::vector<std::vector<int>>{{1}, {2, 3, 4}});
 }
 
-TEST_CASE("what could not be passed on is told to whoever tried, and not tried again", "[desk]") {
+TEST_CASE("what could not be passed on is told to whoever tried, and not tried again", "[record_queue]") {
   int tries = 0;
-  Desk desk([&](const std::vector<SolveRecord>&) {
+  RecordQueue record_queue([&](const std::vector<SolveRecord>&) {
     ++tries;
     throw std::runtime_error("no space");
   });
-  CHECK_THROWS_AS(desk.hand_in(sample_record()), std::runtime_error);
-  CHECK_NOTHROW(desk.hand_in(sample_record()));
+  CHECK_THROWS_AS(record_queue.hand_in(sample_record()), std::runtime_error);
+  CHECK_NOTHROW(record_queue.hand_in(sample_record()));
   CHECK(tries == 1);
 }

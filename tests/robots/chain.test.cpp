@@ -63,7 +63,7 @@ TEST_CASE("a planar arm's Jacobian is the one of the textbook", "[chain]") {
   const Chain chain = robot("planar_2").chain;
   const double t1 = 0.3, t2 = -1.2;
   Eigen::Matrix3Xd jacobian(3, 2), expected(3, 2);
-  chain.linearize(Eigen::Vector2d(t1, t2), jacobian);
+  chain.position_jacobian(Eigen::Vector2d(t1, t2), jacobian);
   expected << -0.5 * std::sin(t1) - 0.5 * std::sin(t1 + t2), -0.5 * std::sin(t1 + t2),  //
       0.5 * std::cos(t1) + 0.5 * std::cos(t1 + t2), 0.5 * std::cos(t1 + t2),            //
       0, 0;
@@ -119,7 +119,7 @@ TEST_CASE("the Jacobian is what central differences say", "[chain]") {
     Eigen::Matrix3Xd jacobian(3, arm.chain.joints());
     for (int trial = 0; trial < 100; ++trial) {
       const Eigen::VectorXd q = random(arm.limits);
-      arm.chain.linearize(q, jacobian);
+      arm.chain.position_jacobian(q, jacobian);
       for (int j = 0; j < arm.chain.joints(); ++j) {
         const Eigen::VectorXd step = h * Eigen::VectorXd::Unit(arm.chain.joints(), j);
         const Eigen::Vector3d slope = (arm.chain.position(q + step) - arm.chain.position(q - step)) / (2 * h);

@@ -69,7 +69,7 @@ TEST_CASE("the Dobot's errors, poses and Jacobians have the bits of its closed f
       const Pose pose = dobot.forward(q.col(i));
       REQUIRE(pose.translation() == expected.position());
       REQUIRE(pose.linear() == expected.rotation());
-      REQUIRE(dobot.linearize(q.col(i), jacobian) == expected.position());
+      REQUIRE(dobot.position_jacobian(q.col(i), jacobian) == expected.position());
       REQUIRE(jacobian == expected.jacobian());
     }
   }
@@ -109,7 +109,7 @@ TEST_CASE("the Dobot's errors, positions and Jacobian agree", "[dobot]") {
   Eigen::Matrix3Xd jacobian(3, 3);
   for (Eigen::Index i = 0; i < 100; ++i) {
     CHECK(errors[i] == Approx((arm.chain.position(q.col(i)) - target).norm()).epsilon(1e-14));
-    arm.chain.linearize(q.col(i), jacobian);
+    arm.chain.position_jacobian(q.col(i), jacobian);
     for (int j = 0; j < 3; ++j) {
       const Eigen::VectorXd step = 1e-6 * Eigen::Vector3d::Unit(j), at = q.col(i);
       const Eigen::Vector3d slope = (arm.chain.position(at + step) - arm.chain.position(at - step)) / 2e-6;

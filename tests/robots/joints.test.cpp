@@ -58,7 +58,7 @@ TEST_CASE("a Cartesian arm is where its three slides are", "[joints]") {
   check_position(arm, {0, 0, 0}, {0.1, 0, 0});
   check_position(arm, {0.3, 0.4, 0.5}, {0.6, 0.4, 0.3});
   Eigen::Matrix3Xd jacobian(3, 3), expected(3, 3);
-  arm.linearize(joints({0.3, 0.4, 0.5}), jacobian);
+  arm.position_jacobian(joints({0.3, 0.4, 0.5}), jacobian);
   expected << 0, 0, 1, 0, 1, 0, 1, 0, 0;
   CHECK((jacobian - expected).cwiseAbs().maxCoeff() < 1e-15);
   CHECK(std::isinf(arm.reach().radius));
@@ -143,7 +143,7 @@ TEST_CASE("the Jacobian of an arm of any kind is what central differences say", 
     const Chain chain = random_chain(dice);
     const Eigen::VectorXd q = random_joints(chain, dice);
     Eigen::Matrix3Xd jacobian(3, chain.joints());
-    REQUIRE((chain.linearize(q, jacobian) - chain.position(q)).norm() < 1e-14);
+    REQUIRE((chain.position_jacobian(q, jacobian) - chain.position(q)).norm() < 1e-14);
     for (int j = 0; j < chain.joints(); ++j) {
       const Eigen::VectorXd step = h * Eigen::VectorXd::Unit(chain.joints(), j);
       const Eigen::Vector3d slope = (chain.position(q + step) - chain.position(q - step)) / (2 * h);

@@ -54,7 +54,7 @@ TEST_CASE("a step that makes it worse is undone, and damped by 2, 4, 8 and so on
   descent->start(task.problem, objective, random);
   const Eigen::VectorXd start = task.problem.start;
   Eigen::Matrix3Xd J(3, 2);
-  task.chain.linearize(start, J);
+  task.chain.position_jacobian(start, J);
   const Eigen::Matrix2d A = J.transpose() * J;
   const Eigen::Vector2d gradient = -J.transpose() * task.chain.position(start);  // a scripted objective's target is 0
   double mu = A.diagonal().maxCoeff();

@@ -1,4 +1,4 @@
-#include "experiments/contest.hpp"
+#include "experiments/solve_runner.hpp"
 
 #include <time.h>
 
@@ -88,7 +88,7 @@ std::size_t Task::chosen(const std::array<Eigen::Vector3d, 2>& branches, const E
   return is_to_be_inside && !is_inside(branches[first]) && is_inside(branches[1 - first]) ? 1 - first : first;
 }
 
-Contest::Contest(const Study& study, const Entrant& entrant, const Robot& arm)
+SolveRunner::SolveRunner(const Study& study, const Entrant& entrant, const Robot& arm)
     : study_(study),
       entrant_(entrant),
       arm_(arm),
@@ -100,7 +100,8 @@ Contest::Contest(const Study& study, const Entrant& entrant, const Robot& arm)
               .algorithm = entrant.solver,
               .options = options_text(options_, entrant)} {}
 
-SolveRecord Contest::solve(Solver& solver, const Pose& target, const Configuration& start, int run, int point) const {
+SolveRecord SolveRunner::solve(Solver& solver, const Pose& target, const Configuration& start, int run,
+                               int point) const {
   Objective objective(task_.arm(), task_.goal(target));
   Random random(Key(study_.seed)
                     .with(entrant_.label)

@@ -35,9 +35,9 @@ class Task {
 };
 
 // Study, entrant and arm outlive it. It may be used by several threads at once, each with a solver of its own.
-class Contest {
+class SolveRunner {
  public:
-  Contest(const Study& study, const Entrant& entrant, const robots::Robot& arm);
+  SolveRunner(const Study& study, const Entrant& entrant, const robots::Robot& arm);
 
   const results::Series& series() const { return series_; }
   // Good for any number of solves, one after the other: a solver that is started anew remembers nothing.
