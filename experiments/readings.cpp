@@ -1,7 +1,6 @@
 #include "experiments/readings.hpp"
 
 #include <fmt/format.h>
-#include <toml++/toml.h>
 
 #include <algorithm>
 #include <map>
@@ -10,6 +9,7 @@
 
 #include "experiments/series_key.hpp"
 #include "numerics/names.hpp"
+#include "numerics/toml_table.hpp"
 
 namespace ikbench::experiments {
 
@@ -39,7 +39,7 @@ const Reading& reading(const std::vector<Reading>& readings, const std::string& 
 std::vector<Reading> readings(std::string_view study) {
   for (const auto& [file, text] : reading_files) {
     if (file.substr(0, file.rfind('.')) != study) continue;
-    const toml::table table = toml::parse(text, file);
+    const toml::table table = parse_toml(text, file);
     std::vector<Reading> list;
     for (const toml::node& node : *table["readings"].as_array()) {
       const toml::table& entry = *node.as_table();
