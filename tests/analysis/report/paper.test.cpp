@@ -111,7 +111,7 @@ TEST_CASE("a study of a paper that is not there is told so", "[report]") {
   const Report report = write_report(
       store, {.study = "mine", .folder = folder.path() / "out", .figures = {.render = false}, .papers = papers});
   REQUIRE(report.warnings.size() == 1);
-  CHECK(report.warnings[0] == "no published tables of 'nobody1999' to compare with; there are: tiny");
+  CHECK(report.warnings[0] == "no published tables of 'nobody1999'; known papers: tiny");
 }
 
 TEST_CASE("a paper's other studies begin with the name of its own, and its name is the folder's", "[report]") {
