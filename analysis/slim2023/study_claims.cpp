@@ -9,6 +9,7 @@
 #include "analysis/figures/figure_parts.hpp"
 #include "analysis/inference/text.hpp"
 #include "analysis/slim2023/claim_comparison.hpp"
+#include "analysis/slim2023/published_numbers.hpp"
 
 namespace ikbench::slim2023 {
 
