@@ -43,8 +43,8 @@ struct RunMeans {
 
 RunMeans run_means(const std::string& name, std::vector<SolveRecord> solves) {
   const StudyResults results = make_study(name, std::move(solves));
-  return {samples(results, Metric::position_error_cm, Unit::run).front().values,
-          samples(results, Metric::variation_deg, Unit::run).front().values};
+  return {samples(results, Metric::position_error_cm).front().values,
+          samples(results, Metric::variation_deg).front().values};
 }
 
 // Solves the parts one after the other; after Ctrl-C those that were finished.

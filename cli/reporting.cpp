@@ -11,6 +11,7 @@
 #include "analysis/papers.hpp"
 #include "analysis/report/report.hpp"
 #include "cli/console.hpp"
+#include "cli/plan_options.hpp"
 #include "experiments/environment.hpp"
 #include "experiments/runner.hpp"
 #include "experiments/study_reader.hpp"
@@ -32,6 +33,7 @@ AnalysisPlan plan_for(const StudyEntry& entry, const ReportArguments& arguments)
   AnalysisPlan plan = plan_of(entry);
   if (!arguments.unit.empty()) plan.unit = arguments.unit == name_of(Unit::run) ? Unit::run : Unit::point;
   if (arguments.quartiles != 0) plan.quartiles = arguments.quartiles;
+  if (arguments.significance != 0) plan.significance = arguments.significance;
   if (plan.unit == Unit::point && !arguments.forced) {
     throw std::invalid_argument(fmt::format("the plan of the study {} has unit = \"point\", but {}; or use --unit run",
                                             entry.name, why_points_are_refused));
@@ -100,6 +102,9 @@ void add_report_options(CLI::App& command, ReportArguments& arguments) {
                   "Hyndman-Fan type of quartiles in box plots, 5 as in MATLAB; default: as in the study")
       ->check(whole_number())
       ->check(CLI::Range(1, 9));
+  add_significance_option(command, arguments.significance)
+      ->description("significance level of the tests, also for companion studies; default: as in the study")
+      ->default_str("");
   command.add_flag("--force", arguments.forced, "allow points as observations; every table says so");
   command.add_flag("--no-figures", arguments.without_figures, "write tables, but draw no figures");
 }

@@ -20,9 +20,10 @@ CLI::Validator whole_number();
 void add_paper_option(CLI::App& command, std::string& paper);
 
 struct ReportArguments {
-  std::string unit = {};  // instead of what the study says
-  int quartiles = 0;      // instead of what the study says; 0: not given
-  bool forced = false;    // points of a run may be observations
+  std::string unit = {};    // instead of what the study says
+  int quartiles = 0;        // instead of what the study says; 0: not given
+  double significance = 0;  // likewise
+  bool forced = false;      // points of a run may be observations
   bool without_figures = false;
 };
 

@@ -115,12 +115,12 @@ Figure box_figure(const StudyResults& study, const BoxRequest& request) {
       .name = request.name,
       .caption = fmt::format(
           "{}: box plots over the {}. Quartiles: Hyndman-Fan type {}. Whiskers: last value within 1.5 box heights.",
-          capitalised(quantity(request.metric)), request.unit == Unit::run ? "run means" : "points",
-          static_cast<int>(request.quartiles))};
+          capitalised(quantity(request.metric)), study.plan.unit == Unit::run ? "run means" : "points",
+          study.plan.quartiles)};
   std::vector<Box> boxes;
   std::vector<double> all;
-  for (const Sample& sample : samples(study, request.metric, request.unit)) {
-    boxes.push_back(box(sample.values, request.quartiles));
+  for (const Sample& sample : samples(study, request.metric)) {
+    boxes.push_back(box(sample.values, quantile_type(study.plan.quartiles)));
     all.insert(all.end(), sample.values.begin(), sample.values.end());
   }
   const std::string marks = marks_data(study, request.printed);

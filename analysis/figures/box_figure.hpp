@@ -6,7 +6,6 @@
 
 #include "analysis/figures/figure.hpp"
 #include "analysis/inference/study.hpp"
-#include "analysis/statistics/quantile.hpp"
 
 namespace ikbench::figures {
 
@@ -16,11 +15,10 @@ struct Mark {
   double min, median, max;
 };
 
+// Unit and quartiles are the plan's.
 struct BoxRequest {
   std::string name;
   inference::Metric metric = inference::Metric::position_error_cm;
-  results::Unit unit = results::Unit::run;
-  statistics::QuantileType quartiles = statistics::QuantileType::type_5;
   std::vector<Mark> printed = {};
 };
 Figure box_figure(const inference::StudyResults& study, const BoxRequest& request);

@@ -86,7 +86,7 @@ std::vector<Block> layout(const StudyResults& study, Blocks blocks) {
 
 namespace {
 
-std::string replicate_of(const StudyResults& study, Unit unit) {
+std::string replicate_of(const StudyResults& study) {
   if (unit == Unit::point) return "one point of a run";
   return study.points == 1 ? "the only solve of a run"
                            : fmt::format("the mean of a run over its {} points", study.points);
@@ -166,7 +166,8 @@ std::optional<Observations> blocked_observations(const StudyResults& study, Metr
   return result;
 }
 
-Observations observations(const StudyResults& study, Metric metric, Unit unit) {
+Observations observations(const StudyResults& study, Metric metric) {
+  const Unit unit = study.plan.unit;
   if (unit == Unit::run) {
     if (std::optional<Observations> blocked = blocked_observations(study, metric)) return std::move(*blocked);
   }
@@ -174,7 +175,7 @@ Observations observations(const StudyResults& study, Metric metric, Unit unit) {
   result.replicate = replicate_of(study, unit);
   if (unit == Unit::point) result.flaw = points_flaw;
   if (unit == Unit::run) result.notes.push_back(why_not_blocked(study));
-  for (Sample& sample : samples(study, metric, unit)) {
+  for (Sample& sample : samples(study, metric)) {
     if (sample.incomplete_runs > 0) {
       result.notes.push_back(fmt::format("{}: {} of its runs lack points and give no observation.", sample.solver,
                                          sample.incomplete_runs));

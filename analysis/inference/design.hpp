@@ -33,9 +33,9 @@ struct Block {
 // Of the runs that all solvers of the study have complete; none for Blocks::none.
 std::vector<Block> layout(const StudyResults& study, Blocks blocks);
 
-// What the statistics are made of: of runs, blocked_observations() where there are some; else the values of samples(),
-// a group for every solver, of runs with a note that says why there are no blocks.
-Observations observations(const StudyResults& study, Metric metric, results::Unit unit);
+// What the statistics are made of, by the unit of the plan: of runs, blocked_observations() where there are some; else
+// the values of samples(), a group for every solver, of runs with a note that says why there are no blocks.
+Observations observations(const StudyResults& study, Metric metric);
 
 // The design in which all solvers are given the same problems, where the study has one:
 // - targets drawn in every run, and chained: a block is a run, a value its mean;

@@ -100,11 +100,9 @@ Judgement judge(double value, double standard_error, const AnalysisPlan& plan) {
 
 bool is_significant(double p, const AnalysisPlan& plan) { return p < plan.significance; }
 
-Evidence evidence_of(const StudyResults& study, Metric metric, Unit unit) {
-  const Observations observed = observations(study, metric, unit);
-  AnalysisPlan plan = study.plan;
-  plan.unit = unit;
-  return tested(observed, feasible(std::move(plan), observed));
+Evidence evidence_of(const StudyResults& study, Metric metric) {
+  const Observations observed = observations(study, metric);
+  return tested(observed, feasible(study.plan, observed));
 }
 
 }  // namespace ikbench::inference

@@ -48,7 +48,7 @@ Judgement judge(double value, double standard_error, const results::AnalysisPlan
 // Whether p refutes that all are alike.
 bool is_significant(double p, const results::AnalysisPlan& plan);
 
-// What a study's plan finds of one metric, with what one observation is to be.
-Evidence evidence_of(const StudyResults& study, Metric metric, results::Unit unit);
+// What a study's plan finds of one metric.
+Evidence evidence_of(const StudyResults& study, Metric metric);
 
 }  // namespace ikbench::inference

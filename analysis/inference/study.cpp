@@ -129,14 +129,14 @@ double tolerance_cm(const StudyResults& study) {
   return tolerance > 0 ? tolerance : not_defined;
 }
 
-std::vector<Sample> samples(const StudyResults& study, Metric metric, Unit unit) {
+std::vector<Sample> samples(const StudyResults& study, Metric metric) {
   std::vector<Sample> result;
   for (const std::string& solver : study.solvers) {
     Sample sample{.solver = solver};
     for (const auto& [number, run] : runs_of(study, solver)) {
       std::vector<double> values;
       for (const SolveRecord* solve : run) values.push_back(value_of(*solve, metric));
-      if (unit == Unit::point) {
+      if (study.plan.unit == Unit::point) {
         sample.values.insert(sample.values.end(), values.begin(), values.end());
       } else if (complete(run, study)) {
         sample.values.push_back(mean(values));

@@ -38,14 +38,15 @@ StudyResults make_study(std::string name, std::vector<results::SolveRecord> solv
 // The position error at which a solve ends; not defined where the study has none.
 double tolerance_cm(const StudyResults& study);
 
-// The observations of one solver. A run of which points are missing gives no run mean; it is counted instead.
+// The observations of one solver, by the unit of the plan. A run of which points are missing gives no run mean; it is
+// counted instead.
 struct Sample {
   std::string solver;
   std::vector<double> values = {};
   int incomplete_runs = 0;
 };
 
-std::vector<Sample> samples(const StudyResults& study, Metric metric, results::Unit unit);
+std::vector<Sample> samples(const StudyResults& study, Metric metric);
 
 // Sums of what became of the solves of one solver.
 struct SolverCounts {

@@ -67,9 +67,9 @@ void place(std::vector<Side>& sides, Placing Side::*placing, Mean&& mean_of) {
   }
 }
 
-std::vector<Side> sides_of(const StudyResults& study, const StudyResults& other, Unit unit) {
-  const std::vector<Sample> errors = samples(study, Metric::position_error_cm, unit);
-  const std::vector<Sample> variations = samples(study, Metric::variation_deg, unit);
+std::vector<Side> sides_of(const StudyResults& study, const StudyResults& other) {
+  const std::vector<Sample> errors = samples(study, Metric::position_error_cm);
+  const std::vector<Sample> variations = samples(study, Metric::variation_deg);
   const std::vector<SolverCounts> all_counts = counts(study);
   std::vector<Side> sides;
   for (std::size_t i = 0; i < study.solvers.size(); ++i) {
@@ -96,10 +96,10 @@ std::vector<Side> sides_of(const StudyResults& study, const StudyResults& other,
   return sides;
 }
 
-Enforced enforced_of(const StudyResults& study, const StudyResults& other, Unit unit) {
-  Enforced result{.sides = sides_of(study, other, unit), .error = evidence_of(study, Metric::position_error_cm, unit)};
+Enforced enforced_of(const StudyResults& study, const StudyResults& other) {
+  Enforced result{.sides = sides_of(study, other), .error = evidence_of(study, Metric::position_error_cm)};
   Observations accepted{.name = "accepted-variation", .quantity = quantity(Metric::variation_deg)};
-  if (unit == Unit::point) accepted.flaw = points_flaw;
+  if (study.plan.unit == Unit::point) accepted.flaw = points_flaw;
   for (const Side& side : result.sides) {
     accepted.groups.push_back({.name = side.solver, .values = side.accepted_variation_of_runs});
   }
@@ -161,7 +161,7 @@ std::string sentence(const Side& free, const Enforced& all_enforced) {
       move_words(free, all_enforced, by_error), move_words(free, all_enforced, by_variation));
 }
 
-Table table_of(const StudyResults& free, const StudyResults& enforced, Unit unit) {
+Table table_of(const StudyResults& free, const StudyResults& enforced) {
   Table table{.name = "limits",
               .caption = "Results with enforced joint limits",
               .columns = {{"algorithm", Align::left},
@@ -177,8 +177,8 @@ Table table_of(const StudyResults& free, const StudyResults& enforced, Unit unit
                           {"rank_variation"},
                           {"outside_limits"}}};
   for (const std::string_view status : status_names) table.columns.push_back({std::string(status)});
-  const std::vector<Side> before = sides_of(free, enforced, unit);
-  const Enforced after = enforced_of(enforced, free, unit);
+  const std::vector<Side> before = sides_of(free, enforced);
+  const Enforced after = enforced_of(enforced, free);
   const auto add_row = [&](const Side& side, const StudyResults& study, const char* limits) {
     const auto rank = [](Placing of) { return of.place == 0 ? Cell(not_defined) : Cell(std::int64_t{of.place}); };
     std::vector<Cell> row{side.solver,
@@ -216,14 +216,14 @@ Table table_of(const StudyResults& free, const StudyResults& enforced, Unit unit
 
 }  // namespace
 
-std::optional<Table> limits_table(const std::vector<StudyResults>& studies, Unit unit) {
+std::optional<Table> limits_table(const std::vector<StudyResults>& studies) {
   if (studies.empty()) return std::nullopt;
   const StudyResults& reported = studies.front();
   for (const StudyResults& other : studies) {
     const bool in_common =
         std::ranges::any_of(reported.solvers, [&](const std::string& solver) { return has_solver(other, solver); });
     if (is_enforced(other) == is_enforced(reported) || !in_common) continue;
-    return is_enforced(other) ? table_of(reported, other, unit) : table_of(other, reported, unit);
+    return is_enforced(other) ? table_of(reported, other) : table_of(other, reported);
   }
   return std::nullopt;
 }

@@ -11,6 +11,6 @@ namespace ikbench::report {
 
 // Of studies with the same targets, the reported one first: it and the first other with which it makes a pair, one of
 // them with limits enforced and one without, that have a solver in common. Nothing where there is none.
-std::optional<Table> limits_table(const std::vector<inference::StudyResults>& studies, results::Unit unit);
+std::optional<Table> limits_table(const std::vector<inference::StudyResults>& studies);
 
 }  // namespace ikbench::report

@@ -14,15 +14,13 @@
 #include "analysis/report/readings.hpp"
 #include "analysis/report/report_content.hpp"
 #include "analysis/report/study_pieces.hpp"
-#include "results/analysis_plan.hpp"
 
 namespace ikbench::report {
 
-// A study with its companions, the paper's other studies where the store has them, and how it is judged.
+// A study with its companions, the paper's other studies where the store has them. All are judged by the study's plan.
 struct Reported {
   const inference::StudyResults& study;
   const std::vector<inference::StudyResults>& companions;
-  const results::AnalysisPlan& plan;
 };
 
 // A built-in study that `ikbench reproduce` runs.

@@ -127,7 +127,7 @@ bool same_targets(const StudyResults& a, const StudyResults& b) {
   return met && a.points == b.points;
 }
 
-Table perspective_table(const std::vector<StudyResults>& studies, Unit unit) {
+Table perspective_table(const std::vector<StudyResults>& studies) {
   const std::vector<Metric> metrics = reported_metrics();
   Table table{.name = "perspective",
               .caption = "Other studies with the same targets",
@@ -143,7 +143,7 @@ Table perspective_table(const std::vector<StudyResults>& studies, Unit unit) {
     }
     for (const Metric metric : metrics) {
       std::size_t row = first;
-      for (const Sample& sample : samples(study, metric, unit)) {
+      for (const Sample& sample : samples(study, metric)) {
         const Description description = statistics::describe(sample.values);
         table.rows[row][2] = std::int64_t{description.n};
         table.rows[row].emplace_back(description.mean);

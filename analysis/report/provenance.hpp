@@ -23,6 +23,6 @@ std::string command_of(const inference::StudyResults& study, const std::vector<r
 
 // Whether the two studies were given the same targets wherever both have the same run and point.
 bool same_targets(const inference::StudyResults& a, const inference::StudyResults& b);
-Table perspective_table(const std::vector<inference::StudyResults>& studies, results::Unit unit);
+Table perspective_table(const std::vector<inference::StudyResults>& studies);
 
 }  // namespace ikbench::report

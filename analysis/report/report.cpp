@@ -33,12 +33,20 @@ using namespace figures;
 
 namespace {
 
+// Another study of the store, judged by the plan of the reported one. A control that it does not have is none.
+StudyResults judged_by(const AnalysisPlan& plan, const StudyEntry& entry, const Store& store) {
+  StudyResults other = make_study(entry, store.solves(entry.name));
+  other.plan = plan;
+  if (std::ranges::find(other.solvers, plan.control) == other.solvers.end()) other.plan.control.clear();
+  return other;
+}
+
 // Other studies of the store that were given the same targets, after the reported one.
 std::vector<StudyResults> with_same_targets(const Store& store, const StudyResults& study) {
   std::vector<StudyResults> result{study};
   for (const StudyEntry& entry : store.studies()) {
     if (entry.name == study.name) continue;
-    StudyResults other = make_study(entry, store.solves(entry.name));
+    StudyResults other = judged_by(study.plan, entry, store);
     if (same_targets(study, other)) result.push_back(std::move(other));
   }
   return result;
@@ -70,7 +78,7 @@ std::vector<StudyResults> companions_of(const Store& store, const StudyResults& 
     for (const PaperStudy& other : paper.studies) {
       const std::string part = other.name.substr(paper.studies.front().name.size());
       if (!part.empty() && entry.name == study.name + part) {
-        result.push_back(make_study(entry, store.solves(entry.name)));
+        result.push_back(judged_by(study.plan, entry, store));
       }
     }
   }
@@ -78,25 +86,26 @@ std::vector<StudyResults> companions_of(const Store& store, const StudyResults& 
 }
 
 // What a study's own tables say of themselves where points are the observations.
-Table flagged(Table table, const AnalysisPlan& plan) {
-  if (plan.unit == Unit::point) table.notes.push_back(capitalised(points_flaw) + '.');
+Table flagged(Table table, const StudyResults& study) {
+  if (study.plan.unit == Unit::point) table.notes.push_back(capitalised(points_flaw) + '.');
   return table;
 }
 
 // What a paper printed, by the same methods.
-std::vector<Assessment> printed_assessments(const StudyResults& study, const AnalysisPlan& plan, const Paper& paper) {
+std::vector<Assessment> printed_assessments(const StudyResults& study, const Paper& paper) {
   std::vector<Assessment> result;
   if (!paper.printed) return result;
-  for (const Summaries& printed : paper.printed(study)) result.push_back(assess(printed, feasible(plan, printed)));
+  for (const Summaries& printed : paper.printed(study))
+    result.push_back(assess(printed, feasible(study.plan, printed)));
   return result;
 }
 
-std::vector<Assessment> assessments_of(const StudyResults& study, const AnalysisPlan& plan, const Paper& paper) {
+std::vector<Assessment> assessments_of(const StudyResults& study, const Paper& paper) {
   if (study.solves.empty()) return {};
   std::vector<Assessment> result;
   for (const Metric metric : reported_metrics()) {
-    Observations observed = observations(study, metric, plan.unit);
-    const AnalysisPlan possible = feasible(plan, observed);
+    Observations observed = observations(study, metric);
+    const AnalysisPlan possible = feasible(study.plan, observed);
     if (is_comparable(study, metric)) {
       result.push_back(assess(observed, possible));
       continue;
@@ -104,7 +113,7 @@ std::vector<Assessment> assessments_of(const StudyResults& study, const Analysis
     observed.flaw = timing_note(study);
     result.push_back(describe(observed, possible));
   }
-  std::ranges::move(printed_assessments(study, plan, paper), std::back_inserter(result));
+  std::ranges::move(printed_assessments(study, paper), std::back_inserter(result));
   return result;
 }
 
@@ -153,24 +162,22 @@ std::vector<std::string> warnings_of(const StudyResults& study, const std::vecto
 Report write_report(const Store& store, const ReportRequest& request) {
   const StudyEntry entry = store.study(request.study);
   StudyResults study = make_study(entry, store.solves(request.study));
-  study.plan = request.plan.value_or(plan_of(entry));
+  if (request.plan) study.plan = *request.plan;
   const std::vector<Session> sessions = store.sessions();
   const std::vector<StudyResults> together = with_same_targets(store, study);
-  const AnalysisPlan plan = study.plan;
   const Paper& paper = paper_of(study, request.papers);
   const std::vector<StudyResults> companions = companions_of(store, study, paper);
-  const Reported reported{study, companions, plan};
+  const Reported reported{study, companions};
 
   std::vector<Table> tables{definition_table(entry), options_table(entry),
-                            plan_table(entry, plan, plan_notes(entry, sessions, study.solves)),
+                            plan_table(entry, study.plan, plan_notes(entry, sessions, study.solves)),
                             environment_table(study, sessions)};
-  StudyPieces pieces = paper.pieces ? paper.pieces(reported) : study_pieces(study, plan);
+  StudyPieces pieces = paper.pieces ? paper.pieces(reported) : study_pieces(study);
   std::vector<Figure> figures = std::move(pieces.figures);
   std::ranges::move(pieces.tables, std::back_inserter(tables));
   const std::vector<StudyResults> beside = with_same_limits(together);
-  if (beside.size() > 1) tables.push_back(flagged(perspective_table(beside, plan.unit), plan));
-  if (std::optional<Table> table = limits_table(together, plan.unit))
-    tables.push_back(flagged(std::move(*table), plan));
+  if (beside.size() > 1) tables.push_back(flagged(perspective_table(beside), study));
+  if (std::optional<Table> table = limits_table(together)) tables.push_back(flagged(std::move(*table), study));
   std::ranges::copy(request.extra_tables, std::back_inserter(tables));
   std::ranges::copy(request.extra_figures, std::back_inserter(figures));
 
@@ -183,20 +190,20 @@ Report write_report(const Store& store, const ReportRequest& request) {
                         .plan = paper.sections,
                         .path = pieces.path};
   std::ranges::copy(plan_changes(entry, sessions, study.solves), std::back_inserter(content.warnings));
-  if (plan.test == DecidingTest::friedman && !blocked_observations(study, Metric::position_error_cm)) {
+  if (study.plan.test == DecidingTest::friedman && !blocked_observations(study, Metric::position_error_cm)) {
     content.warnings.push_back(
         fmt::format("The plan asks for Friedman's test, which needs blocks. Welch's ANOVA with the Games-Howell test "
                     "decides instead. {}",
                     why_not_blocked(study)));
   }
-  if (plan.unit == Unit::point) content.warnings.insert(content.warnings.begin(), capitalised(points_flaw) + '.');
-  for (std::size_t i = 1; i < beside.size(); ++i) content.summary.push_back(perspective(beside[i], plan.unit));
+  if (study.plan.unit == Unit::point) content.warnings.insert(content.warnings.begin(), capitalised(points_flaw) + '.');
+  for (std::size_t i = 1; i < beside.size(); ++i) content.summary.push_back(perspective(beside[i]));
   std::ranges::move(cost_tables(study), std::back_inserter(tables));
   std::ranges::move(convergence_figures(study), std::back_inserter(figures));
   if (std::string closest = closest_point_by_point(study); !closest.empty()) {
     content.summary.push_back(std::move(closest));
   }
-  std::vector<Assessment> assessments = assessments_of(study, plan, paper);
+  std::vector<Assessment> assessments = assessments_of(study, paper);
   for (const Assessment& assessment : assessments) {
     if (!assessment.warnings.empty()) continue;  // of flawed observations there is no headline
     std::ranges::copy(assessment.headlines, std::back_inserter(content.summary));

@@ -19,8 +19,9 @@ namespace ikbench::report {
 
 struct ReportRequest {
   std::string study;
-  std::filesystem::path folder;                    // made where missing; files of the same names are replaced
-  std::optional<results::AnalysisPlan> plan = {};  // instead of the study's own, which the report says
+  std::filesystem::path folder;  // made where missing; files of the same names are replaced
+  std::optional<results::AnalysisPlan> plan =
+      {};  // instead of the study's own, which the report says; for its companions too
   figures::RenderOptions figures = {};
   std::span<const Paper> papers = {};               // of which the study's, if it is there, has its say
   std::vector<Table> extra_tables = {};             // written and shown with the others (report_content.cpp says where)

@@ -5,27 +5,23 @@
 #include "analysis/figures/box_figure.hpp"
 #include "analysis/figures/study_figures.hpp"
 #include "analysis/report/study_tables.hpp"
-#include "analysis/statistics/quantile.hpp"
 
 namespace ikbench::report {
 
 using namespace inference;
 using namespace figures;
 
-StudyPieces study_pieces(const StudyResults& study, const results::AnalysisPlan& plan) {
+StudyPieces study_pieces(const StudyResults& study) {
   const std::vector<Metric> metrics = reported_metrics();
-  StudyPieces pieces{.tables = {results_table(study, metrics, plan.unit), status_table(study)}};
-  for (const Metric metric : metrics) pieces.tables.push_back(anova_table(study, metric, plan.unit));
+  StudyPieces pieces{.tables = {results_table(study, metrics), status_table(study)}};
+  for (const Metric metric : metrics) pieces.tables.push_back(anova_table(study, metric));
   if (study.solves.empty()) return pieces;
   pieces.figures = joint_figures(study, "joints");
   pieces.figures.push_back(path_figure(study, "path"));
   for (const Metric metric : metrics) {
     const std::string name(info_of(metric).slug);
     pieces.figures.push_back(curves_figure(study, metric, name));
-    pieces.figures.push_back(box_figure(study, {.name = name + "-boxes",
-                                                .metric = metric,
-                                                .unit = plan.unit,
-                                                .quartiles = statistics::quantile_type(plan.quartiles)}));
+    pieces.figures.push_back(box_figure(study, {.name = name + "-boxes", .metric = metric}));
   }
   return pieces;
 }

@@ -7,7 +7,6 @@
 #include "analysis/figures/figure.hpp"
 #include "analysis/inference/study.hpp"
 #include "analysis/report/table.hpp"
-#include "results/analysis_plan.hpp"
 
 namespace ikbench::report {
 
@@ -20,6 +19,6 @@ struct StudyPieces {
 
 // Of any study: the tables results, anova-METRIC and status; the figures path, METRIC, METRIC-boxes and joints-LETTER.
 // No figures where nothing was solved.
-StudyPieces study_pieces(const inference::StudyResults& study, const results::AnalysisPlan& plan);
+StudyPieces study_pieces(const inference::StudyResults& study);
 
 }  // namespace ikbench::report

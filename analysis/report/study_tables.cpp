@@ -22,8 +22,8 @@ std::string_view unit_note(Unit unit) {
                              "standard deviations are too optimistic.";
 }
 
-void add_notes(Table& table, const StudyResults& study, Unit unit) {
-  table.notes.emplace_back(unit_note(unit));
+void add_notes(Table& table, const StudyResults& study) {
+  table.notes.emplace_back(unit_note(study.plan.unit));
   for (std::string& note : status_notes(study)) table.notes.push_back(std::move(note));
 }
 
@@ -38,27 +38,27 @@ void leave_out_test(Table& table) {
 
 }  // namespace
 
-Table results_table(const StudyResults& study, std::span<const Metric> metrics, Unit unit) {
+Table results_table(const StudyResults& study, std::span<const Metric> metrics) {
   Table table{
       .name = "results",
       .caption = "What was reached",
       .columns = {
           {"algorithm", Align::left}, {"metric", Align::left}, {"mean"}, {"median"}, {"std"}, {"max"}, {"min"}}};
   for (const Metric metric : metrics) {
-    for (const Sample& sample : samples(study, metric, unit)) {
+    for (const Sample& sample : samples(study, metric)) {
       const Description of = statistics::describe(sample.values);
       table.rows.push_back({sample.solver, std::string(name_of(metric)), of.mean, of.median, of.std, of.max, of.min});
     }
   }
-  add_notes(table, study, unit);
+  add_notes(table, study);
   if (std::string note = timing_note(study); !note.empty()) table.notes.push_back(std::move(note));
   return table;
 }
 
-StudyAnova anova(const StudyResults& study, Metric metric, Unit unit) {
+StudyAnova anova(const StudyResults& study, Metric metric) {
   StudyAnova result;
   std::vector<std::vector<double>> groups;
-  for (Sample& sample : samples(study, metric, unit)) {
+  for (Sample& sample : samples(study, metric)) {
     const Description description = statistics::describe(sample.values);
     if (description.n == 0) {
       result.left_out.push_back(fmt::format("Left out of the ANOVA: {} (no observations).", sample.solver));
@@ -79,11 +79,11 @@ std::array<std::vector<Cell>, 3> anova_cells(const AnovaTable& table) {
            {table.ss_total, count(table.df_total()), {}, {}, {}}}};
 }
 
-Table anova_table(const StudyResults& study, Metric metric, Unit unit) {
+Table anova_table(const StudyResults& study, Metric metric) {
   Table table{.name = fmt::format("anova-{}", info_of(metric).slug),
               .caption = fmt::format("One-way ANOVA of the {}", quantity(metric)),
               .columns = {{"source", Align::left}, {"SS"}, {"df"}, {"MS"}, {"F"}, {"p"}}};
-  const StudyAnova ours = anova(study, metric, unit);
+  const StudyAnova ours = anova(study, metric);
   const auto cells = anova_cells(ours.table);
   for (std::size_t i = 0; i < anova_sources.size(); ++i) {
     std::vector<Cell>& row = table.rows.emplace_back(1, std::string(anova_sources[i]));
@@ -94,7 +94,7 @@ Table anova_table(const StudyResults& study, Metric metric, Unit unit) {
   if (is_judged && !ours.table.undefined.empty())
     table.notes.push_back("F and p are not defined: " + ours.table.undefined + ".");
   table.notes.insert(table.notes.end(), ours.left_out.begin(), ours.left_out.end());
-  add_notes(table, study, unit);
+  add_notes(table, study);
   if (!is_judged) table.notes.push_back(timing_note(study) + " So our F and p are left out.");
   return table;
 }

@@ -13,18 +13,17 @@
 namespace ikbench::report {
 
 // Named "results": a row a metric and solver.
-Table results_table(const inference::StudyResults& study, std::span<const inference::Metric> metrics,
-                    results::Unit unit);
+Table results_table(const inference::StudyResults& study, std::span<const inference::Metric> metrics);
 
 // The ANOVA over all solvers that have observations and only finite ones; the others are named.
 struct StudyAnova {
   statistics::AnovaTable table;
   std::vector<std::string> left_out;  // a sentence each
 };
-StudyAnova anova(const inference::StudyResults& study, inference::Metric metric, results::Unit unit);
+StudyAnova anova(const inference::StudyResults& study, inference::Metric metric);
 
 // "anova-error", "anova-variation", ...
-Table anova_table(const inference::StudyResults& study, inference::Metric metric, results::Unit unit);
+Table anova_table(const inference::StudyResults& study, inference::Metric metric);
 // Its rows between, within and total, each with the cells SS, df, MS, F and p.
 constexpr std::array<std::string_view, 3> anova_sources{"between", "within", "total"};
 std::array<std::vector<Cell>, 3> anova_cells(const statistics::AnovaTable& table);

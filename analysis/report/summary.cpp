@@ -37,7 +37,7 @@ std::vector<std::string> rankings(const Reported& reported) {
   for (const Metric metric : reported_metrics()) {
     sentences.push_back(metric == Metric::seconds && !times_are_comparable(reported.study)
                             ? times_sentence(reported.study)
-                            : ranking_sentence(reported.study, metric, reported.plan.unit));
+                            : ranking_sentence(reported.study, metric));
     if (metric == Metric::position_error_cm) sentences.push_back(limits_sentence(reported.study));
   }
   return sentences;
@@ -45,18 +45,18 @@ std::vector<std::string> rankings(const Reported& reported) {
 
 }  // namespace
 
-std::vector<Standing> standings(const StudyResults& study, Metric metric, Unit unit) {
+std::vector<Standing> standings(const StudyResults& study, Metric metric) {
   std::vector<Standing> result;
-  for (const Sample& sample : samples(study, metric, unit)) {
+  for (const Sample& sample : samples(study, metric)) {
     const double mean = statistics::describe(sample.values).mean;
     if (std::isfinite(mean)) result.push_back({sample.solver, mean});
   }
   return ranked(std::move(result));
 }
 
-std::string ranking_sentence(const StudyResults& study, Metric metric, Unit unit) {
+std::string ranking_sentence(const StudyResults& study, Metric metric) {
   const std::string_view name = info_of(metric).name;
-  const auto ours = standings(study, metric, unit);
+  const auto ours = standings(study, metric);
   if (ours.empty()) return "";
   std::string text = fmt::format(
       "{}, smallest first): {}",
@@ -100,10 +100,10 @@ std::vector<std::string> summary(const Reported& reported, const Paper& paper) {
   return sentences;
 }
 
-std::string perspective(const StudyResults& other, Unit unit) {
+std::string perspective(const StudyResults& other) {
   const auto means = [&](Metric metric, int digits) {  // of every solver, in their order
     std::vector<std::string> texts;
-    for (const Sample& sample : samples(other, metric, unit)) {
+    for (const Sample& sample : samples(other, metric)) {
       texts.push_back(rounded_number(statistics::describe(sample.values).mean, digits));
     }
     return texts;

@@ -15,14 +15,13 @@ std::vector<std::string> summary(const Reported& reported, const Paper& paper);
 
 // Of what a summary is made; empty where there is nothing to say.
 // The solvers that have a mean of the metric.
-std::vector<inference::Standing> standings(const inference::StudyResults& study, inference::Metric metric,
-                                           results::Unit unit);
-std::string ranking_sentence(const inference::StudyResults& study, inference::Metric metric, results::Unit unit);
+std::vector<inference::Standing> standings(const inference::StudyResults& study, inference::Metric metric);
+std::string ranking_sentence(const inference::StudyResults& study, inference::Metric metric);
 std::string limits_sentence(const inference::StudyResults& study);
 // Why times are not ranked.
 std::string times_sentence(const inference::StudyResults& study);
 
 // How the solvers of another study with the same targets did, in a sentence.
-std::string perspective(const inference::StudyResults& other, results::Unit unit);
+std::string perspective(const inference::StudyResults& other);
 
 }  // namespace ikbench::report

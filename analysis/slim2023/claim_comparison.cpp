@@ -26,8 +26,8 @@ std::vector<Pair> pairs(const StudyResults& study, const std::vector<Comparison>
   return result;
 }
 
-std::optional<Description> description(const StudyResults& study, std::string_view solver, Metric metric, Unit unit) {
-  for (const Sample& sample : samples(study, metric, unit)) {
+std::optional<Description> description(const StudyResults& study, std::string_view solver, Metric metric) {
+  for (const Sample& sample : samples(study, metric)) {
     if (sample.solver == solver && !sample.values.empty()) return describe(sample.values);
   }
   return std::nullopt;

@@ -27,7 +27,7 @@ std::vector<Pair> pairs(const inference::StudyResults& study, const std::vector<
 
 // One solver of a study; none where it has no observations.
 std::optional<statistics::Description> description(const inference::StudyResults& study, std::string_view solver,
-                                                   inference::Metric metric, results::Unit unit);
+                                                   inference::Metric metric);
 
 // Whether one is smaller than another, since two means always differ.
 struct Smaller {

@@ -88,20 +88,20 @@ std::optional<Claim> circle(const StudyResults& study) {
 }
 
 // The study with limits enforced.
-std::optional<Claim> accurate_inside_limits(const StudyResults& study, const StudyResults& limits, Unit unit) {
+std::optional<Claim> accurate_inside_limits(const StudyResults& study, const StudyResults& limits) {
   const auto are_enforced = [](const StudyResults& of) {
     return Definition(of.definition).text("/limits") == "enforced";
   };
   if (!are_enforced(limits) || are_enforced(study) || !same_targets(study, limits)) return std::nullopt;
-  const auto ours = description(limits, time_reference, Metric::position_error_cm, unit);
-  const auto before = description(study, time_reference, Metric::position_error_cm, unit);
+  const auto ours = description(limits, time_reference, Metric::position_error_cm);
+  const auto before = description(study, time_reference, Metric::position_error_cm);
   std::optional<Description> best;
   std::vector<std::string> others;
   std::string best_solver, refused;
   for (const SolverCounts& count : counts(limits)) {
     refused += fmt::format("{}{} {} of {}", refused.empty() ? "" : ", ", count.solver, count.of(Status::refused),
                            count.solves);
-    const auto other = description(limits, count.solver, Metric::position_error_cm, unit);
+    const auto other = description(limits, count.solver, Metric::position_error_cm);
     if (count.solver == time_reference || !other) continue;
     others.push_back(count.solver);
     if (!std::isfinite(other->mean)) continue;
@@ -111,7 +111,7 @@ std::optional<Claim> accurate_inside_limits(const StudyResults& study, const Stu
   }
   if (!ours || !before || !best) return std::nullopt;
   Smaller here{Verdict::holds, not_defined};
-  const Evidence found = evidence_of(limits, Metric::position_error_cm, unit);
+  const Evidence found = evidence_of(limits, Metric::position_error_cm);
   for (const std::string& other : others) weaken(here, smaller(judge(found, time_reference, other)));
   return Claim{
       .statement = fmt::format("With enforced joint limits, {} is still the most accurate", time_reference),
@@ -120,12 +120,12 @@ std::optional<Claim> accurate_inside_limits(const StudyResults& study, const Stu
                               "Refused answers: {}.",
                               short_number(ours->mean), short_number(before->mean), best_solver,
                               short_number(best->mean), short_number(best->mean / ours->mean), at_most(here.p),
-                              unit == Unit::run ? how_tested(found, found) : "", refused),
+                              study.plan.unit == Unit::run ? how_tested(found, found) : "", refused),
       .table = "limits"};
 }
 
 // A solver of the textbooks on the same targets, in error, variation and evaluations.
-std::optional<Claim> better_than_classical(const StudyResults& study, const StudyResults& context, Unit unit) {
+std::optional<Claim> better_than_classical(const StudyResults& study, const StudyResults& context) {
   constexpr std::string_view classical = "DLS";  // damped least squares
   constexpr std::array<Metric, 3> metrics{Metric::position_error_cm, Metric::variation_deg, Metric::evaluations};
   constexpr std::array<std::string_view, 3> words{"cm of mean position error", "deg of variation", "evaluations"};
@@ -133,11 +133,11 @@ std::optional<Claim> better_than_classical(const StudyResults& study, const Stud
   int better = 0, worse = 0;
   std::string list, test;
   for (std::size_t i = 0; i < metrics.size(); ++i) {
-    const auto ours = description(study, time_reference, metrics[i], unit);
-    const auto other = description(context, classical, metrics[i], unit);
+    const auto ours = description(study, time_reference, metrics[i]);
+    const auto other = description(context, classical, metrics[i]);
     if (!ours || !other) return std::nullopt;
     const MeanPair means{summary_of(*ours), summary_of(*other), info_of(metrics[i]).better};
-    const Judgement found = unit == Unit::run ? judge(means, study.plan) : Judgement{};
+    const Judgement found = study.plan.unit == Unit::run ? judge(means, study.plan) : Judgement{};
     if (!found.test.empty()) test = found.test;
     Smaller here = smaller(found);
     if (info_of(metrics[i]).kind == Kind::count && ours->mean != other->mean) {  // counted, not measured

@@ -12,8 +12,8 @@ namespace ikbench::slim2023 {
 std::optional<report::Claim> real_time(const inference::StudyResults& study);
 std::optional<report::Claim> circle(const inference::StudyResults& study);
 std::optional<report::Claim> accurate_inside_limits(const inference::StudyResults& study,
-                                                    const inference::StudyResults& limits, results::Unit unit);
+                                                    const inference::StudyResults& limits);
 std::optional<report::Claim> better_than_classical(const inference::StudyResults& study,
-                                                   const inference::StudyResults& context, results::Unit unit);
+                                                   const inference::StudyResults& context);
 
 }  // namespace ikbench::slim2023

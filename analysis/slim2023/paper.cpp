@@ -14,7 +14,6 @@
 #include "analysis/slim2023/paper_tables.hpp"
 #include "analysis/slim2023/published_numbers.hpp"
 #include "analysis/slim2023/readings.hpp"
-#include "analysis/statistics/quantile.hpp"
 
 namespace ikbench::slim2023 {
 
@@ -33,17 +32,15 @@ bool is_of_companions(const std::string& piece) {
 }
 
 StudyPieces pieces(const Reported& reported) {
-  const auto quartiles = statistics::quantile_type(reported.plan.quartiles);
-  const results::Unit unit = reported.plan.unit;
-  StudyPieces all{.tables = paper_tables(reported.study, unit),
-                  .figures = paper_figures(reported.study, unit, quartiles),
+  StudyPieces all{.tables = paper_tables(reported.study),
+                  .figures = paper_figures(reported.study),
                   .results = "table-3",
                   .path = "figure-5"};
   for (const StudyResults& companion : reported.companions) {
-    for (Table& table : paper_tables(companion, unit)) {
+    for (Table& table : paper_tables(companion)) {
       if (is_of_companions(table.name)) all.tables.push_back(std::move(table));
     }
-    for (figures::Figure& figure : paper_figures(companion, unit, quartiles)) {
+    for (figures::Figure& figure : paper_figures(companion)) {
       if (is_of_companions(figure.name)) all.figures.push_back(std::move(figure));
     }
   }
@@ -92,10 +89,10 @@ Paper paper() {
                       {"slim2023-limits", {"seed", "runs"}},   // the same with the limits enforced
                       {"slim2023-time", {"seed"}},             // Sec. 5.3.3
                       {"slim2023-dobot", {"seed"}}},           // Sec. 6
-          .claims = [](const Reported& of) { return claims(of.study, of.companions, of.plan.unit); },
+          .claims = [](const Reported& of) { return claims(of.study, of.companions); },
           .pieces = pieces,
           .sections = sections(),
-          .summary = [](const Reported& of) { return paper_summary(of.study, of.plan.unit); },
+          .summary = [](const Reported& of) { return paper_summary(of.study); },
           .printed = printed_summaries,
           .audit = [] { return audit(this_paper); },
           .readings = [](std::span<const ReadingResults> results) { return readings_report(this_paper, results); }};

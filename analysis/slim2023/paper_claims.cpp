@@ -16,23 +16,23 @@ using namespace results;
 using namespace inference;
 using namespace report;
 
-std::vector<Claim> claims(const StudyResults& study, const std::vector<StudyResults>& companions, Unit unit) {
+std::vector<Claim> claims(const StudyResults& study, const std::vector<StudyResults>& companions) {
   std::vector<Claim> result;
   const auto add = [&](std::optional<Claim> claim) {
     if (claim) result.push_back(std::move(*claim));
   };
-  const std::vector<Comparison> rows = compare(study, unit);
+  const std::vector<Comparison> rows = compare(study);
   const auto is_printed = [](const Comparison& row) { return std::isfinite(row.paper_mean); };
   if (std::ranges::any_of(rows, is_printed)) {
-    add(most_accurate(study, rows, unit));
+    add(most_accurate(study, rows));
     add(accuracy(study, rows));
-    for (Claim& claim : variation(study, rows, unit)) result.push_back(std::move(claim));
+    for (Claim& claim : variation(study, rows)) result.push_back(std::move(claim));
     add(computing_time(study, rows));
-    add(solvers_differ(study, unit));
+    add(solvers_differ(study));
     add(inside_limits(study));
     for (const StudyResults& companion : companions) {
-      if (companion.name == study.name + "-limits") add(accurate_inside_limits(study, companion, unit));
-      if (companion.name == study.name + "-context") add(better_than_classical(study, companion, unit));
+      if (companion.name == study.name + "-limits") add(accurate_inside_limits(study, companion));
+      if (companion.name == study.name + "-context") add(better_than_classical(study, companion));
     }
   }
   add(real_time(study));

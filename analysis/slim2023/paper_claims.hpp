@@ -10,6 +10,6 @@ namespace ikbench::slim2023 {
 
 // Companions: studies of the paper's other experiments. None where nothing is published of them, or nothing is solved.
 std::vector<report::Claim> claims(const inference::StudyResults& study,
-                                  const std::vector<inference::StudyResults>& companions, results::Unit unit);
+                                  const std::vector<inference::StudyResults>& companions);
 
 }  // namespace ikbench::slim2023

@@ -17,7 +17,7 @@ using namespace figures;
 
 Figure printed_box_figure(const StudyResults& study, BoxRequest request) {
   request.name = fmt::format("figure-{}", paper_numbers(request.metric).box_figure);
-  if (request.unit == Unit::run && request.metric != Metric::seconds) {  // the printed times are of another machine
+  if (study.plan.unit == Unit::run && request.metric != Metric::seconds) {  // the printed times are of another machine
     for (const PrintedRow& row : printed_table_3(study, request.metric)) {
       request.printed.push_back({row.algorithm, row.min, row.median, row.max});
     }
@@ -25,7 +25,7 @@ Figure printed_box_figure(const StudyResults& study, BoxRequest request) {
   return box_figure(study, request);
 }
 
-std::vector<Figure> paper_figures(const StudyResults& study, Unit unit, QuantileType quartiles) {
+std::vector<Figure> paper_figures(const StudyResults& study) {
   if (study.solves.empty()) return {};
   std::vector<Figure> figures{path_figure(study, "figure-5")};
   for (const Metric metric : paper_metrics) {
@@ -33,7 +33,7 @@ std::vector<Figure> paper_figures(const StudyResults& study, Unit unit, Quantile
   }
   for (Figure& figure : joint_figures(study, "figure-9")) figures.push_back(std::move(figure));
   for (const Metric metric : paper_metrics) {
-    figures.push_back(printed_box_figure(study, {.metric = metric, .unit = unit, .quartiles = quartiles}));
+    figures.push_back(printed_box_figure(study, {.metric = metric}));
   }
   for (Figure& figure : circle_figures(study)) figures.push_back(std::move(figure));
   return figures;

@@ -13,7 +13,6 @@ namespace ikbench::slim2023 {
 figures::Figure printed_box_figure(const inference::StudyResults& study, figures::BoxRequest request);
 
 // All of them in the paper's order; none where nothing was solved.
-std::vector<figures::Figure> paper_figures(const inference::StudyResults& study, results::Unit unit,
-                                           statistics::QuantileType quartiles);
+std::vector<figures::Figure> paper_figures(const inference::StudyResults& study);
 
 }  // namespace ikbench::slim2023

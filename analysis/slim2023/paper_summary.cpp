@@ -36,9 +36,9 @@ std::vector<Standing> printed_ranking(const StudyResults& study, Metric metric, 
 }
 
 // Our ranking, and how the printed one stands to it.
-std::string rankings(const StudyResults& study, Metric metric, Unit unit) {
-  const std::string text = ranking_sentence(study, metric, unit);
-  const auto ours = standings(study, metric, unit);
+std::string rankings(const StudyResults& study, Metric metric) {
+  const std::string text = ranking_sentence(study, metric);
+  const auto ours = standings(study, metric);
   const auto printed = printed_ranking(study, metric, ours);
   if (printed.size() < 2) return text;
   const bool same_first = first_of(printed) == first_of(ours);
@@ -50,9 +50,9 @@ std::string rankings(const StudyResults& study, Metric metric, Unit unit) {
 
 // The paper's second claim: its solver moves the joints less than every other. The plan's test says where the
 // difference cannot be told from chance; points of one run depend on each other, so it is asked of run means only.
-std::string variation_sentence(const StudyResults& study, const std::vector<Comparison>& rows, Unit unit) {
-  if (unit == Unit::point) return "";
-  const auto printed = printed_ranking(study, Metric::variation_deg, standings(study, Metric::variation_deg, unit));
+std::string variation_sentence(const StudyResults& study, const std::vector<Comparison>& rows) {
+  if (study.plan.unit == Unit::point) return "";
+  const auto printed = printed_ranking(study, Metric::variation_deg, standings(study, Metric::variation_deg));
   const auto description = [&](std::string_view solver) {
     return std::ranges::find_if(
                rows, [&](const Comparison& row) { return row.solver == solver && row.metric == Metric::variation_deg; })
@@ -61,7 +61,7 @@ std::string variation_sentence(const StudyResults& study, const std::vector<Comp
   const auto printed_reference = std::ranges::find(printed, time_reference, &Standing::solver);
   if (printed_reference == printed.end()) return "";
   const Description reference = description(time_reference);
-  const Evidence found = evidence_of(study, Metric::variation_deg, unit);
+  const Evidence found = evidence_of(study, Metric::variation_deg);
   std::string less, alike, more;
   for (const Standing& standing : printed) {
     if (standing.mean <= printed_reference->mean) continue;
@@ -85,9 +85,9 @@ std::string variation_sentence(const StudyResults& study, const std::vector<Comp
       time_reference, text, time_reference);
 }
 
-std::string anova_sentence(const StudyResults& study, Metric metric, Unit unit) {
-  const StudyAnova ours = anova(study, metric, unit);
-  const auto printed = comparable_printed_anova(study, metric, unit);
+std::string anova_sentence(const StudyResults& study, Metric metric) {
+  const StudyAnova ours = anova(study, metric);
+  const auto printed = comparable_printed_anova(study, metric);
   std::string text = fmt::format("ANOVA of {}: ", name_of(metric));
   if (!ours.table.undefined.empty()) {
     text += "not defined (" + ours.table.undefined + ")";
@@ -101,7 +101,8 @@ std::string anova_sentence(const StudyResults& study, Metric metric, Unit unit) 
       text += is_significant(printed->p, study.plan) == differ ? ", as in the paper" : ", unlike in the paper";
     }
   }
-  if (unit == Unit::point) text += "; but this p is no evidence, because the points of one run depend on each other";
+  if (study.plan.unit == Unit::point)
+    text += "; but this p is no evidence, because the points of one run depend on each other";
   for (const std::string& sentence : ours.left_out) text += ". " + sentence.substr(0, sentence.size() - 1);
   return text + ".";
 }
@@ -139,19 +140,19 @@ std::span<const Metric> judged_metrics(const StudyResults& study) {
 
 }  // namespace
 
-std::vector<std::string> paper_summary(const StudyResults& study, Unit unit) {
-  const auto rows = compare(study, unit);
+std::vector<std::string> paper_summary(const StudyResults& study) {
+  const auto rows = compare(study);
   std::vector<std::string> sentences;
   const std::span<const Metric> judged = judged_metrics(study);
   for (const Metric metric : judged) {
-    sentences.push_back(rankings(study, metric, unit));
+    sentences.push_back(rankings(study, metric));
     if (metric == Metric::position_error_cm) sentences.push_back(limits_sentence(study));
-    if (metric == Metric::variation_deg) sentences.push_back(variation_sentence(study, rows, unit));
+    if (metric == Metric::variation_deg) sentences.push_back(variation_sentence(study, rows));
   }
   sentences.push_back(times_sentence(study));
   sentences.push_back(real_time_verdict(study));
   sentences.push_back(printed_angles_verdict(study));
-  for (const Metric metric : judged) sentences.push_back(anova_sentence(study, metric, unit));
+  for (const Metric metric : judged) sentences.push_back(anova_sentence(study, metric));
   for (std::string& sentence : number_sentences(rows)) sentences.push_back(std::move(sentence));
   return sentences;
 }

@@ -9,6 +9,6 @@
 namespace ikbench::slim2023 {
 
 // Sentences, the most important first; some may be empty. The study has solves.
-std::vector<std::string> paper_summary(const inference::StudyResults& study, results::Unit unit);
+std::vector<std::string> paper_summary(const inference::StudyResults& study);
 
 }  // namespace ikbench::slim2023

@@ -101,41 +101,39 @@ bool rests_on_spread(const Comparison& row) {
   return row.agreement == Agreement::agrees && by_ratio(row.ratio) == Agreement::differs;
 }
 
-std::vector<Comparison> compare(const StudyResults& study, Unit unit) {
+std::vector<Comparison> compare(const StudyResults& study) {
   std::vector<Comparison> rows;
   for (const Metric metric : paper_metrics) {
-    for (const Sample& sample : samples(study, metric, unit)) {
+    for (const Sample& sample : samples(study, metric)) {
       rows.push_back({.solver = sample.solver, .metric = metric, .ours = describe(sample.values)});
     }
   }
   if (study.published.empty()) return rows;
   const double our_reference = mean_of(rows, time_reference, Metric::seconds);
   const bool has_comparable_times = times_are_comparable(study);
-  AnalysisPlan plan = study.plan;
-  plan.unit = unit;
   for (Comparison& row : rows) {
     if (row.metric == Metric::seconds) {
       hold_against_printed_time(row, our_reference, study);
       if (!has_comparable_times) row = without_agreement(row);
     } else if (const auto printed = printed_row(study, row.solver, row.metric)) {
-      hold_against_printed(row, *printed, plan);
+      hold_against_printed(row, *printed, study.plan);
     }
   }
   return rows;
 }
 
-std::optional<AnovaTable> comparable_printed_anova(const StudyResults& study, Metric metric, Unit unit) {
+std::optional<AnovaTable> comparable_printed_anova(const StudyResults& study, Metric metric) {
   std::set<std::string> ours(study.solvers.begin(), study.solvers.end()), printed;
   for (const PrintedRow& row : printed_table_3(study, metric)) printed.insert(row.algorithm);
-  return unit == Unit::run && ours == printed ? printed_anova(study.published, metric) : std::nullopt;
+  return study.plan.unit == Unit::run && ours == printed ? printed_anova(study.published, metric) : std::nullopt;
 }
 
-Table table_3(const StudyResults& study, Unit unit) {
-  Table table = results_table(study, paper_metrics, unit);
+Table table_3(const StudyResults& study) {
+  Table table = results_table(study, paper_metrics);
   table.name = "table-3";
   table.caption = "Table 3: position error, angles variation and computing time";
   table.columns.insert(table.columns.end(), {{"paper_mean"}, {"ratio"}, {"verdict", Align::left}});
-  const std::vector<Comparison> compared = compare(study, unit);  // row by row
+  const std::vector<Comparison> compared = compare(study);  // row by row
   for (std::size_t i = 0; i < compared.size(); ++i) {
     const bool printed = std::isfinite(compared[i].paper_mean);
     table.rows[i].push_back(printed ? Cell(compared[i].paper_mean) : Cell());
@@ -149,7 +147,7 @@ Table table_3(const StudyResults& study, Unit unit) {
       "Computing times are compared relative to {}: our t / t_{} divided by the printed t / t_{}.",
       study.plan.test == DecidingTest::anova ? "Student's test" : "Welch's test",
       rounded_number(study.plan.significance, 3), time_reference, time_reference, time_reference);
-  if (unit == Unit::point) note += " With points as observations, verdicts use the ratio only.";
+  if (study.plan.unit == Unit::point) note += " With points as observations, verdicts use the ratio only.";
   table.notes.insert(table.notes.end() - (timing_note(study).empty() ? 0 : 1), std::move(note));
   return table;
 }
@@ -164,12 +162,12 @@ Table table_3_as_printed(std::string_view paper) {
   return table;
 }
 
-Table printed_anova_table(const StudyResults& study, Metric metric, Unit unit) {
+Table printed_anova_table(const StudyResults& study, Metric metric) {
   const int number = paper_numbers(metric).anova_table;
-  Table table = anova_table(study, metric, unit);
+  Table table = anova_table(study, metric);
   table.name = fmt::format("table-{}", number);
   table.caption = fmt::format("Table {}: one-way ANOVA of the {}", number, quantity(metric));
-  add_printed_anova(table, comparable_printed_anova(study, metric, unit));
+  add_printed_anova(table, comparable_printed_anova(study, metric));
   return table;
 }
 
@@ -201,11 +199,11 @@ Table anova_from_printed_table_3(std::string_view paper) {
   return table;
 }
 
-std::vector<Table> paper_tables(const StudyResults& study, Unit unit) {
+std::vector<Table> paper_tables(const StudyResults& study) {
   const bool is_published = !printed_table_3(study, Metric::position_error_cm).empty();
-  std::vector<Table> tables{table_3(study, unit)};
+  std::vector<Table> tables{table_3(study)};
   if (is_published) tables.push_back(table_3_as_printed(study.published));
-  for (const Metric metric : paper_metrics) tables.push_back(printed_anova_table(study, metric, unit));
+  for (const Metric metric : paper_metrics) tables.push_back(printed_anova_table(study, metric));
   if (is_published) tables.push_back(anova_from_printed_table_3(study.published));
   if (std::optional<Table> table = table_7(study)) tables.push_back(std::move(*table));
   if (std::optional<Table> table = table_8(study)) tables.push_back(std::move(*table));

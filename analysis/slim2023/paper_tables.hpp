@@ -37,19 +37,19 @@ bool rests_on_spread(const Comparison& row);
 
 constexpr std::string_view time_reference = "IK-BA";
 
-std::vector<Comparison> compare(const inference::StudyResults& study, results::Unit unit);
+std::vector<Comparison> compare(const inference::StudyResults& study);
 
 // The printed ANOVA of that metric where it answers the same question: the same solvers, runs as observations.
 std::optional<statistics::AnovaTable> comparable_printed_anova(const inference::StudyResults& study,
-                                                               inference::Metric metric, results::Unit unit);
+                                                               inference::Metric metric);
 
-report::Table table_3(const inference::StudyResults& study, results::Unit unit);
+report::Table table_3(const inference::StudyResults& study);
 report::Table table_3_as_printed(std::string_view paper);
-report::Table printed_anova_table(const inference::StudyResults& study, inference::Metric metric,
-                                  results::Unit unit);  // table-4, table-5, table-6
+report::Table printed_anova_table(const inference::StudyResults& study,
+                                  inference::Metric metric);  // table-4, table-5, table-6
 report::Table anova_from_printed_table_3(std::string_view paper);
 
 // Every table above that the study has, in the paper's order.
-std::vector<report::Table> paper_tables(const inference::StudyResults& study, results::Unit unit);
+std::vector<report::Table> paper_tables(const inference::StudyResults& study);
 
 }  // namespace ikbench::slim2023

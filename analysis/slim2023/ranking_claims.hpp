@@ -11,8 +11,7 @@
 namespace ikbench::slim2023 {
 
 // None where fewer than two solvers are printed.
-std::optional<report::Claim> most_accurate(const inference::StudyResults& study, const std::vector<Comparison>& rows,
-                                           results::Unit unit);
+std::optional<report::Claim> most_accurate(const inference::StudyResults& study, const std::vector<Comparison>& rows);
 std::optional<report::Claim> accuracy(const inference::StudyResults& study, const std::vector<Comparison>& rows);
 std::optional<report::Claim> computing_time(const inference::StudyResults& study, const std::vector<Comparison>& rows);
 

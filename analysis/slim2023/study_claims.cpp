@@ -49,10 +49,10 @@ Claim moves_less(const Pair& reference, const Others& of) {
 
 }  // namespace
 
-std::vector<Claim> variation(const StudyResults& study, const std::vector<Comparison>& rows, Unit unit) {
+std::vector<Claim> variation(const StudyResults& study, const std::vector<Comparison>& rows) {
   const std::vector<Pair> all = pairs(study, rows, Metric::variation_deg);
   if (all.size() < 2 || all.front().solver != time_reference) return {};
-  const Evidence here = evidence_of(study, Metric::variation_deg, unit);
+  const Evidence here = evidence_of(study, Metric::variation_deg);
   const Evidence printed = printed_evidence(all, study.plan);
   std::vector<Claim> result{moves_less(all[0], {{all[1]}, all[1].solver, here, printed})};
   if (all.size() > 2)
@@ -61,11 +61,11 @@ std::vector<Claim> variation(const StudyResults& study, const std::vector<Compar
 }
 
 // As many of the metrics as are judged; times that are not comparable are not.
-std::optional<Claim> solvers_differ(const StudyResults& study, Unit unit) {
+std::optional<Claim> solvers_differ(const StudyResults& study) {
   std::string list;
   int alike = 0, differ = 0, printed_alike = 0;
   for (const Metric metric : paper_metrics) {
-    const std::optional<AnovaTable> printed = comparable_printed_anova(study, metric, unit);
+    const std::optional<AnovaTable> printed = comparable_printed_anova(study, metric);
     if (!printed) return std::nullopt;
     if (!is_significant(printed->p, study.plan)) ++printed_alike;
     list += fmt::format("{}{}: ", list.empty() ? "" : "; ", figures::capitalised(info_of(metric).name));
@@ -73,7 +73,7 @@ std::optional<Claim> solvers_differ(const StudyResults& study, Unit unit) {
       list += fmt::format("not tested, because {} (see the warnings)", times_not_judged);
       continue;
     }
-    const AnovaTable table = anova(study, metric, unit).table;
+    const AnovaTable table = anova(study, metric).table;
     if (!std::isfinite(table.p)) return std::nullopt;
     ++(is_significant(table.p, study.plan) ? differ : alike);
     list += fmt::format("F({}, {}) = {}, p = {}", table.df_between, table.df_within, short_number(table.F),

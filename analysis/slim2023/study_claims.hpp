@@ -11,9 +11,8 @@
 
 namespace ikbench::slim2023 {
 
-std::vector<report::Claim> variation(const inference::StudyResults& study, const std::vector<Comparison>& rows,
-                                     results::Unit unit);
-std::optional<report::Claim> solvers_differ(const inference::StudyResults& study, results::Unit unit);
+std::vector<report::Claim> variation(const inference::StudyResults& study, const std::vector<Comparison>& rows);
+std::optional<report::Claim> solvers_differ(const inference::StudyResults& study);
 std::optional<report::Claim> inside_limits(const inference::StudyResults& study);
 
 }  // namespace ikbench::slim2023

@@ -66,14 +66,14 @@ TEST_CASE("the helix study comes out as the paper's Table 3 in the readings of t
     const StudyResults study = solved(seed);
     REQUIRE(study.solves.size() == 6 * 20 * 20);
     std::map<Metric, std::map<std::string, double>> means;
-    for (const Comparison& row : compare(study, Unit::run)) {
+    for (const Comparison& row : compare(study)) {
       means[row.metric][row.solver] = row.ours.mean;
       over_seeds[row.metric][row.solver] += row.ours.mean / seeds;
     }
     // The paper: 7.2e-24 and 7.2e-70. The error's p hangs on BA's spread: over seeds 1 to 20 it is 7e-17 (seed 1, where
     // a run of BA ends at 4.5 cm) to 1e-42, and below 1e-20 for 19 of them.
     for (const Metric metric : {Metric::position_error_cm, Metric::variation_deg}) {
-      p[metric].push_back(anova(study, metric, Unit::run).table.p);
+      p[metric].push_back(anova(study, metric).table.p);
     }
     if (seed == 1) {
       check_means(means[Metric::position_error_cm], errors_cm);

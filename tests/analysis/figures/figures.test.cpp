@@ -42,7 +42,7 @@ const std::vector<std::string> hostile_labels{"<script>alert(1)</script>",
                                               ""};
 
 std::vector<Figure> figures_of(std::vector<SolveRecord> solves) {
-  return paper_figures(make_study("s", std::move(solves)), Unit::run, QuantileType::type_5);
+  return paper_figures(make_study("s", std::move(solves)));
 }
 
 const Figure& named(const std::vector<Figure>& figures, const std::string& name) {
@@ -171,7 +171,9 @@ TEST_CASE("the data file of a box plot has the numbers of the box", "[figure]") 
         "1 1 2.75 5 7.25 8 9 0\n"
         "\n\n# outliers: solver's position, value\n"
         "1 20\n");  // quartiles of type 5 by hand, as in the test of box()
-  const Figure other = box_figure(make_study("s", solves), {.quartiles = QuantileType::type_7});
+  StudyResults by_type_7 = make_study("s", solves);
+  by_type_7.plan.quartiles = 7;
+  const Figure other = box_figure(by_type_7, {});
   CHECK(contains(other.data, "1 1 3 5 7 8 9 0"));  // type 7 by hand: 1 + 0.25 * 8 = rank 3, rank 7
 }
 

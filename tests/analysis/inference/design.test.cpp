@@ -51,6 +51,12 @@ StudyResults study_of(const Shape& shape, std::vector<SolveRecord> solves) {
 
 StudyResults study_of(const Shape& shape) { return study_of(shape, solves_of(shape)); }
 
+// Judged with points as observations.
+StudyResults by_point(StudyResults study) {
+  study.plan.unit = Unit::point;
+  return study;
+}
+
 constexpr Metric error = Metric::position_error_cm;
 using Values = std::vector<double>;
 using Names = std::vector<std::string>;
@@ -59,7 +65,7 @@ using Names = std::vector<std::string>;
 
 TEST_CASE("on a chained path observations are run means in independent groups, and there are no blocks", "[design]") {
   const StudyResults study = study_of({});
-  const Observations found = observations(study, error, Unit::run);
+  const Observations found = observations(study, error);
   CHECK(found.name == "error");
   CHECK(found.quantity == "position error [cm]");
   CHECK(found.better == Better::smaller);
@@ -78,10 +84,10 @@ TEST_CASE("on a chained path observations are run means in independent groups, a
 }
 
 TEST_CASE("points as observations have a flaw, and the report says which", "[design]") {
-  const Observations found = observations(study_of({}), error, Unit::point);
+  const Observations found = observations(by_point(study_of({})), error);
   CHECK(found.groups[0].values == Values{101, 102, 103, 201, 202, 203});
   CHECK(found.flaw == "points of one run depend on each other; used as observations because --force was given");
-  CHECK(observations(study_of({.path = "random"}), error, Unit::point).blocks.empty());
+  CHECK(observations(by_point(study_of({.path = "random"})), error).blocks.empty());
 }
 
 TEST_CASE("a definition says whether targets were drawn, of any kind of path, older ones by the kind alone",
@@ -94,7 +100,7 @@ TEST_CASE("a definition says whether targets were drawn, of any kind of path, ol
 
 TEST_CASE("targets drawn anew in every run make a block of each run", "[design]") {
   const StudyResults study = study_of({.path = "random", .runs = 3});
-  for (const Observations& found : {observations(study, error, Unit::run), *blocked_observations(study, error)}) {
+  for (const Observations& found : {observations(study, error), *blocked_observations(study, error)}) {
     CHECK(found.blocks == Names{"run 1", "run 2", "run 3"});
     CHECK(found.groups[0].values == Values{102, 202, 302});
     CHECK(found.groups[1].values == Values{204, 404, 604});
@@ -109,8 +115,8 @@ TEST_CASE("drawn targets that are solved from the same configuration are blocks 
   CHECK(found.blocks == Names{"run 1, point 1", "run 1, point 2", "run 1, point 3"});
   CHECK(found.groups[1].values == Values{202, 204, 206});
   CHECK(found.replicate == "the only solve of a target");
-  CHECK(observations(study, error, Unit::run).blocks == found.blocks);
-  CHECK(observations(study, error, Unit::point).blocks.empty());
+  CHECK(observations(study, error).blocks == found.blocks);
+  CHECK(observations(by_point(study), error).blocks.empty());
 }
 
 TEST_CASE("targets of a path that are solved from the same configuration are blocks, with the mean over the runs",
@@ -120,8 +126,8 @@ TEST_CASE("targets of a path that are solved from the same configuration are blo
   CHECK(found.blocks == Names{"point 1", "point 2", "point 3"});
   CHECK(found.groups[0].values == Values{151, 152, 153});  // of 101 and 201, ...
   CHECK(found.replicate == "the mean of a target over 2 runs");
-  CHECK(observations(study, error, Unit::run).blocks == found.blocks);
-  CHECK(observations(study, error, Unit::run).groups[0].values == found.groups[0].values);
+  CHECK(observations(study, error).blocks == found.blocks);
+  CHECK(observations(study, error).groups[0].values == found.groups[0].values);
   std::vector<SolveRecord> solves = solves_of({.points = 1});  // nothing is chained to
   for (SolveRecord& solve : solves) solve.start_rad = {0};
   CHECK(why_not_blocked(study_of({.points = 1}, solves)) ==
@@ -141,7 +147,7 @@ TEST_CASE("a run that is not complete for all solvers is in no block, and that i
   }
   std::vector<SolveRecord> solves = solves_of({});
   solves.pop_back();
-  const Observations independent = observations(study_of({}, solves), error, Unit::run);
+  const Observations independent = observations(study_of({}, solves), error);
   CHECK(independent.groups[0].values == Values{102, 202});  // A loses nothing by what B has not done
   CHECK(independent.notes.back() == "B: 1 of its runs lack points and give no observation.");
 }
@@ -149,16 +155,16 @@ TEST_CASE("a run that is not complete for all solvers is in no block, and that i
 TEST_CASE("with fewer than two blocks there is no blocked design, and why is said", "[design]") {
   CHECK(why_not_blocked(study_of({.path = "random", .runs = 1})) ==
         "There are no blocks to compare, because there is only one.");
-  const Observations alone = observations(study_of({.path = "random", .runs = 1}), error, Unit::run);
+  const Observations alone = observations(study_of({.path = "random", .runs = 1}), error);
   CHECK(alone.groups[0].values == Values{102});
   CHECK(alone.notes == Names{"There are no blocks to compare, because there is only one."});
-  CHECK(observations(study_of({.path = "random", .runs = 1}), error, Unit::point).notes.empty());
+  CHECK(observations(by_point(study_of({.path = "random", .runs = 1})), error).notes.empty());
   std::vector<SolveRecord> solves = solves_of({.path = "random", .runs = 1});
   solves.pop_back();
   CHECK(why_not_blocked(study_of({.path = "random", .runs = 1}, solves)) ==
         "There are no blocks: no run is complete for all solvers.");
   CHECK(!why_not_blocked(study_of({.path = "random"}, {})).empty());
-  CHECK(observations(study_of({.path = "random"}, {}), error, Unit::run).groups.size() == 2);
+  CHECK(observations(study_of({.path = "random"}, {}), error).groups.size() == 2);
   CHECK(why_not_blocked(make_study("a CSV", solves_of({}))) ==
         "There are no blocks: the study does not state its path.");
 }
@@ -178,11 +184,11 @@ TEST_CASE("what is not finite stays in its place and is counted, and times that 
   solves[0].position_error_cm = std::nan("");
   solves[1].timing = Timing::parallel;
   const StudyResults study = study_of({.path = "random"}, solves);
-  const Observations found = observations(study, error, Unit::run);
+  const Observations found = observations(study, error);
   CHECK(std::isnan(found.groups[0].values[0]));
   CHECK(found.groups[0].values[1] == 202);
   CHECK(found.notes == Names{"A: 1 of 2 observations are not finite."});
-  const Observations times = observations(study, Metric::seconds, Unit::run);
+  const Observations times = observations(study, Metric::seconds);
   CHECK(times.name == "time");
   CHECK((times.flaw.starts_with("Times are not comparable: of 12 solves, 1 ran in parallel")));
 }

@@ -87,5 +87,5 @@ TEST_CASE("the direction of a metric is that of its line", "[metrics]") {
     return *std::ranges::find(all, column, [](Metric metric) { return name_of(metric); });
   };
   CHECK(info_of(find("success")).better == Better::larger);
-  CHECK(samples(study, find("success"), Unit::run)[1].values.front() == 0.5);  // run 1: one of two points is missed
+  CHECK(samples(study, find("success"))[1].values.front() == 0.5);  // run 1: one of two points is missed
 }

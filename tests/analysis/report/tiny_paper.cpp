@@ -11,7 +11,7 @@ using namespace report;
 namespace {
 
 std::vector<Claim> claims(const Reported& reported) {
-  const auto order = standings(reported.study, Metric::evaluations, reported.plan.unit);
+  const auto order = standings(reported.study, Metric::evaluations);
   return {{.statement = "Alpha needs the fewest evaluations",
            .verdict = first_of(order) == std::vector<std::string>{"alpha"} ? Verdict::holds : Verdict::fails,
            .evidence = "In the order of their means: " + order_words(order) + '.',
@@ -20,7 +20,7 @@ std::vector<Claim> claims(const Reported& reported) {
 }
 
 StudyPieces pieces(const Reported& reported) {
-  StudyPieces all = study_pieces(reported.study, reported.plan);
+  StudyPieces all = study_pieces(reported.study);
   all.tables.push_back({.name = "table-1",
                         .caption = "Table 1 as printed",
                         .columns = {{"algorithm", Align::left}, {"evaluations"}},

@@ -64,14 +64,15 @@ TEST_CASE("one observation is one run's mean over its points", "[study]") {
   std::vector<SolveRecord> solves = synthetic::solves({.solvers = {"IK-BA"}, .runs = 2, .points = 2});
   const double errors[] = {1, 3, 10, 30};
   for (std::size_t i = 0; i < solves.size(); ++i) solves[i].position_error_cm = errors[i];
-  const StudyResults study = make_study("two runs", solves);
-  CHECK(samples(study, Metric::position_error_cm, Unit::run)[0].values == std::vector<double>{2, 20});
-  CHECK(samples(study, Metric::position_error_cm, Unit::point)[0].values == std::vector<double>{1, 3, 10, 30});
+  StudyResults study = make_study("two runs", solves);
+  CHECK(samples(study, Metric::position_error_cm)[0].values == std::vector<double>{2, 20});
+  study.plan.unit = Unit::point;
+  CHECK(samples(study, Metric::position_error_cm)[0].values == std::vector<double>{1, 3, 10, 30});
 }
 
 TEST_CASE("six solvers of 20 runs have 5 and 114 degrees of freedom, as in the paper", "[paper]") {
   const StudyResults study = study_of(synthetic::solves({}));
-  const AnovaTable table = anova(study, Metric::variation_deg, Unit::run).table;
+  const AnovaTable table = anova(study, Metric::variation_deg).table;
   CHECK(table.df_between == 5);
   CHECK(table.df_within == 114);
 }
@@ -80,7 +81,7 @@ TEST_CASE("a run with missing points gives no run mean, and is counted", "[study
   std::vector<SolveRecord> solves = synthetic::solves({.runs = 3, .points = 4});
   solves.pop_back();  // the last point of MO-PSO's third run
   const StudyResults study = study_of(solves);
-  const Sample sample = samples(study, Metric::position_error_cm, Unit::run).back();
+  const Sample sample = samples(study, Metric::position_error_cm).back();
   CHECK(sample.solver == "MO-PSO");
   CHECK(sample.values.size() == 2);
   CHECK(sample.incomplete_runs == 1);
@@ -89,7 +90,7 @@ TEST_CASE("a run with missing points gives no run mean, and is counted", "[study
   CHECK(count.expected == 12);
   CHECK(count.complete_runs == 2);
   CHECK(count.incomplete_runs == 1);
-  CHECK(contains(table_3(study, Unit::run).notes, "incomplete"));
+  CHECK(contains(table_3(study).notes, "incomplete"));
 }
 
 TEST_CASE("runs, points and the paper come from the study's definition", "[study]") {
@@ -150,7 +151,7 @@ TEST_CASE("a mean agrees, is close, or differs", "[paper]") {
     if (solve.solver == "DE") solve.position_error_cm = 0.3653 * 1.9 * wobble;
     if (solve.solver == "BA") solve.position_error_cm = 1.6849 * 2.1 * wobble;
   }
-  const auto rows = compare(study_of(solves), Unit::run);
+  const auto rows = compare(study_of(solves));
   CHECK(row_of(rows, "IK-BA", Metric::position_error_cm).agreement == Agreement::agrees);
   CHECK(row_of(rows, "DE", Metric::position_error_cm).agreement == Agreement::close);
   CHECK(row_of(rows, "BA", Metric::position_error_cm).agreement == Agreement::differs);
@@ -160,21 +161,20 @@ TEST_CASE("a mean agrees, is close, or differs", "[paper]") {
 TEST_CASE("a mean that agrees only because its spread is large says so", "[paper]") {
   std::vector<SolveRecord> solves = synthetic::solves({.solvers = {"IK-BA"}, .runs = 2});
   for (SolveRecord& solve : solves) solve.position_error_cm = solve.run == 1 ? 0.001 : 0.2;  // printed mean 0.0019
-  const auto rows = compare(study_of(solves), Unit::run);
+  const auto rows = compare(study_of(solves));
   const Comparison& row = row_of(rows, "IK-BA", Metric::position_error_cm);
   CHECK(row.agreement == Agreement::agrees);  // t = 0.99 on one degree of freedom
   CHECK(row.ratio > 50);
   CHECK(rests_on_spread(row));
-  CHECK(to_markdown(table_3(study_of(solves), Unit::run)).find("| agrees only because of its spread |") !=
-        std::string::npos);
+  CHECK(to_markdown(table_3(study_of(solves))).find("| agrees only because of its spread |") != std::string::npos);
 }
 
 TEST_CASE("the printed ANOVA stands beside ours only where both ask the same", "[paper]") {
-  const StudyResults six = study_of(synthetic::solves({}));
-  CHECK(comparable_printed_anova(six, Metric::variation_deg, Unit::run)->F == Approx(388.9396));  // as printed
-  CHECK(!comparable_printed_anova(six, Metric::variation_deg, Unit::point));
-  CHECK(!comparable_printed_anova(study_of(synthetic::solves({.solvers = {"IK-BA", "BA"}})), Metric::variation_deg,
-                                  Unit::run));
+  StudyResults six = study_of(synthetic::solves({}));
+  CHECK(comparable_printed_anova(six, Metric::variation_deg)->F == Approx(388.9396));  // as printed
+  six.plan.unit = Unit::point;
+  CHECK(!comparable_printed_anova(six, Metric::variation_deg));
+  CHECK(!comparable_printed_anova(study_of(synthetic::solves({.solvers = {"IK-BA", "BA"}})), Metric::variation_deg));
 }
 
 TEST_CASE("times taken while other programs were at work are said to be so", "[study]") {
@@ -190,28 +190,28 @@ TEST_CASE("computing time is compared relative to IK-BA only", "[paper]") {
   for (SolveRecord& solve : solves) solve.seconds = solve.solver == "MO-PSO" ? 0.010 : 0.001;
   const StudyResults study = study_of(solves);
   // Ours 10; printed 1.2853 / 0.2439 = 5.26978.
-  CHECK(row_of(compare(study, Unit::run), "MO-PSO", Metric::seconds).ratio == Approx(10 / 5.26978).epsilon(1e-5));
-  const Table table = table_3(study, Unit::run);
+  CHECK(row_of(compare(study), "MO-PSO", Metric::seconds).ratio == Approx(10 / 5.26978).epsilon(1e-5));
+  const Table table = table_3(study);
   CHECK(std::get<std::string>(table.rows.back().back()) == "relative only: close");
   CHECK(std::get<std::string>(table.rows[12].back()) == "relative only: the reference");
 }
 
 TEST_CASE("without IK-BA there is no relative time, and the verdict says so", "[paper]") {
-  const Table table = table_3(study_of(synthetic::solves({.solvers = {"BA", "DE"}})), Unit::run);
+  const Table table = table_3(study_of(synthetic::solves({.solvers = {"BA", "DE"}})));
   CHECK(std::get<std::string>(table.rows.back().back()) == "no time of IK-BA to compare with");
 }
 
 TEST_CASE("without published numbers their columns are empty", "[paper]") {
   const StudyResults study = make_study("own", synthetic::solves({.solvers = {"IK-BA", "BA"}}));
-  for (const auto& row : table_3(study, Unit::run).rows) {
+  for (const auto& row : table_3(study).rows) {
     for (std::size_t column = 7; column < 10; ++column) CHECK(std::holds_alternative<std::monostate>(row[column]));
   }
-  const auto tables = paper_tables(study, Unit::run);
+  const auto tables = paper_tables(study);
   CHECK(std::ranges::none_of(tables, [](const Table& t) { return t.name == "anova-from-printed-table-3"; }));
 }
 
 TEST_CASE("a solver that is not in the paper has empty published cells", "[paper]") {
-  const Table table = table_3(study_of(synthetic::solves({.solvers = {"IK-BA", "my own"}})), Unit::run);
+  const Table table = table_3(study_of(synthetic::solves({.solvers = {"IK-BA", "my own"}})));
   CHECK(std::holds_alternative<std::monostate>(table.rows[1][7]));
   CHECK(std::holds_alternative<double>(table.rows[0][7]));
 }
@@ -223,17 +223,17 @@ TEST_CASE("an answer that is not finite is never dropped", "[paper]") {
   bad.position_error_cm = not_defined;
   bad.status = Status::not_finite;
   const StudyResults study = study_of(solves);
-  const Comparison row = row_of(compare(study, Unit::run), "BA", Metric::position_error_cm);
+  const Comparison row = row_of(compare(study), "BA", Metric::position_error_cm);
   CHECK(row.ours.not_finite == 1);
   CHECK(std::isnan(row.ours.mean));
   CHECK(std::isfinite(row.ours.median));
-  const Table table_3_here = table_3(study, Unit::run);
+  const Table table_3_here = table_3(study);
   CHECK(to_markdown(table_3_here).find("| BA | position_error_cm | not defined |") != std::string::npos);
   CHECK(contains(table_3_here.notes, "not_finite 1"));
-  const StudyAnova without_ba = anova(study, Metric::position_error_cm, Unit::run);
+  const StudyAnova without_ba = anova(study, Metric::position_error_cm);
   CHECK(without_ba.table.df_between == 4);
   CHECK(contains(without_ba.left_out, "BA (1 of 20 observations not finite)"));
-  CHECK(contains(anova_table(study, Metric::position_error_cm, Unit::run).notes, "Left out of the ANOVA: BA"));
+  CHECK(contains(anova_table(study, Metric::position_error_cm).notes, "Left out of the ANOVA: BA"));
 }
 
 TEST_CASE("the status table has every solve, every status, and how far answers leave the limits", "[paper]") {
@@ -270,8 +270,9 @@ TEST_CASE("every shape of study has its tables and not one cell of NaN", "[paper
                     "s29", "s30", "s31", "s32", "s33", "s34", "s35", "s36", "s37", "s38", "s39", "s40"},
         .runs = 2,
         .points = 2}}));
-  const Unit unit = GENERATE(Unit::run, Unit::point);
-  for (const Table& table : paper_tables(study_of(synthetic::solves(shape)), unit)) {
+  StudyResults study = study_of(synthetic::solves(shape));
+  study.plan.unit = GENERATE(Unit::run, Unit::point);
+  for (const Table& table : paper_tables(study)) {
     for (const auto& row : table.rows) CHECK(row.size() == table.columns.size());
     const std::string all = to_markdown(table) + to_latex(table) + to_csv(table);
     CHECK(all.find("nan") == std::string::npos);

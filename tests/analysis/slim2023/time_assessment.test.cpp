@@ -152,8 +152,8 @@ TEST_CASE("only random targets that claim to be the paper's have a Table 7", "[t
 
 TEST_CASE("a study of random targets is not held against Table 3", "[time]") {
   StudyResults study = study_of({{"IK-BA", 1}});
-  for (const Comparison& row : compare(study, Unit::run)) CHECK(!std::isfinite(row.paper_mean));
+  for (const Comparison& row : compare(study)) CHECK(!std::isfinite(row.paper_mean));
   std::vector<std::string> names;
-  for (const Table& table : paper_tables(study, Unit::run)) names.push_back(table.name);
+  for (const Table& table : paper_tables(study)) names.push_back(table.name);
   CHECK(names == std::vector<std::string>{"table-3", "table-4", "table-5", "table-6", "table-7", "status"});
 }
