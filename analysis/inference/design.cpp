@@ -137,7 +137,7 @@ void add_notes(Observations& result, const StudyResults& study, Metric metric) {
         fmt::format("{}: {} of {} observations are not finite.", group.name, not_finite, group.values.size()));
   }
   if (info_of(metric).kind != Kind::time) return;
-  if (std::string note = timing_note(study); !note.empty() && result.flaw.empty()) result.flaw = std::move(note);
+  if (std::string note = timing_note(study); !note.empty()) result.flaw = std::move(note);
 }
 
 }  // namespace

@@ -337,12 +337,8 @@ void make_tests(Evidence& result, const Observations& observations) {
 
 }  // namespace
 
-Evidence evidence(const Observations& given, const AnalysisPlan& plan) {
-  const Observations observations = exact(given);
-  Evidence result = describe_groups(observations, plan);
-  bootstrap_means(result, values_of(observations));
-  make_tests(result, observations);
-  return result;
+Evidence evidence(const Observations& observations, const AnalysisPlan& plan) {
+  return with_bootstrap(tested(observations, plan), observations);
 }
 
 Evidence tested(const Observations& given, const AnalysisPlan& plan) {
@@ -352,11 +348,13 @@ Evidence tested(const Observations& given, const AnalysisPlan& plan) {
   return result;
 }
 
-Evidence described(const Observations& given, const AnalysisPlan& plan) {
-  const Observations observations = exact(given);
-  Evidence result = describe_groups(observations, plan);
-  bootstrap_means(result, values_of(observations));
-  return result;
+Evidence with_bootstrap(Evidence evidence, const Observations& observations) {
+  bootstrap_means(evidence, values_of(exact(observations)));
+  return evidence;
+}
+
+Evidence described(const Observations& observations, const AnalysisPlan& plan) {
+  return describe_groups(exact(observations), plan);
 }
 
 }  // namespace ikbench::inference

@@ -112,9 +112,10 @@ constexpr std::size_t most_groups_in_pairs = 20;
 // summaries) is std::invalid_argument.
 Evidence evidence(const Observations& observations, const results::AnalysisPlan& plan);
 Evidence evidence(const Summaries& summaries, const results::AnalysisPlan& plan);
-// The same without the intervals that the bootstrap takes its time for.
+// The same without the intervals that the bootstrap takes its time for, and with them after all.
 Evidence tested(const Observations& observations, const results::AnalysisPlan& plan);
-// The groups described, and no test made.
+Evidence with_bootstrap(Evidence evidence, const Observations& observations);
+// The groups described, no test made, and no bootstrap.
 Evidence described(const Observations& observations, const results::AnalysisPlan& plan);
 
 // What of a plan can be followed with these: no blocks, no Friedman; of summaries no ranks, and no control.

@@ -7,7 +7,6 @@
 #include <stdexcept>
 #include <utility>
 
-#include "analysis/inference/design.hpp"
 #include "analysis/statistics/tails.hpp"
 
 namespace ikbench::inference {
@@ -99,10 +98,5 @@ Judgement judge(double value, double standard_error, const AnalysisPlan& plan) {
 }
 
 bool is_significant(double p, const AnalysisPlan& plan) { return p < plan.significance; }
-
-Evidence evidence_of(const StudyResults& study, Metric metric) {
-  const Observations observed = observations(study, metric);
-  return tested(observed, feasible(study.plan, observed));
-}
 
 }  // namespace ikbench::inference

@@ -6,7 +6,6 @@
 #include <string_view>
 
 #include "analysis/inference/evidence.hpp"
-#include "analysis/inference/study.hpp"
 
 namespace ikbench::inference {
 
@@ -47,8 +46,5 @@ Judgement judge(double value, double standard_error, const results::AnalysisPlan
 
 // Whether p refutes that all are alike.
 bool is_significant(double p, const results::AnalysisPlan& plan);
-
-// What a study's plan finds of one metric.
-Evidence evidence_of(const StudyResults& study, Metric metric);
 
 }  // namespace ikbench::inference

@@ -8,6 +8,7 @@
 #include "analysis/figures/critical_difference_figure.hpp"
 #include "analysis/figures/raincloud_figure.hpp"
 #include "analysis/figures/statistics_figures.hpp"
+#include "analysis/inference/design.hpp"
 #include "analysis/inference/text.hpp"
 #include "analysis/report/assessment_json.hpp"
 #include "analysis/report/assessment_sentences.hpp"
@@ -102,7 +103,8 @@ Assessment assessment_of(const Evidence& evidence) {
   return result;
 }
 
-Assessment with_observations(const Evidence& found, const Observations& observations) {
+Assessment with_observations(const Evidence& evidence, const Observations& observations) {
+  const Evidence found = with_bootstrap(evidence, observations);
   Assessment result = assessment_of(found);
   if (is_worth_drawing(found)) {
     result.figures.insert(result.figures.begin(), raincloud_figure(observations, quantile_type(found.plan.quartiles),
@@ -114,15 +116,15 @@ Assessment with_observations(const Evidence& found, const Observations& observat
 }  // namespace
 
 Assessment assess(const Observations& observations, const AnalysisPlan& plan) {
-  return with_observations(evidence(observations, plan), observations);
+  return with_observations(tested(observations, plan), observations);
 }
 
 Assessment assess(const Summaries& summaries, const AnalysisPlan& plan) {
   return assessment_of(evidence(summaries, plan));
 }
 
-Assessment describe(const Observations& observations, const AnalysisPlan& plan) {
-  return with_observations(described(observations, plan), observations);
+Assessment assess(const JudgedStudy& study, Metric metric) {
+  return with_observations(study.evidence(metric), observations(study, metric));
 }
 
 }  // namespace ikbench::report

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "analysis/figures/figure.hpp"
-#include "analysis/inference/evidence.hpp"
+#include "analysis/inference/judged_study.hpp"
 #include "analysis/report/table.hpp"
 
 namespace ikbench::report {
@@ -26,7 +26,7 @@ struct Assessment {
 
 Assessment assess(const inference::Observations& observations, const results::AnalysisPlan& plan);
 Assessment assess(const inference::Summaries& summaries, const results::AnalysisPlan& plan);
-// What was observed, and no verdict on it: nothing is ranked, tested or compared. The observations' flaw is the reason.
-Assessment describe(const inference::Observations& observations, const results::AnalysisPlan& plan);
+// Of a study, by what its plan finds. Times that are not comparable are shown, and not ranked, tested or compared.
+Assessment assess(const inference::JudgedStudy& study, inference::Metric metric);
 
 }  // namespace ikbench::report

@@ -96,8 +96,8 @@ std::vector<Side> sides_of(const StudyResults& study, const StudyResults& other)
   return sides;
 }
 
-Enforced enforced_of(const StudyResults& study, const StudyResults& other) {
-  Enforced result{.sides = sides_of(study, other), .error = evidence_of(study, Metric::position_error_cm)};
+Enforced enforced_of(const JudgedStudy& study, const StudyResults& other) {
+  Enforced result{.sides = sides_of(study, other), .error = study.evidence(Metric::position_error_cm)};
   Observations accepted{.name = "accepted-variation", .quantity = quantity(Metric::variation_deg)};
   if (study.plan.unit == Unit::point) accepted.flaw = points_flaw;
   for (const Side& side : result.sides) {
@@ -161,7 +161,7 @@ std::string sentence(const Side& free, const Enforced& all_enforced) {
       move_words(free, all_enforced, by_error), move_words(free, all_enforced, by_variation));
 }
 
-Table table_of(const StudyResults& free, const StudyResults& enforced) {
+Table table_of(const JudgedStudy& free, const JudgedStudy& enforced) {
   Table table{.name = "limits",
               .caption = "Results with enforced joint limits",
               .columns = {{"algorithm", Align::left},
@@ -216,10 +216,10 @@ Table table_of(const StudyResults& free, const StudyResults& enforced) {
 
 }  // namespace
 
-std::optional<Table> limits_table(const std::vector<StudyResults>& studies) {
+std::optional<Table> limits_table(const JudgedStudies& studies) {
   if (studies.empty()) return std::nullopt;
-  const StudyResults& reported = studies.front();
-  for (const StudyResults& other : studies) {
+  const JudgedStudy& reported = studies.front();
+  for (const JudgedStudy& other : studies) {
     const bool in_common =
         std::ranges::any_of(reported.solvers, [&](const std::string& solver) { return has_solver(other, solver); });
     if (is_enforced(other) == is_enforced(reported) || !in_common) continue;

@@ -2,15 +2,14 @@
 #pragma once
 
 #include <optional>
-#include <vector>
 
-#include "analysis/inference/study.hpp"
+#include "analysis/inference/judged_study.hpp"
 #include "analysis/report/table.hpp"
 
 namespace ikbench::report {
 
 // Of studies with the same targets, the reported one first: it and the first other with which it makes a pair, one of
 // them with limits enforced and one without, that have a solver in common. Nothing where there is none.
-std::optional<Table> limits_table(const std::vector<inference::StudyResults>& studies);
+std::optional<Table> limits_table(const inference::JudgedStudies& studies);
 
 }  // namespace ikbench::report

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "analysis/inference/judged_study.hpp"
 #include "analysis/inference/observations.hpp"
-#include "analysis/inference/study.hpp"
 #include "analysis/report/audit.hpp"
 #include "analysis/report/claims.hpp"
 #include "analysis/report/readings.hpp"
@@ -19,8 +19,8 @@ namespace ikbench::report {
 
 // A study with its companions, the paper's other studies where the store has them. All are judged by the study's plan.
 struct Reported {
-  const inference::StudyResults& study;
-  const std::vector<inference::StudyResults>& companions;
+  const inference::JudgedStudy& study;
+  inference::JudgedStudies companions = {};
 };
 
 // A built-in study that `ikbench reproduce` runs.

@@ -127,7 +127,7 @@ bool same_targets(const StudyResults& a, const StudyResults& b) {
   return met && a.points == b.points;
 }
 
-Table perspective_table(const std::vector<StudyResults>& studies) {
+Table perspective_table(const JudgedStudies& studies) {
   const std::vector<Metric> metrics = reported_metrics();
   Table table{.name = "perspective",
               .caption = "Other studies with the same targets",

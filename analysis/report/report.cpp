@@ -34,55 +34,40 @@ using namespace figures;
 namespace {
 
 // Another study of the store, judged by the plan of the reported one. A control that it does not have is none.
-StudyResults judged_by(const AnalysisPlan& plan, const StudyEntry& entry, const Store& store) {
-  StudyResults other = make_study(entry, store.solves(entry.name));
+JudgedStudy judged_by(const AnalysisPlan& plan, StudyResults other) {
   other.plan = plan;
   if (std::ranges::find(other.solvers, plan.control) == other.solvers.end()) other.plan.control.clear();
-  return other;
+  return JudgedStudy(std::move(other));
 }
 
-// Other studies of the store that were given the same targets, after the reported one.
-std::vector<StudyResults> with_same_targets(const Store& store, const StudyResults& study) {
-  std::vector<StudyResults> result{study};
+// Whether it is another study of the reported one's paper: such are named after it as after the paper's own.
+bool is_companion(const std::string& name, const StudyResults& study, const Paper& paper) {
+  return std::ranges::any_of(paper.studies, [&](const PaperStudy& other) {
+    const std::string part = other.name.substr(paper.studies.front().name.size());
+    return !part.empty() && name == study.name + part;
+  });
+}
+
+// The other studies of the store that the report has something of: companions, and those with the same targets.
+std::vector<JudgedStudy> others_of(const Store& store, const StudyResults& study, const Paper& paper) {
+  std::vector<JudgedStudy> result;
   for (const StudyEntry& entry : store.studies()) {
     if (entry.name == study.name) continue;
-    StudyResults other = judged_by(study.plan, entry, store);
-    if (same_targets(study, other)) result.push_back(std::move(other));
+    StudyResults other = make_study(entry, store.solves(entry.name));
+    if (is_companion(other.name, study, paper) || same_targets(study, other)) {
+      result.push_back(judged_by(study.plan, std::move(other)));
+    }
   }
   return result;
 }
 
-// Those that treat joint limits as the first does: where they are not, numbers cannot be put side by side. The others
-// have a table of their own.
-std::vector<StudyResults> with_same_limits(const std::vector<StudyResults>& studies) {
-  const auto are_enforced = [](const StudyResults& study) {
-    return Definition(study.definition).text("/limits") == "enforced";
-  };
-  std::vector<StudyResults> result;
-  std::ranges::copy_if(studies, std::back_inserter(result),
-                       [&](const StudyResults& study) { return are_enforced(study) == are_enforced(studies.front()); });
-  return result;
-}
+bool enforces_limits(const StudyResults& study) { return Definition(study.definition).text("/limits") == "enforced"; }
 
 // The paper of the study; one that says nothing where it has none.
 const Paper& paper_of(const StudyResults& study, std::span<const Paper> papers) {
   static const Paper none;
   const auto found = std::ranges::find(papers, study.published, &Paper::name);
   return study.published.empty() || found == papers.end() ? none : *found;
-}
-
-// The paper's other studies, where the store has them: they are named after the reported one as after the paper's own.
-std::vector<StudyResults> companions_of(const Store& store, const StudyResults& study, const Paper& paper) {
-  std::vector<StudyResults> result;
-  for (const StudyEntry& entry : store.studies()) {
-    for (const PaperStudy& other : paper.studies) {
-      const std::string part = other.name.substr(paper.studies.front().name.size());
-      if (!part.empty() && entry.name == study.name + part) {
-        result.push_back(judged_by(study.plan, entry, store));
-      }
-    }
-  }
-  return result;
 }
 
 // What a study's own tables say of themselves where points are the observations.
@@ -100,19 +85,10 @@ std::vector<Assessment> printed_assessments(const StudyResults& study, const Pap
   return result;
 }
 
-std::vector<Assessment> assessments_of(const StudyResults& study, const Paper& paper) {
+std::vector<Assessment> assessments_of(const JudgedStudy& study, const Paper& paper) {
   if (study.solves.empty()) return {};
   std::vector<Assessment> result;
-  for (const Metric metric : reported_metrics()) {
-    Observations observed = observations(study, metric);
-    const AnalysisPlan possible = feasible(study.plan, observed);
-    if (is_comparable(study, metric)) {
-      result.push_back(assess(observed, possible));
-      continue;
-    }
-    observed.flaw = timing_note(study);
-    result.push_back(describe(observed, possible));
-  }
+  for (const Metric metric : reported_metrics()) result.push_back(assess(study, metric));
   std::ranges::move(printed_assessments(study, paper), std::back_inserter(result));
   return result;
 }
@@ -133,7 +109,7 @@ std::string out_of_reach_warning(const StudyResults& study) {
       rounded_number(of("farthest_cm"), 4), rounded_number(of("reach_cm"), 4), is_one ? "it" : "them");
 }
 
-std::vector<std::string> warnings_of(const StudyResults& study, const std::vector<StudyResults>& companions,
+std::vector<std::string> warnings_of(const StudyResults& study, const JudgedStudies& companions,
                                      std::span<const Paper> papers) {
   std::vector<std::string> warnings;
   if (std::string warning = out_of_reach_warning(study); !warning.empty()) warnings.push_back(std::move(warning));
@@ -161,13 +137,21 @@ std::vector<std::string> warnings_of(const StudyResults& study, const std::vecto
 
 Report write_report(const Store& store, const ReportRequest& request) {
   const StudyEntry entry = store.study(request.study);
-  StudyResults study = make_study(entry, store.solves(request.study));
-  if (request.plan) study.plan = *request.plan;
+  StudyResults stored = make_study(entry, store.solves(request.study));
+  if (request.plan) stored.plan = *request.plan;
+  const JudgedStudy study(std::move(stored));
   const std::vector<Session> sessions = store.sessions();
-  const std::vector<StudyResults> together = with_same_targets(store, study);
   const Paper& paper = paper_of(study, request.papers);
-  const std::vector<StudyResults> companions = companions_of(store, study, paper);
-  const Reported reported{study, companions};
+  const std::vector<JudgedStudy> others = others_of(store, study, paper);
+  Reported reported{study};
+  // Where limits are not treated alike, numbers cannot be put side by side: those have a table of their own.
+  JudgedStudies same_targets_given{study}, same_limits_too{study};
+  for (const JudgedStudy& other : others) {
+    if (is_companion(other.name, study, paper)) reported.companions.push_back(other);
+    if (!same_targets(study, other)) continue;
+    same_targets_given.push_back(other);
+    if (enforces_limits(other) == enforces_limits(study)) same_limits_too.push_back(other);
+  }
 
   std::vector<Table> tables{definition_table(entry), options_table(entry),
                             plan_table(entry, study.plan, plan_notes(entry, sessions, study.solves)),
@@ -175,9 +159,9 @@ Report write_report(const Store& store, const ReportRequest& request) {
   StudyPieces pieces = paper.pieces ? paper.pieces(reported) : study_pieces(study);
   std::vector<Figure> figures = std::move(pieces.figures);
   std::ranges::move(pieces.tables, std::back_inserter(tables));
-  const std::vector<StudyResults> beside = with_same_limits(together);
-  if (beside.size() > 1) tables.push_back(flagged(perspective_table(beside), study));
-  if (std::optional<Table> table = limits_table(together)) tables.push_back(flagged(std::move(*table), study));
+  if (same_limits_too.size() > 1) tables.push_back(flagged(perspective_table(same_limits_too), study));
+  if (std::optional<Table> table = limits_table(same_targets_given))
+    tables.push_back(flagged(std::move(*table), study));
   std::ranges::copy(request.extra_tables, std::back_inserter(tables));
   std::ranges::copy(request.extra_figures, std::back_inserter(figures));
 
@@ -185,7 +169,7 @@ Report write_report(const Store& store, const ReportRequest& request) {
                         .title = study.title.empty() ? study.name : study.title,
                         .claims = paper.claims ? paper.claims(reported) : std::vector<Claim>(),
                         .summary = summary(reported, paper),
-                        .warnings = warnings_of(study, companions, request.papers),
+                        .warnings = warnings_of(study, reported.companions, request.papers),
                         .command = command_of(study, sessions),
                         .plan = paper.sections,
                         .path = pieces.path};
@@ -197,7 +181,7 @@ Report write_report(const Store& store, const ReportRequest& request) {
                     why_not_blocked(study)));
   }
   if (study.plan.unit == Unit::point) content.warnings.insert(content.warnings.begin(), capitalised(points_flaw) + '.');
-  for (std::size_t i = 1; i < beside.size(); ++i) content.summary.push_back(perspective(beside[i]));
+  for (std::size_t i = 1; i < same_limits_too.size(); ++i) content.summary.push_back(perspective(same_limits_too[i]));
   std::ranges::move(cost_tables(study), std::back_inserter(tables));
   std::ranges::move(convergence_figures(study), std::back_inserter(figures));
   if (std::string closest = closest_point_by_point(study); !closest.empty()) {

@@ -88,7 +88,7 @@ std::optional<Claim> circle(const StudyResults& study) {
 }
 
 // The study with limits enforced.
-std::optional<Claim> accurate_inside_limits(const StudyResults& study, const StudyResults& limits) {
+std::optional<Claim> accurate_inside_limits(const StudyResults& study, const JudgedStudy& limits) {
   const auto are_enforced = [](const StudyResults& of) {
     return Definition(of.definition).text("/limits") == "enforced";
   };
@@ -111,7 +111,7 @@ std::optional<Claim> accurate_inside_limits(const StudyResults& study, const Stu
   }
   if (!ours || !before || !best) return std::nullopt;
   Smaller here{Verdict::holds, not_defined};
-  const Evidence found = evidence_of(limits, Metric::position_error_cm);
+  const Evidence& found = limits.evidence(Metric::position_error_cm);
   for (const std::string& other : others) weaken(here, smaller(judge(found, time_reference, other)));
   return Claim{
       .statement = fmt::format("With enforced joint limits, {} is still the most accurate", time_reference),

@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "analysis/inference/study.hpp"
+#include "analysis/inference/judged_study.hpp"
 #include "analysis/report/claims.hpp"
 
 namespace ikbench::slim2023 {
@@ -12,7 +12,7 @@ namespace ikbench::slim2023 {
 std::optional<report::Claim> real_time(const inference::StudyResults& study);
 std::optional<report::Claim> circle(const inference::StudyResults& study);
 std::optional<report::Claim> accurate_inside_limits(const inference::StudyResults& study,
-                                                    const inference::StudyResults& limits);
+                                                    const inference::JudgedStudy& limits);
 std::optional<report::Claim> better_than_classical(const inference::StudyResults& study,
                                                    const inference::StudyResults& context);
 

@@ -89,7 +89,7 @@ Paper paper() {
                       {"slim2023-limits", {"seed", "runs"}},   // the same with the limits enforced
                       {"slim2023-time", {"seed"}},             // Sec. 5.3.3
                       {"slim2023-dobot", {"seed"}}},           // Sec. 6
-          .claims = [](const Reported& of) { return claims(of.study, of.companions); },
+          .claims = claims,
           .pieces = pieces,
           .sections = sections(),
           .summary = [](const Reported& of) { return paper_summary(of.study); },

@@ -16,7 +16,8 @@ using namespace results;
 using namespace inference;
 using namespace report;
 
-std::vector<Claim> claims(const StudyResults& study, const std::vector<StudyResults>& companions) {
+std::vector<Claim> claims(const Reported& reported) {
+  const JudgedStudy& study = reported.study;
   std::vector<Claim> result;
   const auto add = [&](std::optional<Claim> claim) {
     if (claim) result.push_back(std::move(*claim));
@@ -30,14 +31,14 @@ std::vector<Claim> claims(const StudyResults& study, const std::vector<StudyResu
     add(computing_time(study, rows));
     add(solvers_differ(study));
     add(inside_limits(study));
-    for (const StudyResults& companion : companions) {
+    for (const JudgedStudy& companion : reported.companions) {
       if (companion.name == study.name + "-limits") add(accurate_inside_limits(study, companion));
       if (companion.name == study.name + "-context") add(better_than_classical(study, companion));
     }
   }
   add(real_time(study));
   add(circle(study));
-  for (const StudyResults& companion : companions) {
+  for (const JudgedStudy& companion : reported.companions) {
     add(real_time(companion));
     add(circle(companion));
   }

@@ -3,13 +3,11 @@
 
 #include <vector>
 
-#include "analysis/inference/study.hpp"
-#include "analysis/report/claims.hpp"
+#include "analysis/report/paper.hpp"
 
 namespace ikbench::slim2023 {
 
 // Companions: studies of the paper's other experiments. None where nothing is published of them, or nothing is solved.
-std::vector<report::Claim> claims(const inference::StudyResults& study,
-                                  const std::vector<inference::StudyResults>& companions);
+std::vector<report::Claim> claims(const report::Reported& reported);
 
 }  // namespace ikbench::slim2023

@@ -50,7 +50,7 @@ std::string rankings(const StudyResults& study, Metric metric) {
 
 // The paper's second claim: its solver moves the joints less than every other. The plan's test says where the
 // difference cannot be told from chance; points of one run depend on each other, so it is asked of run means only.
-std::string variation_sentence(const StudyResults& study, const std::vector<Comparison>& rows) {
+std::string variation_sentence(const JudgedStudy& study, const std::vector<Comparison>& rows) {
   if (study.plan.unit == Unit::point) return "";
   const auto printed = printed_ranking(study, Metric::variation_deg, standings(study, Metric::variation_deg));
   const auto description = [&](std::string_view solver) {
@@ -61,7 +61,7 @@ std::string variation_sentence(const StudyResults& study, const std::vector<Comp
   const auto printed_reference = std::ranges::find(printed, time_reference, &Standing::solver);
   if (printed_reference == printed.end()) return "";
   const Description reference = description(time_reference);
-  const Evidence found = evidence_of(study, Metric::variation_deg);
+  const Evidence& found = study.evidence(Metric::variation_deg);
   std::string less, alike, more;
   for (const Standing& standing : printed) {
     if (standing.mean <= printed_reference->mean) continue;
@@ -140,7 +140,7 @@ std::span<const Metric> judged_metrics(const StudyResults& study) {
 
 }  // namespace
 
-std::vector<std::string> paper_summary(const StudyResults& study) {
+std::vector<std::string> paper_summary(const JudgedStudy& study) {
   const auto rows = compare(study);
   std::vector<std::string> sentences;
   const std::span<const Metric> judged = judged_metrics(study);

@@ -4,11 +4,11 @@
 #include <string>
 #include <vector>
 
-#include "analysis/inference/study.hpp"
+#include "analysis/inference/judged_study.hpp"
 
 namespace ikbench::slim2023 {
 
 // Sentences, the most important first; some may be empty. The study has solves.
-std::vector<std::string> paper_summary(const inference::StudyResults& study);
+std::vector<std::string> paper_summary(const inference::JudgedStudy& study);
 
 }  // namespace ikbench::slim2023

@@ -100,13 +100,13 @@ std::optional<Claim> computing_time(const StudyResults& study, const std::vector
   return claim;
 }
 
-std::optional<Claim> most_accurate(const StudyResults& study, const std::vector<Comparison>& rows) {
+std::optional<Claim> most_accurate(const JudgedStudy& study, const std::vector<Comparison>& rows) {
   std::vector<Pair> all = pairs(study, rows, Metric::position_error_cm);
   if (all.size() < 2 || all[0].solver != time_reference) return std::nullopt;
   const Pair first = all[0], printed_second = all[1];
   const std::vector<Standing> ours = standings(all, our_mean);
   const Standing& other = ours[0].solver == first.solver ? ours[1] : ours[0];
-  const Evidence found = evidence_of(study, Metric::position_error_cm);
+  const Evidence& found = study.evidence(Metric::position_error_cm);
   const Evidence found_printed = printed_evidence(all, study.plan);
   Smaller here{Verdict::holds, not_defined}, printed{Verdict::holds, not_defined};
   for (const Pair& each : all) {

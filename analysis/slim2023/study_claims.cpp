@@ -49,10 +49,10 @@ Claim moves_less(const Pair& reference, const Others& of) {
 
 }  // namespace
 
-std::vector<Claim> variation(const StudyResults& study, const std::vector<Comparison>& rows) {
+std::vector<Claim> variation(const JudgedStudy& study, const std::vector<Comparison>& rows) {
   const std::vector<Pair> all = pairs(study, rows, Metric::variation_deg);
   if (all.size() < 2 || all.front().solver != time_reference) return {};
-  const Evidence here = evidence_of(study, Metric::variation_deg);
+  const Evidence& here = study.evidence(Metric::variation_deg);
   const Evidence printed = printed_evidence(all, study.plan);
   std::vector<Claim> result{moves_less(all[0], {{all[1]}, all[1].solver, here, printed})};
   if (all.size() > 2)

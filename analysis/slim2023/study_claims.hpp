@@ -5,13 +5,13 @@
 #include <optional>
 #include <vector>
 
-#include "analysis/inference/study.hpp"
+#include "analysis/inference/judged_study.hpp"
 #include "analysis/report/claims.hpp"
 #include "analysis/slim2023/paper_tables.hpp"
 
 namespace ikbench::slim2023 {
 
-std::vector<report::Claim> variation(const inference::StudyResults& study, const std::vector<Comparison>& rows);
+std::vector<report::Claim> variation(const inference::JudgedStudy& study, const std::vector<Comparison>& rows);
 std::optional<report::Claim> solvers_differ(const inference::StudyResults& study);
 std::optional<report::Claim> inside_limits(const inference::StudyResults& study);
 

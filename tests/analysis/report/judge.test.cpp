@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "analysis/inference/judged_study.hpp"
 #include "analysis/inference/variants.hpp"
 #include "analysis/papers.hpp"
 #include "analysis/report/report.hpp"
@@ -163,6 +164,27 @@ TEST_CASE("Table 3 agrees with what is printed by the plan's significance", "[ju
     if (usual == Agreement::agrees) CHECK(strict == Agreement::agrees);
   }
   CHECK(only_at_one_percent > 0);
+}
+
+TEST_CASE("a study finds its evidence once for each metric, and of times that are not comparable only describes them",
+          "[judge]") {
+  std::vector<SolveRecord> solves;
+  for (const char* solver : {"A", "B"}) {
+    for (int run = 1; run <= 20; ++run) {
+      SolveRecord solve{.solver = solver, .run = run};
+      solve.position_error_cm = solve.seconds = value_in(run, 10);
+      solve.timing = Timing::parallel;
+      solves.push_back(solve);
+    }
+  }
+  const JudgedStudy study(make_study("own", solves));
+  const Evidence& error = study.evidence(Metric::position_error_cm);
+  const Evidence& time = study.evidence(Metric::seconds);
+  CHECK(&study.evidence(Metric::position_error_cm) == &error);
+  CHECK(error.contrasts.size() == 1);
+  CHECK(time.groups.size() == 2);
+  CHECK(time.contrasts.empty());
+  CHECK(judge(time, "A", "B").undefined == timing_note(study));
 }
 
 TEST_CASE("the one rule: found before small, small before open", "[judge]") {

@@ -23,6 +23,12 @@ StudyResults study_of(std::vector<SolveRecord> solves, const std::string& name =
   return study;
 }
 
+std::vector<Claim> claims_of(StudyResults study, const std::vector<StudyResults>& companions = {}) {
+  const JudgedStudy judged(std::move(study));
+  const std::vector<JudgedStudy> others(companions.begin(), companions.end());
+  return claims({judged, {others.begin(), others.end()}});
+}
+
 const Claim& claim_of(const std::vector<Claim>& claims, const std::string& statement) {
   const auto found = std::ranges::find_if(claims, [&](const Claim& c) { return contains(c.statement, statement); });
   REQUIRE(found != claims.end());
@@ -36,7 +42,7 @@ Verdict verdict_of(const std::vector<Claim>& claims, const std::string& statemen
 }  // namespace
 
 TEST_CASE("claims hold, hold in part, are undecided or fail, by the store's numbers", "[report]") {
-  const auto as_printed = claims(study_of(synthetic::solves({})), {});
+  const auto as_printed = claims_of(study_of(synthetic::solves({})));
   CHECK(verdict_of(as_printed, "is the most accurate") == Verdict::holds);
   CHECK(verdict_of(as_printed, "Accuracy: IK-BA < K-ABC < DE < MO-PSO < PSO < BA") == Verdict::holds);
   CHECK(verdict_of(as_printed, "less than MO-PSO") == Verdict::undecided);  // printed 87.2 and 90.0 deg
@@ -46,7 +52,7 @@ TEST_CASE("claims hold, hold in part, are undecided or fail, by the store's numb
   CHECK(verdict_of(as_printed, "inside the joint limits") == Verdict::holds);
   StudyResults by_point = study_of(synthetic::solves({}));
   by_point.plan.unit = Unit::point;
-  CHECK(verdict_of(claims(by_point, {}), "less than the other") == Verdict::undecided);
+  CHECK(verdict_of(claims_of(by_point), "less than the other") == Verdict::undecided);
 
   std::vector<SolveRecord> solves = synthetic::solves({});
   for (SolveRecord& solve : solves) {
@@ -57,15 +63,15 @@ TEST_CASE("claims hold, hold in part, are undecided or fail, by the store's numb
     }
     solve.timing = Timing::parallel;
   }
-  const auto otherwise = claims(study_of(solves), {});
+  const auto otherwise = claims_of(study_of(solves));
   CHECK(verdict_of(otherwise, "is the most accurate") == Verdict::fails);
   CHECK(verdict_of(otherwise, "less than MO-PSO") == Verdict::fails);
   CHECK(verdict_of(otherwise, "Computing time") == Verdict::undecided);
   CHECK(verdict_of(otherwise, "inside the joint limits") == Verdict::fails);
 
   solves[0].position_error_cm = not_defined;  // an answer of IK-BA that is none
-  CHECK(verdict_of(claims(study_of(solves), {}), "is the most accurate") == Verdict::fails);
-  CHECK(claims(make_study("unpublished", synthetic::solves({})), {}).empty());
+  CHECK(verdict_of(claims_of(study_of(solves)), "is the most accurate") == Verdict::fails);
+  CHECK(claims_of(make_study("unpublished", synthetic::solves({}))).empty());
 }
 
 TEST_CASE("where all solvers are the same to the bit, no printed ranking can be decided", "[report]") {
@@ -75,7 +81,7 @@ TEST_CASE("where all solvers are the same to the bit, no printed ranking can be 
     solve.variation_deg = 10 + solve.run;
     solve.seconds = solve.cpu_seconds = 0.001 * solve.run;
   }
-  const auto tied = claims(study_of(solves), {});
+  const auto tied = claims_of(study_of(solves));
   const Claim& accuracy = claim_of(tied, "Accuracy: IK-BA < K-ABC < DE < MO-PSO < PSO < BA");
   CHECK(accuracy.verdict == Verdict::undecided);
   CHECK(contains(accuracy.evidence, "0 of 15 pairs rank as in the paper, 15 are tied; first is IK-BA, "));
@@ -88,7 +94,7 @@ TEST_CASE("where all solvers are the same to the bit, no printed ranking can be 
 }
 
 TEST_CASE("claims are judged on the printed numbers too, by Games and Howell's test", "[report]") {
-  const auto all = claims(study_of(synthetic::solves({})), {});
+  const auto all = claims_of(study_of(synthetic::solves({})));
   const auto printed = [&](const char* statement) { return claim_of(all, statement).printed; };
   CHECK(printed("is the most accurate") == Verdict::holds);
   CHECK(printed("Accuracy: IK-BA") == Verdict::in_part);     // MO-PSO, PSO and DE cannot be told apart
@@ -106,9 +112,9 @@ TEST_CASE("an order that most pairs keep holds in part", "[report]") {
   for (SolveRecord& solve : solves) {
     if (solve.solver == "PSO") solve.seconds *= 1.25;  // from the first place to the second
   }
-  CHECK(verdict_of(claims(study_of(solves), {}), "Computing time") == Verdict::in_part);
+  CHECK(verdict_of(claims_of(study_of(solves)), "Computing time") == Verdict::in_part);
   for (SolveRecord& solve : solves) solve.seconds = solve.cpu_seconds = 0.02 - solve.seconds;
-  CHECK(verdict_of(claims(study_of(solves), {}), "Computing time") == Verdict::fails);
+  CHECK(verdict_of(claims_of(study_of(solves)), "Computing time") == Verdict::fails);
 }
 
 TEST_CASE("companions say what is left with limits enforced and against a classical solver", "[report]") {
@@ -122,7 +128,7 @@ TEST_CASE("companions say what is left with limits enforced and against a classi
     solve.variation_deg /= 2;
     solve.evaluations = 11;
   }
-  auto all = claims(study, {limits, context});
+  auto all = claims_of(study, {limits, context});
   CHECK(verdict_of(all, "enforced joint limits, IK-BA is still the most accurate") == Verdict::holds);
   CHECK(contains(claim_of(all, "enforced").evidence, "IK-BA 1 of 400, BA 0 of 400"));
   CHECK(verdict_of(all, "classical") == Verdict::fails);
@@ -130,10 +136,10 @@ TEST_CASE("companions say what is left with limits enforced and against a classi
 
   for (SolveRecord& solve : context.solves) solve.evaluations = 20000;
   for (SolveRecord& solve : limits.solves) solve.position_error_cm *= solve.solver == "IK-BA" ? 1000 : 1;
-  all = claims(study, {limits, context});
+  all = claims_of(study, {limits, context});
   CHECK(verdict_of(all, "enforced") == Verdict::fails);
   CHECK(verdict_of(all, "classical") == Verdict::in_part);
-  CHECK(claims(study, {}).size() + 2 == all.size());
+  CHECK(claims_of(study).size() + 2 == all.size());
 }
 
 TEST_CASE("a circle is led to rounding error where its errors are of the order of rounding", "[report]") {
@@ -141,7 +147,7 @@ TEST_CASE("a circle is led to rounding error where its errors are of the order o
   circle.definition = R"({"path": {"kind": "circle"}})";
   const auto verdict = [&](double first, double second) {
     for (SolveRecord& solve : circle.solves) solve.position_error_cm = solve.solver == "IK-BA" ? first : second;
-    return verdict_of(claims(circle, {}), "Dobot");
+    return verdict_of(claims_of(circle), "Dobot");
   };
   // The targets are 60 to 100 cm away, so that rounding is some 2e-14 cm.
   CHECK(verdict(3e-14, 1) == Verdict::holds);  // the second solver is of no account
@@ -154,7 +160,7 @@ TEST_CASE("real time is judged by the slowest target, and only where all are rea
   const auto verdict = [&] {
     StudyResults companion = study_of(solves, "s-time");
     companion.definition = R"({"stop": {"tolerance_cm": 0.1}})";
-    return verdict_of(claims(study, {companion}), "real time");
+    return verdict_of(claims_of(study, {companion}), "real time");
   };
   CHECK(verdict() == Verdict::holds);
   solves[3].position_error_cm = 0.2;
