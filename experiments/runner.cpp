@@ -20,7 +20,7 @@ using namespace results;
 
 namespace {
 
-struct Chained {  // one run of one entrant, and how far it is
+struct Chained {  // one run of one solver, and how far it is
   const SolveRunner* solve_runner;
   int run;
   int next_point;
@@ -31,7 +31,7 @@ struct Chained {  // one run of one entrant, and how far it is
 // alike.
 struct Plan {
   explicit Plan(const Study& of) : study(of), arm(arm_of(of)), points(of.path->points()) {
-    for (const Entrant& entrant : study.solvers) solve_runners.emplace_back(study, entrant, arm);
+    for (const SolverEntry& entry : study.solvers) solve_runners.emplace_back(study, entry, arm);
     chains.reserve(solve_runners.size() * static_cast<std::size_t>(study.runs));
     for (int run = 1; run <= study.runs; ++run) {
       for (const SolveRunner& solve_runner : solve_runners) chains.push_back({&solve_runner, run, 1, study.initial});
@@ -124,8 +124,8 @@ StudyEntry entry_of(const Plan& plan) {
 
 void solve_missing(Plan& plan, Store& store, const RunRequest& request, Progress& progress) {
   std::map<std::string, std::string> session = environment();
-  for (const Entrant& entrant : plan.study.solvers) {
-    session["source." + entrant.solver] = solver_source_digest(entrant.solver);
+  for (const SolverEntry& entry : plan.study.solvers) {
+    session["source." + entry.solver] = solver_source_digest(entry.solver);
   }
   session["analysis"] = to_json(plan.study.analysis);  // the study may be saved with another one later
   session["jobs"] = std::to_string(request.jobs);
@@ -156,11 +156,11 @@ Progress run(const Study& study, Store& store, const RunRequest& request) {
 
 LeftAside left_aside(const Study& study, const Store& store) {
   LeftAside aside;
-  for (const Entrant& entrant : study.solvers) {
-    const std::string key = series_key(study, entrant);
+  for (const SolverEntry& entry : study.solvers) {
+    const std::string key = series_key(study, entry);
     const std::map<std::string, std::int64_t> solves = store.series_of_configuration(configuration_of(key));
     if (solves.empty() || solves.contains(key)) continue;
-    aside.labels.push_back(entrant.label);
+    aside.labels.push_back(entry.label);
     for (const auto& [other, count] : solves) aside.solves += count;
   }
   return aside;
@@ -169,7 +169,7 @@ LeftAside left_aside(const Study& study, const Store& store) {
 void check_is_stored(const Study& study, const Store& store) {
   const StudyEntry stored = store.study(study.name);
   const bool same_series = std::ranges::equal(stored.series, study.solvers, {}, &Series::key,
-                                              [&](const Entrant& entrant) { return series_key(study, entrant); });
+                                              [&](const SolverEntry& entry) { return series_key(study, entry); });
   if (stored.definition == to_json(study) && same_series) return;
   throw std::invalid_argument(fmt::format(
       "another ikbench has meanwhile saved a different study named '{}' in this store; no solve is lost; give the other "
@@ -185,9 +185,9 @@ void solve_study(const Study& study, int jobs, const std::function<void(SolveRec
   });
 }
 
-SolveRecord solve_once(const Study& study, const Entrant& entrant, const Pose& target) {
+SolveRecord solve_once(const Study& study, const SolverEntry& entry, const Pose& target) {
   const Robot arm = arm_of(study);
-  const SolveRunner solve_runner(study, entrant, arm);
+  const SolveRunner solve_runner(study, entry, arm);
   return solve_runner.solve(*solve_runner.make_solver(), target, study.initial, 1, 1);
 }
 

@@ -30,7 +30,7 @@ struct RunRequest {
 // What is complete is what the store now has under the study's name: else std::invalid_argument, as below.
 Progress run(const Study& study, results::Store& store, const RunRequest& request);
 
-// What the store has of the study by another version of the source, of entrants of which it has nothing by this one:
+// What the store has of the study by another version of the source, of solvers of which it has nothing by this one:
 // `run` leaves it where it is, and solves anew.
 struct LeftAside {
   std::vector<std::string> labels;
@@ -47,7 +47,7 @@ void check_is_stored(const Study& study, const results::Store& store);
 void solve_study(const Study& study, int jobs, const std::function<void(results::SolveRecord)>& take,
                  const std::atomic<bool>* cancelled = nullptr);
 
-// One target, by one entrant, with every number that a study would record.
-results::SolveRecord solve_once(const Study& study, const Entrant& entrant, const robots::Pose& target);
+// One target, by one solver, with every number that a study would record.
+results::SolveRecord solve_once(const Study& study, const SolverEntry& entry, const robots::Pose& target);
 
 }  // namespace ikbench::experiments

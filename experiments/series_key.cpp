@@ -90,7 +90,7 @@ std::string said_by_name(const FieldList& fields, const FieldList& defaults, std
   return text;
 }
 
-std::string configuration_key(const Study& study, const Entrant& entrant) {
+std::string configuration_key(const Study& study, const SolverEntry& entry) {
   // As the first stores have it, whose keys are this hash alone: fields marked InKey::in_text.
   const Robot arm = arm_of(study);
   std::string text = "numerics 2\nrobot";
@@ -98,22 +98,22 @@ std::string configuration_key(const Study& study, const Entrant& entrant) {
   text += targets_text(study);
   text += fmt::format("\ninitial {}\nsearch {} branch {} population {} seed {} trace {}", exact(study.initial),
                       static_cast<int>(study.search), static_cast<int>(study.wrist_branch),
-                      effective_population(study, entrant), study.seed, static_cast<int>(study.trace));
+                      effective_population(study, entry), study.seed, static_cast<int>(study.trace));
   text += fmt::format("\nstop {} {} {} {}", study.stop.iterations, study.stop.tolerance, study.stop.evaluations,
                       study.stop.seconds);
   // What came later is said only where it is not as before, so that stores keep the solves they have.
   text += said_by_name(fields_of(study), fields_of(Study{}));
   text += said_by_name(fields_of(study.stop), fields_of(StopRule{}), "stop.");
-  // A further field of an entrant does not compile here: options and population are those in effect.
-  [[maybe_unused]] const auto& [label, solver, options, population] = entrant;
+  // A further field of a solver does not compile here: options and population are those in effect.
+  [[maybe_unused]] const auto& [label, solver, options, population] = entry;
   text += fmt::format("\nsolver {} label {}", solver, label);
-  for (const auto& [name, value] : effective_options(study, entrant)) text += fmt::format("\n{} = {}", name, value);
+  for (const auto& [name, value] : effective_options(study, entry)) text += fmt::format("\n{} = {}", name, value);
   return fmt::format("{:016x}", Key(0).with(text).value());
 }
 
-std::string series_key(const Study& study, const Entrant& entrant) {
-  const Key source = Key(0).with(shared_source_digest()).with(solver_source_digest(entrant.solver));
-  return fmt::format("{}{}{:016x}", configuration_key(study, entrant), before_source, source.value());
+std::string series_key(const Study& study, const SolverEntry& entry) {
+  const Key source = Key(0).with(shared_source_digest()).with(solver_source_digest(entry.solver));
+  return fmt::format("{}{}{:016x}", configuration_key(study, entry), before_source, source.value());
 }
 
 }  // namespace ikbench::experiments

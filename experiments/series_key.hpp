@@ -1,4 +1,4 @@
-// The keys under which solves are remembered: what decides the numbers of one entrant of a study, as a hash.
+// The keys under which solves are remembered: what decides the numbers of one solver of a study, as a hash.
 #pragma once
 
 #include <functional>
@@ -16,10 +16,10 @@ using FieldList = std::function<void(Fields&)>;
 // What a key says of fields by their names: "\nPREFIXname value" for each that is not as the defaults have it.
 std::string said_by_name(const FieldList& fields, const FieldList& defaults, std::string_view prefix = "");
 
-// Hash of everything in the study that decides the numbers of one entrant.
-std::string configuration_key(const Study& study, const Entrant& entrant);
+// Hash of everything in the study that decides the numbers of one solver.
+std::string configuration_key(const Study& study, const SolverEntry& entry);
 // That, and a hash of the source that makes them: equal keys, equal numbers, on one machine and unless a solve ends by
 // its wall time.
-std::string series_key(const Study& study, const Entrant& entrant);
+std::string series_key(const Study& study, const SolverEntry& entry);
 
 }  // namespace ikbench::experiments

@@ -43,9 +43,9 @@ StopReason recorded(Stopped stopped) {
   return StopReason::not_finite;
 }
 
-// With the entrant's own population, which is told as an option of it.
-std::string options_text(Settings options, const Entrant& entrant) {
-  if (entrant.population > 0) options["population"] = std::to_string(entrant.population);
+// With the entry's own population, which is told as an option of it.
+std::string options_text(Settings options, const SolverEntry& entry) {
+  if (entry.population > 0) options["population"] = std::to_string(entry.population);
   return nlohmann::json(options).dump();
 }
 
@@ -88,26 +88,26 @@ std::size_t Task::chosen(const std::array<Eigen::Vector3d, 2>& branches, const E
   return is_to_be_inside && !is_inside(branches[first]) && is_inside(branches[1 - first]) ? 1 - first : first;
 }
 
-SolveRunner::SolveRunner(const Study& study, const Entrant& entrant, const Robot& arm)
+SolveRunner::SolveRunner(const Study& study, const SolverEntry& entry, const Robot& arm)
     : study_(study),
-      entrant_(entrant),
+      entry_(entry),
       arm_(arm),
       task_(study, arm),
-      info_(solver(entrant.solver)),
-      options_(effective_options(study, entrant)),
-      series_{.key = series_key(study, entrant),
-              .label = entrant.label,
-              .algorithm = entrant.solver,
-              .options = options_text(options_, entrant)} {}
+      info_(solver(entry.solver)),
+      options_(effective_options(study, entry)),
+      series_{.key = series_key(study, entry),
+              .label = entry.label,
+              .algorithm = entry.solver,
+              .options = options_text(options_, entry)} {}
 
 SolveRecord SolveRunner::solve(Solver& solver, const Pose& target, const Configuration& start, int run,
                                int point) const {
   Objective objective(task_.arm(), task_.goal(target));
   Random random(Key(study_.seed)
-                    .with(entrant_.label)
+                    .with(entry_.label)
                     .with(static_cast<std::uint64_t>(run))
                     .with(static_cast<std::uint64_t>(point)));
-  const Problem problem = task_.problem(start, effective_population(study_, entrant_));
+  const Problem problem = task_.problem(start, effective_population(study_, entry_));
 
   const double thread_started = thread_seconds();
   const auto started = std::chrono::steady_clock::now();
@@ -129,7 +129,7 @@ SolveRecord SolveRunner::solve(Solver& solver, const Pose& target, const Configu
   }
   SolveRecord record{.study = study_.name,
                      .robot = arm_.name,
-                     .solver = entrant_.label,
+                     .solver = entry_.label,
                      .series = series_.key,
                      .run = run,
                      .point = point,

@@ -1,4 +1,4 @@
-// One entrant of a study: its solves, each timed, verified and recorded.
+// One entry of a study: its solves, each timed, verified and recorded.
 #pragma once
 
 #include <array>
@@ -34,10 +34,10 @@ class Task {
   std::optional<robots::SphericalWrist> wrist_;
 };
 
-// Study, entrant and arm outlive it. It may be used by several threads at once, each with a solver of its own.
+// Study, entry and arm outlive it. It may be used by several threads at once, each with a solver of its own.
 class SolveRunner {
  public:
-  SolveRunner(const Study& study, const Entrant& entrant, const robots::Robot& arm);
+  SolveRunner(const Study& study, const SolverEntry& entry, const robots::Robot& arm);
 
   const results::Series& series() const { return series_; }
   // Good for any number of solves, one after the other: a solver that is started anew remembers nothing.
@@ -47,7 +47,7 @@ class SolveRunner {
 
  private:
   const Study& study_;
-  const Entrant& entrant_;
+  const SolverEntry& entry_;
   const robots::Robot& arm_;
   Task task_;
   solvers::SolverInfo info_;

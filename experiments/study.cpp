@@ -13,19 +13,19 @@ using namespace solvers;
 
 Robot arm_of(const Study& study) { return study.robot_of_file ? *study.robot_of_file : robot(study.robot); }
 
-Settings effective_options(const Study& study, const Entrant& entrant) {
-  const SolverInfo info = solver(entrant.solver);
+Settings effective_options(const Study& study, const SolverEntry& entry) {
+  const SolverInfo info = solver(entry.solver);
   Settings settings;
   const bool is_clamped = study.bounds == StudyBounds::clamp || study.limits == Limits::enforced;
   if ((is_clamped || study.bounds == StudyBounds::initial) && info.options({}).contains("bounds")) {
     settings["bounds"] = is_clamped ? "clamp" : "initial";
   }
-  for (const auto& [name, value] : entrant.options) settings[name] = value;
+  for (const auto& [name, value] : entry.options) settings[name] = value;
   return info.options(settings);
 }
 
-int effective_population(const Study& study, const Entrant& entrant) {
-  return entrant.population > 0 ? entrant.population : study.population;
+int effective_population(const Study& study, const SolverEntry& entry) {
+  return entry.population > 0 ? entry.population : study.population;
 }
 
 std::vector<Pose> targets(const Study& study, int run) {

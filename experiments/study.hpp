@@ -35,7 +35,7 @@ enum class Limits { recorded, enforced };
 // Where the solves of a run begin: where the answer before left the arm, or each at the initial configuration.
 enum class Start { previous, initial };
 
-struct Entrant {
+struct SolverEntry {
   std::string label;          // unique within the study; its name in tables and figures
   std::string solver;         // registered name
   solvers::Settings options;  // those that differ from the solver's defaults
@@ -60,19 +60,19 @@ struct Study {
   int runs = 20;
   std::uint64_t seed = 1;
   solvers::Trace trace = solvers::Trace::none;
-  std::vector<Entrant> solvers;
+  std::vector<SolverEntry> solvers;
   results::AnalysisPlan analysis;  // how the solves will be judged; decides no number of them
 };
 
 // The arm that it is about; std::invalid_argument where there is none of that name.
 robots::Robot arm_of(const Study& study);
 
-// What each entrant's solver is really made with: the study's bounds applied, its own options over them, defaults
+// What each entry's solver is really made with: the study's bounds applied, its own options over them, defaults
 // filled in.
-solvers::Settings effective_options(const Study& study, const Entrant& entrant);
-int effective_population(const Study& study, const Entrant& entrant);
+solvers::Settings effective_options(const Study& study, const SolverEntry& entry);
+int effective_population(const Study& study, const SolverEntry& entry);
 
-// Where the tool has to go in a run, the same for all entrants. Only random targets differ from run to run; those of
+// Where the tool has to go in a run, the same for all solvers. Only random targets differ from run to run; those of
 // one with more points begin with those of one with fewer.
 std::vector<robots::Pose> targets(const Study& study, int run);
 

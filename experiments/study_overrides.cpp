@@ -61,14 +61,14 @@ void override_one(toml::table& study, const std::string& text) {
   }
   std::vector<std::string> owners = tables;
   bool found = false;
-  if (toml::array* entrants = study["solvers"].as_array()) {
-    for (toml::node& element : *entrants) {
-      toml::table* entrant = element.as_table();
-      if (entrant == nullptr) continue;
-      const std::string label = (*entrant)["label"].value_or(std::string());
-      const std::string name = (*entrant)["solver"].value_or(std::string());
+  if (toml::array* entries = study["solvers"].as_array()) {
+    for (toml::node& element : *entries) {
+      toml::table* entry = element.as_table();
+      if (entry == nullptr) continue;
+      const std::string label = (*entry)["label"].value_or(std::string());
+      const std::string name = (*entry)["solver"].value_or(std::string());
       if (owner == label || owner == name) {
-        insert(field == "population" ? *entrant : subtable(*entrant, "options"), field, value);
+        insert(field == "population" ? *entry : subtable(*entry, "options"), field, value);
         found = true;
       }
       for (const std::string& known : {label, name}) {

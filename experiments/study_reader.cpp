@@ -39,11 +39,11 @@ Path read_path(TomlReader reader) {
   return path;
 }
 
-Entrant read_entrant(TomlReader reader) {
-  Entrant entrant;
-  reader.text("solver", entrant.solver, "");
-  entrant.label = entrant.solver;
-  reader.text("label", entrant.label, "");
+SolverEntry read_solver(TomlReader reader) {
+  SolverEntry entry;
+  reader.text("solver", entry.solver, "");
+  entry.label = entry.solver;
+  reader.text("label", entry.label, "");
   const toml::node* name = reader.find("solver");
   if (name == nullptr) {
     throw std::invalid_argument(reader.where(reader.table().source(), "solver") +
@@ -51,39 +51,39 @@ Entrant read_entrant(TomlReader reader) {
   }
   SolverInfo info;
   try {
-    info = solver(entrant.solver);
+    info = solver(entry.solver);
   } catch (const std::invalid_argument& error) {
     throw std::invalid_argument(reader.where(name->source(), "solver") + error.what());
   }
-  if (entrant.label.empty()) reader.fail("label", *reader.find("label"), "a non-empty label");
+  if (entry.label.empty()) reader.fail("label", *reader.find("label"), "a non-empty label");
   reader.find("population");
-  reader.nested(reader.table(), entrant.label + ".").whole("population", entrant.population, populations, "");
+  reader.nested(reader.table(), entry.label + ".").whole("population", entry.population, populations, "");
   if (const toml::table* options = reader.subtable("options")) {
-    const TomlReader option_reader = reader.nested(*options, entrant.label + ".");
+    const TomlReader option_reader = reader.nested(*options, entry.label + ".");
     for (const auto& [key, node] : *options) {
       const std::string option(key.str());
       if (const auto text = node.value<std::string>()) {
         if (!TomlReader::is_plain(*text)) option_reader.fail(option, node, TomlReader::plain);
-        entrant.options[option] = *text;
+        entry.options[option] = *text;
       } else if (node.is_integer()) {
-        entrant.options[option] = fmt::format("{}", *node.value<std::int64_t>());
+        entry.options[option] = fmt::format("{}", *node.value<std::int64_t>());
       } else if (node.is_floating_point()) {
-        entrant.options[option] = fmt::format("{}", *node.value<double>());
+        entry.options[option] = fmt::format("{}", *node.value<double>());
       } else {
         option_reader.fail(option, node, "a number or a quoted string");
       }
       try {
-        info.options({{option, entrant.options[option]}});
+        info.options({{option, entry.options[option]}});
       } catch (const std::invalid_argument& error) {
         throw std::invalid_argument(option_reader.where(node.source(), option) + error.what());
       }
     }
   }
   reader.refuse_unknown_keys();
-  return entrant;
+  return entry;
 }
 
-std::vector<Entrant> read_entrants(TomlReader& reader) {
+std::vector<SolverEntry> read_solvers(TomlReader& reader) {
   const toml::node* node = reader.find("solvers");
   const toml::array* array = node == nullptr ? nullptr : node->as_array();
   const std::string expected = "at least one [[solvers]] entry with solver = \"...\"";
@@ -93,17 +93,17 @@ std::vector<Entrant> read_entrants(TomlReader& reader) {
   if (array == nullptr || array->empty() || array->size() > 1000 || !array->is_homogeneous<toml::table>()) {
     reader.fail("solvers", *node, expected);
   }
-  std::vector<Entrant> entrants;
+  std::vector<SolverEntry> entries;
   std::set<std::string> labels;
   for (const toml::node& element : *array) {
-    entrants.push_back(read_entrant(reader.nested(*element.as_table(), "solvers.")));
-    if (!labels.insert(entrants.back().label).second) {
+    entries.push_back(read_solver(reader.nested(*element.as_table(), "solvers.")));
+    if (!labels.insert(entries.back().label).second) {
       throw std::invalid_argument(
           fmt::format("{}label \"{}\" is used twice; expected a different label for each entry of [[solvers]]",
-                      reader.where(element.source(), "solvers"), entrants.back().label));
+                      reader.where(element.source(), "solvers"), entries.back().label));
     }
   }
-  return entrants;
+  return entries;
 }
 
 // `study`: its path, runs and solvers, which the plan is about.
@@ -112,7 +112,7 @@ AnalysisPlan read_analysis(TomlReader reader, const Study& study, PointsAsObserv
   list_fields(reader, plan);
   reader.refuse_unknown_keys();
   std::vector<std::string> labels;
-  for (const Entrant& entrant : study.solvers) labels.push_back(entrant.label);
+  for (const SolverEntry& entry : study.solvers) labels.push_back(entry.label);
   if (!plan.control.empty() && std::find(labels.begin(), labels.end(), plan.control) == labels.end()) {
     reader.fail("control", *reader.find("control"),
                 fmt::format("\"\" or the label of a solver of the study: \"{}\"", fmt::join(labels, "\", \"")));
@@ -137,8 +137,8 @@ std::invalid_argument mistake(const TomlReader& reader, const toml::node* node, 
                                std::string(message));
 }
 
-// What the fields of an entrant and those of the study ask of each other.
-void check_entrants(const TomlReader& reader, const Study& study) {
+// What the fields of a solver and those of the study ask of each other.
+void check_solvers(const TomlReader& reader, const Study& study) {
   const toml::table& table = reader.table();
   const bool is_enforced = study.limits == Limits::enforced;
   constexpr std::string_view not_enforced =
@@ -146,18 +146,18 @@ void check_entrants(const TomlReader& reader, const Study& study) {
   if (is_enforced && study.bounds == StudyBounds::initial)
     throw mistake(reader, table.get("bounds"), "bounds", not_enforced);
   for (std::size_t i = 0; i < study.solvers.size(); ++i) {
-    const Entrant& entrant = study.solvers[i];
+    const SolverEntry& entry = study.solvers[i];
     const auto own = table["solvers"][i];
-    const int population = effective_population(study, entrant);
-    if (const int least = solver(entrant.solver).least_population; population < least) {
+    const int population = effective_population(study, entry);
+    if (const int least = solver(entry.solver).least_population; population < least) {
       const std::string message =
-          fmt::format("population is {}, but {} needs at least {}", population, entrant.solver, least);
-      throw entrant.population > 0 ? mistake(reader, own["population"].node(), entrant.label + ".population", message)
-                                   : mistake(reader, table.get("population"), "population", message);
+          fmt::format("population is {}, but {} needs at least {}", population, entry.solver, least);
+      throw entry.population > 0 ? mistake(reader, own["population"].node(), entry.label + ".population", message)
+                                 : mistake(reader, table.get("population"), "population", message);
     }
-    const auto bounds = entrant.options.find("bounds");
-    if (is_enforced && bounds != entrant.options.end() && bounds->second == "initial") {
-      throw mistake(reader, own["options"]["bounds"].node(), entrant.label + ".bounds", not_enforced);
+    const auto bounds = entry.options.find("bounds");
+    if (is_enforced && bounds != entry.options.end() && bounds->second == "initial") {
+      throw mistake(reader, own["options"]["bounds"].node(), entry.label + ".bounds", not_enforced);
     }
   }
 }
@@ -198,7 +198,7 @@ Study read_study(const toml::table& table, std::string_view source, PointsAsObse
     list_fields(stop_fields, study.stop);
     stop_reader.refuse_unknown_keys();
   }
-  study.solvers = read_entrants(reader);
+  study.solvers = read_solvers(reader);
   if (const toml::table* analysis = reader.subtable("analysis")) {
     study.analysis = read_analysis(reader.nested(*analysis, "analysis."), study, points_as_observations);
   }
@@ -227,7 +227,7 @@ Study read_study(const toml::table& table, std::string_view source, PointsAsObse
   if (study.trace == Trace::best_error && study.stop.iterations > 1'000'000) {
     throw at("trace", "a trace has at most 1 000 000 iterations; expected stop.iterations of at most that");
   }
-  check_entrants(reader, study);
+  check_solvers(reader, study);
   if (const double outside = arm.limits.violation(study.initial) / degree;
       study.limits == Limits::enforced && outside > 0) {
     throw at("initial_deg",

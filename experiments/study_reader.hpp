@@ -10,7 +10,7 @@
 
 namespace ikbench::experiments {
 
-// "key=value" over what the study says: `runs=5`, `path.tool=eq27`, or an option of the entrants with that label or
+// "key=value" over what the study says: `runs=5`, `path.tool=eq27`, or an option of the solvers with that label or
 // solver: `IK-BA.bounds=clamp`.
 using Overrides = std::vector<std::string>;
 

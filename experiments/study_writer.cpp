@@ -178,14 +178,14 @@ std::vector<std::string> departures(const Study& study) {
     std::replace(key.begin(), key.end(), '/', '.');
     found.push_back(key);
   }
-  for (const Entrant& entrant : original->solvers) {
+  for (const SolverEntry& entry : original->solvers) {
     const auto same = std::find_if(study.solvers.begin(), study.solvers.end(),
-                                   [&](const Entrant& ours_too) { return ours_too.label == entrant.label; });
+                                   [&](const SolverEntry& ours_too) { return ours_too.label == entry.label; });
     if (same == study.solvers.end()) {
-      found.push_back("no " + entrant.label);
-    } else if (same->solver != entrant.solver || same->population != entrant.population ||
-               effective_options(study, *same) != effective_options(*original, entrant)) {
-      found.push_back("options of " + entrant.label);
+      found.push_back("no " + entry.label);
+    } else if (same->solver != entry.solver || same->population != entry.population ||
+               effective_options(study, *same) != effective_options(*original, entry)) {
+      found.push_back("options of " + entry.label);
     }
   }
   return found;
@@ -212,14 +212,14 @@ std::string to_toml(const Study& study) {
   writer.out += "\n[stop]\n";
   list_fields(writer, fields.stop);
   writer.out += '\n' + to_toml(fields.path);
-  for (const Entrant& entrant : study.solvers) {
+  for (const SolverEntry& entry : study.solvers) {
     writer.out += "\n[[solvers]]\n";
-    writer.line("label", toml_string(entrant.label), "");
-    writer.line("solver", toml_string(entrant.solver), "options and ranges: ikbench list solvers " + entrant.solver);
-    if (entrant.population > 0)
-      writer.line("population", fmt::format("{}", entrant.population), "overrides the population of the study");
+    writer.line("label", toml_string(entry.label), "");
+    writer.line("solver", toml_string(entry.solver), "options and ranges: ikbench list solvers " + entry.solver);
+    if (entry.population > 0)
+      writer.line("population", fmt::format("{}", entry.population), "overrides the population of the study");
     std::vector<std::string> options;
-    for (const auto& [name, value] : entrant.options)
+    for (const auto& [name, value] : entry.options)
       options.push_back(name + " = " + (number_from(value) ? value : toml_string(value)));
     if (!options.empty()) writer.line("options", fmt::format("{{ {} }}", fmt::join(options, ", ")), "");
   }

@@ -32,13 +32,13 @@ std::string dependence(const StudyResults& study) {
              : " The curves describe the solves; they have no intervals.";
 }
 
-std::string without_course(const StudyResults& study) {
-  const auto missing = std::ranges::count_if(study.solves, [](const SolveRecord& solve) { return !has_course(solve); });
+std::string without_trace(const StudyResults& study) {
+  const auto missing = std::ranges::count_if(study.solves, [](const SolveRecord& solve) { return !has_trace(solve); });
   return missing == 0 ? "" : fmt::format(" {} solves without a trace are left out.", missing);
 }
 
-std::optional<Figure> convergence_figure(const StudyResults& study, const std::vector<Solves>& courses) {
-  const std::vector<double> positions = evaluations_axis(courses);
+std::optional<Figure> convergence_figure(const StudyResults& study, const std::vector<Solves>& traces) {
+  const std::vector<double> positions = evaluations_axis(traces);
   if (positions.empty()) return std::nullopt;
   Figure figure{.name = "statistics-convergence"};
   figure.data = "# evaluations; 25, 50 and 75 % quantiles over the solves of the best position error [cm]\n";
@@ -46,23 +46,23 @@ std::optional<Figure> convergence_figure(const StudyResults& study, const std::v
   std::vector<std::string> fills, lines, labels = study.solvers;
   std::vector<double> all;
   int block = 0;
-  for (std::size_t i = 0; i < courses.size(); ++i) {
-    const std::vector<Band> bands = error_bands(courses[i], positions);
-    if (std::ranges::all_of(bands, [](const Band& band) { return band.median == never; })) {
+  for (std::size_t i = 0; i < traces.size(); ++i) {
+    const std::vector<Band> bands = error_bands(traces[i], positions);
+    if (std::ranges::all_of(bands, [](const Band& band) { return band.median == censored; })) {
       labels[i] = add_missing_curve(lines, i, study.solvers[i]);
       continue;
     }
     double last = 0;
-    for (const SolveRecord* solve : courses[i]) last = std::max(last, total_cost(*solve, Cost::evaluations));
+    for (const SolveRecord* solve : traces[i]) last = std::max(last, total_cost(*solve, Cost::evaluations));
     figure.data += fmt::format("{}# {}\n", block == 0 ? "" : "\n\n", one_line(study.solvers[i]));
     std::size_t rows = 0, rows_before_band = 0;
     for (std::size_t k = 0; k < positions.size() && (k == 0 || positions[k - 1] < last); ++k) {
       const auto& [low, median, high] = bands[k];
-      if (median == never) continue;
+      if (median == censored) continue;
       figure.data +=
           fmt::format("{} {} {} {}\n", text_of(positions[k]), data_number(low), data_number(median), data_number(high));
       ++rows;
-      if (high == never) rows_before_band = rows;
+      if (high == censored) rows_before_band = rows;
       all.push_back(median);
       if (has_bands) all.insert(all.end(), {low, high});
     }
@@ -84,7 +84,7 @@ std::optional<Figure> convergence_figure(const StudyResults& study, const std::v
       "answer that is not finite, refused or worse than claimed ranks last; if half of the solves have no error, there "
       "is no line.{}{}",
       has_bands ? ", and the quartiles as a band" : " (the quartiles are in the data file)", dependence(study),
-      without_course(study));
+      without_trace(study));
   const Axis axis = value_axis(all, quantity(Metric::position_error_cm), Scale::logarithmic);
   figure.caption = with_notes(figure.caption, study, Metric::position_error_cm, axis);
   figure.settings =
@@ -97,11 +97,11 @@ std::optional<Figure> convergence_figure(const StudyResults& study, const std::v
   return figure;
 }
 
-Figure runtime_figure(const StudyResults& study, const std::vector<Solves>& courses, Cost cost) {
+Figure runtime_figure(const StudyResults& study, const std::vector<Solves>& traces, Cost cost) {
   const std::vector<double> targets = target_errors_cm(study);
   ShareCurves shares{.label = quantity(cost == Cost::seconds ? Metric::seconds : Metric::evaluations),
                      .share_of = "share of solves and targets"};
-  for (const Solves& solves : courses) {
+  for (const Solves& solves : traces) {
     std::vector<double> costs;
     costs.reserve(solves.size() * targets.size());
     for (const SolveRecord* solve : solves) {
@@ -120,7 +120,7 @@ Figure runtime_figure(const StudyResults& study, const std::vector<Solves>& cour
       rounded_number(targets.back(), 3),
       has_tolerance ? "the tolerance of the study"
                     : "the decade below the smallest error of any solve, at least 1e-8 cm",
-      cost == Cost::seconds ? "time" : "evaluations", dependence(study), without_course(study));
+      cost == Cost::seconds ? "time" : "evaluations", dependence(study), without_trace(study));
   draw_shares(figure, study, shares);
   return figure;
 }
@@ -166,10 +166,10 @@ std::optional<Figure> profile_figure(const StudyResults& study, ProfileOf of) {
   const Cost cost = of == ProfileOf::seconds ? Cost::seconds : Cost::evaluations;
   const Profile profile = performance_profile(study, [&](const SolveRecord& solve) {
     if (of == ProfileOf::error) return final_error_cm(solve);
-    return reaches(solve, tolerance) ? total_cost(solve, cost) : never;
+    return reaches(solve, tolerance) ? total_cost(solve, cost) : censored;
   });
-  const auto entrants = std::ranges::count_if(profile.ratios, [](const auto& ratios) { return !ratios.empty(); });
-  if (entrants < 2) return std::nullopt;
+  const auto compared = std::ranges::count_if(profile.ratios, [](const auto& ratios) { return !ratios.empty(); });
+  if (compared < 2) return std::nullopt;
 
   const std::string_view name = of == ProfileOf::error ? "error" : of == ProfileOf::seconds ? "seconds" : "evaluations";
   const std::string_view words = of == ProfileOf::error     ? "position error"
@@ -232,10 +232,10 @@ std::vector<Figure> convergence_figures(const StudyResults& study) {
     if (figure) figures.push_back(std::move(*figure));
   };
   if (std::ranges::any_of(study.solves, [](const SolveRecord& solve) { return !solve.trace_cm.empty(); })) {
-    const std::vector<Solves> courses = courses_by_solver(study);
-    add(convergence_figure(study, courses));
-    add(runtime_figure(study, courses, Cost::evaluations));
-    if (has_clean_times) add(runtime_figure(study, courses, Cost::seconds));
+    const std::vector<Solves> traces = traced_by_solver(study);
+    add(convergence_figure(study, traces));
+    add(runtime_figure(study, traces, Cost::evaluations));
+    if (has_clean_times) add(runtime_figure(study, traces, Cost::seconds));
   }
   add(error_figure(study));
   if (std::isfinite(tolerance_cm(study))) {

@@ -88,7 +88,7 @@ std::string add_missing_curve(std::vector<std::string>& clauses, std::size_t sol
 }
 
 void draw_shares(Figure& figure, const StudyResults& study, const ShareCurves& shares) {
-  double smallest = never, largest = 0;
+  double smallest = censored, largest = 0;
   for (const auto& curve : shares.curves) {
     for (const Share& share : curve) {
       if (share.at > 0) smallest = std::min(smallest, share.at);

@@ -26,7 +26,7 @@ constexpr double largest_target_cm = 10;
 constexpr double smallest_target_cm = 1e-8;
 constexpr std::size_t target_count = 51;  // as COCO has
 
-double or_never(double value) { return std::isfinite(value) ? value : never; }
+double or_censored(double value) { return std::isfinite(value) ? value : censored; }
 
 bool is_verified(const SolveRecord& solve) {
   return solve.status != Status::refused && solve.status != Status::claimed_but_wrong &&
@@ -42,16 +42,16 @@ double cost_of_iterations(const SolveRecord& solve, std::size_t iterations, Cost
 // The best error when so many evaluations were made.
 double error_at(const SolveRecord& solve, double evaluations) {
   const double total = total_cost(solve, Cost::evaluations);
-  if (!is_verified(solve)) return never;
-  if (solve.trace_cm.empty()) return evaluations < total ? never : final_error_cm(solve);
+  if (!is_verified(solve)) return censored;
+  if (solve.trace_cm.empty()) return evaluations < total ? censored : final_error_cm(solve);
   const double all = static_cast<double>(solve.trace_cm.size());
   constexpr double fuzz = 1e-9;  // i n / n is not always i
   const double done = evaluations < total ? std::floor(all * evaluations / total + fuzz) : all;
-  return done < 1 ? never : or_never(solve.trace_cm[static_cast<std::size_t>(done) - 1]);
+  return done < 1 ? censored : or_censored(solve.trace_cm[static_cast<std::size_t>(done) - 1]);
 }
 
 double ratio_of(double cost, double smallest) {
-  if (cost == never) return never;
+  if (cost == censored) return censored;
   return cost == smallest ? 1 : cost / smallest;
 }
 
@@ -59,7 +59,7 @@ double ratio_of(double cost, double smallest) {
 
 double total_cost(const SolveRecord& solve, Cost cost) {
   const double total = cost == Cost::seconds ? solve.seconds : static_cast<double>(solve.evaluations);
-  return std::max(0.0, or_never(total));
+  return std::max(0.0, or_censored(total));
 }
 
 std::vector<Solves> solves_by_solver(const StudyResults& study) {
@@ -76,22 +76,22 @@ bool is_chained(const StudyResults& study) {
   return study.points > 1 && Definition(study.definition).text("/start") != "initial";
 }
 
-bool has_course(const SolveRecord& solve) { return !solve.trace_cm.empty() || solve.iterations == 0; }
+bool has_trace(const SolveRecord& solve) { return !solve.trace_cm.empty() || solve.iterations == 0; }
 
-std::vector<Solves> courses_by_solver(const StudyResults& study) {
+std::vector<Solves> traced_by_solver(const StudyResults& study) {
   std::vector<Solves> result = solves_by_solver(study);
-  for (Solves& solves : result) std::erase_if(solves, [](const SolveRecord* solve) { return !has_course(*solve); });
+  for (Solves& solves : result) std::erase_if(solves, [](const SolveRecord* solve) { return !has_trace(*solve); });
   return result;
 }
 
-double final_error_cm(const SolveRecord& solve) { return or_never(solve.position_error_cm); }
+double final_error_cm(const SolveRecord& solve) { return or_censored(solve.position_error_cm); }
 
 bool reaches(const SolveRecord& solve, double tolerance_cm) {
   return final_error_cm(solve) <= tolerance_cm + verifier_rounding_cm;
 }
 
 std::vector<double> costs_to_targets(const SolveRecord& solve, std::span<const double> targets_cm, Cost cost) {
-  std::vector<double> costs(targets_cm.size(), never);
+  std::vector<double> costs(targets_cm.size(), censored);
   if (!is_verified(solve)) return costs;
   std::size_t next = 0;
   const auto passes = [&](double error_cm, std::size_t iterations) {
@@ -104,22 +104,22 @@ std::vector<double> costs_to_targets(const SolveRecord& solve, std::span<const d
   return costs;
 }
 
-std::vector<Band> error_bands(const Solves& courses, std::span<const double> evaluations) {
+std::vector<Band> error_bands(const Solves& traces, std::span<const double> evaluations) {
   std::vector<Band> bands;
   std::vector<double> errors;
   for (const double position : evaluations) {
     errors.clear();
-    for (const SolveRecord* solve : courses) errors.push_back(error_at(*solve, position));
+    for (const SolveRecord* solve : traces) errors.push_back(error_at(*solve, position));
     const std::vector<double> ranked = ranked_values(errors);
-    const auto at = [&](double p) { return or_never(quantile(ranked, p, QuantileType::type_5)); };
+    const auto at = [&](double p) { return or_censored(quantile(ranked, p, QuantileType::type_5)); };
     bands.push_back({.low = at(0.25), .median = at(0.5), .high = at(0.75)});
   }
   return bands;
 }
 
-std::vector<double> evaluations_axis(const std::vector<Solves>& courses) {
-  double first = never, last = 0;
-  for (const Solves& solves : courses) {
+std::vector<double> evaluations_axis(const std::vector<Solves>& traces) {
+  double first = censored, last = 0;
+  for (const Solves& solves : traces) {
     for (const SolveRecord* solve : solves) {
       const double total = total_cost(*solve, Cost::evaluations);
       if (!(total > 0)) continue;
@@ -155,7 +155,7 @@ std::vector<std::vector<CensoredCost>> censored_costs(const StudyResults& study,
 std::vector<Share> shares_within(std::vector<double> values) {
   std::ranges::sort(values);
   const double all = static_cast<double>(values.size());
-  values.erase(std::ranges::lower_bound(values, never), values.end());
+  values.erase(std::ranges::lower_bound(values, censored), values.end());
   std::vector<Share> shares;
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (i + 1 < values.size() && values[i + 1] == values[i]) continue;
@@ -178,9 +178,9 @@ std::vector<Share> thinned(const std::vector<Share>& stairs) {
 Profile performance_profile(const StudyResults& study, const CostOf& cost_of) {
   const std::vector<Solves> solves = solves_by_solver(study);
   std::map<std::pair<int, int>, std::map<std::size_t, const SolveRecord*>> problems;
-  std::size_t entrants = 0;
+  std::size_t solvers = 0;
   for (std::size_t i = 0; i < solves.size(); ++i) {
-    if (!solves[i].empty()) ++entrants;
+    if (!solves[i].empty()) ++solvers;
     for (const SolveRecord* solve : solves[i]) problems[{solve->run, solve->point}].emplace(i, solve);
   }
   Profile profile{.ratios = std::vector<std::vector<double>>(study.solvers.size())};
@@ -190,17 +190,17 @@ Profile performance_profile(const StudyResults& study, const CostOf& cost_of) {
       return entry.second->target_position_m == first.target_position_m &&
              entry.second->target_rotation == first.target_rotation;
     });
-    if (of_solver.size() < entrants || !is_shared) {
+    if (of_solver.size() < solvers || !is_shared) {
       ++profile.left_out;
       continue;
     }
     ++profile.problems;
-    double smallest = never;
-    for (const auto& [i, solve] : of_solver) smallest = std::min(smallest, std::max(0.0, or_never(cost_of(*solve))));
-    if (smallest == never) ++profile.unsolved;
+    double smallest = censored;
+    for (const auto& [i, solve] : of_solver) smallest = std::min(smallest, std::max(0.0, or_censored(cost_of(*solve))));
+    if (smallest == censored) ++profile.unsolved;
     if (smallest == 0) profile.has_zero_costs = true;
     for (const auto& [i, solve] : of_solver) {
-      profile.ratios[i].push_back(ratio_of(std::max(0.0, or_never(cost_of(*solve))), smallest));
+      profile.ratios[i].push_back(ratio_of(std::max(0.0, or_censored(cost_of(*solve))), smallest));
     }
   }
   return profile;

@@ -16,13 +16,13 @@
 namespace ikbench::inference {
 
 // The cost of what is not reached, and the error of an answer that is none.
-constexpr double never = std::numeric_limits<double>::infinity();
+constexpr double censored = std::numeric_limits<double>::infinity();
 // More positions on an axis cannot be told apart in a figure.
 constexpr std::size_t most_positions = 200;
 
 enum class Cost { evaluations, seconds };
 double total_cost(const results::SolveRecord& solve,
-                  Cost cost);  // never where it is not finite; 0 where it is negative
+                  Cost cost);  // censored where it is not finite; 0 where it is negative
 
 using Solves = std::vector<const results::SolveRecord*>;
 std::vector<Solves> solves_by_solver(const StudyResults& study);  // in the order of study.solvers
@@ -31,10 +31,10 @@ std::vector<Solves> solves_by_solver(const StudyResults& study);  // in the orde
 bool is_chained(const StudyResults& study);
 
 // Whether it is known how the solve went: it has a trace, or it ended before its first iteration.
-bool has_course(const results::SolveRecord& solve);
-std::vector<Solves> courses_by_solver(const StudyResults& study);  // those alone
+bool has_trace(const results::SolveRecord& solve);
+std::vector<Solves> traced_by_solver(const StudyResults& study);  // those alone
 
-// The error as the verifier has it [cm]; never where it is not finite.
+// The error as the verifier has it [cm]; censored where it is not finite.
 double final_error_cm(const results::SolveRecord& solve);
 // Whether the verifier's error is within the tolerance, but for rounding.
 bool reaches(const results::SolveRecord& solve, double tolerance_cm);
@@ -43,17 +43,18 @@ bool reaches(const results::SolveRecord& solve, double tolerance_cm);
 // is not finite, refused or not as good as claimed reaches none: its trace is the solver's own word.
 std::vector<double> costs_to_targets(const results::SolveRecord& solve, std::span<const double> targets_cm, Cost cost);
 
-// 25, 50 and 75 % quantiles (Hyndman and Fan's type 5) of the best error [cm]; never where so many have no answer yet.
+// 25, 50 and 75 % quantiles (Hyndman and Fan's type 5) of the best error [cm]; censored where so many have no answer
+// yet.
 struct Band {
-  double low = never;
-  double median = never;
-  double high = never;
+  double low = censored;
+  double median = censored;
+  double high = censored;
 };
 
 // At each of these numbers of evaluations. A solve that has ended keeps its last error.
-std::vector<Band> error_bands(const Solves& courses, std::span<const double> evaluations);
-// Log-spaced, from the cheapest first iteration to the dearest solve; none where there are no courses.
-std::vector<double> evaluations_axis(const std::vector<Solves>& courses);
+std::vector<Band> error_bands(const Solves& traces, std::span<const double> evaluations);
+// Log-spaced, from the cheapest first iteration to the dearest solve; none where there are no traces.
+std::vector<double> evaluations_axis(const std::vector<Solves>& traces);
 
 // 51 log-spaced errors [cm], descending: from 10 (or ten times a larger tolerance) down to the tolerance of the study,
 // or without one to the whole decade below the smallest error that any solve came to, at the least 1e-8.
@@ -69,7 +70,7 @@ struct Share {
   double share;
 };
 
-// The empirical distribution function, at every value or at most_positions log-spaced ones. Values of never count in
+// The empirical distribution function, at every value or at most_positions log-spaced ones. Censored values count in
 // the whole and nowhere else.
 std::vector<Share> shares_within(std::vector<double> values);
 // Stairs, ascending and not negative in `at`, at no more than most_positions.
@@ -78,14 +79,15 @@ std::vector<Share> thinned(const std::vector<Share>& stairs);
 // By how much the cost of each solver exceeds the smallest of all solvers at the same problem, which is a point of a
 // run. Solvers without solves take no part and have no ratios.
 struct Profile {
-  std::vector<std::vector<double>> ratios;  // of each solver at each problem; never where it fails
+  std::vector<std::vector<double>> ratios;  // of each solver at each problem; censored where it fails
   int problems = 0;
   int left_out = 0;  // where a solver has no solve, or another target
   int unsolved = 0;  // of the problems: where every solver fails
   bool has_zero_costs = false;
 };
 
-// The cost of a solve, never where it fails. 0/0 is 1; a cost above a smallest of 0 is infinitely many times as much.
+// The cost of a solve, censored where it fails. 0/0 is 1; a cost above a smallest of 0 is infinitely many times as
+// much.
 using CostOf = std::function<double(const results::SolveRecord&)>;
 Profile performance_profile(const StudyResults& study, const CostOf& cost_of);
 

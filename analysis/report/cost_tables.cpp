@@ -89,7 +89,7 @@ Successes runs_reached(const Solves& solves, const StudyResults& study) {
 
 // The largest cost to which the curves of all solvers are known.
 double common_horizon(const std::vector<SurvivalCurve>& curves) {
-  double known_by_all = never, largest = 0;
+  double known_by_all = censored, largest = 0;
   for (const SurvivalCurve& curve : curves) {
     if (!curve.undefined.empty()) continue;
     const bool ends_at_zero = !curve.steps.empty() && curve.steps.back().survival == 0;

@@ -127,9 +127,9 @@ bool same_targets(const StudyResults& a, const StudyResults& b) {
   return met && a.points == b.points;
 }
 
-Table perspective_table(const JudgedStudies& studies) {
+Table baselines_table(const JudgedStudies& studies) {
   const std::vector<Metric> metrics = reported_metrics();
-  Table table{.name = "perspective",
+  Table table{.name = "baselines",
               .caption = "Other studies with the same targets",
               .columns = {{"study", Align::left}, {"algorithm", Align::left}, {"observations"}, {"not_finite"}}};
   for (const Metric metric : metrics) {

@@ -23,6 +23,6 @@ std::string command_of(const inference::StudyResults& study, const std::vector<r
 
 // Whether the two studies were given the same targets wherever both have the same run and point.
 bool same_targets(const inference::StudyResults& a, const inference::StudyResults& b);
-Table perspective_table(const inference::JudgedStudies& studies);
+Table baselines_table(const inference::JudgedStudies& studies);
 
 }  // namespace ikbench::report

@@ -159,7 +159,7 @@ Report write_report(const Store& store, const ReportRequest& request) {
   StudyPieces pieces = paper.pieces ? paper.pieces(reported) : study_pieces(study);
   std::vector<Figure> figures = std::move(pieces.figures);
   std::ranges::move(pieces.tables, std::back_inserter(tables));
-  if (same_limits_too.size() > 1) tables.push_back(flagged(perspective_table(same_limits_too), study));
+  if (same_limits_too.size() > 1) tables.push_back(flagged(baselines_table(same_limits_too), study));
   if (std::optional<Table> table = limits_table(same_targets_given))
     tables.push_back(flagged(std::move(*table), study));
   std::ranges::copy(request.extra_tables, std::back_inserter(tables));
@@ -181,7 +181,8 @@ Report write_report(const Store& store, const ReportRequest& request) {
                     why_not_blocked(study)));
   }
   if (study.plan.unit == Unit::point) content.warnings.insert(content.warnings.begin(), capitalised(points_flaw) + '.');
-  for (std::size_t i = 1; i < same_limits_too.size(); ++i) content.summary.push_back(perspective(same_limits_too[i]));
+  for (std::size_t i = 1; i < same_limits_too.size(); ++i)
+    content.summary.push_back(baselines_sentence(same_limits_too[i]));
   std::ranges::move(cost_tables(study), std::back_inserter(tables));
   std::ranges::move(convergence_figures(study), std::back_inserter(figures));
   if (std::string closest = closest_point_by_point(study); !closest.empty()) {

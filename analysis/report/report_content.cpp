@@ -43,7 +43,7 @@ const std::vector<SectionPlan>& last() {
       {"Audit of the printed numbers", "Whether the paper's printed numbers agree with each other.", {"audit*"}},
       {"Interpretations of what the paper leaves open", "What each choice would have given.", {"readings*"}},
       {"Joint limits", "The same study with all joint limits enforced, including the wrist's.", {"limits"}},
-      {"Baselines", "", {"perspective"}}};
+      {"Baselines", "", {"baselines"}}};
   return plans;
 }
 

@@ -100,7 +100,7 @@ std::vector<std::string> summary(const Reported& reported, const Paper& paper) {
   return sentences;
 }
 
-std::string perspective(const StudyResults& other) {
+std::string baselines_sentence(const StudyResults& other) {
   const auto means = [&](Metric metric, int digits) {  // of every solver, in their order
     std::vector<std::string> texts;
     for (const Sample& sample : samples(other, metric)) {

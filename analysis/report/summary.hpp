@@ -22,6 +22,6 @@ std::string limits_sentence(const inference::StudyResults& study);
 std::string times_sentence(const inference::StudyResults& study);
 
 // How the solvers of another study with the same targets did, in a sentence.
-std::string perspective(const inference::StudyResults& other);
+std::string baselines_sentence(const inference::StudyResults& other);
 
 }  // namespace ikbench::report

@@ -410,8 +410,8 @@ std::vector<Figure> circle_figures(const StudyResults& study) {
   if (study.solves.empty() || !is_circle(study)) return {};
   std::vector<Figure> figures{circle_plane_figure(study), circle_space_figure(study), circle_joints_figure(study),
                               circle_errors_figure(study)};
-  const auto has_trace = [](const SolveRecord& solve) { return !solve.trace_cm.empty(); };
-  if (std::ranges::any_of(study.solves, has_trace)) figures.push_back(convergence_figure(study));
+  const auto is_traced = [](const SolveRecord& solve) { return !solve.trace_cm.empty(); };
+  if (std::ranges::any_of(study.solves, is_traced)) figures.push_back(convergence_figure(study));
   return figures;
 }
 

@@ -155,7 +155,7 @@ std::optional<Claim> better_than_classical(const StudyResults& study, const Stud
                                                                      : Verdict::undecided,
                .evidence = fmt::format("{} against {}, per point: {}.{}", time_reference, classical, list,
                                        test.empty() ? "" : fmt::format(" p-values: {} on run means.", test)),
-               .table = "perspective"};
+               .table = "baselines"};
 }
 
 }  // namespace ikbench::slim2023

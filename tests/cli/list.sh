@@ -57,7 +57,7 @@ for line in "[analysis]  # how" "test = 'by_design'  # by_design | anova | welch
   has "$out" $'\n'"$line"
 done
 
-# Keys come with their meaning, an entrant's own population too.
+# Keys come with their meaning, a solver's own population too.
 succeeds list studies slim2023-time
 for line in "start = 'initial'  # previous | initial: a solve starts" "limits = 'recorded'  # recorded | enforced: " \
   "kind = 'random'  # helix | circle | random | poses" "population = 12  # overrides the population of the study"; do

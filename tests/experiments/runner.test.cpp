@@ -310,10 +310,10 @@ TEST_CASE("solves of other source are left aside, told and solved anew, those of
       record.series = fmt::format("{}{}", configuration_of(record.series), source);
       record.session = 1;
     }
-    for (const Entrant& entrant : study.solvers) {
-      entry.series.push_back({.key = fmt::format("{}{}", configuration_key(study, entrant), source),
-                              .label = entrant.label,
-                              .algorithm = entrant.solver,
+    for (const SolverEntry& one : study.solvers) {
+      entry.series.push_back({.key = fmt::format("{}{}", configuration_key(study, one), source),
+                              .label = one.label,
+                              .algorithm = one.solver,
                               .options = "{}"});
     }
     scratch.store.save_study(entry);
@@ -510,7 +510,7 @@ TEST_CASE("a study may start every solve at its initial configuration, also afte
   CHECK(same_numbers(records, solves_of(study)));
 }
 
-TEST_CASE("an entrant's own population is the number of its candidates, and an option in the store", "[runner]") {
+TEST_CASE("a solver's own population is the number of its candidates, and an option in the store", "[runner]") {
   Study study = small_study();
   study.solvers = {{"6 bats", "ik_bat", {}}, {"9 bats", "ik_bat", {}, 9}};
   ScratchStore scratch;

@@ -79,7 +79,7 @@ class Changer final : public Fields {
 
 std::vector<std::string> keys_of(const Study& study) {
   std::vector<std::string> keys;
-  for (const Entrant& entrant : study.solvers) keys.push_back(configuration_key(study, entrant));
+  for (const SolverEntry& entry : study.solvers) keys.push_back(configuration_key(study, entry));
   return keys;
 }
 
@@ -238,7 +238,7 @@ TEST_CASE("the paper's studies keep their configurations, so that older stores a
     INFO(name);
     const Study study = load_study(name);
     std::vector<std::string> keys;
-    for (const Entrant& entrant : study.solvers) keys.push_back(configuration_key(study, entrant));
+    for (const SolverEntry& entry : study.solvers) keys.push_back(configuration_key(study, entry));
     CHECK(keys == expected);
   }
 }
@@ -280,7 +280,7 @@ TEST_CASE("how a study is judged decides no series", "[series]") {
   }
 }
 
-TEST_CASE("name, title, printed tables, runs and the other entrants decide no series", "[series]") {
+TEST_CASE("name, title, printed tables, runs and the other solvers decide no series", "[series]") {
   const std::string key = key_of(small_study());
   CHECK(key == key_of(changed([](Study& study) { study.name = "another"; })));
   CHECK(key == key_of(changed([](Study& study) { study.title = "Another"; })));
@@ -292,7 +292,7 @@ TEST_CASE("name, title, printed tables, runs and the other entrants decide no se
   CHECK(key == series_key(reordered, reordered.solvers[2]));
 }
 
-TEST_CASE("the study's population decides no series of an entrant that has its own", "[series]") {
+TEST_CASE("the study's population decides no series of a solver that has its own", "[series]") {
   Study study = changed([](Study& plain) { plain.solvers[0].population = 8; });
   const std::string key = key_of(study), other = series_key(study, study.solvers[1]);
   study.population = 9;
@@ -335,17 +335,17 @@ TEST_CASE("every solver has a source of its own, and a series says whose it is",
         key_of(changed([](Study& study) { study.seed = 2; })).substr(16));
 }
 
-TEST_CASE("effective options are the solver's defaults, then the study's bounds, then the entrant's own", "[series]") {
+TEST_CASE("effective options are the solver's defaults, then the study's bounds, then the entry's own", "[series]") {
   Study study = small_study();
-  Entrant& entrant = study.solvers[0];
-  CHECK(effective_options(study, entrant) == solver("ik_bat").options({}));
-  CHECK(effective_options(study, entrant).at("bounds") == "initial");  // paper-notes 2.4
+  SolverEntry& entry = study.solvers[0];
+  CHECK(effective_options(study, entry) == solver("ik_bat").options({}));
+  CHECK(effective_options(study, entry).at("bounds") == "initial");  // paper-notes 2.4
   study.bounds = StudyBounds::clamp;
-  CHECK(effective_options(study, entrant).at("bounds") == "clamp");
-  entrant.options = {{"bounds", "initial"}, {"alpha", "0.5"}};
-  CHECK(effective_options(study, entrant).at("bounds") == "initial");
-  CHECK(effective_options(study, entrant).at("alpha") == "0.5");
-  CHECK(effective_options(study, entrant).size() == solver("ik_bat").options({}).size());
+  CHECK(effective_options(study, entry).at("bounds") == "clamp");
+  entry.options = {{"bounds", "initial"}, {"alpha", "0.5"}};
+  CHECK(effective_options(study, entry).at("bounds") == "initial");
+  CHECK(effective_options(study, entry).at("alpha") == "0.5");
+  CHECK(effective_options(study, entry).size() == solver("ik_bat").options({}).size());
 }
 
 TEST_CASE("the study's bounds reach every solver that has bounds, and trouble none that has not", "[series]") {

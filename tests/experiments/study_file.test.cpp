@@ -31,14 +31,14 @@ std::string said_of(const std::string& toml, const Overrides& overrides = {}) {
 
 bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
-const std::string entrant = "[[solvers]]\nsolver = \"ik_bat\"\n";
+const std::string solver_entry = "[[solvers]]\nsolver = \"ik_bat\"\n";
 const std::string planar = "robot = \"planar_2\"\nsearch = \"all_joints\"\n";
 
 Study read(const std::string& toml, const Overrides& overrides = {}) { return parse_study(toml, "my.toml", overrides); }
 
 std::vector<std::string> keys_of(const Study& study) {
   std::vector<std::string> keys;
-  for (const Entrant& one : study.solvers) keys.push_back(series_key(study, one));
+  for (const SolverEntry& one : study.solvers) keys.push_back(series_key(study, one));
   return keys;
 }
 
@@ -79,7 +79,7 @@ TEST_CASE("a built-in study is a file in experiments/studies, which has the stud
   CHECK(names == files);
 }
 
-TEST_CASE("the study of docs/adding-anything.md is a study of two entrants", "[study]") {
+TEST_CASE("the study of docs/adding-anything.md is a study of two solvers", "[study]") {
   const std::string docs = text_of("docs/adding-anything.md"), opening = "```toml\n";
   const std::size_t begin = docs.find(opening) + opening.size();
   const Study study = read(docs.substr(begin, docs.find("```", begin) - begin));
@@ -110,7 +110,7 @@ TEST_CASE("the study of the paper has its numbers: 50 bats, 200 iterations, 20 r
   CHECK(study.path->points() == 20);
   CHECK(study.robot == "kuka_iiwa14");
   std::vector<std::string> labels;
-  for (const Entrant& one : study.solvers) labels.push_back(one.label);
+  for (const SolverEntry& one : study.solvers) labels.push_back(one.label);
   CHECK(labels == std::vector<std::string>{"IK-BA", "BA", "DE", "PSO", "K-ABC", "MO-PSO"});  // Table 3
 }
 
@@ -188,7 +188,7 @@ TEST_CASE("a path of any kind comes back as it was", "[study]") {
 TEST_CASE("the study of Table 7: 12 to 30 bats to 0.1 cm at 20 random targets, each from the start", "[study][paper]") {
   const Study study = load_study("slim2023-time");
   std::vector<int> bats;
-  for (const Entrant& one : study.solvers) {
+  for (const SolverEntry& one : study.solvers) {
     CHECK(one.solver == "ik_bat");
     CHECK(one.label == std::to_string(one.population) + " bats");
     bats.push_back(effective_population(study, one));
@@ -236,7 +236,7 @@ TEST_CASE("a pose may say its turn as roll, pitch and yaw, as a matrix, or not a
                    "  { position_cm = [60, 0, 35], rpy_deg = [180, 0, 180] },\n"
                    "  { position_cm = [1, 2, 3], rotation = [0, -1, 0, 1, 0, 0, 0, 0, 1] },\n"
                    "  { position_m = [0.01, 0.02, 0.03] }]\n" +
-                   entrant),
+                   solver_entry),
               1);
   REQUIRE(poses.size() == 3);
   CHECK(poses[0].linear().isApprox(rotation(Tool::down), 1e-15));
@@ -247,7 +247,7 @@ TEST_CASE("a pose may say its turn as roll, pitch and yaw, as a matrix, or not a
 }
 
 TEST_CASE("a file that names only a solver is the paper's path and numbers with that solver", "[study]") {
-  const Study study = read(entrant);
+  const Study study = read(solver_entry);
   CHECK(study.population == 50);
   CHECK(study.initial == Eigen::VectorXd::Zero(7));
   REQUIRE(study.solvers.size() == 1);
@@ -258,19 +258,20 @@ TEST_CASE("a file that names only a solver is the paper's path and numbers with 
 }
 
 TEST_CASE("a path needs no more than its kind, and the rest is the paper's", "[study]") {
-  const std::vector<Pose> circle = targets(read("[path]\nkind = \"circle\"\nradius_cm = 8\n" + entrant), 1);
+  const std::vector<Pose> circle = targets(read("[path]\nkind = \"circle\"\nradius_cm = 8\n" + solver_entry), 1);
   CHECK(circle[0].translation().isApprox(Eigen::Vector3d(0.16 + 0.08, 0.16, 0)));  // Sec. 6: centre (16, 16, 0) cm
-  CHECK(read("[path]\nkind = \"random\"\n" + entrant).path->points() == 20);       // Table 7
+  CHECK(read("[path]\nkind = \"random\"\n" + solver_entry).path->points() == 20);  // Table 7
 }
 
-TEST_CASE("an entrant's population is its own, and the others keep the study's", "[study]") {
-  const Study study = read("population = 40\n" + entrant + "population = 12\n" + entrant + "label = \"B\"\n");
+TEST_CASE("a solver's population is its own, and the others keep the study's", "[study]") {
+  const Study study = read("population = 40\n" + solver_entry + "population = 12\n" + solver_entry + "label = \"B\"\n");
   CHECK(effective_population(study, study.solvers[0]) == 12);
   CHECK(effective_population(study, study.solvers[1]) == 40);
 }
 
 TEST_CASE("options may be written as numbers or as texts", "[study]") {
-  const Study study = read(entrant + "options = { alpha = 0.5, loudness = 2, f_max = \"1.5\", bounds = \"clamp\" }\n");
+  const Study study =
+      read(solver_entry + "options = { alpha = 0.5, loudness = 2, f_max = \"1.5\", bounds = \"clamp\" }\n");
   const Settings options = effective_options(study, study.solvers[0]);
   CHECK(options.at("alpha") == "0.5");
   CHECK(options.at("loudness") == "2");
@@ -303,7 +304,7 @@ TEST_CASE("as JSON a study says what its arm is made of", "[study]") {
   CHECK(iiwa["tool"] == still);
 
   const Json dobot =
-      Json::parse(to_json(read("robot = \"dobot_magician\"\nsearch = \"all_joints\"\n" + entrant)))["arm"];
+      Json::parse(to_json(read("robot = \"dobot_magician\"\nsearch = \"all_joints\"\n" + solver_entry)))["arm"];
   REQUIRE(dobot["links"].size() == 3);
   CHECK(dobot["links"][2] == Json{{"joint", "coupled"},
                                   {"offset_deg", 0.0},
@@ -320,7 +321,7 @@ TEST_CASE("a study's arm may be a file in the study's folder, and for --set in t
       folder.path / "slider.toml",
       "links = [{ a_m = 0.5 }, { joint = \"slides\", limits_m = [0.125, 0.5] }]\ntool = { rpy_deg = [0, 90, 0] }\n");
   const std::string file = (folder.path / "study.toml").string();
-  write_text(file, "robot = \"slider.toml\"\nsearch = \"all_joints\"\n" + entrant);
+  write_text(file, "robot = \"slider.toml\"\nsearch = \"all_joints\"\n" + solver_entry);
   const Study study = load_study(file);
   CHECK(study.robot == "slider.toml");
   CHECK(arm_of(study).name == "slider");
@@ -332,11 +333,12 @@ TEST_CASE("a study's arm may be a file in the study's folder, and for --set in t
   CHECK(arm["tool"]["rpy_deg"] == std::vector<double>{0, 90, 0});
 
   const std::string other = (folder.path / "slider.toml").string();
-  CHECK(keys_of(read(planar + entrant, {"robot=" + other})) == keys_of(study));
-  CHECK(contains(said_of(planar + entrant, {"robot=slider.toml"}), "--set robot: there is no file slider.toml"));
-  CHECK(said_of("robot = \"none.toml\"\n" + entrant).starts_with("my.toml:1:9: there is no file none.toml; expected"));
-  CHECK(said_of("robot = \"/\"\n" + entrant).starts_with("my.toml:1:9: unknown robot \"/\""));
-  CHECK(said_of("search = \"wrist\"\n" + entrant, {"robot=" + other}).find("has no spherical wrist") !=
+  CHECK(keys_of(read(planar + solver_entry, {"robot=" + other})) == keys_of(study));
+  CHECK(contains(said_of(planar + solver_entry, {"robot=slider.toml"}), "--set robot: there is no file slider.toml"));
+  CHECK(said_of("robot = \"none.toml\"\n" + solver_entry)
+            .starts_with("my.toml:1:9: there is no file none.toml; expected"));
+  CHECK(said_of("robot = \"/\"\n" + solver_entry).starts_with("my.toml:1:9: unknown robot \"/\""));
+  CHECK(said_of("search = \"wrist\"\n" + solver_entry, {"robot=" + other}).find("has no spherical wrist") !=
         std::string::npos);
 
   // The numbers of the arm decide the series, its name does not.
@@ -356,7 +358,7 @@ TEST_CASE("a study's arm may be a file in the study's folder, and for --set in t
 
 TEST_CASE("a study says how it will be judged, by default Friedman's or Welch's test at 5 % over run means, no control",
           "[study][analysis]") {
-  const Study study = read(entrant);
+  const Study study = read(solver_entry);
   CHECK(study.analysis.test == DecidingTest::by_design);
   CHECK(nlohmann::json::parse(to_json(study))["analysis"] == nlohmann::json{{"test", "by_design"},
                                                                             {"adjustment", "holm"},
@@ -375,14 +377,14 @@ TEST_CASE("a study says how it will be judged, by default Friedman's or Welch's 
 
 TEST_CASE("the table of the analysis is read, and --set changes it as it does other fields", "[study][analysis]") {
   const std::string toml =
-      "[analysis]\ntest = \"kruskal_wallis\"\nmargin_percent = 20\nquartiles = 7\n" + entrant + "label = \"A\"\n";
+      "[analysis]\ntest = \"kruskal_wallis\"\nmargin_percent = 20\nquartiles = 7\n" + solver_entry + "label = \"A\"\n";
   const AnalysisPlan plan = read(toml, {"analysis.significance=0.01", "analysis.control=A"}).analysis;
   CHECK(plan.test == DecidingTest::kruskal_wallis);
   CHECK(plan.margin == 0.2);  // 20 percent
   CHECK(plan.quartiles == 7);
   CHECK(plan.significance == 0.01);
   CHECK(plan.control == "A");
-  CHECK(said_of(entrant, {"analysis.significance=7"}) ==
+  CHECK(said_of(solver_entry, {"analysis.significance=7"}) ==
         "--set analysis.significance: analysis.significance is 7; expected a number from 0.0001 to 0.2");
 }
 
@@ -408,144 +410,150 @@ TEST_CASE("targets are blocks where all solvers were given the same ones more th
 // ---- mistakes -----------------------------------------------------------------------------------------------------
 
 TEST_CASE("an unknown key is named with its place and the nearest known, at every level", "[study][mistakes]") {
-  check(
-      {{"nmae = \"x\"\n" + entrant, "my.toml:1:1: ", {"unknown key \"nmae\"", "did you mean \"name\"?"}},
-       {"[stop]\niteratons = 3\n" + entrant, "my.toml:2:1: ", {"\"iteratons\"", "did you mean \"iterations\"?"}},
-       {"[path]\n  radius = 3\n" + entrant, "my.toml:2:3: ", {"\"radius\"", "did you mean \"radius_cm\"?"}},
-       {"[path]\nkind = \"circle\"\nturns = 3\n" + entrant, "my.toml:3:1: ", {"\"turns\"", "radius_cm"}},
-       {entrant + "labell = \"x\"\n",
-        "my.toml:3:1: ",
-        {"did you mean \"label\"?", "(there are: solver, label, population, options)"}},
-       {entrant + "options = { alhpa = 0.5 }\n", "my.toml:3:", {"unknown option \"alhpa\"", "did you mean \"alpha\"?"}},
-       {"[path]\nkind = \"poses\"\nposes = [{ position_cm = [1, 2, 3], rpy_dg = [0, 0, 0] }]\n" + entrant,
-        "my.toml:3:37: ",
-        {"did you mean \"rpy_deg\"?"}},
-       {"[pth]\npoints = 3\n" + entrant, "my.toml:1:", {"did you mean \"path\"?"}}});
+  check({{"nmae = \"x\"\n" + solver_entry, "my.toml:1:1: ", {"unknown key \"nmae\"", "did you mean \"name\"?"}},
+         {"[stop]\niteratons = 3\n" + solver_entry, "my.toml:2:1: ", {"\"iteratons\"", "did you mean \"iterations\"?"}},
+         {"[path]\n  radius = 3\n" + solver_entry, "my.toml:2:3: ", {"\"radius\"", "did you mean \"radius_cm\"?"}},
+         {"[path]\nkind = \"circle\"\nturns = 3\n" + solver_entry, "my.toml:3:1: ", {"\"turns\"", "radius_cm"}},
+         {solver_entry + "labell = \"x\"\n",
+          "my.toml:3:1: ",
+          {"did you mean \"label\"?", "(there are: solver, label, population, options)"}},
+         {solver_entry + "options = { alhpa = 0.5 }\n",
+          "my.toml:3:",
+          {"unknown option \"alhpa\"", "did you mean \"alpha\"?"}},
+         {"[path]\nkind = \"poses\"\nposes = [{ position_cm = [1, 2, 3], rpy_dg = [0, 0, 0] }]\n" + solver_entry,
+          "my.toml:3:37: ",
+          {"did you mean \"rpy_deg\"?"}},
+         {"[pth]\npoints = 3\n" + solver_entry, "my.toml:1:", {"did you mean \"path\"?"}}});
 }
 
 TEST_CASE("a value of another type is shown with its place and what was expected", "[study][mistakes]") {
-  check({{"name = 3\n" + entrant, "my.toml:1:8: ", {"name is 3", "expected a quoted string"}},
-         {"runs = \"x\"\n" + entrant, "my.toml:1:8: ", {"runs is \"x\"", "a whole number from 1 to 1000000"}},
-         {"runs = 2.5\n" + entrant, "my.toml:1:8: ", {"runs is 2.5", "a whole number"}},
-         {"runs = true\n" + entrant, "my.toml:1:8: ", {"runs is true", "a whole number"}},
-         {"runs = [3]\n" + entrant, "my.toml:1:8: ", {"runs is [ 3 ]", "a whole number"}},
-         {"runs = 1979-05-27\n" + entrant, "my.toml:1:8: ", {"runs is 1979-05-27", "a whole number"}},
-         {"search = 3\n" + entrant, "my.toml:1:10: ", {"search is 3", "one of \"wrist\", \"all_joints\""}},
-         {"search = \"wirst\"\n" + entrant,
-          "my.toml:1:10: ",
-          {"search is \"wirst\"", "one of \"wrist\", \"all_joints\""}},
-         {"initial_deg = 3\n" + entrant, "my.toml:1:15: ", {"initial_deg is 3", "a list of numbers"}},
-         {"initial_deg = [1, 2, \"x\"]\n" + entrant, "my.toml:1:22: ", {"initial_deg is \"x\"", "a list of numbers"}},
-         {"stop = 3\n" + entrant, "my.toml:1:8: ", {"stop is 3", "expected a table: [stop]"}},
-         {"path = \"helix\"\n" + entrant, "my.toml:1:8: ", {"path is \"helix\"", "expected a table: [path]"}},
-         {"[stop]\nseconds = \"3\"\n" + entrant, "my.toml:2:11: ", {"stop.seconds is \"3\"", "a number from 0 to"}},
-         {"[path]\ncentre_cm = [1, 2]\n" + entrant,
-          "my.toml:2:13: ",
-          {"path.centre_cm is [ 1, 2 ]", "a list of 3 numbers"}},
-         {"[path]\nkind = \"spiral\"\n" + entrant,
-          "my.toml:2:8: ",
-          {"path.kind is \"spiral\"", "\"helix\", \"circle\", \"random\", \"poses\""}},
-         {entrant + "options = 3\n", "my.toml:3:11: ", {"options is 3", "expected a table"}},
-         {entrant + "options = { alpha = true }\n",
-          "my.toml:3:21: ",
-          {"ik_bat.alpha is true", "a number or a quoted string"}},
-         {entrant + "label = 3\n", "my.toml:3:9: ", {"label is 3", "a quoted string"}},
-         {"[[solvers]]\nsolver = 3\n", "my.toml:2:10: ", {"solver is 3", "a quoted string"}}});
+  check(
+      {{"name = 3\n" + solver_entry, "my.toml:1:8: ", {"name is 3", "expected a quoted string"}},
+       {"runs = \"x\"\n" + solver_entry, "my.toml:1:8: ", {"runs is \"x\"", "a whole number from 1 to 1000000"}},
+       {"runs = 2.5\n" + solver_entry, "my.toml:1:8: ", {"runs is 2.5", "a whole number"}},
+       {"runs = true\n" + solver_entry, "my.toml:1:8: ", {"runs is true", "a whole number"}},
+       {"runs = [3]\n" + solver_entry, "my.toml:1:8: ", {"runs is [ 3 ]", "a whole number"}},
+       {"runs = 1979-05-27\n" + solver_entry, "my.toml:1:8: ", {"runs is 1979-05-27", "a whole number"}},
+       {"search = 3\n" + solver_entry, "my.toml:1:10: ", {"search is 3", "one of \"wrist\", \"all_joints\""}},
+       {"search = \"wirst\"\n" + solver_entry,
+        "my.toml:1:10: ",
+        {"search is \"wirst\"", "one of \"wrist\", \"all_joints\""}},
+       {"initial_deg = 3\n" + solver_entry, "my.toml:1:15: ", {"initial_deg is 3", "a list of numbers"}},
+       {"initial_deg = [1, 2, \"x\"]\n" + solver_entry,
+        "my.toml:1:22: ",
+        {"initial_deg is \"x\"", "a list of numbers"}},
+       {"stop = 3\n" + solver_entry, "my.toml:1:8: ", {"stop is 3", "expected a table: [stop]"}},
+       {"path = \"helix\"\n" + solver_entry, "my.toml:1:8: ", {"path is \"helix\"", "expected a table: [path]"}},
+       {"[stop]\nseconds = \"3\"\n" + solver_entry, "my.toml:2:11: ", {"stop.seconds is \"3\"", "a number from 0 to"}},
+       {"[path]\ncentre_cm = [1, 2]\n" + solver_entry,
+        "my.toml:2:13: ",
+        {"path.centre_cm is [ 1, 2 ]", "a list of 3 numbers"}},
+       {"[path]\nkind = \"spiral\"\n" + solver_entry,
+        "my.toml:2:8: ",
+        {"path.kind is \"spiral\"", "\"helix\", \"circle\", \"random\", \"poses\""}},
+       {solver_entry + "options = 3\n", "my.toml:3:11: ", {"options is 3", "expected a table"}},
+       {solver_entry + "options = { alpha = true }\n",
+        "my.toml:3:21: ",
+        {"ik_bat.alpha is true", "a number or a quoted string"}},
+       {solver_entry + "label = 3\n", "my.toml:3:9: ", {"label is 3", "a quoted string"}},
+       {"[[solvers]]\nsolver = 3\n", "my.toml:2:10: ", {"solver is 3", "a quoted string"}}});
 }
 
 TEST_CASE("what an analysis cannot be is told with its place and what it can be", "[study][mistakes][analysis]") {
   const std::string table = "[analysis]\n";
-  check({{"analysis = 3\n" + entrant, "my.toml:1:12: ", {"analysis is 3", "expected a table: [analysis]"}},
-         {table + "signficance = 0.01\n" + entrant, "my.toml:2:1: ", {"did you mean \"significance\"?"}},
-         {table + "test = \"t\"\n" + entrant,
+  check({{"analysis = 3\n" + solver_entry, "my.toml:1:12: ", {"analysis is 3", "expected a table: [analysis]"}},
+         {table + "signficance = 0.01\n" + solver_entry, "my.toml:2:1: ", {"did you mean \"significance\"?"}},
+         {table + "test = \"t\"\n" + solver_entry,
           "my.toml:2:8: ",
           {"analysis.test is \"t\"", "\"by_design\", \"anova\", \"welch\", \"kruskal_wallis\", \"friedman\""}},
-         {table + "adjustment = 1\n" + entrant,
+         {table + "adjustment = 1\n" + solver_entry,
           "my.toml:2:14: ",
           {"analysis.adjustment is 1", "\"holm\", \"hochberg\", \"bonferroni\", \"benjamini_hochberg\""}},
-         {table + "significance = 0\n" + entrant, "my.toml:2:16: ", {"significance is 0", "from 0.0001 to 0.2"}},
-         {table + "significance = nan\n" + entrant, "my.toml:2:16: ", {"significance is nan"}},
-         {table + "margin_percent = -1\n" + entrant, "my.toml:2:18: ", {"margin_percent is -1", "from 0 to 99"}},
-         {table + "power = 1\n" + entrant, "my.toml:2:9: ", {"power is 1", "from 0.5 to 0.999"}},
-         {table + "quartiles = 10\n" + entrant, "my.toml:2:13: ", {"quartiles is 10", "from 1 to 9"}},
-         {table + "control = \"IK\"\n" + entrant + entrant + "label = \"B\"\n",
+         {table + "significance = 0\n" + solver_entry, "my.toml:2:16: ", {"significance is 0", "from 0.0001 to 0.2"}},
+         {table + "significance = nan\n" + solver_entry, "my.toml:2:16: ", {"significance is nan"}},
+         {table + "margin_percent = -1\n" + solver_entry, "my.toml:2:18: ", {"margin_percent is -1", "from 0 to 99"}},
+         {table + "power = 1\n" + solver_entry, "my.toml:2:9: ", {"power is 1", "from 0.5 to 0.999"}},
+         {table + "quartiles = 10\n" + solver_entry, "my.toml:2:13: ", {"quartiles is 10", "from 1 to 9"}},
+         {table + "control = \"IK\"\n" + solver_entry + solver_entry + "label = \"B\"\n",
           "my.toml:2:11: ",
           {"analysis.control is \"IK\"", "the label of a solver of the study: \"ik_bat\", \"B\""}},
-         {table + "test = \"friedman\"\n" + entrant, "my.toml:2:8: ", {"another test", "chained along a path"}},
-         {table + "unit = \"day\"\n" + entrant, "my.toml:2:8: ", {"\"run\", \"point\""}}});
-  CHECK(read("start = \"initial\"\n" + table + "test = \"friedman\"\n" + entrant).analysis.test ==
+         {table + "test = \"friedman\"\n" + solver_entry, "my.toml:2:8: ", {"another test", "chained along a path"}},
+         {table + "unit = \"day\"\n" + solver_entry, "my.toml:2:8: ", {"\"run\", \"point\""}}});
+  CHECK(read("start = \"initial\"\n" + table + "test = \"friedman\"\n" + solver_entry).analysis.test ==
         DecidingTest::friedman);
 }
 
 TEST_CASE("points are no observations, unless somebody insists", "[study][mistakes][analysis]") {
-  const std::string toml = "[analysis]\nunit = \"point\"\n" + entrant;
+  const std::string toml = "[analysis]\nunit = \"point\"\n" + solver_entry;
   CHECK(said_of(toml) ==
         "my.toml:2:8: analysis.unit is \"point\"; expected \"run\": points of one run depend on each other and are no "
         "replicates; a study of several runs has them; to insist: --force");
   CHECK(parse_study(toml, "my.toml", {}, PointsAsObservations::forced).analysis.unit == Unit::point);
 }
 
-TEST_CASE("what a circle, random targets and an entrant's population cannot be is told", "[study][mistakes]") {
+TEST_CASE("what a circle, random targets and a solver's own population cannot be is told", "[study][mistakes]") {
   const std::string circle = "[path]\nkind = \"circle\"\n", random = "[path]\nkind = \"random\"\n";
-  check({{circle + "points = 0\n" + entrant, "my.toml:3:10: ", {"path.points is 0", "from 1 to 100000"}},
-         {circle + "points = 1000000000\n" + entrant, "my.toml:3:10: ", {"path.points is 1000000000"}},
-         {circle + "radius_cm = nan\n" + entrant, "my.toml:3:13: ", {"path.radius_cm is nan", "from 0 to 1000000"}},
-         {circle + "radius_cm = -1\n" + entrant, "my.toml:3:13: ", {"path.radius_cm is -1"}},
-         {circle + "centre_cm = [0, inf, 0]\n" + entrant, "my.toml:3:17: ", {"path.centre_cm is inf"}},
-         {circle + "phase = \"cos_sin\"\n" + entrant, "my.toml:3:1: ", {"unknown key \"phase\"", "centre_cm"}},
-         {random + "points = 0\n" + entrant, "my.toml:3:10: ", {"path.points is 0", "from 1 to 100000"}},
-         {random + "points = 1e9\n" + entrant, "my.toml:3:10: ", {"path.points is 1000000000.0", "a whole number"}},
-         {random + "radius_cm = 7\n" + entrant, "my.toml:3:1: ", {"unknown key \"radius_cm\"", "points"}},
-         {"runs = 1000000\n" + random + "points = 100000\n" + entrant, "my.toml:1:8: ", {"100 000 000 solves"}},
-         {entrant + "population = 0\n", "my.toml:3:14: ", {"ik_bat.population is 0", "from 1 to 100000"}},
-         {entrant + "population = 1000000000\n", "my.toml:3:14: ", {"ik_bat.population is 1000000000"}},
-         {entrant + "population = nan\n", "my.toml:3:14: ", {"ik_bat.population is nan", "a whole number"}},
-         {entrant + "population = \"12\"\n", "my.toml:3:14: ", {"ik_bat.population is \"12\""}},
-         {"[[solvers]]\nsolver = \"differential_evolution\"\npopulation = 3\n",
-          "my.toml:3:14: ",
-          {"population is 3, but differential_evolution needs at least 4"}},
-         {"population = 3\n[[solvers]]\nsolver = \"differential_evolution\"\n",
-          "my.toml:1:14: ",
-          {"population is 3, but differential_evolution needs at least 4"}}});
+  check(
+      {{circle + "points = 0\n" + solver_entry, "my.toml:3:10: ", {"path.points is 0", "from 1 to 100000"}},
+       {circle + "points = 1000000000\n" + solver_entry, "my.toml:3:10: ", {"path.points is 1000000000"}},
+       {circle + "radius_cm = nan\n" + solver_entry, "my.toml:3:13: ", {"path.radius_cm is nan", "from 0 to 1000000"}},
+       {circle + "radius_cm = -1\n" + solver_entry, "my.toml:3:13: ", {"path.radius_cm is -1"}},
+       {circle + "centre_cm = [0, inf, 0]\n" + solver_entry, "my.toml:3:17: ", {"path.centre_cm is inf"}},
+       {circle + "phase = \"cos_sin\"\n" + solver_entry, "my.toml:3:1: ", {"unknown key \"phase\"", "centre_cm"}},
+       {random + "points = 0\n" + solver_entry, "my.toml:3:10: ", {"path.points is 0", "from 1 to 100000"}},
+       {random + "points = 1e9\n" + solver_entry, "my.toml:3:10: ", {"path.points is 1000000000.0", "a whole number"}},
+       {random + "radius_cm = 7\n" + solver_entry, "my.toml:3:1: ", {"unknown key \"radius_cm\"", "points"}},
+       {"runs = 1000000\n" + random + "points = 100000\n" + solver_entry, "my.toml:1:8: ", {"100 000 000 solves"}},
+       {solver_entry + "population = 0\n", "my.toml:3:14: ", {"ik_bat.population is 0", "from 1 to 100000"}},
+       {solver_entry + "population = 1000000000\n", "my.toml:3:14: ", {"ik_bat.population is 1000000000"}},
+       {solver_entry + "population = nan\n", "my.toml:3:14: ", {"ik_bat.population is nan", "a whole number"}},
+       {solver_entry + "population = \"12\"\n", "my.toml:3:14: ", {"ik_bat.population is \"12\""}},
+       {"[[solvers]]\nsolver = \"differential_evolution\"\npopulation = 3\n",
+        "my.toml:3:14: ",
+        {"population is 3, but differential_evolution needs at least 4"}},
+       {"population = 3\n[[solvers]]\nsolver = \"differential_evolution\"\n",
+        "my.toml:1:14: ",
+        {"population is 3, but differential_evolution needs at least 4"}}});
 }
 
 TEST_CASE("a study that enforces the limits asks nothing that breaks them", "[study][mistakes]") {
   const std::string enforced = "limits = \"enforced\"\n";
-  check({{enforced + "bounds = \"initial\"\n" + entrant, "my.toml:2:10: ", {"limits is \"enforced\""}},
-         {enforced + entrant + "options = { bounds = \"initial\" }\n", "my.toml:4:22: ", {"limits is \"enforced\""}},
-         {enforced + "initial_deg = [0, 120.5, 0, 0, 0, 0, 0]\n" + entrant,
-          "my.toml:2:15: ",
-          {"0.5 deg outside the limits", "ikbench list robots kuka_iiwa14"}},
-         {"limits = \"strict\"\n" + entrant, "my.toml:1:10: ", {"\"recorded\", \"enforced\""}},
-         {"start = \"zero\"\n" + entrant, "my.toml:1:9: ", {"\"previous\", \"initial\""}}});
-  CHECK(read(enforced + "initial_deg = [0, 120, 0, -120, 0, 0, 175]\n" + entrant).limits == Limits::enforced);
+  check(
+      {{enforced + "bounds = \"initial\"\n" + solver_entry, "my.toml:2:10: ", {"limits is \"enforced\""}},
+       {enforced + solver_entry + "options = { bounds = \"initial\" }\n", "my.toml:4:22: ", {"limits is \"enforced\""}},
+       {enforced + "initial_deg = [0, 120.5, 0, 0, 0, 0, 0]\n" + solver_entry,
+        "my.toml:2:15: ",
+        {"0.5 deg outside the limits", "ikbench list robots kuka_iiwa14"}},
+       {"limits = \"strict\"\n" + solver_entry, "my.toml:1:10: ", {"\"recorded\", \"enforced\""}},
+       {"start = \"zero\"\n" + solver_entry, "my.toml:1:9: ", {"\"previous\", \"initial\""}}});
+  CHECK(read(enforced + "initial_deg = [0, 120, 0, -120, 0, 0, 175]\n" + solver_entry).limits == Limits::enforced);
 }
 
 TEST_CASE("a number out of its range is shown with the range", "[study][mistakes]") {
-  check({{"runs = 0\n" + entrant, "my.toml:1:8: ", {"runs is 0", "from 1 to 1000000"}},
-         {"seed = -1\n" + entrant, "my.toml:1:8: ", {"seed is -1", "from 0 to 9223372036854775807"}},
-         {"seed = 9223372036854775808\n" + entrant, "my.toml:1:", {"9223372036854775808"}},
-         {"population = 100001\n" + entrant, "my.toml:1:14: ", {"population is 100001", "from 1 to 100000"}},
-         {"[stop]\niterations = -1\n" + entrant, "my.toml:2:14: ", {"stop.iterations is -1", "from 0 to"}},
-         {"[path]\npoints = 0\n" + entrant, "my.toml:2:10: ", {"path.points is 0", "from 1 to 100000"}},
-         {"[path]\nradius_cm = -1\n" + entrant, "my.toml:2:13: ", {"path.radius_cm is -1", "from 0 to"}},
-         {"[path]\ncentre_cm = [0, 0, 1e7]\n" + entrant, "my.toml:2:20: ", {"path.centre_cm is", "within +-1e6"}},
-         {entrant + "options = { alpha = 1.5 }\n",
+  check({{"runs = 0\n" + solver_entry, "my.toml:1:8: ", {"runs is 0", "from 1 to 1000000"}},
+         {"seed = -1\n" + solver_entry, "my.toml:1:8: ", {"seed is -1", "from 0 to 9223372036854775807"}},
+         {"seed = 9223372036854775808\n" + solver_entry, "my.toml:1:", {"9223372036854775808"}},
+         {"population = 100001\n" + solver_entry, "my.toml:1:14: ", {"population is 100001", "from 1 to 100000"}},
+         {"[stop]\niterations = -1\n" + solver_entry, "my.toml:2:14: ", {"stop.iterations is -1", "from 0 to"}},
+         {"[path]\npoints = 0\n" + solver_entry, "my.toml:2:10: ", {"path.points is 0", "from 1 to 100000"}},
+         {"[path]\nradius_cm = -1\n" + solver_entry, "my.toml:2:13: ", {"path.radius_cm is -1", "from 0 to"}},
+         {"[path]\ncentre_cm = [0, 0, 1e7]\n" + solver_entry, "my.toml:2:20: ", {"path.centre_cm is", "within +-1e6"}},
+         {solver_entry + "options = { alpha = 1.5 }\n",
           "my.toml:3:21: ",
           {"option alpha is \"1.5\"", "a number from 0 to 1"}}});
 }
 
 TEST_CASE("what is not a finite number is refused wherever a number stands", "[study][mistakes]") {
   for (const std::string bad : {"nan", "-nan", "inf", "-inf"}) {
-    check({{"[stop]\ntolerance_cm = " + bad + "\n" + entrant,
+    check({{"[stop]\ntolerance_cm = " + bad + "\n" + solver_entry,
             "my.toml:2:16: ",
             {"stop.tolerance_cm is", "a number from 0"}},
-           {"[stop]\niterations = " + bad + "\n" + entrant, "my.toml:2:14: ", {"a whole number"}},
-           {"[path]\nturns = " + bad + "\n" + entrant, "my.toml:2:9: ", {"a number from"}},
-           {"[path]\ncentre_cm = [0, 0, " + bad + "]\n" + entrant, "my.toml:2:20: ", {"a list of 3 numbers"}},
-           {"initial_deg = [0, 0, 0, 0, 0, 0, " + bad + "]\n" + entrant, "my.toml:1:34: ", {"a list of numbers"}},
-           {entrant + "options = { alpha = " + bad + " }\n", "my.toml:3:21: ", {"a number from 0 to 1"}},
-           {"[path]\nkind = \"poses\"\nposes = [{ position_cm = [0, 0, " + bad + "] }]\n" + entrant,
+           {"[stop]\niterations = " + bad + "\n" + solver_entry, "my.toml:2:14: ", {"a whole number"}},
+           {"[path]\nturns = " + bad + "\n" + solver_entry, "my.toml:2:9: ", {"a number from"}},
+           {"[path]\ncentre_cm = [0, 0, " + bad + "]\n" + solver_entry, "my.toml:2:20: ", {"a list of 3 numbers"}},
+           {"initial_deg = [0, 0, 0, 0, 0, 0, " + bad + "]\n" + solver_entry, "my.toml:1:34: ", {"a list of numbers"}},
+           {solver_entry + "options = { alpha = " + bad + " }\n", "my.toml:3:21: ", {"a number from 0 to 1"}},
+           {"[path]\nkind = \"poses\"\nposes = [{ position_cm = [0, 0, " + bad + "] }]\n" + solver_entry,
             "my.toml:3:33: ",
             {"a list of 3 numbers"}}});
   }
@@ -564,40 +572,40 @@ TEST_CASE("a misspelt solver or robot is answered with the nearest and all there
   check({{"[[solvers]]\nsolver = \"ik_bta\"\n",
           "my.toml:2:10: ",
           {"unknown solver \"ik_bta\"", "did you mean \"ik_bat\"?", "damped_least_squares"}},
-         {"robot = \"planr_2\"\n" + entrant,
+         {"robot = \"planr_2\"\n" + solver_entry,
           "my.toml:1:9: ",
           {"unknown robot \"planr_2\"", "did you mean \"planar_2\"?", "kuka_iiwa14"}},
-         {entrant + "options = { bounds = \"clmap\" }\n",
+         {solver_entry + "options = { bounds = \"clmap\" }\n",
           "my.toml:3:22: ",
           {"option bounds is \"clmap\"", "one of initial, clamp"}}});
 }
 
 TEST_CASE("a label stands once in a study", "[study][mistakes]") {
-  check({{entrant + entrant, "my.toml:3:1: ", {"label \"ik_bat\" is used twice"}},
-         {entrant + "label = \"A\"\n[[solvers]]\nsolver = \"bat\"\nlabel = \"A\"\n",
+  check({{solver_entry + solver_entry, "my.toml:3:1: ", {"label \"ik_bat\" is used twice"}},
+         {solver_entry + "label = \"A\"\n[[solvers]]\nsolver = \"bat\"\nlabel = \"A\"\n",
           "my.toml:4:1: ",
           {"label \"A\" is used twice"}}});
-  CHECK(read(entrant + entrant + "label = \"IK-BA again\"\n").solvers.size() == 2);
+  CHECK(read(solver_entry + solver_entry + "label = \"IK-BA again\"\n").solvers.size() == 2);
 }
 
 TEST_CASE("what fields ask of each other is checked where one of them stands", "[study][mistakes]") {
-  check({{"robot = \"planar_2\"\nsearch = \"wrist\"\n" + entrant,
+  check({{"robot = \"planar_2\"\nsearch = \"wrist\"\n" + solver_entry,
           "my.toml:2:10: ",
           {"search is \"wrist\"", "planar_2 has no spherical wrist", "expected \"all_joints\""}},
-         {"robot = \"planar_2\"\n" + entrant, "my.toml:1:1: ", {"search is \"wrist\"", "expected \"all_joints\""}},
-         {"initial_deg = [0, 0]\n" + entrant,
+         {"robot = \"planar_2\"\n" + solver_entry, "my.toml:1:1: ", {"search is \"wrist\"", "expected \"all_joints\""}},
+         {"initial_deg = [0, 0]\n" + solver_entry,
           "my.toml:1:15: ",
           {"has 2 angles", "expected 7, one for each joint of kuka_iiwa14"}},
-         {planar + "initial_deg = [0, 0, 0]\n" + entrant,
+         {planar + "initial_deg = [0, 0, 0]\n" + solver_entry,
           "my.toml:3:15: ",
           {"has 3 angles", "expected 2, one for each joint of planar_2"}}});
 }
 
 TEST_CASE("a pose is a place and a rotation", "[study][mistakes]") {
   const auto with_poses = [](const std::string& poses) {
-    return "[path]\nkind = \"poses\"\nposes = " + poses + "\n" + entrant;
+    return "[path]\nkind = \"poses\"\nposes = " + poses + "\n" + solver_entry;
   };
-  check({{"[path]\nkind = \"poses\"\n" + entrant, "my.toml:1:1: ", {"path.poses is missing", "position_cm"}},
+  check({{"[path]\nkind = \"poses\"\n" + solver_entry, "my.toml:1:1: ", {"path.poses is missing", "position_cm"}},
          {with_poses("[]"), "my.toml:3:9: ", {"path.poses is []", "a list of 1 to 100000 poses"}},
          {with_poses("[3]"), "my.toml:3:10: ", {"path.poses is 3"}},
          {with_poses("[{ rpy_deg = [0, 0, 0] }]"),
@@ -621,27 +629,27 @@ TEST_CASE("a pose is a place and a rotation", "[study][mistakes]") {
 
 TEST_CASE("names and labels are short and without control characters", "[study][mistakes]") {
   const std::string expected = "a text of at most 200 bytes without control characters";
-  check({{"name = \"a\\u001b[31m\"\n" + entrant, "my.toml:1:8: ", {"name is \"a\\u001B[31m\"", expected}},
-         {"name = \"a\\nb\"\n" + entrant, "my.toml:1:8: ", {"name is \"a\\nb\"", expected}},
-         {"name = \"\"\"\na\nb\"\"\"\n" + entrant, "my.toml:1:8: ", {expected}},
-         {"title = \"a\\u0000b\"\n" + entrant, "my.toml:1:9: ", {expected}},
-         {"title = \"\\u007f\"\n" + entrant, "my.toml:1:9: ", {expected}},
-         {entrant + "label = \"a\\tb\"\n", "my.toml:3:9: ", {expected}},
-         {entrant + "options = { bounds = \"cl\\namp\" }\n", "my.toml:3:22: ", {expected}},
-         {"name = \"" + std::string(201, 'x') + "\"\n" + entrant, "my.toml:1:8: ", {"...", expected}},
-         {"name = \"\"\n" + entrant, "my.toml:1:8: ", {"a non-empty name"}},
-         {entrant + "label = \"\"\n", "my.toml:3:9: ", {"a non-empty label"}}});
-  CHECK(read("name = \"" + std::string(200, 'x') + "\"\n" + entrant).name.size() == 200);
-  CHECK(said_of("name = \"" + std::string(100'000, 'x') + "\"\n" + entrant).size() < 300);
+  check({{"name = \"a\\u001b[31m\"\n" + solver_entry, "my.toml:1:8: ", {"name is \"a\\u001B[31m\"", expected}},
+         {"name = \"a\\nb\"\n" + solver_entry, "my.toml:1:8: ", {"name is \"a\\nb\"", expected}},
+         {"name = \"\"\"\na\nb\"\"\"\n" + solver_entry, "my.toml:1:8: ", {expected}},
+         {"title = \"a\\u0000b\"\n" + solver_entry, "my.toml:1:9: ", {expected}},
+         {"title = \"\\u007f\"\n" + solver_entry, "my.toml:1:9: ", {expected}},
+         {solver_entry + "label = \"a\\tb\"\n", "my.toml:3:9: ", {expected}},
+         {solver_entry + "options = { bounds = \"cl\\namp\" }\n", "my.toml:3:22: ", {expected}},
+         {"name = \"" + std::string(201, 'x') + "\"\n" + solver_entry, "my.toml:1:8: ", {"...", expected}},
+         {"name = \"\"\n" + solver_entry, "my.toml:1:8: ", {"a non-empty name"}},
+         {solver_entry + "label = \"\"\n", "my.toml:3:9: ", {"a non-empty label"}}});
+  CHECK(read("name = \"" + std::string(200, 'x') + "\"\n" + solver_entry).name.size() == 200);
+  CHECK(said_of("name = \"" + std::string(100'000, 'x') + "\"\n" + solver_entry).size() < 300);
 }
 
 TEST_CASE("what is not TOML is refused with the place where it ceases to be", "[study][mistakes]") {
   check({{"a = = 3\n", "my.toml:1:5: not TOML: ", {}},
          {"runs = 3\nruns = 4\n", "my.toml:2:", {"not TOML", "runs"}},
-         {"name = \"open\n" + entrant, "my.toml:1:", {"not TOML"}},
-         {"[path\n" + entrant, "my.toml:1:", {"not TOML"}},
+         {"name = \"open\n" + solver_entry, "my.toml:1:", {"not TOML"}},
+         {"[path\n" + solver_entry, "my.toml:1:", {"not TOML"}},
          {"\xff\xfe\x00", "my.toml:1:", {}},
-         {std::string("runs = 3\n\0\0\0", 12) + entrant, "my.toml:2:", {"not TOML"}},
+         {std::string("runs = 3\n\0\0\0", 12) + solver_entry, "my.toml:2:", {"not TOML"}},
          {"\x7f"
           "ELF\x02\x01\x01",
           "my.toml:1:",
@@ -659,15 +667,15 @@ TEST_CASE("nesting deeper than anyone means is refused, not followed to the end 
          {"a = " + repeated("{a = ", 100'000), "my.toml:1:", {"not TOML"}},
          {"a" + repeated(".a", 100'000) + " = 1\n", "my.toml:1:", {"expected less deeply nested keys"}},
          {"\n[a" + repeated(". a", 100'000) + "]\n", "my.toml:2:", {"expected less deeply nested keys"}},
-         {repeated("a.", 400) + "a = 1\n" + entrant, "my.toml:1:1: ", {"unknown key \"a\""}}});
+         {repeated("a.", 400) + "a = 1\n" + solver_entry, "my.toml:1:1: ", {"unknown key \"a\""}}});
 }
 
 TEST_CASE("a file of more than 10 MB is not read", "[study][mistakes]") {
   const ScratchFolder folder;
   const std::filesystem::path file = folder.path / "large.toml";
-  write_text(file, entrant + "# " + std::string(10'000'000, 'x'));
+  write_text(file, solver_entry + "# " + std::string(10'000'000, 'x'));
   CHECK(contains(complaint<std::invalid_argument>([&] { load_study(file.string()); }), "at most 10 MB"));
-  write_text(file, entrant + "# " + std::string(1'000'000, 'x'));
+  write_text(file, solver_entry + "# " + std::string(1'000'000, 'x'));
   CHECK(load_study(file.string()).solvers.size() == 1);
 }
 
@@ -686,7 +694,7 @@ TEST_CASE("a study is a built-in name or a file, and anything else is told the n
 TEST_CASE("a mistake in a file is reported under the file's name", "[study][mistakes]") {
   const ScratchFolder folder;
   const std::string file = (folder.path / "with space.toml").string();
-  write_text(file, "# a comment\n\nruns = 0\n" + entrant);
+  write_text(file, "# a comment\n\nruns = 0\n" + solver_entry);
   CHECK(complaint<std::invalid_argument>([&] { load_study(file); }).starts_with(file + ":3:8: "));
 }
 
@@ -704,12 +712,13 @@ TEST_CASE("an override sets a field of the study, of its path or of its stop rul
 }
 
 TEST_CASE("an override reaches tables that the file does not have", "[study][set]") {
-  CHECK(read(entrant, {"stop.iterations=3"}).stop.iterations == 3);
-  CHECK(read(entrant, {"path.points=3"}).path->points() == 3);
+  CHECK(read(solver_entry, {"stop.iterations=3"}).stop.iterations == 3);
+  CHECK(read(solver_entry, {"path.points=3"}).path->points() == 3);
 }
 
-TEST_CASE("an override sets an option of the entrants with that label or that solver", "[study][set]") {
-  const std::string two = entrant + "label = \"A\"\n" + entrant + "label = \"B v1.0\"\noptions = { gamma = 0.5 }\n";
+TEST_CASE("an override sets an option of the solvers with that label or that solver", "[study][set]") {
+  const std::string two =
+      solver_entry + "label = \"A\"\n" + solver_entry + "label = \"B v1.0\"\noptions = { gamma = 0.5 }\n";
   Study study = read(two, {"A.alpha=0.25"});
   CHECK(study.solvers[0].options == Settings{{"alpha", "0.25"}});
   CHECK(study.solvers[1].options == Settings{{"gamma", "0.5"}});
@@ -720,44 +729,45 @@ TEST_CASE("an override sets an option of the entrants with that label or that so
   CHECK(study.solvers[1].options == Settings{{"gamma", "0.75"}});
 }
 
-TEST_CASE("an override sets an entrant's population, by its label or its solver's name", "[study][set]") {
+TEST_CASE("an override sets a solver's own population, by its label or its solver's name", "[study][set]") {
   const auto populations_of = [](const Overrides& overrides) {
     std::vector<int> found;
-    for (const Entrant& one : load_study("slim2023-time", overrides).solvers) found.push_back(one.population);
+    for (const SolverEntry& one : load_study("slim2023-time", overrides).solvers) found.push_back(one.population);
     return found;
   };
   CHECK(populations_of({"12 bats.population=16"}) == std::vector<int>{16, 15, 20, 30});
   CHECK(populations_of({"ik_bat.population=16"}) == std::vector<int>{16, 16, 16, 16});
-  CHECK(said_of(entrant, {"ik_bat.population=0"})
+  CHECK(said_of(solver_entry, {"ik_bat.population=0"})
             .starts_with("--set ik_bat.population: ik_bat.population is 0; expected a whole number from 1 to 100000"));
-  CHECK(said_of(entrant, {"ik_bat.population=1000000000"}).starts_with("--set ik_bat.population: "));
+  CHECK(said_of(solver_entry, {"ik_bat.population=1000000000"}).starts_with("--set ik_bat.population: "));
 }
 
 TEST_CASE("a kind of path in an override has that kind's keys", "[study][set]") {
-  CHECK(read(entrant, {"path.kind=random", "path.points=3"}).path->points() == 3);
-  CHECK(said_of(entrant, {"path.kind=random", "path.tool=down"}).starts_with("--set path.tool: unknown key \"tool\""));
+  CHECK(read(solver_entry, {"path.kind=random", "path.points=3"}).path->points() == 3);
+  CHECK(said_of(solver_entry, {"path.kind=random", "path.tool=down"})
+            .starts_with("--set path.tool: unknown key \"tool\""));
 }
 
 TEST_CASE("of two overrides of one field the later holds", "[study][set]") {
-  CHECK(read(entrant, {"runs=5", "runs=6"}).runs == 6);
+  CHECK(read(solver_entry, {"runs=5", "runs=6"}).runs == 6);
 }
 
 TEST_CASE("the text of an override is taken as it is typed, quotes or not", "[study][set]") {
-  CHECK(read(entrant, {"title=two words"}).title == "two words");
-  CHECK(read(entrant, {"title=  spaces around "}).title == "  spaces around ");
-  CHECK(read(entrant, {"title=\"in quotes\""}).title == "in quotes");
-  CHECK(read(entrant, {"title='it\"s'"}).title == "it\"s");
-  CHECK(read(entrant, {"title=it's"}).title == "it's");
-  CHECK(read(entrant, {"title=a=b"}).title == "a=b");
-  CHECK(read(entrant, {"title=$(touch pwned)`touch pwned`"}).title == "$(touch pwned)`touch pwned`");
-  CHECK(read(entrant, {"title=#1"}).title == "#1");
-  CHECK(read(entrant, {"title="}).title.empty());
+  CHECK(read(solver_entry, {"title=two words"}).title == "two words");
+  CHECK(read(solver_entry, {"title=  spaces around "}).title == "  spaces around ");
+  CHECK(read(solver_entry, {"title=\"in quotes\""}).title == "in quotes");
+  CHECK(read(solver_entry, {"title='it\"s'"}).title == "it\"s");
+  CHECK(read(solver_entry, {"title=it's"}).title == "it's");
+  CHECK(read(solver_entry, {"title=a=b"}).title == "a=b");
+  CHECK(read(solver_entry, {"title=$(touch pwned)`touch pwned`"}).title == "$(touch pwned)`touch pwned`");
+  CHECK(read(solver_entry, {"title=#1"}).title == "#1");
+  CHECK(read(solver_entry, {"title="}).title.empty());
 }
 
 TEST_CASE("an override adds one value and nothing else", "[study][set]") {
-  CHECK(contains(said_of(entrant, {"runs=5\nseed=3"}), "runs is \"5\\nseed=3\""));
-  CHECK(contains(said_of(entrant, {"title=a\nb"}), "without control characters"));
-  CHECK(contains(said_of(entrant, {"runs=5\n[path]\npoints=3"}), "--set runs: "));
+  CHECK(contains(said_of(solver_entry, {"runs=5\nseed=3"}), "runs is \"5\\nseed=3\""));
+  CHECK(contains(said_of(solver_entry, {"title=a\nb"}), "without control characters"));
+  CHECK(contains(said_of(solver_entry, {"runs=5\n[path]\npoints=3"}), "--set runs: "));
 }
 
 TEST_CASE("a mistake in an override is reported as that of --set, not of the file", "[study][set][mistakes]") {
@@ -786,7 +796,7 @@ TEST_CASE("a mistake in an override is reported as that of --set, not of the fil
       {"solvers=[{ solver = \"bta\" }]", "--set solvers.solver: unknown solver \"bta\""}};
   for (const auto& [override, expected] : mistakes) {
     INFO(override);
-    const std::string message = said_of("\n\n\n" + entrant, {override});
+    const std::string message = said_of("\n\n\n" + solver_entry, {override});
     INFO(message);
     CHECK(message.starts_with(expected));
     CHECK_FALSE(contains(message, "my.toml"));
@@ -796,13 +806,13 @@ TEST_CASE("a mistake in an override is reported as that of --set, not of the fil
 TEST_CASE("an override is key=value", "[study][set][mistakes]") {
   for (const std::string malformed : {"", "=", "=3", "runs", "runs 5", ".alpha=0.5", "ik_bat.=0.5", "."}) {
     INFO(malformed);
-    const std::string message = said_of(entrant, {malformed});
+    const std::string message = said_of(solver_entry, {malformed});
     INFO(message);
     CHECK(message.starts_with("--set"));
     CHECK(contains(message, "expected"));
   }
-  CHECK(said_of(entrant, {std::string(100'000, 'a') + "=1"}).size() < 400);
-  CHECK(said_of(entrant, {"a" + std::string(100'000, '.') + "b=1"}).size() < 400);
-  CHECK(said_of(entrant, {"title=" + std::string(100'000, '[')}).size() < 400);
-  CHECK(contains(said_of(entrant, {"path=3", "path.points=3"}), "--set path"));
+  CHECK(said_of(solver_entry, {std::string(100'000, 'a') + "=1"}).size() < 400);
+  CHECK(said_of(solver_entry, {"a" + std::string(100'000, '.') + "b=1"}).size() < 400);
+  CHECK(said_of(solver_entry, {"title=" + std::string(100'000, '[')}).size() < 400);
+  CHECK(contains(said_of(solver_entry, {"path=3", "path.points=3"}), "--set path"));
 }

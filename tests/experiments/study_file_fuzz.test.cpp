@@ -19,7 +19,7 @@ namespace {
 bool is_read(const std::string& text, const Overrides& overrides = {}) {
   try {
     const Study study = parse_study(text, "mutated.toml", overrides);
-    for (const Entrant& entrant : study.solvers) solver(entrant.solver);
+    for (const SolverEntry& entry : study.solvers) solver(entry.solver);
     return !study.solvers.empty() && study.runs >= 1;
   } catch (const std::invalid_argument& error) {
     const std::string message = error.what();

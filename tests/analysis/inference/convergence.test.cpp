@@ -87,26 +87,26 @@ TEST_CASE("an error is reached when the first iteration that has it is done", "[
   // 4 iterations of 400 evaluations: 100 each. By hand.
   const SolveRecord solve = solve_with_trace({8, 3, 3, 0.5}, 400);
   const std::vector<double> targets{10, 8, 5, 1, 0.5, 0.1};
-  CHECK(costs_to_targets(solve, targets, Cost::evaluations) == std::vector<double>{100, 100, 200, 400, 400, never});
+  CHECK(costs_to_targets(solve, targets, Cost::evaluations) == std::vector<double>{100, 100, 200, 400, 400, censored});
   CHECK(costs_to_targets(solve, targets, Cost::seconds)[2] == Approx(200e-6));
 }
 
 TEST_CASE("a solve that ended before its first iteration has reached its error with all it cost", "[convergence]") {
   SolveRecord solve = solve_with_trace({}, 50);
   solve.position_error_cm = 0.2;
-  CHECK(has_course(solve));
+  CHECK(has_trace(solve));
   CHECK(costs_to_targets(solve, std::vector<double>{1, 0.2, 0.1}, Cost::evaluations) ==
-        std::vector<double>{50, 50, never});
+        std::vector<double>{50, 50, censored});
   solve.iterations = 7;  // went on, and nobody wrote down how
-  CHECK(!has_course(solve));
+  CHECK(!has_trace(solve));
 }
 
 TEST_CASE("a trace whose answer the verifier does not confirm reaches nothing", "[convergence]") {
   SolveRecord solve = solve_with_trace({8, 3, 0.5}, 300);
   for (const Status status : {Status::claimed_but_wrong, Status::refused, Status::not_finite}) {
     solve.status = status;
-    CHECK(costs_to_targets(solve, std::vector<double>{10}, Cost::evaluations).front() == never);
-    CHECK(error_bands({&solve}, std::vector<double>{300}).front().median == never);
+    CHECK(costs_to_targets(solve, std::vector<double>{10}, Cost::evaluations).front() == censored);
+    CHECK(error_bands({&solve}, std::vector<double>{300}).front().median == censored);
   }
   for (const Status status : {Status::ok, Status::tolerance_missed, Status::limit_violated}) {
     solve.status = status;
@@ -120,7 +120,7 @@ TEST_CASE("the band at a number of evaluations is that of the errors that the so
   Solves all;
   for (const SolveRecord& solve : solves) all.push_back(&solve);
   const std::vector<Band> bands = error_bands(all, std::vector<double>{99, 100, 250, 400});
-  CHECK(bands[0].median == never);  // before the first iteration is done
+  CHECK(bands[0].median == censored);  // before the first iteration is done
   // Type 5 of four values: the quartiles lie midway between neighbours. 12 16 20 40 at 100 evaluations.
   CHECK(bands[1].low == 14);
   CHECK(bands[1].median == 18);
@@ -140,7 +140,7 @@ TEST_CASE("an answer that is not finite is worse than every number, not left out
                                         solve_with_trace({not_a_number}, 10)};
   const Band band = error_bands({&solves[0], &solves[1], &solves[2]}, std::vector<double>{10}).front();
   CHECK(band.median == 2);
-  CHECK(band.high == never);
+  CHECK(band.high == censored);
 }
 
 TEST_CASE("every iteration counts as done at its own number of evaluations, whatever the rounding", "[convergence]") {
@@ -184,13 +184,13 @@ TEST_CASE("target errors go down to the tolerance of the study, or below what wa
 }
 
 TEST_CASE("the share within a value counts what never comes in the whole alone", "[convergence]") {
-  const std::vector<Share> shares = shares_within({3, never, 1, 3});
+  const std::vector<Share> shares = shares_within({3, censored, 1, 3});
   REQUIRE(shares.size() == 2);
   CHECK(shares[0].at == 1);
   CHECK(shares[0].share == 0.25);
   CHECK(shares[1].at == 3);
   CHECK(shares[1].share == 0.75);
-  CHECK(shares_within({never, never}).empty());
+  CHECK(shares_within({censored, censored}).empty());
   CHECK(shares_within({}).empty());
 }
 
@@ -207,14 +207,14 @@ TEST_CASE("a distribution of many values is drawn at few positions, and is exact
 }
 
 TEST_CASE("the performance profile of two solvers at four problems", "[convergence]") {
-  // Ratios to the smaller, by hand: A 1 1 4 1, B 2 1 1 never.
+  // Ratios to the smaller, by hand: A 1 1 4 1, B 2 1 1 censored.
   const StudyResults study = two_solvers({1, 5, 8, 2}, {2, 5, 2, not_a_number});
   const Profile profile = performance_profile(study, final_error_cm);
   CHECK(profile.problems == 4);
   CHECK(profile.unsolved == 0);
   CHECK(profile.left_out == 0);
   CHECK(profile.ratios[0] == std::vector<double>{1, 1, 4, 1});
-  CHECK(profile.ratios[1] == std::vector<double>{2, 1, 1, never});
+  CHECK(profile.ratios[1] == std::vector<double>{2, 1, 1, censored});
   const std::vector<Share> of_a = shares_within(profile.ratios[0]), of_b = shares_within(profile.ratios[1]);
   CHECK(of_a[0].share == 0.75);
   CHECK(of_a[1].share == 1);
@@ -225,16 +225,16 @@ TEST_CASE("the performance profile of two solvers at four problems", "[convergen
 TEST_CASE("of two costs of zero neither is larger, and any other is infinitely many times as large", "[convergence]") {
   const Profile profile = performance_profile(two_solvers({0, 0, 1}, {0, 3, 1e-320}), final_error_cm);
   CHECK(profile.has_zero_costs);
-  CHECK(profile.ratios[0] == std::vector<double>{1, 1, never});  // 1e320 is no double
-  CHECK(profile.ratios[1] == std::vector<double>{1, never, 1});
+  CHECK(profile.ratios[0] == std::vector<double>{1, 1, censored});  // 1e320 is no double
+  CHECK(profile.ratios[1] == std::vector<double>{1, censored, 1});
 }
 
 TEST_CASE("a problem that every solver fails counts, and nobody solves it", "[convergence]") {
   const Profile profile = performance_profile(two_solvers({not_a_number, 1}, {not_a_number, 2}), final_error_cm);
   CHECK(profile.problems == 2);
   CHECK(profile.unsolved == 1);
-  CHECK(profile.ratios[0] == std::vector<double>{never, 1});
-  CHECK(profile.ratios[1] == std::vector<double>{never, 2});
+  CHECK(profile.ratios[0] == std::vector<double>{censored, 1});
+  CHECK(profile.ratios[1] == std::vector<double>{censored, 2});
 }
 
 TEST_CASE("a problem that a solver was not given, or was given otherwise, is left out", "[convergence]") {
@@ -264,7 +264,7 @@ TEST_CASE("in every problem that anyone solves somebody is the best", "[converge
   const StudyResults study = make_study("s", synthetic::solves({.runs = 4}));
   const Profile profile = performance_profile(study, final_error_cm);
   for (std::size_t problem = 0; problem < 80; ++problem) {
-    double smallest = never;
+    double smallest = censored;
     for (const auto& ratios : profile.ratios) smallest = std::min(smallest, ratios[problem]);
     CHECK(smallest == 1);
   }
@@ -361,7 +361,7 @@ TEST_CASE("an axis of costs is wider than its values, logarithmic where they dif
   CHECK(contains(cost_axis(300, 5000).settings, "1e3, 2e3, 5e3"));
   CHECK(!contains(cost_axis(1000, 1100).settings, "logscale"));
   CHECK(cost_axis(50, 50).left == 25);
-  CHECK(contains(cost_axis(never, 0).settings, "unset xtics"));
+  CHECK(contains(cost_axis(censored, 0).settings, "unset xtics"));
   CHECK(ratio_axis(9).right == 16);
   CHECK(ratio_axis(0).right == 2);  // nobody solves anything
 }

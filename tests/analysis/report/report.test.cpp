@@ -126,7 +126,7 @@ TEST_CASE("every link of a report leads to a file", "[report]") {
   CHECK(links == figures * 4 + tables * 3);  // of figures PDF, SVG, script and data; of tables three files each
 }
 
-TEST_CASE("a study with the same targets is shown in perspective, one with others is not", "[report]") {
+TEST_CASE("a study with the same targets is shown as a baseline, one with others is not", "[report]") {
   const TestFolder folder;
   Store store(folder.path() / "store.db", Store::Mode::write);
   save(store, {.shape = {.runs = 2}});
@@ -141,7 +141,7 @@ TEST_CASE("a study with the same targets is shown in perspective, one with other
       written_report(store, {.study = "slim2023", .folder = folder.path() / "out", .figures = {.render = false}});
   CHECK(contains(text_of_file(report.file), "## Baselines"));
   CHECK(!contains(text_of_file(report.file), "not beside the others"));
-  const std::string csv = text_of_file(folder.path() / "out/tables/perspective.csv");
+  const std::string csv = text_of_file(folder.path() / "out/tables/baselines.csv");
   CHECK(contains(csv, "\ncontext,random search,2,0,"));
   CHECK(contains(csv, "\nslim2023,MO-PSO,2,0,"));
   CHECK(!contains(csv, "elsewhere"));
@@ -415,11 +415,11 @@ TEST_CASE("points as observations are flagged at the top, in the tables and in t
   const auto table = [&](const std::string& name) {
     return text_of_file(folder.path() / "out/tables" / (name + ".md"));
   };
-  CHECK(contains(table("perspective"), "--force was given"));
+  CHECK(contains(table("baselines"), "--force was given"));
   CHECK(contains(table("table-4"), "p-values and standard deviations are too optimistic"));
   CHECK(contains(table("analysis-plan"), "Set on the command line after the data were collected, not by the study: "));
   CHECK(contains(table("analysis-plan"), "quartiles 5 -&gt; 7, unit run -&gt; point"));
-  CHECK(contains(text_of_file(folder.path() / "out/tables/perspective.csv"), "slim2023,IK-BA,400,"));  // 20 x 20
+  CHECK(contains(text_of_file(folder.path() / "out/tables/baselines.csv"), "slim2023,IK-BA,400,"));  // 20 x 20
 }
 
 TEST_CASE("without a word on the command line the study's plan decides", "[report][analysis]") {
