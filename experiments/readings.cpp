@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "experiments/series_key.hpp"
+#include "numerics/embedded_file.hpp"
 #include "numerics/names.hpp"
 #include "numerics/toml_table.hpp"
 
@@ -18,9 +19,18 @@ using namespace solvers;
 
 namespace {
 
-constexpr std::pair<std::string_view, std::string_view> reading_files[]{
+constexpr EmbeddedFile reading_files[]{
 #include "readings.inc"
 };
+
+Reading read_reading(TomlReader reader) {
+  Reading one;
+  reader.text("set", one.set, "");
+  reader.text("section", one.section, "");
+  reader.text("sentence", one.sentence, "");
+  reader.refuse_unknown_keys();
+  return one;
+}
 
 // What a reading sets: "path.tool" of "path.tool=eq27".
 std::string setting_of(const Reading& reading) { return reading.set.substr(0, reading.set.find('=')); }
@@ -37,18 +47,14 @@ const Reading& reading(const std::vector<Reading>& readings, const std::string& 
 }  // namespace
 
 std::vector<Reading> readings(std::string_view study) {
-  for (const auto& [file, text] : reading_files) {
-    if (file.substr(0, file.rfind('.')) != study) continue;
-    const toml::table table = parse_toml(text, file);
-    std::vector<Reading> list;
-    for (const toml::node& node : *table["readings"].as_array()) {
-      const toml::table& entry = *node.as_table();
-      const auto text_of = [&](const char* key) { return entry[key].value<std::string>().value(); };
-      list.push_back({text_of("set"), text_of("section"), text_of("sentence")});
-    }
-    return list;
+  const EmbeddedFile* const file = find_embedded(reading_files, study);
+  if (file == nullptr) return {};
+  const toml::table table = parse_toml(file->text, file->name);
+  std::vector<Reading> list;
+  for (const toml::node& node : *table["readings"].as_array()) {
+    list.push_back(read_reading({*node.as_table(), file->name, "readings."}));
   }
-  return {};
+  return list;
 }
 
 std::vector<Combination> one_at_a_time(const std::vector<Reading>& readings) {

@@ -7,10 +7,10 @@
 #include <set>
 #include <stdexcept>
 
-#include "experiments/built_in_studies.hpp"
 #include "experiments/study_fields.hpp"
 #include "experiments/study_overrides.hpp"
 #include "experiments/table_reader.hpp"
+#include "numerics/embedded_file.hpp"
 #include "numerics/names.hpp"
 #include "numerics/toml_table.hpp"
 #include "results/published.hpp"
@@ -25,6 +25,12 @@ using namespace solvers;
 using namespace results;
 
 namespace {
+
+constexpr EmbeddedFile study_files[]{
+#include "studies.inc"
+};
+
+std::string source_of(const EmbeddedFile& file) { return fmt::format("built-in study {}", file.stem()); }
 
 Path read_path(TomlReader reader) {
   const std::vector<Path> kinds = paths();
@@ -253,20 +259,21 @@ Study parse_study(std::string_view toml_text, std::string_view source, const Ove
 
 std::vector<Study> studies() {
   std::vector<Study> all;
-  for (const auto& [name, toml] : built_in_studies()) all.push_back(parse_study(toml, "built-in study " + name));
+  for (const EmbeddedFile& file : study_files) all.push_back(parse_study(file.text, source_of(file)));
+  std::ranges::sort(all, {}, &Study::name);
   return all;
 }
 
 Study load_study(const std::string& name_or_file, const Overrides& overrides,
                  PointsAsObservations points_as_observations) {
-  std::vector<std::string> names;
-  for (const auto& [name, toml] : built_in_studies()) {
-    if (name == name_or_file) return parse_study(toml, "built-in study " + name, overrides, points_as_observations);
-    names.push_back(name);
-  }
+  if (const EmbeddedFile* const file = find_embedded(study_files, name_or_file))
+    return parse_study(file->text, source_of(*file), overrides, points_as_observations);
   std::error_code error;
   const std::filesystem::path file = name_or_file;
   if (!std::filesystem::is_regular_file(file, error)) {
+    std::vector<std::string> names;
+    for (const EmbeddedFile& embedded : study_files) names.emplace_back(embedded.stem());
+    std::ranges::sort(names);
     throw std::invalid_argument("no such file, and " + unknown_name("built-in study", name_or_file, names));
   }
   return parse_study(text_of_file(file), name_or_file, overrides, points_as_observations);

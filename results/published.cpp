@@ -6,27 +6,25 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "numerics/embedded_file.hpp"
+
 namespace ikbench::results::published {
+
+using namespace numerics;
+
 namespace {
 
-struct Embedded {
-  std::string_view file;  // "slim2023/table-3.csv"
-  std::string_view csv;
-
-  std::string_view paper() const { return file.substr(0, file.find('/')); }
-  std::string_view name() const { return file.substr(paper().size() + 1, file.rfind('.') - paper().size() - 1); }
-};
-
-constexpr Embedded embedded_tables[] = {
+constexpr EmbeddedFile files[]{
 #include "published_tables.inc"
 };
+
+std::string_view paper_of(const EmbeddedFile& file) { return file.name.substr(0, file.name.find('/')); }
 
 }  // namespace
 
 CsvTable table(std::string_view paper, std::string_view name) {
-  for (const Embedded& embedded : embedded_tables)
-    if (embedded.paper() == paper && embedded.name() == name)
-      return parse_csv(embedded.csv, std::string(embedded.file));
+  if (const EmbeddedFile* const file = find_embedded(files, fmt::format("{}/{}", paper, name)))
+    return parse_csv(file->text, std::string(file->name));
   const auto names = tables(paper);
   if (names.empty())
     throw std::invalid_argument(
@@ -37,15 +35,15 @@ CsvTable table(std::string_view paper, std::string_view name) {
 
 std::vector<std::string_view> papers() {
   std::vector<std::string_view> names;
-  for (const Embedded& embedded : embedded_tables)
-    if (std::find(names.begin(), names.end(), embedded.paper()) == names.end()) names.push_back(embedded.paper());
+  for (const EmbeddedFile& file : files)
+    if (std::ranges::find(names, paper_of(file)) == names.end()) names.push_back(paper_of(file));
   return names;
 }
 
 std::vector<std::string_view> tables(std::string_view paper) {
   std::vector<std::string_view> names;
-  for (const Embedded& embedded : embedded_tables)
-    if (embedded.paper() == paper) names.push_back(embedded.name());
+  for (const EmbeddedFile& file : files)
+    if (paper_of(file) == paper) names.push_back(file.stem().substr(paper.size() + 1));
   return names;
 }
 

@@ -1,9 +1,9 @@
 #include "robots/robot.hpp"
 
 #include <algorithm>
-#include <array>
 #include <stdexcept>
 
+#include "numerics/embedded_file.hpp"
 #include "numerics/names.hpp"
 #include "numerics/toml_table.hpp"
 #include "robots/arm_fields.hpp"
@@ -14,16 +14,11 @@ using namespace numerics;
 
 namespace {
 
-struct ArmFile {
-  std::string_view name, text;
-  std::string_view arm() const { return name.substr(0, name.rfind('.')); }
+constexpr EmbeddedFile arm_files[]{
+#include "arms.inc"
 };
 
-constexpr auto arm_files = std::to_array<ArmFile>({
-#include "arms.inc"
-});
-
-Robot built_in(const ArmFile& file) { return parse_robot(file.text, file.name); }
+Robot built_in(const EmbeddedFile& file) { return parse_robot(file.text, file.name); }
 
 LimitedLink read_link(TomlReader reader) {
   LimitedLink one;
@@ -83,16 +78,14 @@ double JointLimits::violation(const ConfigurationRef& q) const {
 
 std::vector<Robot> all_robots() {
   std::vector<Robot> all;
-  for (const ArmFile& file : arm_files) all.push_back(built_in(file));
+  for (const EmbeddedFile& file : arm_files) all.push_back(built_in(file));
   return all;
 }
 
 Robot robot(std::string_view name) {
+  if (const EmbeddedFile* const file = find_embedded(arm_files, name)) return built_in(*file);
   std::vector<std::string> names;
-  for (const ArmFile& file : arm_files) {
-    if (file.arm() == name) return built_in(file);
-    names.emplace_back(file.arm());
-  }
+  for (const EmbeddedFile& file : arm_files) names.emplace_back(file.stem());
   throw std::invalid_argument(unknown_name("robot", name, names));
 }
 

@@ -10,6 +10,7 @@
 
 #include "analysis/inference/text.hpp"
 #include "analysis/report/encoding.hpp"
+#include "numerics/embedded_file.hpp"
 #include "results/files.hpp"
 
 namespace ikbench::report {
@@ -21,12 +22,12 @@ using namespace figures;
 namespace {
 
 // The files of templates/ (embed.cmake).
-constexpr std::pair<std::string_view, std::string_view> templates[]{
+constexpr numerics::EmbeddedFile templates[]{
 #include "templates.inc"
 };
 
 constexpr std::string_view template_named(std::string_view name) {
-  return std::ranges::find(templates, name, &std::pair<std::string_view, std::string_view>::first)->second;
+  return std::ranges::find(templates, name, &numerics::EmbeddedFile::name)->text;
 }
 
 constexpr std::string_view report_html = template_named("report.html"), report_css = template_named("report.css"),
