@@ -9,6 +9,7 @@
 #include "analysis/figures/figure_parts.hpp"
 #include "analysis/inference/text.hpp"
 #include "analysis/statistics/descriptive.hpp"
+#include "analysis/statistics/quantile.hpp"
 #include "numerics/number.hpp"
 
 namespace ikbench::figures {

@@ -86,7 +86,7 @@ std::vector<Block> layout(const StudyResults& study, Blocks blocks) {
 
 namespace {
 
-std::string replicate_of(const StudyResults& study) {
+std::string replicate_of(const StudyResults& study, Unit unit) {
   if (unit == Unit::point) return "one point of a run";
   return study.points == 1 ? "the only solve of a run"
                            : fmt::format("the mean of a run over its {} points", study.points);

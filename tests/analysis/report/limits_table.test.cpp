@@ -39,6 +39,11 @@ StudyResults study_of(const std::string& name, const char* limits, const std::ve
 }
 
 // Means by hand: recorded IK-BA 2, DE 4; enforced IK-BA 11 (1 without the refused answer), DE 3.
+std::optional<Table> limits_of(const std::vector<StudyResults>& studies) {
+  const std::vector<JudgedStudy> judged(studies.begin(), studies.end());
+  return limits_table({judged.begin(), judged.end()});
+}
+
 const StudyResults recorded = study_of("free", "recorded",
                                        {{"IK-BA", 1, 40, Status::limit_violated},
                                         {"IK-BA", 3, 60},
@@ -52,7 +57,7 @@ const StudyResults enforced = study_of(
 }  // namespace
 
 TEST_CASE("the limits table sets a study beside the one that enforces the limits", "[limits]") {
-  const Table table = *limits_table({recorded, enforced});
+  const Table table = *limits_of({recorded, enforced});
   CHECK(table.name == "limits");
   REQUIRE(table.rows.size() == 4);  // solvers of both, twice
   CHECK(number_at(table, 0, "mean_position_error_cm") == 2);
@@ -71,7 +76,7 @@ TEST_CASE("the limits table sets a study beside the one that enforces the limits
 }
 
 TEST_CASE("what survives is said of every solver", "[limits]") {
-  const Table table = *limits_table({recorded, enforced});
+  const Table table = *limits_of({recorded, enforced});
   CHECK(has_note(table, "IK-BA: position error 2 -> 11 cm (5.5 x), 1 cm for accepted answers; "));
   CHECK(has_note(
       table,
@@ -87,14 +92,14 @@ TEST_CASE("what survives is said of every solver", "[limits]") {
 
 TEST_CASE("a solver gains no place in variation by being refused", "[limits]") {
   const Table table =
-      *limits_table({study_of("free", "recorded", {{"IK-BA", 1, 40}, {"IK-BA", 1, 40}, {"DE", 1, 300}, {"DE", 1, 300}}),
-                     study_of("held", "enforced",
-                              {{"IK-BA", 1, 42},
-                               {"IK-BA", 1, 44},
-                               {"DE", 9, 0, Status::refused},
-                               {"DE", 9, 0, Status::refused},
-                               {"DE", 9, 0, Status::refused},
-                               {"DE", 1, 120}})});
+      *limits_of({study_of("free", "recorded", {{"IK-BA", 1, 40}, {"IK-BA", 1, 40}, {"DE", 1, 300}, {"DE", 1, 300}}),
+                  study_of("held", "enforced",
+                           {{"IK-BA", 1, 42},
+                            {"IK-BA", 1, 44},
+                            {"DE", 9, 0, Status::refused},
+                            {"DE", 9, 0, Status::refused},
+                            {"DE", 9, 0, Status::refused},
+                            {"DE", 1, 120}})});
   CHECK(number_at(table, 3, "mean_variation_deg") == 30);  // less than 43 of IK-BA, by three refusals
   CHECK(number_at(table, 3, "mean_accepted_variation_deg") == 120);
   CHECK(number_at(table, 1, "rank_variation") == 1);
@@ -108,7 +113,7 @@ TEST_CASE("a solver gains no place in variation by being refused", "[limits]") {
 
 TEST_CASE("a place that is shared makes no solver the first", "[limits]") {
   const StudyResults alike = study_of("free", "recorded", {{"IK-BA", 1, 40}, {"DE", 1, 40}});
-  const Table table = *limits_table({alike, study_of("held", "enforced", {{"IK-BA", 1, 40}, {"DE", 2, 40}})});
+  const Table table = *limits_of({alike, study_of("held", "enforced", {{"IK-BA", 1, 40}, {"DE", 2, 40}})});
   CHECK(has_note(table,
                  "rank by error: 1 (shared) -> 1 of 2, now ranked first; rank by variation: 1 (shared) -> 1 (shared) "
                  "of 2, unchanged."));
@@ -118,21 +123,21 @@ TEST_CASE("a place that is shared makes no solver the first", "[limits]") {
 }
 
 TEST_CASE("the reported study may be either of the two", "[limits]") {
-  const Table table = *limits_table({enforced, recorded});
+  const Table table = *limits_of({enforced, recorded});
   CHECK(std::get<std::string>(cell_at(table, 0, "study")) == "free");
   CHECK(std::get<std::string>(cell_at(table, 1, "limits")) == "enforced");
 }
 
 TEST_CASE("without a counterpart there is no limits table", "[limits]") {
   CHECK(!limits_table({}));
-  CHECK(!limits_table({recorded}));
-  CHECK(!limits_table({enforced, enforced}));
-  CHECK(!limits_table({recorded, study_of("s", "enforced", {{"another", 1, 1}})}));
-  CHECK(!limits_table({recorded, study_of("s", "what", {{"IK-BA", 1, 1}})}));
+  CHECK(!limits_of({recorded}));
+  CHECK(!limits_of({enforced, enforced}));
+  CHECK(!limits_of({recorded, study_of("s", "enforced", {{"another", 1, 1}})}));
+  CHECK(!limits_of({recorded, study_of("s", "what", {{"IK-BA", 1, 1}})}));
 }
 
 TEST_CASE("answers that are not finite, refused throughout or not there leave no place", "[limits]") {
-  const Table table = *limits_table(
+  const Table table = *limits_of(
       {recorded, study_of("s", "enforced", {{"IK-BA", NAN, 1, Status::not_finite}, {"DE", 7, 0, Status::refused}})});
   CHECK(has_note(table, "IK-BA: position error 2 -> not defined cm, not defined cm for accepted answers"));
   CHECK(has_note(table, "not ranked by error in both studies"));

@@ -60,7 +60,7 @@ Report written_report(const Store& store, ReportRequest request) {
 }
 
 std::vector<std::string> summary_of(const StudyResults& study) {
-  return summary({study, {}, AnalysisPlan{}}, analysis::paper("slim2023"));
+  return summary({JudgedStudy(study)}, analysis::paper("slim2023"));
 }
 
 }  // namespace
