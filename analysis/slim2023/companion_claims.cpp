@@ -61,21 +61,16 @@ std::optional<Claim> real_time(const StudyResults& study) {
 
 // Table 8: errors of the order of rounding, which is a double's step times the length that is computed.
 std::optional<Claim> circle(const StudyResults& study) {
-  constexpr double step = std::numeric_limits<double>::epsilon(), order = 10, cm_in_m = 100;
+  constexpr double step = std::numeric_limits<double>::epsilon(), order = 10;
   const std::vector<PrintedPosture> postures = printed_table_8(study.published);
   if (!is_circle(study) || study.solves.empty() || postures.empty()) return std::nullopt;
   std::vector<double> printed, ours;
-  double farthest_cm = 0;
   for (const PrintedPosture& posture : postures) printed.push_back(posture.error_cm);
   for (const SolveRecord& solve : study.solves) {
-    if (solve.solver != study.solvers.front()) continue;
-    ours.push_back(solve.position_error_cm);
-    double square = 0;
-    for (const double coordinate : solve.target_position_m) square += coordinate * coordinate;
-    farthest_cm = std::max(farthest_cm, cm_in_m * std::sqrt(square));
+    if (solve.solver == study.solvers.front()) ours.push_back(solve.position_error_cm);
   }
   if (ours.empty()) return std::nullopt;
-  const double rounding = step * farthest_cm;
+  const double farthest_cm = farthest_target_cm(study), rounding = step * farthest_cm;
   const auto verdict_of = [&](double error) { return error <= order * rounding ? Verdict::holds : Verdict::fails; };
   return Claim{.statement = "IK-BA moves the Dobot Magician along a circle with an error at rounding level",
                .verdict = verdict_of(mean(ours)),
