@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <map>
 #include <optional>
 #include <set>
@@ -24,12 +23,7 @@ using namespace statistics;
 namespace {
 
 std::optional<double> mean_of(const std::vector<double>& values) {
-  if (values.empty()) return std::nullopt;
-  double sum = 0;
-  for (const double value : values) sum += value / static_cast<double>(values.size());
-  const bool finite = std::ranges::all_of(values, [](double value) { return std::isfinite(value); });
-  const double exact = finite ? mean(values) : sum;
-  return std::isfinite(exact) ? exact : sum;  // differences of huge numbers overflow, the sum of their shares does not
+  return values.empty() ? std::nullopt : std::optional(mean(values));
 }
 
 // One observation for all of the same group, block and run. It is whole with as many values as the one of its block

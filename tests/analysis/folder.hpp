@@ -4,10 +4,10 @@
 #include <stdlib.h>
 
 #include <filesystem>
-#include <fstream>
 #include <set>
-#include <sstream>
 #include <string>
+
+#include "results/files.hpp"
 
 namespace ikbench {
 
@@ -27,12 +27,7 @@ class TestFolder {
   std::filesystem::path folder_;
 };
 
-inline std::string text_of_file(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  std::ostringstream text;
-  text << stream.rdbuf();
-  return text.str();
-}
+inline std::string text_of_file(const std::filesystem::path& file) { return results::read_file(file).value_or(""); }
 
 // Every file below, relative to the folder.
 inline std::set<std::string> files_in(const std::filesystem::path& folder) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <sstream>
 
 #include "analysis/figures/critical_difference_figure.hpp"
 #include "analysis/figures/raincloud_figure.hpp"

@@ -236,29 +236,26 @@ TEST_CASE("the summary writes solvers that are the same to the bit as equal, and
 
 TEST_CASE("targets that no configuration reaches are told first", "[report]") {
   const TestFolder folder;
-  Store store(folder.path() / "store.db", Store::Mode::write);
-  save(store, {.definition = R"({"runs": 20, "points": 20, "search": "all_joints", "out_of_reach": {"points": 3,
-                                 "farthest_point": 7, "farthest_cm": 1012.345, "reach_cm": 82}})"});
-  const Report report =
-      written_report(store, {.study = "slim2023", .folder = folder.path() / "out", .figures = {.render = false}});
-  REQUIRE(!report.warnings.empty());
-  CHECK(report.warnings[0] ==
+  const auto report_where = [&](const std::string& search, const std::string& out_of_reach) {
+    Store store(folder.path() / (search + ".db"), Store::Mode::write);
+    save(store, {.definition = R"({"runs": 20, "points": 20, "search": ")" + search + R"(", "out_of_reach": )" +
+                               out_of_reach + "}"});
+    return written_report(store, {.study = "slim2023", .folder = folder.path() / search, .figures = {.render = false}});
+  };
+  const Report three =
+      report_where("all_joints", R"({"points": 3, "farthest_point": 7, "farthest_cm": 1012.345, "reach_cm": 82})");
+  REQUIRE(!three.warnings.empty());
+  CHECK(three.warnings[0] ==
         "3 of the 20 targets of a run are out of the arm's reach (the farthest is point 7: it is 1012 cm from the "
         "shoulder; the reach is 82 cm). No solver can reach them, so those errors say nothing about the solvers.");
-  const std::string text = text_of_file(report.file), page = text_of_file(report.page);
+  const std::string text = text_of_file(three.file), page = text_of_file(three.page);
   CHECK(text.find("3 of the 20 targets") < text.find("## Summary"));
   CHECK(page.find("3 of the 20 targets") < page.find("Summary in words"));
-}
 
-TEST_CASE("where the wrist is searched, it is the wrist's centre that a target puts out of reach", "[report]") {
-  const TestFolder folder;
-  Store store(folder.path() / "store.db", Store::Mode::write);
-  save(store, {.definition = R"({"runs": 20, "points": 20, "search": "wrist", "out_of_reach": {"points": 1,
-                                 "farthest_point": 7, "farthest_cm": 100, "reach_cm": 82}})"});
-  const Report report =
-      written_report(store, {.study = "slim2023", .folder = folder.path() / "out", .figures = {.render = false}});
-  REQUIRE(!report.warnings.empty());
-  CHECK(report.warnings[0] ==
+  const Report wrist =
+      report_where("wrist", R"({"points": 1, "farthest_point": 7, "farthest_cm": 100, "reach_cm": 82})");
+  REQUIRE(!wrist.warnings.empty());
+  CHECK(wrist.warnings[0] ==
         "1 of the 20 targets of a run is out of the arm's reach (point 7: the wrist's centre would be 100 cm from the "
         "shoulder; the reach is 82 cm). No solver can reach it, so those errors say nothing about the solvers.");
 }

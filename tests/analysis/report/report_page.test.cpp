@@ -1,5 +1,6 @@
 // What report.html is made of: pictures, claims, the arm's data, the policy, the order of pieces.
 #include <algorithm>
+#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "analysis/report/encoding.hpp"
