@@ -59,4 +59,14 @@ RunsNeeded runs_to_see(const GroupSummary& a, const GroupSummary& b, double diff
   });
 }
 
+RunsNeeded pairs_to_see(double std, double difference, const PowerGoal& goal) {
+  check(goal);
+  if (!std::isfinite(std)) return {.undefined = "the standard deviation of the differences is not defined"};
+  if (std::isnan(difference)) return {.undefined = "the difference is not defined"};
+  if (difference == 0) return {.undefined = "no number of pairs shows a difference of zero"};
+  if (!(std > 0)) return {.undefined = "all differences are equal, so any two pairs show one"};
+  return smallest_n(goal.power,
+                    [&](double n) { return two_sided_power(difference / std * std::sqrt(n), n - 1, goal.alpha); });
+}
+
 }  // namespace ikbench::statistics

@@ -1,5 +1,5 @@
-// How many runs a comparison needs: Welch's t-test through the noncentral t distribution (Cohen 1988) with
-// Satterthwaite's degrees of freedom.
+// How many runs a comparison needs: Welch's t-test, with Satterthwaite's degrees of freedom, and the paired one,
+// through the noncentral t distribution (Cohen 1988).
 #pragma once
 
 #include <string>
@@ -21,5 +21,7 @@ struct RunsNeeded {
 // The smallest equal n per group with which Welch's test shows a true difference of means where the groups spread as
 // these. std::invalid_argument unless 0 < alpha < power < 1.
 RunsNeeded runs_to_see(const GroupSummary& a, const GroupSummary& b, double difference, const PowerGoal& goal);
+// The smallest number of pairs with which the paired test shows it, where differences within pairs spread by `std`.
+RunsNeeded pairs_to_see(double std, double difference, const PowerGoal& goal);
 
 }  // namespace ikbench::statistics

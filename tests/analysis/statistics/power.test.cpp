@@ -24,6 +24,15 @@ TEST_CASE("against a constant group the runs are those of a one-sample test", "[
   CHECK(runs_to_see({0, 2, 10}, {0, 0, 10}, 1, {.power = 0.8}).n == 34);
 }
 
+TEST_CASE("pairs to see a difference are those of the paired test, rounded up", "[power]") {
+  // R's pwr.t.test(type = "paired") at power .8: d = .2 198.1508, d = .5 33.36713; power.t.test: d = 1 9.93785; SciPy
+  // 1.10.1's nct at power .9, d = .5: 44 pairs have 0.90003.
+  CHECK(pairs_to_see(1, 0.2, {.power = 0.8}).n == 199);
+  CHECK(pairs_to_see(2, -1, {.power = 0.8}).n == 34);
+  CHECK(pairs_to_see(1, 1, {.power = 0.8}).n == 10);
+  CHECK(pairs_to_see(1, 0.5, {.power = 0.9}).n == 44);
+}
+
 TEST_CASE("an enormous difference needs two runs", "[power]") {
   const GroupSummary group{0, 1, 5};
   for (const double difference : {1e6, 1e308, HUGE_VAL}) CHECK(runs_to_see(group, group, difference, {}).n == 2);
@@ -42,6 +51,10 @@ TEST_CASE("where no number of runs will do it says why", "[power]") {
   says(runs_to_see(constant, constant, 1, {}), "constant");
   says(runs_to_see(good, {1, not_defined, 1}, 1, {}), "fewer than two");
   says(runs_to_see(good, {1, not_defined, 5}, 1, {}), "not defined");
+  says(pairs_to_see(1, 0, {}), "difference of zero");
+  says(pairs_to_see(0, 1, {}), "equal");
+  says(pairs_to_see(not_defined, 1, {}), "not defined");
+  CHECK_THROWS_AS(pairs_to_see(1, 1, {.power = 1}), std::invalid_argument);
   CHECK_THROWS_AS(runs_to_see(good, good, 1, {.power = 1}), std::invalid_argument);
   CHECK_THROWS_AS(runs_to_see(good, good, 1, {.power = 0.8, .alpha = 0}), std::invalid_argument);
   CHECK_THROWS_AS(runs_to_see(good, good, 1, {.power = 0.01, .alpha = 0.05}), std::invalid_argument);
