@@ -78,6 +78,11 @@ void add_plan_options(CLI::App& command, AnalysisPlan& plan) {
   command.add_option("--control", plan.control, "group to compare the others with; default: compare every pair");
   add_significance_option(command, plan.significance);
   add_margin_option(command, plan.margin);
+  command
+      .add_option("--margin-cm", plan.margin_cm,
+                  "the same in cm, for quantities in cm; a difference within either margin does not matter")
+      ->check(number_in(margins_cm))
+      ->capture_default_str();
   command.add_option("--power", plan.power, "power with which the tests should detect a difference of the margin")
       ->check(number_in(powers))
       ->capture_default_str();

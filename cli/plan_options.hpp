@@ -7,7 +7,8 @@
 
 namespace ikbench::cli {
 
-// --test, --adjustment, --control, --significance, --margin, --power, --quartiles; defaults are what the plan holds.
+// --test, --adjustment, --control, --significance, --margin, --margin-cm, --power, --quartiles; defaults are what the
+// plan holds.
 void add_plan_options(CLI::App& command, results::AnalysisPlan& plan);
 
 // Each alone; --margin as "5%" or "0.05".

@@ -1,6 +1,7 @@
 // ikbench stats: the statistics of any data: a CSV of observations, or of published means and standard deviations.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <fstream>
@@ -9,6 +10,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "analysis/inference/margin.hpp"
 #include "analysis/inference/observations_csv.hpp"
 #include "analysis/inference/summaries_csv.hpp"
 #include "analysis/inference/text.hpp"
@@ -142,6 +144,14 @@ void check(const StatsArguments& arguments) {
   }
 }
 
+// A margin in cm is no margin of what is in another unit.
+void check_margin(const AnalysisPlan& plan, const std::vector<Assessment>& all) {
+  const auto in_cm = [](const Assessment& each) { return is_in_cm(each.heading); };  // which ends with the quantity
+  if (plan.margin_cm == 0 || std::ranges::any_of(all, in_cm)) return;
+  throw std::invalid_argument(
+      "--margin-cm: no quantity is in cm; expected a column whose name ends in _cm, or --quantity \"NAME [cm]\"");
+}
+
 constexpr std::size_t longest_cell = 120;  // on a terminal; the files have all
 
 void print(const Assessment& assessment) {
@@ -202,6 +212,7 @@ void add_stats(CLI::App& app, Invocation& invocation) {
     const std::string& source = arguments->summaries.empty() ? arguments->file : arguments->summaries;
     const std::string stem = source == "-" ? "input" : std::filesystem::path(source).stem().string();
     const std::vector<Assessment> assessments = assessments_of(*arguments);
+    check_margin(arguments->plan, assessments);
     const Report report = write_statistics(
         assessments,
         {.title = fmt::format("Statistics of {}",

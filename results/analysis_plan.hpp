@@ -37,6 +37,7 @@ struct AnalysisPlan {
   std::string control;         // label that the others are held against; empty: every pair is compared
   double significance = 0.05;  // of a test; intervals have the level 1 - significance
   double margin = 0.05;        // relative difference that matters: below it two solvers count as the same
+  double margin_cm = 0;        // the same in cm, for what is measured in cm; within either margin is within
   double power = 0.8;          // with which a difference of that size should be found
   int quartiles = 5;           // Hyndman-Fan type; 5 is MATLAB's
   Unit unit = Unit::run;

@@ -23,7 +23,8 @@ std::vector<std::pair<std::string, Enum>> choices_of(const std::array<std::strin
 }
 
 // Of study files, the command line and what a comparison is asked (analysis/inference/variant_metric.hpp) alike.
-constexpr std::pair<double, double> significances{0.0001, 0.2}, margins_percent{0, 99}, powers{0.5, 0.999};
+constexpr std::pair<double, double> significances{0.0001, 0.2}, margins_percent{0, 99}, margins_cm{0, 1000},
+    powers{0.5, 0.999};
 static_assert(2 * significances.second < powers.first,
               "one-sided tests double the significance; it is below any power");
 
@@ -39,6 +40,8 @@ void list_fields(Io& io, AnalysisPlan& plan) {
             "significance level of a test; intervals have level 1 - significance");
   io.number("margin_percent", plan.margin, percent, margins_percent,
             "smallest relative difference that matters; within it two solvers count as the same");
+  io.number("margin_cm", plan.margin_cm, 1, margins_cm,
+            "the same in cm, of errors in cm; a difference within either margin does not matter");
   io.number("power", plan.power, 1, powers, "power with which the tests should detect that difference");
   io.whole("quartiles", plan.quartiles, {1, 9}, "Hyndman-Fan type of quartiles; 5 as in MATLAB");
   io.choice("unit", plan.unit, choices_of<Unit>(unit_names),

@@ -7,17 +7,16 @@
 #include <limits>
 
 #include "analysis/inference/judge.hpp"
+#include "analysis/inference/margin.hpp"
+#include "analysis/inference/pair_ranks.hpp"
 #include "analysis/statistics/effect_size.hpp"
 #include "analysis/statistics/friedman.hpp"
-#include "analysis/statistics/kruskal_wallis.hpp"
-#include "analysis/statistics/mann_whitney.hpp"
 #include "analysis/statistics/multiple_comparisons.hpp"
-#include "analysis/statistics/p_adjust.hpp"
 #include "analysis/statistics/power.hpp"
 #include "analysis/statistics/proportion.hpp"
+#include "analysis/statistics/rounding.hpp"
 #include "analysis/statistics/studentized_range.hpp"
 #include "analysis/statistics/welch.hpp"
-#include "analysis/statistics/wilcoxon_signed_rank.hpp"
 
 namespace ikbench::inference {
 
@@ -27,19 +26,6 @@ using namespace statistics;
 namespace {
 
 using Values = std::span<const std::vector<double>>;
-
-Correction correction_of(Adjustment adjustment) {
-  switch (adjustment) {
-    case Adjustment::hochberg:
-      return Correction::hochberg;
-    case Adjustment::bonferroni:
-      return Correction::bonferroni;
-    case Adjustment::benjamini_hochberg:
-      return Correction::benjamini_hochberg;
-    default:
-      return Correction::holm;
-  }
-}
 
 // The better one has the smaller value here.
 std::vector<std::vector<double>> smaller_is_better(const Evidence& evidence, Values values) {
@@ -60,53 +46,6 @@ std::optional<std::size_t> reference_of(const Evidence& evidence) {
   }
   if (groups.size() <= most_groups_in_pairs) return std::nullopt;
   return best_group(evidence);
-}
-
-void add_nemenyi(const Evidence& evidence, std::vector<Contrast>& all) {
-  const auto k = static_cast<double>(evidence.groups.size()), n = static_cast<double>(evidence.blocks);
-  const double error = std::sqrt(k * (k + 1) / (6 * n));
-  const StudentizedRange range(k);
-  for (Contrast& contrast : all) {
-    const double apart =
-        std::abs(evidence.groups[contrast.first].average_rank - evidence.groups[contrast.second].average_rank);
-    contrast.p_nemenyi = range.upper_tail(apart / error * std::sqrt(2.0), std::numeric_limits<double>::infinity());
-  }
-}
-
-// Two groups alone have exact tests, where a normal approximation of few values would find too much.
-RankComparison rank_test_of_two(const Evidence& evidence, const std::vector<double>& first,
-                                const std::vector<double>& second) {
-  if (evidence.ranks_within_blocks()) {
-    const WilcoxonSignedRank test = wilcoxon_signed_rank(first, second);
-    return {.first = 0, .second = 1, .p = test.p, .direction = test.direction, .undefined = test.undefined};
-  }
-  const MannWhitney test = mann_whitney(first, second);
-  return {.first = 0, .second = 1, .p = test.p, .direction = test.direction, .undefined = test.undefined};
-}
-
-// The one that ranks higher is the worse.
-std::vector<RankComparison> rank_tests(const Evidence& evidence, Values values) {
-  const std::vector<std::vector<double>> ranked = smaller_is_better(evidence, values);
-  if (ranked.size() == 2) return {rank_test_of_two(evidence, ranked[0], ranked[1])};
-  return evidence.ranks_within_blocks() ? compare_average_ranks(friedman(ranked)) : dunn(ranked);
-}
-
-// Of all pairs in order. Corrected for the family that is compared: what is not of it does not count.
-void add_rank_tests(const Evidence& evidence, Values values, std::vector<Contrast>& all) {
-  if (values.empty()) return;
-  std::vector<RankComparison> tests = rank_tests(evidence, values);
-  std::vector<double> raw;
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    const bool of_family =
-        evidence.plan.control.empty() || all[i].first == *evidence.reference || all[i].second == *evidence.reference;
-    raw.push_back(of_family ? tests[i].p : not_defined);
-    if (!evidence.ranks_decide()) continue;
-    all[i].ahead = -tests[i].direction;
-    all[i].undefined = std::move(tests[i].undefined);
-  }
-  const std::vector<double> p = adjusted(raw, correction_of(evidence.plan.adjustment));
-  for (std::size_t i = 0; i < all.size(); ++i) all[i].p_ranks = p[i];
-  if (evidence.ranks_within_blocks() && std::isfinite(evidence.critical_difference)) add_nemenyi(evidence, all);
 }
 
 // Where groups have blocks in common: the share of blocks in which the first is better. An interval needs whole blocks,
@@ -136,12 +75,22 @@ Estimate superiority(const Evidence& evidence, const std::vector<double>& first,
 // Where every value says the same of a pair, which has it that one is ahead or that they are equal: what chance has it,
 // were they alike? In blocks that no difference has the other sign, else by Fisher's exact test; for all pairs
 // together.
-double chance_of_unanimity(const Evidence& evidence, const Contrast& contrast) {
-  const int n = evidence.groups[contrast.first].described.n, m = evidence.groups[contrast.second].described.n;
-  const double chance = evidence.blocks > 0
-                            ? 2 * std::exp2(-static_cast<double>(evidence.blocks))
-                            : fisher_exact({.successes = n, .trials = n}, {.successes = 0, .trials = m}).p;
+double chance_of_unanimity(const Evidence& evidence, int n, int m) {
+  const double chance =
+      evidence.blocks > 0 ? 2 * std::exp2(-n) : fisher_exact({.successes = n, .trials = n}, {.trials = m}).p;
   return std::min(1.0, chance * static_cast<double>(evidence.family()));
+}
+
+double chance_of_unanimity(const Evidence& evidence, const Contrast& contrast) {
+  return chance_of_unanimity(evidence, evidence.groups[contrast.first].described.n,
+                             evidence.groups[contrast.second].described.n);
+}
+
+// So many observations a group, or blocks, does it take before values can say the same often enough.
+int fewest_to_differ(const Evidence& evidence) {
+  int n = 2;
+  while (chance_of_unanimity(evidence, n, n) >= evidence.plan.significance) ++n;
+  return n;
 }
 
 // Of the differences within blocks; p and interval hold for the whole family by Bonferroni.
@@ -156,15 +105,9 @@ void compare_in_blocks(const Evidence& evidence, Values values, Contrast& contra
   if (evidence.plan.test != DecidingTest::friedman) return;
   contrast.difference = {.value = test.difference, .low = test.low, .high = test.high};
   if (!is_equal) return;
-  if (std::isnan(contrast.p_ranks)) contrast.p_ranks = 1;  // of two groups alone: no difference has a rank
+  contrast.p_ranks = 1;  // no difference has a rank
   contrast.undefined.clear();
   if (chance_of_unanimity(evidence, contrast) < evidence.plan.significance) contrast.difference = {0, 0, 0};
-}
-
-// The difference of means that matters: the planned share of the smaller of the two.
-double margin_of(const Evidence& evidence, const Contrast& contrast) {
-  return evidence.plan.margin * std::min(std::abs(evidence.groups[contrast.first].described.mean),
-                                         std::abs(evidence.groups[contrast.second].described.mean));
 }
 
 int ahead_by_means(const Evidence& evidence, double difference) {
@@ -175,7 +118,7 @@ int ahead_by_means(const Evidence& evidence, double difference) {
 Relation relation_of(const Evidence& evidence, const Contrast& contrast, double p) {
   const Tested tested{.p_better = contrast.ahead > 0 ? p : 1,
                       .p_worse = contrast.ahead > 0 ? 1 : p,
-                      .within_margin = contrast.within_margin};
+                      .within_margin = contrast.extent == Extent::within};
   switch (answer_of(tested, evidence.plan.significance)) {
     case Answer::better:
       return Relation::first_better;
@@ -199,9 +142,10 @@ void judge_constants(const Evidence& evidence, Contrast& contrast) {
   contrast.undefined.clear();
   contrast.difference = {.value = difference};
   contrast.relation = Relation::not_told_apart;
+  contrast.runs_to_decide = fewest_to_differ(evidence);
   if (by_chance >= evidence.plan.significance) return;
   contrast.difference = {difference, difference, difference};
-  contrast.within_margin = std::abs(difference) <= margin_of(evidence, contrast);
+  contrast.extent = extent_of(evidence, contrast);
   contrast.relation = relation_of(evidence, contrast, contrast.p);
 }
 
@@ -218,13 +162,23 @@ void judge(const Evidence& evidence, Contrast& contrast) {
     return;
   }
   contrast.undefined.clear();
-  const double room = margin_of(evidence, contrast);
-  contrast.within_margin = std::abs(contrast.difference.low) <= room && std::abs(contrast.difference.high) <= room;
-  // Ranks of few values are no more normal than these: a pair is only found where all groups together are.
-  const TestResult* together = deciding_test(evidence);
-  const bool counts = !evidence.ranks_decide() || evidence.groups.size() == 2 || together == nullptr ||
-                      is_significant(together->p, evidence.plan);
-  contrast.relation = relation_of(evidence, contrast, counts ? contrast.p : 1);
+  contrast.extent = extent_of(evidence, contrast);
+  contrast.relation = relation_of(evidence, contrast, contrast.p);
+}
+
+double runs_to_decide(const Evidence& evidence, const Contrast& contrast, std::span<const GroupSummary> summaries,
+                      Values values) {
+  const PowerGoal goal{.power = evidence.plan.power,
+                       .alpha = evidence.plan.significance / static_cast<double>(evidence.family())};
+  const double margin = margin_of(evidence, contrast);
+  const double n =
+      evidence.plan.test == DecidingTest::friedman
+          ? pairs_to_see(
+                standard_deviation(differences_without_rounding(values[contrast.first], values[contrast.second])),
+                margin, goal)
+                .n
+          : runs_to_see(summaries[contrast.first], summaries[contrast.second], margin, goal).n;
+  return std::max(n, static_cast<double>(evidence.fewest));
 }
 
 double deciding_p(const Evidence& evidence, const Contrast& contrast) {
@@ -240,6 +194,27 @@ double deciding_p(const Evidence& evidence, const Contrast& contrast) {
 }
 
 }  // namespace
+
+std::vector<PairMethod> pair_methods(const Evidence& evidence) {
+  std::vector<PairMethod> methods{{"Tukey", "pooled variance", &Contrast::p_pooled},
+                                  {"Games-Howell", "separate variances", &Contrast::p_unpooled}};
+  if (evidence.from_summaries) return methods;
+  if (evidence.blocks > 0) {
+    for (PairMethod& method : methods) method.note = "without the blocks";
+    methods.push_back({"paired t", "means within blocks", &Contrast::p_paired});
+  }
+  const bool in_blocks = evidence.ranks_within_blocks();
+  if (in_blocks) {
+    methods.push_back({"Wilcoxon", "signed ranks within blocks", &Contrast::p_ranks});
+  } else {
+    methods.push_back({"Mann-Whitney", "ranks", &Contrast::p_mann_whitney});
+    methods.push_back({"Brunner-Munzel", "ranks, unequal spreads", &Contrast::p_brunner_munzel});
+  }
+  if (evidence.groups.size() == 2) return methods;
+  methods.push_back({in_blocks ? "Friedman" : "Dunn", "mean ranks over all groups", &Contrast::p_mean_ranks});
+  if (in_blocks) methods.push_back({"Nemenyi", "mean ranks over all groups", &Contrast::p_nemenyi});
+  return methods;
+}
 
 void add_friedman(Evidence& evidence, Values values) {
   const Friedman test = friedman(smaller_is_better(evidence, values));
@@ -279,18 +254,18 @@ void add_contrasts(Evidence& evidence, std::span<const GroupSummary> summaries, 
   for (std::size_t i = 0; i < k; ++i) {
     for (std::size_t j = i + 1; j < k; ++j) all.push_back({.first = i, .second = j});
   }
-  add_rank_tests(evidence, values, all);
   if (evidence.reference) {
     std::erase_if(all,
                   [&](const Contrast& c) { return c.first != *evidence.reference && c.second != *evidence.reference; });
   }
+  const auto ahead = smaller_is_better(evidence, values);
+  add_rank_tests(evidence, ahead, all);
+
+  if (evidence.ranks_decide()) evidence.fewest = fewest_to_differ(evidence);
 
   const double level = 1 - evidence.plan.significance;
-  const PowerGoal goal{.power = evidence.plan.power,
-                       .alpha = evidence.plan.significance / static_cast<double>(evidence.family())};
   const std::vector<MeanDifference> pooled = tukey(summaries, level, evidence.reference);
   const std::vector<MeanDifference> unpooled = games_howell(summaries, level, evidence.reference);
-  const auto ahead = smaller_is_better(evidence, values);
   for (std::size_t i = 0; i < all.size(); ++i) {
     Contrast& contrast = all[i];
     const GroupSummary &first = summaries[contrast.first], &second = summaries[contrast.second];
@@ -304,9 +279,7 @@ void add_contrasts(Evidence& evidence, std::span<const GroupSummary> summaries, 
     }
     const EffectSize g = hedges_g(first, second, level);
     contrast.g = {.value = g.value, .low = g.low, .high = g.high};
-    if (evidence.blocks == 0) {
-      contrast.runs_to_see_margin = runs_to_see(first, second, margin_of(evidence, contrast), goal).n;
-    }
+    contrast.runs_to_decide = runs_to_decide(evidence, contrast, summaries, values);
     if (!ahead.empty()) {
       contrast.superiority = superiority(evidence, ahead[contrast.first], ahead[contrast.second]);
       if (evidence.blocks > 0) compare_in_blocks(evidence, values, contrast);

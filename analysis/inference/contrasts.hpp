@@ -2,6 +2,7 @@
 #pragma once
 
 #include <span>
+#include <string>
 #include <vector>
 
 #include "analysis/inference/evidence.hpp"
@@ -12,6 +13,15 @@ namespace ikbench::inference {
 // Fills contrasts, pairs and reference.
 void add_contrasts(Evidence& evidence, std::span<const statistics::GroupSummary> summaries,
                    std::span<const std::vector<double>> values);
+
+// A method that gives every pair a p of its own.
+struct PairMethod {
+  std::string name;
+  std::string note;  // what sets it apart: "pooled variance"
+  double Contrast::*p;
+};
+// Those that were made, in the order in which they are shown.
+std::vector<PairMethod> pair_methods(const Evidence& evidence);
 
 // Friedman's test over the blocks, with average ranks (1 is best) and Nemenyi's critical difference.
 void add_friedman(Evidence& evidence, std::span<const std::vector<double>> values);

@@ -176,6 +176,12 @@ std::string_view name_of(Relation relation) {
   return names[static_cast<std::size_t>(relation)];
 }
 
+std::string_view name_of(Extent extent) {
+  constexpr std::array<std::string_view, 4> names{"unknown", "within the margin", "on both sides of the margin",
+                                                  "beyond the margin"};
+  return names[static_cast<std::size_t>(extent)];
+}
+
 const TestResult* Evidence::test(std::string_view test_name) const {
   const auto found = std::ranges::find(tests, test_name, &TestResult::test);
   return found == tests.end() ? nullptr : &*found;
@@ -184,10 +190,9 @@ const TestResult* Evidence::test(std::string_view test_name) const {
 std::string_view deciding_words(const Evidence& evidence) {
   constexpr std::array<std::string_view, 5> words{"the test of the design", "One-way ANOVA with Tukey's test",
                                                   "Welch's ANOVA with the Games-Howell test",
-                                                  "Kruskal-Wallis test with Dunn's test", "Friedman's test"};
-  if (evidence.groups.size() == 2 && evidence.ranks_decide()) {
-    return evidence.ranks_within_blocks() ? "Wilcoxon signed-rank test" : "Mann-Whitney test";
-  }
+                                                  "Kruskal-Wallis test with Brunner-Munzel and Mann-Whitney tests",
+                                                  "Friedman's test with Wilcoxon signed-rank tests"};
+  if (evidence.groups.size() == 2 && evidence.ranks_decide()) return pair_test_words(evidence);
   return words[static_cast<std::size_t>(evidence.plan.test)];
 }
 
@@ -197,9 +202,9 @@ std::string_view pair_test_words(const Evidence& evidence) {
     case DecidingTest::anova:
       return is_of_two ? "Student's test" : "Tukey's test";
     case DecidingTest::kruskal_wallis:
-      return is_of_two ? "Mann-Whitney test" : "Dunn's test";
+      return "Brunner-Munzel and Mann-Whitney tests";
     case DecidingTest::friedman:
-      return is_of_two ? "Wilcoxon signed-rank test" : "Friedman's test";
+      return "Wilcoxon signed-rank test";
     default:
       return is_of_two ? "Welch's test" : "Games-Howell test";
   }

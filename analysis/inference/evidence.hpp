@@ -55,6 +55,11 @@ struct TestResult {
 enum class Relation { first_better, second_better, equivalent, not_told_apart, undefined };
 std::string_view name_of(Relation relation);
 
+// Where the whole interval of a difference lies, against the margin of the plan. across: it is for the better one, on
+// both sides of the margin. unknown: there is no such interval, or it is not for the better one.
+enum class Extent { unknown, within, across, beyond };
+std::string_view name_of(Extent extent);
+
 struct Contrast {
   std::size_t first = 0, second = 0;
   Estimate difference = {};            // mean of first - mean of second, simultaneous over all pairs
@@ -64,17 +69,27 @@ struct Contrast {
   double p_unpooled = statistics::not_defined;  // Games and Howell
   double p_paired = statistics::not_defined;  // t of the differences within blocks, corrected by Bonferroni; only where
                                               // there are blocks
-  double p_ranks =
-      statistics::not_defined;  // Dunn, or Friedman's ranks within blocks; of two groups Mann-Whitney or Wilcoxon
-  double p_nemenyi = statistics::not_defined;  // of Friedman's ranks, all pairs; only within blocks
+  // Of ranks, each corrected as planned. What decides is of the two groups alone: within blocks Wilcoxon's, else the
+  // larger of Mann-Whitney's and Brunner-Munzel's.
+  double p_ranks = statistics::not_defined;
+  double p_mann_whitney = statistics::not_defined;
+  double p_brunner_munzel = statistics::not_defined;
+  double p_mean_ranks = statistics::not_defined;  // Dunn, or Friedman's average ranks within blocks: of all groups
+  double p_nemenyi = statistics::not_defined;     // of Friedman's ranks, all pairs; only within blocks
   Estimate superiority = {};  // A12: the chance that an observation of first is better than one of second
   Estimate g = {};            // Hedges; positive where the mean of first is larger
-  double runs_to_see_margin =
-      statistics::not_defined;  // a group, to find a difference of the planned margin; not in blocks
+  // Observations a group, or blocks: to find a difference of the margin with the planned power, and as many as the test
+  // needs to find any.
+  double runs_to_decide = statistics::not_defined;
   Relation relation = Relation::undefined;
-  bool within_margin = false;  // the whole interval of the difference: too small to matter, also where it is found
+  Extent extent = Extent::unknown;
   std::string undefined = {};  // why p is not defined
 };
+
+// Whether one of the two is better.
+inline bool is_decided(const Contrast& contrast) {
+  return contrast.relation == Relation::first_better || contrast.relation == Relation::second_better;
+}
 
 struct Evidence {
   std::string name, quantity;
@@ -96,6 +111,7 @@ struct Evidence {
   std::vector<Contrast> contrasts = {};
   std::optional<std::size_t> reference = {};
   std::size_t pairs = 0;  // of all groups
+  int fewest = 0;         // observations a group, or blocks, from which ranks can tell a pair apart; 0: means decide
 
   const TestResult* test(std::string_view test_name) const;  // null where it was not made
   bool ranks_within_blocks() const { return blocks > 0 && plan.test != results::DecidingTest::kruskal_wallis; }
@@ -128,10 +144,9 @@ constexpr std::string_view anova_name = "One-way ANOVA", welch_name = "Welch's A
                            iman_davenport_name = "Iman-Davenport form",
                            brown_forsythe_name = "Brown-Forsythe test of equal variances",
                            bartlett_name = "Bartlett's test of equal variances";
-// The test of pairs that decides, with that of all groups where they go together.
-std::string_view deciding_words(const Evidence& evidence);
-// The test of one pair that decides, in words.
+// The test of one pair that decides, in words; and with that of all groups that goes with it.
 std::string_view pair_test_words(const Evidence& evidence);
+std::string_view deciding_words(const Evidence& evidence);
 // How good a group is by what decides: its mean rank, average rank or mean, the smaller the better; infinite where it
 // is not defined.
 double standing(const Evidence& evidence, const GroupEvidence& group);

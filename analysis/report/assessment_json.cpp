@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "analysis/report/assessment_sentences.hpp"
+#include "analysis/report/assessment_words.hpp"
 #include "analysis/report/json.hpp"
 
 namespace ikbench::report {
@@ -67,12 +68,16 @@ Json contrast_json(const Evidence& evidence, const Contrast& contrast) {
               {"p_games_howell", json_number(contrast.p_unpooled)},
               {"p_paired_t", json_number(contrast.p_paired)},
               {"p_ranks", json_number(contrast.p_ranks)},
+              {"p_mann_whitney", json_number(contrast.p_mann_whitney)},
+              {"p_brunner_munzel", json_number(contrast.p_brunner_munzel)},
+              {"p_mean_ranks", json_number(contrast.p_mean_ranks)},
               {"p_nemenyi", json_number(contrast.p_nemenyi)},
               {evidence.blocks > 0 ? "share_of_blocks_ahead" : "a12", estimate(contrast.superiority)},
               {"hedges_g", estimate(contrast.g)},
-              {"runs_to_see_margin", json_number(contrast.runs_to_see_margin)},
-              {"within_margin", contrast.within_margin},
-              {"relation", name_of(contrast.relation)}};
+              {"runs_to_decide", json_number(contrast.runs_to_decide)},
+              {"relation", name_of(contrast.relation)},
+              {"extent", name_of(contrast.extent)},
+              {"verdict", verdict_words(evidence, contrast)}};
   add_reason(object, contrast.undefined);
   return object;
 }
@@ -93,6 +98,7 @@ std::string json_of(const Evidence& evidence) {
                 {"control", plan.control},
                 {"significance", plan.significance},
                 {"margin", plan.margin},
+                {"margin_cm", plan.margin_cm},
                 {"power", plan.power},
                 {"quartiles", plan.quartiles}}},
               {"notes", evidence.notes},

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "analysis/inference/text.hpp"
+#include "analysis/report/assessment_disagreements.hpp"
 #include "analysis/report/assessment_verdicts.hpp"
 #include "analysis/report/assessment_words.hpp"
 
@@ -54,7 +55,7 @@ std::string methods(const Evidence& evidence) {
     text += fmt::format("; p-values of rank tests are corrected by {}",
                         whose[static_cast<std::size_t>(evidence.plan.adjustment)]);
   }
-  return text + "; differences below " + percent(evidence.plan.margin) +
+  return text + "; differences below " + margin_words(evidence) +
          " do not matter. The other methods are shown for comparison.";
 }
 
@@ -126,19 +127,32 @@ std::string effect_words(const TestResult& test) {
   return std::isfinite(test.effect) ? fmt::format(", {} = {}", test.effect_symbol, rounded_number(test.effect, 2)) : "";
 }
 
-std::string analyses(const Evidence& evidence, Role role, std::string_view heading) {
-  std::string text;
+// The planned test of all groups, and then the others.
+std::vector<std::string> analyses(const Evidence& evidence) {
+  std::string planned, others;
   for (const TestResult& test : evidence.tests) {
-    if (test.role != role) continue;
+    if (test.role == Role::assumption) continue;
+    std::string& text = &test == deciding_test(evidence) ? planned : others;
     text += fmt::format(" {}{}: {}{}{}.", test.test, test.without.empty() ? "" : fmt::format(" ({})", test.without),
                         result_words(test), effect_words(test),
                         !test.undefined.empty()               ? ""
                         : test.p < evidence.plan.significance ? "; at least one group differs"
                                                               : "; no difference is shown");
+    if (test.role == Role::paper && variances_differ(evidence))
+      text += " It assumes equal variances, which are rejected.";
   }
-  if (text.empty()) return "";
-  if (role == Role::paper && variances_differ(evidence)) text += " It assumes equal variances, which are rejected.";
-  return fmt::format("{}:{}", heading, text);
+  return {planned.empty() ? "" : "All groups together:" + planned,
+          others.empty() ? "" : "Other tests of all groups, which do not decide:" + others};
+}
+
+// Where ranks decide, of samples so small that nothing they hold could be found.
+std::string too_few(const Evidence& evidence) {
+  const bool has_one_step = evidence.plan.adjustment == results::Adjustment::holm ||
+                            evidence.plan.adjustment == results::Adjustment::bonferroni;
+  const auto most = std::ranges::max(evidence.groups, {}, [](const GroupEvidence& g) { return g.described.n; });
+  if (!has_one_step || most.described.n >= evidence.fewest) return "";
+  return fmt::format("Caution: no pair can differ by this test. It takes at least {} {}, and here are {}.",
+                     evidence.fewest, replicates_words(evidence), most.described.n);
 }
 
 std::vector<std::string> limits(const Evidence& evidence) {
@@ -148,19 +162,19 @@ std::vector<std::string> limits(const Evidence& evidence) {
   for (const Contrast& contrast : evidence.contrasts) {
     if (contrast.relation != Relation::not_told_apart) continue;
     ++open;
-    if (std::isfinite(contrast.runs_to_see_margin)) most = std::max(most, contrast.runs_to_see_margin);
-    beyond += evidence.blocks == 0 && !std::isfinite(contrast.runs_to_see_margin) ? 1 : 0;
+    if (std::isfinite(contrast.runs_to_decide)) most = std::max(most, contrast.runs_to_decide);
+    beyond += std::isfinite(contrast.runs_to_decide) ? 0 : 1;
   }
   if (open > 0) {
-    parts.push_back(fmt::format(
-        "undecided does not mean equal: {}",
-        most > 0 ? fmt::format("to detect a difference of {} with {} power in {}, a group needs {}{:.0f} observations",
-                               percent(evidence.plan.margin), percent(evidence.plan.power),
-                               open == 1    ? "that pair"
-                               : beyond > 0 ? fmt::format("{} of those pairs", open - beyond)
-                                            : "each of those pairs",
-                               open == 1 ? "" : "up to ", most)
-                 : "a difference remains possible"));
+    parts.push_back(fmt::format("undecided does not mean equal: {}",
+                                most > 0
+                                    ? fmt::format("to detect a difference of {} with {} power in {} takes {}{:.0f} {}",
+                                                  margin_words(evidence), percent(evidence.plan.power),
+                                                  open == 1    ? "that pair"
+                                                  : beyond > 0 ? fmt::format("{} of those pairs", open - beyond)
+                                                               : "each of those pairs",
+                                                  open == 1 ? "" : "up to ", most, replicates_words(evidence))
+                                    : "a difference remains possible"));
   }
   if (beyond > 0) {
     parts.push_back(
@@ -205,10 +219,10 @@ std::vector<std::string> sentences_of(const Evidence& evidence) {
     return sentences;
   }
   sentences.push_back(methods(evidence));
+  sentences.push_back(too_few(evidence));
   sentences.push_back(assumptions(evidence));
   sentences.push_back(decades(evidence));
-  sentences.push_back(analyses(evidence, Role::paper, "The classical analysis"));
-  sentences.push_back(analyses(evidence, Role::robust, "The robust analysis"));
+  for (std::string& sentence : analyses(evidence)) sentences.push_back(std::move(sentence));
   for (std::string& sentence : who_differs(evidence)) sentences.push_back(std::move(sentence));
   sentences.push_back(disagreements(evidence));
   for (std::string& sentence : limits(evidence)) sentences.push_back(std::move(sentence));

@@ -5,7 +5,9 @@
 #include <cmath>
 #include <utility>
 
+#include "analysis/inference/contrasts.hpp"
 #include "analysis/inference/text.hpp"
+#include "analysis/report/assessment_words.hpp"
 #include "analysis/statistics/effect_size.hpp"
 
 namespace ikbench::report {
@@ -78,17 +80,6 @@ Table groups_table(const Evidence& evidence) {
   return table;
 }
 
-// "5, 44.3"
-Cell degrees_of_freedom(const TestResult& test) {
-  if (!std::isfinite(test.df) || !test.undefined.empty()) return {};
-  if (!std::isfinite(test.df_within)) return rounded_number(test.df, 5);
-  return fmt::format("{}, {}", rounded_number(test.df, 5), rounded_number(test.df_within, 5));
-}
-
-Cell with_symbol(const std::string& symbol, double value) {
-  return std::isfinite(value) ? Cell(fmt::format("{} = {}", symbol, rounded_number(value, 5))) : Cell();
-}
-
 std::string role_words(Role role) {
   constexpr std::array<std::string_view, 3> words{"assumption", "classical", "robust"};
   return std::string(words[static_cast<std::size_t>(role)]);
@@ -100,39 +91,30 @@ Table tests_table(const Evidence& evidence) {
               .columns = {{"part", Align::left},
                           {"test", Align::left},
                           {"statistic", Align::left},
-                          {"degrees of freedom"},
+                          {"value"},
+                          {"df"},
+                          {"df within"},
                           {"p"},
                           {"effect", Align::left},
+                          {"size"},
                           {"verdict", Align::left}}};
   for (const TestResult& test : evidence.tests) {
     const bool significant = test.p < evidence.plan.significance;
     const std::string_view finding = test.role == Role::assumption ? (significant ? "rejected" : "not rejected")
                                                                    : (significant ? "the groups differ" : "undecided");
+    const bool defined = test.undefined.empty(), has_effect = std::isfinite(test.effect);
     table.rows.push_back(
         {role_words(test.role),
          fmt::format("{}{}", test.test, test.without.empty() ? "" : fmt::format(" ({})", test.without)),
-         with_symbol(test.symbol, test.statistic), degrees_of_freedom(test), or_nothing(PValue{test.p}),
-         with_symbol(test.effect_symbol, test.effect),
-         test.undefined.empty() ? std::string(finding) : "not defined: " + test.undefined});
+         defined ? Cell(test.symbol) : Cell(), or_nothing(test.statistic), defined ? or_nothing(test.df) : Cell(),
+         defined ? or_nothing(test.df_within) : Cell(), or_nothing(PValue{test.p}),
+         has_effect ? Cell(test.effect_symbol) : Cell(), or_nothing(test.effect),
+         defined ? std::string(finding) : "not defined: " + test.undefined});
   }
   table.notes.push_back(fmt::format("Significance {}. {} decides. The plan chooses the test, not the data.",
                                     rounded_number(evidence.plan.significance, 3), deciding_words(evidence)));
   if (!evidence.flaw.empty()) table.notes.push_back("Flawed: " + evidence.flaw);
   return table;
-}
-
-std::string verdict_of(const Evidence& evidence, const Contrast& contrast) {
-  const std::string within = contrast.within_margin ? fmt::format(", within {}", percent(evidence.plan.margin)) : "";
-  switch (contrast.relation) {
-    case Relation::first_better:
-      return fmt::format("{} is better{}", evidence.groups[contrast.first].name, within);
-    case Relation::second_better:
-      return fmt::format("{} is better{}", evidence.groups[contrast.second].name, within);
-    case Relation::undefined:
-      return "not defined: " + contrast.undefined;
-    default:
-      return std::string(name_of(contrast.relation));
-  }
 }
 
 // Of Cliff's delta, 2 A12 - 1 (Romano et al. 2006).
@@ -144,47 +126,37 @@ Cell size_words(const Contrast& contrast) {
 // What the p-values and intervals are corrected for.
 std::string family_note(const Evidence& evidence) {
   if (evidence.pairs == 1) return fmt::format("{} decides.", deciding_words(evidence));
-  const std::string all = fmt::format("all {} pairs", evidence.pairs);
-  const std::string with_control = fmt::format("the {} pairs with the control", evidence.groups.size() - 1);
-  const bool by_control = !evidence.plan.control.empty();
-  return fmt::format("{} decides. p: adjusted for {}. Interval of the difference: {}, adjusted for {}.",
-                     deciding_words(evidence), by_control && evidence.ranks_decide() ? with_control : all,
-                     interval_words(evidence),
-                     by_control && evidence.plan.test == DecidingTest::friedman ? with_control : all);
+  return fmt::format("{} decides. p: adjusted for {} pairs. Interval of the difference: {}, adjusted for {} pairs.",
+                     deciding_words(evidence), corrected_for(evidence), interval_words(evidence),
+                     evidence.plan.test == DecidingTest::friedman ? evidence.family() : evidence.pairs);
 }
 
 Table contrasts_table(const Evidence& evidence) {
   const std::string level = percent(1 - evidence.plan.significance);
-  Table table{
-      .name = table_name(evidence, "contrasts"),
-      .caption = fmt::format("Pairwise comparisons: {}", evidence.quantity),
-      .columns = {{"first", Align::left},
-                  {"second", Align::left},
-                  {"verdict", Align::left},
-                  {"difference of means"},
-                  {level + " interval"},
-                  {"p"},
-                  {evidence.blocks > 0 ? "ahead in blocks" : "A12"},
-                  {level + (evidence.blocks > 0 ? " interval of the share" : " interval of A12")},
-                  {"size", Align::left},
-                  {"Hedges g"},
-                  {"p, Tukey"},
-                  {"p, Games-Howell"},
-                  {"p, paired t"},
-                  {evidence.groups.size() == 2 ? (evidence.ranks_within_blocks() ? "p, Wilcoxon" : "p, Mann-Whitney")
-                   : evidence.ranks_within_blocks() ? "p, Friedman"
-                                                    : "p, Dunn"},
-                  {"p, Nemenyi"},
-                  {fmt::format("runs to detect {}", percent(evidence.plan.margin))}}};
+  Table table{.name = table_name(evidence, "contrasts"),
+              .caption = fmt::format("Pairwise comparisons: {}", evidence.quantity),
+              .columns = {{"first", Align::left},
+                          {"second", Align::left},
+                          {"verdict", Align::left},
+                          {"difference of means"},
+                          {level + " interval"},
+                          {"p"},
+                          {evidence.blocks > 0 ? "ahead in blocks" : "A12"},
+                          {level + (evidence.blocks > 0 ? " interval of the share" : " interval of A12")},
+                          {"size", Align::left},
+                          {"Hedges g"}}};
+  const std::vector<PairMethod> methods = pair_methods(evidence);
+  for (const PairMethod& method : methods) table.columns.push_back({"p, " + method.name});
+  table.columns.push_back({evidence.plan.test == DecidingTest::friedman ? "blocks to decide" : "runs to decide"});
   for (const Contrast& contrast : evidence.contrasts) {
-    const double runs = contrast.runs_to_see_margin;
-    table.rows.push_back(
-        {evidence.groups[contrast.first].name, evidence.groups[contrast.second].name, verdict_of(evidence, contrast),
-         contrast.difference.value, interval(contrast.difference), or_nothing(PValue{contrast.p}),
-         or_nothing(contrast.superiority.value), interval(contrast.superiority), size_words(contrast),
-         or_nothing(contrast.g.value), or_nothing(PValue{contrast.p_pooled}), or_nothing(PValue{contrast.p_unpooled}),
-         or_nothing(PValue{contrast.p_paired}), or_nothing(PValue{contrast.p_ranks}),
-         or_nothing(PValue{contrast.p_nemenyi}), std::isfinite(runs) ? Cell(static_cast<std::int64_t>(runs)) : Cell()});
+    std::vector<Cell>& row = table.rows.emplace_back(
+        std::vector<Cell>{evidence.groups[contrast.first].name, evidence.groups[contrast.second].name,
+                          verdict_words(evidence, contrast), contrast.difference.value, interval(contrast.difference),
+                          or_nothing(PValue{contrast.p}), or_nothing(contrast.superiority.value),
+                          interval(contrast.superiority), size_words(contrast), or_nothing(contrast.g.value)});
+    for (const PairMethod& method : methods) row.push_back(or_nothing(PValue{contrast.*method.p}));
+    const double runs = contrast.runs_to_decide;
+    row.push_back(std::isfinite(runs) ? Cell(static_cast<std::int64_t>(runs)) : Cell());
   }
   table.notes.push_back(family_note(evidence));
   if (!evidence.from_summaries) {

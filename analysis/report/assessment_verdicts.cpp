@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "analysis/inference/judge.hpp"
 #include "analysis/inference/text.hpp"
 #include "analysis/report/assessment_words.hpp"
 #include "analysis/statistics/rounding.hpp"
@@ -59,42 +60,57 @@ std::string dissent_words(const Evidence& evidence, const Dissent& dissent) {
   return fmt::format("{} {} the other", listed(measures), measures.size() == 1 ? "favours" : "favour");
 }
 
-// ", by 0.1 to 0.5, though the median points the other way". An interval around a mean that does is left out.
-std::string extent_words(const Evidence& evidence, const Contrast& contrast) {
-  const Dissent found = dissent(evidence, contrast);
-  std::string text;
-  std::vector<std::string> doubts;
-  if (std::isfinite(contrast.difference.low) && !found.mean) {
-    const double low = std::min(std::abs(contrast.difference.low), std::abs(contrast.difference.high));
-    const double high = std::max(std::abs(contrast.difference.low), std::abs(contrast.difference.high));
-    if (contrast.difference.low < 0 && contrast.difference.high > 0) {
-      doubts.emplace_back("the interval of the difference between means includes zero");
-    } else {
-      text = number_words(low) == number_words(high)
-                 ? fmt::format(", by {}", number_words(low))
-                 : fmt::format(", by {} to {}", number_words(low), number_words(high));
-    }
-  }
-  if (std::string words = dissent_words(evidence, found); !words.empty()) doubts.push_back(std::move(words));
-  return doubts.empty() ? text : fmt::format("{}, although {}", text, fmt::join(doubts, " and "));
+bool includes_zero(const Contrast& contrast) { return contrast.difference.low < 0 && contrast.difference.high > 0; }
+
+// "by 0.156 to 0.57, more than 5 %"; empty where neither is known. An interval that is not for the better one is left
+// out.
+std::string amount_words(const Evidence& evidence, const Contrast& contrast) {
+  const double low = std::min(std::abs(contrast.difference.low), std::abs(contrast.difference.high));
+  const double high = std::max(std::abs(contrast.difference.low), std::abs(contrast.difference.high));
+  const bool is_for_it = !includes_zero(contrast) && !dissent(evidence, contrast).mean && std::isfinite(low + high);
+  const std::string extent = extent_words(evidence, contrast);
+  if (!is_for_it) return extent.empty() ? "" : "by " + extent;
+  std::string text = "by " + number_words(low);
+  if (number_words(low) != number_words(high)) text += " to " + number_words(high);
+  return extent.empty() ? text : fmt::format("{}, {}", text, extent);
 }
 
-// "IK-BA is better than DE: 0.00190 against 0.365, difference -0.363 (95 % interval ...), p = ..., A12 = 0.98"
+std::size_t other_than(std::size_t group, const Contrast& contrast) {
+  return contrast.first == group ? contrast.second : contrast.first;
+}
+
+std::size_t better_of(const Contrast& contrast) {
+  return contrast.relation == Relation::first_better ? contrast.first : contrast.second;
+}
+
+// "0.0019 vs 0.365, by 0.156 to 0.57, more than 5 %"
+std::string effect_of(const Evidence& evidence, const Contrast& contrast, std::size_t group) {
+  const std::string amount = amount_words(evidence, contrast);
+  return against(evidence.groups[group].described.mean, evidence.groups[other_than(group, contrast)].described.mean) +
+         (amount.empty() ? "" : ", " + amount);
+}
+
+// ", ahead in 98 % of blocks", of the better one; empty where only summaries are known.
+std::string share_words(const Evidence& evidence, const Contrast& contrast) {
+  const double share = contrast.superiority.value;
+  if (!std::isfinite(share)) return "";
+  return fmt::format(", ahead in {} of {}", percent(better_of(contrast) == contrast.first ? share : 1 - share),
+                     evidence.blocks > 0 ? "blocks" : "pairs of observations");
+}
+
+// "IK-BA is better than DE: 0.0019 vs 0.365, by 0.156 to 0.57, more than 5 % (p = 0.000297), although ..."
 std::string better_words(const Evidence& evidence, const Contrast& contrast) {
-  const bool first = contrast.relation == Relation::first_better;
-  const std::size_t winner = first ? contrast.first : contrast.second, loser = first ? contrast.second : contrast.first;
-  std::string text =
-      fmt::format("{} is better than {}: {}", name_words(evidence, winner), name_words(evidence, loser),
-                  against(evidence.groups[winner].described.mean, evidence.groups[loser].described.mean));
-  text += extent_words(evidence, contrast);
-  if (contrast.within_margin) text += fmt::format(", which is within the margin of {}", percent(evidence.plan.margin));
-  if (std::isfinite(contrast.p)) text += ", " + p_words(contrast.p);
-  if (std::isfinite(contrast.superiority.value)) {
-    const double chance = first ? contrast.superiority.value : 1 - contrast.superiority.value;
-    text +=
-        fmt::format(", ahead in {} of {}", percent(chance), evidence.blocks > 0 ? "blocks" : "pairs of observations");
+  const std::size_t winner = better_of(contrast);
+  std::string text = fmt::format("{} is better than {}: {}{}", name_words(evidence, winner),
+                                 name_words(evidence, other_than(winner, contrast)),
+                                 effect_of(evidence, contrast, winner), share_words(evidence, contrast));
+  if (std::isfinite(contrast.p)) text += fmt::format(" ({})", p_words(contrast.p));
+  std::vector<std::string> doubts;
+  if (includes_zero(contrast)) doubts.emplace_back("the interval of the difference between means includes zero");
+  if (std::string words = dissent_words(evidence, dissent(evidence, contrast)); !words.empty()) {
+    doubts.push_back(std::move(words));
   }
-  return text;
+  return doubts.empty() ? text : fmt::format("{}, although {}", text, fmt::join(doubts, " and "));
 }
 
 // "10 of the 15 pairs differ. IK-BA is better than BA: ..."; of pairs with the best, or of the others where none of
@@ -111,58 +127,126 @@ std::string who_differs_words(const Evidence& evidence, const std::vector<std::s
                      clauses(with_best.empty() ? of_others : with_best));
 }
 
-// Pairs that one method separates and the other does not, with both p-values.
-struct Dispute {
-  std::vector<std::string> only_here, only_there;
+// What is known of two that are not told apart.
+std::string open_words(const Evidence& evidence, const Contrast& contrast) {
+  const std::string runs = runs_words(evidence, contrast.runs_to_decide);
+  const std::string then = runs.empty() ? "" : "; " + runs;
+  if (contrast.p == 1 && contrast.difference.value == 0 && !std::isfinite(contrast.difference.low)) {
+    return "all observations are equal, but there are too few to call the groups the same" + then;
+  }
+  if (!std::isfinite(contrast.difference.low)) return p_words(contrast.p) + then;
+  return fmt::format("{}; difference between {} and {}{}", p_words(contrast.p), number_words(contrast.difference.low),
+                     number_words(contrast.difference.high), then);
+}
+
+// "A vs B (...); A vs C (...)", or once for all pairs that have the same reason.
+std::string undefined_words(const Evidence& evidence, const std::vector<const Contrast*>& pairs) {
+  const std::string& reason = pairs.front()->undefined;
+  const bool is_one = std::ranges::all_of(pairs, [&](const Contrast* pair) { return pair->undefined == reason; });
+  if (is_one && pairs.size() == evidence.contrasts.size() && pairs.size() > 1) {
+    return fmt::format("none of the {} pairs ({})", pairs.size(), reason);
+  }
+  std::vector<std::string> words;
+  for (const Contrast* pair : pairs) {
+    words.push_back(fmt::format("{} ({})", pair_words(evidence, *pair), pair->undefined));
+  }
+  return clauses(words);
+}
+
+// What is said of the pairs of one group, by what is known of them.
+struct PairsOf {
+  std::vector<const Contrast*> ahead = {}, behind = {}, same = {}, open = {};
+  std::vector<const Contrast*> others_decided = {};
+  std::size_t others = 0;
 };
 
-Dispute dispute(const Evidence& evidence, double Contrast::*here, double Contrast::*there) {
-  Dispute result;
-  const double alpha = evidence.plan.significance;
+PairsOf pairs_of(const Evidence& evidence, std::size_t group) {
+  PairsOf result;
   for (const Contrast& contrast : evidence.contrasts) {
-    const double p = contrast.*here, other = contrast.*there;
-    if (!std::isfinite(p) || !std::isfinite(other) || (p < alpha) == (other < alpha)) continue;
-    (p < alpha ? result.only_here : result.only_there)
-        .push_back(fmt::format("{} ({} vs {})", pair_words(evidence, contrast), p_words(p), p_words(other)));
+    const bool is_own = contrast.first == group || contrast.second == group;
+    result.others += is_own ? 0 : 1;
+    if (is_decided(contrast)) {
+      (!is_own                        ? result.others_decided
+       : better_of(contrast) == group ? result.ahead
+                                      : result.behind)
+          .push_back(&contrast);
+    }
+    if (is_own && contrast.relation == Relation::equivalent) result.same.push_back(&contrast);
+    if (is_own && contrast.relation == Relation::not_told_apart) result.open.push_back(&contrast);
   }
   return result;
 }
 
-void add_dispute(std::vector<std::string>& parts, const Dispute& found, std::string_view here, std::string_view there) {
-  if (!found.only_here.empty())
-    parts.push_back(fmt::format("{} separates {}; {} does not", here, listed(found.only_here), there));
-  if (!found.only_there.empty())
-    parts.push_back(fmt::format("{} does not separate {}; {} does", here, listed(found.only_there), there));
-}
-
-// All groups together against pair by pair, where all pairs are there.
-std::string together_or_apart(const Evidence& evidence) {
-  const TestResult* together = deciding_test(evidence);
-  if (together == nullptr || !std::isfinite(together->p) || evidence.reference || evidence.pairs == 1) return "";
-  const bool all_differ = together->p < evidence.plan.significance;
-  const bool some_pair = std::ranges::any_of(evidence.contrasts, [](const Contrast& contrast) {
-    return contrast.relation == Relation::first_better || contrast.relation == Relation::second_better;
-  });
-  if (all_differ == some_pair) return "";
-  return all_differ ? fmt::format("The test of all groups finds a difference ({}), but no pair differs on its own",
-                                  p_words(together->p))
-                    : fmt::format("Some pairs differ, but the test of all groups shows no difference ({})",
-                                  p_words(together->p));
-}
-
-// What is known of two that are not told apart.
-std::string open_words(const Contrast& contrast) {
-  if (contrast.p == 1 && contrast.difference.value == 0 && !std::isfinite(contrast.difference.low)) {
-    return "all observations are equal, but there are too few to call the groups the same";
+std::string others_of(const Evidence& evidence, std::size_t group, const std::vector<const Contrast*>& pairs) {
+  std::vector<std::string> names;
+  for (const Contrast* pair : pairs) {
+    const std::string name = name_words(evidence, other_than(group, *pair));
+    const std::string doubt = is_decided(*pair) ? dissent_words(evidence, dissent(evidence, *pair)) : "";
+    names.push_back(doubt.empty() ? name : fmt::format("{} (although {})", name, doubt));
   }
-  if (!std::isfinite(contrast.difference.low)) return p_words(contrast.p);
-  return fmt::format("{}; difference between {} and {}", p_words(contrast.p), number_words(contrast.difference.low),
-                     number_words(contrast.difference.high));
+  return listed(names);
 }
 
-std::string rank_test_words(const Evidence& evidence) {
-  if (evidence.groups.size() == 2) return evidence.ranks_within_blocks() ? "Wilcoxon" : "Mann-Whitney";
-  return evidence.ranks_within_blocks() ? "Friedman" : "Dunn";
+// Two digits, and no less than it is.
+std::string at_most(double p) {
+  const double unit = std::pow(10, std::floor(std::log10(p)) - 1);
+  return rounded_number(std::ceil(p / unit) * unit, 2);
+}
+
+// "IK-BA is better than BA and DE; against DE, the best of these: 0.0019 vs 0.365, by 0.156 to 0.57, more than 5 % (p
+// at most 0.0003)". What is known of one pair, and how sure all are.
+std::string lead_words(const Evidence& evidence, std::size_t group, const std::vector<const Contrast*>& pairs,
+                       std::string_view is_better) {
+  double largest_p = not_defined;
+  for (const Contrast* pair : pairs) largest_p = std::fmax(largest_p, pair->p);
+  const Contrast& best = **std::ranges::min_element(
+      pairs, {}, [&](const Contrast* pair) { return standing(evidence, evidence.groups[other_than(group, *pair)]); });
+  std::string text =
+      fmt::format("{} {} than {}", name_words(evidence, group), is_better, others_of(evidence, group, pairs));
+  if (pairs.size() > 1) {
+    text += fmt::format("; against {}, the best of these", name_words(evidence, other_than(group, best)));
+  }
+  text += ": " + effect_of(evidence, best, group);
+  if (evidence.ranks_decide()) text += share_words(evidence, best);
+  if (std::isnan(largest_p)) return text;
+  const bool is_exact = pairs.size() == 1 || largest_p < 1e-300;
+  return fmt::format("{} ({})", text, is_exact ? p_words(largest_p) : "p at most " + at_most(largest_p));
+}
+
+std::string same_words(const Evidence& evidence, std::size_t group, const std::vector<const Contrast*>& pairs) {
+  std::string text = fmt::format("{} and {} are the same within {}", name_words(evidence, group),
+                                 others_of(evidence, group, pairs), margin_words(evidence));
+  if (pairs.size() > 1) return text;
+  const Estimate& difference = pairs.front()->difference;
+  return difference.low == difference.high ? text
+                                           : fmt::format("{} (difference between {} and {})", text,
+                                                         number_words(difference.low), number_words(difference.high));
+}
+
+std::string open_pairs_words(const Evidence& evidence, std::size_t group, const std::vector<const Contrast*>& pairs) {
+  const std::string text =
+      fmt::format("{} against {} is undecided", name_words(evidence, group), others_of(evidence, group, pairs));
+  if (pairs.size() == 1) return fmt::format("{} ({})", text, open_words(evidence, *pairs.front()));
+  double most = 0;
+  for (const Contrast* pair : pairs) most = std::max(most, pair->runs_to_decide);  // NaN does not count
+  const std::string runs = runs_words(evidence, most);
+  return runs.empty() ? text : fmt::format("{} ({})", text, runs);
+}
+
+// "5 of the 10 other pairs differ (the better first): DE vs BA; ..."
+std::string other_pairs_words(const Evidence& evidence, const PairsOf& pairs) {
+  if (pairs.others == 0) return "";
+  const std::string others = fmt::format("the {} other pair{}", pairs.others, pairs.others == 1 ? "" : "s");
+  if (pairs.others_decided.empty())
+    return pairs.others == 1 ? "The other pair does not differ." : fmt::format("None of {} differs.", others);
+  std::vector<std::string> names;
+  for (const Contrast* pair : pairs.others_decided) {
+    const std::size_t better = better_of(*pair);
+    names.push_back(
+        fmt::format("{} vs {}", name_words(evidence, better), name_words(evidence, other_than(better, *pair))));
+  }
+  return fmt::format("{} of {} differ{} (the better first): {}.", names.size(), others, names.size() == 1 ? "s" : "",
+                     clauses(names));
 }
 
 }  // namespace
@@ -170,110 +254,40 @@ std::string rank_test_words(const Evidence& evidence) {
 std::vector<std::string> who_differs(const Evidence& evidence) {
   if (evidence.contrasts.empty()) return {};
   const std::size_t best = evidence.reference.value_or(best_group(evidence));
-  std::vector<std::string> with_best, of_others, others_open, same, undefined;
+  std::vector<std::string> with_best, of_others, open, same;
+  std::vector<const Contrast*> undefined;
   for (const Contrast& contrast : evidence.contrasts) {
-    const bool decided = contrast.relation == Relation::first_better || contrast.relation == Relation::second_better;
     const bool of_best = contrast.first == best || contrast.second == best;
-    if (decided) (of_best ? with_best : of_others).push_back(better_words(evidence, contrast));
+    if (is_decided(contrast)) (of_best ? with_best : of_others).push_back(better_words(evidence, contrast));
     if (contrast.relation == Relation::not_told_apart) {
-      others_open.push_back(fmt::format("{} ({})", pair_words(evidence, contrast), open_words(contrast)));
+      open.push_back(fmt::format("{} ({})", pair_words(evidence, contrast), open_words(evidence, contrast)));
     }
     if (contrast.relation == Relation::equivalent) same.push_back(pair_words(evidence, contrast));
-    if (contrast.relation == Relation::undefined) {
-      undefined.push_back(fmt::format("{} ({})", pair_words(evidence, contrast), contrast.undefined));
-    }
+    if (contrast.relation == Relation::undefined) undefined.push_back(&contrast);
   }
   std::vector<std::string> sentences;
   sentences.push_back(fmt::format("Differences: {}.", who_differs_words(evidence, with_best, of_others)));
-  if (!same.empty())
-    sentences.push_back(fmt::format("The same within {}: {}.", percent(evidence.plan.margin), listed(same)));
-  if (!others_open.empty()) sentences.push_back(fmt::format("Undecided: {}.", listed(others_open)));
-  if (!undefined.empty()) sentences.push_back(fmt::format("Not defined: {}.", listed(undefined)));
+  if (!same.empty()) sentences.push_back(fmt::format("The same within {}: {}.", margin_words(evidence), clauses(same)));
+  if (!open.empty()) sentences.push_back(fmt::format("Undecided: {}.", clauses(open)));
+  if (!undefined.empty()) sentences.push_back(fmt::format("Not defined: {}.", undefined_words(evidence, undefined)));
   return sentences;
 }
 
-std::string disagreements(const Evidence& evidence) {
-  const bool comparable = std::ranges::any_of(evidence.contrasts, [](const Contrast& c) {
-    return (std::isfinite(c.p_unpooled) && (std::isfinite(c.p_pooled) || std::isfinite(c.p_ranks))) ||
-           (std::isfinite(c.p_paired) && std::isfinite(c.p_ranks));
-  });
-  if (!comparable) return "";
-  std::vector<std::string> parts;
-  const std::string ranks = fmt::format("{} (ranks)", rank_test_words(evidence));
-  Dispute pooled;
-  if (evidence.ranks_within_blocks()) {
-    add_dispute(parts, dispute(evidence, &Contrast::p_paired, &Contrast::p_ranks), "The paired t-test within blocks",
-                ranks);
-    add_dispute(parts, dispute(evidence, &Contrast::p_ranks, &Contrast::p_nemenyi),
-                fmt::format("{} with the planned correction", rank_test_words(evidence)), "Nemenyi");
-  }
-  if (!evidence.ranks_within_blocks() || !evidence.ranks_decide()) {
-    pooled = dispute(evidence, &Contrast::p_pooled, &Contrast::p_unpooled);
-    add_dispute(parts, pooled, "Tukey (pooled variance)", "Games-Howell (separate variances)");
-    add_dispute(parts, dispute(evidence, &Contrast::p_unpooled, &Contrast::p_ranks), "Games-Howell (means)", ranks);
-  }
-  if (std::string words = together_or_apart(evidence); !words.empty()) parts.push_back(std::move(words));
-  if (parts.empty()) return "Where methods disagree: nowhere; all methods give the same verdicts.";
-  std::string text = fmt::format("Where methods disagree: {}.", fmt::join(parts, ". "));
-  const bool pooling = !pooled.only_here.empty() || !pooled.only_there.empty();
-  if (pooling && pooling_misleads(evidence)) {
-    const std::string least = name_words(evidence, evidence.least_variable);
-    text += fmt::format(
-        " {} dominates Tukey's pooled variance: {}. With variances this unequal, trust Games-Howell rather than Tukey.",
-        name_words(evidence, evidence.most_variable),
-        std::isfinite(evidence.variance_ratio)
-            ? fmt::format("its variance is {} times that of {}", number_words(evidence.variance_ratio), least)
-            : fmt::format("{} has no variance", least));
-  }
-  return text;
-}
-
-// Of the best (or the control): from whom it differs, and from whom not; and what a pooled variance would hide.
 std::string in_short(const Evidence& evidence) {
   if (evidence.contrasts.empty()) return "";
   const std::size_t best = evidence.reference.value_or(best_group(evidence));
-  std::vector<std::string> ahead, behind, open, same;
-  std::size_t differ = 0;
-  double largest_p = 0;
-  for (const Contrast& contrast : evidence.contrasts) {
-    const bool decided = contrast.relation == Relation::first_better || contrast.relation == Relation::second_better;
-    differ += decided ? 1 : 0;
-    if (contrast.first != best && contrast.second != best) continue;
-    const bool is_first = contrast.first == best;
-    const std::string other = name_words(evidence, is_first ? contrast.second : contrast.first);
-    if (decided) {
-      const bool wins = is_first == (contrast.relation == Relation::first_better);
-      const std::string doubt = dissent_words(evidence, dissent(evidence, contrast));
-      (wins ? ahead : behind).push_back(doubt.empty() ? other : fmt::format("{} (although {})", other, doubt));
-      if (std::isfinite(contrast.p)) largest_p = std::max(largest_p, contrast.p);
-    }
-    if (contrast.relation == Relation::not_told_apart) open.push_back(other);
-    if (contrast.relation == Relation::equivalent) same.push_back(other);
-  }
+  const PairsOf pairs = pairs_of(evidence, best);
   std::vector<std::string> parts;
-  if (!ahead.empty()) parts.push_back(fmt::format("{} is better than {}", name_words(evidence, best), listed(ahead)));
-  if (!behind.empty()) parts.push_back(fmt::format("{} is worse than {}", name_words(evidence, best), listed(behind)));
-  if (!parts.empty() && largest_p > 0) {
-    parts.back() += ahead.size() + behind.size() == 1 ? fmt::format(" ({})", p_words(largest_p))
-                                                      : fmt::format(" (p at most {})", rounded_number(largest_p, 2));
-  }
-  if (!same.empty()) {
-    parts.push_back(fmt::format("{} and {} are the same within {}", name_words(evidence, best), listed(same),
-                                percent(evidence.plan.margin)));
-  }
-  if (!open.empty())
-    parts.push_back(fmt::format("{} against {} is undecided", name_words(evidence, best), listed(open)));
-  const Dispute pooled =
-      evidence.blocks > 0 ? Dispute{} : dispute(evidence, &Contrast::p_pooled, &Contrast::p_unpooled);
-  if (pooling_misleads(evidence) && !pooled.only_there.empty()) {
-    parts.push_back(
-        fmt::format("a pooled-variance test would miss the difference between {}", listed(pooled.only_there)));
-  }
+  if (!pairs.ahead.empty()) parts.push_back(lead_words(evidence, best, pairs.ahead, "is better"));
+  if (!pairs.behind.empty()) parts.push_back(lead_words(evidence, best, pairs.behind, "is worse"));
+  if (!pairs.same.empty()) parts.push_back(same_words(evidence, best, pairs.same));
+  if (!pairs.open.empty()) parts.push_back(open_pairs_words(evidence, best, pairs.open));
   if (parts.empty()) parts.push_back(fmt::format("no pair with {} can be judged", name_words(evidence, best)));
-  if (evidence.contrasts.size() > 1)
-    parts.push_back(fmt::format("{} of {} pairs differ", differ, evidence.contrasts.size()));
-  return fmt::format("{}{}.", fmt::join(parts, "; "),
-                     evidence.constant ? "" : fmt::format(", by {}", deciding_words(evidence)));
+  std::string text = fmt::format("{}.", fmt::join(parts, "; "));
+  if (const std::string others = other_pairs_words(evidence, pairs); !others.empty()) text += " " + others;
+  if (evidence.constant) return text;
+  return fmt::format("{} Decided by: {}{}.", text, pair_test_words(evidence),
+                     evidence.pairs == 1 ? "" : fmt::format(", corrected for {} pairs", corrected_for(evidence)));
 }
 
 }  // namespace ikbench::report

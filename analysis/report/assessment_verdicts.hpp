@@ -1,4 +1,4 @@
-// Who differs from whom, and where methods disagree: the words for the pairs of an assessment.
+// Who differs from whom: the words for the pairs of an assessment.
 #pragma once
 
 #include <string>
@@ -8,8 +8,9 @@
 
 namespace ikbench::report {
 
-std::string in_short(const inference::Evidence& evidence);  // empty where there is nothing to compare
+// The answer: of the best group (or the control), who is worse, by how much, and how sure that is; who is the same, and
+// who undecided; which of the other pairs differ, and what decided. Empty where there is nothing to compare.
+std::string in_short(const inference::Evidence& evidence);
 std::vector<std::string> who_differs(const inference::Evidence& evidence);
-std::string disagreements(const inference::Evidence& evidence);
 
 }  // namespace ikbench::report

@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 
+#include "analysis/inference/margin.hpp"
 #include "analysis/inference/text.hpp"
 
 namespace ikbench::report {
@@ -49,11 +51,72 @@ std::string clauses(const std::vector<std::string>& items) {
 }
 
 std::string name_words(const Evidence& evidence, std::size_t group) {
-  return row_label(evidence.groups[group].name, longest_name_in_text);
+  std::string name = row_label(evidence.groups[group].name, longest_name_in_text);
+  const auto breaks = [&](const char* separator) { return name.find(separator) != std::string::npos; };
+  return breaks(", ") || breaks("; ") || breaks(" and ") || breaks(" vs ") ? fmt::format("'{}'", name) : name;
 }
 
 std::string pair_words(const Evidence& evidence, const Contrast& contrast) {
-  return fmt::format("{} and {}", name_words(evidence, contrast.first), name_words(evidence, contrast.second));
+  return fmt::format("{} vs {}", name_words(evidence, contrast.first), name_words(evidence, contrast.second));
+}
+
+std::string margin_words(const Evidence& evidence) {
+  if (!has_absolute_margin(evidence)) return percent(evidence.plan.margin);
+  const std::string absolute = rounded_number(evidence.plan.margin_cm, 3) + " cm";
+  return evidence.plan.margin > 0 ? fmt::format("{} or {}", percent(evidence.plan.margin), absolute) : absolute;
+}
+
+std::string extent_words(const Evidence& evidence, const Contrast& contrast) {
+  constexpr double most_in_percent = 10;  // times the smaller mean
+  if (evidence.plan.margin == 0 && !has_absolute_margin(evidence)) return "";
+  const std::string margin = margin_words(evidence);
+  switch (contrast.extent) {
+    case Extent::within:
+      return "less than " + margin;
+    case Extent::beyond:
+      return "more than " + margin;
+    case Extent::across: {
+      const double unit = std::min(std::abs(evidence.groups[contrast.first].described.mean),
+                                   std::abs(evidence.groups[contrast.second].described.mean));
+      const auto [least, most] = std::minmax({std::abs(contrast.difference.low), std::abs(contrast.difference.high)});
+      if (!(most <= most_in_percent * unit)) return fmt::format("less or more than {}", margin);
+      return fmt::format("{} to {} (margin {})", percent(least / unit), percent(most / unit), margin);
+    }
+    default:
+      return "";
+  }
+}
+
+std::string verdict_words(const Evidence& evidence, const Contrast& contrast) {
+  const std::string extent = extent_words(evidence, contrast), by = extent.empty() ? "" : " by " + extent;
+  switch (contrast.relation) {
+    case Relation::first_better:
+      return fmt::format("{} is better{}", evidence.groups[contrast.first].name, by);
+    case Relation::second_better:
+      return fmt::format("{} is better{}", evidence.groups[contrast.second].name, by);
+    case Relation::equivalent:
+      return fmt::format("the same within {}", margin_words(evidence));
+    case Relation::undefined:
+      return "not defined: " + contrast.undefined;
+    default:
+      return "undecided";
+  }
+}
+
+std::string_view replicates_words(const Evidence& evidence) {
+  return evidence.plan.test == results::DecidingTest::friedman ? "blocks" : "observations per group";
+}
+
+std::string runs_words(const Evidence& evidence, double runs_to_decide) {
+  const bool more = std::ranges::any_of(evidence.groups,
+                                        [&](const GroupEvidence& group) { return runs_to_decide > group.described.n; });
+  if (!more) return "";
+  return fmt::format("about {:.0f} {} would decide", runs_to_decide, replicates_words(evidence));
+}
+
+// Tukey's and Games-Howell's p-values are of all pairs, with a control too.
+std::size_t corrected_for(const Evidence& evidence) {
+  return evidence.ranks_decide() ? evidence.family() : evidence.pairs;
 }
 
 std::string flaw_words(const Evidence& evidence) {

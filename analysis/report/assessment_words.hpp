@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "analysis/inference/evidence.hpp"
@@ -14,9 +15,21 @@ std::string number_words(double value);  // three digits, and all digits before 
 std::string p_words(double p);
 std::string listed(const std::vector<std::string>& items);   // "a, b and c"; of many the first, and how many more
 std::string clauses(const std::vector<std::string>& items);  // the same of clauses that have commas themselves
-std::string name_words(const inference::Evidence& evidence, std::size_t group);
-std::string pair_words(const inference::Evidence& evidence, const inference::Contrast& contrast);
-std::string flaw_words(const inference::Evidence& evidence);  // of one that has a flaw
+std::string name_words(const inference::Evidence& evidence, std::size_t group);  // in quotes where a list would break
+std::string pair_words(const inference::Evidence& evidence, const inference::Contrast& contrast);  // "IK-BA vs DE"
+
+// The words for a difference, which sentences, tables and JSON share.
+std::string margin_words(const inference::Evidence& evidence);  // "5 %", "5 % or 0.01 cm"
+// Of a pair that differs, against the margin: "more than 5 %", "less than 5 %", "3 % to 12 % (margin 5 %)". Empty where
+// the interval is not for the better one, or the plan has no margin.
+std::string extent_words(const inference::Evidence& evidence, const inference::Contrast& contrast);
+// "IK-BA is better by more than 5 %", "the same within 5 %", "undecided", "not defined: ..."
+std::string verdict_words(const inference::Evidence& evidence, const inference::Contrast& contrast);
+std::string_view replicates_words(const inference::Evidence& evidence);  // "observations per group", or "blocks"
+// Of a pair that is undecided: "about 57 observations per group would decide"; empty where it is not known.
+std::string runs_words(const inference::Evidence& evidence, double runs_to_decide);
+std::size_t corrected_for(const inference::Evidence& evidence);  // so many pairs the deciding p-values are
+std::string flaw_words(const inference::Evidence& evidence);     // of one that has a flaw
 
 // Whether equal variances are refuted: by Brown and Forsythe's test where the values are there, since Bartlett's takes
 // normal ones for granted. Null where neither test was made.

@@ -365,6 +365,7 @@ TEST_CASE("a study says how it will be judged, by default Friedman's or Welch's 
                                                                             {"control", ""},
                                                                             {"significance", 0.05},
                                                                             {"margin_percent", 5.0},
+                                                                            {"margin_cm", 0.0},
                                                                             {"power", 0.8},
                                                                             {"quartiles", 5},
                                                                             {"unit", "run"}});

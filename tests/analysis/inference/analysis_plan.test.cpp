@@ -49,12 +49,13 @@ bool is_default(const AnalysisPlan& plan) { return changes_between(AnalysisPlan{
 TEST_CASE("the plan is what the study's definition says, in its units", "[analysis_plan]") {
   const AnalysisPlan plan = plan_of(entry_with(
       R"({"test": "kruskal_wallis", "adjustment": "bonferroni", "control": "IK-BA", "significance": 0.01,
-          "margin_percent": 20, "power": 0.9, "quartiles": 7, "unit": "point"})"));
+          "margin_percent": 20, "margin_cm": 0.01, "power": 0.9, "quartiles": 7, "unit": "point"})"));
   CHECK(plan.test == DecidingTest::kruskal_wallis);
   CHECK(plan.adjustment == Adjustment::bonferroni);
   CHECK(plan.control == "IK-BA");
   CHECK(plan.significance == 0.01);
   CHECK(plan.margin == 0.2);  // 20 percent
+  CHECK(plan.margin_cm == 0.01);
   CHECK(plan.power == 0.9);
   CHECK(plan.quartiles == 7);
   CHECK(plan.unit == Unit::point);
@@ -66,7 +67,7 @@ TEST_CASE("a store without a plan, or with one that is nonsense, is judged by th
   CHECK(is_default(plan_of({.name = "s", .definition = "", .series = {}})));
   for (const char* nonsense :
        {"null", "3", "[]", "\"welch\"", "{}", R"({"test": "t", "adjustment": 3, "unit": null})",
-        R"({"significance": 0, "margin_percent": -1, "power": 1, "quartiles": 10})",
+        R"({"significance": 0, "margin_percent": -1, "margin_cm": -1, "power": 1, "quartiles": 10})",
         R"({"significance": "0.01", "margin_percent": 1e308, "power": [], "quartiles": 7.5})",
         R"({"significance": 1e400, "quartiles": 18446744073709551615})", R"({"control": "nobody", "quartiles": -3})"}) {
     CAPTURE(nonsense);
@@ -87,7 +88,7 @@ TEST_CASE("a plan that was there before the first solve is said to be so", "[ana
       notes ==
       std::vector<std::string>{
           "The methods were fixed in the study before its first solve in this store (test by_design, adjustment holm, "
-          "control none, significance 0.01, margin_percent 5, power 0.8, quartiles 5, unit run)."});
+          "control none, significance 0.01, margin_percent 5, margin_cm 0, power 0.8, quartiles 5, unit run)."});
   CHECK(plan_changes(entry_with(plan), sessions_with({plan, plan}), solves_by_session({3, 2})).empty());
   CHECK(plan_notes(entry_with(plan), {}, {})
             .at(0)
@@ -119,7 +120,7 @@ TEST_CASE("solves of a version that recorded no plan are counted", "[analysis_pl
 TEST_CASE("the table of the plan has every field with its value and meaning", "[analysis_plan]") {
   const Table table = plan_table(entry_with("{}"), AnalysisPlan{.margin = 0.1}, {"a note"});
   CHECK(table.name == "analysis-plan");
-  REQUIRE(table.rows.size() == 8);  // the fields of AnalysisPlan
+  REQUIRE(table.rows.size() == 9);  // the fields of AnalysisPlan
   CHECK(readable(table.rows[4][0]) == "margin_percent");
   CHECK(readable(table.rows[4][1]) == "10");
   for (const auto& row : table.rows) CHECK(!readable(row[2]).empty());

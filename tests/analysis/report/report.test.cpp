@@ -333,8 +333,8 @@ TEST_CASE("times that are not comparable have no verdict anywhere in a report", 
     CHECK(contains(section, "Observations: computing time"));
     CHECK(contains(section, "Not judged"));
     CHECK(times_said(section, "2.00 times their CPU time") == 2);  // once with the table, once with the figure
-    for (const char* verdict : {"In short", "Differences", "Undecided", "Methods", "Assumptions", "classical analysis",
-                                "robust analysis", "Where methods disagree", "is better than", "are the same within",
+    for (const char* verdict : {"In short", "Differences", "Undecided", "Methods", "Assumptions", "All groups together",
+                                "Other tests of all groups", "Where methods disagree", "is better than", "are the same within",
                                 "p = ", "Shapiro", "Tests of all groups", "average rank", "A12"}) {
       CAPTURE(verdict);
       CHECK(!contains(section, verdict));

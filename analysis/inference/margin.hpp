@@ -1,0 +1,24 @@
+// The margin of a plan: a difference of two means that is within it does not matter.
+//
+// It is relative, a share of the smaller of the two means, and for what is measured in cm also absolute. A difference
+// is within the margin if it is within either: near 0 a share means nothing, and far from 0 a length that an arm cannot
+// resolve is nothing beside the share. So the larger of the two is what counts.
+#pragma once
+
+#include <string_view>
+
+#include "analysis/inference/evidence.hpp"
+
+namespace ikbench::inference {
+
+// Whether the quantity's name says so: "position error [cm]", "position_error_cm".
+bool is_in_cm(std::string_view quantity);
+bool has_absolute_margin(const Evidence& evidence);
+
+// As a difference of the two means of a pair; NaN where one of these is.
+double margin_of(const Evidence& evidence, const Contrast& contrast);
+
+// Of the contrast's interval, for the one that is ahead.
+Extent extent_of(const Evidence& evidence, const Contrast& contrast);
+
+}  // namespace ikbench::inference

@@ -1,0 +1,102 @@
+#include "analysis/report/assessment_disagreements.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "analysis/inference/contrasts.hpp"
+#include "analysis/inference/judge.hpp"
+#include "analysis/report/assessment_words.hpp"
+
+namespace ikbench::report {
+
+using namespace inference;
+
+namespace {
+
+// Pairs that a method separates and the deciding one does not, and the reverse, with both p-values.
+struct Dispute {
+  bool made = false;  // some pair has both
+  std::vector<std::string> only_here, only_there;
+};
+
+Dispute dispute(const Evidence& evidence, const PairMethod& method) {
+  Dispute result;
+  for (const Contrast& contrast : evidence.contrasts) {
+    const double p = contrast.*method.p;
+    if (!std::isfinite(p) || !std::isfinite(contrast.p)) continue;
+    result.made = true;
+    if (is_significant(p, evidence.plan) == is_significant(contrast.p, evidence.plan)) continue;
+    (is_significant(p, evidence.plan) ? result.only_here : result.only_there)
+        .push_back(
+            fmt::format("{} ({}, deciding {})", pair_words(evidence, contrast), p_words(p), p_words(contrast.p)));
+  }
+  return result;
+}
+
+void add_dispute(std::vector<std::string>& parts, const Dispute& found, const PairMethod& method) {
+  if (!found.only_here.empty()) {
+    parts.push_back(fmt::format("{} ({}) also separates {}", method.name, method.note, clauses(found.only_here)));
+  }
+  if (!found.only_there.empty()) {
+    parts.push_back(fmt::format("{} ({}) does not separate {}", method.name, method.note, clauses(found.only_there)));
+  }
+}
+
+// The tests of all groups against the one that goes with the pairs, and that one against the pairs, where all are
+// there.
+void add_tests_of_all(const Evidence& evidence, std::vector<std::string>& parts) {
+  const TestResult* together = deciding_test(evidence);
+  if (together == nullptr || !std::isfinite(together->p)) return;
+  const bool all_differ = is_significant(together->p, evidence.plan);
+  for (const TestResult& test : evidence.tests) {
+    if (test.role == Role::assumption || !std::isfinite(test.p)) continue;
+    if (is_significant(test.p, evidence.plan) == all_differ) continue;
+    parts.push_back(fmt::format("Of all groups together, {} {} ({}), and {} {} ({})", test.test,
+                                all_differ ? "shows no difference" : "finds a difference", p_words(test.p),
+                                together->test, all_differ ? "finds one" : "shows none", p_words(together->p)));
+  }
+  if (evidence.reference || evidence.pairs == 1) return;
+  const bool some_pair = std::ranges::any_of(evidence.contrasts, is_decided);
+  if (all_differ == some_pair) return;
+  parts.push_back(
+      all_differ
+          ? fmt::format("The test of all groups finds a difference ({}), but no pair differs on its own",
+                        p_words(together->p))
+          : fmt::format("Pairs differ, but the test of all groups finds no difference ({})", p_words(together->p)));
+}
+
+}  // namespace
+
+std::string disagreements(const Evidence& evidence) {
+  std::vector<std::string> parts;
+  bool comparable = false, pooling_disagrees = false;
+  for (const PairMethod& method : pair_methods(evidence)) {
+    const Dispute found = dispute(evidence, method);
+    add_dispute(parts, found, method);
+    const bool differs = !found.only_here.empty() || !found.only_there.empty();
+    pooling_disagrees = pooling_disagrees || (differs && method.p == &Contrast::p_pooled && evidence.blocks == 0);
+    comparable = comparable || found.made;
+  }
+  if (!comparable) return "";
+  add_tests_of_all(evidence, parts);
+  if (parts.empty()) return "Where methods disagree: nowhere; all methods give the same verdicts.";
+  std::string text = fmt::format("Where methods disagree: {}.", fmt::join(parts, ". "));
+  if (pooling_disagrees && pooling_misleads(evidence)) {
+    const std::string least = name_words(evidence, evidence.least_variable);
+    text += fmt::format(
+        " {} dominates Tukey's pooled variance: {}. With variances this unequal, trust Games-Howell rather than Tukey.",
+        name_words(evidence, evidence.most_variable),
+        std::isfinite(evidence.variance_ratio)
+            ? fmt::format("its variance is {} times that of {}", number_words(evidence.variance_ratio), least)
+            : fmt::format("{} has no variance", least));
+  }
+  return text;
+}
+
+}  // namespace ikbench::report

@@ -1,0 +1,13 @@
+// Where the methods that an assessment shows come to another verdict than the one that decides.
+#pragma once
+
+#include <string>
+
+#include "analysis/inference/evidence.hpp"
+
+namespace ikbench::report {
+
+// Empty where no two methods can be compared.
+std::string disagreements(const inference::Evidence& evidence);
+
+}  // namespace ikbench::report
