@@ -142,8 +142,10 @@ void judge_constants(const Evidence& evidence, Contrast& contrast) {
   contrast.undefined.clear();
   contrast.difference = {.value = difference};
   contrast.relation = Relation::not_told_apart;
-  contrast.runs_to_decide = fewest_to_differ(evidence);
-  if (by_chance >= evidence.plan.significance) return;
+  if (by_chance >= evidence.plan.significance) {
+    contrast.runs_to_decide = fewest_to_differ(evidence);
+    return;
+  }
   contrast.difference = {difference, difference, difference};
   contrast.extent = extent_of(evidence, contrast);
   contrast.relation = relation_of(evidence, contrast, contrast.p);
@@ -166,19 +168,19 @@ void judge(const Evidence& evidence, Contrast& contrast) {
   contrast.relation = relation_of(evidence, contrast, contrast.p);
 }
 
+// If the difference is what it seems, either it is found or it is shown to be within the margin: whichever is nearer.
 double runs_to_decide(const Evidence& evidence, const Contrast& contrast, std::span<const GroupSummary> summaries,
                       Values values) {
   const PowerGoal goal{.power = evidence.plan.power,
                        .alpha = evidence.plan.significance / static_cast<double>(evidence.family())};
-  const double margin = margin_of(evidence, contrast);
-  const double n =
+  const double apart = std::abs(contrast.difference.value);
+  const double to_see = std::max(apart, margin_of(evidence, contrast) - apart);
+  const std::size_t i = contrast.first, j = contrast.second;
+  const RunsNeeded runs =
       evidence.plan.test == DecidingTest::friedman
-          ? pairs_to_see(
-                standard_deviation(differences_without_rounding(values[contrast.first], values[contrast.second])),
-                margin, goal)
-                .n
-          : runs_to_see(summaries[contrast.first], summaries[contrast.second], margin, goal).n;
-  return std::max(n, static_cast<double>(evidence.fewest));
+          ? pairs_to_see(standard_deviation(differences_without_rounding(values[i], values[j])), to_see, goal)
+          : runs_to_see(summaries[i], summaries[j], to_see, goal);
+  return std::fmax(runs.n, evidence.fewest > 0 ? evidence.fewest : not_defined);
 }
 
 double deciding_p(const Evidence& evidence, const Contrast& contrast) {
@@ -279,13 +281,15 @@ void add_contrasts(Evidence& evidence, std::span<const GroupSummary> summaries, 
     }
     const EffectSize g = hedges_g(first, second, level);
     contrast.g = {.value = g.value, .low = g.low, .high = g.high};
-    contrast.runs_to_decide = runs_to_decide(evidence, contrast, summaries, values);
     if (!ahead.empty()) {
       contrast.superiority = superiority(evidence, ahead[contrast.first], ahead[contrast.second]);
       if (evidence.blocks > 0) compare_in_blocks(evidence, values, contrast);
     }
     contrast.p = deciding_p(evidence, contrast);
     judge(evidence, contrast);
+    if (contrast.relation == Relation::not_told_apart && std::isnan(contrast.runs_to_decide)) {
+      contrast.runs_to_decide = runs_to_decide(evidence, contrast, summaries, values);
+    }
   }
   evidence.contrasts = std::move(all);
 }

@@ -78,8 +78,8 @@ struct Contrast {
   double p_nemenyi = statistics::not_defined;     // of Friedman's ranks, all pairs; only within blocks
   Estimate superiority = {};  // A12: the chance that an observation of first is better than one of second
   Estimate g = {};            // Hedges; positive where the mean of first is larger
-  // Observations a group, or blocks: to find a difference of the margin with the planned power, and as many as the test
-  // needs to find any.
+  // Of a pair that is undecided: observations a group, or blocks, that would decide it with the planned power if the
+  // difference is what it seems; no fewer than the test needs to find any.
   double runs_to_decide = statistics::not_defined;
   Relation relation = Relation::undefined;
   Extent extent = Extent::unknown;

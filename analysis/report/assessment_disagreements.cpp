@@ -54,12 +54,18 @@ void add_tests_of_all(const Evidence& evidence, std::vector<std::string>& parts)
   const TestResult* together = deciding_test(evidence);
   if (together == nullptr || !std::isfinite(together->p)) return;
   const bool all_differ = is_significant(together->p, evidence.plan);
+  std::vector<std::string> others;
   for (const TestResult& test : evidence.tests) {
     if (test.role == Role::assumption || !std::isfinite(test.p)) continue;
     if (is_significant(test.p, evidence.plan) == all_differ) continue;
-    parts.push_back(fmt::format("Of all groups together, {} {} ({}), and {} {} ({})", test.test,
-                                all_differ ? "shows no difference" : "finds a difference", p_words(test.p),
-                                together->test, all_differ ? "finds one" : "shows none", p_words(together->p)));
+    others.push_back(fmt::format("{} ({})", test.test, p_words(test.p)));
+  }
+  if (!others.empty()) {
+    parts.push_back(fmt::format("Of all groups together, {} {} a difference ({}), but {} {}", together->test,
+                                all_differ ? "finds" : "does not find", p_words(together->p), listed(others),
+                                !all_differ          ? (others.size() == 1 ? "does" : "do")
+                                : others.size() == 1 ? "does not"
+                                                     : "do not"));
   }
   if (evidence.reference || evidence.pairs == 1) return;
   const bool some_pair = std::ranges::any_of(evidence.contrasts, is_decided);

@@ -158,27 +158,20 @@ std::string too_few(const Evidence& evidence) {
 std::vector<std::string> limits(const Evidence& evidence) {
   std::vector<std::string> parts;
   double most = 0;
-  std::size_t open = 0, beyond = 0;
+  std::size_t open = 0;
   for (const Contrast& contrast : evidence.contrasts) {
     if (contrast.relation != Relation::not_told_apart) continue;
     ++open;
-    if (std::isfinite(contrast.runs_to_decide)) most = std::max(most, contrast.runs_to_decide);
-    beyond += std::isfinite(contrast.runs_to_decide) ? 0 : 1;
+    most = std::fmax(most, contrast.runs_to_decide);
   }
   if (open > 0) {
-    parts.push_back(fmt::format("undecided does not mean equal: {}",
-                                most > 0
-                                    ? fmt::format("to detect a difference of {} with {} power in {} takes {}{:.0f} {}",
-                                                  margin_words(evidence), percent(evidence.plan.power),
-                                                  open == 1    ? "that pair"
-                                                  : beyond > 0 ? fmt::format("{} of those pairs", open - beyond)
-                                                               : "each of those pairs",
-                                                  open == 1 ? "" : "up to ", most, replicates_words(evidence))
-                                    : "a difference remains possible"));
-  }
-  if (beyond > 0) {
-    parts.push_back(
-        fmt::format("in {} of the undecided pairs that would take more than ten million observations", beyond));
+    parts.push_back(fmt::format(
+        "undecided does not mean equal: {}",
+        most == 0 ? "a difference remains possible"
+                  : fmt::format("if {}, {:.0f} {} decide {} with {} power",
+                                open == 1 ? "the difference is what it seems" : "the differences are what they seem",
+                                most, replicates_words(evidence), open == 1 ? "that pair" : "all those pairs",
+                                percent(evidence.plan.power))));
   }
   if (!evidence.flaw.empty()) parts.push_back("with flawed observations the p-values are no evidence");
   if (evidence.from_summaries)
@@ -218,6 +211,7 @@ std::vector<std::string> sentences_of(const Evidence& evidence) {
                     evidence.blocks > 0 ? "the sign test within blocks" : "Fisher's exact test"));
     return sentences;
   }
+  if (has_single_values(evidence)) return sentences;
   sentences.push_back(methods(evidence));
   sentences.push_back(too_few(evidence));
   sentences.push_back(assumptions(evidence));

@@ -139,17 +139,16 @@ std::string open_words(const Evidence& evidence, const Contrast& contrast) {
                      number_words(contrast.difference.high), then);
 }
 
-// "A vs B (...); A vs C (...)", or once for all pairs that have the same reason.
+// "A vs B (...); A vs C and B vs C (...)": a reason once for all pairs that share it.
 std::string undefined_words(const Evidence& evidence, const std::vector<const Contrast*>& pairs) {
-  const std::string& reason = pairs.front()->undefined;
-  const bool is_one = std::ranges::all_of(pairs, [&](const Contrast* pair) { return pair->undefined == reason; });
-  if (is_one && pairs.size() == evidence.contrasts.size() && pairs.size() > 1) {
-    return fmt::format("none of the {} pairs ({})", pairs.size(), reason);
+  std::vector<std::pair<std::string, std::vector<std::string>>> by_reason;
+  for (const Contrast* pair : pairs) {
+    auto found = std::ranges::find(by_reason, pair->undefined, [](const auto& each) { return each.first; });
+    if (found == by_reason.end()) found = by_reason.insert(found, {pair->undefined, {}});
+    found->second.push_back(pair_words(evidence, *pair));
   }
   std::vector<std::string> words;
-  for (const Contrast* pair : pairs) {
-    words.push_back(fmt::format("{} ({})", pair_words(evidence, *pair), pair->undefined));
-  }
+  for (const auto& [reason, names] : by_reason) words.push_back(fmt::format("{} ({})", listed(names), reason));
   return clauses(words);
 }
 
@@ -157,14 +156,14 @@ std::string undefined_words(const Evidence& evidence, const std::vector<const Co
 struct PairsOf {
   std::vector<const Contrast*> ahead = {}, behind = {}, same = {}, open = {};
   std::vector<const Contrast*> others_decided = {};
-  std::size_t others = 0;
+  std::size_t others = 0;  // that have an answer
 };
 
 PairsOf pairs_of(const Evidence& evidence, std::size_t group) {
   PairsOf result;
   for (const Contrast& contrast : evidence.contrasts) {
     const bool is_own = contrast.first == group || contrast.second == group;
-    result.others += is_own ? 0 : 1;
+    result.others += is_own || contrast.relation == Relation::undefined ? 0 : 1;
     if (is_decided(contrast)) {
       (!is_own                        ? result.others_decided
        : better_of(contrast) == group ? result.ahead
@@ -206,7 +205,7 @@ std::string lead_words(const Evidence& evidence, std::size_t group, const std::v
   if (pairs.size() > 1) {
     text += fmt::format("; against {}, the best of these", name_words(evidence, other_than(group, best)));
   }
-  text += ": " + effect_of(evidence, best, group);
+  text += ": mean " + effect_of(evidence, best, group);
   if (evidence.ranks_decide()) text += share_words(evidence, best);
   if (std::isnan(largest_p)) return text;
   const bool is_exact = pairs.size() == 1 || largest_p < 1e-300;
@@ -233,6 +232,12 @@ std::string open_pairs_words(const Evidence& evidence, std::size_t group, const 
   return runs.empty() ? text : fmt::format("{} ({})", text, runs);
 }
 
+std::string_view standing_words(const Evidence& evidence) {
+  return evidence.plan.test == results::DecidingTest::friedman         ? "average rank"
+         : evidence.plan.test == results::DecidingTest::kruskal_wallis ? "mean rank"
+                                                                       : "mean";
+}
+
 // "5 of the 10 other pairs differ (the better first): DE vs BA; ..."
 std::string other_pairs_words(const Evidence& evidence, const PairsOf& pairs) {
   if (pairs.others == 0) return "";
@@ -245,8 +250,9 @@ std::string other_pairs_words(const Evidence& evidence, const PairsOf& pairs) {
     names.push_back(
         fmt::format("{} vs {}", name_words(evidence, better), name_words(evidence, other_than(better, *pair))));
   }
-  return fmt::format("{} of {} differ{} (the better first): {}.", names.size(), others, names.size() == 1 ? "s" : "",
-                     clauses(names));
+  const bool all = names.size() == pairs.others;
+  return fmt::format("{}{} differ{} (the better first): {}.", all ? "Also " : fmt::format("{} of ", names.size()),
+                     others, names.size() == 1 ? "s" : "", clauses(names));
 }
 
 }  // namespace
@@ -277,12 +283,21 @@ std::string in_short(const Evidence& evidence) {
   if (evidence.contrasts.empty()) return "";
   const std::size_t best = evidence.reference.value_or(best_group(evidence));
   const PairsOf pairs = pairs_of(evidence, best);
+  if (has_single_values(evidence)) return "nothing can be judged, because no group has more than one observation.";
   std::vector<std::string> parts;
   if (!pairs.ahead.empty()) parts.push_back(lead_words(evidence, best, pairs.ahead, "is better"));
   if (!pairs.behind.empty()) parts.push_back(lead_words(evidence, best, pairs.behind, "is worse"));
   if (!pairs.same.empty()) parts.push_back(same_words(evidence, best, pairs.same));
   if (!pairs.open.empty()) parts.push_back(open_pairs_words(evidence, best, pairs.open));
   if (parts.empty()) parts.push_back(fmt::format("no pair with {} can be judged", name_words(evidence, best)));
+  const bool is_open = pairs.ahead.empty() && pairs.behind.empty() && !(pairs.same.empty() && pairs.open.empty());
+  if (is_open && evidence.contrasts.size() > 1) {
+    parts.insert(
+        parts.begin(),
+        fmt::format(
+            "{} {} not shown to be better than another group", name_words(evidence, best),
+            evidence.plan.control.empty() ? fmt::format("has the best {}, but is", standing_words(evidence)) : "is"));
+  }
   std::string text = fmt::format("{}.", fmt::join(parts, "; "));
   if (const std::string others = other_pairs_words(evidence, pairs); !others.empty()) text += " " + others;
   if (evidence.constant) return text;

@@ -123,6 +123,10 @@ std::string flaw_words(const Evidence& evidence) {
   return fmt::format("Flawed: {}{}", evidence.flaw, evidence.flaw.ends_with('.') ? "" : ".");
 }
 
+bool has_single_values(const Evidence& evidence) {
+  return std::ranges::all_of(evidence.groups, [](const GroupEvidence& group) { return group.described.n < 2; });
+}
+
 // Brown and Forsythe's test has the word where the values are there: Bartlett's takes normal ones for granted.
 const TestResult* variance_test(const Evidence& evidence) {
   const TestResult* by_values = evidence.test(brown_forsythe_name);

@@ -31,6 +31,8 @@ std::string runs_words(const inference::Evidence& evidence, double runs_to_decid
 std::size_t corrected_for(const inference::Evidence& evidence);  // so many pairs the deciding p-values are
 std::string flaw_words(const inference::Evidence& evidence);     // of one that has a flaw
 
+bool has_single_values(const inference::Evidence& evidence);  // every group has one observation, or none
+
 // Whether equal variances are refuted: by Brown and Forsythe's test where the values are there, since Bartlett's takes
 // normal ones for granted. Null where neither test was made.
 const inference::TestResult* variance_test(const inference::Evidence& evidence);

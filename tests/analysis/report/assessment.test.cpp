@@ -175,7 +175,7 @@ TEST_CASE("a difference that is found and lies within the margin is said to be t
   const Evidence found = evidence(near, {.margin = 0.05});
   CHECK(found.contrasts[0].relation == Relation::first_better);
   CHECK(found.contrasts[0].extent == Extent::within);
-  CHECK(says(found, "In short: A is better than B: 100 vs 101, by 0.885 to 1.12, less than 5 % (p = "));
+  CHECK(says(found, "In short: A is better than B: mean 100 vs 101, by 0.885 to 1.12, less than 5 % (p = "));
   // Welch's interval is 1 -+ 2.306 sqrt(0.00625 * 2 / 5): 0.885 to 1.115, of 100.
   const auto verdict_at = [&](double margin) {
     const Evidence at = evidence(near, {.margin = margin});
@@ -322,10 +322,11 @@ TEST_CASE("sentences say what is known, of whom, and no more", "[assessment]") {
   // Nothing was tested, so nothing is "not refuted", and no methods agree.
   const Evidence single = of({{"A", {1}}, {"B", {2}}, {"C", {3}}});
   CHECK(says(single, "with 1 observation each"));
-  CHECK(says(single, "equal variances cannot be tested"));
-  CHECK(says(single, "no difference is shown in any of the 3 pairs"));
-  CHECK(says(single, "Not defined: none of the 3 pairs (a group has fewer than two values"));
-  CHECK(headlines_of(single).front().find("no pair with A can be judged") != std::string::npos);
+  CHECK(says(single, "In short: nothing can be judged, because no group has more than one observation."));
+  CHECK(sentences_of(single).size() == 2);  // and what the data are
+  const Evidence mixed = of({{"A", {1}}, {"B", {2, 3}}, {"C", {3, 4}}});
+  CHECK(says(mixed, "Not defined: A vs B and A vs C (A has a single value, so it has no spread)."));
+  CHECK(headlines_of(mixed).front().find("no pair with A can be judged") != std::string::npos);
   // A pair without the best is named where no other is; where a group has no variance, none is a multiple of it.
   const Evidence others = of({{"A", {1, 2, 3, 1, 2, 3}}, {"B", {2, 2, 2, 2, 2, 2}}, {"C", {3, 3, 3, 3, 3, 3}}});
   CHECK(says(others, "1 of the 3 pairs differs. None of them includes A: B is better than C: 2 vs 3, by 1,"));
