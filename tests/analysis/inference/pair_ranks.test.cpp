@@ -98,6 +98,8 @@ TEST_CASE("where no outcome of so few observations could differ, it is said", "[
   CHECK(any_differs(tested(named(five), by_ranks)));
   // In blocks 2 / 2^n: three times that is below 0.05 from seven.
   CHECK(says(tested(named_in_blocks(four), {}), "It takes at least 7 blocks, and here are 4."));
+  const Sets seven{{1, 2, 3, 4, 5, 6, 7}, {2, 3.1, 4.2, 5.3, 6.4, 7.5, 8.6}, {4, 4.5, 5, 5.6, 6.8, 8.2, 9.9}};
+  CHECK(says(tested(named_in_blocks(seven), {}), "ahead in 100 % of blocks (p at most 0.047)"));  // 6 / 128
 }
 
 TEST_CASE("groups that differ in spread alone are rarely called better by ranks", "[pair_ranks]") {

@@ -315,7 +315,7 @@ TEST_CASE("sentences say what is known, of whom, and no more", "[assessment]") {
   };
   // Of reasons: the group by its name, not by its number.
   const Evidence infinite = of({{"plain", {1, 2, 3}}, {"odd", {1, 2, inf}}, {"other", {2, 3, 5}}});
-  CHECK(says(infinite, "plain vs odd (odd has values that are not finite)"));
+  CHECK(says(infinite, "Not defined: plain vs odd and odd vs other (odd has values that are not finite)."));
   CHECK(says(infinite, "One-way ANOVA: not defined, odd has values that are not finite"));
   CHECK(says(infinite, "Normality is not rejected for any group that can be tested"));
   CHECK_FALSE(says(infinite, "group 2"));
@@ -361,7 +361,6 @@ TEST_CASE("in blocks, the paired t test is told of where it separates what the r
                            .block = "a problem"};
   const Evidence found = evidence(three, {});
   CHECK(says(found, "paired t (means within blocks) also separates A vs B (p = 0.00823, deciding p = "));
-  CHECK(says(found, "ahead in 100 % of blocks"));
 }
 
 TEST_CASE("two groups in few blocks are told apart by the exact test alone", "[assessment]") {
