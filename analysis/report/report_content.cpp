@@ -6,6 +6,8 @@
 #include <cctype>
 #include <string_view>
 
+#include "analysis/inference/metrics.hpp"
+
 namespace ikbench::report {
 
 namespace {
@@ -18,15 +20,14 @@ const std::vector<SectionPlan>& circumstances() {
 }
 
 // Of a study without a paper.
-const std::vector<SectionPlan>& results() {
-  static const std::vector<SectionPlan> plans{
-      {"Results",
-       "",
-       {"results", "path", "error-boxes", "variation-boxes", "time-boxes", "evaluations-boxes", "error", "variation",
-        "time", "evaluations", "joints-*"}},
-      {"Analysis of variance", "", {"anova-*"}},
-  };
-  return plans;
+std::vector<SectionPlan> results() {
+  std::vector<std::string> names{"results", "path"};
+  const std::vector<inference::Metric> metrics = inference::reported_metrics();
+  for (const inference::Metric metric : metrics)
+    names.push_back(fmt::format("{}-boxes", inference::info_of(metric).slug));
+  for (const inference::Metric metric : metrics) names.emplace_back(inference::info_of(metric).slug);
+  names.emplace_back("joints-*");
+  return {{"Results", "", names}, {"Analysis of variance", "", {"anova-*"}}};
 }
 
 SectionPlan convergence() {

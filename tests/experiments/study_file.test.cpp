@@ -80,9 +80,7 @@ TEST_CASE("a built-in study is a file in experiments/studies, which has the stud
 }
 
 TEST_CASE("the study of docs/adding-anything.md is a study of two solvers", "[study]") {
-  const std::string docs = text_of("docs/adding-anything.md"), opening = "```toml\n";
-  const std::size_t begin = docs.find(opening) + opening.size();
-  const Study study = read(docs.substr(begin, docs.find("```", begin) - begin));
+  const Study study = load_study("tests/examples/experiments/studies/two-bats.toml");
   CHECK(study.name == "two-bats");
   CHECK(effective_population(study, study.solvers.at(0)) == 2);
   CHECK(effective_population(study, study.solvers.at(1)) == 50);

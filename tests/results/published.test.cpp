@@ -26,7 +26,7 @@ std::size_t row_of(const CsvTable& table, std::string_view algorithm, std::strin
 }  // namespace
 
 TEST_CASE("Tables 3 to 8 of the paper and its statements are in the program", "[published]") {
-  CHECK(published::papers() == std::vector<std::string_view>{"slim2023"});
+  CHECK(std::ranges::count(published::papers(), "slim2023") == 1);
   CHECK(published::tables("slim2023") ==
         std::vector<std::string_view>{"statements", "table-3", "table-4", "table-5", "table-6", "table-7", "table-8"});
   CHECK(published::tables("nobody1999").empty());
@@ -40,8 +40,8 @@ TEST_CASE("a table that is not there is told which are", "[published]") {
   CHECK(complaint<std::invalid_argument>([] { published::table("slim2023", "table-9"); }) ==
         "no table 'table-9' of slim2023; expected one of: statements, table-3, table-4, table-5, table-6, table-7, "
         "table-8");
-  CHECK(complaint<std::invalid_argument>([] { published::table("nobody1999", "table-3"); }) ==
-        "no published paper 'nobody1999'; expected one of: slim2023");
+  CHECK_THAT(complaint<std::invalid_argument>([] { published::table("nobody1999", "table-3"); }),
+             ContainsSubstring("no published paper 'nobody1999'; expected one of: "));
 }
 
 TEST_CASE("every table has its files' text, as printed", "[published]") {

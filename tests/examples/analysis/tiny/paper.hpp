@@ -1,4 +1,4 @@
-// A paper of one claim, one printed table and one figure.
+// A paper of one claim, one printed table and one figure: the example of docs/adding-anything.md.
 #pragma once
 
 #include "analysis/report/paper.hpp"
