@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "analysis/statistics/quantile.hpp"
+#include "analysis/statistics/t_distribution.hpp"
 #include "analysis/statistics/tails.hpp"
 
 namespace ikbench::statistics {
@@ -102,13 +103,24 @@ void judge(BootstrapInterval& result, std::vector<double> resampled, double leve
   result.bca_high = quantile(resampled, high, QuantileType::type_7);
 }
 
-}  // namespace
-
-BootstrapInterval bootstrap(std::span<const double> sample, const Statistic& statistic, const Resampling& settings) {
+void check(const Resampling& settings) {
   check_level(settings.level);
   if (settings.resamples < 2) {
     throw std::invalid_argument(fmt::format("{} resamples: expected 2 or more", settings.resamples));
   }
+}
+
+// How many standard deviations of the replicates reach as far as Student's t does where the normal distribution has z:
+// t for the degrees of freedom, and n by n - 1 because replicates vary as if their mean were known.
+double expanded(double z, std::size_t clusters) {
+  const auto n = static_cast<double>(clusters);
+  return std::sqrt(n / (n - 1)) * t_quantile(1 - normal_two_sided(z) / 2, n - 1);
+}
+
+}  // namespace
+
+BootstrapInterval bootstrap(std::span<const double> sample, const Statistic& statistic, const Resampling& settings) {
+  check(settings);
   BootstrapInterval result;
   result.undefined = result.bca_undefined = too_few(sample.size());
   if (!result.undefined.empty()) return result;
@@ -123,6 +135,54 @@ BootstrapInterval bootstrap(std::span<const double> sample, const Statistic& sta
   }
   judge(result, std::move(resampled), settings.level);
   return result;
+}
+
+std::vector<std::vector<double>> resampled_clusters(std::size_t clusters, const Resampling& settings) {
+  check(settings);
+  if (clusters == 0) throw std::invalid_argument("no clusters to draw: expected 1 or more");
+  std::mt19937_64 engine(settings.seed);
+  std::vector<std::vector<double>> replicates(static_cast<std::size_t>(settings.resamples),
+                                              std::vector<double>(clusters));
+  for (std::vector<double>& drawn : replicates) {
+    for (std::size_t i = 0; i < clusters; ++i) ++drawn[draw(engine, clusters)];
+  }
+  return replicates;
+}
+
+Interval expanded_percentiles(std::vector<double> replicates, std::size_t clusters, double level) {
+  check_level(level);
+  const auto is_nan = [](double value) { return std::isnan(value); };
+  if (clusters < 2 || replicates.empty() || std::ranges::any_of(replicates, is_nan)) return {};
+  std::ranges::sort(replicates);
+  const double outside = normal_two_sided(expanded(normal_critical(level), clusters)) / 2;
+  const auto last = replicates.size() - 1;
+  const auto skipped = static_cast<std::size_t>(outside * static_cast<double>(last));
+  return {replicates[skipped], replicates[last - skipped]};
+}
+
+std::vector<Interval> simultaneous_intervals(const Family& family, double level) {
+  check_level(level);
+  std::vector<double> spreads, largest;
+  for (std::size_t i = 0; i < family.estimates.size(); ++i) {
+    const std::vector<double>& replicates = family.replicates[i];
+    const double spread = standard_deviation(replicates);
+    spreads.push_back(std::isfinite(family.estimates[i] + spread) ? spread : not_defined);
+    largest.resize(std::max(largest.size(), replicates.size()));
+    if (!(spreads.back() > 0)) continue;
+    for (std::size_t b = 0; b < replicates.size(); ++b) {
+      largest[b] = std::max(largest[b], std::abs(replicates[b] - family.estimates[i]) / spread);
+    }
+  }
+  std::vector<Interval> intervals(spreads.size());
+  if (family.clusters < 2 || largest.empty()) return intervals;
+  std::ranges::sort(largest);
+  const double critical = expanded(quantile(largest, level, QuantileType::type_7), family.clusters);
+  for (std::size_t i = 0; i < spreads.size(); ++i) {
+    if (std::isnan(spreads[i])) continue;
+    const double half = spreads[i] > 0 ? critical * spreads[i] : 0;
+    intervals[i] = {family.estimates[i] - half, family.estimates[i] + half};
+  }
+  return intervals;
 }
 
 }  // namespace ikbench::statistics

@@ -1,11 +1,13 @@
 // Intervals of any statistic by resampling: percentile, and BCa (bias-corrected, accelerated). Efron, JASA 82 (1987)
-// 171; Davison and Hinkley, Bootstrap Methods and their Application (1997), chapter 5.
+// 171; Davison and Hinkley, Bootstrap Methods and their Application (1997), chapter 5. Of values that depend on each
+// other, by drawing whole clusters (their section 3.8).
 #pragma once
 
 #include <cstdint>
 #include <functional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "analysis/statistics/descriptive.hpp"
 
@@ -37,5 +39,31 @@ using Statistic = std::function<double(std::span<const double>)>;
 // A statistic that is not finite on the sample or on a resample (the inverse of a mean of zero) has no interval.
 // Fewer than two resamples or a level outside (0, 1) is std::invalid_argument.
 BootstrapInterval bootstrap(std::span<const double> sample, const Statistic& statistic, const Resampling& = {});
+
+// Clusters (runs, targets) drawn with replacement, each with all that belongs to it: a row for each replicate, which
+// says how often it drew each cluster. A statistic of sums within clusters is thus a weighted sum. The level is not
+// used. No cluster, or fewer than two resamples, is std::invalid_argument.
+std::vector<std::vector<double>> resampled_clusters(std::size_t clusters, const Resampling& settings);
+
+struct Interval {
+  double low = not_defined;
+  double high = not_defined;
+};
+
+// The percentile interval of a statistic from so many clusters, with tails as far out as Student's t has them:
+// Hesterberg, The American Statistician 69 (2015) 371, "expanded percentile". The ends are replicates, which may be
+// infinite. NaN where one of them is NaN or there are fewer than two clusters.
+Interval expanded_percentiles(std::vector<double> replicates, std::size_t clusters, double level);
+
+// Estimates that are compared with 0 together; replicates[i] are those of estimates[i], in the same order of draws.
+struct Family {
+  std::vector<double> estimates;
+  std::vector<std::vector<double>> replicates;
+  std::size_t clusters = 0;
+};
+// Intervals that hold all at once: the critical value is that of the largest studentized deviation in a replicate
+// (Romano and Wolf, Econometrica 73 (2005) 1237), widened for few clusters as above. An estimate with a replicate that
+// is not finite has no interval and does not count in the family; one that is the same in every replicate has no width.
+std::vector<Interval> simultaneous_intervals(const Family& family, double level);
 
 }  // namespace ikbench::statistics

@@ -63,4 +63,48 @@ RestrictedMean restricted_mean(const SurvivalCurve& curve, double horizon) {
   return result;
 }
 
+ClusteredSurvival::ClusteredSurvival(std::span<const CensoredCost> costs, std::span<const std::size_t> clusters) {
+  for (std::size_t i = 0; i < costs.size(); ++i) trials_.push_back({costs[i], clusters[i]});
+  std::ranges::sort(trials_, {}, [](const Trial& trial) { return trial.cost.spent; });
+}
+
+void ClusteredSurvival::walk(std::span<const double> drawn, const std::function<void(double, double)>& step) const {
+  double at_risk = 0, survival = 1;
+  for (const Trial& trial : trials_) at_risk += drawn[trial.cluster];
+  for (std::size_t first = 0, end = 0; first < trials_.size(); first = end) {
+    const double cost = trials_[first].cost.spent;
+    double reached = 0, left = 0;
+    for (; end < trials_.size() && trials_[end].cost.spent == cost; ++end) {
+      (trials_[end].cost.reached ? reached : left) += drawn[trials_[end].cluster];
+    }
+    if (reached > 0) {
+      survival *= (at_risk - reached) / at_risk;
+      step(cost, survival);
+    }
+    at_risk -= reached + left;
+  }
+}
+
+double ClusteredSurvival::restricted_mean(double horizon, std::span<const double> drawn) const {
+  double area = 0, at = 0, height = 1;
+  walk(drawn, [&](double cost, double survival) {
+    const double right = std::min(cost, horizon);
+    area += (right - at) * height;
+    at = right;
+    height = survival;
+  });
+  return area + (horizon - at) * height;
+}
+
+std::vector<double> ClusteredSurvival::survival_at(std::span<const double> costs, std::span<const double> drawn) const {
+  std::vector<double> result;
+  double height = 1;
+  walk(drawn, [&](double cost, double survival) {
+    while (result.size() < costs.size() && costs[result.size()] < cost) result.push_back(height);
+    height = survival;
+  });
+  result.resize(costs.size(), height);
+  return result;
+}
+
 }  // namespace ikbench::statistics

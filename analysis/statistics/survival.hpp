@@ -3,6 +3,8 @@
 // were tried.
 #pragma once
 
+#include <cstddef>
+#include <functional>
 #include <span>
 #include <string>
 #include <vector>
@@ -36,5 +38,27 @@ struct RestrictedMean {
 };
 
 RestrictedMean restricted_mean(const SurvivalCurve& curve, double horizon);
+
+// The same of trials in clusters that were drawn (bootstrap.hpp: resampled_clusters), `drawn[c]` times each. Beyond the
+// last trial that was drawn the curve stays level (Gill, Large Sample Behaviour of the Product-Limit Estimator (1980)).
+class ClusteredSurvival {
+ public:
+  // Costs that running_time.hpp finds nothing wrong with, and the cluster of each, from 0.
+  ClusteredSurvival(std::span<const CensoredCost> costs, std::span<const std::size_t> clusters);
+
+  double restricted_mean(double horizon, std::span<const double> drawn) const;
+  // At costs that ascend; a step at a cost counts there.
+  std::vector<double> survival_at(std::span<const double> costs, std::span<const double> drawn) const;
+
+ private:
+  struct Trial {
+    CensoredCost cost;
+    std::size_t cluster;
+  };
+  // Calls `step` with the cost of each step and the survival from there on, in order.
+  void walk(std::span<const double> drawn, const std::function<void(double, double)>& step) const;
+
+  std::vector<Trial> trials_;  // ascending in cost
+};
 
 }  // namespace ikbench::statistics

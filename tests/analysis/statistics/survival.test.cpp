@@ -105,3 +105,26 @@ TEST_CASE("there is no curve of impossible costs and no mean to an impossible ho
   CHECK(says(restricted_mean(kaplan_meier(evaluations), NAN).undefined, "horizon"));
   CHECK(std::isnan(restricted_mean(kaplan_meier(evaluations), 1001).mean));
 }
+
+TEST_CASE("trials in clusters that are drawn once each have the curve and the mean of all", "[survival]") {
+  const std::vector<std::size_t> clusters{0, 1, 2, 3, 0, 1, 2, 3};
+  const ClusteredSurvival survival(evaluations, clusters);
+  const std::vector<double> once(4, 1.0);
+  CHECK(survival.restricted_mean(1000, once) == Approx(540));
+  CHECK(survival.restricted_mean(200, once) == Approx(175));
+  CHECK(survival.survival_at(std::vector<double>{0, 80, 100, 560, 2000}, once) ==
+        std::vector<double>{1, 0.875, 0.875, 0.375, 0.375});
+}
+
+TEST_CASE("a cluster that is drawn twice counts as its trials twice would, one that is not drawn as none",
+          "[survival]") {
+  const Costs costs{{1, true}, {2, false}, {3, true}, {4, false}, {2, true}, {5, true}};
+  const std::vector<std::size_t> clusters{0, 0, 1, 1, 2, 2};
+  const Costs drawn{{1, true}, {1, true}, {2, false}, {2, false}, {3, true}, {4, false}};
+  const ClusteredSurvival survival(costs, clusters);
+  CHECK(survival.restricted_mean(4, std::vector<double>{2, 1, 0}) ==
+        Approx(restricted_mean(kaplan_meier(drawn), 4).mean));
+  // 4 of 6 are left from 1 on and half of them from 3 on: 1 + 2 (2 / 3) + 7 (1 / 3), level beyond the last trial.
+  CHECK(survival.restricted_mean(10, std::vector<double>{2, 1, 0}) == Approx(14.0 / 3));
+  CHECK(survival.restricted_mean(10, std::vector<double>{0, 0, 3}) == Approx(3.5));
+}
