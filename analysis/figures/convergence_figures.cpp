@@ -9,6 +9,7 @@
 
 #include "analysis/figures/figure_parts.hpp"
 #include "analysis/figures/share_curves.hpp"
+#include "analysis/inference/clusters.hpp"
 #include "analysis/inference/convergence.hpp"
 #include "analysis/inference/definition.hpp"
 #include "analysis/inference/text.hpp"
@@ -24,12 +25,19 @@ using namespace inference;
 
 namespace {
 
-constexpr std::size_t most_bands = 6;  // more lie on top of each other
-
 std::string dependence(const StudyResults& study) {
   return is_chained(study)
              ? " The solves of a run depend on each other, so the curves only describe them and have no intervals."
              : " The curves describe the solves; they have no intervals.";
+}
+
+// What the bands of share curves are.
+std::string bands(const StudyResults& study, const Clusters& clusters) {
+  if (!clusters.undefined().empty()) return fmt::format(" There are no intervals: {}.", clusters.undefined());
+  return fmt::format(
+      " {} 95 % intervals at each position, from {} bootstrap samples of the {} with all their solves{}.",
+      study.solvers.size() <= most_bands ? "Bands:" : "The data file has", clusters.replicates().size(),
+      clusters.noun(), study.solvers.size() <= most_bands ? "" : "; a band for each curve would hide others");
 }
 
 std::string without_trace(const StudyResults& study) {
@@ -97,18 +105,19 @@ std::optional<Figure> convergence_figure(const StudyResults& study, const std::v
   return figure;
 }
 
-Figure runtime_figure(const StudyResults& study, const std::vector<Solves>& traces, Cost cost) {
+Figure runtime_figure(const StudyResults& study, const Clusters& clusters, Cost cost) {
   const std::vector<double> targets = target_errors_cm(study);
   ShareCurves shares{.label = quantity(cost == Cost::seconds ? Metric::seconds : Metric::evaluations),
                      .share_of = "share of solves and targets"};
-  for (const Solves& solves : traces) {
-    std::vector<double> costs;
-    costs.reserve(solves.size() * targets.size());
+  for (const Solves& solves : traced_by_solver(study)) {
+    ClusteredValues costs;
+    costs.values.reserve(solves.size() * targets.size());
     for (const SolveRecord* solve : solves) {
       const std::vector<double> of_solve = costs_to_targets(*solve, targets, cost);
-      costs.insert(costs.end(), of_solve.begin(), of_solve.end());
+      costs.values.insert(costs.values.end(), of_solve.begin(), of_solve.end());
+      costs.clusters.insert(costs.clusters.end(), of_solve.size(), clusters.of(*solve));
     }
-    shares.curves.push_back(shares_within(std::move(costs)));
+    shares.curves.push_back(banded_shares(costs, clusters));
   }
   const bool has_tolerance = std::isfinite(tolerance_cm(study));
   Figure figure{.name = fmt::format("statistics-ecdf-{}", cost == Cost::seconds ? "seconds" : "evaluations")};
@@ -120,25 +129,25 @@ Figure runtime_figure(const StudyResults& study, const std::vector<Solves>& trac
       rounded_number(targets.back(), 3),
       has_tolerance ? "the tolerance of the study"
                     : "the decade below the smallest error of any solve, at least 1e-8 cm",
-      cost == Cost::seconds ? "time" : "evaluations", dependence(study), without_trace(study));
+      cost == Cost::seconds ? "time" : "evaluations", bands(study, clusters), without_trace(study));
   draw_shares(figure, study, shares);
   return figure;
 }
 
-Figure error_figure(const StudyResults& study) {
+Figure error_figure(const StudyResults& study, const Clusters& clusters) {
   ShareCurves shares{.label = quantity(Metric::position_error_cm), .share_of = "share of solves"};
   bool has_zero = false;
   for (const Solves& solves : solves_by_solver(study)) {
-    std::vector<double> errors;
-    for (const SolveRecord* solve : solves) errors.push_back(std::max(0.0, final_error_cm(*solve)));
-    shares.curves.push_back(shares_within(std::move(errors)));
+    ClusteredValues errors{.values = {}, .clusters = clusters.of(solves)};
+    for (const SolveRecord* solve : solves) errors.values.push_back(std::max(0.0, final_error_cm(*solve)));
+    shares.curves.push_back(banded_shares(errors, clusters));
     has_zero |= !shares.curves.back().empty() && shares.curves.back().front().at == 0;
   }
   Figure figure{.name = "statistics-ecdf-error",
                 .caption =
                     "Share of solves with at most this position error. An answer that is not finite counts as a solve "
                     "without an error." +
-                    dependence(study)};
+                    bands(study, clusters)};
   if (has_zero) figure.caption += " Errors of zero are drawn at the left edge.";
   draw_shares(figure, study, shares);
   return figure;
@@ -161,7 +170,7 @@ std::string problem(const StudyResults& study) {
   return words;
 }
 
-std::optional<Figure> profile_figure(const StudyResults& study, ProfileOf of) {
+std::optional<Figure> profile_figure(const StudyResults& study, const Clusters& clusters, ProfileOf of) {
   const double tolerance = tolerance_cm(study);
   const Cost cost = of == ProfileOf::seconds ? Cost::seconds : Cost::evaluations;
   const Profile profile = performance_profile(study, [&](const SolveRecord& solve) {
@@ -178,7 +187,10 @@ std::optional<Figure> profile_figure(const StudyResults& study, ProfileOf of) {
   ShareCurves shares{.label = fmt::format("{} / smallest of all solvers", of == ProfileOf::error ? words : name),
                      .share_of = "share of problems",
                      .is_ratio = true};
-  for (const auto& ratios : profile.ratios) shares.curves.push_back(shares_within(ratios));
+  const std::vector<std::size_t> clusters_of_problems = clusters.of(profile.solves);
+  for (const auto& ratios : profile.ratios) {
+    shares.curves.push_back(banded_shares({.values = ratios, .clusters = clusters_of_problems}, clusters));
+  }
   Figure figure{.name = fmt::format("statistics-profile-{}", name)};
   figure.caption = fmt::format(
       "Performance profiles (Dolan and Moré, 2002): share of {} problems in which a solver's {}{} is at most this many "
@@ -186,6 +198,7 @@ std::optional<Figure> profile_figure(const StudyResults& study, ProfileOf of) {
       profile.problems, words,
       of == ProfileOf::error ? "" : fmt::format(" until the position error is {} cm", rounded_number(tolerance, 3)),
       problem(study));
+  figure.caption += bands(study, clusters);
   if (profile.unsolved > 0) figure.caption += fmt::format(" No solver solves {} of them.", profile.unsolved);
   if (profile.has_zero_costs) {
     figure.caption +=
@@ -199,25 +212,34 @@ std::optional<Figure> profile_figure(const StudyResults& study, ProfileOf of) {
 }
 
 // The share of solves that have not come to the tolerance yet.
-Figure survival_figure(const StudyResults& study) {
+Figure survival_figure(const StudyResults& study, const Clusters& clusters) {
   ShareCurves shares{.label = quantity(Metric::evaluations),
                      .share_of = "share not yet at the tolerance",
                      .start = 1,
                      .ends_with_last = true};
-  for (const auto& group : censored_costs(study, Cost::evaluations)) {
-    const SurvivalCurve curve = kaplan_meier(group);
+  const std::vector<Solves> solves = solves_by_solver(study);
+  const std::vector<std::vector<CensoredCost>> groups = censored_costs(study, Cost::evaluations);
+  for (std::size_t i = 0; i < groups.size(); ++i) {
+    const SurvivalCurve curve = kaplan_meier(groups[i]);
     std::vector<Share> stairs;
     for (const SurvivalStep& step : curve.steps) stairs.push_back({.at = step.cost, .share = step.survival});
     if (curve.undefined.empty() && (stairs.empty() || stairs.back().at < curve.last_cost)) {
       stairs.push_back({.at = curve.last_cost, .share = stairs.empty() ? 1 : stairs.back().share});
     }
-    shares.curves.push_back(thinned(stairs));
+    stairs = thinned(stairs);
+    std::vector<double> positions;
+    for (const Share& share : stairs) positions.push_back(share.at);
+    const ClusteredSurvival survival(groups[i], clusters.of(solves[i]));
+    std::vector<std::vector<double>> replicates;
+    for (const auto& drawn : clusters.replicates()) replicates.push_back(survival.survival_at(positions, drawn));
+    add_bands(stairs, clusters, replicates);
+    shares.curves.push_back(std::move(stairs));
   }
   Figure figure{.name = "statistics-survival-evaluations"};
   figure.caption = fmt::format(
       "Share of the solves whose position error is not yet {} cm (Kaplan and Meier). A solve that does not come to it "
       "is given up at what it spent; a curve ends with the longest solve.{}",
-      rounded_number(tolerance_cm(study), 3), is_chained(study) ? dependence(study) : "");
+      rounded_number(tolerance_cm(study), 3), bands(study, clusters));
   draw_shares(figure, study, shares);
   return figure;
 }
@@ -227,23 +249,23 @@ Figure survival_figure(const StudyResults& study) {
 std::vector<Figure> convergence_figures(const StudyResults& study) {
   if (study.solves.empty()) return {};
   const bool has_clean_times = times_are_comparable(study);
+  const Clusters clusters(study);
   std::vector<Figure> figures;
   const auto add = [&](std::optional<Figure> figure) {
     if (figure) figures.push_back(std::move(*figure));
   };
   if (std::ranges::any_of(study.solves, [](const SolveRecord& solve) { return !solve.trace_cm.empty(); })) {
-    const std::vector<Solves> traces = traced_by_solver(study);
-    add(convergence_figure(study, traces));
-    add(runtime_figure(study, traces, Cost::evaluations));
-    if (has_clean_times) add(runtime_figure(study, traces, Cost::seconds));
+    add(convergence_figure(study, traced_by_solver(study)));
+    add(runtime_figure(study, clusters, Cost::evaluations));
+    if (has_clean_times) add(runtime_figure(study, clusters, Cost::seconds));
   }
-  add(error_figure(study));
+  add(error_figure(study, clusters));
   if (std::isfinite(tolerance_cm(study))) {
-    add(profile_figure(study, ProfileOf::evaluations));
-    if (has_clean_times) add(profile_figure(study, ProfileOf::seconds));
-    add(survival_figure(study));
+    add(profile_figure(study, clusters, ProfileOf::evaluations));
+    if (has_clean_times) add(profile_figure(study, clusters, ProfileOf::seconds));
+    add(survival_figure(study, clusters));
   } else {
-    add(profile_figure(study, ProfileOf::error));
+    add(profile_figure(study, clusters, ProfileOf::error));
   }
   return figures;
 }

@@ -87,6 +87,39 @@ std::string add_missing_curve(std::vector<std::string>& clauses, std::size_t sol
   return entry;
 }
 
+namespace {
+
+// A curve as rows of a data file: the corners of its stairs, and of those of its band where it has one.
+struct Corners {
+  std::string rows;
+  std::size_t count = 0;
+  bool has_band = false;
+
+  void add(double at, const Share& share) {
+    rows += fmt::format("{} {}", text_of(at), text_of(share.share));
+    if (has_band) rows += fmt::format(" {} {}", data_number(share.low), data_number(share.high));
+    rows += '\n';
+    ++count;
+  }
+};
+
+Corners corners_of(const std::vector<Share>& curve, const ShareCurves& shares, const CostAxis& axis) {
+  Corners corners;
+  corners.has_band = std::ranges::any_of(curve, [](const Share& share) { return std::isfinite(share.low); });
+  Share before{.at = axis.left, .share = shares.start, .low = shares.start, .high = shares.start};
+  corners.add(std::min(axis.left, curve.front().at), before);
+  for (const Share& share : curve) {
+    corners.add(share.at, before);
+    const bool is_step = share.share != before.share;
+    before = share;
+    if (is_step) corners.add(share.at, before);
+  }
+  if (!shares.ends_with_last) corners.add(axis.right, before);
+  return corners;
+}
+
+}  // namespace
+
 void draw_shares(Figure& figure, const StudyResults& study, const ShareCurves& shares) {
   double smallest = censored, largest = 0;
   for (const auto& curve : shares.curves) {
@@ -99,37 +132,27 @@ void draw_shares(Figure& figure, const StudyResults& study, const ShareCurves& s
   figure.settings =
       axis.settings + fmt::format("set xlabel {}\nset ylabel {}\nset yrange [-0.02:1.02]\nset ytics 0.2\n",
                                   gnuplot_string(shares.label), gnuplot_string(shares.share_of));
-  std::vector<std::string> clauses{"NaN notitle"};
-  std::vector<std::string> labels = study.solvers;
+  std::vector<std::string> fills{"NaN notitle"}, lines, labels = study.solvers;
   int block = 0;
   for (std::size_t i = 0; i < shares.curves.size(); ++i) {
-    const std::vector<Share>& curve = shares.curves[i];
-    if (curve.empty()) {
-      labels[i] = add_missing_curve(clauses, i, study.solvers[i]);
+    if (shares.curves[i].empty()) {
+      labels[i] = add_missing_curve(lines, i, study.solvers[i]);
       continue;
     }
-    figure.data += fmt::format("{}# {}\n# {}, {}: corners of the stairs\n", block == 0 ? "" : "\n\n",
-                               one_line(study.solvers[i]), shares.label, shares.share_of);
-    double before = shares.start;
-    std::size_t rows = 0;
-    const auto corner = [&](double at, double share) {
-      figure.data += fmt::format("{} {}\n", text_of(at), text_of(share));
-      ++rows;
-    };
-    corner(std::min(axis.left, curve.front().at), before);
-    for (const auto& [at, share] : curve) {
-      corner(at, before);
-      if (share != before) corner(at, share);
-      before = share;
+    const Corners corners = corners_of(shares.curves[i], shares, axis);
+    figure.data += fmt::format("{}# {}\n# {}, {}{}: corners of the stairs\n{}", block == 0 ? "" : "\n\n",
+                               one_line(study.solvers[i]), shares.label, shares.share_of,
+                               corners.has_band ? ", and its interval" : "", corners.rows);
+    const std::string source = fmt::format("'{}.dat' index {} using (shown_x($1)):", figure.name, block++);
+    if (corners.has_band && study.solvers.size() <= most_bands) {
+      fills.push_back(fmt::format("{}3:4 with filledcurves ls {} fillstyle transparent solid 0.13 noborder notitle",
+                                  source, i + 1));
     }
-    if (!shares.ends_with_last) corner(axis.right, before);
-    add_curve(clauses, {.source = fmt::format("'{}.dat' index {} using (shown_x($1)):2", figure.name, block++),
-                        .rows = rows,
-                        .solver = i,
-                        .label = study.solvers[i]});
+    add_curve(lines, {.source = source + "2", .rows = corners.count, .solver = i, .label = study.solvers[i]});
   }
   add_legend(figure, labels);
-  figure.plot = plot_command(clauses);
+  fills.insert(fills.end(), lines.begin(), lines.end());
+  figure.plot = plot_command(fills);
 }
 
 }  // namespace ikbench::figures

@@ -12,6 +12,8 @@
 
 namespace ikbench::figures {
 
+constexpr std::size_t most_bands = 6;  // more lie on top of each other
+
 // The axis below; what lies outside is drawn at its edges.
 struct CostAxis {
   double left = 1;
@@ -45,7 +47,8 @@ struct ShareCurves {
   double start = 0;                                   // the share before the first step
   bool ends_with_last = false;                        // else a curve goes on to the right edge
 };
-// Settings, data and plot of the figure, of which the name and width must stand.
+// Settings, data and plot of the figure, of which the name and width must stand. Intervals of shares are drawn as bands
+// behind the curves where there are at most most_bands solvers, and stand in the data file in any case.
 void draw_shares(Figure& figure, const inference::StudyResults& study, const ShareCurves& shares);
 
 }  // namespace ikbench::figures

@@ -195,6 +195,7 @@ Profile performance_profile(const StudyResults& study, const CostOf& cost_of) {
       continue;
     }
     ++profile.problems;
+    profile.solves.push_back(&first);
     double smallest = censored;
     for (const auto& [i, solve] : of_solver) smallest = std::min(smallest, std::max(0.0, or_censored(cost_of(*solve))));
     if (smallest == censored) ++profile.unsolved;

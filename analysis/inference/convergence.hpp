@@ -64,10 +64,12 @@ std::vector<double> target_errors_cm(const StudyResults& study);
 // cost on it; one that does not is given up at its cost.
 std::vector<std::vector<statistics::CensoredCost>> censored_costs(const StudyResults& study, Cost cost);
 
-// The share of values that are at or below `at`.
+// The share of values that are at or below `at`, and where it has an interval (clusters.hpp), that.
 struct Share {
   double at;
   double share;
+  double low = statistics::not_defined;
+  double high = statistics::not_defined;
 };
 
 // The empirical distribution function, at every value or at most_positions log-spaced ones. Censored values count in
@@ -80,6 +82,7 @@ std::vector<Share> thinned(const std::vector<Share>& stairs);
 // run. Solvers without solves take no part and have no ratios.
 struct Profile {
   std::vector<std::vector<double>> ratios;  // of each solver at each problem; censored where it fails
+  Solves solves;                            // one solver's of each problem
   int problems = 0;
   int left_out = 0;  // where a solver has no solve, or another target
   int unsolved = 0;  // of the problems: where every solver fails

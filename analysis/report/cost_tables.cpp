@@ -4,14 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <compare>
 #include <map>
 #include <string>
 #include <string_view>
 
-#include "analysis/figures/figure_parts.hpp"
-#include "analysis/inference/definition.hpp"
+#include "analysis/inference/clusters.hpp"
+#include "analysis/inference/cost_comparison.hpp"
 #include "analysis/inference/text.hpp"
+#include "analysis/report/cost_pair_tables.hpp"
 #include "analysis/statistics/log_rank.hpp"
 #include "analysis/statistics/proportion.hpp"
 #include "analysis/statistics/survival.hpp"
@@ -26,48 +26,17 @@ namespace {
 
 using Groups = std::vector<std::vector<CensoredCost>>;
 
-bool is_empty_of_costs(const StudyResults& study) {
-  return study.solves.empty() || !std::isfinite(tolerance_cm(study));
-}
-
-// Orders whatever numbers a target has, NaN too.
-struct InOrder {
-  bool operator()(const std::vector<double>& a, const std::vector<double>& b) const {
-    return std::ranges::lexicographical_compare(a, b, [](double x, double y) { return std::strong_order(x, y) < 0; });
-  }
-};
-using Targets = std::map<std::vector<double>, Successes, InOrder>;
-
-// How many of a solver's solves of each target, position and rotation, came to the tolerance.
-Targets targets_of(const Solves& solves, const StudyResults& study) {
-  Targets targets;
+// One trial a target, however often it was solved.
+Proportion share_reached(const Solves& solves, const std::vector<std::size_t>& targets, const StudyResults& study) {
+  std::map<std::size_t, Successes> counts;
   for (const SolveRecord* solve : solves) {
-    std::vector<double> target = solve->target_position_m;
-    target.insert(target.end(), solve->target_rotation.begin(), solve->target_rotation.end());
-    Successes& count = targets[std::move(target)];
+    Successes& count = counts[targets[static_cast<std::size_t>(solve - study.solves.data())]];
     ++count.trials;
     if (reaches(*solve, tolerance_cm(study))) ++count.successes;
   }
-  return targets;
-}
-
-// What is independent of its like, so that an interval may count it. Where a solver is given a target more than once,
-// as in the runs of a fixed path, a deterministic one only repeats itself: its solves are no trials.
-enum class Trials { runs, targets, solves };
-
-Trials trials_of(const StudyResults& study) {
-  if (is_chained(study)) return Trials::runs;
-  const bool repeats = std::ranges::any_of(
-      solves_by_solver(study), [&](const Solves& solves) { return targets_of(solves, study).size() < solves.size(); });
-  return repeats ? Trials::targets : Trials::solves;
-}
-
-// One trial a target, however often it was solved.
-Proportion share_reached(const Solves& solves, const StudyResults& study) {
-  const Targets targets = targets_of(solves, study);
   double shares = 0;
-  for (const auto& [target, count] : targets) shares += static_cast<double>(count.successes) / count.trials;
-  return wilson_of_mean(shares / static_cast<double>(targets.size()), static_cast<int>(targets.size()));
+  for (const auto& [target, count] : counts) shares += static_cast<double>(count.successes) / count.trials;
+  return wilson_of_mean(shares / static_cast<double>(counts.size()), static_cast<int>(counts.size()));
 }
 
 // The complete runs, and those among them in which every point came to the tolerance.
@@ -85,18 +54,6 @@ Successes runs_reached(const Solves& solves, const StudyResults& study) {
     if (run.successes == run.trials) ++result.successes;
   }
   return result;
-}
-
-// The largest cost to which the curves of all solvers are known.
-double common_horizon(const std::vector<SurvivalCurve>& curves) {
-  double known_by_all = censored, largest = 0;
-  for (const SurvivalCurve& curve : curves) {
-    if (!curve.undefined.empty()) continue;
-    const bool ends_at_zero = !curve.steps.empty() && curve.steps.back().survival == 0;
-    if (!ends_at_zero) known_by_all = std::min(known_by_all, curve.last_cost);
-    largest = std::max(largest, curve.last_cost);
-  }
-  return std::min(known_by_all, largest);
 }
 
 void append(std::vector<Cell>& cells, const Successes& count, const Proportion& share) {
@@ -133,7 +90,27 @@ std::string log_rank_note(Trials trials, const Groups& groups) {
       rounded_number(test.chi_squared, 5), test.df, readable(PValue{test.p}));
 }
 
-Table cost_table(const StudyResults& study, Cost cost) {
+// The mean costs with their intervals, in the order of the columns.
+void append(std::vector<Cell>& cells, const SolverCost& solver, const Clusters& clusters) {
+  const auto interval_of = [&](const MeanCost& mean) {
+    const Interval interval = clusters.interval(mean.replicates);
+    return std::isnan(interval.low) ? Cell() : Cell(Range{interval.low, interval.high});
+  };
+  cells.insert(cells.end(), {solver.expected.estimate, interval_of(solver.expected), solver.time.sp1,
+                             solver.curve.median, solver.restricted.estimate, interval_of(solver.restricted)});
+}
+
+std::string cost_interval_note(const Clusters& clusters) {
+  if (!clusters.undefined().empty()) {
+    return fmt::format("The mean costs have no intervals: {}.", clusters.undefined());
+  }
+  return fmt::format(
+      "Intervals of ert and restricted_mean: 95 %, from {} bootstrap samples of the {} with all their solves (expanded "
+      "percentiles). An end of inf: in some samples no solve succeeds.",
+      clusters.replicates().size(), clusters.noun());
+}
+
+Table cost_table(const StudyResults& study, Cost cost, const Clusters& clusters) {
   const bool in_seconds = cost == Cost::seconds;
   const std::string_view unit = in_seconds ? "seconds" : "evaluations";
   const std::string tolerance = rounded_number(tolerance_cm(study), 3);
@@ -149,18 +126,19 @@ Table cost_table(const StudyResults& study, Cost cost) {
                           {"runs_low"},
                           {"runs_high"},
                           {"ert"},
+                          {"ert interval"},
                           {"sp1"},
                           {"median"},
-                          {"restricted_mean"}}};
+                          {"restricted_mean"},
+                          {"restricted_mean interval"}}};
   const Groups groups = censored_costs(study, cost);
   const std::vector<Solves> solves = solves_by_solver(study);
   const Trials trials = trials_of(study);
-  std::vector<SurvivalCurve> curves;
-  for (const auto& group : groups) curves.push_back(kaplan_meier(group));
-  const double horizon = common_horizon(curves);
+  const std::vector<std::size_t> targets = target_numbers(study);
+  const Costs costs = costs_of(study, cost, clusters);
   std::vector<std::string> undefined;
   for (std::size_t i = 0; i < groups.size(); ++i) {
-    const RunningTime time = running_time(groups[i]);
+    const SolverCost& solver = costs.solvers[i];
     const Successes reached{.successes = static_cast<int>(std::ranges::count_if(groups[i], &CensoredCost::reached)),
                             .trials = static_cast<int>(groups[i].size())};
     std::vector<Cell> cells{study.solvers[i]};
@@ -169,12 +147,12 @@ Table cost_table(const StudyResults& study, Cost cost) {
       const Successes runs = runs_reached(solves[i], study);
       append(cells, runs, wilson(runs));
     } else {
-      append(cells, reached, share_reached(solves[i], study));
+      append(cells, reached, share_reached(solves[i], targets, study));
       cells.resize(cells.size() + 4);
     }
-    cells.insert(cells.end(), {time.expected, time.sp1, curves[i].median, restricted_mean(curves[i], horizon).mean});
+    append(cells, solver, clusters);
     table.rows.push_back(std::move(cells));
-    const std::string& reason = time.undefined.empty() ? curves[i].undefined : time.undefined;
+    const std::string& reason = solver.time.undefined.empty() ? solver.curve.undefined : solver.time.undefined;
     if (!reason.empty()) undefined.push_back(fmt::format("{}: {}", study.solvers[i], reason));
   }
   table.notes.push_back(
@@ -186,7 +164,8 @@ Table cost_table(const StudyResults& study, Cost cost) {
       fmt::format("The Kaplan-Meier curve assumes that unsuccessful solves would have continued as the others did. "
                   "median: the first cost at which half have reached the tolerance, not defined if they never do. "
                   "restricted_mean: the mean up to {} {}, to which the curves of all solvers are known.",
-                  rounded_number(horizon, 6), unit));
+                  rounded_number(costs.horizon, 6), unit));
+  table.notes.push_back(cost_interval_note(clusters));
   const auto diverged = std::ranges::count(study.solves, StopReason::not_finite, &SolveRecord::stop_reason);
   if (diverged > 0) {
     table.notes.push_back(
@@ -204,9 +183,17 @@ Table cost_table(const StudyResults& study, Cost cost) {
 }  // namespace
 
 std::vector<Table> cost_tables(const StudyResults& study) {
-  if (is_empty_of_costs(study)) return {};
-  std::vector<Table> tables{cost_table(study, Cost::evaluations)};
-  if (times_are_comparable(study)) tables.push_back(cost_table(study, Cost::seconds));
+  if (study.solves.empty()) return {};
+  const Clusters clusters(study);
+  std::vector<Cost> costs;
+  if (std::isfinite(tolerance_cm(study))) costs.push_back(Cost::evaluations);
+  if (!costs.empty() && times_are_comparable(study)) costs.push_back(Cost::seconds);
+  std::vector<Table> tables;
+  for (const Cost cost : costs) tables.push_back(cost_table(study, cost, clusters));
+  for (const Cost cost : costs) {
+    if (study.solvers.size() > 1) tables.push_back(cost_pair_table(study, cost, clusters));
+  }
+  if (std::optional<Table> table = anytime_table(study, clusters)) tables.push_back(std::move(*table));
   return tables;
 }
 

@@ -31,12 +31,13 @@ std::vector<SectionPlan> results() {
 }
 
 SectionPlan convergence() {
-  return {"Convergence and cost",
-          "How the error falls with the cost. The curves describe single solves, which depend on each other where each "
-          "starts from the previous answer. Convergence and runtimes need traces, trace = \"best_error\" in the study. "
-          "Costs and survival need a tolerance.",
-          {"statistics-convergence", "statistics-ecdf-*", "statistics-profile-*", "statistics-survival-*",
-           "statistics-cost*"}};
+  return {
+      "Convergence and cost",
+      "How the error falls with the cost. The curves describe single solves; intervals and bands draw runs as a whole "
+      "where each solve starts from the previous answer. Convergence and runtimes need traces, trace = "
+      "\"best_error\" in the study. Costs and survival need a tolerance.",
+      {"statistics-convergence", "statistics-ecdf-*", "statistics-profile-*", "statistics-survival-*",
+       "statistics-cost*"}};
 }
 
 const std::vector<SectionPlan>& last() {

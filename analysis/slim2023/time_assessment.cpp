@@ -6,6 +6,8 @@
 #include <cmath>
 #include <vector>
 
+#include "analysis/inference/clusters.hpp"
+#include "analysis/inference/cost_comparison.hpp"
 #include "analysis/inference/definition.hpp"
 #include "analysis/inference/judge.hpp"
 #include "analysis/inference/text.hpp"
@@ -23,6 +25,7 @@ using namespace report;
 namespace {
 
 constexpr double verifier_rounding_cm = 1e-7;
+constexpr double ms_in_s = 1000;
 
 std::string label_of(const PrintedTime& printed) { return fmt::format("{} bats", printed.bats); }
 
@@ -62,50 +65,80 @@ std::string verdict(const std::vector<TimeAssessment>& rows, double tolerance,
                             rounded_number(worst->time_ms.max, 3), worst->solver, printed_real_time(printed.front()));
 }
 
-// How many times as long the last row takes as the first, and the squared standard error of its logarithm.
-struct Growth {
-  double ratio;
-  double relative_variance;
+// Nothing where the solver has no solves.
+std::optional<std::size_t> place_of(const StudyResults& study, const std::string& solver) {
+  const auto found = std::ranges::find(study.solvers, solver);
+  if (found == study.solvers.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - study.solvers.begin());
+}
+
+// What the tolerance costs each solver of a study in seconds.
+struct TimeCosts {
+  const Clusters& clusters;
+  Costs costs;
 };
 
-Growth growth_of(const GroupSummary& first, const GroupSummary& last) {
-  const auto relative = [](const GroupSummary& of) { return of.std * of.std / (of.n * of.mean * of.mean); };
-  return {last.mean / first.mean, relative(first) + relative(last)};
+// "1.39 times (95 % interval 1.1 to 1.8)"
+std::string with_interval(const CostRatio& ratio) {
+  return fmt::format("{} times (95 % interval {} to {})", rounded_number(ratio.value, 3),
+                     rounded_number(ratio.interval.low, 3), rounded_number(ratio.interval.high, 3));
 }
 
-std::string with_error(const Growth& growth) {
-  return fmt::format("{} times (standard error {})", rounded_number(growth.ratio, 3),
-                     rounded_number(growth.ratio * std::sqrt(growth.relative_variance), 2));
-}
+// How many times as long the last printed row takes as the first, and the standard error of its logarithm.
+struct Growth {
+  double ratio;
+  double standard_error_of_log;
+};
 
-// Whether our time grows with the number of bats as the printed does; empty where either end has no two solves.
-std::string scaling_verdict(const StudyResults& study, const std::vector<TimeAssessment>& rows,
-                            const std::vector<PrintedTime>& printed) {
-  const auto first = std::ranges::find(rows, label_of(printed.front()), &TimeAssessment::solver);
-  const auto last = std::ranges::find(rows, label_of(printed.back()), &TimeAssessment::solver);
-  if (first == rows.end() || last == rows.end() || first == last || !times_are_comparable(study)) return "";
-  const auto ours_of = [](const TimeAssessment& row) {
-    return GroupSummary{.mean = row.reached_ms.mean, .std = row.reached_ms.std, .n = row.reached_ms.n};
-  };
+Growth printed_growth(const StudyResults& study, const std::vector<PrintedTime>& printed) {
   const CsvTable table = published::table(study.published, "table-7");
-  const auto printed_of = [&](const PrintedTime& row, std::size_t index) {
-    return GroupSummary{.mean = row.mean_ms, .std = row.std_ms, .n = static_cast<int>(table.number(index, "n"))};
+  const auto relative_variance = [&](const PrintedTime& row, std::size_t index) {
+    const double relative = row.std_ms / row.mean_ms;
+    return relative * relative / table.number(index, "n");
   };
-  const Growth ours = growth_of(ours_of(*first), ours_of(*last));
-  const Growth theirs = growth_of(printed_of(printed.front(), 0), printed_of(printed.back(), printed.size() - 1));
-  const Judgement more = judge(std::log(ours.ratio / theirs.ratio),
-                               std::sqrt(ours.relative_variance + theirs.relative_variance), study.plan);
-  if (!more.undefined.empty()) return "";
-  const Judgement grows = judge(std::log(ours.ratio), std::sqrt(ours.relative_variance), study.plan);
-  const std::string answer = more.answer == Answer::undecided ? "is compatible with the printed growth"
-                             : more.answer == Answer::better  ? "grows more than printed"
-                             : grows.answer == Answer::better ? "grows, but less than printed"
-                                                              : "does not grow as printed";
+  return {printed.back().mean_ms / printed.front().mean_ms,
+          std::sqrt(relative_variance(printed.front(), 0) + relative_variance(printed.back(), printed.size() - 1))};
+}
+
+// By running times, unless restricted means contradict them.
+std::string scaling_answer(const CostRatio& expected, const CostRatio& restricted, const Growth& theirs,
+                           const AnalysisPlan& plan) {
+  const bool contradict = (expected.interval.low > 1 && restricted.interval.high < 1) ||
+                          (expected.interval.high < 1 && restricted.interval.low > 1);
+  if (contradict) return "is open, because the restricted mean contradicts it";
+  const Judgement more = judge(std::log(expected.value / theirs.ratio),
+                               std::hypot(expected.standard_error_of_log, theirs.standard_error_of_log), plan);
+  const Judgement grows = judge(std::log(expected.value), expected.standard_error_of_log, plan);
+  return more.answer == Answer::undecided ? "is compatible with the printed growth"
+         : more.answer == Answer::better  ? "grows more than printed"
+         : grows.answer == Answer::better ? "grows, but less than printed"
+                                          : "does not grow as printed";
+}
+
+// Whether our time grows with the number of bats as the printed does; empty where either end has no solves.
+std::string scaling_verdict(const StudyResults& study, const std::vector<TimeAssessment>& rows,
+                            const std::vector<PrintedTime>& printed, const TimeCosts& of) {
+  const auto first = place_of(study, label_of(printed.front())), last = place_of(study, label_of(printed.back()));
+  if (!first || !last || first == last || rows[*first].solves == 0 || rows[*last].solves == 0) return "";
+  if (!of.clusters.undefined().empty()) return fmt::format("Scaling: open, with {}.", of.clusters.undefined());
+  const CostRatio expected = ratio_of(of.costs.solvers[*last].expected, of.costs.solvers[*first].expected, of.clusters);
+  const CostRatio restricted =
+      ratio_of(of.costs.solvers[*last].restricted, of.costs.solvers[*first].restricted, of.clusters);
+  if (!std::isfinite(expected.standard_error_of_log)) {
+    return "Scaling: open, because too few solves reach the tolerance.";
+  }
+  const Growth theirs = printed_growth(study, printed);
   return fmt::format(
-      "Scaling: our mean time of solves that reach the tolerance {}: {} from {} to {}; printed: {}. Median iterations "
-      "of these solves: {} -> {}. These are only {} and {} solves; --set path.points=2000 gives more.",
-      answer, with_error(ours), first->solver, last->solver, with_error(theirs), first->iterations_reached_median,
-      last->iterations_reached_median, first->reached_ms.n, last->reached_ms.n);
+      "Scaling: our expected running time {}: {} from {} to {}; printed means: {} times (standard error {}). Restricted "
+      "mean to {} ms: {}. Solves that reach the tolerance alone, as the paper counts: {} times; that leaves out what "
+      "the others cost. Median iterations of these solves: {} -> {}. These are {} and {} solves; --set "
+      "path.points=2000 gives more.",
+      scaling_answer(expected, restricted, theirs, study.plan), with_interval(expected), rows[*first].solver,
+      rows[*last].solver, rounded_number(theirs.ratio, 3),
+      rounded_number(theirs.ratio * theirs.standard_error_of_log, 2), rounded_number(ms_in_s * of.costs.horizon, 3),
+      with_interval(restricted), short_number(rows[*last].reached_ms.mean / rows[*first].reached_ms.mean),
+      rows[*first].iterations_reached_median, rows[*last].iterations_reached_median, rows[*first].reached_ms.n,
+      rows[*last].reached_ms.n);
 }
 
 }  // namespace
@@ -147,6 +180,108 @@ std::string printed_real_time(const PrintedTime& printed) {
                      printed.mean_ms, printed.max_ms, in_the_mean ? "yes" : "no", in_the_worst_case ? "yes" : "no");
 }
 
+namespace {
+
+std::vector<Cell> table_7_row(const TimeAssessment& row, const std::vector<PrintedTime>& printed, double tolerance) {
+  const bool is_judged = row.solves > 0 && std::isfinite(tolerance);
+  std::vector<Cell> cells{row.solver,
+                          std::int64_t{row.solves},
+                          std::isfinite(tolerance) ? Cell(std::int64_t{row.never_reached}) : Cell(),
+                          row.time_ms.mean,
+                          row.time_ms.median,
+                          row.time_ms.std,
+                          row.time_ms.max,
+                          row.time_ms.min,
+                          row.iterations_median,
+                          row.evaluations_median,
+                          is_judged ? static_cast<double>(row.in_time) / row.solves : not_defined};
+  const auto same = std::ranges::find(printed, row.solver, label_of);
+  if (same == printed.end()) {
+    cells.resize(cells.size() + 5);
+  } else {
+    cells.insert(cells.end(), {same->mean_ms, same->median_ms, same->std_ms, same->max_ms, same->min_ms});
+  }
+  return cells;
+}
+
+std::vector<std::string> table_7_notes(const StudyResults& study, const std::vector<TimeAssessment>& rows,
+                                       const std::vector<PrintedTime>& printed) {
+  std::vector<std::string> notes{real_time_verdict(study)};
+  double farthest_printed = 0;
+  for (const PrintedTime& row : printed) farthest_printed = std::max(farthest_printed, row.max_ms / row.mean_ms);
+  notes.push_back(
+      fmt::format("One observation is one solve. Times include solves that do not reach the tolerance, because an arm "
+                  "waits for them too; share_in_time counts solves that reach the tolerance in less than {} ms. The "
+                  "paper does not mention solves that never reach it; its longest solves take at most {} times the "
+                  "mean.",
+                  real_time_ms, rounded_number(farthest_printed, 2)));
+  if (std::isfinite(tolerance_cm(study))) {
+    int never = 0;
+    for (const TimeAssessment& row : rows) never += row.never_reached;
+    notes.push_back(
+        never == 0
+            ? "Here every solve reaches the tolerance."
+            : fmt::format("Here {} never reach the tolerance: {}.", never, listed(rows, [](const TimeAssessment& row) {
+                            return fmt::format("{} {} of {}", row.solver, row.never_reached, row.solves);
+                          })));
+  }
+  notes.push_back(fmt::format("Mean time per bat [ms], printed: {}.", listed(printed, [](const PrintedTime& row) {
+                                return fmt::format("{} {}", label_of(row), rounded_number(row.mean_ms / row.bats, 3));
+                              })));
+  if (std::string timing = timing_note(study); !timing.empty()) notes.push_back(std::move(timing));
+  const std::string misprinted = listed(printed, [](const PrintedTime& row) {
+    return row.mean_ms <= row.max_ms ? "" : fmt::format("{} ({} by {})", label_of(row), row.mean_ms, row.max_ms);
+  });
+  if (!misprinted.empty()) {
+    notes.push_back(fmt::format("Misprint: the printed mean exceeds the printed maximum: {}.", misprinted));
+  }
+  std::ranges::move(status_notes(study), std::back_inserter(notes));
+  return notes;
+}
+
+Cell range_in(const Interval& interval, double unit) {
+  return std::isnan(interval.low) ? Cell() : Cell(Range{unit * interval.low, unit * interval.high});
+}
+
+void append(std::vector<Cell>& cells, const MeanCost& mean, const MeanCost* reference, const Clusters& clusters) {
+  const CostRatio ratio = reference != nullptr ? ratio_of(mean, *reference, clusters) : CostRatio{};
+  const bool is_itself = reference == &mean;
+  cells.insert(cells.end(), {ms_in_s * mean.estimate, range_in(clusters.interval(mean.replicates), ms_in_s),
+                             ratio.value, is_itself ? Cell() : range_in(ratio.interval, 1)});
+}
+
+std::vector<std::string> cost_notes(const StudyResults& study, const std::vector<TimeAssessment>& rows,
+                                    const std::vector<PrintedTime>& printed, const TimeCosts& of) {
+  std::vector<std::string> notes;
+  if (std::string scaling = scaling_verdict(study, rows, printed, of); !scaling.empty()) {
+    notes.push_back(std::move(scaling));
+  }
+  notes.push_back(fmt::format(
+      "ert_ms: time of all solves divided by the number that reach the tolerance. restricted_mean_ms: the mean up to {} "
+      "ms, to which the Kaplan-Meier curves of all solvers are known. The printed times come from MATLAB on another "
+      "machine, so only ratios are comparable; all are to {}. ratio_reached, of the mean times of solves that reach "
+      "the tolerance, and paper_ratio are the paper's way; they leave out what unsuccessful solves cost, so they decide "
+      "nothing.",
+      rounded_number(ms_in_s * of.costs.horizon, 3), label_of(printed.front())));
+  notes.push_back(of.clusters.undefined().empty()
+                      ? fmt::format("Intervals: 95 %, from {} bootstrap samples of the {}, the same for all entrants "
+                                    "(expanded percentiles).",
+                                    of.clusters.replicates().size(), of.clusters.noun())
+                      : fmt::format("There are no intervals: {}.", of.clusters.undefined()));
+  const std::string per_bat = listed(printed, [&](const PrintedTime& row) {
+    const auto place = place_of(study, label_of(row));
+    const double ms = place ? ms_in_s * of.costs.solvers[*place].expected.estimate : not_defined;
+    return std::isfinite(ms) ? fmt::format("{} {}", label_of(row), rounded_number(ms / row.bats, 3)) : std::string();
+  });
+  notes.push_back(
+      fmt::format("ert_ms per bat: {}. If it were constant, the number of iterations would not depend on "
+                  "the number of bats.",
+                  per_bat));
+  return notes;
+}
+
+}  // namespace
+
 std::optional<Table> table_7(const StudyResults& study) {
   if (!is_time_study(study)) return std::nullopt;
   const std::vector<PrintedTime> printed = printed_table_7(study.published);
@@ -164,8 +299,6 @@ std::optional<Table> table_7(const StudyResults& study) {
                           {"std_ms"},
                           {"max_ms"},
                           {"min_ms"},
-                          {"mean_reached_ms"},
-                          {"ratio_reached"},
                           {"iterations_median"},
                           {"evaluations_median"},
                           {"share_in_time"},
@@ -173,88 +306,47 @@ std::optional<Table> table_7(const StudyResults& study) {
                           {"paper_median_ms"},
                           {"paper_std_ms"},
                           {"paper_max_ms"},
-                          {"paper_min_ms"},
+                          {"paper_min_ms"}}};
+  for (const TimeAssessment& row : rows) table.rows.push_back(table_7_row(row, printed, tolerance));
+  table.notes = table_7_notes(study, rows, printed);
+  return table;
+}
+
+std::optional<Table> table_7_cost(const StudyResults& study) {
+  const bool has_costs = std::isfinite(tolerance_cm(study)) && times_are_comparable(study) && !study.solves.empty();
+  if (!is_time_study(study) || !has_costs) return std::nullopt;
+  const std::vector<PrintedTime> printed = printed_table_7(study.published);
+  const std::vector<TimeAssessment> rows = assess_times(study);
+  const Clusters clusters(study);
+  const TimeCosts of{clusters, costs_of(study, Cost::seconds, clusters)};
+  Table table{.name = "table-7-cost",
+              .caption = fmt::format("Table 7: what {} cm costs in time [ms], unsuccessful solves included",
+                                     tolerance_cm(study)),
+              .columns = {{"entrant", Align::left},
+                          {"ert_ms"},
+                          {"ert_ms interval"},
+                          {"ert_ratio"},
+                          {"ert_ratio interval"},
+                          {"restricted_mean_ms"},
+                          {"restricted_mean_ms interval"},
+                          {"restricted_mean_ratio"},
+                          {"restricted_mean_ratio interval"},
+                          {"mean_reached_ms"},
+                          {"ratio_reached"},
                           {"paper_ratio"}}};
-  const std::string reference = label_of(printed.front());
-  const auto our_reference = std::ranges::find(rows, reference, &TimeAssessment::solver);
-  for (const TimeAssessment& row : rows) {
-    const double share =
-        row.solves == 0 || !std::isfinite(tolerance) ? not_defined : static_cast<double>(row.in_time) / row.solves;
-    const double ratio =
-        our_reference == rows.end() ? not_defined : row.reached_ms.mean / our_reference->reached_ms.mean;
-    std::vector<Cell> cells{row.solver,
-                            std::int64_t{row.solves},
-                            std::isfinite(tolerance) ? Cell(std::int64_t{row.never_reached}) : Cell(),
-                            row.time_ms.mean,
-                            row.time_ms.median,
-                            row.time_ms.std,
-                            row.time_ms.max,
-                            row.time_ms.min,
-                            row.reached_ms.mean,
-                            ratio,
-                            row.iterations_median,
-                            row.evaluations_median,
-                            share};
-    const auto same = std::ranges::find(printed, row.solver, label_of);
-    if (same != printed.end()) {
-      for (const double value : {same->mean_ms, same->median_ms, same->std_ms, same->max_ms, same->min_ms,
-                                 same->mean_ms / printed.front().mean_ms}) {
-        cells.emplace_back(value);
-      }
-    }
-    cells.resize(table.columns.size());
+  const auto reference = place_of(study, label_of(printed.front()));
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    std::vector<Cell> cells{rows[i].solver};
+    const SolverCost* of_reference = reference ? &of.costs.solvers[*reference] : nullptr;
+    append(cells, of.costs.solvers[i].expected, of_reference ? &of_reference->expected : nullptr, clusters);
+    append(cells, of.costs.solvers[i].restricted, of_reference ? &of_reference->restricted : nullptr, clusters);
+    cells.emplace_back(rows[i].reached_ms.mean);
+    cells.emplace_back(reference ? rows[i].reached_ms.mean / rows[*reference].reached_ms.mean : not_defined);
+    const auto same = std::ranges::find(printed, rows[i].solver, label_of);
+    cells.push_back(same != printed.end() ? Cell(same->mean_ms / printed.front().mean_ms) : Cell());
     table.rows.push_back(std::move(cells));
   }
-
-  table.notes.push_back(real_time_verdict(study));
-  if (std::string scaling = scaling_verdict(study, rows, printed); !scaling.empty()) {
-    table.notes.push_back(std::move(scaling));
-  }
-  double farthest_printed = 0;
-  for (const PrintedTime& row : printed) farthest_printed = std::max(farthest_printed, row.max_ms / row.mean_ms);
-  table.notes.push_back(
-      fmt::format("One observation is one solve. Times include solves that do not reach the tolerance, because an arm "
-                  "waits for them too. mean_reached_ms covers only those that reach it; share_in_time counts solves "
-                  "that reach the tolerance in less than {} ms. The paper does not mention solves that never reach it; "
-                  "its longest solves take at most {} times the mean.",
-                  real_time_ms, rounded_number(farthest_printed, 2)));
-  if (std::isfinite(tolerance)) {
-    int never = 0;
-    for (const TimeAssessment& row : rows) never += row.never_reached;
-    table.notes.push_back(
-        never == 0
-            ? "Here every solve reaches the tolerance."
-            : fmt::format("Here {} never reach the tolerance: {}.", never, listed(rows, [](const TimeAssessment& row) {
-                            return fmt::format("{} {} of {}", row.solver, row.never_reached, row.solves);
-                          })));
-  }
-  const std::string printed_per_bat = listed(printed, [](const PrintedTime& row) {
-    return fmt::format("{} {}", label_of(row), rounded_number(row.mean_ms / row.bats, 3));
-  });
-  if (times_are_comparable(study)) {
-    table.notes.push_back(fmt::format(
-        "The printed times come from MATLAB on another machine, so only ratios are comparable. ratio_reached and "
-        "paper_ratio are mean times divided by that of {}; ours only of solves that reach the tolerance.",
-        reference));
-    table.notes.push_back(
-        fmt::format("Mean time per bat [ms], printed: {}; ours, of solves that reach the tolerance: {}. If it were "
-                    "constant, the number of iterations would not depend on the number of bats.",
-                    printed_per_bat, listed(rows, [&](const TimeAssessment& row) {
-                      const auto same = std::ranges::find(printed, row.solver, label_of);
-                      if (same == printed.end() || !std::isfinite(row.reached_ms.mean)) return std::string();
-                      return fmt::format("{} {}", row.solver, rounded_number(row.reached_ms.mean / same->bats, 3));
-                    })));
-  } else {
-    table.notes.push_back(timing_note(study));
-    table.notes.push_back(fmt::format("Mean time per bat [ms], printed: {}.", printed_per_bat));
-  }
-  const std::string misprinted = listed(printed, [](const PrintedTime& row) {
-    return row.mean_ms <= row.max_ms ? "" : fmt::format("{} ({} by {})", label_of(row), row.mean_ms, row.max_ms);
-  });
-  if (!misprinted.empty()) {
-    table.notes.push_back(fmt::format("Misprint: the printed mean exceeds the printed maximum: {}.", misprinted));
-  }
-  for (std::string& note : status_notes(study)) table.notes.push_back(std::move(note));
+  table.notes = cost_notes(study, rows, printed, of);
   return table;
 }
 

@@ -153,11 +153,15 @@ Interval expanded_percentiles(std::vector<double> replicates, std::size_t cluste
   check_level(level);
   const auto is_nan = [](double value) { return std::isnan(value); };
   if (clusters < 2 || replicates.empty() || std::ranges::any_of(replicates, is_nan)) return {};
-  std::ranges::sort(replicates);
   const double outside = normal_two_sided(expanded(normal_critical(level), clusters)) / 2;
-  const auto last = replicates.size() - 1;
-  const auto skipped = static_cast<std::size_t>(outside * static_cast<double>(last));
-  return {replicates[skipped], replicates[last - skipped]};
+  const auto last = static_cast<std::ptrdiff_t>(replicates.size()) - 1;
+  const auto skipped = static_cast<std::ptrdiff_t>(outside * static_cast<double>(last));
+  const auto at = [&](std::ptrdiff_t rank) {
+    const auto place = replicates.begin() + rank;
+    std::ranges::nth_element(replicates, place);
+    return *place;
+  };
+  return {at(skipped), at(last - skipped)};
 }
 
 std::vector<Interval> simultaneous_intervals(const Family& family, double level) {

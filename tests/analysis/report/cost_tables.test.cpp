@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "analysis/figures/convergence_figures.hpp"
+#include "analysis/inference/convergence.hpp"
 #include "tests/analysis/cells.hpp"
 #include "tests/analysis/synthetic.hpp"
 #include "tests/catch.hpp"
@@ -183,11 +184,16 @@ TEST_CASE("every row has a cell for every column, and a time that is no number i
     StudyResults study = eight_solves(definition);
     study.solvers.push_back("without solves");
     study.solves.front().seconds = not_a_number;
-    for (const Table& table : cost_tables(study)) {
+    const std::vector<Table> tables = cost_tables(study);
+    REQUIRE(tables.size() == 4);
+    for (const Table& table : tables) {
       for (const auto& row : table.rows) CHECK(row.size() == table.columns.size());
-      CHECK(has_note(table, "Not defined for without solves"));
     }
-    CHECK(has_note(cost_tables(study).back(), "Not defined for A"));
+    for (const Table& table : {tables[0], tables[1]}) CHECK(has_note(table, "Not defined for without solves"));
+    CHECK(tables[1].name == "statistics-cost-seconds");
+    CHECK(has_note(tables[1], "Not defined for A"));
+    CHECK(tables[2].name == "statistics-cost-pairs");
+    CHECK(tables[3].name == "statistics-cost-seconds-pairs");
   }
 }
 
@@ -209,4 +215,56 @@ TEST_CASE("the survival curve falls from 1 where solves come to the tolerance, a
   CHECK(corners[10].second == Approx(0.375));
   CHECK(corners[11].first == 1000);
   CHECK(corners[11].second == Approx(0.375));
+}
+
+namespace {
+
+// Twenty targets of A and B: A comes to each in 100 to 290 evaluations, B in half of that, and at every fourth in
+// 20000.
+StudyResults twenty_targets() {
+  std::vector<SolveRecord> solves = synthetic::solves({.solvers = {"A", "B"}, .runs = 1, .points = 20});
+  for (SolveRecord& solve : solves) {
+    solve.target_position_m = {0.01 * solve.point, 0, 0};
+    solve.evaluations = 90 + 10 * solve.point;
+    solve.position_error_cm = 0.05;
+    if (solve.solver == "A") continue;
+    solve.evaluations = solve.point % 4 == 0 ? 20000 : solve.evaluations / 2;
+  }
+  StudyResults study = make_study("twenty", std::move(solves));
+  study.definition = independent;
+  return study;
+}
+
+const Table& named(const std::vector<Table>& tables, const std::string& name) {
+  const auto found = std::ranges::find(tables, name, &Table::name);
+  REQUIRE(found != tables.end());
+  return *found;
+}
+
+}  // namespace
+
+TEST_CASE("mean costs have intervals over targets, and none of fewer than ten", "[cost]") {
+  const Table table = evaluations_table(twenty_targets());
+  const auto* range = std::get_if<Range>(&cell_at(table, 0, "ert interval"));
+  REQUIRE(range != nullptr);
+  CHECK(number_at(table, 0, "ert") == Approx(195));
+  // Student's of 20 values that are 10 apart: 195 -+ 2.093 sqrt(3500 / 20), a little more in the percentiles.
+  CHECK(range->low == Approx(195 - 27.7).margin(4));
+  CHECK(range->high == Approx(195 + 27.7).margin(4));
+  CHECK(has_note(table, "1000 bootstrap samples of the targets"));
+  const Table few = evaluations_table(eight_solves(independent));
+  CHECK(is_empty(few, 0, "ert interval"));
+  CHECK(has_note(few, "8 targets, and intervals need 10"));
+}
+
+TEST_CASE("pairs are told by running times, not by how often one is ahead", "[cost]") {
+  const std::vector<Table> tables = cost_tables(twenty_targets());
+  const Table& pairs = named(tables, "statistics-cost-pairs");
+  CHECK(readable(cell_at(pairs, 0, "spends less")) == "A");
+  CHECK(number_at(pairs, 0, "ert ratio") == Approx(195 / 5071.25));  // 5 of 20 spend 20000, the others half of A's
+  CHECK(number_at(pairs, 0, "probability of improvement") == 0.25);
+  const Table& anytime = named(tables, "statistics-cost-anytime");
+  CHECK(anytime.rows.size() == 10);
+  CHECK(has_note(anytime, "Ahead at 1 %: "));
+  CHECK(has_note(anytime, "The budget is 20000 evaluations, those of the longest solve"));
 }

@@ -1,0 +1,70 @@
+// Which solves of a study depend on each other, and so are drawn together by the bootstrap: the solves of a run where
+// each starts from the answer of the one before, else those of a target. What belongs to a cluster is drawn for all
+// solvers at once, because they share its targets.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "analysis/inference/convergence.hpp"
+#include "analysis/inference/study.hpp"
+#include "analysis/statistics/bootstrap.hpp"
+
+namespace ikbench::inference {
+
+// What is independent of its like, so that an interval may count it. Where a solver is given a target more than once,
+// as in the runs of a fixed path, a deterministic one only repeats itself: its solves are no trials.
+enum class Trials { runs, targets, solves };
+Trials trials_of(const StudyResults& study);
+
+// Of each solve of the study: the same number, from 0, where position and rotation of the target are the same.
+std::vector<std::size_t> target_numbers(const StudyResults& study);
+
+// The clusters of a study, and replicates that have drawn them. More than a thousand are drawn in a thousand groups.
+class Clusters {
+ public:
+  explicit Clusters(const StudyResults& study);  // which must outlive it
+
+  std::size_t of(const results::SolveRecord& solve) const;  // one of the study's
+  std::vector<std::size_t> of(const Solves& solves) const;
+
+  std::size_t drawn_at_once() const { return drawn_at_once_; }  // clusters, or groups of them
+  // Empty where undefined() says why there are too few for intervals.
+  const std::vector<std::vector<double>>& replicates() const { return replicates_; }
+  const std::string& undefined() const { return undefined_; }
+  std::string_view noun() const;  // "runs"
+
+  // expanded_percentiles of a statistic, one of each replicate.
+  statistics::Interval interval(std::vector<double> statistic) const;
+
+ private:
+  const StudyResults& study_;
+  Trials trials_;
+  std::vector<std::size_t> of_solve_;
+  std::size_t drawn_at_once_ = 0;
+  std::vector<std::vector<double>> replicates_;
+  std::string undefined_;
+};
+
+constexpr double interval_level = 0.95;
+
+// Values that come in clusters.
+struct ClusteredValues {
+  std::vector<double> values;
+  std::vector<std::size_t> clusters;
+};
+
+// The share of values at or below each position (ascending): in every replicate, [replicate][position].
+std::vector<std::vector<double>> resampled_shares(const ClusteredValues& of, const Clusters& clusters,
+                                                  std::span<const double> positions);
+
+// Fills in low and high of shares, of which each replicate has one value for each: [replicate][share].
+void add_bands(std::vector<Share>& shares, const Clusters& clusters,
+               const std::vector<std::vector<double>>& replicates);
+
+// shares_within(), with intervals.
+std::vector<Share> banded_shares(const ClusteredValues& of, const Clusters& clusters);
+
+}  // namespace ikbench::inference

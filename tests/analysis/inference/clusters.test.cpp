@@ -1,0 +1,274 @@
+#include "analysis/inference/clusters.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "analysis/figures/convergence_figures.hpp"
+#include "analysis/inference/anytime.hpp"
+#include "analysis/inference/cost_comparison.hpp"
+#include "tests/catch.hpp"
+
+using namespace ikbench;
+using namespace ikbench::results;
+using namespace ikbench::statistics;
+using namespace ikbench::inference;
+
+namespace {
+
+const char* const drawn_targets =
+    R"({"stop": {"tolerance_cm": 0.1, "evaluations": 1000}, "path": {"kind": "random"}, "start": "initial"})";
+const char* const chained = R"({"stop": {"tolerance_cm": 0.1}, "path": {"kind": "helix"}, "start": "previous"})";
+
+struct Spent {
+  std::int64_t evaluations;
+  bool reached = true;
+};
+
+// Solver A, B, ...: by run and point. Every point has its own target; with `drawn_targets` every run too.
+StudyResults study_of(const std::vector<std::vector<std::vector<Spent>>>& solvers, const char* definition) {
+  std::vector<SolveRecord> solves;
+  for (std::size_t s = 0; s < solvers.size(); ++s) {
+    for (std::size_t run = 0; run < solvers[s].size(); ++run) {
+      for (std::size_t point = 0; point < solvers[s][run].size(); ++point) {
+        const auto& [evaluations, reached] = solvers[s][run][point];
+        SolveRecord solve;
+        solve.solver = std::string(1, static_cast<char>('A' + s));
+        solve.run = static_cast<int>(run) + 1;
+        solve.point = static_cast<int>(point) + 1;
+        solve.evaluations = evaluations;
+        solve.seconds = solve.cpu_seconds = 1e-6 * static_cast<double>(evaluations);
+        solve.position_error_cm = reached ? 0.05 : 5;
+        solve.target_position_m = {0.1 * static_cast<double>(point), definition == chained ? 0.0 : 0.1 * solve.run, 0};
+        solves.push_back(std::move(solve));
+      }
+    }
+  }
+  StudyResults study = make_study("made up", std::move(solves));
+  study.definition = definition;
+  return study;
+}
+
+using Runs = std::vector<std::vector<Spent>>;
+
+// Twenty runs of one point.
+Runs twenty(const std::function<Spent(int)>& spent) {
+  Runs runs;
+  for (int run = 0; run < 20; ++run) runs.push_back({spent(run)});
+  return runs;
+}
+
+double width(const Interval& interval) { return interval.high - interval.low; }
+
+}  // namespace
+
+TEST_CASE("chained solves are drawn by run, others by target", "[clusters]") {
+  const Runs runs(12, {{100}, {200}});
+  const StudyResults by_run = study_of({runs, runs}, chained), by_target = study_of({runs, runs}, drawn_targets);
+  const Clusters of_runs(by_run), of_targets(by_target);
+  CHECK(of_runs.noun() == "runs");
+  CHECK(of_runs.drawn_at_once() == 12);
+  CHECK(of_runs.of(by_run.solves[0]) == of_runs.of(by_run.solves[1]));   // points of a run
+  CHECK(of_runs.of(by_run.solves[0]) == of_runs.of(by_run.solves[24]));  // the same run of the other solver
+  CHECK(of_targets.noun() == "targets");
+  CHECK(of_targets.drawn_at_once() == 24);
+  CHECK(of_targets.of(by_target.solves[0]) != of_targets.of(by_target.solves[1]));
+  CHECK(of_targets.of(by_target.solves[0]) == of_targets.of(by_target.solves[24]));
+  CHECK(of_runs.replicates().size() == 1000);
+}
+
+TEST_CASE("fewer than ten clusters have no intervals, and more than a thousand are drawn in groups", "[clusters]") {
+  const StudyResults few = study_of({Runs(9, {{100}})}, chained);
+  const Clusters of_few(few);
+  CHECK(of_few.undefined() == "9 runs, and intervals need 10");
+  CHECK(of_few.replicates().empty());
+  CHECK(std::isnan(of_few.interval({}).low));
+  const StudyResults many = study_of({Runs(1500, {{100}})}, drawn_targets);
+  const Clusters of_many(many);
+  CHECK(of_many.drawn_at_once() == 1000);
+  CHECK(of_many.of(many.solves[1200]) == 200);
+}
+
+TEST_CASE("where all runs are alike the band is the curve", "[clusters]") {
+  const StudyResults study = study_of({Runs(15, {{100}, {300}, {700}})}, chained);
+  const Clusters clusters(study);
+  ClusteredValues values{.values = {}, .clusters = clusters.of(solves_by_solver(study)[0])};
+  for (const SolveRecord& solve : study.solves) values.values.push_back(static_cast<double>(solve.evaluations));
+  const std::vector<Share> shares = banded_shares(values, clusters);
+  REQUIRE(shares.size() == 3);
+  for (const Share& share : shares) {
+    CHECK(share.low == Approx(share.share));
+    CHECK(share.high == Approx(share.share));
+  }
+}
+
+TEST_CASE("a band is wider where the points of a run depend on each other", "[clusters]") {
+  // Every other run reaches all of its ten points: one run is one trial, not ten.
+  Runs runs;
+  for (int run = 0; run < 20; ++run) runs.emplace_back(10, Spent{run % 2 == 0 ? 100 : 900});
+  const auto width_with = [&](const char* definition) {
+    const StudyResults study = study_of({runs}, definition);
+    const Clusters clusters(study);
+    ClusteredValues values{.values = {}, .clusters = clusters.of(solves_by_solver(study)[0])};
+    for (const SolveRecord& solve : study.solves) values.values.push_back(static_cast<double>(solve.evaluations));
+    const Share share = banded_shares(values, clusters).front();
+    CHECK(share.share == 0.5);
+    return share.high - share.low;
+  };
+  // By hand: 2 (2.093 sqrt(20 / 19)) sqrt(0.25 / 20) = 0.480 and 2 (1.972) sqrt(0.25 / 200) = 0.139.
+  CHECK(width_with(chained) == Approx(0.48).margin(0.06));
+  CHECK(width_with(drawn_targets) == Approx(0.139).margin(0.02));
+}
+
+TEST_CASE("of two that share their targets the ratio is known better than either mean", "[clusters]") {
+  // B takes one and a half times as long as A at every target, and targets differ much.
+  const Runs a = twenty([](int run) { return Spent{100 * (run + 1)}; });
+  const Runs b = twenty([](int run) { return Spent{150 * (run + 1)}; });
+  const StudyResults study = study_of({a, b}, drawn_targets);
+  const Clusters clusters(study);
+  const Costs costs = costs_of(study, Cost::evaluations, clusters);
+  CHECK(costs.solvers[0].expected.estimate == Approx(1050));
+  CHECK(width(clusters.interval(costs.solvers[0].expected.replicates)) > 400);
+  const CostRatio ratio = ratio_of(costs.solvers[1].expected, costs.solvers[0].expected, clusters);
+  CHECK(ratio.value == Approx(1.5));
+  CHECK(width(ratio.interval) < 1e-9);
+  const std::vector<CostPair> pairs = compare_costs(study, Cost::evaluations, clusters);
+  REQUIRE(pairs.size() == 1);
+  CHECK(pairs[0].answer == Answer::better);
+  CHECK(pairs[0].expected.value == Approx(1 / 1.5));
+  CHECK(pairs[0].improvement.value == 1);
+}
+
+TEST_CASE("running times of two that are alike are open", "[clusters]") {
+  const Runs a = twenty([](int run) { return Spent{100 * (run % 5 + 1)}; });
+  const Runs b = twenty([](int run) { return Spent{100 * ((run + 2) % 5 + 1)}; });
+  const StudyResults study = study_of({a, b}, drawn_targets);
+  const CostPair pair = compare_costs(study, Cost::evaluations, Clusters(study)).front();
+  CHECK(pair.answer == Answer::undecided);
+  CHECK(pair.expected.interval.low < 1);
+  CHECK(pair.expected.interval.high > 1);
+  // Two places ahead of five: A is ahead at three of them.
+  CHECK(pair.improvement.value == Approx(0.6));
+}
+
+TEST_CASE("who never succeeds has no running time, and the restricted mean decides", "[clusters]") {
+  const Runs a = twenty([](int run) { return Spent{100 + run}; });
+  const Runs b = twenty([](int) { return Spent{1000, false}; });
+  const StudyResults study = study_of({a, b}, drawn_targets);
+  const Clusters clusters(study);
+  const CostPair pair = compare_costs(study, Cost::evaluations, clusters).front();
+  CHECK(std::isnan(pair.expected.value));
+  CHECK(std::isnan(pair.expected.interval.low));
+  CHECK(pair.restricted.value == Approx(0.1095));  // 109.5 / 1000
+  CHECK(pair.answer == Answer::better);
+  const std::vector<double> of_b = costs_of(study, Cost::evaluations, clusters).solvers[1].expected.replicates;
+  CHECK(std::ranges::all_of(of_b, [](double value) { return value == censored; }));
+}
+
+TEST_CASE("the probability of improvement is that of two solves at the same target, by hand", "[clusters]") {
+  // Two targets, two runs each from the same start. At the first A 1, 3 against B 2, 3: 1 < 2, 1 < 3, 3 > 2, 3 = 3 is
+  // 2.5 of 4. At the second A 5, never against B never, 4: 5 wins and loses, never ties and loses: 1.5 of 4.
+  const char* const repeated = R"({"stop": {"tolerance_cm": 0.1}, "path": {"kind": "helix"}, "start": "initial"})";
+  StudyResults study = study_of({{{{1}, {5}}, {{3}, {9, false}}}, {{{2}, {9, false}}, {{3}, {4}}}}, repeated);
+  for (SolveRecord& solve : study.solves) solve.target_position_m[1] = 0;
+  const CostPair pair = compare_costs(study, Cost::evaluations, Clusters(study)).front();
+  CHECK(pair.improvement.value == Approx((2.5 + 1.5) / 8));
+  CHECK(std::isnan(pair.improvement.interval.low));  // two targets
+}
+
+TEST_CASE("with chained runs every run of one is held against every run of the other", "[clusters]") {
+  // A spends 1 to 10, B 3 to 12: of 100 pairs.
+  Runs a, b;
+  int ahead = 0, ties = 0;
+  for (int run = 1; run <= 10; ++run) {
+    a.push_back({{run}, {run}});
+    b.push_back({{run + 2}, {run + 2}});
+    for (int other = 3; other <= 12; ++other) {
+      ahead += run < other ? 1 : 0;
+      ties += run == other ? 1 : 0;
+    }
+  }
+  REQUIRE(ahead == 64);
+  REQUIRE(ties == 8);
+  const StudyResults study = study_of({a, b}, chained);
+  const CostPair pair = compare_costs(study, Cost::evaluations, Clusters(study)).front();
+  CHECK(pair.improvement.value == Approx(0.68));
+  CHECK(pair.improvement.interval.low < 0.68);
+  CHECK(pair.improvement.interval.high > 0.68);
+  CHECK(pair.improvement.interval.high <= 1);
+}
+
+TEST_CASE("of more than twenty solvers those with the best are compared alone", "[clusters]") {
+  CHECK(compared_pairs(20, 3).size() == 190);
+  const auto pairs = compared_pairs(21, 3);
+  CHECK(pairs.size() == 20);
+  CHECK(std::ranges::all_of(pairs, [](const auto& pair) { return pair.first == 3 || pair.second == 3; }));
+}
+
+TEST_CASE("who is ahead depends on the budget", "[anytime]") {
+  // Budget 1000. A: all at 80 evaluations or, every fifth, never. B: all at 250 to 290.
+  const Runs a = twenty([](int run) { return run % 5 == 4 ? Spent{1000, false} : Spent{80}; });
+  const Runs b = twenty([](int run) { return Spent{250 + 2 * run}; });
+  const StudyResults study = study_of({a, b}, drawn_targets);
+  const std::optional<Anytime> found = anytime(study, Clusters(study));
+  REQUIRE(found);
+  CHECK(found->budget == 1000);
+  CHECK(found->is_of_study);
+  const auto at = [&](std::size_t budget, std::size_t solver) { return found->standings[budget][solver]; };
+  CHECK(at(0, 0).share == 0);  // 10 evaluations
+  CHECK(at(0, 0).position == Position::open);
+  CHECK(at(2, 0).share == Approx(0.8));  // 100
+  CHECK(at(2, 0).position == Position::ahead);
+  CHECK(at(2, 1).position == Position::behind);
+  CHECK(at(2, 1).behind == Approx(0.8));
+  CHECK(at(2, 1).behind_interval.low > 0.4);
+  CHECK(at(2, 0).share_interval.low < 0.65);
+  CHECK(at(4, 0).share == Approx(0.8));  // the whole budget: 4 of 20 more, and nothing is shown
+  CHECK(at(4, 1).share == 1);
+  CHECK(at(4, 0).behind == Approx(0.2));
+  CHECK(at(4, 0).position == Position::open);
+  CHECK(at(4, 0).behind_interval.low < 0);
+}
+
+TEST_CASE("without a tolerance traces say who is ahead, and without traces nobody does", "[anytime]") {
+  Runs runs(12, {{1000, false}});
+  StudyResults study = study_of({runs, runs}, R"({"path": {"kind": "random"}, "start": "initial"})");
+  for (SolveRecord& solve : study.solves) solve.iterations = 10;
+  const Clusters clusters(study);
+  CHECK(!anytime(study, clusters));
+  for (SolveRecord& solve : study.solves) {
+    solve.trace_cm.assign(10, solve.solver == "A" ? 5 : 20);
+    solve.trace_cm.back() = 5;
+  }
+  const std::optional<Anytime> found = anytime(study, clusters);
+  REQUIRE(found);
+  CHECK(!found->is_of_study);
+  CHECK(found->standings[2][0].position == Position::ahead);  // 100 evaluations: the first of ten iterations
+  CHECK(found->standings[2][1].share == 0);
+  CHECK(found->standings[4][0].position == Position::open);
+  CHECK(found->standings[4][0].share == found->standings[4][1].share);
+  const StudyResults alone = study_of({runs}, drawn_targets);
+  CHECK(!anytime(alone, Clusters(alone)));
+}
+
+TEST_CASE("figures of enough runs have bands, of few they say why not", "[clusters]") {
+  const auto data_and_caption = [](std::size_t runs) {
+    std::vector<std::vector<std::vector<Spent>>> solvers;
+    for (const int more : {0, 50}) {
+      Runs of_solver;
+      for (std::size_t run = 0; run < runs; ++run) of_solver.push_back({{100 + 7 * static_cast<int>(run) + more}});
+      solvers.push_back(of_solver);
+    }
+    const std::vector<figures::Figure> drawn = figures::convergence_figures(study_of(solvers, drawn_targets));
+    const auto found = std::ranges::find(drawn, "statistics-survival-evaluations", &figures::Figure::name);
+    REQUIRE(found != drawn.end());
+    return found->plot + found->data + found->caption;
+  };
+  const std::string with = data_and_caption(12), without = data_and_caption(9);
+  CHECK(with.find("filledcurves") != std::string::npos);
+  CHECK(with.find("1000 bootstrap samples of the targets") != std::string::npos);
+  CHECK(without.find("filledcurves") == std::string::npos);
+  CHECK(without.find("9 targets, and intervals need 10") != std::string::npos);
+}
