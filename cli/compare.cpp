@@ -6,16 +6,13 @@
 #include <array>
 #include <filesystem>
 #include <memory>
-#include <optional>
 #include <stdexcept>
 
-#include "analysis/inference/analysis_plan.hpp"
-#include "analysis/inference/text.hpp"
 #include "analysis/report/variants_table.hpp"
 #include "cli/commands.hpp"
+#include "cli/comparing.hpp"
 #include "cli/console.hpp"
 #include "cli/plan_options.hpp"
-#include "cli/reporting.hpp"
 #include "numerics/names.hpp"
 #include "results/files.hpp"
 
@@ -30,113 +27,7 @@ using namespace report;
 
 namespace {
 
-constexpr int regression = 3, undecided = 4;  // exit codes
-
-struct CompareArguments {
-  std::string a, b, store, study, output;
-  std::vector<std::string> labels, metrics;
-  AnalysisPlan plan = {};             // where the options say it
-  std::optional<double> margin = {};  // given; else the study of A says it
-  std::optional<double> significance = {};
-  bool strict = false;
-};
-
-// What is held against what, and by which margin.
-struct Compared {
-  std::string headline;
-  MarginQuestion question;
-  std::vector<VariantComparison> comparisons;
-  std::vector<std::string> notes;
-};
-
-MarginQuestion question_of(const CompareArguments& arguments, const StudyEntry& study) {
-  const AnalysisPlan plan = plan_of(study);
-  return {.margin = arguments.margin.value_or(plan.margin),
-          .significance = arguments.significance.value_or(plan.significance),
-          .power = plan.power};
-}
-
-std::vector<std::string> labels_of(const std::vector<Variant>& variants) {
-  std::vector<std::string> labels;
-  for (const Variant& variant : variants) labels.push_back(variant.series.label);
-  return labels;
-}
-
-const Variant* find(const std::vector<Variant>& variants, const std::string& label) {
-  const auto found = std::ranges::find(variants, label, [](const Variant& variant) { return variant.series.label; });
-  return found == variants.end() ? nullptr : &*found;
-}
-
-const Variant& the(const std::vector<Variant>& variants, const std::string& label, const std::string& where) {
-  if (const Variant* found = find(variants, label)) return *found;
-  throw std::invalid_argument(where + unknown_name("label", label, labels_of(variants)));
-}
-
-std::string asked(const MarginQuestion& question) {
-  return fmt::format("margin {}, significance {:g} for each test", percent(question.margin), question.significance);
-}
-
-Compared compare_labels(const CompareArguments& arguments) {
-  if (!arguments.labels.empty())
-    throw std::invalid_argument("--label needs two stores; with --store, A and B are already labels");
-  if (arguments.a == arguments.b)
-    throw std::invalid_argument(fmt::format("A and B are both the label {}", arguments.a));
-  const Store store(arguments.store, Store::Mode::read);
-  const StudyEntry study = chosen_study(store, arguments.study);
-  const std::vector<Variant> all = variants(store, study);
-  Compared compared{.question = question_of(arguments, study)};
-  compared.headline = fmt::format("B: {}, against A: {}, in study {}; {}.", arguments.b, arguments.a, study.name,
-                                  asked(compared.question));
-  const Variant &baseline = the(all, arguments.a, "A: "), &candidate = the(all, arguments.b, "B: ");
-  compared.comparisons.push_back(compare_variants(baseline, candidate, arguments.metrics, compared.question));
-  return compared;
-}
-
-Store opened(const std::string& file) {
-  if (std::filesystem::exists(file)) return Store(file, Store::Mode::read);
-  throw std::invalid_argument(
-      fmt::format("store '{}' does not exist; to compare two labels of one store, add --store FILE", file));
-}
-
-// Of the name of A's study, where the store has one and no other is asked for.
-StudyEntry partner(const Store& store, const CompareArguments& arguments, const StudyEntry& of_a) {
-  if (!arguments.study.empty()) return store.study(arguments.study);
-  for (StudyEntry& study : store.studies()) {
-    if (study.name == of_a.name) return std::move(study);
-  }
-  return chosen_study(store, "");
-}
-
-std::vector<std::string> common_labels(const std::vector<Variant>& a, const std::vector<Variant>& b,
-                                       Compared& compared) {
-  std::vector<std::string> common, alone;
-  for (const std::string& label : labels_of(a)) (find(b, label) != nullptr ? common : alone).push_back(label);
-  for (const std::string& label : labels_of(b)) {
-    if (find(a, label) == nullptr) alone.push_back(label);
-  }
-  if (common.empty()) {
-    throw std::invalid_argument(fmt::format("A and B have no label in common (A: {}; B: {})",
-                                            fmt::join(labels_of(a), ", "), fmt::join(labels_of(b), ", ")));
-  }
-  if (!alone.empty())
-    compared.notes.push_back(fmt::format("Not compared, because only one store has them: {}.", fmt::join(alone, ", ")));
-  return common;
-}
-
-Compared compare_stores(const CompareArguments& arguments) {
-  const Store of_a = opened(arguments.a), of_b = opened(arguments.b);
-  const StudyEntry first = chosen_study(of_a, arguments.study), second = partner(of_b, arguments, first);
-  const std::vector<Variant> a = variants(of_a, first), b = variants(of_b, second);
-  Compared compared{.question = question_of(arguments, first)};
-  compared.headline = fmt::format("B: {} in {}, against A: {} in {}; {}.", second.name, arguments.b, first.name,
-                                  arguments.a, asked(compared.question));
-  const std::vector<std::string> labels = arguments.labels.empty() ? common_labels(a, b, compared) : arguments.labels;
-  for (const std::string& label : labels) {
-    const Variant &baseline = the(a, label, "A: "), &candidate = the(b, label, "B: ");
-    compared.comparisons.push_back(compare_variants(baseline, candidate, arguments.metrics, compared.question));
-  }
-  return compared;
-}
+constexpr int regression = 3, undecided = 4, more_runs = 5, stopped = 130;  // exit codes
 
 // "a, b or c"
 std::string metric_names() {
@@ -161,7 +52,7 @@ Table narrow(const Table& table) {
 
 std::string markdown(const Compared& compared, Table table) {
   table.notes.insert(table.notes.begin(),
-                     {compared.headline, variants_verdict(compared.comparisons, compared.question)});
+                     {variants_verdict(compared.comparisons, compared.question), compared.headline});
   for (const std::string& note : compared.notes) table.notes.push_back(note);
   for (const std::string& note : variants_notes(compared.comparisons)) table.notes.push_back(note);
   return to_markdown(table);
@@ -193,20 +84,102 @@ void write_output(const Compared& compared, const std::string& file) {
 int exit_code(const Compared& compared, const CompareArguments& arguments) {
   const auto is_there = [&](Outcome outcome) { return count(compared.comparisons, outcome) > 0; };
   if (is_there(Outcome::worse)) return regression;
+  if (compared.state == LookState::open) return more_runs;
   return arguments.strict && (is_there(Outcome::undecided) || is_there(Outcome::not_compared)) ? undecided : 0;
 }
 
-void compare(const CompareArguments& arguments, Invocation& invocation) {
-  if (!arguments.output.empty()) refuse_output(arguments);
-  const Compared compared = arguments.store.empty() ? compare_stores(arguments) : compare_labels(arguments);
+int tell(const Compared& compared, const CompareArguments& arguments) {
+  const int code = exit_code(compared, arguments);
   if (!arguments.output.empty()) write_output(compared, arguments.output);
-  fmt::print("{}\n\n{}\n", printable(compared.headline),
+  fmt::print("{}{}\n{}\n\n{}\n", printable(variants_verdict(compared.comparisons, compared.question)),
+             code == undecided ? " With --strict this counts as a failure." : "", printable(compared.headline),
              aligned(readable_cells(narrow(variants_table(compared.comparisons, compared.question)))));
   for (const std::string& note : compared.notes) fmt::print("{}\n", printable(note));
   for (const std::string& note : variants_notes(compared.comparisons)) fmt::print("{}\n", printable(note));
-  invocation.exit_code = exit_code(compared, arguments);
-  fmt::print("{}{}\n", printable(variants_verdict(compared.comparisons, compared.question)),
-             invocation.exit_code == undecided ? " With --strict this counts as a failure." : "");
+  return code;
+}
+
+// How many runs of the study its store has already.
+int stored_runs(const std::filesystem::path& file, const std::string& name) {
+  if (!std::filesystem::exists(file)) return 0;
+  for (const StudyEntry& study : Store(file, Store::Mode::read).studies()) {
+    if (study.name == name) return make_study(study, {}).runs;
+  }
+  return 0;
+}
+
+void refuse_labels(const CompareArguments& arguments) {
+  if (!arguments.labels.empty())
+    throw std::invalid_argument("--label needs two stores; with --store or --run, A and B are already labels");
+  if (arguments.a == arguments.b)
+    throw std::invalid_argument(fmt::format("A and B are both the label {}", arguments.a));
+}
+
+void refuse_unknown_labels(const CompareArguments& arguments, const Study& study) {
+  std::vector<std::string> labels;
+  for (const auto& entry : study.solvers) labels.push_back(entry.label);
+  for (const std::string& label : {arguments.a, arguments.b}) {
+    if (std::ranges::find(labels, label) == labels.end()) {
+      throw std::invalid_argument(unknown_name("label", label, labels));
+    }
+  }
+}
+
+// Solves the study look by look, until A and B are decided.
+int run_and_compare(const CompareArguments& arguments, const Invocation& invocation) {
+  Study study = load_study(arguments.run, arguments.overrides);
+  refuse_unknown_labels(arguments, study);
+  const std::filesystem::path folder =
+      arguments.solving.out.empty() ? default_folder(study.name) : std::filesystem::path(arguments.solving.out);
+  const Looks& looks = arguments.looks;
+  check_looks(looks);
+  const int earlier = std::min(stored_runs(store_in(folder), study.name), looks.most);
+  for (study.runs = std::max(looks.step, earlier - earlier % looks.step);; study.runs += looks.step) {
+    const RunRequest request{.jobs = arguments.solving.jobs, .command = invocation.command};
+    if (run_and_tell(study, folder, request) == Ended::stopped) return stopped;
+    const Compared compared = judged(labels_of_store(arguments, store_in(folder), study.name), arguments);
+    if (compared.state != LookState::open) return tell(compared, arguments);
+  }
+}
+
+int compare(const CompareArguments& arguments, const Invocation& invocation) {
+  if (!arguments.output.empty()) refuse_output(arguments);
+  if (arguments.store.empty() && arguments.run.empty())
+    return tell(judged(labels_of_stores(arguments), arguments), arguments);
+  refuse_labels(arguments);
+  if (!arguments.run.empty()) return run_and_compare(arguments, invocation);
+  return tell(judged(labels_of_store(arguments, arguments.store, arguments.study), arguments), arguments);
+}
+
+// Those that name a store's study cannot be used where one is solved.
+void add_sequential_options(CLI::App& command, CompareArguments& arguments,
+                            const std::vector<CLI::Option*>& of_stores) {
+  CLI::Option* const sequential = command.add_flag(
+      "--sequential", arguments.sequential,
+      "look after every --step runs, and stop when something is worse or nothing is undecided; p-values count the looks");
+  command.add_option("--step", arguments.looks.step, "with --sequential: runs from one look to the next")
+      ->check(whole_number())
+      ->needs(sequential)
+      ->capture_default_str();
+  command
+      .add_option("--max-runs", arguments.looks.most,
+                  "with --sequential: runs of the last look; choose both before you see results")
+      ->check(whole_number())
+      ->needs(sequential)
+      ->capture_default_str();
+  CLI::Option* const run =
+      command
+          .add_option(
+              "--run", arguments.run,
+              "with --sequential: solve this study (a name or a TOML file, see ikbench run) look by look; A and "
+              "B are labels of it")
+          ->needs(sequential);
+  for (CLI::Option* option : of_stores) run->excludes(option);
+  command.add_option("--set", arguments.overrides, "with --run: change a key of the study, as in ikbench run")
+      ->allow_extra_args(false)
+      ->needs(run);
+  add_run_options(command, arguments.solving);
+  for (const char* name : {"--out", "--jobs"}) command.get_option(name)->needs(run);
 }
 
 }  // namespace
@@ -215,10 +188,13 @@ void add_compare(CLI::App& app, Invocation& invocation) {
   auto arguments = std::make_shared<CompareArguments>();
   CLI::App* command =
       app.add_subcommand("compare", "Decide whether a variant of a solver is better, the same or worse");
-  command->add_option("A", arguments->a, "baseline: path of a store.sqlite, or a label with --store")->required();
-  command->add_option("B", arguments->b, "candidate: path of a store.sqlite, or a label with --store")->required();
-  command->add_option("--store", arguments->store, "store in which A and B are labels");
-  command->add_option("--study", arguments->study, "name of the study; default: the first in A's store");
+  command->add_option("A", arguments->a, "baseline: path of a store.sqlite, or a label with --store or --run")
+      ->required();
+  command->add_option("B", arguments->b, "candidate: path of a store.sqlite, or a label with --store or --run")
+      ->required();
+  CLI::Option* const store = command->add_option("--store", arguments->store, "store in which A and B are labels");
+  CLI::Option* const study =
+      command->add_option("--study", arguments->study, "name of the study; default: the first in A's store");
   command
       ->add_option("--label", arguments->labels,
                    "with two stores: compare only this label; repeat for more; default: all that both stores have")
@@ -228,28 +204,32 @@ void add_compare(CLI::App& app, Invocation& invocation) {
   const CLI::Option *margin = add_margin_option(*command, arguments->plan.margin),
                     *significance = add_significance_option(*command, arguments->plan.significance);
   command->get_option("--significance")
-      ->description("significance level of each one-sided test; intervals have level 1 minus twice this");
+      ->description("significance level of all tests together; intervals have level 1 minus twice this");
   command->add_flag("--strict", arguments->strict,
                     "exit with 4 if nothing is worse but a metric is undecided or not compared");
   command->add_option("-o,--output", arguments->output, "also write the full table to this .md, .csv or .json file");
+  add_sequential_options(*command, *arguments, {store, study});
   command->footer(
       "Examples:\n"
       "  ikbench compare before/store.sqlite after/store.sqlite\n"
       "  ikbench compare IK-BA mine --store out/my/store.sqlite --metric position_error_cm --margin 10%\n"
+      "  ikbench compare IK-BA mine --run my.toml --sequential    # solves until it is decided, at most 50 runs\n"
       "In continuous integration, with the store of the last release as base.sqlite:\n"
       "  ikbench run my.toml --no-report --out new\n"
       "  ikbench compare base.sqlite new/store.sqlite --metric position_error_cm --metric evaluations --metric solved "
       "\\\n"
       "    --strict -o comparison.md\n\n"
       "Tests of the ratio of means against the margin decide whether B is better, the same or worse. Otherwise the\n"
-      "metric is undecided, and the table says how many runs or targets would decide. --margin and --significance\n"
-      "default to those of A's study.\n\n"
+      "metric is undecided, and the table says how many runs or targets would decide. All labels and metrics are judged\n"
+      "together: if nothing is worse, the probability of exit code 3 is at most --significance. --margin and\n"
+      "--significance default to those of A's study.\n\n"
       "Exit codes: 0 no regression found, 1 a mistake in the request, 2 a failure of the program, the disk or the store,\n"
-      "3 a regression beyond the margin, 4 (--strict only) nothing is worse, but something is undecided or not compared.");
+      "3 a regression beyond the margin, 4 (--strict only) nothing is worse, but something is undecided or not compared,\n"
+      "5 (--sequential without --run) not decided yet: add runs, 130 stopped by Ctrl-C.");
   command->callback([arguments, margin, significance, &invocation] {
     if (margin->count() > 0) arguments->margin = arguments->plan.margin;
     if (significance->count() > 0) arguments->significance = arguments->plan.significance;
-    compare(*arguments, invocation);
+    invocation.exit_code = compare(*arguments, invocation);
   });
 }
 

@@ -41,11 +41,11 @@ AnalysisPlan plan_for(const StudyEntry& entry, const ReportArguments& arguments)
   return plan;
 }
 
-// Whether two definitions of a study are the same but for how it is judged, and for what is only said of it.
-bool differ_in_analysis_only(const std::string& earlier, const std::string& now) {
+// Whether two definitions of a study are the same but for how it is judged, how often it runs, and what is only said.
+bool solve_the_same(const std::string& earlier, const std::string& now) {
   auto before = nlohmann::json::parse(earlier, nullptr, false), after = nlohmann::json::parse(now, nullptr, false);
   for (auto* definition : {&before, &after}) {
-    for (const char* key : {"analysis", "out_of_reach"}) {
+    for (const char* key : {"analysis", "out_of_reach", "runs"}) {
       if (definition->is_object()) definition->erase(key);
     }
   }
@@ -168,7 +168,7 @@ Ended run_and_tell(const Study& study, const std::filesystem::path& folder, RunR
   Store store(store_in(folder), Store::Mode::write);
   for (const StudyEntry& earlier : store.studies()) {
     if (earlier.name != study.name || earlier.definition == to_json(study)) continue;
-    if (differ_in_analysis_only(earlier.definition, to_json(study))) {
+    if (solve_the_same(earlier.definition, to_json(study))) {
       const std::string changes = changes_between(plan_of(earlier), study.analysis);
       if (!changes.empty()) {
         say(fmt::format("warning: the analysis plan of {} in {} has changed: {}; the report will say so", study.name,

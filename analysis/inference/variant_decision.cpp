@@ -24,8 +24,14 @@ std::string of_constants(const MetricComparison& comparison) {
              : fmt::format("differs in these {} {}s, but they are too few to decide", number, comparison.observation);
 }
 
+// p after Holm's correction.
+struct Corrected {
+  double worse, better, difference, ranks;
+};
+
 // What is known of a metric that no test has decided.
-std::string what_is_known(const MetricComparison& comparison, const MarginQuestion& question) {
+std::string what_is_known(const MetricComparison& comparison, const Corrected& corrected,
+                          const MarginQuestion& question) {
   const double alpha = question.significance;
   const std::string_view word = comparison.mean_favours > 0 ? "better" : "worse";
   std::string known = "no difference shown";
@@ -36,7 +42,7 @@ std::string what_is_known(const MetricComparison& comparison, const MarginQuesti
     known = of_constants(comparison);
   } else if (!comparison.ratio.undefined.empty()) {
     known = comparison.ratio.undefined;
-  } else if (comparison.ratio.p_difference < alpha) {
+  } else if (corrected.difference < alpha) {
     known = fmt::format("{}, but perhaps by less than {}", word, percent(question.margin));
   }
   if (!std::isfinite(comparison.n_to_decide)) return known;
@@ -44,10 +50,10 @@ std::string what_is_known(const MetricComparison& comparison, const MarginQuesti
 }
 
 // Where the ranks say other than the means; empty where they do not.
-std::string ranks_remark(const MetricComparison& comparison, double alpha) {
-  if (!std::isfinite(comparison.p_ranks) || !std::isfinite(comparison.ratio.p_difference)) return "";
-  const bool by_means = comparison.ratio.p_difference < alpha, by_ranks = comparison.p_ranks < alpha;
-  const std::string p = fmt::format("p {}", short_number(comparison.p_ranks));
+std::string ranks_remark(const MetricComparison& comparison, const Corrected& corrected, double alpha) {
+  if (!std::isfinite(corrected.ranks) || !std::isfinite(corrected.difference)) return "";
+  const bool by_means = corrected.difference < alpha, by_ranks = corrected.ranks < alpha;
+  const std::string p = fmt::format("p {}", short_number(corrected.ranks));
   const std::string_view favoured = comparison.ranks_favour > 0 ? "better" : "worse";
   if (by_means && by_ranks && comparison.ranks_favour == -comparison.mean_favours) {
     return fmt::format("ranks contradict the mean: by ranks B is {} ({})", favoured, p);
@@ -61,42 +67,59 @@ std::string ranks_remark(const MetricComparison& comparison, double alpha) {
   return "";
 }
 
-std::string remark_on(const MetricComparison& comparison, const MarginQuestion& question) {
+std::string remark_on(const MetricComparison& comparison, const Corrected& corrected, const MarginQuestion& question) {
   std::vector<std::string> remarks;
   const auto add = [&](std::string remark) {
     if (!remark.empty()) remarks.push_back(std::move(remark));
   };
   add(comparison.remark);
   const bool is_open = comparison.outcome == Outcome::undecided || comparison.outcome == Outcome::not_worse;
-  add(is_open ? what_is_known(comparison, question) : comparison.ratio.undefined);
-  add(ranks_remark(comparison, question.significance));
+  add(is_open ? what_is_known(comparison, corrected, question) : comparison.ratio.undefined);
+  add(ranks_remark(comparison, corrected, question.significance));
   return fmt::format("{}", fmt::join(remarks, "; "));
+}
+
+Outcome outcome_of(const MetricComparison& comparison, const Corrected& corrected, double alpha) {
+  const bool is_small = comparison.ratio.p_equivalent < alpha;
+  switch (answer_of({.p_better = corrected.better, .p_worse = corrected.worse, .within_margin = is_small}, alpha)) {
+    case Answer::worse:
+      return Outcome::worse;
+    case Answer::better:
+      return Outcome::better;
+    case Answer::same:
+      if (!(corrected.difference < alpha)) return Outcome::same;
+      return comparison.mean_favours > 0 ? Outcome::better_by_less : Outcome::worse_by_less;
+    default:
+      return comparison.p_not_worse < alpha ? Outcome::not_worse : Outcome::undecided;
+  }
 }
 
 }  // namespace
 
-void decide(std::span<MetricComparison> comparisons, const MarginQuestion& question) {
-  std::vector<double> worse, better;
-  for (const MetricComparison& comparison : comparisons) {
-    worse.push_back(comparison.p_worse);
-    better.push_back(comparison.p_better);
+void decide(std::span<VariantComparison> comparisons, const MarginQuestion& question) {
+  std::vector<MetricComparison*> all;
+  for (VariantComparison& comparison : comparisons) {
+    for (MetricComparison& metric : comparison.metrics) all.push_back(&metric);
   }
-  worse = adjusted(worse, Correction::holm);
-  better = adjusted(better, Correction::holm);
-  const double alpha = question.significance;
-  for (std::size_t i = 0; i < comparisons.size(); ++i) {
-    MetricComparison& comparison = comparisons[i];
-    if (comparison.is_fact) continue;
-    const Answer answer = answer_of(
-        {.p_better = better[i], .p_worse = worse[i], .within_margin = comparison.ratio.p_equivalent < alpha}, alpha);
-    comparison.outcome = answer == Answer::worse          ? Outcome::worse
-                         : answer == Answer::better       ? Outcome::better
-                         : answer == Answer::same         ? Outcome::same
-                         : comparison.p_not_worse < alpha ? Outcome::not_worse
-                                                          : Outcome::undecided;
-    comparison.remark = remark_on(comparison, question);
-    comparison.p_worse = worse[i];
-    comparison.p_better = better[i];
+  const auto holm = [&](auto p_of) {
+    std::vector<double> p;
+    for (const MetricComparison* metric : all) p.push_back(p_of(*metric));
+    return adjusted(p, Correction::holm);
+  };
+  const auto worse = holm([](const MetricComparison&metric) { return metric.p_worse; }),
+             better = holm([](const MetricComparison&metric) { return metric.p_better; }),
+             difference = holm([](const MetricComparison&metric) { return metric.ratio.p_difference; }),
+             ranks = holm([](const MetricComparison&metric) { return metric.p_ranks; });
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    MetricComparison& metric = *all[i];
+    if (metric.is_fact) continue;
+    const Corrected corrected{.worse = worse[i], .better = better[i], .difference = difference[i], .ranks = ranks[i]};
+    metric.outcome = outcome_of(metric, corrected, question.significance);
+    metric.remark = remark_on(metric, corrected, question);
+    metric.p_worse = corrected.worse;
+    metric.p_better = corrected.better;
+    metric.ratio.p_difference = corrected.difference;
+    metric.p_ranks = corrected.ranks;
   }
 }
 

@@ -80,18 +80,15 @@ std::string why_times_differ(const Variant& a, const Variant& b) {
   if (a.sessions.empty() || b.sessions.empty() || cpus.contains("unknown")) {
     return "Times are not comparable: the stores do not name the CPU.";
   }
-  return cpus.size() == 1
-             ? ""
-             : fmt::format("Times are not comparable: they come from different CPUs ({}).", fmt::join(cpus, ", "));
-}
-
-std::string other_sessions_note(const Variant& a, const Variant& b) {
-  const auto same = [](const Session& one, const Session& other) {
+  if (cpus.size() > 1) {
+    return fmt::format("Times are not comparable: they come from different CPUs ({}).", fmt::join(cpus, ", "));
+  }
+  const auto is_same = [](const Session& one, const Session& other) {
     return one.id == other.id && one.environment == other.environment;
   };
-  if (std::ranges::equal(a.sessions, b.sessions, same)) return "";
-  return "The times of A and B come from separate sessions, and the machine may have changed between them. To avoid "
-         "this, run both as labels of one study.";
+  if (std::ranges::equal(a.sessions, b.sessions, is_same)) return "";
+  return "Times are not comparable: A and B were solved in separate sessions, and a machine that is slower in one of "
+         "them slows all its runs. Run both as labels of one study.";
 }
 
 std::string differences(const Variant& a, const Variant& b) {

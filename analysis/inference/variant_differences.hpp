@@ -8,12 +8,9 @@
 
 namespace ikbench::inference {
 
-// Why their times cannot be compared: one is not clean, or they are of several CPUs or of unknown ones; empty where
-// they can.
+// Why their times cannot be compared: one is not clean, or they are of several CPUs or of unknown ones, or of separate
+// sessions, whose differences no number of runs shows; empty where they can.
 std::string why_times_differ(const Variant& a, const Variant& b);
-
-// That times of separate sessions carry what the machine itself changes between them; empty where both have the same.
-std::string other_sessions_note(const Variant& a, const Variant& b);
 
 // "B differs from A in stop.iterations (200, 100), commit (1a2b3c, 4d5e6f)." or that the stores tell no difference.
 std::string differences(const Variant& a, const Variant& b);

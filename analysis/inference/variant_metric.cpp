@@ -99,13 +99,9 @@ double p_of_lying_apart(const MetricSamples& samples) {
   return fisher_exact({.successes = of_a, .trials = of_a}, {.successes = 0, .trials = of_b}).p;
 }
 
-// A count that no run changes is what the solver does, and not a sample of it.
-void compare_counts(MetricComparison& result, double margin) {
-  const std::string constant = "constant in both";
-  const double size = std::abs(result.a.mean), beyond = std::abs(result.b.mean - result.a.mean) - margin * size;
-  if (result.mean_favours == 0) return settle(result, Outcome::same, constant + " and equal");
-  if (without_rounding(beyond, size) <= 0) return settle(result, Outcome::same, constant + " and within the margin");
-  settle(result, result.mean_favours > 0 ? Outcome::better : Outcome::worse, constant);
+bool is_within_margin(const MetricComparison& result, double margin) {
+  const double size = std::abs(result.a.mean);
+  return without_rounding(std::abs(result.b.mean - result.a.mean) - margin * size, size) <= 0;
 }
 
 // That no run of either fails shows less than that measured values are equal: where the chance to fail is the margin,
@@ -120,6 +116,10 @@ void compare_ratio(MetricComparison& result, const MetricSamples& samples, const
   const RatioQuestion about{.margin = question.margin, .level = 1 - 2 * question.significance};
   RatioComparison& ratio = result.ratio;
   ratio = samples.paired ? paired_mean_ratio(samples.a, samples.b, about) : mean_ratio(samples.a, samples.b, about);
+  const auto is_negative = [](double value) { return value < 0; };
+  if (std::ranges::none_of(samples.a, is_negative) && std::ranges::none_of(samples.b, is_negative)) {
+    ratio.low = std::max(ratio.low, 0.0);  // Fieller's interval knows nothing of signs; NaN stays
+  }
   const double least = p_of_lying_apart(samples);  // Student's p of no spread is 0, which no number of runs can show
   const auto shown = [&](double p) { return p == 0 ? least : p; };
   ratio.p_difference = shown(ratio.p_difference);
@@ -142,15 +142,16 @@ void compare_ratio(MetricComparison& result, const MetricSamples& samples, const
 // Of finite observations.
 void compare_means(MetricComparison& result, const MetricSamples& samples, const MarginQuestion& question) {
   if (samples.a.size() < 2 || samples.b.size() < 2) {
-    result.ratio.undefined =
-        fmt::format("a single {} shows no variation; use more runs (--set runs=20)", samples.observation);
+    result.ratio.undefined = fmt::format("a single {}", samples.observation);
     return;
   }
   const double ahead =
       (mean(samples.a) - mean(samples.b)) * (info_of(samples.metric).better == Better::smaller ? 1 : -1);
   result.mean_favours = ahead > 0 ? 1 : ahead < 0 ? -1 : 0;
   const bool is_constant = result.a.std == 0 && result.b.std == 0;
-  if (is_constant && info_of(samples.metric).kind == Kind::count) return compare_counts(result, question.margin);
+  if (is_constant && info_of(samples.metric).kind == Kind::count && is_within_margin(result, question.margin)) {
+    return settle(result, Outcome::same, "constant in both and within the margin");
+  }
   compare_ratio(result, samples, question);
   if (is_constant && info_of(samples.metric).kind == Kind::share) limit_by_failures(result, question.margin);
 }
@@ -197,13 +198,15 @@ void compare_not_finite(MetricComparison& result, const MetricSamples& samples, 
   const Successes a{.successes = not_finite(samples.a), .trials = static_cast<int>(samples.a.size())};
   const Successes b{.successes = not_finite(samples.b), .trials = static_cast<int>(samples.b.size())};
   const double more_in_b = static_cast<double>(b.successes) / b.trials - static_cast<double>(a.successes) / a.trials;
-  const double p = fisher_exact(a, b).p;  // two-sided: twice the one-sided p where A and B are equally many
   const auto either = [](double p_of_counts, double p_of_means) {  // Bonferroni's correction for looking at both
-    return std::isnan(p_of_means) ? p_of_counts : std::min({p_of_counts, 2 * p_of_means, 1.0});
+    const double smaller = std::isnan(p_of_means) ? p_of_counts : std::min(p_of_counts, p_of_means);
+    return std::min(2 * smaller, 1.0);
   };
-  const double counts_worse = more_in_b > 0 ? p : 1, counts_better = more_in_b < 0 ? p : 1;
+  const double counts_worse = fisher_exact(b, a).p_greater, counts_better = fisher_exact(a, b).p_greater;
   const bool counts_against = more_in_b > 0, means_against = result.p_worse < 0.5;  // the mean is beyond the margin
   const double p_better = either(counts_better, result.p_better);
+  result.a.mean = mean(finite.a);
+  result.b.mean = mean(finite.b);
   result.remark = fmt::format("not finite: {} of {} {}s of A, {} of {} of B", a.successes, a.trials,
                               samples.observation, b.successes, b.trials);
   if (p_better < question.significance && (counts_against || means_against)) {

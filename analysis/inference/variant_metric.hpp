@@ -16,17 +16,17 @@
 
 namespace ikbench::inference {
 
-// Of b held against a. not_worse: shown not to be worse by more than the margin, but neither shown better by more than
-// it nor the same within it.
-enum class Outcome { better, same, not_worse, undecided, worse, not_compared };
-constexpr std::array<std::string_view, 6> outcome_names{"better",    "same",  "not worse",
-                                                        "undecided", "worse", "not compared"};
+// Of b held against a, by more than the margin, or by less than it. not_worse: shown not to be worse by more than the
+// margin, but neither shown better by more than it nor the same within it.
+enum class Outcome { better, better_by_less, same, worse_by_less, not_worse, undecided, worse, not_compared };
+constexpr std::array<std::string_view, 8> outcome_names{"better",    "better by less", "same",  "worse by less",
+                                                        "not worse", "undecided",      "worse", "not compared"};
 constexpr std::string_view name_of(Outcome outcome) { return outcome_names[static_cast<std::size_t>(outcome)]; }
 
 // Within the ranges of results/analysis_plan_fields.hpp.
 struct MarginQuestion {
   double margin = 0.05;        // relative difference that matters
-  double significance = 0.05;  // of each one-sided test; intervals have the level 1 - 2 significance
+  double significance = 0.05;  // of all tests for worse together, and for better; intervals: 1 - 2 significance
   double power = 0.8;          // of the numbers of observations that would decide
 };
 
@@ -37,7 +37,7 @@ struct MetricSamples {
   std::string_view observation = "run";  // what one value is of: "run" or "target"
   bool paired = false;                   // a[i] and b[i] had the same targets, and those of i other than those of j
   bool same_bits = false;                // every solve has the same value in both
-  int tests = 1;                         // metrics that are decided together
+  int tests = 1;                         // how many are decided together, of all labels and metrics
   std::string not_compared = {};         // why the two cannot be compared; empty where they can
 };
 
@@ -62,9 +62,10 @@ struct MetricComparison {
 };
 
 // Everything but the outcome, which is undecided here unless it is a fact. A fact is what is the same to the bit, or
-// rounding, or a constant count. Where some answers are not finite, how many there are (Fisher's exact test) and the
-// means of the others are tested together: either may be worse, and better has neither against it.
-// std::invalid_argument where the question is out of range, or pairs are not equally many.
+// rounding, or a constant count within the margin; what is worse is never a fact, but a test's finding. Where some
+// answers are not finite, how many there are (Fisher's exact test) and the means of the others are tested together:
+// either may be worse, and better has neither against it. std::invalid_argument where the question is out of range, or
+// pairs are not equally many.
 MetricComparison compare_metric(const MetricSamples& samples, const MarginQuestion& question);
 
 }  // namespace ikbench::inference

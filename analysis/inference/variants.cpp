@@ -8,6 +8,7 @@
 #include <map>
 #include <set>
 #include <stdexcept>
+#include <utility>
 
 #include "analysis/inference/variant_decision.hpp"
 #include "analysis/inference/variant_design.hpp"
@@ -46,6 +47,47 @@ void note_missing_runs(VariantComparison& comparison, const Variant& side, std::
   }
 }
 
+// One observation has no variation, so that nothing is tested.
+void note_single(VariantComparison& comparison, const VariantDesign& design) {
+  for (const auto& [name, observed] : {std::pair("A", &design.a), std::pair("B", &design.b)}) {
+    if (observed->size() != 1) continue;
+    comparison.notes.push_back(
+        fmt::format("{} has a single run, which shows no variation; use more runs (--set runs=20).", name));
+  }
+}
+
+VariantComparison examined(const VariantPair& pair, const std::vector<Metric>& asked, const MarginQuestion& question,
+                           std::size_t tests) {
+  const auto& [a, b] = pair;
+  const VariantDesign design = variant_design(a, b);
+  const bool is_of_targets = design.pairs == Blocks::drawn_targets || design.pairs == Blocks::path_targets;
+  VariantComparison comparison{.label = a.series.label == b.series.label
+                                            ? b.series.label
+                                            : fmt::format("{} against {}", b.series.label, a.series.label),
+                               .paired = design.pairs != Blocks::none,
+                               .design = sentence_of(design, a.study.points)};
+  const std::string why_not_timed = why_times_differ(a, b);
+  for (const Metric metric : asked) {
+    const std::vector<double> of_a = values_of(design.a, metric), of_b = values_of(design.b, metric);
+    const bool is_refused = info_of(metric).kind == Kind::time && !why_not_timed.empty();
+    comparison.metrics.push_back(compare_metric({.metric = metric,
+                                                 .a = of_a,
+                                                 .b = of_b,
+                                                 .observation = is_of_targets ? "target" : "run",
+                                                 .paired = comparison.paired,
+                                                 .same_bits = has_same_bits(design, metric),
+                                                 .tests = static_cast<int>(tests),
+                                                 .not_compared = is_refused ? "see below" : ""},
+                                                question));
+    if (is_refused) comparison.notes.push_back(why_not_timed);
+  }
+  note_single(comparison, design);
+  note_missing_runs(comparison, a, "A", design.runs_of_a);
+  note_missing_runs(comparison, b, "B", design.runs_of_b);
+  comparison.notes.push_back(differences(a, b));
+  return comparison;
+}
+
 }  // namespace
 
 std::vector<Variant> variants(const Store& store, const StudyEntry& study) {
@@ -69,37 +111,19 @@ std::vector<Variant> variants(const Store& store, const StudyEntry& study) {
   return result;
 }
 
-VariantComparison compare_variants(const Variant& a, const Variant& b, std::span<const std::string> metrics,
-                                   const MarginQuestion& question) {
+std::vector<VariantComparison> examine_variants(const std::vector<VariantPair>& pairs,
+                                                std::span<const std::string> metrics, const MarginQuestion& question) {
   const std::vector<Metric> asked = chosen(metrics);
-  const VariantDesign design = variant_design(a, b);
-  const bool is_of_targets = design.pairs == Blocks::drawn_targets || design.pairs == Blocks::path_targets;
-  VariantComparison comparison{.label = a.series.label == b.series.label
-                                            ? b.series.label
-                                            : fmt::format("{} against {}", b.series.label, a.series.label),
-                               .paired = design.pairs != Blocks::none,
-                               .design = sentence_of(design, a.study.points)};
-  const std::string why_not_timed = why_times_differ(a, b);
-  for (const Metric metric : asked) {
-    const std::vector<double> of_a = values_of(design.a, metric), of_b = values_of(design.b, metric);
-    const bool is_time = info_of(metric).kind == Kind::time;
-    comparison.metrics.push_back(compare_metric({.metric = metric,
-                                                 .a = of_a,
-                                                 .b = of_b,
-                                                 .observation = is_of_targets ? "target" : "run",
-                                                 .paired = comparison.paired,
-                                                 .same_bits = has_same_bits(design, metric),
-                                                 .tests = static_cast<int>(asked.size()),
-                                                 .not_compared = is_time && !why_not_timed.empty() ? "see below" : ""},
-                                                question));
-    const std::string note = why_not_timed.empty() ? other_sessions_note(a, b) : why_not_timed;
-    if (is_time && !note.empty()) comparison.notes.push_back(note);
-  }
-  decide(comparison.metrics, question);
-  note_missing_runs(comparison, a, "A", design.runs_of_a);
-  note_missing_runs(comparison, b, "B", design.runs_of_b);
-  comparison.notes.push_back(differences(a, b));
-  return comparison;
+  std::vector<VariantComparison> result;
+  for (const VariantPair& pair : pairs) result.push_back(examined(pair, asked, question, asked.size() * pairs.size()));
+  return result;
+}
+
+std::vector<VariantComparison> compare_variants(const std::vector<VariantPair>& pairs,
+                                                std::span<const std::string> metrics, const MarginQuestion& question) {
+  std::vector<VariantComparison> result = examine_variants(pairs, metrics, question);
+  decide(result, question);
+  return result;
 }
 
 int count(std::span<const VariantComparison> comparisons, Outcome outcome) {

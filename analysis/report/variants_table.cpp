@@ -4,9 +4,12 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "analysis/inference/text.hpp"
 
@@ -61,19 +64,66 @@ Json json_of(const Cell& cell) {
   return nullptr;
 }
 
-std::string regressions(std::span<const VariantComparison> comparisons) {
+// "position_error_cm (2.1 times A's, 90 % interval 1.8 to 2.5, p 0.0003)"
+std::string regression(const MetricComparison& metric, const MarginQuestion& question) {
+  std::vector<std::string> facts;
+  const RatioComparison& ratio = metric.ratio;
+  if (std::isfinite(ratio.ratio)) facts.push_back(fmt::format("{:.3g} times A's", ratio.ratio));
+  if (std::isfinite(ratio.low)) {
+    facts.push_back(
+        fmt::format("{} interval {:.3g} to {:.3g}", percent(1 - 2 * question.significance), ratio.low, ratio.high));
+  }
+  facts.push_back(fmt::format("p {}", short_number(metric.p_worse)));
+  return fmt::format("{} ({})", metric.metric, fmt::join(facts, ", "));
+}
+
+std::string regressions(std::span<const VariantComparison> comparisons, const MarginQuestion& question) {
   std::vector<std::string> found;
   for (const VariantComparison& comparison : comparisons) {
     for (const MetricComparison& metric : comparison.metrics) {
       if (metric.outcome != Outcome::worse) continue;
-      found.push_back(
-          fmt::format("{}{}{}", of_label(comparisons, comparison), metric.metric,
-                      std::isfinite(metric.ratio.ratio) ? fmt::format(" ({:.3g} times)", metric.ratio.ratio) : ""));
+      found.push_back(of_label(comparisons, comparison) + regression(metric, question));
     }
   }
   const std::size_t named = std::min(found.size(), most_labels);
-  return fmt::format("{}{}", fmt::join(found.begin(), found.begin() + static_cast<std::ptrdiff_t>(named), ", "),
+  return fmt::format("{}{}", fmt::join(found.begin(), found.begin() + static_cast<std::ptrdiff_t>(named), "; "),
                      found.size() == named ? "" : fmt::format(" and {} more", found.size() - named));
+}
+
+// " (45 to 22160 runs would decide)"
+std::string would_decide(std::span<const VariantComparison> comparisons) {
+  double least = std::numeric_limits<double>::infinity(), most = 0;
+  std::string_view observation;
+  for (const VariantComparison& comparison : comparisons) {
+    for (const MetricComparison& metric : comparison.metrics) {
+      if (metric.outcome != Outcome::undecided || !std::isfinite(metric.n_to_decide)) continue;
+      least = std::min(least, metric.n_to_decide);
+      most = std::max(most, metric.n_to_decide);
+      observation = metric.observation;
+    }
+  }
+  if (most == 0) return "";
+  return least == most
+             ? fmt::format(" (about {:.0f} {}s would decide)", most, observation)
+             : fmt::format(" (about {:.0f} {}s would decide the first, {:.0f} the last)", least, observation, most);
+}
+
+// "2 better by more than 5 %, 17 undecided (about 45 runs would decide the first, 22160 the last)"
+std::string counted_outcomes(std::span<const VariantComparison> comparisons, const std::string& margin) {
+  const std::array<std::pair<Outcome, std::string>, 8> words{
+      {{Outcome::worse, "worse by more than " + margin},
+       {Outcome::worse_by_less, "worse by less than " + margin},
+       {Outcome::better, "better by more than " + margin},
+       {Outcome::better_by_less, "better by less than " + margin},
+       {Outcome::same, "the same within " + margin},
+       {Outcome::not_worse, "not worse by more than " + margin},
+       {Outcome::undecided, "undecided" + would_decide(comparisons)},
+       {Outcome::not_compared, "not compared"}}};
+  std::vector<std::string> parts;
+  for (const auto& [outcome, said] : words) {
+    if (const int number = count(comparisons, outcome); number > 0) parts.push_back(fmt::format("{} {}", number, said));
+  }
+  return fmt::format("{}", fmt::join(parts, ", "));
 }
 
 }  // namespace
@@ -104,9 +154,10 @@ Table variants_table(std::span<const VariantComparison> comparisons, const Margi
                   {"remark", Align::left}},
       .notes = {fmt::format(
           "B_by_A is the ratio of means. low and high are its {:g} % interval, as for two one-sided tests at {:g}. "
-          "p_worse and p_better test whether B is worse or better by more than the margin, with Holm's correction over "
-          "the metrics of a label; p_same tests whether it is within the margin. p_ranks: Wilcoxon signed-rank test "
-          "for paired observations, otherwise Mann-Whitney test. a12, with an interval of the same level: the "
+          "p_worse and p_better test whether B is worse or better by more than the margin, p_difference whether the means "
+          "differ, p_ranks whether the ranks do (Wilcoxon signed-rank test for paired observations, otherwise "
+          "Mann-Whitney test), each with Holm's correction over all labels and metrics; p_same tests whether the ratio is "
+          "within the margin. a12, with an interval of the same level: the "
           "probability that an observation of B is better than one of A, ignoring pairs.",
           100 * (1 - 2 * question.significance), question.significance)}};
   for (const VariantComparison& comparison : comparisons) {
@@ -135,23 +186,14 @@ std::vector<std::string> variants_notes(std::span<const VariantComparison> compa
 
 std::string variants_verdict(std::span<const VariantComparison> comparisons, const MarginQuestion& question) {
   const std::string margin = percent(question.margin);
-  if (count(comparisons, Outcome::worse) > 0) {
-    return fmt::format("Regression beyond {}: {}.", margin, regressions(comparisons));
-  }
   std::size_t all = 0;
   for (const VariantComparison& comparison : comparisons) all += comparison.metrics.size();
-  const auto counted = [&](Outcome outcome) {
-    const int number = count(comparisons, outcome);
-    return number == 0
-               ? ""
-               : fmt::format("{} of {} metrics {} {}", number, all, number == 1 ? "is" : "are", name_of(outcome));
-  };
-  const std::string undecided = counted(Outcome::undecided), not_compared = counted(Outcome::not_compared);
-  if (undecided.empty() && not_compared.empty()) {
-    return fmt::format("No regression beyond {}: none of {} metrics is worse by more than that.", margin, all);
+  const std::string rest = fmt::format("Of {} comparison{}: {}.", all, all == 1 ? "" : "s", counted_outcomes(comparisons, margin));
+  if (count(comparisons, Outcome::worse) > 0) {
+    return fmt::format("Regression beyond {}: {}. {}", margin, regressions(comparisons, question), rest);
   }
-  return fmt::format("No regression beyond {} was found, but {}{}{}.", margin, undecided,
-                     undecided.empty() || not_compared.empty() ? "" : ", ", not_compared);
+  const bool is_open = count(comparisons, Outcome::undecided) + count(comparisons, Outcome::not_compared) > 0;
+  return fmt::format("No regression beyond {}{}. {}", margin, is_open ? " was found" : "", rest);
 }
 
 std::string variants_json(std::span<const VariantComparison> comparisons, const MarginQuestion& question) {

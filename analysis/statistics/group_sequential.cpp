@@ -43,7 +43,7 @@ std::vector<Node> nodes(double low, double high) {
   return result;
 }
 
-double upper_tail(double z) { return 0.5 * std::erfc(z / std::sqrt(2.0)); }
+double normal_above(double z) { return 0.5 * std::erfc(z / std::sqrt(2.0)); }
 
 }  // namespace
 
@@ -60,7 +60,7 @@ double chance_to_cross(double c, const Boundary& boundary) {
   const auto end = [&](int look) {                     // of the sum S_k = Z_k sqrt(k), whose steps have variance 1
     return c * std::pow(look, boundary.shape) * std::pow(boundary.looks, 0.5 - boundary.shape);
   };
-  double crossed = upper_tail(end(1));
+  double crossed = normal_above(end(1));
   std::vector<Node> last{{.place = 0, .weight = 1}};  // S_0; then weights times the density of S_k that has not crossed
   for (int look = 1; look < boundary.looks; ++look) {
     const double low = -farthest * std::sqrt(look), high = std::min(end(look), -low);
@@ -75,7 +75,7 @@ double chance_to_cross(double c, const Boundary& boundary) {
       node.weight *= density_at_0 * density;
     }
     last = std::move(now);
-    for (const Node& node : last) crossed += node.weight * upper_tail(end(look + 1) - node.place);
+    for (const Node& node : last) crossed += node.weight * normal_above(end(look + 1) - node.place);
   }
   return std::min(crossed, 1.0);
 }

@@ -66,15 +66,17 @@ FisherExact fisher_exact(Successes first, Successes second) {
       use(x, weight);
     }
   };
-  double total = 0, seen_weight = 0, as_rare = 0;
+  double total = 0, seen_weight = 0, as_rare = 0, as_many = 0;
   for_each_weight([&](double x, double weight) {
     total += weight;
     if (x == seen) seen_weight = weight;
+    if (x >= seen) as_many += weight;
   });
   for_each_weight([&](double, double weight) {
     if (weight <= seen_weight * (1 + 1e-7)) as_rare += weight;  // equal but for rounding, as R has it
   });
   test.p = std::min(1.0, as_rare / total);
+  test.p_greater = std::min(1.0, as_many / total);
   return test;
 }
 

@@ -30,6 +30,7 @@ Proportion wilson_of_mean(double mean, int trials, double level = 0.95);
 // Have two the same chance? Conditional on the totals; two-sided: all tables no more probable than the one seen.
 struct FisherExact {
   double p = not_defined;
+  double p_greater = not_defined;  // one-sided: the first has the greater chance
   std::string undefined;  // why there is no p; empty where there is
 };
 

@@ -9,11 +9,19 @@ study() {
   succeeds run slim2023 --set runs=8 --set path.points=3 --set stop.iterations=40 --set population=10 "$@" --no-report --out "$folder"
 }
 
-# is_worse ARGUMENTS...: exit code 3, and the last line says so.
+# answer: the first line of what was said.
+answer() { echo "${out%%$'\n'*}"; }
+
+# answers WORDS: the first line begins with them.
+answers() {
+  [[ $(answer) == "$1"* ]] || fail "expected the answer '$1...', and it is: $(answer)"
+}
+
+# is_worse ARGUMENTS...: exit code 3, and the first line says so.
 is_worse() {
   run_it compare "$@"
   [ "$code" = 3 ] || fail "compare $*: exit code $code, expected 3; it said: $out $err"
-  [[ ${out##*$'\n'} == "Regression beyond "* ]] || fail "the last line is: ${out##*$'\n'}"
+  answers "Regression beyond "
 }
 
 study base
@@ -24,7 +32,7 @@ base=base/store.sqlite again=again/store.sqlite fewer=fewer/store.sqlite
 # The same, to the bit.
 succeeds compare $base $again --metric position_error_cm --metric variation_deg --metric evaluations --metric solved
 [ "$(grep -c '  same  .* equal bit for bit$' <<<"$out")" = 24 ] || fail "6 labels have 4 metrics that are the same: $out"
-[ "${out##*$'\n'}" = "No regression beyond 5 %: none of 24 metrics is worse by more than that." ] || fail "the last line is: ${out##*$'\n'}"
+[ "$(answer)" = "No regression beyond 5 %. Of 24 comparisons: 24 the same within 5 %." ] || fail "the answer is: $(answer)"
 quiet
 
 # A regression, in the label and metric that has it; the other way round it is none.
@@ -32,9 +40,9 @@ is_worse $base $fewer --metric position_error_cm
 has "$out" "K-ABC"
 has "$out" "B differs from A in stop.iterations (40, 5)."
 succeeds compare $fewer $base --metric position_error_cm
-[[ ${out##*$'\n'} == "No regression beyond 5 %"* ]] || fail "the last line is: ${out##*$'\n'}"
+answers "No regression beyond 5 %"
 is_worse $base $fewer --label K-ABC --metric position_error_cm --margin 20%
-has "${out##*$'\n'}" "Regression beyond 20 %: position_error_cm ("
+answers "Regression beyond 20 %: position_error_cm ("
 succeeds compare $base $fewer --label K-ABC --metric evaluations
 has "$out" "better"
 
@@ -44,19 +52,19 @@ has "$out" "B: IK-BA, against A: BA, in study slim2023"
 
 # What is not decided is no regression, unless --strict says that it must be.
 succeeds compare $base $fewer --label IK-BA --metric variation_deg
-[ "${out##*$'\n'}" = "No regression beyond 5 % was found, but 1 of 1 metrics is undecided." ] || fail "the last line is: ${out##*$'\n'}"
+answers "No regression beyond 5 % was found. Of 1 comparison: 1 undecided"
 run_it compare $base $fewer --label IK-BA --metric variation_deg --strict
 [ "$code" = 4 ] || fail "--strict, undecided: exit code $code, expected 4"
-has "${out##*$'\n'}" "With --strict this counts as a failure."
+has "$(answer)" "With --strict this counts as a failure."
 run_it compare $base $fewer --label IK-BA --label K-ABC --metric position_error_cm --metric variation_deg --strict
 [ "$code" = 3 ] || fail "--strict, worse in one and undecided in another: exit code $code, expected 3"
 has "$out" "undecided"
-has_no "${out##*$'\n'}" "With --strict"
+has_no "$(answer)" "With --strict"
 succeeds compare $base $again --label IK-BA --metric solved --strict
 study single --set runs=1
 succeeds compare single/store.sqlite single/store.sqlite --label BA --metric evaluations
 succeeds compare $base single/store.sqlite --label BA --metric position_error_cm
-has "$out" "a single run shows no variation"
+[ "$(grep -c "B has a single run, which shows no variation" <<<"$out")" = 1 ] || fail "not said once: $out"
 
 # Random targets: run by run the same.
 for folder in drawn drawn_again; do
@@ -85,6 +93,44 @@ refused 'they have different targets (run 1 and 1, point 1: ' compare $base fart
 study turned --set initial_deg=[1,0,0,0,0,0,0] --set runs=2
 refused 'they have different start configurations' compare $base turned/store.sqlite
 
+# Look by look. Exit code 5 asks for more runs; what is decided stays so, however many runs come later.
+study other --set seed=2
+other=other/store.sqlite looks=(--metric position_error_cm --sequential --step 4)
+run_it compare $base $other "${looks[@]}" --max-runs 16 --strict
+[ "$code" = 5 ] || fail "not decided after 8 of 16 runs: exit code $code, expected 5; it said: $out $err"
+has "$out" "Looks after every 4 of at most 16 runs: not decided after 8 runs."
+has "$out" "Next: ikbench run STUDY --set runs=12 for A and for B"
+succeeds compare $base $other "${looks[@]}" --max-runs 8
+has_no "$out" "Next: "
+run_it compare $base $other "${looks[@]}" --max-runs 8 --strict
+[ "$code" = 4 ] || fail "not decided at the limit: exit code $code, expected 4"
+is_worse $base $fewer --label K-ABC "${looks[@]}" --max-runs 8
+decided=$(grep -o 'decided after [0-9]* runs' <<<"$out")
+study base --set runs=12
+study fewer --set runs=12 --set stop.iterations=5
+is_worse $base $fewer --label K-ABC "${looks[@]}" --max-runs 8
+has "$out" "$decided"
+study base
+study fewer --set stop.iterations=5
+
+# The same, and it adds the runs itself: of the six solvers, in one store, as many as it takes.
+own=(--run slim2023 --set path.points=3 --set stop.iterations=40 --set population=10 --sequential --step 4 --max-runs 12)
+succeeds compare BA IK-BA "${own[@]}" --metric evaluations --out looked
+[ "$(solves looked/store.sqlite)" = 72 ] || fail "after the first look there are $(solves looked/store.sqlite) solves"
+has "$out" "decided after 4 runs."
+run_it compare PSO DE "${own[@]}" --metric position_error_cm --margin 0 --out looked
+[ "$(solves looked/store.sqlite)" -gt 72 ] || fail "no runs were added: $out"
+has_no "$err" "has a different study"
+refused '--run requires --sequential' compare BA IK-BA --run slim2023
+refused '--step requires --sequential' compare $base $again --step 4
+refused '--store excludes --run' compare BA IK-BA "${own[@]}" --store $base
+refused 'unknown label "IKBA"; did you mean "IK-BA"?' compare BA IKBA "${own[@]}" --out none
+refused 'A and B are both the label BA' compare BA BA "${own[@]}" --out none
+[ ! -e none ] || fail "it solved before it looked at what was asked"
+refused '--max-runs is a multiple of --step' compare $base $again --sequential --step 4 --max-runs 10
+refused '8 complete runs in common, and the first look is after 10' compare $base $again --sequential --step 10
+refused 'runs add no targets' compare each/store.sqlite each_fewer/store.sqlite --sequential
+
 # Files for other programs.
 for type in md csv json; do
   succeeds compare $base $fewer --label MO-PSO --metric evaluations --metric solved -o new/comparison.$type
@@ -99,7 +145,7 @@ import json
 told = json.load(open("new/comparison.json"))
 assert told["margin"] == 0.05 and told["verdict"].startswith("No regression beyond 5 %"), told
 assert [row["metric"] for row in told["rows"]] == ["evaluations", "solved"], told
-assert told["rows"][0]["B_is"] == "better" and told["rows"][0]["p_worse"] is None, told' || fail "the JSON"
+assert told["rows"][0]["B_is"] == "better" and told["rows"][0]["p_worse"] == 1, told' || fail "the JSON"
 fi
 is_worse $base $fewer --label K-ABC --metric position_error_cm -o new/regression.csv
 [ -s new/regression.csv ] || fail "a regression is not written"
@@ -115,7 +161,7 @@ for edge in "analysis.margin_percent=99 analysis.significance=0.2 analysis.power
   read -r margin significance power <<<"$edge"
   study edge --set "$margin" --set "$significance" --set "$power"
   succeeds compare edge/store.sqlite $fewer --label K-ABC --metric variation_deg
-  has "$out" "significance ${significance#*=} for each test"
+  has "$out" "the probability of any \"worse\" is at most $(awk "BEGIN { print 100 * ${significance#*=} }") %"
   "$program" export edge/store.sqlite >edge.csv
   succeeds stats edge.csv --value position_error_cm --group solver --run run --no-figures --margin "${margin#*=}%" \
     --significance "${significance#*=}" --power "${power#*=}" --out edge_stats

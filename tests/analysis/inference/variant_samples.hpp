@@ -81,7 +81,7 @@ inline void draw_target(results::SolveRecord& solve) { solve.target_position_m[0
 inline inference::VariantComparison compared(const inference::Variant& a, const inference::Variant& b,
                                              const std::vector<std::string>& metrics = {},
                                              const inference::MarginQuestion& question = {}) {
-  return inference::compare_variants(a, b, metrics, question);
+  return inference::compare_variants({{a, b}}, metrics, question).front();
 }
 
 // The error alone.

@@ -72,8 +72,8 @@ TEST_CASE("a metric is a line of the table: tables, figures, statistics, the pag
     CHECK(contains(text_of_file(out / "tables" / "baselines.csv"), "mean_" + line.column));
     const std::vector<Variant> all = variants(store, store.study("mine"));
     const std::vector<std::string> asked{line.column};
-    CHECK(compare_variants(all.at(0), all.at(1), asked, {}).metrics.front().metric == line.column);
-    CHECK(compare_variants(all.at(0), all.at(1), {}, {}).metrics.size() == compared_metrics().size());
+    CHECK(compare_variants({{all.at(0), all.at(1)}}, asked, {}).front().metrics.front().metric == line.column);
+    CHECK(compare_variants({{all.at(0), all.at(1)}}, {}, {}).front().metrics.size() == compared_metrics().size());
   }
   CHECK(has_file(out / "figures", "statistics-joint-travel-observations"));
 }

@@ -100,7 +100,7 @@ Told told_at(const Significance& at) {
   const std::vector<Variant> both = variants(store, store.study("own"));
   const std::vector<std::string> error{"position_error_cm"};
   const MarginQuestion question{.margin = 0, .significance = at.given.value_or(at.study)};
-  told.compared = compare_variants(both[0], both[1], error, question).metrics.front().outcome;
+  told.compared = compare_variants({{both[0], both[1]}}, error, question).front().metrics.front().outcome;
   return told;
 }
 

@@ -43,6 +43,8 @@ TEST_CASE("a mean of shares has the interval of as many successes, whether or no
 TEST_CASE("Fisher's exact test: the tea, the convictions", "[proportion]") {
   // R's help page of fisher.test. Tea 3/4 and 1/4: tables of weights 1 16 36 16 1, two-sided (16 + 1) * 2 / 70.
   CHECK(fisher_exact({3, 4}, {1, 4}).p == Approx(34.0 / 70));
+  CHECK(fisher_exact({3, 4}, {1, 4}).p_greater == Approx(17.0 / 70));
+  CHECK(fisher_exact({1, 4}, {3, 4}).p_greater == Approx(69.0 / 70));
   // Convictions of twins, 2/12 and 15/18: p 0.0005367.
   CHECK(fisher_exact({2, 12}, {15, 18}).p == Approx(0.0005367241191434358).epsilon(1e-11));  // sums of binomials
   CHECK(fisher_exact({10, 13}, {2, 17}).p == Approx(0.0005367241191434358).epsilon(1e-11));  // columns for rows

@@ -1,0 +1,135 @@
+#include "cli/comparing.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+#include "analysis/inference/analysis_plan.hpp"
+#include "analysis/inference/text.hpp"
+#include "numerics/names.hpp"
+
+namespace ikbench::cli {
+
+using namespace numerics;
+using namespace results;
+using namespace inference;
+
+namespace {
+
+MarginQuestion question_of(const CompareArguments& arguments, const StudyEntry& study) {
+  const AnalysisPlan plan = plan_of(study);
+  return {.margin = arguments.margin.value_or(plan.margin),
+          .significance = arguments.significance.value_or(plan.significance),
+          .power = plan.power};
+}
+
+std::vector<std::string> labels_of(const std::vector<Variant>& variants) {
+  std::vector<std::string> labels;
+  for (const Variant& variant : variants) labels.push_back(variant.series.label);
+  return labels;
+}
+
+bool has_label(const std::vector<Variant>& variants, const std::string& label) {
+  return std::ranges::any_of(variants, [&](const Variant& variant) { return variant.series.label == label; });
+}
+
+Variant the(const std::vector<Variant>& variants, const std::string& label, const std::string& where) {
+  const auto found = std::ranges::find(variants, label, [](const Variant& variant) { return variant.series.label; });
+  if (found != variants.end()) return *found;
+  throw std::invalid_argument(where + unknown_name("label", label, labels_of(variants)));
+}
+
+Store opened(const std::string& file) {
+  if (std::filesystem::exists(file)) return Store(file, Store::Mode::read);
+  throw std::invalid_argument(
+      fmt::format("store '{}' does not exist; to compare two labels of one store, add --store FILE", file));
+}
+
+// Of the name of A's study, where the store has one and no other is asked for.
+StudyEntry partner(const Store& store, const CompareArguments& arguments, const StudyEntry& of_a) {
+  if (!arguments.study.empty()) return store.study(arguments.study);
+  for (StudyEntry& study : store.studies()) {
+    if (study.name == of_a.name) return std::move(study);
+  }
+  return chosen_study(store, "");
+}
+
+std::vector<std::string> common_labels(const std::vector<Variant>& a, const std::vector<Variant>& b, Asked& asked) {
+  std::vector<std::string> common, alone;
+  for (const std::string& label : labels_of(a)) (has_label(b, label) ? common : alone).push_back(label);
+  for (const std::string& label : labels_of(b)) {
+    if (!has_label(a, label)) alone.push_back(label);
+  }
+  if (common.empty()) {
+    throw std::invalid_argument(fmt::format("A and B have no label in common (A: {}; B: {})",
+                                            fmt::join(labels_of(a), ", "), fmt::join(labels_of(b), ", ")));
+  }
+  if (!alone.empty())
+    asked.notes.push_back(fmt::format("Not compared, because only one store has them: {}.", fmt::join(alone, ", ")));
+  return common;
+}
+
+// How to be sure, and by what.
+std::string rules(const MarginQuestion& question) {
+  return fmt::format("margin {}; if nothing is worse, the probability of any \"worse\" is at most {}",
+                     percent(question.margin), percent(question.significance));
+}
+
+}  // namespace
+
+Asked labels_of_store(const CompareArguments& arguments, const std::filesystem::path& file, const std::string& name) {
+  const Store store(file, Store::Mode::read);
+  const StudyEntry study = chosen_study(store, name);
+  const std::vector<Variant> all = variants(store, study);
+  return {.headline = fmt::format("B: {}, against A: {}, in study {}", arguments.b, arguments.a, study.name),
+          .question = question_of(arguments, study),
+          .a = {the(all, arguments.a, "A: ")},
+          .b = {the(all, arguments.b, "B: ")},
+          .notes = {}};
+}
+
+Asked labels_of_stores(const CompareArguments& arguments) {
+  const Store of_a = opened(arguments.a), of_b = opened(arguments.b);
+  const StudyEntry first = chosen_study(of_a, arguments.study), second = partner(of_b, arguments, first);
+  const std::vector<Variant> a = variants(of_a, first), b = variants(of_b, second);
+  Asked asked{
+      .headline = fmt::format("B: {} in {}, against A: {} in {}", second.name, arguments.b, first.name, arguments.a),
+      .question = question_of(arguments, first)};
+  for (const std::string& label : arguments.labels.empty() ? common_labels(a, b, asked) : arguments.labels) {
+    asked.a.push_back(the(a, label, "A: "));
+    asked.b.push_back(the(b, label, "B: "));
+  }
+  return asked;
+}
+
+Compared judged(const Asked& asked, const CompareArguments& arguments) {
+  std::vector<VariantPair> pairs;
+  for (std::size_t i = 0; i < asked.a.size(); ++i) pairs.push_back({asked.a[i], asked.b[i]});
+  Compared compared{.headline = fmt::format("{}; {}.", asked.headline, rules(asked.question)),
+                    .question = asked.question,
+                    .comparisons = {},
+                    .notes = asked.notes};
+  if (!arguments.sequential) {
+    compared.comparisons = compare_variants(pairs, arguments.metrics, asked.question);
+    return compared;
+  }
+  SequentialComparison looked = compare_sequentially(pairs, arguments.metrics, asked.question, arguments.looks);
+  compared.comparisons = std::move(looked.comparisons);
+  compared.state = looked.state;
+  compared.headline = fmt::format("{}; {}.\nLooks after every {} of at most {} runs: {} after {} runs.", asked.headline,
+                                  rules(asked.question), arguments.looks.step, arguments.looks.most,
+                                  looked.state == LookState::settled ? "decided" : "not decided", looked.runs);
+  compared.notes.push_back(
+      "p-values count the looks. Ratios and intervals do not: they are those of the runs at this look.");
+  if (looked.state == LookState::open) {
+    compared.notes.push_back(
+        fmt::format("Next: ikbench run STUDY --set runs={} for A and for B, into the same folders, then compare again.",
+                    looked.runs + arguments.looks.step));
+  }
+  return compared;
+}
+
+}  // namespace ikbench::cli

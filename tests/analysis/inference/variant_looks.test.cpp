@@ -1,0 +1,111 @@
+// Variants that are compared while their runs grow.
+#include "analysis/inference/variant_looks.hpp"
+
+#include <cmath>
+#include <limits>
+#include <random>
+#include <stdexcept>
+
+#include "tests/analysis/inference/variant_samples.hpp"
+#include "tests/catch.hpp"
+#include "tests/results/samples.hpp"
+
+using namespace ikbench;
+using namespace ikbench::results;
+using namespace ikbench::inference;
+using namespace ikbench::variant_samples;
+
+namespace {
+
+const std::vector<std::string> error{"position_error_cm"};
+
+std::vector<double> first(const std::vector<double>& values, std::size_t number) {
+  return {values.begin(), values.begin() + static_cast<std::ptrdiff_t>(number)};
+}
+
+SequentialComparison looked_at(const std::vector<double>& a, const std::vector<double>& b, const Looks& looks,
+                               const MarginQuestion& question = {}) {
+  const Variant of_a = variant(a), of_b = variant(b);
+  return compare_sequentially({{of_a, of_b}}, error, question, looks);
+}
+
+}  // namespace
+
+TEST_CASE("what is far apart is decided at an early look, and later runs change nothing", "[variants][looks]") {
+  const std::vector<double> a = about(1, 0.1), b = about(2, 0.1);
+  std::vector<double> other = first(b, 8);
+  other.resize(20, 0.001);
+  const Looks looks{.step = 4, .most = 20};
+  const SequentialComparison found = looked_at(a, b, looks), same = looked_at(a, other, looks);
+  CHECK(found.state == LookState::settled);
+  CHECK(found.runs == 4);
+  CHECK(found.comparisons.front().metrics.front().outcome == Outcome::worse);
+  CHECK(found.comparisons.front().metrics.front().a.n == 4);
+  CHECK(same.runs == 4);
+  CHECK(same.comparisons.front().metrics.front().p_worse == found.comparisons.front().metrics.front().p_worse);
+}
+
+TEST_CASE("what is not decided is open while runs are missing, and at the limit after the last", "[variants][looks]") {
+  const std::vector<double> a = about(1, 0.5), b = about(1.01, 0.4);
+  const SequentialComparison open = looked_at(first(a, 14), b, {.step = 5, .most = 20});
+  CHECK(open.state == LookState::open);
+  CHECK(open.runs == 10);
+  const SequentialComparison ended = looked_at(a, b, {.step = 5, .most = 20});
+  CHECK(ended.state == LookState::at_limit);
+  CHECK(ended.runs == 20);
+  CHECK(ended.comparisons.front().metrics.front().outcome == Outcome::undecided);
+}
+
+TEST_CASE("a plan of one look is the comparison without looks", "[variants][looks]") {
+  const Variant a = variant(about(1, 0.3)), b = variant(about(1.17, 0.3));
+  const SequentialComparison one = compare_sequentially({{a, b}}, {}, {}, {.step = 20, .most = 20});
+  const VariantComparison plain = compared(a, b);
+  for (std::size_t i = 0; i < plain.metrics.size(); ++i) {
+    CHECK(one.comparisons.front().metrics[i].outcome == plain.metrics[i].outcome);
+    CHECK(one.comparisons.front().metrics[i].remark == plain.metrics[i].remark);
+  }
+  const MetricComparison &looked = one.comparisons.front().metrics.front(), &once = plain.metrics.front();
+  CHECK(looked.p_worse == Approx(once.p_worse));
+  CHECK(looked.ratio.p_difference == Approx(once.ratio.p_difference));
+  CHECK(looked.ratio.p_equivalent == Approx(once.ratio.p_equivalent));
+}
+
+TEST_CASE("a difference that one look would show needs more of several", "[variants][looks]") {
+  const std::vector<double> a = about(1, 0.3), b = about(1.157, 0.3);
+  REQUIRE(looked_at(a, b, {.step = 20, .most = 20}).state == LookState::settled);
+  CHECK(looked_at(a, b, {.step = 4, .most = 20}).state == LookState::at_limit);
+}
+
+TEST_CASE("looks that are too many, too early or without runs are refused", "[variants][looks]") {
+  const std::vector<double> a = about(1, 0.3);
+  for (const Looks& looks : {Looks{.step = 1, .most = 10}, Looks{.step = 5, .most = 12}, Looks{.step = 5, .most = 0},
+                             Looks{.step = 2, .most = 100}, Looks{.step = -5, .most = -5}}) {
+    CHECK_THROWS_AS(looked_at(a, a, looks), std::invalid_argument);
+  }
+  CHECK_THROWS_WITH(looked_at(first(a, 4), a, {}),
+                    ContainsSubstring("4 complete runs in common, and the first look is after 5"));
+  const Solved targets{.runs = 6, .points = 3, .definition = R"({"path": {"kind": "helix"}, "start": "initial"})"};
+  const Variant each = variant(targets, [](int run, int point) { return run + point; });
+  CHECK_THROWS_WITH(compare_sequentially({{each, each}}, error, {}, {}), ContainsSubstring("runs add no targets"));
+}
+
+TEST_CASE("labels that did not change fail a gate that looks five times in at most 5 % of repetitions",
+          "[variants][looks]") {
+  constexpr int repetitions = 200, labels = 3;
+  std::mt19937_64 random(2);
+  int failed = 0;
+  for (int repetition = 0; repetition < repetitions; ++repetition) {
+    std::vector<Variant> all;
+    for (int side = 0; side < 2 * labels; ++side) {
+      std::vector<double> errors;
+      for (int run = 0; run < 20; ++run) errors.push_back(1 + static_cast<double>(random() >> 11) / 9007199254740992.0);
+      all.push_back(variant(errors));
+    }
+    std::vector<VariantPair> pairs;
+    for (std::size_t label = 0; label < labels; ++label) pairs.push_back({all[label], all[labels + label]});
+    const SequentialComparison found = compare_sequentially(pairs, error, {.margin = 0}, {.step = 4, .most = 20});
+    failed += count(found.comparisons, Outcome::worse) > 0 ? 1 : 0;
+  }
+  CHECK(failed > 0);
+  CHECK(failed <= 0.05 * repetitions + 3 * std::sqrt(0.05 * 0.95 * repetitions));  // 19
+}
