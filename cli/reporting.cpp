@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "analysis/inference/analysis_plan.hpp"
+#include "analysis/inference/definition.hpp"
 #include "analysis/papers.hpp"
 #include "analysis/report/report.hpp"
 #include "cli/console.hpp"
@@ -45,9 +46,10 @@ AnalysisPlan plan_for(const StudyEntry& entry, const ReportArguments& arguments)
 bool solve_the_same(const std::string& earlier, const std::string& now) {
   auto before = nlohmann::json::parse(earlier, nullptr, false), after = nlohmann::json::parse(now, nullptr, false);
   for (auto* definition : {&before, &after}) {
-    for (const char* key : {"analysis", "out_of_reach", "runs"}) {
-      if (definition->is_object()) definition->erase(key);
+    for (const std::string_view key : decide_no_solve) {
+      if (definition->is_object()) definition->erase(std::string(key));
     }
+    if (definition->is_object()) definition->erase("runs");
   }
   return before == after;
 }

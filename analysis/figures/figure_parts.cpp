@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <numbers>
 
 #include "analysis/inference/text.hpp"
 #include "analysis/statistics/descriptive.hpp"
@@ -61,6 +62,16 @@ std::string point_axis(int points) {
                      step > 1 ? "set xtics add ('1' 1)\n" : "");
 }
 
+std::string lines_by_point(const std::map<int, std::vector<double>>& values) {
+  std::string lines;
+  for (const auto& [point, row] : values) {
+    lines += fmt::to_string(point);
+    for (const double value : row) lines += ' ' + data_number(value);
+    lines += '\n';
+  }
+  return lines;
+}
+
 std::string plot_command(const std::vector<std::string>& clauses, std::string_view command) {
   return fmt::format("{} {}", command, fmt::join(clauses, ", \\\n  "));
 }
@@ -85,6 +96,17 @@ std::map<int, const SolveRecord*> first_run(const StudyResults& study, const std
     if (solve.solver == solver && solve.run == run) solves[solve.point] = &solve;
   }
   return solves;
+}
+
+std::map<int, std::vector<double>> joint_angles_deg(const std::map<int, const SolveRecord*>& solves) {
+  std::size_t joints = 0;
+  for (const auto& [point, solve] : solves) joints = std::max(joints, solve->answer_rad.size());
+  std::map<int, std::vector<double>> angles;
+  for (const auto& [point, solve] : solves) {
+    for (const double angle : solve->answer_rad) angles[point].push_back(angle * 180 / std::numbers::pi);
+    angles[point].resize(joints, not_defined);
+  }
+  return angles;
 }
 
 std::string space_axes(const std::array<std::vector<double>, 3>& coordinates_cm) {

@@ -14,6 +14,7 @@
 
 namespace ikbench::figures {
 
+constexpr std::string_view grey_rings = "pt 6 ps 0.9 lc rgb '#999999'";  // what a paper printed
 constexpr std::size_t longest_label = 28;  // characters of a solver's label in a figure; the data file has all
 
 std::string capitalised(std::string_view text);
@@ -30,6 +31,8 @@ void add_legend(Figure& figure, const std::vector<std::string>& labels);
 std::string point_axis(int points);
 // Three axes of one scale: a cube around the points [cm], so that any path fits, with a round step of ticks.
 std::string space_axes(const std::array<std::vector<double>, 3>& coordinates_cm);
+// A line a point: its number, then the values.
+std::string lines_by_point(const std::map<int, std::vector<double>>& values);
 std::string plot_command(const std::vector<std::string>& clauses, std::string_view command = "plot");
 
 // Mean over the runs at every point; a point with an answer that is not finite has none.
@@ -37,5 +40,7 @@ std::vector<double> means_by_point(const inference::StudyResults& study, const s
                                    inference::Metric metric);
 // The first run that the solver has, by point.
 std::map<int, const results::SolveRecord*> first_run(const inference::StudyResults& study, const std::string& solver);
+// Of each of those, all joints [deg]; not defined where an answer has fewer joints than another.
+std::map<int, std::vector<double>> joint_angles_deg(const std::map<int, const results::SolveRecord*>& solves);
 
 }  // namespace ikbench::figures

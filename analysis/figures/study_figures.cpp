@@ -6,7 +6,6 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <numbers>
 #include <string_view>
 
 #include "analysis/figures/axis.hpp"
@@ -71,7 +70,8 @@ Figure path_figure(const StudyResults& study, const std::string& name) {
   return figure;
 }
 
-Figure curves_figure(const StudyResults& study, Metric metric, const std::string& name) {
+Figure curves_figure(const StudyResults& study, Metric metric, const std::string& name,
+                     const std::map<int, std::vector<double>>& printed) {
   Figure figure{.name = name,
                 .caption = fmt::format("{}: mean over the runs at each point.", capitalised(quantity(metric)))};
   std::vector<std::vector<double>> curves;
@@ -80,31 +80,41 @@ Figure curves_figure(const StudyResults& study, Metric metric, const std::string
     curves.push_back(means_by_point(study, solver, metric));
     all.insert(all.end(), curves.back().begin(), curves.back().end());
   }
+  std::vector<std::string> clauses{"NaN notitle"}, labels;
+  if (!printed.empty()) {
+    figure.caption += " Grey: as printed.";
+    for (const auto& [point, values] : printed) all.insert(all.end(), values.begin(), values.end());
+    labels.emplace_back("as printed");
+    clauses.push_back(fmt::format("'{}.dat' index 1 using 1:(shown($2)) with linespoints lw 0.7 dt 2 {} title '{}'",
+                                  figure.name, grey_rings, labels.back()));
+  }
+  labels.insert(labels.end(), study.solvers.begin(), study.solvers.end());
   const Axis axis =
       value_axis(all, quantity(metric), metric == Metric::position_error_cm ? Scale::logarithmic : Scale::by_spread);
   figure.caption = with_notes(figure.caption, study, metric, axis);
   figure.settings = axis.settings + point_axis(study.points);
-  add_legend(figure, study.solvers);
+  add_legend(figure, labels);
 
   const int points_per_marker = 1 + study.points / 40;
   figure.data = fmt::format("# column 1: point; then {}, mean over the runs, of\n", quantity(metric));
-  std::vector<std::string> clauses{"NaN notitle"};
   for (std::size_t i = 0; i < study.solvers.size(); ++i) {
     figure.data += fmt::format("# column {}: {}\n", i + 2, one_line(study.solvers[i]));
     const std::string label = shortened(study.solvers[i], longest_label);
     if (std::ranges::any_of(curves[i], [](double value) { return std::isfinite(value); })) {
-      clauses.push_back(fmt::format("'{}.dat' using 1:(shown(${})) with linespoints ls {} pointinterval {} title {}",
-                                    figure.name, i + 2, i + 1, points_per_marker, gnuplot_string(label)));
+      clauses.push_back(
+          fmt::format("'{}.dat' index 0 using 1:(shown(${})) with linespoints ls {} pointinterval {} title {}",
+                      figure.name, i + 2, i + 1, points_per_marker, gnuplot_string(label)));
     } else {  // in the legend all the same
       clauses.push_back(
           fmt::format("keyentry with linespoints ls {} title {}", i + 1, gnuplot_string(label + " (nothing to show)")));
     }
   }
-  for (std::size_t point = 0; point < static_cast<std::size_t>(study.points); ++point) {
-    figure.data += fmt::to_string(point + 1);
-    for (const auto& curve : curves) figure.data += ' ' + data_number(curve[point]);
-    figure.data += '\n';
+  std::map<int, std::vector<double>> by_point;
+  for (int point = 1; point <= study.points; ++point) {
+    for (const auto& curve : curves) by_point[point].push_back(curve[static_cast<std::size_t>(point) - 1]);
   }
+  figure.data += lines_by_point(by_point);
+  if (!printed.empty()) figure.data += "\n\n# as printed: point, value\n" + lines_by_point(printed);
   figure.plot = plot_command(clauses);
   return figure;
 }
@@ -117,23 +127,15 @@ std::vector<Figure> joint_figures(const StudyResults& study, const std::string& 
     Figure figure{
         .name = fmt::format("{}-{}", name, letters(figures.size())),
         .caption = fmt::format("Joint angles along the path, run {} of {}.", solves.begin()->second->run, solver)};
-    std::size_t joints = 0;
+    const std::map<int, std::vector<double>> angles = joint_angles_deg(solves);
+    const std::size_t joints = angles.begin()->second.size();
     double largest = 180;
-    for (const auto& [point, solve] : solves) {
-      joints = std::max(joints, solve->answer_rad.size());
-      for (const double angle : solve->answer_rad) {
-        if (std::isfinite(angle)) largest = std::max(largest, std::abs(angle) * 180 / std::numbers::pi);
+    for (const auto& [point, of_joints] : angles) {
+      for (const double angle : of_joints) {
+        if (std::isfinite(angle)) largest = std::max(largest, std::abs(angle));
       }
     }
-    figure.data = "# point, then the angle of each joint [deg]\n";
-    for (const auto& [point, solve] : solves) {
-      figure.data += fmt::to_string(point);
-      for (std::size_t joint = 0; joint < joints; ++joint) {
-        const double angle = joint < solve->answer_rad.size() ? solve->answer_rad[joint] : not_defined;
-        figure.data += ' ' + data_number(angle * 180 / std::numbers::pi);
-      }
-      figure.data += '\n';
-    }
+    figure.data = "# point, then the angle of each joint [deg]\n" + lines_by_point(angles);
     const double range = largest <= 180 ? 180 : 1.05 * largest;
     figure.settings = fmt::format(
         "set title {} noenhanced offset 0, -0.6\nset tmargin 2\nset ylabel 'joint angle [deg]'\nset yrange [{}:{}]\n{}",

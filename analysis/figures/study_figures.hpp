@@ -2,6 +2,7 @@
 // study has solves.
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -11,7 +12,9 @@
 namespace ikbench::figures {
 
 Figure path_figure(const inference::StudyResults& study, const std::string& name);
-Figure curves_figure(const inference::StudyResults& study, inference::Metric metric, const std::string& name);
+// `printed` is drawn in grey, by point.
+Figure curves_figure(const inference::StudyResults& study, inference::Metric metric, const std::string& name,
+                     const std::map<int, std::vector<double>>& printed = {});
 // NAME-a, NAME-b, ...: one per solver that has solves.
 std::vector<Figure> joint_figures(const inference::StudyResults& study, const std::string& name);
 

@@ -1,6 +1,7 @@
 #include "analysis/inference/study.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <map>
@@ -94,7 +95,8 @@ bool complete(const std::vector<const SolveRecord*>& run, const StudyResults& st
 
 }  // namespace
 
-StudyResults make_study(const StudyEntry& entry, std::vector<SolveRecord> solves) {
+StudyResults make_study(const StudyEntry& entry, std::vector<SolveRecord> solves,
+                        const std::vector<Session>& sessions) {
   const auto definition = nlohmann::json::parse(entry.definition, nullptr, false);
   StudyResults study{.name = entry.name,
                      .runs = defined_number(entry.name, definition, "runs", most_runs),
@@ -102,18 +104,20 @@ StudyResults make_study(const StudyEntry& entry, std::vector<SolveRecord> solves
                      .plan = plan_of(entry),
                      .definition = entry.definition,
                      .solves = std::move(solves)};
-  const auto defined_text = [&](const char* key) {
-    const bool is_there = definition.is_object() && definition.contains(key) && definition[key].is_string();
-    return is_there ? definition[key].get<std::string>() : std::string();
-  };
-  study.title = defined_text("title");
-  study.published = defined_text("published");
+  study.title = Definition(entry.definition).text("/title");
+  study.published = Definition(entry.definition).text("/published");
   if (definition.is_object() && definition.contains("departures") && definition["departures"].is_array()) {
     for (const auto& departure : definition["departures"]) {
       if (departure.is_string()) study.departures.push_back(departure.get<std::string>());
     }
   }
   for (const Series& series : entry.series) study.solvers.push_back(series.label);
+  std::set<std::int64_t> used;
+  for (const SolveRecord& solve : study.solves) used.insert(solve.session);
+  for (const Session& session : sessions) {
+    const auto cpu = session.environment.find("cpu");
+    if (used.contains(session.id) && cpu != session.environment.end()) study.cpus.insert(cpu->second);
+  }
   check_and_count(study);
   return study;
 }
@@ -123,6 +127,8 @@ StudyResults make_study(std::string name, std::vector<SolveRecord> solves) {
   check_and_count(study);
   return study;
 }
+
+bool enforces_limits(const StudyResults& study) { return Definition(study.definition).text("/limits") == "enforced"; }
 
 double tolerance_cm(const StudyResults& study) {
   const double tolerance = Definition(study.definition).number("/stop/tolerance_cm");
@@ -230,11 +236,18 @@ std::string timing_note(const StudyResults& study) {
         "Times are not comparable: of {} solves, {} ran in parallel with others and {} in a debug build.",
         study.solves.size(), parallel, debug);
   }
+  if (std::string note = cpu_note(study.cpus); !note.empty()) return note;
   if (!times_were_disturbed(study)) return "";
   return fmt::format(
       "Times are not comparable: the wall time of the solves is {:.2f} times their CPU time, so other programs were "
       "running.",
       clean_slowdown(study));
+}
+
+std::string cpu_note(const std::set<std::string>& cpus) {
+  return cpus.size() < 2
+             ? ""
+             : fmt::format("Times are not comparable: they come from different CPUs ({}).", fmt::join(cpus, ", "));
 }
 
 bool times_are_comparable(const StudyResults& study) { return timing_note(study).empty(); }

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -24,6 +25,7 @@ struct StudyResults {
   std::string published = {};             // paper whose printed tables it is held against (results/published), or empty
   std::vector<std::string> departures = {};  // what of the published study's definition was changed
   results::AnalysisPlan plan = {};           // how it is judged
+  std::set<std::string> cpus = {};           // of the sessions in which it was solved, as far as these say
   std::string definition = {};  // JSON, as the store has it (analysis/inference/definition.hpp); empty where none
   std::vector<results::SolveRecord> solves = {};
 };
@@ -31,10 +33,12 @@ struct StudyResults {
 // Numbers of runs and points come from the definition, or where it does not say, from the solves. A solve twice in the
 // records, runs beyond 1 to 1000000, points beyond 1 to 100000, more than 1000 solvers or 100000000 expected solves are
 // std::invalid_argument.
-StudyResults make_study(const results::StudyEntry& entry, std::vector<results::SolveRecord> solves);
+StudyResults make_study(const results::StudyEntry& entry, std::vector<results::SolveRecord> solves,
+                        const std::vector<results::Session>& sessions = {});
 // Without a definition (a CSV of solves): solvers in the order of their first solve.
 StudyResults make_study(std::string name, std::vector<results::SolveRecord> solves);
 
+bool enforces_limits(const StudyResults& study);
 // The position error at which a solve ends; not defined where the study has none.
 double tolerance_cm(const StudyResults& study);
 
@@ -76,6 +80,8 @@ bool times_are_comparable(const StudyResults& study);
 bool is_comparable(const StudyResults& study, Metric metric);  // all metrics are but times
 // Whether other programs were at work while the solves ran that are recorded as clean: by their wall and CPU time.
 bool times_were_disturbed(const StudyResults& study);
+// Times of several CPUs cannot be compared; empty where there are not several.
+std::string cpu_note(const std::set<std::string>& cpus);
 constexpr std::string_view times_not_judged = "times are not comparable";
 
 }  // namespace ikbench::inference

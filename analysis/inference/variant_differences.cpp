@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "analysis/inference/definition.hpp"
 #include "analysis/inference/text.hpp"
 
 namespace ikbench::inference {
@@ -28,9 +29,10 @@ constexpr std::size_t most_named = 20;
 // What decides or describes numbers; a name does neither, and the arm, the departures and what is out of reach
 // follow from the rest.
 bool counts(std::string_view key) {
-  constexpr std::array<std::string_view, 4> names{"name", "title", "published", "trace"};
-  return std::ranges::find(names, key) == names.end() && !key.starts_with("departures") && !key.starts_with("arm.") &&
-         !key.starts_with("out_of_reach.") && !key.starts_with("analysis.");
+  constexpr std::array<std::string_view, 6> others{"name", "title", "published", "trace", "departures", "arm"};
+  const std::string_view part = key.substr(0, key.find('.'));
+  return std::ranges::find(others, part) == others.end() &&
+         std::ranges::find(decide_no_solve, part) == decide_no_solve.end();
 }
 
 // {"stop": {"iterations": 200}} as stop.iterations: 200.

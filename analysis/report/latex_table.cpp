@@ -7,6 +7,8 @@
 #include <cctype>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
+#include <sstream>
 #include <string_view>
 #include <utility>
 #include <variant>
@@ -42,16 +44,8 @@ double width_of(std::string_view text) {
 }
 
 std::vector<std::string> words_of(std::string_view text) {
-  std::vector<std::string> words(1);
-  for (const char c : text) {
-    if (c == ' ') {
-      words.emplace_back();
-    } else {
-      words.back() += c;
-    }
-  }
-  std::erase(words, "");
-  return words;
+  std::istringstream words{std::string(text)};
+  return {std::istream_iterator<std::string>(words), {}};
 }
 
 // "mean_reached_ms" as "mean reached [ms]".

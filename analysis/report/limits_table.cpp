@@ -8,7 +8,6 @@
 #include <map>
 #include <string>
 
-#include "analysis/inference/definition.hpp"
 #include "analysis/inference/design.hpp"
 #include "analysis/inference/judge.hpp"
 #include "analysis/inference/ranking.hpp"
@@ -22,8 +21,6 @@ using namespace statistics;
 using namespace inference;
 
 namespace {
-
-bool is_enforced(const StudyResults& study) { return Definition(study.definition).text("/limits") == "enforced"; }
 
 // What one study says of one solver.
 struct Side {
@@ -222,8 +219,8 @@ std::optional<Table> limits_table(const JudgedStudies& studies) {
   for (const JudgedStudy& other : studies) {
     const bool in_common =
         std::ranges::any_of(reported.solvers, [&](const std::string& solver) { return has_solver(other, solver); });
-    if (is_enforced(other) == is_enforced(reported) || !in_common) continue;
-    return is_enforced(other) ? table_of(reported, other) : table_of(other, reported);
+    if (enforces_limits(other) == enforces_limits(reported) || !in_common) continue;
+    return enforces_limits(other) ? table_of(reported, other) : table_of(other, reported);
   }
   return std::nullopt;
 }

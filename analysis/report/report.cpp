@@ -53,15 +53,13 @@ std::vector<JudgedStudy> others_of(const Store& store, const StudyResults& study
   std::vector<JudgedStudy> result;
   for (const StudyEntry& entry : store.studies()) {
     if (entry.name == study.name) continue;
-    StudyResults other = make_study(entry, store.solves(entry.name));
+    StudyResults other = make_study(entry, store.solves(entry.name), store.sessions());
     if (is_companion(other.name, study, paper) || same_targets(study, other)) {
       result.push_back(judged_by(study.plan, std::move(other)));
     }
   }
   return result;
 }
-
-bool enforces_limits(const StudyResults& study) { return Definition(study.definition).text("/limits") == "enforced"; }
 
 // The paper of the study; one that says nothing where it has none.
 const Paper& paper_of(const StudyResults& study, std::span<const Paper> papers) {
@@ -137,10 +135,10 @@ std::vector<std::string> warnings_of(const StudyResults& study, const JudgedStud
 
 Report write_report(const Store& store, const ReportRequest& request) {
   const StudyEntry entry = store.study(request.study);
-  StudyResults stored = make_study(entry, store.solves(request.study));
+  const std::vector<Session> sessions = store.sessions();
+  StudyResults stored = make_study(entry, store.solves(request.study), sessions);
   if (request.plan) stored.plan = *request.plan;
   const JudgedStudy study(std::move(stored));
-  const std::vector<Session> sessions = store.sessions();
   const Paper& paper = paper_of(study, request.papers);
   const std::vector<JudgedStudy> others = others_of(store, study, paper);
   Reported reported{study};

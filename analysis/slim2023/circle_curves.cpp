@@ -5,11 +5,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <numbers>
 #include <optional>
 
 #include "analysis/figures/arm.hpp"
 #include "analysis/figures/figure_parts.hpp"
+#include "analysis/figures/study_figures.hpp"
 #include "analysis/inference/definition.hpp"
 #include "analysis/inference/text.hpp"
 #include "analysis/slim2023/circle.hpp"
@@ -26,8 +28,6 @@ using namespace inference;
 using namespace figures;
 
 namespace {
-
-constexpr std::string_view grey_rings = "pt 6 ps 0.9 lc rgb '#999999'";
 
 // Best error after every iteration, mean over the solves; a solve that ended earlier keeps its last.
 std::vector<double> mean_trace(const StudyResults& study, const std::string& solver) {
@@ -63,21 +63,13 @@ Figure circle_joints_figure(const StudyResults& study) {
     }
   }
   const std::vector<PrintedPosture> printed = printed_table_8(study.published);
-  std::size_t joints = 0;
-  for (const auto& [point, solve] : solves) joints = std::max(joints, solve->answer_rad.size());
+  const std::map<int, std::vector<double>> angles = joint_angles_deg(solves);
+  const std::size_t joints = angles.begin()->second.size();
 
   Figure figure{.name = "figure-16", .caption = fmt::format("Joint angles along the circle, first run of {}.", solver)};
   std::vector<double> all;
-  figure.data = "# point, then the angle of each joint [deg]\n";
-  for (const auto& [point, solve] : solves) {
-    figure.data += fmt::to_string(point);
-    for (std::size_t joint = 0; joint < joints; ++joint) {
-      const double angle = joint < solve->answer_rad.size() ? solve->answer_rad[joint] : not_defined;
-      all.push_back(angle * 180 / std::numbers::pi);
-      figure.data += ' ' + data_number(all.back());
-    }
-    figure.data += '\n';
-  }
+  figure.data = "# point, then the angle of each joint [deg]\n" + lines_by_point(angles);
+  for (const auto& [point, of_joints] : angles) all.insert(all.end(), of_joints.begin(), of_joints.end());
   std::vector<std::string> clauses{"NaN notitle"}, labels;
   if (!printed.empty()) {
     figure.caption += " Grey: as printed.";
@@ -125,45 +117,9 @@ Figure circle_joints_figure(const StudyResults& study) {
 }
 
 Figure circle_errors_figure(const StudyResults& study) {
-  Figure figure{.name = "figure-17", .caption = "Position error [cm] at each point of the circle, mean over the runs."};
-  std::vector<std::vector<double>> curves;
-  std::vector<double> all;
-  for (const std::string& solver : study.solvers) {
-    curves.push_back(means_by_point(study, solver, Metric::position_error_cm));
-    all.insert(all.end(), curves.back().begin(), curves.back().end());
-  }
-  figure.data = "# column 1: point; then the position error [cm], mean over the runs, of\n";
-  for (std::size_t i = 0; i < curves.size(); ++i) {
-    figure.data += fmt::format("# column {}: {}\n", i + 2, one_line(study.solvers[i]));
-  }
-  for (std::size_t point = 0; point < static_cast<std::size_t>(study.points); ++point) {
-    figure.data += fmt::to_string(point + 1);
-    for (const auto& curve : curves) figure.data += ' ' + data_number(curve[point]);
-    figure.data += '\n';
-  }
-  std::vector<std::string> clauses{"NaN notitle"}, labels;
-  if (const std::vector<PrintedPosture> printed = printed_table_8(study.published); !printed.empty()) {
-    figure.caption += " Grey: as printed.";
-    figure.data += "\n\n# as printed: point, error [cm]\n";
-    for (const PrintedPosture& posture : printed) {
-      figure.data += fmt::format("{} {}\n", posture.point, posture.error_cm);
-      all.push_back(posture.error_cm);
-    }
-    labels.emplace_back("as printed");
-    clauses.push_back(fmt::format("'{}.dat' index 1 using 1:(shown($2)) with linespoints lw 0.7 dt 2 {} title '{}'",
-                                  figure.name, grey_rings, labels.back()));
-  }
-  for (std::size_t i = 0; i < curves.size(); ++i) {
-    labels.push_back(shortened(study.solvers[i], longest_label));
-    clauses.push_back(fmt::format("'{}.dat' index 0 using 1:(shown(${})) with linespoints ls {} title {}", figure.name,
-                                  i + 2, i + 1, gnuplot_string(labels.back())));
-  }
-  const Axis axis = value_axis(all, quantity(Metric::position_error_cm), Scale::logarithmic);
-  figure.caption = with_notes(figure.caption, study, Metric::position_error_cm, axis);
-  figure.settings = axis.settings + point_axis(study.points);
-  add_legend(figure, labels);
-  figure.plot = plot_command(clauses);
-  return figure;
+  std::map<int, std::vector<double>> printed;
+  for (const PrintedPosture& posture : printed_table_8(study.published)) printed[posture.point] = {posture.error_cm};
+  return curves_figure(study, Metric::position_error_cm, "figure-17", printed);
 }
 
 Figure convergence_figure(const StudyResults& study) {

@@ -10,7 +10,6 @@
 #include <string_view>
 #include <vector>
 
-#include "analysis/inference/definition.hpp"
 #include "analysis/inference/text.hpp"
 #include "analysis/report/provenance.hpp"
 #include "analysis/slim2023/circle.hpp"
@@ -84,10 +83,7 @@ std::optional<Claim> circle(const StudyResults& study) {
 
 // The study with limits enforced.
 std::optional<Claim> accurate_inside_limits(const StudyResults& study, const JudgedStudy& limits) {
-  const auto are_enforced = [](const StudyResults& of) {
-    return Definition(of.definition).text("/limits") == "enforced";
-  };
-  if (!are_enforced(limits) || are_enforced(study) || !same_targets(study, limits)) return std::nullopt;
+  if (!enforces_limits(limits) || enforces_limits(study) || !same_targets(study, limits)) return std::nullopt;
   const auto ours = description(limits, time_reference, Metric::position_error_cm);
   const auto before = description(study, time_reference, Metric::position_error_cm);
   std::optional<Description> best;

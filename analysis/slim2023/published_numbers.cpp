@@ -18,9 +18,10 @@ using namespace inference;
 
 namespace {
 
-bool has_table(std::string_view paper, std::string_view name) {
+// Without rows where there is no such table.
+CsvTable printed_table(std::string_view paper, std::string_view name) {
   const auto names = published::tables(paper);
-  return std::ranges::find(names, name) != names.end();
+  return std::ranges::find(names, name) == names.end() ? CsvTable() : published::table(paper, name);
 }
 
 std::optional<PrintedRow> row_of(const std::vector<PrintedRow>& rows, std::string_view algorithm) {
@@ -48,13 +49,10 @@ double half_unit(std::string_view printed) {
 
 std::vector<PrintedRow> printed_table_3(std::string_view paper, Metric metric) {
   std::vector<PrintedRow> rows;
-  if (!has_table(paper, "table-3")) return rows;
-  const CsvTable table = published::table(paper, "table-3");
-  const std::size_t algorithm = table.column("algorithm");
-  const std::size_t metric_column = table.column("metric");
+  const CsvTable table = printed_table(paper, "table-3");
   for (std::size_t row = 0; row < table.rows.size(); ++row) {
-    if (table.rows[row][metric_column] != name_of(metric)) continue;
-    rows.push_back({.algorithm = table.rows[row][algorithm],
+    if (table.rows[row][table.column("metric")] != name_of(metric)) continue;
+    rows.push_back({.algorithm = table.rows[row][table.column("algorithm")],
                     .summary = {.mean = table.number(row, "mean"),
                                 .std = table.number(row, "std"),
                                 .n = static_cast<int>(table.number(row, "n"))},
@@ -81,8 +79,8 @@ std::optional<PrintedRow> printed_row(const StudyResults& study, std::string_vie
 std::optional<AnovaTable> printed_anova(std::string_view paper, Metric metric) {
   if (std::ranges::find(paper_metrics, metric) == paper_metrics.end()) return std::nullopt;
   const std::string name = fmt::format("table-{}", paper_numbers(metric).anova_table);
-  if (!has_table(paper, name)) return std::nullopt;
-  const CsvTable table = published::table(paper, name);
+  const CsvTable table = printed_table(paper, name);
+  if (table.rows.empty()) return std::nullopt;
   constexpr std::size_t between = 0, within = 1, total = 2;
   AnovaTable printed;
   printed.ss_between = table.number(between, "ss");
@@ -99,8 +97,7 @@ std::optional<AnovaTable> printed_anova(std::string_view paper, Metric metric) {
 
 std::vector<PrintedTime> printed_table_7(std::string_view paper) {
   std::vector<PrintedTime> rows;
-  if (!has_table(paper, "table-7")) return rows;
-  const CsvTable table = published::table(paper, "table-7");
+  const CsvTable table = printed_table(paper, "table-7");
   for (std::size_t row = 0; row < table.rows.size(); ++row) {
     rows.push_back({.bats = static_cast<int>(table.number(row, "bats")),
                     .mean_ms = table.number(row, "mean_ms"),
@@ -114,8 +111,7 @@ std::vector<PrintedTime> printed_table_7(std::string_view paper) {
 
 std::vector<PrintedPosture> printed_table_8(std::string_view paper) {
   std::vector<PrintedPosture> rows;
-  if (!has_table(paper, "table-8")) return rows;
-  const CsvTable table = published::table(paper, "table-8");
+  const CsvTable table = printed_table(paper, "table-8");
   for (std::size_t row = 0; row < table.rows.size(); ++row) {
     rows.push_back({.point = static_cast<int>(table.number(row, "point")),
                     .angles_deg = {table.number(row, "theta1_deg"), table.number(row, "theta2_deg"),

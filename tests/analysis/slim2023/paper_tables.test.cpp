@@ -185,6 +185,21 @@ TEST_CASE("times taken while other programs were at work are said to be so", "[s
   CHECK(timing_note(study_of(solves)).find("2.00 times their CPU time") != std::string::npos);
 }
 
+TEST_CASE("times of a study that was solved on two CPUs are not comparable", "[study]") {
+  std::vector<SolveRecord> solves = synthetic::solves({.solvers = {"IK-BA"}, .runs = 2});
+  const auto note_of = [&](const char* second_cpu) {
+    const StudyEntry entry{.name = "s", .series = {{.label = "IK-BA"}}};
+    return timing_note(make_study(entry, solves,
+                                  {{.id = 1, .environment = {{"cpu", "one"}}},
+                                   {.id = 2, .environment = {{"cpu", second_cpu}}},
+                                   {.id = 3, .environment = {{"cpu", "of no solve"}}}}));
+  };
+  CHECK(note_of("another").empty());  // all solves are of session 1
+  solves.back().session = 2;
+  CHECK(note_of("one").empty());
+  CHECK(note_of("another") == "Times are not comparable: they come from different CPUs (another, one).");
+}
+
 TEST_CASE("computing time is compared relative to IK-BA only", "[paper]") {
   std::vector<SolveRecord> solves = synthetic::solves({});
   for (SolveRecord& solve : solves) solve.seconds = solve.solver == "MO-PSO" ? 0.010 : 0.001;
