@@ -11,6 +11,7 @@
 #include "analysis/inference/pair_ranks.hpp"
 #include "analysis/statistics/effect_size.hpp"
 #include "analysis/statistics/friedman.hpp"
+#include "analysis/statistics/hodges_lehmann.hpp"
 #include "analysis/statistics/multiple_comparisons.hpp"
 #include "analysis/statistics/power.hpp"
 #include "analysis/statistics/proportion.hpp"
@@ -283,7 +284,12 @@ void add_contrasts(Evidence& evidence, std::span<const GroupSummary> summaries, 
     contrast.g = {.value = g.value, .low = g.low, .high = g.high};
     if (!ahead.empty()) {
       contrast.superiority = superiority(evidence, ahead[contrast.first], ahead[contrast.second]);
-      if (evidence.blocks > 0) compare_in_blocks(evidence, values, contrast);
+      if (evidence.blocks > 0) {
+        compare_in_blocks(evidence, values, contrast);
+      } else {
+        const Shift shift = hodges_lehmann(values[contrast.first], values[contrast.second], level);
+        contrast.shift = {.value = shift.estimate, .low = shift.low, .high = shift.high};
+      }
     }
     contrast.p = deciding_p(evidence, contrast);
     judge(evidence, contrast);

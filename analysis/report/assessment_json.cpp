@@ -73,6 +73,7 @@ Json contrast_json(const Evidence& evidence, const Contrast& contrast) {
               {"p_mean_ranks", json_number(contrast.p_mean_ranks)},
               {"p_nemenyi", json_number(contrast.p_nemenyi)},
               {evidence.blocks > 0 ? "share_of_blocks_ahead" : "a12", estimate(contrast.superiority)},
+              {"hodges_lehmann_shift", estimate(contrast.shift)},
               {"hedges_g", estimate(contrast.g)},
               {"runs_to_decide", json_number(contrast.runs_to_decide)},
               {"relation", name_of(contrast.relation)},

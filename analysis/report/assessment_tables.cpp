@@ -145,6 +145,10 @@ Table contrasts_table(const Evidence& evidence) {
                           {level + (evidence.blocks > 0 ? " interval of the share" : " interval of A12")},
                           {"size", Align::left},
                           {"Hedges g"}}};
+  if (evidence.blocks == 0) {
+    table.columns.push_back({"shift"});
+    table.columns.push_back({level + " interval of the shift"});
+  }
   const std::vector<PairMethod> methods = pair_methods(evidence);
   for (const PairMethod& method : methods) table.columns.push_back({"p, " + method.name});
   table.columns.push_back({evidence.plan.test == DecidingTest::friedman ? "blocks to decide" : "runs to decide"});
@@ -154,6 +158,10 @@ Table contrasts_table(const Evidence& evidence) {
                           verdict_words(evidence, contrast), contrast.difference.value, interval(contrast.difference),
                           or_nothing(PValue{contrast.p}), or_nothing(contrast.superiority.value),
                           interval(contrast.superiority), size_words(contrast), or_nothing(contrast.g.value)});
+    if (evidence.blocks == 0) {
+      row.push_back(or_nothing(contrast.shift.value));
+      row.push_back(interval(contrast.shift));
+    }
     for (const PairMethod& method : methods) row.push_back(or_nothing(PValue{contrast.*method.p}));
     const double runs = contrast.runs_to_decide;
     row.push_back(std::isfinite(runs) ? Cell(static_cast<std::int64_t>(runs)) : Cell());
@@ -164,7 +172,9 @@ Table contrasts_table(const Evidence& evidence) {
                               ? "Ahead in blocks: the share of blocks in which the first is better; ties count half. "
                                 "Its interval is not adjusted, and is not defined with ties."
                               : "A12: the probability that an observation of the first is better than one of the "
-                                "second; ties count half. Its interval is not adjusted.");
+                                "second; ties count half. Shift: the median of all differences between an "
+                                "observation of the first and one of the second (Hodges-Lehmann). Their intervals are "
+                                "not adjusted.");
   }
   if (evidence.reference) {
     table.notes.push_back(fmt::format(

@@ -4,8 +4,6 @@
 #include <cstddef>
 #include <vector>
 
-#include "analysis/statistics/ranks.hpp"
-
 namespace ikbench::statistics {
 namespace {
 
@@ -30,6 +28,18 @@ std::vector<double> probabilities(std::size_t n1, std::size_t n2) {
 
 }  // namespace
 
+RankDistribution distribution_of_u(std::size_t n1, std::size_t n2, const Ranking& ranking) {
+  const auto m = static_cast<double>(n1), n = static_cast<double>(n2);
+  RankDistribution distribution{.mean = m * n / 2};
+  if (ranking.ties.empty() && n1 < exact_below && n2 < exact_below) {
+    distribution.probabilities = probabilities(n1, n2);
+  } else {
+    const double all = m + n;
+    distribution.standard_deviation = std::sqrt(m * n / 12 * (all + 1 - ranking.tie_sum() / (all * (all - 1))));
+  }
+  return distribution;
+}
+
 MannWhitney mann_whitney(std::span<const double> first, std::span<const double> second) {
   MannWhitney test;
   if (first.empty() || second.empty()) {
@@ -43,8 +53,6 @@ MannWhitney mann_whitney(std::span<const double> first, std::span<const double> 
   if (!test.undefined.empty()) return test;
 
   const auto n1 = static_cast<double>(first.size());
-  const auto n2 = static_cast<double>(second.size());
-  const double n = n1 + n2;
   double rank_sum = 0;
   for (std::size_t i = 0; i < first.size(); ++i) rank_sum += ranking.ranks[i];
   test.U = rank_sum - n1 * (n1 + 1) / 2;
@@ -52,12 +60,7 @@ MannWhitney mann_whitney(std::span<const double> first, std::span<const double> 
     test.undefined = "all values are equal";
     return test;
   }
-  RankDistribution distribution{.mean = n1 * n2 / 2};
-  if (ranking.ties.empty() && first.size() < exact_below && second.size() < exact_below) {
-    distribution.probabilities = probabilities(first.size(), second.size());
-  } else {
-    distribution.standard_deviation = std::sqrt(n1 * n2 / 12 * (n + 1 - ranking.tie_sum() / (n * (n - 1))));
-  }
+  const RankDistribution distribution = distribution_of_u(first.size(), second.size(), ranking);
   test.p = distribution.two_sided(test.U);
   test.direction = distribution.direction(test.U);
   test.method = distribution.method();

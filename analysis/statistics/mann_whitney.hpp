@@ -2,10 +2,12 @@
 // Statistics 18 (1947) 50.
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <string>
 
 #include "analysis/statistics/rank_statistic.hpp"
+#include "analysis/statistics/ranks.hpp"
 
 namespace ikbench::statistics {
 
@@ -19,5 +21,8 @@ struct MannWhitney {
 };
 
 MannWhitney mann_whitney(std::span<const double> first, std::span<const double> second);
+
+// Of U where the samples, of n1 and n2 values, do not differ; `ranking` of all their values.
+RankDistribution distribution_of_u(std::size_t n1, std::size_t n2, const Ranking& ranking);
 
 }  // namespace ikbench::statistics

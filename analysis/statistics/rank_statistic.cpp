@@ -17,6 +17,17 @@ double RankDistribution::two_sided(double statistic) const {
   return std::min(1.0, 2 * tail);
 }
 
+std::uint64_t RankDistribution::interval_rank(double level) const {
+  if (probabilities.empty()) {
+    const double rank = std::floor(mean - normal_critical(level) * standard_deviation + 0.5);
+    return rank > 0 ? static_cast<std::uint64_t>(rank) : 0;
+  }
+  check_level(level);
+  std::uint64_t rank = 0;
+  for (double below = probabilities[0]; below <= (1 - level) / 2; below += probabilities[rank]) ++rank;
+  return rank;
+}
+
 std::string RankDistribution::method() const { return probabilities.empty() ? "normal approximation" : "exact"; }
 
 }  // namespace ikbench::statistics

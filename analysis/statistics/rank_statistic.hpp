@@ -1,7 +1,9 @@
-// What the two tests of Wilcoxon share: a rank statistic's distribution under no difference, and the p that
-// follows from it. Hollander, Wolfe and Chicken, Nonparametric Statistical Methods (2014), chapters 3 and 4.
+// What the two tests of Wilcoxon share: a rank statistic's distribution under no difference, and the p and the interval
+// of a shift that follow from it. Hollander, Wolfe and Chicken, Nonparametric Statistical Methods (2014), chapters 3
+// and 4.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -18,6 +20,9 @@ struct RankDistribution {
   // Twice the smaller tail, at most 1; the normal's with a continuity correction of one half.
   double two_sided(double statistic) const;
   int direction(double statistic) const { return sign_of(statistic - mean); }
+  // The largest r with P(statistic < r) <= (1 - level) / 2: the interval of a shift runs from the r-th smallest
+  // difference to the r-th largest. 0 where there are too few values for the level.
+  std::uint64_t interval_rank(double level) const;
   std::string method() const;  // "exact" or "normal approximation"
 };
 
