@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -17,6 +19,14 @@ namespace {
 
 constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 
+// As it stands in the text or, where it was in quotes, without them.
+struct Cell {
+  std::string_view plain = {};
+  std::optional<std::string> unquoted = {};
+
+  std::string text() && { return unquoted ? std::move(*unquoted) : std::string(plain); }
+};
+
 // Walks over the text once, a row at a time, and counts lines for its messages.
 class Reader {
  public:
@@ -26,22 +36,22 @@ class Reader {
   }
 
   // The next row that is not an empty line; nothing at the end.
-  std::vector<std::string> row() {
+  std::vector<Cell>& row() {
     while (take_line_end()) {
     }
     row_line_ = line_;
-    std::vector<std::string> cells;
-    if (rest_.empty()) return cells;
+    cells_.clear();
+    if (rest_.empty()) return cells_;
     do {
-      if (cells.size() == max_csv_columns)
+      if (cells_.size() == max_csv_columns)
         refuse(fmt::format("too many columns; expected at most {}", max_csv_columns));
-      cells.push_back(take("\"") ? quoted_cell() : plain_cell());
+      cells_.push_back(take("\"") ? Cell{.unquoted = quoted_cell()} : Cell{.plain = plain_cell()});
     } while (take(","));
     if (!rest_.empty() && !take_line_end()) {
       refuse(rest_.front() == '\r' ? "a lone carriage return; expected lines to end in LF or CRLF"
                                    : "text after a closing quote; expected a comma or the end of the line");
     }
-    return cells;
+    return cells_;
   }
 
   // Of the row read last: the line on which it begins.
@@ -51,11 +61,11 @@ class Reader {
   }
 
  private:
-  std::string plain_cell() {
+  std::string_view plain_cell() {
     const std::size_t length = std::min(rest_.find_first_of(",\"\r\n"), rest_.size());
     if (rest_.substr(length).starts_with('"'))
       refuse("a quote inside an unquoted cell; expected the cell in quotes and the quote doubled");
-    return std::string(take_front(length));
+    return take_front(length);
   }
 
   // Behind the opening quote.
@@ -93,11 +103,24 @@ class Reader {
     throw std::invalid_argument(fmt::format("{}:{}: {}", source_, line_, what));
   }
 
+  std::vector<Cell> cells_;
   std::string_view rest_;
   std::string_view source_;
   std::size_t line_ = 1;
   std::size_t row_line_ = 1;
 };
+
+// The header, and every row as `use` takes it.
+template <typename Use>
+void read_csv(Reader& reader, std::vector<std::string>& header, const Use& use) {
+  for (Cell& cell : reader.row()) header.push_back(std::move(cell).text());
+  if (header.empty()) reader.refuse_row("the file is empty; expected a line with the names of the columns");
+  for (std::vector<Cell>* row = &reader.row(); !row->empty(); row = &reader.row()) {
+    if (row->size() != header.size())
+      reader.refuse_row(fmt::format("{} cells; expected {} as in the header", row->size(), header.size()));
+    use(*row);
+  }
+}
 
 void append_cell(std::string& text, std::string_view cell) {
   const bool plain = cell.find_first_of(",\"\r\n") == std::string_view::npos && !cell.starts_with(byte_order_mark);
@@ -128,17 +151,46 @@ double CsvTable::number(std::size_t row, std::string_view column_name) const {
       fmt::format("row {} below the header, column '{}': '{}'; expected a number", row + 1, column_name, cell));
 }
 
+std::string_view CsvView::cell(std::size_t row, std::size_t column) const {
+  const std::size_t place = places_[row * header.size() + column];
+  if (place > text_.size()) return unquoted_[place - text_.size() - 1];
+  const std::string_view rest = text_.substr(place);
+  return rest.substr(0, rest.find_first_of(",\r\n"));
+}
+
+void CsvView::append_plain(std::string_view cell) {
+  places_.push_back(static_cast<std::uint32_t>(cell.data() - text_.data()));
+}
+
+void CsvView::append_unquoted(std::string cell) {
+  unquoted_.push_back(std::move(cell));
+  places_.push_back(static_cast<std::uint32_t>(text_.size() + unquoted_.size()));
+}
+
 CsvTable parse_csv(std::string_view text, std::string_view source) {
   Reader reader(text, source);
   CsvTable table;
-  table.header = reader.row();
-  if (table.header.empty()) reader.refuse_row("the file is empty; expected a line with the names of the columns");
-  for (auto row = reader.row(); !row.empty(); row = reader.row()) {
-    if (row.size() != table.header.size())
-      reader.refuse_row(fmt::format("{} cells; expected {} as in the header", row.size(), table.header.size()));
-    table.rows.push_back(std::move(row));
-  }
+  read_csv(reader, table.header, [&](std::vector<Cell>& cells) {
+    std::vector<std::string>& row = table.rows.emplace_back();
+    for (Cell& cell : cells) row.push_back(std::move(cell).text());
+  });
   return table;
+}
+
+CsvView view_csv(std::string_view text, std::string_view source) {
+  static_assert(2 * max_csv_bytes < std::numeric_limits<std::uint32_t>::max());  // no more cells than bytes
+  Reader reader(text, source);
+  CsvView view(text);
+  read_csv(reader, view.header, [&](std::vector<Cell>& cells) {
+    for (Cell& cell : cells) {
+      if (cell.unquoted) {
+        view.append_unquoted(std::move(*cell.unquoted));
+      } else {
+        view.append_plain(cell.plain);
+      }
+    }
+  });
+  return view;
 }
 
 void append_csv_row(std::string& text, const std::vector<std::string>& cells) {

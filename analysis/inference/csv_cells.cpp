@@ -63,7 +63,7 @@ void CsvFile::refuse(std::string_view what) const { throw std::invalid_argument(
 
 void CsvFile::refuse_cell(std::size_t row, std::size_t column, std::string_view what) const {
   refuse(fmt::format("row {} below the header, column {}: {}, {}", row + 1, in_quotes(table.header[column]),
-                     in_quotes(table.rows[row][column]), what));
+                     in_quotes(table.cell(row, column)), what));
 }
 
 std::size_t CsvFile::column(std::string_view name) const {
@@ -82,11 +82,11 @@ std::string CsvFile::columns() const {
 }
 
 std::string CsvFile::group_name(std::size_t row, std::size_t column) const {
-  const std::string& name = table.rows[row][column];
+  const std::string_view name = table.cell(row, column);
   if (name.size() > longest_name) {
     refuse_cell(row, column, fmt::format("{} bytes; expected a name of at most {}", name.size(), longest_name));
   }
-  return name.empty() ? "(empty)" : name;
+  return name.empty() ? "(empty)" : std::string(name);
 }
 
 std::optional<std::size_t> CsvFile::column_like(std::span<const std::string_view> names) const {
@@ -98,21 +98,25 @@ std::optional<std::size_t> CsvFile::column_like(std::span<const std::string_view
 }
 
 std::optional<double> CsvFile::number(std::size_t row, std::size_t column) const {
-  const std::string& cell = table.rows[row][column];
+  const std::string_view cell = table.cell(row, column);
   if (is_missing(cell)) return std::nullopt;
   const auto value = number_from(cell);
   if (!value) refuse_cell(row, column, remedy(cell));
   return std::isnan(*value) ? std::nullopt : value;
 }
 
-bool CsvFile::is_blank(std::size_t row) const { return std::ranges::all_of(table.rows[row], &std::string::empty); }
+bool CsvFile::is_blank(std::size_t row) const {
+  std::size_t column = 0;
+  while (column < table.header.size() && table.cell(row, column).empty()) ++column;
+  return column == table.header.size();
+}
 
 std::string CsvFile::name() const { return one_line(std::string_view(source).substr(source.find_last_of('/') + 1)); }
 
 CsvFile open_csv(std::string_view text, std::string_view source) {
   expect_text_with_commas(text, source);
-  CsvFile file{.source = std::string(source), .table = parse_csv(text, source)};
-  if (file.table.rows.empty()) file.refuse("no rows below the header; expected at least one");
+  CsvFile file{.source = std::string(source), .table = view_csv(text, source)};
+  if (file.table.rows() == 0) file.refuse("no rows below the header; expected at least one");
   return file;
 }
 

@@ -13,10 +13,10 @@ namespace ikbench::inference {
 
 constexpr std::size_t longest_name = 1000;  // of a group or a quantity, in bytes
 
-// A parsed file and how messages name it.
+// A parsed file and how messages name it. Its text has to outlive it.
 struct CsvFile {
   std::string source;
-  results::CsvTable table;
+  results::CsvView table;
 
   [[noreturn]] void refuse(std::string_view what) const;
   // Of a cell: names its row, its column and its text.

@@ -31,7 +31,9 @@ std::size_t group_column(const CsvFile& file, const CsvRequest& request) {
 bool is_index(const CsvFile& file, std::size_t column) {
   const std::string& title = file.table.header[column];
   if (column == 0 && (title.empty() || title == "Unnamed: 0")) return true;
-  return title.empty() && std::ranges::all_of(file.table.rows, [&](const auto& row) { return row[column].empty(); });
+  std::size_t row = 0;
+  while (title.empty() && row < file.table.rows() && file.table.cell(row, column).empty()) ++row;
+  return title.empty() && row == file.table.rows();
 }
 
 }  // namespace
@@ -43,7 +45,8 @@ Contents read_long(const CsvFile& file, const CsvRequest& request) {
   const std::size_t value = file.column(request.value);
   const std::size_t group = group_column(file, request);
   Contents contents;
-  for (std::size_t row = 0; row < file.table.rows.size(); ++row) {
+  contents.observations.reserve(file.table.rows());
+  for (std::size_t row = 0; row < file.table.rows(); ++row) {
     if (file.is_blank(row)) continue;
     contents.observations.push_back(
         {.group = contents.groups.index_of(file.group_name(row, group)), .row = row, .value = file.number(row, value)});
@@ -74,7 +77,7 @@ Contents read_wide(const CsvFile& file, const CsvRequest& request) {
     const std::size_t group = contents.groups.index_of(title.empty() ? "(empty)" : title);
     if (group < groups_before) file.refuse(fmt::format("two columns {}; expected one", in_quotes(title)));
     expect_few(file, contents.groups);
-    for (std::size_t row = 0; row < file.table.rows.size(); ++row) {
+    for (std::size_t row = 0; row < file.table.rows(); ++row) {
       if (file.is_blank(row)) continue;
       contents.observations.push_back({.group = group, .row = row, .value = file.number(row, column)});
     }
@@ -93,10 +96,15 @@ bool names_replicates(std::string_view title) {
   return std::ranges::find(words, letters) != words.end();
 }
 
-Labels labels_of(const CsvFile& file, std::size_t column) {
+Labels labels_of(const CsvFile& file, std::size_t column) { return *labels_of(file, column, file.table.rows()); }
+
+std::optional<Labels> labels_of(const CsvFile& file, std::size_t column, std::size_t most) {
   Labels labels;
-  for (const auto& row : file.table.rows) {
-    labels.of_row.push_back(is_missing(row[column]) ? no_label : labels.names.index_of(row[column]));
+  labels.of_row.reserve(file.table.rows());
+  for (std::size_t row = 0; row < file.table.rows(); ++row) {
+    const std::string_view cell = file.table.cell(row, column);
+    labels.of_row.push_back(is_missing(cell) ? no_label : labels.names.index_of(std::string(cell)));
+    if (labels.names.all().size() > most) return std::nullopt;
   }
   return labels;
 }

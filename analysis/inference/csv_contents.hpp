@@ -37,6 +37,8 @@ struct Labels {
 };
 
 Labels labels_of(const CsvFile& file, std::size_t column);
+// Nothing where there are more different ones.
+std::optional<Labels> labels_of(const CsvFile& file, std::size_t column, std::size_t most);
 // No label may be missing.
 Labels expect_labels(const CsvFile& file, std::size_t column);
 

@@ -6,13 +6,14 @@
 #include <array>
 #include <map>
 #include <optional>
-#include <set>
+#include <span>
 #include <tuple>
 #include <unordered_map>
 #include <utility>
 
 #include "analysis/inference/csv_cells.hpp"
 #include "analysis/inference/csv_contents.hpp"
+#include "analysis/inference/csv_replicates.hpp"
 #include "analysis/inference/text.hpp"
 
 namespace ikbench::inference {
@@ -66,27 +67,27 @@ void add_flaw(Observations& result, const std::string& flaw) {
   result.flaw += (result.flaw.empty() ? "" : "; ") + flaw;
 }
 
-// Whether the column numbers repetitions, and was not given as anything else.
-bool numbers_runs(const std::string& title, const CsvRequest& request) {
-  return names_replicates(title) && title != request.group && title != request.value && title != request.block;
-}
-
 // The number of rows of a whole run where there are no blocks: that of most runs, of equals the larger. Runs with more
 // are refused, or told where rows are taken as given.
 std::size_t rows_of_a_run(const CsvFile& file, const CsvRequest& request, const Contents& contents,
                           Observations& result) {
-  std::map<std::pair<std::size_t, std::size_t>, std::vector<std::size_t>> runs;  // their rows, by group and run
-  for (const Observation& o : contents.observations) runs[{o.group, o.run}].push_back(o.row);
-  std::map<std::size_t, std::size_t> counts;  // of runs, by their number of rows
-  for (const auto& [run, rows] : runs) ++counts[rows.size()];
+  const std::vector<GroupRun> keys =
+      group_runs(contents, [](const Observation& o) { return o.run; });  // as often as the run has rows
+  std::map<std::size_t, std::size_t> counts;                             // of runs, by their number of rows
+  for (std::size_t first = 0; first < keys.size(); first += rows_of(keys, keys[first])) {
+    ++counts[rows_of(keys, keys[first])];
+  }
   std::size_t whole = counts.begin()->first;
   for (const auto& [rows, count] : counts) whole = count >= counts[whole] ? rows : whole;
-  const auto longer = std::ranges::find_if(runs, [&](const auto& run) { return run.second.size() > whole; });
-  if (longer == runs.end()) return whole;
-  const auto& [run, rows] = *longer;
-  const std::string words = fmt::format("{} {} of {} has {} rows where other runs have {}", one_line(request.run),
-                                        shortened(file.table.rows[rows.front()][file.column(request.run)], 40),
-                                        shortened(contents.groups.all()[run.first], 40), rows.size(), whole);
+  const auto longer = std::ranges::find_if(keys, [&](const GroupRun& key) { return rows_of(keys, key) > whole; });
+  if (longer == keys.end()) return whole;
+  const auto first_row = std::ranges::find(contents.observations, *longer, [](const Observation& o) {
+                           return GroupRun(o.group, o.run);
+                         })->row;
+  const std::string words =
+      fmt::format("{} {} of {} has {} rows where other runs have {}", one_line(request.run),
+                  shortened(file.table.cell(first_row, file.column(request.run)), 40),
+                  shortened(contents.groups.all()[longer->first], 40), rows_of(keys, *longer), whole);
   if (request.replicates == Replicates::checked)
     file.refuse(words +
                 "; a row may be duplicated, or the other runs may lack rows; --force averages them as they are");
@@ -98,25 +99,41 @@ std::size_t rows_of_a_run(const CsvFile& file, const CsvRequest& request, const 
 // smaller one were given the same runs; others have seeds of their own, of which none is absent.
 void add_absent_runs(Contents& contents) {
   const std::size_t groups = contents.groups.all().size(), whole = contents.observations.front().whole;
-  std::map<std::size_t, std::set<std::size_t>> groups_of;  // by run
+  using RunGroup = std::pair<std::size_t, std::size_t>;
+  std::vector<RunGroup> groups_of;  // sorted
+  groups_of.reserve(contents.observations.size());
   for (const Observation& o : contents.observations) {
-    if (o.run != no_label) groups_of[o.run].insert(o.group);
+    if (o.run != no_label) groups_of.emplace_back(o.run, o.group);
   }
-  if (std::ranges::all_of(groups_of, [&](const auto& run) { return run.second.size() == groups; })) return;
+  std::ranges::sort(groups_of);
+  groups_of.erase(std::ranges::unique(groups_of).begin(), groups_of.end());
+  const auto for_each_run = [&](const auto& use) {
+    for (auto first = groups_of.begin(); first != groups_of.end();) {
+      const auto end =
+          std::find_if(first, groups_of.end(), [&](const RunGroup& each) { return each.first != first->first; });
+      use(std::span<const RunGroup>(first, end));
+      first = end;
+    }
+  };
+  bool all_are_there = true;
+  for_each_run([&](std::span<const RunGroup> run) { all_are_there = all_are_there && run.size() == groups; });
+  if (all_are_there) return;
   std::vector<std::vector<std::size_t>> shared(groups, std::vector<std::size_t>(groups));
-  for (const auto& [run, present] : groups_of) {
-    for (const std::size_t one : present) {
-      for (const std::size_t other : present) ++shared[one][other];
+  for_each_run([&](std::span<const RunGroup> run) {
+    for (const RunGroup& one : run) {
+      for (const RunGroup& other : run) ++shared[one.second][other.second];
     }
-  }
-  for (const auto& [run, present] : groups_of) {
+  });
+  for_each_run([&](std::span<const RunGroup> run) {
     for (std::size_t group = 0; group < groups; ++group) {
-      const bool is_absent = !present.contains(group) && std::ranges::any_of(present, [&](std::size_t other) {
-        return 2 * shared[group][other] > std::min(shared[group][group], shared[other][other]);
-      });
-      if (is_absent) contents.observations.push_back({.group = group, .run = run, .count = 0, .whole = whole});
+      const auto is_shared = [&](const RunGroup& other) {
+        return 2 * shared[group][other.second] > std::min(shared[group][group], shared[other.second][other.second]);
+      };
+      if (std::ranges::binary_search(run, group, {}, &RunGroup::second) || std::ranges::none_of(run, is_shared))
+        continue;
+      contents.observations.push_back({.group = group, .run = run.front().first, .count = 0, .whole = whole});
     }
-  }
+  });
 }
 
 // Where each row is a run of its own, numbered by a column: its label on the observations, and those that are absent.
@@ -161,79 +178,6 @@ std::string in_words(const std::vector<Lack>& lacks, std::string_view what, cons
 }
 
 constexpr std::string_view flattered = "a group that failed there looks better than it is";
-
-// The rows of the first run that several rows of a group share.
-struct SharedRun {
-  std::string words = {};    // "12 rows share seed 1 of A"; empty where every row is a run of its own
-  std::string told_by = {};  // the column that tells the rows of every run apart, by the same names: problem; or empty
-};
-
-// Whether the column has another name for each row of a run, and no names but those of the fullest run: what the groups
-// were given in every run, such as problems or points.
-bool tells_rows_apart(const CsvFile& file, const Contents& contents, std::size_t column, const Labels& runs) {
-  const Labels names = labels_of(file, column);
-  std::map<std::pair<std::size_t, std::size_t>, std::size_t> rows;
-  std::size_t most = 0;
-  for (const Observation& o : contents.observations) {
-    if (runs.of_row[o.row] != no_label) most = std::max(most, ++rows[{o.group, runs.of_row[o.row]}]);
-  }
-  if (rows.size() < 2 || names.names.all().size() != most) return false;
-  std::set<std::tuple<std::size_t, std::size_t, std::size_t>> seen;
-  return std::ranges::all_of(contents.observations, [&](const Observation& o) {
-    const std::size_t run = runs.of_row[o.row], name = names.of_row[o.row];
-    return run == no_label || (name != no_label && seen.insert({o.group, run, name}).second);
-  });
-}
-
-SharedRun shared_run(const CsvFile& file, const Contents& contents, const CsvRequest& request, std::size_t column) {
-  const Labels runs = labels_of(file, column);
-  std::map<std::pair<std::size_t, std::size_t>, std::size_t> counts;
-  const auto key = [&](const Observation& o) { return std::pair(o.group, runs.of_row[o.row]); };
-  for (const Observation& observation : contents.observations) ++counts[key(observation)];
-  const auto shared = std::ranges::find_if(contents.observations, [&](const Observation& o) {
-    return runs.of_row[o.row] != no_label && counts[key(o)] > 1;
-  });
-  if (shared == contents.observations.end()) return {};
-  SharedRun result{.words = fmt::format("{} rows share {} {} of {}", counts[key(*shared)],
-                                        one_line(file.table.header[column]),
-                                        shortened(runs.names.all()[runs.of_row[shared->row]], 40),
-                                        shortened(contents.groups.all()[shared->group], 40))};
-  if (request.layout == Layout::one_column_a_group) return result;
-  for (std::size_t other = 0; other < file.table.header.size() && result.told_by.empty(); ++other) {
-    const std::string& title = file.table.header[other];
-    if (title.empty() || title == request.value || names_replicates(title)) continue;
-    if (tells_rows_apart(file, contents, other, runs)) result.told_by = one_line(title);
-  }
-  return result;
-}
-
-// Refuses rows that are no replicates, or says why they are none.
-std::string flaw_of(const CsvFile& file, const Contents& contents, const CsvRequest& request) {
-  constexpr std::string_view why = "points of one run depend on each other and are not replicates";
-  for (std::size_t column = 0; column < file.table.header.size(); ++column) {
-    const std::string& title = file.table.header[column];
-    if (!numbers_runs(title, request)) continue;
-    const auto [shared, told_by] = shared_run(file, contents, request, column);
-    if (shared.empty()) continue;
-    if (request.replicates == Replicates::as_given)
-      return fmt::format("{}; {}; used as observations anyway", shared, why);
-    const std::string run = one_line(title);
-    if (told_by.empty())
-      file.refuse(fmt::format("{}; {}; average them with --run {}, or accept them with --force", shared, why, run));
-    const std::string name = lower_case(told_by);
-    if (name.starts_with("point") || name.starts_with("step")) {  // of a path
-      file.refuse(fmt::format(
-          "{0}, one for each {1}, and are not replicates; if each {1} depends on the previous one, average them with "
-          "--run {2}; if each was solved separately, compare within blocks with --block {1} --run {2}; or use --force",
-          shared, told_by, run));
-    }
-    file.refuse(fmt::format(
-        "{0}, one for each {1}, and are not replicates; compare within blocks with --block {1} --run {2}, or, if the "
-        "rows of a run depend on each other like points of one path, average them with --run {2}, or use --force",
-        shared, told_by, run));
-  }
-  return {};
-}
 
 // The values of a group in a block, where a block is given: one each.
 void expect_one_a_block(const CsvFile& file, const Contents& contents, const Observations& result) {
@@ -309,7 +253,7 @@ std::vector<std::string> label(const CsvFile& file, const CsvRequest& request, C
     blocks = labels.names.all();
   } else if (request.layout == Layout::one_column_a_group && request.rows == RowsOf::one_block) {
     for (Observation& observation : contents.observations) observation.block = observation.row;
-    for (std::size_t row = 0; row < file.table.rows.size(); ++row) blocks.push_back(fmt::to_string(row + 1));
+    for (std::size_t row = 0; row < file.table.rows(); ++row) blocks.push_back(fmt::to_string(row + 1));
   }
   if (!request.run.empty()) {
     const Labels labels = expect_labels(file, file.column(request.run));

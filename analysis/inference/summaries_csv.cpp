@@ -47,7 +47,7 @@ std::vector<Summaries> read_summaries(std::string_view text, std::string_view so
 
   std::vector<Summaries> result;
   std::set<std::pair<std::string, std::string>> seen;  // quantity and group
-  for (std::size_t row = 0; row < file.table.rows.size(); ++row) {
+  for (std::size_t row = 0; row < file.table.rows(); ++row) {
     if (file.is_blank(row)) continue;
     SummaryGroup group{.name = file.group_name(row, name), .summary = {}};
     const std::string of = quantity ? file.group_name(row, *quantity) : "value";

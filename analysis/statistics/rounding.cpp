@@ -39,11 +39,25 @@ std::vector<double> without_rounding(std::span<const double> numbers, std::span<
   return result;
 }
 
+// As above, where each number is its own size: the nearest of those before is the last of them.
 std::vector<double> without_rounding(std::span<const double> values) {
-  std::vector<double> sizes;
-  sizes.reserve(values.size());
-  for (const double value : values) sizes.push_back(std::abs(value));
-  return without_rounding(values, sizes);
+  std::vector<double> result(values.begin(), values.end());
+  std::vector<double*> order;
+  order.reserve(result.size());
+  for (double& value : result) {
+    if (std::isfinite(value)) order.push_back(&value);
+  }
+  std::ranges::sort(order, {}, [](const double* value) { return std::abs(*value); });
+  double last = 0;
+  for (double* value : order) {
+    const double magnitude = std::abs(*value);
+    if (without_rounding(magnitude - last, magnitude) == 0) {
+      *value = last == 0 ? 0.0 : std::copysign(last, *value);
+    } else {
+      last = magnitude;
+    }
+  }
+  return result;
 }
 
 std::vector<double> differences_without_rounding(std::span<const double> first, std::span<const double> second) {
