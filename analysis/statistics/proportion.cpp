@@ -42,6 +42,16 @@ Proportion wilson_of_mean(double p, int trials, double level) {
   return result;
 }
 
+Proportion newcombe(Successes first, Successes second, double level) {
+  const Proportion a = wilson(first, level), b = wilson(second, level);
+  Proportion result{.undefined = a.undefined.empty() ? b.undefined : a.undefined};
+  if (!result.undefined.empty()) return result;
+  result.estimate = a.estimate - b.estimate;
+  result.low = result.estimate - std::hypot(a.estimate - a.low, b.high - b.estimate);
+  result.high = result.estimate + std::hypot(a.high - a.estimate, b.estimate - b.low);
+  return result;
+}
+
 FisherExact fisher_exact(Successes first, Successes second) {
   FisherExact test{.undefined = wrong_with(first)};
   if (test.undefined.empty()) test.undefined = wrong_with(second);

@@ -1,4 +1,4 @@
-// Shares of trials that succeeded: the interval of one, and Fisher's exact test of two.
+// Shares of trials that succeeded: the interval of one, the difference of two, and Fisher's exact test of them.
 #pragma once
 
 #include <string>
@@ -13,7 +13,7 @@ struct Successes {
   int trials = 0;
 };
 
-struct Proportion {
+struct Proportion {  // or a difference of two
   double estimate = not_defined;
   double low = not_defined;
   double high = not_defined;
@@ -26,6 +26,10 @@ Proportion wilson(Successes count, double level = 0.95);
 // of those shares. Shares vary no more than successes and failures of the same mean do, so the interval is no narrower
 // than it must be.
 Proportion wilson_of_mean(double mean, int trials, double level = 0.95);
+
+// The share of the first less that of the second. The interval is Newcombe's hybrid of Wilson's two (Statistics in
+// Medicine 17 (1998) 873, method 10): as far from the difference as Wilson's limits are from the shares.
+Proportion newcombe(Successes first, Successes second, double level);
 
 // Have two the same chance? Conditional on the totals; two-sided: all tables no more probable than the one seen.
 struct FisherExact {

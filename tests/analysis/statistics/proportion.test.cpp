@@ -72,3 +72,22 @@ TEST_CASE("counts that cannot be have no interval and no p", "[proportion]") {
   CHECK(std::isnan(wilson({0, 0}).low));
   CHECK_THROWS_AS(wilson({1, 2}, 95), std::invalid_argument);
 }
+
+TEST_CASE("the difference of two shares has Newcombe's interval", "[proportion]") {
+  // Newcombe, Statistics in Medicine 17 (1998) 873, Table II, method 10, with four digits.
+  struct Published {
+    Successes first, second;
+    double low, high;
+  };
+  for (const Published& each :
+       {Published{{56, 70}, {48, 80}, 0.0524, 0.3339}, Published{{9, 10}, {3, 10}, 0.1705, 0.8090},
+        Published{{5, 56}, {0, 29}, -0.0381, 0.1926}, Published{{0, 10}, {0, 20}, -0.1611, 0.2775},
+        Published{{10, 10}, {0, 10}, 0.6075, 1}}) {
+    const Proportion found = newcombe(each.first, each.second, 0.95);
+    CAPTURE(each.first.successes, each.second.successes);
+    CHECK(found.low == Approx(each.low).margin(5.1e-5));
+    CHECK(found.high == Approx(each.high).margin(5.1e-5));
+  }
+  CHECK(newcombe({56, 70}, {48, 80}, 0.95).estimate == Approx(0.2));
+  CHECK(says(newcombe({1, 2}, {0, 0}, 0.95).undefined, "no trials"));
+}
