@@ -18,6 +18,7 @@
 #include "analysis/inference/text.hpp"
 #include "analysis/report/assessment.hpp"
 #include "analysis/report/cost_tables.hpp"
+#include "analysis/report/interquartile_table.hpp"
 #include "analysis/report/limits_table.hpp"
 #include "analysis/report/moving_arm.hpp"
 #include "analysis/report/provenance.hpp"
@@ -86,7 +87,10 @@ std::vector<Assessment> printed_assessments(const StudyResults& study, const Pap
 std::vector<Assessment> assessments_of(const JudgedStudy& study, const Paper& paper) {
   if (study.solves.empty()) return {};
   std::vector<Assessment> result;
-  for (const Metric metric : reported_metrics()) result.push_back(assess(study, metric));
+  for (const Metric metric : reported_metrics()) {
+    result.push_back(assess(study, metric));
+    if (is_comparable(study, metric)) result.back().tables.push_back(interquartile_table(study, metric));
+  }
   std::ranges::move(printed_assessments(study, paper), std::back_inserter(result));
   return result;
 }

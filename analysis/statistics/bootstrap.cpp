@@ -25,15 +25,6 @@ std::string too_few(std::size_t values) {
   return values == 0 ? "a sample has no values" : "a sample of one value cannot be resampled";
 }
 
-// 0 to bound - 1, each equally likely: draws from the incomplete last round of the engine's range are drawn again.
-std::size_t draw(std::mt19937_64& engine, std::uint64_t bound) {
-  constexpr std::uint64_t range = std::numeric_limits<std::uint64_t>::max();
-  const std::uint64_t limit = range - range % bound;
-  std::uint64_t number = engine();
-  while (number >= limit) number = engine();
-  return static_cast<std::size_t>(number % bound);
-}
-
 // Efron's acceleration from the statistic without each value in turn (Davison and Hinkley, section 5.3.2). Of a large
 // sample a thousand values, evenly spaced, stand for all, so that the work does not grow with the square.
 double acceleration(std::span<const double> sample, const Statistic& statistic) {
@@ -118,6 +109,14 @@ double expanded(double z, std::size_t clusters) {
 }
 
 }  // namespace
+
+std::size_t draw(std::mt19937_64& engine, std::uint64_t bound) {
+  constexpr std::uint64_t range = std::numeric_limits<std::uint64_t>::max();
+  const std::uint64_t limit = range - range % bound;
+  std::uint64_t number = engine();
+  while (number >= limit) number = engine();
+  return static_cast<std::size_t>(number % bound);
+}
 
 BootstrapInterval bootstrap(std::span<const double> sample, const Statistic& statistic, const Resampling& settings) {
   check(settings);

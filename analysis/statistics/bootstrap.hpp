@@ -3,8 +3,10 @@
 // other, by drawing whole clusters (their section 3.8).
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <random>
 #include <span>
 #include <string>
 #include <vector>
@@ -12,6 +14,9 @@
 #include "analysis/statistics/descriptive.hpp"
 
 namespace ikbench::statistics {
+
+// 0 to bound - 1, each equally likely: draws from the incomplete last round of the engine's range are drawn again.
+std::size_t draw(std::mt19937_64& engine, std::uint64_t bound);
 
 // The same settings and sample give the same numbers on every machine: std::mt19937_64, whose sequence the standard
 // fixes, with a bounded draw of our own.
