@@ -40,8 +40,8 @@ std::string shown(const std::vector<AuditItem>& items) {
 
 std::string counted(const std::vector<AuditItem>& items) {
   std::string text = fmt::format("{} checks:", items.size());
-  for (const AuditVerdict verdict :
-       {AuditVerdict::consistent, AuditVerdict::rounding, AuditVerdict::misprint, AuditVerdict::contradiction}) {
+  for (const AuditVerdict verdict : {AuditVerdict::consistent, AuditVerdict::rounding, AuditVerdict::misprint,
+                                     AuditVerdict::unsupported, AuditVerdict::contradiction}) {
     const auto count = std::ranges::count(items, verdict, &AuditItem::verdict);
     text += fmt::format("{} {} {}", verdict == AuditVerdict::consistent ? "" : ",", count, name_of(verdict));
   }
@@ -66,7 +66,8 @@ void add_audit(CLI::App& app) {
       "  consistent      the numbers agree to the last printed digit\n"
       "  rounding        they agree within the rounding of the printed digits\n"
       "  misprint        a number is wrong, and other numbers of the paper show the right one\n"
-      "  contradiction   two statements cannot both hold, or the numbers do not support a claim");
+      "  not supported   the numbers do not show a claim or an assumption, or only with something that is not printed\n"
+      "  contradiction   two printed things cannot both be true");
   command->callback([arguments] {
     const Paper& paper = analysis::paper(arguments->paper);
     if (!paper.audit) throw std::invalid_argument(fmt::format("the program has no audit of the paper {}", paper.name));

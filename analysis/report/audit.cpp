@@ -5,7 +5,8 @@
 namespace ikbench::report {
 
 std::string_view name_of(AuditVerdict verdict) {
-  constexpr std::array<std::string_view, 4> names{"consistent", "rounding", "misprint", "contradiction"};
+  constexpr std::array<std::string_view, 5> names{"consistent", "rounding", "misprint", "not supported",
+                                                  "contradiction"};
   return names[static_cast<std::size_t>(verdict)];
 }
 
@@ -27,8 +28,9 @@ Table audit_table(const std::vector<AuditItem>& items) {
       "statements that results/published marks as not printed. "
       "consistent: the numbers agree to the last printed digit. "
       "rounding: they agree within the rounding of the printed digits. misprint: a number is wrong, and other numbers of "
-      "the paper show the right one. contradiction: two statements cannot both hold, or the numbers do not support a "
-      "claim.");
+      "the paper show the right one. not supported: the paper's numbers do not show a claim or an assumption, or only "
+      "with something that it does not print; it may still be true. contradiction: two printed things cannot both be "
+      "true.");
   return table;
 }
 

@@ -11,8 +11,9 @@ namespace ikbench::report {
 
 // consistent: what follows is what is printed, to its last digit; rounding: it differs by no more than the rounding of
 // the printed numbers that it follows from; misprint: a word or number that others of the paper show to be another;
-// contradiction: two things that cannot both hold, or a claim that the numbers do not carry.
-enum class AuditVerdict { consistent, rounding, misprint, contradiction };
+// unsupported: a claim that the numbers do not show, or only with something that is not printed, and that may still be
+// true; contradiction: two printed things that cannot both be true.
+enum class AuditVerdict { consistent, rounding, misprint, unsupported, contradiction };
 std::string_view name_of(AuditVerdict verdict);
 
 struct AuditItem {

@@ -135,19 +135,23 @@ AuditItems geometry_items(std::string_view paper) {
        "The third column is the axis of the tool; in Eq. 27 it is horizontal."});
 
   const double reach = statements.number("upper_arm_cm") + statements.number("forearm_cm");
-  const auto reached = [&](const std::string& id, const std::string& starts, int step_deg,
-                           const std::string& sentence) {
-    const std::pair<double, Helix27> nearest = nearest_helix(statements, step_deg);
-    items.push_back({id, fmt::format("Eq. 27: the helix from {}", starts),
+  struct Starts {
+    std::string words;
+    int step_deg;
+    AuditVerdict otherwise;
+  };
+  const auto reached = [&](const std::string& id, const Starts& starts, const std::string& sentence) {
+    const std::pair<double, Helix27> nearest = nearest_helix(statements, starts.step_deg);
+    items.push_back({id, fmt::format("Eq. 27: the helix from {}", starts.words),
                      "PSO's minimum is 0.0000: all points are reached",
                      fmt::format("wrist {:.2f} cm from the shoulder (start {} deg); reach {:.2f} cm", nearest.first,
                                  nearest.second.start_deg, reach),
-                     unless(nearest.first <= reach, AuditVerdict::contradiction), sentence});
+                     unless(nearest.first <= reach, starts.otherwise), sentence});
   };
-  reached("3.5b", "a quarter turn", 90,
+  reached("3.5b", {"a quarter turn", 90, AuditVerdict::unsupported},
           "With the lengths of the real arm, a helix that starts at 0, 90, 180 or 270 deg, either way round and with "
           "either spacing, has points out of reach.");
-  reached("3.5c", "any whole degree", 1,
+  reached("3.5c", {"any whole degree", 1, AuditVerdict::contradiction},
           "A start angle that the paper does not give would just suffice, so reach alone does not refute Eq. 27.");
   items.push_back(
       {"3.5d", fmt::format("{} against {}", statements.source("offset_of_3T4"), statements.source("offset_of_joint_4")),

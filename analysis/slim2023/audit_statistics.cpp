@@ -142,11 +142,15 @@ AuditItems variance_items(std::string_view paper) {
     const double ratio = (most.std / least.std) * (most.std / least.std);
     const auto pairs = static_cast<double>(groups.size() * (groups.size() - 1));
     const bool unequal = f_upper_tail(ratio, most.n - 1, least.n - 1) * pairs < 0.05;
-    items.push_back({lettered("3.2", i), fmt::format("{}: variances of the {}", table_words(name), words),
-                     "one-way ANOVA, which assumes equal variances",
-                     fmt::format("largest / smallest = {}", rounded_number(ratio, 3)),
-                     unequal ? AuditVerdict::contradiction : AuditVerdict::consistent,
-                     "The variances differ if p of their F test, times the number of pairs, is below 0.05."});
+    items.push_back(
+        {lettered("3.2", i), fmt::format("{}: variances of the {}", table_words(name), words),
+         "one-way ANOVA, which assumes equal variances",
+         fmt::format("largest / smallest = {}; level {} instead of 0.05", rounded_number(ratio, 3),
+                     rounded_number(level_of_anova(groups, 0.05), 2)),
+         unequal ? AuditVerdict::unsupported : AuditVerdict::consistent,
+         "The variances differ if p of their F test, times the number of pairs, is below 0.05. The level is "
+         "about how often ANOVA then finds a difference that is not there (Box 1954). Welch's test below does without "
+         "the assumption."});
   }
   for (std::size_t i = 0; i < measured.size(); ++i) {
     const auto& [metric, words, name] = measured[i];
@@ -155,7 +159,7 @@ AuditItems variance_items(std::string_view paper) {
     items.push_back({lettered("3.2", 3 + i), fmt::format("{}: {} without equal variances", table_words(name), words),
                      fmt::format("F {}, p {}", table.rows[0][table.column("f")], table.rows[0][table.column("p")]),
                      fmt::format("Welch F {:.2f}, p {}", test.F, rounded_number(test.p, 3)),
-                     test.p < 0.05 ? AuditVerdict::consistent : AuditVerdict::contradiction,
+                     test.p < 0.05 ? AuditVerdict::consistent : AuditVerdict::unsupported,
                      "Without this assumption, the means still differ."});
   }
 
@@ -171,14 +175,15 @@ AuditItems variance_items(std::string_view paper) {
     const double b = printed_row(paper, pair.b, pair.metric).value().summary.mean;
     const auto [pooled, unpooled] = test_of(paper, pair.a, pair.b, pair.metric);
     const bool below = unpooled < 0.05;
-    std::string sentence = below ? fmt::format("Without equal variances {} is below {}", pair.a, pair.b)
-                                 : fmt::format("The numbers do not show that {} is below {}", pair.a, pair.b);
+    std::string sentence =
+        below ? fmt::format("Without equal variances {} is below {}", pair.a, pair.b)
+              : fmt::format("The numbers do not show that {} is below {}, nor that it is not", pair.a, pair.b);
     if (below && pooled >= 0.05) sentence += "; the pooled variance of the ANOVA would not show it";
     items.push_back({pair.id, fmt::format("Table 3: mean {} of {} and {}", words_for(pair.metric), pair.a, pair.b),
                      fmt::format("{} below {}", a, b),
                      fmt::format("p of all pairs: {} by Games-Howell, {} by Tukey", rounded_number(unpooled, 3),
                                  rounded_number(pooled, 3)),
-                     below ? AuditVerdict::consistent : AuditVerdict::contradiction, sentence + "."});
+                     below ? AuditVerdict::consistent : AuditVerdict::unsupported, sentence + "."});
   }
   return items;
 }
@@ -215,7 +220,7 @@ AuditItems summary_items(std::string_view paper) {
   items.push_back({lettered("3.3", items.size()), "Table 7: time by bats, possible rows",
                    fmt::format("{} ms per bat", fmt::join(shown, ", ")),
                    fmt::format("{}: Welch p {}", p < 0.05 ? "they differ" : "undecided", rounded_number(p, 2)),
-                   p < 0.05 ? AuditVerdict::contradiction : AuditVerdict::consistent,
+                   p < 0.05 ? AuditVerdict::unsupported : AuditVerdict::consistent,
                    "Welch's test of the mean time per bat. Undecided does not mean equal: the times vary widely."});
 
   const CsvTable results = published::table(paper, "table-3");

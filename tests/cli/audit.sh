@@ -6,7 +6,7 @@ succeeds audit slim2023
 quiet
 has "$out" "Table 7, 20 bats"
 has "$out" "the mean exceeds the maximum"
-[[ $out =~ [0-9]+\ checks:\ [0-9]+\ consistent,\ [0-9]+\ rounding,\ [0-9]+\ misprint,\ [0-9]+\ contradiction$ ]] ||
+[[ $out =~ [0-9]+\ checks:\ [0-9]+\ consistent,\ [0-9]+\ rounding,\ [0-9]+\ misprint,\ [0-9]+\ not\ supported,\ [0-9]+\ contradiction$ ]] ||
   fail "the last line is: ${out##*$'\n'}"
 [ -z "$(ls)" ] || fail "it wrote something: $(ls)"
 

@@ -53,12 +53,16 @@ TEST_CASE("Tables 4 to 6 follow from Table 3 but for rounding", "[audit][paper]"
   for (const char* id : {"3.1e", "3.1f", "3.1g"}) CHECK(item(id).verdict == AuditVerdict::consistent);
 }
 
-TEST_CASE("equal variances do not hold, and all means are still not the same", "[audit][paper]") {
+TEST_CASE("equal variances are not supported, and all means are still not the same", "[audit][paper]") {
   // Hand calculations: (0.9069 / 1.7824e-4)^2, (32.8049 / 7.8247)^2, (0.2282 / 0.0229)^2.
   CHECK(has(item("3.2a").follows, "2.59e+07"));
   CHECK(has(item("3.2b").follows, "17.6"));
   CHECK(has(item("3.2c").follows, "99.3"));
-  for (const char* id : {"3.2a", "3.2b", "3.2c"}) CHECK(item(id).verdict == AuditVerdict::contradiction);
+  for (const char* id : {"3.2a", "3.2b", "3.2c"}) CHECK(item(id).verdict == AuditVerdict::unsupported);
+  // What that does to ANOVA at 0.05: Box's approximation; 0.122, 0.064 and 0.118 of 400000 normal data sets (NumPy).
+  CHECK(has(item("3.2a").follows, "level 0.13 instead of 0.05"));
+  CHECK(has(item("3.2b").follows, "level 0.065 instead of 0.05"));
+  CHECK(has(item("3.2c").follows, "level 0.13 instead of 0.05"));
   // R 4.2.2, oneway.test on samples with these means and standard deviations.
   CHECK(has(item("3.2d").follows, "141.79"));
   CHECK(has(item("3.2e").follows, "740.81"));
@@ -69,8 +73,9 @@ TEST_CASE("equal variances do not hold, and all means are still not the same", "
   CHECK(has(item("3.2g").sentence, "would not show it"));
   CHECK(has(item("3.2i").follows, "0.997"));
   CHECK(has(item("3.2j").follows, "0.00339 by Games-Howell"));
-  CHECK(item("3.2i").verdict == AuditVerdict::contradiction);  // variation of IK-BA and MO-PSO
-  CHECK(item("3.2j").verdict == AuditVerdict::consistent);     // PSO is faster than IK-BA
+  CHECK(item("3.2i").verdict == AuditVerdict::unsupported);  // variation of IK-BA and MO-PSO
+  CHECK(has(item("3.2i").sentence, "nor that it is not"));
+  CHECK(item("3.2j").verdict == AuditVerdict::consistent);  // PSO is faster than IK-BA
 }
 
 TEST_CASE("in Table 7 the row of 20 bats is impossible, and no other", "[audit][paper]") {
@@ -95,10 +100,19 @@ TEST_CASE("Table 8's mean is not that of its text, and with one exponent it is",
 TEST_CASE("Eq. 27 is level, and out of reach from every quarter turn but not from every start", "[audit][paper]") {
   CHECK(item("3.5a").verdict == AuditVerdict::contradiction);
   CHECK(has(item("3.5a").follows, "90 deg"));
-  CHECK(item("3.5b").verdict == AuditVerdict::contradiction);
-  CHECK(has(item("3.5b").follows, "82.10 cm"));  // a Python script of ten lines, both spacings and senses
+  CHECK(item("3.5b").verdict == AuditVerdict::unsupported);  // the start angle is not printed
+  CHECK(has(item("3.5b").follows, "82.10 cm"));              // a Python script of ten lines, both spacings and senses
   CHECK(item("3.5c").verdict == AuditVerdict::consistent);
   CHECK(has(item("3.5c").follows, "81.76 cm"));
+}
+
+TEST_CASE("a contradiction is of two printed things alone", "[audit][paper]") {
+  std::set<std::string> contradictions;
+  for (const AuditItem& each : audit("slim2023")) {
+    if (each.verdict == AuditVerdict::contradiction) contradictions.insert(each.id);
+  }
+  // The tool is normal to the floor or level; 50 or 20 agents for the same test.
+  CHECK(contradictions == std::set<std::string>{"3.5a", "3.7"});
 }
 
 TEST_CASE("PSO diverges as printed and converges with the labels permuted", "[audit][paper]") {
