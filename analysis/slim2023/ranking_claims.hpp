@@ -12,7 +12,7 @@ namespace ikbench::slim2023 {
 
 // None where fewer than two solvers are printed.
 std::optional<report::Claim> most_accurate(const inference::JudgedStudy& study, const std::vector<Comparison>& rows);
-std::optional<report::Claim> accuracy(const inference::StudyResults& study, const std::vector<Comparison>& rows);
-std::optional<report::Claim> computing_time(const inference::StudyResults& study, const std::vector<Comparison>& rows);
+std::optional<report::Claim> accuracy(const inference::JudgedStudy& study, const std::vector<Comparison>& rows);
+std::optional<report::Claim> computing_time(const inference::JudgedStudy& study, const std::vector<Comparison>& rows);
 
 }  // namespace ikbench::slim2023
