@@ -75,8 +75,30 @@ TEST_CASE("the notes name the reading that is nearest to each printed mean", "[r
   const auto says = [&](const std::string& words) {
     return std::ranges::any_of(table.notes, [&](const std::string& note) { return note.find(words) == 0; });
   };
-  CHECK(says("Printed error of IK-BA: default -0.023"));  // log10(0.0018 / 0.0019)
+  // log10(0.0018 / 0.0019); the printed mean of 20 runs has the error 1.7824e-4 / sqrt(20) = 4e-5, ours of four runs
+  // 1.8e-4, and they differ by 1e-4.
+  CHECK(
+      says("Printed error of IK-BA: default -0.023 (seeds from -0.048 to +0.000); as near as the printed number's own "
+           "error allows."));
   CHECK(says("IK-BA.step_factor=1: Ten times as far."));
+}
+
+TEST_CASE("an interpretation is nearer only beyond the printed mean's own error", "[readings]") {
+  // BA's printed error is 1.6849 with a standard deviation of 0.9069, so 1.96 standard errors of 20 runs are 0.397.
+  const auto note_for = [](double usual, double other) {
+    std::vector<ReadingResults> readings = two_readings();
+    readings[0].solvers[1] = solver("BA", {{usual, usual}, {usual, usual}}, 301.5794);
+    readings[1].solvers[1] = solver("BA", {{other, other}, {other, other}}, 301.5794);
+    const Table table = readings_report("slim2023", readings).table;
+    const auto found = std::ranges::find_if(
+        table.notes, [](const std::string& note) { return note.find("Printed error of BA:") == 0; });
+    REQUIRE(found != table.notes.end());
+    return found->substr(found->find("; ") + 2);
+  };
+  CHECK(note_for(2.07, 1.6849) == "as near as the printed number's own error allows.");
+  CHECK(note_for(2.09, 1.70) == "no interpretation is nearer by more than the printed number's own error.");
+  CHECK(note_for(2.09, 1.6849) == "closest: IK-BA.step_factor=1 (+0.000).");
+  CHECK(note_for(2.5, 2.6) == "no interpretation is nearer by more than the printed number's own error.");
 }
 
 TEST_CASE("numbers that are not finite are said to be not defined, and leave the picture", "[readings]") {
