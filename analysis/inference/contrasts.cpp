@@ -9,6 +9,7 @@
 #include "analysis/inference/judge.hpp"
 #include "analysis/inference/margin.hpp"
 #include "analysis/inference/pair_ranks.hpp"
+#include "analysis/inference/posteriors.hpp"
 #include "analysis/statistics/effect_size.hpp"
 #include "analysis/statistics/friedman.hpp"
 #include "analysis/statistics/hodges_lehmann.hpp"
@@ -115,7 +116,8 @@ int ahead_by_means(const Evidence& evidence, double difference) {
   return evidence.better == Better::smaller ? -sign_of(difference) : sign_of(difference);
 }
 
-// By the one rule (judge.hpp), with the p of whichever is ahead.
+}  // namespace
+
 Relation relation_of(const Evidence& evidence, const Contrast& contrast, double p) {
   const Tested tested{.p_better = contrast.ahead > 0 ? p : 1,
                       .p_worse = contrast.ahead > 0 ? 1 : p,
@@ -131,6 +133,8 @@ Relation relation_of(const Evidence& evidence, const Contrast& contrast, double 
       return Relation::not_told_apart;
   }
 }
+
+namespace {
 
 // Two groups of one value each. So many values are needed to find a difference, and as many to find that there is none.
 void judge_constants(const Evidence& evidence, Contrast& contrast) {
@@ -199,6 +203,7 @@ double deciding_p(const Evidence& evidence, const Contrast& contrast) {
 }  // namespace
 
 std::vector<PairMethod> pair_methods(const Evidence& evidence) {
+  if (evidence.of_outcomes) return {};
   std::vector<PairMethod> methods{{"Tukey", "pooled variance", &Contrast::p_pooled},
                                   {"Games-Howell", "separate variances", &Contrast::p_unpooled}};
   if (evidence.from_summaries) return methods;
@@ -248,7 +253,7 @@ void add_friedman(Evidence& evidence, Values values) {
   evidence.critical_difference = critical_difference(q / std::sqrt(2.0), evidence.groups.size(), evidence.blocks);
 }
 
-void add_contrasts(Evidence& evidence, std::span<const GroupSummary> summaries, Values values) {
+std::vector<Contrast> shown_pairs(Evidence& evidence) {
   const std::size_t k = evidence.groups.size();
   evidence.pairs = k * (k - 1) / 2;
   evidence.reference = reference_of(evidence);
@@ -261,6 +266,11 @@ void add_contrasts(Evidence& evidence, std::span<const GroupSummary> summaries, 
     std::erase_if(all,
                   [&](const Contrast& c) { return c.first != *evidence.reference && c.second != *evidence.reference; });
   }
+  return all;
+}
+
+void add_contrasts(Evidence& evidence, std::span<const GroupSummary> summaries, Values values) {
+  std::vector<Contrast> all = shown_pairs(evidence);
   const auto ahead = smaller_is_better(evidence, values);
   add_rank_tests(evidence, ahead, all);
 
@@ -297,6 +307,7 @@ void add_contrasts(Evidence& evidence, std::span<const GroupSummary> summaries, 
       contrast.runs_to_decide = runs_to_decide(evidence, contrast, summaries, values);
     }
   }
+  if (evidence.blocks > 0) add_posteriors(evidence, ahead, all);
   evidence.contrasts = std::move(all);
 }
 

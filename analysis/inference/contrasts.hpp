@@ -14,6 +14,11 @@ namespace ikbench::inference {
 void add_contrasts(Evidence& evidence, std::span<const statistics::GroupSummary> summaries,
                    std::span<const std::vector<double>> values);
 
+// The pairs to compare, first < second in order: all, or those with the reference. Fills pairs and reference.
+std::vector<Contrast> shown_pairs(Evidence& evidence);
+// By the one rule (judge.hpp), with the p of whichever is ahead.
+Relation relation_of(const Evidence& evidence, const Contrast& contrast, double p);
+
 // A method that gives every pair a p of its own.
 struct PairMethod {
   std::string name;

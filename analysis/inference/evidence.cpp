@@ -12,6 +12,7 @@
 #include <stdexcept>
 
 #include "analysis/inference/contrasts.hpp"
+#include "analysis/inference/outcomes.hpp"
 #include "analysis/inference/test_results.hpp"
 #include "analysis/inference/text.hpp"
 #include "analysis/statistics/anova.hpp"
@@ -112,7 +113,7 @@ void bootstrap_means(Evidence& evidence, const Samples& values) {
   constexpr std::size_t fewest_values = 5;   // fewer have too few resamples that differ
   std::size_t all = 0;
   for (const auto& group : values) all += group.size();
-  if (all > most_values) return;
+  if (all > most_values || evidence.of_outcomes) return;
   const auto mean_of = [](std::span<const double> resample) { return mean(resample); };
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (values[i].size() < fewest_values) continue;
@@ -188,6 +189,7 @@ const TestResult* Evidence::test(std::string_view test_name) const {
 }
 
 std::string_view deciding_words(const Evidence& evidence) {
+  if (evidence.of_outcomes) return pair_test_words(evidence);
   constexpr std::array<std::string_view, 5> words{"the test of the design", "One-way ANOVA with Tukey's test",
                                                   "Welch's ANOVA with the Games-Howell test",
                                                   "Kruskal-Wallis test with Brunner-Munzel and Mann-Whitney tests",
@@ -197,6 +199,7 @@ std::string_view deciding_words(const Evidence& evidence) {
 }
 
 std::string_view pair_test_words(const Evidence& evidence) {
+  if (evidence.of_outcomes) return evidence.blocks > 0 ? "McNemar's exact test" : "Fisher's exact test";
   const bool is_of_two = evidence.groups.size() == 2;
   switch (evidence.plan.test) {
     case DecidingTest::anova:
@@ -211,6 +214,7 @@ std::string_view pair_test_words(const Evidence& evidence) {
 }
 
 const TestResult* deciding_test(const Evidence& evidence) {
+  if (evidence.of_outcomes) return evidence.test(cochran_name);
   switch (evidence.plan.test) {
     case DecidingTest::anova:
       return evidence.test(anova_name);
@@ -242,6 +246,7 @@ std::size_t best_group(const Evidence& evidence) {
 }
 
 std::string_view interval_words(const Evidence& evidence) {
+  if (evidence.of_outcomes) return "Newcombe's score interval, Bonferroni-corrected";
   switch (evidence.plan.test) {
     case DecidingTest::friedman:
       return "paired t-test within blocks, Bonferroni-corrected";
@@ -302,6 +307,7 @@ Evidence describe_groups(const Observations& observations, const AnalysisPlan& p
   result.blocks = observations.blocks.size();
   result.notes = observations.notes;
   result.flaw = observations.flaw;
+  result.of_outcomes = are_outcomes(observations);
   std::vector<GroupSummary> summaries;
   for (const Group& group : observations.groups) {
     result.groups.push_back(describe_group(group, plan));
@@ -319,6 +325,7 @@ Evidence describe_groups(const Observations& observations, const AnalysisPlan& p
 
 void make_tests(Evidence& result, const Observations& observations) {
   const Samples values = values_of(observations);
+  if (result.of_outcomes) return compare_outcomes(result, values);
   std::vector<GroupSummary> summaries;
   for (std::size_t i = 0; i < values.size(); ++i) {
     summaries.push_back(summarise(values[i]));

@@ -60,6 +60,14 @@ std::string_view name_of(Relation relation);
 enum class Extent { unknown, within, across, beyond };
 std::string_view name_of(Extent extent);
 
+// How probable it is, by the Bayesian signed-rank test, that differences within blocks are for the one or the other, or
+// within the margin.
+struct Posterior {
+  double first_better = statistics::not_defined;
+  double same = statistics::not_defined;
+  double second_better = statistics::not_defined;
+};
+
 struct Contrast {
   std::size_t first = 0, second = 0;
   Estimate difference = {};            // mean of first - mean of second, simultaneous over all pairs
@@ -82,6 +90,7 @@ struct Contrast {
   // Of a pair that is undecided: observations a group, or blocks, that would decide it with the planned power if the
   // difference is what it seems; no fewer than the test needs to find any.
   double runs_to_decide = statistics::not_defined;
+  Posterior posterior = {};  // within blocks
   Relation relation = Relation::undefined;
   Extent extent = Extent::unknown;
   std::string undefined = {};  // why p is not defined
@@ -101,6 +110,7 @@ struct Evidence {
   std::vector<std::string> notes = {};
   std::string flaw = {};
   results::AnalysisPlan plan = {};  // its test is never by_design here, but the one that decides
+  bool of_outcomes = false;         // every observation is 0 or 1 (outcomes.hpp): a group's mean is a share
   bool constant = false;            // every group has one value alone
   std::vector<GroupEvidence> groups = {};
   double variance_ratio = statistics::not_defined;  // the largest by the smallest
@@ -115,9 +125,12 @@ struct Evidence {
   int fewest = 0;         // observations a group, or blocks, from which ranks can tell a pair apart; 0: means decide
 
   const TestResult* test(std::string_view test_name) const;  // null where it was not made
-  bool ranks_within_blocks() const { return blocks > 0 && plan.test != results::DecidingTest::kruskal_wallis; }
+  bool ranks_within_blocks() const {
+    return !of_outcomes && blocks > 0 && plan.test != results::DecidingTest::kruskal_wallis;
+  }
   bool ranks_decide() const {
-    return plan.test == results::DecidingTest::kruskal_wallis || plan.test == results::DecidingTest::friedman;
+    return !of_outcomes &&
+           (plan.test == results::DecidingTest::kruskal_wallis || plan.test == results::DecidingTest::friedman);
   }
   // That p-values and intervals are corrected for: the pairs with the control, else all pairs.
   std::size_t family() const { return plan.control.empty() ? pairs : groups.size() - 1; }

@@ -14,6 +14,7 @@ bool has_absolute_margin(const Evidence& evidence) {
 }
 
 double margin_of(const Evidence& evidence, const Contrast& contrast) {
+  if (evidence.of_outcomes) return evidence.plan.margin;
   const double smaller = std::min(std::abs(evidence.groups[contrast.first].described.mean),
                                   std::abs(evidence.groups[contrast.second].described.mean));
   const double relative = evidence.plan.margin * smaller;

@@ -34,17 +34,6 @@ Correction correction_of(Adjustment adjustment) {
   }
 }
 
-// For the whole family: a pair that is not shown, or that cannot be tested, counts as one that does not differ.
-void correct(const Evidence& evidence, double Contrast::*p, std::vector<Contrast>& shown) {
-  std::vector<double> raw;
-  for (const Contrast& contrast : shown) raw.push_back(std::isnan(contrast.*p) ? 1 : contrast.*p);
-  raw.resize(evidence.family(), 1);
-  const std::vector<double> corrected = adjusted(raw, correction_of(evidence.plan.adjustment));
-  for (std::size_t i = 0; i < shown.size(); ++i) {
-    if (!std::isnan(shown[i].*p)) shown[i].*p = corrected[i];
-  }
-}
-
 template <class Test>
 void take(const Evidence& evidence, Test test, Contrast& contrast) {
   if (!evidence.ranks_decide()) return;
@@ -99,6 +88,16 @@ void add_nemenyi(const Evidence& evidence, std::vector<Contrast>& shown) {
 }
 
 }  // namespace
+
+void correct(const Evidence& evidence, double Contrast::*p, std::vector<Contrast>& shown) {
+  std::vector<double> raw;
+  for (const Contrast& contrast : shown) raw.push_back(std::isnan(contrast.*p) ? 1 : contrast.*p);
+  raw.resize(evidence.family(), 1);
+  const std::vector<double> corrected = adjusted(raw, correction_of(evidence.plan.adjustment));
+  for (std::size_t i = 0; i < shown.size(); ++i) {
+    if (!std::isnan(shown[i].*p)) shown[i].*p = corrected[i];
+  }
+}
 
 void add_rank_tests(const Evidence& evidence, RankedValues ranked, std::vector<Contrast>& shown) {
   if (ranked.empty()) return;

@@ -20,4 +20,8 @@ namespace ikbench::inference {
 void add_rank_tests(const Evidence& evidence, std::span<const std::vector<double>> ranked,
                     std::vector<Contrast>& shown);
 
+// The p-values of pairs as planned, for the whole family: a pair that is not shown, or that cannot be tested, counts as
+// one that does not differ.
+void correct(const Evidence& evidence, double Contrast::*p, std::vector<Contrast>& shown);
+
 }  // namespace ikbench::inference

@@ -62,7 +62,7 @@ void add_ranks(const Evidence& evidence, std::vector<Figure>& figures) {
 void add_effects(const Evidence& evidence, std::vector<Figure>& figures) {
   const std::size_t k = evidence.groups.size();
   const bool all_pairs = evidence.contrasts.size() == k * (k - 1) / 2;
-  if (evidence.from_summaries || !all_pairs || k < 3) return;
+  if (evidence.from_summaries || evidence.of_outcomes || !all_pairs || k < 3) return;
   EffectMatrix matrix{
       .name = figure_name(evidence, "effects"),
       .quantity = evidence.quantity,
@@ -106,7 +106,7 @@ Assessment assessment_of(const Evidence& evidence) {
 Assessment with_observations(const Evidence& evidence, const Observations& observations) {
   const Evidence found = with_bootstrap(evidence, observations);
   Assessment result = assessment_of(found);
-  if (is_worth_drawing(found)) {
+  if (is_worth_drawing(found) && !found.of_outcomes) {
     result.figures.insert(result.figures.begin(), raincloud_figure(observations, quantile_type(found.plan.quartiles),
                                                                    figure_name(found, "observations")));
   }

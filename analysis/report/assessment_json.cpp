@@ -79,6 +79,11 @@ Json contrast_json(const Evidence& evidence, const Contrast& contrast) {
               {"relation", name_of(contrast.relation)},
               {"extent", name_of(contrast.extent)},
               {"verdict", verdict_words(evidence, contrast)}};
+  if (std::isfinite(contrast.posterior.same)) {
+    object["bayesian_signed_rank"] = {{"first_better", contrast.posterior.first_better},
+                                      {"same", contrast.posterior.same},
+                                      {"second_better", contrast.posterior.second_better}};
+  }
   add_reason(object, contrast.undefined);
   return object;
 }
@@ -93,6 +98,7 @@ std::string json_of(const Evidence& evidence) {
               {"block", evidence.block},
               {"blocks", evidence.blocks},
               {"from_summaries", evidence.from_summaries},
+              {"of_outcomes", evidence.of_outcomes},
               {"plan",
                {{"test", name_of(plan.test)},
                 {"adjustment", name_of(plan.adjustment)},

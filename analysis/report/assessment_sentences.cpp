@@ -10,6 +10,7 @@
 #include "analysis/report/assessment_disagreements.hpp"
 #include "analysis/report/assessment_verdicts.hpp"
 #include "analysis/report/assessment_words.hpp"
+#include "analysis/report/outcome_words.hpp"
 
 namespace ikbench::report {
 
@@ -199,6 +200,7 @@ std::vector<std::string> sentences_of(const Evidence& evidence) {
   if (std::string words = in_short(evidence); !words.empty()) sentences.push_back("In short: " + words);
   sentences.push_back(design(evidence));
   for (const std::string& note : evidence.notes) sentences.push_back("Note: " + note);
+  if (evidence.of_outcomes) sentences.push_back(shares_words(evidence));
   if (evidence.groups.size() < 2) {
     sentences.push_back("There is only one group, so there is nothing to compare.");
     return sentences;
@@ -212,7 +214,7 @@ std::vector<std::string> sentences_of(const Evidence& evidence) {
     return sentences;
   }
   if (has_single_values(evidence)) return sentences;
-  sentences.push_back(methods(evidence));
+  sentences.push_back(evidence.of_outcomes ? outcome_methods_words(evidence) : methods(evidence));
   sentences.push_back(too_few(evidence));
   sentences.push_back(assumptions(evidence));
   sentences.push_back(decades(evidence));

@@ -2,12 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "analysis/inference/contrasts.hpp"
 #include "analysis/inference/text.hpp"
 #include "analysis/report/assessment_words.hpp"
+#include "analysis/report/outcome_words.hpp"
 #include "analysis/statistics/effect_size.hpp"
 
 namespace ikbench::report {
@@ -149,6 +151,11 @@ Table contrasts_table(const Evidence& evidence) {
     table.columns.push_back({"shift"});
     table.columns.push_back({level + " interval of the shift"});
   }
+  const bool has_posteriors = std::ranges::any_of(
+      evidence.contrasts, [](const Contrast& contrast) { return std::isfinite(contrast.posterior.same); });
+  if (has_posteriors) {
+    for (const char* name : {"P(first better)", "P(same)", "P(second better)"}) table.columns.push_back({name});
+  }
   const std::vector<PairMethod> methods = pair_methods(evidence);
   for (const PairMethod& method : methods) table.columns.push_back({"p, " + method.name});
   table.columns.push_back({evidence.plan.test == DecidingTest::friedman ? "blocks to decide" : "runs to decide"});
@@ -162,12 +169,18 @@ Table contrasts_table(const Evidence& evidence) {
       row.push_back(or_nothing(contrast.shift.value));
       row.push_back(interval(contrast.shift));
     }
+    if (has_posteriors) {
+      const Posterior& posterior = contrast.posterior;
+      for (const double each : {posterior.first_better, posterior.same, posterior.second_better}) {
+        row.push_back(or_nothing(each));
+      }
+    }
     for (const PairMethod& method : methods) row.push_back(or_nothing(PValue{contrast.*method.p}));
     const double runs = contrast.runs_to_decide;
     row.push_back(std::isfinite(runs) ? Cell(static_cast<std::int64_t>(runs)) : Cell());
   }
   table.notes.push_back(family_note(evidence));
-  if (!evidence.from_summaries) {
+  if (!evidence.from_summaries && !evidence.of_outcomes) {
     table.notes.push_back(evidence.blocks > 0
                               ? "Ahead in blocks: the share of blocks in which the first is better; ties count half. "
                                 "Its interval is not adjusted, and is not defined with ties."
@@ -175,6 +188,12 @@ Table contrasts_table(const Evidence& evidence) {
                                 "second; ties count half. Shift: the median of all differences between an "
                                 "observation of the first and one of the second (Hodges-Lehmann). Their intervals are "
                                 "not adjusted.");
+  }
+  if (has_posteriors) {
+    table.notes.push_back(fmt::format(
+        "P: the Bayesian signed-rank test of the differences within blocks, with differences up to {} as the same; "
+        "prior of strength 1/2 at no difference, 10000 draws. It does not decide, and is not adjusted.",
+        margin_words(evidence)));
   }
   if (evidence.reference) {
     table.notes.push_back(fmt::format(
@@ -188,7 +207,7 @@ Table contrasts_table(const Evidence& evidence) {
 }  // namespace
 
 std::vector<Table> tables_of(const Evidence& evidence) {
-  std::vector<Table> tables{groups_table(evidence)};
+  std::vector<Table> tables{evidence.of_outcomes ? outcomes_table(evidence) : groups_table(evidence)};
   if (!evidence.tests.empty()) tables.push_back(tests_table(evidence));
   if (!evidence.contrasts.empty()) tables.push_back(contrasts_table(evidence));
   return tables;

@@ -70,8 +70,10 @@ std::string amount_words(const Evidence& evidence, const Contrast& contrast) {
   const bool is_for_it = !includes_zero(contrast) && !dissent(evidence, contrast).mean && std::isfinite(low + high);
   const std::string extent = extent_words(evidence, contrast);
   if (!is_for_it) return extent.empty() ? "" : "by " + extent;
-  std::string text = "by " + number_words(low);
-  if (number_words(low) != number_words(high)) text += " to " + number_words(high);
+  const double unit = evidence.of_outcomes ? 0.01 : 1;  // percentage points
+  std::string text = "by " + number_words(low / unit);
+  if (number_words(low) != number_words(high)) text += " to " + number_words(high / unit);
+  if (evidence.of_outcomes) text += " percentage points";
   return extent.empty() ? text : fmt::format("{}, {}", text, extent);
 }
 
@@ -86,7 +88,9 @@ std::size_t better_of(const Contrast& contrast) {
 // "0.0019 vs 0.365, by 0.156 to 0.57, more than 5 %"
 std::string effect_of(const Evidence& evidence, const Contrast& contrast, std::size_t group) {
   const std::string amount = amount_words(evidence, contrast);
-  return against(evidence.groups[group].described.mean, evidence.groups[other_than(group, contrast)].described.mean) +
+  const double mean = evidence.groups[group].described.mean;
+  const double other = evidence.groups[other_than(group, contrast)].described.mean;
+  return (evidence.of_outcomes ? fmt::format("{} vs {}", percent(mean), percent(other)) : against(mean, other)) +
          (amount.empty() ? "" : ", " + amount);
 }
 

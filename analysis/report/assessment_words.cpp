@@ -61,6 +61,7 @@ std::string pair_words(const Evidence& evidence, const Contrast& contrast) {
 }
 
 std::string margin_words(const Evidence& evidence) {
+  if (evidence.of_outcomes) return rounded_number(100 * evidence.plan.margin, 3) + " percentage points";
   if (!has_absolute_margin(evidence)) return percent(evidence.plan.margin);
   const std::string absolute = rounded_number(evidence.plan.margin_cm, 3) + " cm";
   return evidence.plan.margin > 0 ? fmt::format("{} or {}", percent(evidence.plan.margin), absolute) : absolute;
@@ -79,7 +80,7 @@ std::string extent_words(const Evidence& evidence, const Contrast& contrast) {
       const double unit = std::min(std::abs(evidence.groups[contrast.first].described.mean),
                                    std::abs(evidence.groups[contrast.second].described.mean));
       const auto [least, most] = std::minmax({std::abs(contrast.difference.low), std::abs(contrast.difference.high)});
-      if (!(most <= most_in_percent * unit)) return fmt::format("less or more than {}", margin);
+      if (evidence.of_outcomes || !(most <= most_in_percent * unit)) return fmt::format("less or more than {}", margin);
       return fmt::format("{} to {} (margin {})", percent(least / unit), percent(most / unit), margin);
     }
     default:
@@ -116,7 +117,7 @@ std::string runs_words(const Evidence& evidence, double runs_to_decide) {
 
 // Tukey's and Games-Howell's p-values are of all pairs, with a control too.
 std::size_t corrected_for(const Evidence& evidence) {
-  return evidence.ranks_decide() ? evidence.family() : evidence.pairs;
+  return evidence.ranks_decide() || evidence.of_outcomes ? evidence.family() : evidence.pairs;
 }
 
 std::string flaw_words(const Evidence& evidence) {

@@ -55,7 +55,8 @@ Table interquartile_table(const StudyResults& study, Metric metric) {
   const bool has_strata = blocks_of(study) == Blocks::path_targets;
   for (const std::string& solver : study.solvers) {
     const Stratum runs = complete_runs(study, solver, metric);
-    const InterquartileMean found = interquartile_mean(has_strata ? by_target(runs) : std::vector{runs}, level);
+    const InterquartileMean found =
+        interquartile_mean(has_strata ? by_target(runs) : std::vector<Stratum>{runs}, level);
     table.rows.push_back({solver, static_cast<std::int64_t>(runs.size()) * study.points, found.estimate,
                           std::isfinite(found.low) ? Cell(Range{found.low, found.high}) : Cell(),
                           found.undefined.empty() ? Cell() : Cell(found.undefined)});

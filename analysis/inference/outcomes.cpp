@@ -1,0 +1,89 @@
+#include "analysis/inference/outcomes.hpp"
+
+#include <algorithm>
+#include <string>
+
+#include "analysis/inference/contrasts.hpp"
+#include "analysis/inference/margin.hpp"
+#include "analysis/inference/pair_ranks.hpp"
+#include "analysis/statistics/paired_proportion.hpp"
+#include "analysis/statistics/power.hpp"
+
+namespace ikbench::inference {
+
+using namespace results;
+using namespace statistics;
+
+namespace {
+
+Successes successes_of(const std::vector<double>& values) {
+  return {.successes = static_cast<int>(std::ranges::count(values, 1.0)), .trials = static_cast<int>(values.size())};
+}
+
+PairedSuccesses paired_successes(const std::vector<double>& first, const std::vector<double>& second) {
+  PairedSuccesses counts;
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    int& either = first[i] == 1 ? counts.first_only : counts.second_only;
+    int& alike = first[i] == 1 ? counts.both : counts.neither;
+    ++(first[i] == second[i] ? alike : either);
+  }
+  return counts;
+}
+
+// p is of this pair alone as yet.
+void compare_shares(const Evidence& evidence, std::span<const std::vector<double>> values, Contrast& contrast) {
+  const std::vector<double>&first = values[contrast.first], &second = values[contrast.second];
+  const double level = 1 - evidence.plan.significance / static_cast<double>(evidence.family());
+  Proportion difference;
+  if (evidence.blocks > 0) {
+    const PairedSuccesses counts = paired_successes(first, second);
+    contrast.p = mcnemar_exact(counts);
+    difference = newcombe_paired(counts, level);
+  } else {
+    contrast.p = fisher_exact(successes_of(first), successes_of(second)).p;
+    difference = newcombe(successes_of(first), successes_of(second), level);
+    const PowerGoal goal{.power = evidence.plan.power, .alpha = 1 - level};
+    contrast.runs_to_decide = runs_to_see(summarise(first), summarise(second), evidence.plan.margin, goal).n;
+  }
+  contrast.difference = {.value = difference.estimate, .low = difference.low, .high = difference.high};
+  contrast.ahead = sign_of(difference.estimate) * (evidence.better == Better::smaller ? -1 : 1);
+  contrast.extent = extent_of(evidence, contrast);
+}
+
+}  // namespace
+
+bool are_outcomes(const Observations& observations) {
+  bool zeros = false, ones = false;
+  for (const Group& group : observations.groups) {
+    if (group.values.empty()) return false;
+    for (const double value : group.values) {
+      if (value != 0 && value != 1) return false;
+      (value == 0 ? zeros : ones) = true;
+    }
+  }
+  return zeros && ones;
+}
+
+void compare_outcomes(Evidence& evidence, std::span<const std::vector<double>> values) {
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const Proportion share = wilson(successes_of(values[i]), 1 - evidence.plan.significance);
+    evidence.groups[i].mean = {.value = share.estimate, .low = share.low, .high = share.high};
+    evidence.groups[i].median = {};
+  }
+  if (values.size() < 2) return;
+  if (evidence.blocks > 0 && values.size() > 2) {
+    const CochranQ test = cochran_q(values);
+    evidence.tests = {{.test = std::string(cochran_name),
+                       .symbol = "Q",
+                       .statistic = test.Q,
+                       .df = static_cast<double>(test.df),
+                       .p = test.p,
+                       .undefined = test.undefined}};
+  }
+  evidence.contrasts = shown_pairs(evidence);
+  for (Contrast& contrast : evidence.contrasts) compare_shares(evidence, values, contrast);
+  correct(evidence, &Contrast::p, evidence.contrasts);
+  for (Contrast& contrast : evidence.contrasts) contrast.relation = relation_of(evidence, contrast, contrast.p);
+}
+
+}  // namespace ikbench::inference

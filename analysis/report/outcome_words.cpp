@@ -1,0 +1,65 @@
+#include "analysis/report/outcome_words.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include "analysis/inference/text.hpp"
+#include "analysis/report/assessment_words.hpp"
+
+namespace ikbench::report {
+
+using namespace inference;
+
+namespace {
+
+std::int64_t ones_of(const GroupEvidence& group) { return std::llround(group.mean.value * group.described.n); }
+
+}  // namespace
+
+std::string shares_words(const Evidence& evidence) {
+  std::vector<std::string> shares;
+  for (std::size_t i = 0; i < evidence.groups.size(); ++i) {
+    const GroupEvidence& group = evidence.groups[i];
+    shares.push_back(fmt::format("{} {} of {} ({}, {:.0f} to {})", name_words(evidence, i), ones_of(group),
+                                 group.described.n, percent(group.mean.value), 100 * group.mean.low,
+                                 percent(group.mean.high)));
+  }
+  return fmt::format("Shares of {}: {}.", evidence.quantity, clauses(shares));
+}
+
+std::string outcome_methods_words(const Evidence& evidence) {
+  std::string text = fmt::format("Methods: every observation is 0 or 1, so shares are compared. {} decides, at {}",
+                                 deciding_words(evidence), rounded_number(evidence.plan.significance, 3));
+  if (const std::size_t pairs = corrected_for(evidence); pairs > 1) {
+    constexpr std::array<std::string_view, 4> whose{"Holm", "Hochberg", "Bonferroni", "Benjamini-Hochberg"};
+    text +=
+        fmt::format(", corrected for {} pairs by {}", pairs, whose[static_cast<std::size_t>(evidence.plan.adjustment)]);
+  }
+  return fmt::format("{}; differences below {} do not matter. Intervals: Wilson's of a share; of a difference {}.",
+                     text, margin_words(evidence), interval_words(evidence));
+}
+
+Table outcomes_table(const Evidence& evidence) {
+  Table table{.name = fmt::format("statistics-{}-groups", evidence.name),
+              .caption = fmt::format("Observations of 0 and 1: {}", evidence.quantity),
+              .columns = {{"group", Align::left},
+                          {"n"},
+                          {"ones"},
+                          {"share"},
+                          {percent(1 - evidence.plan.significance) + " interval of the share"}}};
+  for (const GroupEvidence& group : evidence.groups) {
+    table.rows.push_back({group.name, std::int64_t{group.described.n}, ones_of(group), group.mean.value,
+                          Range{group.mean.low, group.mean.high}});
+  }
+  if (!evidence.replicate.empty()) table.notes.push_back(fmt::format("One observation is {}.", evidence.replicate));
+  table.notes.emplace_back("Interval: Wilson's.");
+  for (const std::string& note : evidence.notes) table.notes.push_back(note);
+  if (!evidence.flaw.empty()) table.notes.push_back("Flawed: " + evidence.flaw);
+  return table;
+}
+
+}  // namespace ikbench::report

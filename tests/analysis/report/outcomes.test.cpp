@@ -1,0 +1,113 @@
+// Outcomes of 0 and 1 are compared as shares.
+#include "analysis/inference/outcomes.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "analysis/inference/judge.hpp"
+#include "analysis/report/assessment.hpp"
+#include "tests/catch.hpp"
+
+using namespace ikbench;
+using namespace ikbench::results;
+using namespace ikbench::inference;
+using namespace ikbench::report;
+
+namespace {
+
+std::vector<double> outcomes(int ones, int all) {
+  std::vector<double> values(static_cast<std::size_t>(all), 0.0);
+  std::fill_n(values.begin(), ones, 1.0);
+  return values;
+}
+
+Observations solved(std::vector<Group> groups) {
+  return {.name = "solved", .quantity = "solved", .better = Better::larger, .groups = std::move(groups)};
+}
+
+bool has(const std::string& text, const std::string& words) { return text.find(words) != std::string::npos; }
+
+bool says(const Assessment& assessment, const std::string& words) {
+  return std::ranges::any_of(assessment.sentences, [&](const std::string& sentence) { return has(sentence, words); });
+}
+
+}  // namespace
+
+TEST_CASE("values of 0 and 1 are outcomes where both occur, and no others are", "[outcomes]") {
+  CHECK(are_outcomes(solved({{"A", {0, 1, 1}}, {"B", {1, 1}}})));
+  CHECK_FALSE(are_outcomes(solved({{"A", {0, 1, 0.5}}, {"B", {1, 1}}})));
+  CHECK_FALSE(are_outcomes(solved({{"A", {1, 1}}, {"B", {1, 1}}})));  // a count of 1 may be a fact
+  CHECK_FALSE(are_outcomes(solved({{"A", {0, 1}}, {"B", {}}})));
+  CHECK_FALSE(are_outcomes(solved({{"A", {0, 1}}, {"B", {statistics::not_defined}}})));
+}
+
+TEST_CASE("outcomes have shares, Wilson's intervals and Fisher's exact test", "[outcomes]") {
+  const Observations observed = solved({{"A", outcomes(18, 20)}, {"B", outcomes(9, 20)}});
+  const Evidence found = evidence(observed, {});
+  CHECK(found.groups[0].mean.value == 0.9);
+  CHECK(found.groups[0].mean.low == Approx(0.6989663548).epsilon(1e-9));  // R 4.2.2, prop.test without correction
+  CHECK(found.contrasts[0].p == Approx(0.005735673700078594).epsilon(1e-6));      // SciPy 1.10.1, fisher_exact
+  CHECK(found.contrasts[0].relation == Relation::first_better);
+  CHECK(judge(found, "B", "A").answer == Answer::worse);
+  const Assessment assessed = assess(observed, {});
+  CHECK(says(assessed, "Shares of solved: A 18 of 20 (90 %, 70 to 97 %); B 9 of 20 (45 %, 26 to 66 %)."));
+  CHECK(says(assessed, "90 % vs 45 %"));
+  CHECK(says(assessed, "percentage points"));
+  for (const char* other : {"Welch", "Games-Howell", "Shapiro", "Kruskal", "Mann-Whitney", "A12", "variance"}) {
+    CAPTURE(other);
+    CHECK_FALSE(says(assessed, other));
+    for (const Table& table : assessed.tables) CHECK_FALSE(has(to_markdown(table), other));
+  }
+}
+
+TEST_CASE("pairs of outcomes are corrected as planned, and their intervals hold together", "[outcomes]") {
+  const Evidence found =
+      evidence(solved({{"A", outcomes(18, 20)}, {"B", outcomes(9, 20)}, {"C", outcomes(12, 20)}}), {});
+  // SciPy 1.10.1: 0.005736 (A-B), 0.064833 (A-C), 0.527254 (B-C); Holm: times 3, 2 and 1.
+  CHECK(found.contrasts[0].p == Approx(3 * 0.005735673700078594).epsilon(1e-6));
+  CHECK(found.contrasts[1].p == Approx(2 * 0.06483316160735517).epsilon(1e-6));
+  CHECK(found.contrasts[1].relation == Relation::not_told_apart);
+  const Evidence two = evidence(solved({{"A", outcomes(18, 20)}, {"B", outcomes(9, 20)}}), {});
+  CHECK(found.contrasts[0].difference.low < two.contrasts[0].difference.low);
+}
+
+TEST_CASE("shares that differ by less than the margin for certain are the same within it", "[outcomes]") {
+  const Observations observed = solved({{"A", outcomes(2500, 5000)}, {"B", outcomes(2510, 5000)}});
+  CHECK(evidence(observed, {}).contrasts[0].relation == Relation::equivalent);
+  CHECK(says(assess(observed, {}), "5 percentage points"));
+}
+
+TEST_CASE("within blocks outcomes have McNemar's test and Cochran's Q", "[outcomes]") {
+  Observations observed = solved({{"A", {1, 1, 1, 1, 1, 1, 1, 1, 1, 0}},
+                                  {"B", {0, 0, 0, 0, 0, 0, 0, 1, 1, 0}},
+                                  {"C", {1, 1, 1, 1, 1, 1, 1, 1, 0, 1}}});
+  for (int block = 1; block <= 10; ++block) observed.blocks.push_back(std::to_string(block));
+  observed.block = "a target";
+  const Evidence found = evidence(observed, {});
+  CHECK(found.contrasts[0].p == Approx(3 * 2 / 128.0));  // seven blocks tell A and B apart, all alike; Holm
+  CHECK(found.contrasts[1].p == 1);                      // one block each way
+  REQUIRE(found.test(cochran_name) != nullptr);
+  // By hand: successes 9, 2 and 9, of blocks 2 seven times, 3 once, 2 once, 1 once: 3 * 2 * (98 / 3) / (60 - 42).
+  CHECK(found.test(cochran_name)->statistic == Approx(196.0 / 18));
+  CHECK(says(assess(observed, {}), "McNemar's exact test decides"));
+}
+
+TEST_CASE("within blocks every pair has a posterior for the better one", "[outcomes]") {
+  Observations observed{.name = "e",
+                        .quantity = "e",
+                        .groups = {{"A", {1, 2, 3, 4, 5, 6, 7, 8, 9, 10}}, {"B", {}}, {"C", {}}},
+                        .block = "a target"};
+  for (const double value : observed.groups[0].values) {
+    observed.groups[1].values.push_back(2 * value + 1);
+    observed.groups[2].values.push_back(value + 0.001);
+    observed.blocks.push_back(std::to_string(observed.blocks.size() + 1));
+  }
+  const Evidence found = evidence(observed, {});
+  CHECK(found.contrasts[0].posterior.first_better > 0.99);   // A against B, smaller is better
+  CHECK(found.contrasts[1].posterior.same == 1);             // A against C: 5 % of 5.5 is 0.275
+  CHECK(found.contrasts[2].posterior.second_better > 0.99);  // B against C
+  observed.better = Better::larger;
+  CHECK(evidence(observed, {}).contrasts[0].posterior.second_better > 0.99);
+}
