@@ -36,7 +36,7 @@ struct StatsArguments {
   std::vector<std::string> values;
   CsvRequest csv;
   bool wide = false, rows_are_blocks = false, larger = false, forced = false, without_figures = false;
-  std::string quantity, out;
+  std::string quantity, out, estimand = "mean";
   AnalysisPlan plan;
 };
 
@@ -94,6 +94,7 @@ std::vector<Assessment> assessments_of(const StatsArguments& arguments) {
   CsvRequest request = arguments.csv;
   request.better = better;
   request.replicates = arguments.forced ? Replicates::as_given : Replicates::checked;
+  request.scale = arguments.estimand == name_of(Estimand::typical) ? ValueScale::log10 : ValueScale::plain;
   request.layout = arguments.wide ? Layout::one_column_a_group : Layout::one_row_a_value;
   request.rows = arguments.rows_are_blocks ? RowsOf::one_block : RowsOf::no_block;
   const std::string text = contents_of(arguments.file);
@@ -119,6 +120,10 @@ void check(const StatsArguments& arguments) {
       throw std::invalid_argument(
           "--summaries has its own columns (name, mean, sd, n); leave out --value, --group, --block, --run, --wide and "
           "--rows-are-blocks");
+    }
+    if (arguments.estimand != name_of(Estimand::mean)) {
+      throw std::invalid_argument(
+          fmt::format("--estimand is {}; expected mean with --summaries, which have no values", arguments.estimand));
     }
     return;
   }
@@ -187,6 +192,12 @@ void add_stats(CLI::App& app, Invocation& invocation) {
   command->add_flag("--wide", arguments->wide, "every column is a group");
   command->add_flag("--rows-are-blocks", arguments->rows_are_blocks, "with --wide: each row is a block");
   command->add_flag("--larger-is-better", arguments->larger, "larger values are better; default: smaller");
+  command
+      ->add_option("--estimand", arguments->estimand,
+                   "what of positive values is compared; mean: their mean, which the worst cases decide if they span "
+                   "decades; typical: their geometric mean")
+      ->check(CLI::IsMember({name_of(Estimand::mean), name_of(Estimand::typical)}))
+      ->capture_default_str();
   command->add_option("--quantity", arguments->quantity, "name of the quantity with its unit: \"position error [cm]\"");
   command->add_flag("--force", arguments->forced,
                     "accept repeated rows of a run as observations, and average incomplete runs and blocks; the "

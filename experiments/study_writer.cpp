@@ -65,6 +65,16 @@ class TomlWriter final : public Fields {
     out += meaning.empty() ? fmt::format("{} = {}\n", key, value) : fmt::format("{} = {}  # {}\n", key, value, meaning);
   }
 
+  // Of the analysis plan alone.
+  template <class Enum>
+  void chosen(std::string_view key, const std::vector<Enum>& field, const Choices<Enum>& choices,
+              std::string_view meaning) {
+    std::vector<std::string> values, names;
+    for (const Enum value : field) values.push_back(toml_string(name_of(value)));
+    for (const auto& [name, value] : choices) names.push_back(name);
+    line(key, fmt::format("[{}]", fmt::join(values, ", ")), fmt::format("{}: {}", fmt::join(names, " | "), meaning));
+  }
+
   std::string out;
 
  private:
@@ -95,6 +105,12 @@ class TomlWriter final : public Fields {
 
 class JsonWriter final : public Fields {
  public:
+  // Of the analysis plan alone.
+  template <class Enum>
+  void chosen(std::string_view key, const std::vector<Enum>& field, const Choices<Enum>&, std::string_view) {
+    for (const Enum value : field) out[std::string(key)].push_back(name_of(value));
+  }
+
   nlohmann::ordered_json out;
 
  private:

@@ -120,6 +120,14 @@ bool TomlReader::is_plain(std::string_view text) {
   return text.size() <= 200 && std::none_of(text.begin(), text.end(), is_control);
 }
 
+std::vector<std::string> TomlReader::texts(const toml::node& node) {
+  std::vector<std::string> result;
+  if (const toml::array* array = node.as_array()) {
+    for (const toml::node& element : *array) result.push_back(element.value<std::string>().value_or(""));
+  }
+  return result;
+}
+
 std::optional<double> TomlReader::as_number(const toml::node& node) {
   const std::optional<double> value = node.is_number() ? node.value<double>() : std::nullopt;
   return value && std::isfinite(*value) ? value : std::nullopt;

@@ -60,6 +60,24 @@ class TomlReader {
     fail(key, *node, fmt::format("one of \"{}\"", fmt::join(names, "\", \"")));
   }
 
+  // Some of the choices, at least one and none twice; they come in the order of the choices.
+  template <class Enum>
+  void chosen(std::string_view key, std::vector<Enum>& field, const Choices<Enum>& choices, std::string_view) {
+    const toml::node* node = find(key);
+    if (node == nullptr) return;
+    std::vector<std::string> wanted = texts(*node), names;
+    std::vector<Enum> found;
+    for (const auto& [name, value] : choices) {
+      if (std::erase(wanted, name) == 1) found.push_back(value);
+      names.push_back(name);
+    }
+    const toml::array* array = node->as_array();
+    if (array == nullptr || array->size() != found.size() || found.empty()) {
+      fail(key, *node, fmt::format("a list of some of \"{}\", each once", fmt::join(names, "\", \"")));
+    }
+    field = std::move(found);
+  }
+
   template <class Whole>
   void whole(std::string_view key, Whole& field, std::pair<std::int64_t, std::int64_t> range, std::string_view) {
     const toml::node* node = find(key);
@@ -112,6 +130,7 @@ class TomlReader {
 
  private:
   static std::optional<double> as_number(const toml::node& node);  // none where it is not finite
+  static std::vector<std::string> texts(const toml::node& node);   // of a list; none where it is none
 
   const toml::table& table_;
   std::string source_;

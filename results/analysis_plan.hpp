@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace ikbench::results {
 
@@ -20,16 +21,22 @@ enum class Adjustment { holm, hochberg, bonferroni, benjamini_hochberg };
 // What one observation is: a run's mean over its points, or a single solve. Points of one run depend on each other.
 enum class Unit { run, point };
 
+// What of the single values an observation is made of. mean: their mean, which the worst cases decide where they span
+// decades. typical: the mean of their logarithms, so the geometric mean. reliability: the share within a distance.
+enum class Estimand { mean, typical, reliability };
+
 constexpr std::array<std::string_view, 5> deciding_test_names{"by_design", "anova", "welch", "kruskal_wallis",
                                                               "friedman"};
 constexpr std::array<std::string_view, 4> adjustment_names{"holm", "hochberg", "bonferroni", "benjamini_hochberg"};
 constexpr std::array<std::string_view, 2> unit_names{"run", "point"};
+constexpr std::array<std::string_view, 3> estimand_names{"mean", "typical", "reliability"};
 
 constexpr std::string_view name_of(DecidingTest test) { return deciding_test_names[static_cast<std::size_t>(test)]; }
 constexpr std::string_view name_of(Adjustment adjustment) {
   return adjustment_names[static_cast<std::size_t>(adjustment)];
 }
 constexpr std::string_view name_of(Unit unit) { return unit_names[static_cast<std::size_t>(unit)]; }
+constexpr std::string_view name_of(Estimand estimand) { return estimand_names[static_cast<std::size_t>(estimand)]; }
 
 struct AnalysisPlan {
   DecidingTest test = DecidingTest::by_design;
@@ -41,6 +48,8 @@ struct AnalysisPlan {
   double power = 0.8;          // with which a difference of that size should be found
   int quartiles = 5;           // Hyndman-Fan type; 5 is MATLAB's
   Unit unit = Unit::run;
+  std::vector<Estimand> estimands{Estimand::mean, Estimand::typical, Estimand::reliability};  // in this order
+  double within_cm = 0.01;  // distance of reliability in a study without a tolerance; 0.1 mm, an arm's repeatability
 };
 
 }  // namespace ikbench::results

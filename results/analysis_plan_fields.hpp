@@ -14,7 +14,7 @@
 
 namespace ikbench::results {
 
-// Names and values, as `choice` of an Io takes them.
+// Names and values, as `choice` of an Io takes them, and `chosen`, whose field has some of the values, in their order.
 template <class Enum, std::size_t count>
 std::vector<std::pair<std::string, Enum>> choices_of(const std::array<std::string_view, count>& names) {
   std::vector<std::pair<std::string, Enum>> choices;
@@ -46,6 +46,11 @@ void list_fields(Io& io, AnalysisPlan& plan) {
   io.whole("quartiles", plan.quartiles, {1, 9}, "Hyndman-Fan type of quartiles; 5 as in MATLAB");
   io.choice("unit", plan.unit, choices_of<Unit>(unit_names),
             "what one observation is: the mean of a run over its points, or a point, which needs --force");
+  io.chosen("estimands", plan.estimands, choices_of<Estimand>(estimand_names),
+            "what is compared of error and time; mean: its worst cases, typical: geometric mean, reliability: share of "
+            "solves within a distance");
+  io.number("within_cm", plan.within_cm, 1, {1e-6, 1000},
+            "that distance if the study has no tolerance_cm; 0.01 is 0.1 mm, the repeatability of an arm");
 }
 
 }  // namespace ikbench::results

@@ -43,6 +43,20 @@ class JsonReader {
       return found != choices.end();
     });
   }
+  template <class Enum>
+  void chosen(const char* key, std::vector<Enum>& field, const std::vector<std::pair<std::string, Enum>>& choices,
+              std::string_view) {
+    take(key, [&](const Json& value) {
+      std::vector<Enum> found;
+      for (const auto& [name, choice] : choices) {
+        const auto is_it = [&chosen = name](const Json& element) { return element == chosen; };
+        if (value.is_array() && std::ranges::count_if(value, is_it) == 1) found.push_back(choice);
+      }
+      if (found.empty() || found.size() != value.size()) return false;
+      field = std::move(found);
+      return true;
+    });
+  }
   void whole(const char* key, int& field, std::pair<int, int> range, std::string_view) {
     take(key, [&](const Json& value) {
       if (!value.is_number_integer() || !is_within(value, range)) return false;
@@ -85,6 +99,13 @@ class Lister {
   void choice(std::string_view key, Enum field, const std::vector<std::pair<std::string, Enum>>&,
               std::string_view meaning) {
     add(key, std::string(name_of(field)), meaning);
+  }
+  template <class Enum>
+  void chosen(std::string_view key, const std::vector<Enum>& field, const std::vector<std::pair<std::string, Enum>>&,
+              std::string_view meaning) {
+    std::vector<std::string_view> names;
+    for (const Enum value : field) names.push_back(name_of(value));
+    add(key, fmt::format("{}", fmt::join(names, " + ")), meaning);
   }
   void whole(std::string_view key, int field, std::pair<int, int>, std::string_view meaning) {
     add(key, fmt::format("{}", field), meaning);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <iterator>
 
 #include "analysis/inference/text.hpp"
@@ -84,6 +85,17 @@ Contents read_wide(const CsvFile& file, const CsvRequest& request) {
   }
   if (contents.groups.all().empty()) file.refuse("no column of values; expected one for each group");
   return contents;
+}
+
+void take_logarithms(const CsvFile& file, Contents& contents) {
+  for (Observation& observation : contents.observations) {
+    if (!observation.value) continue;
+    if (!(*observation.value > 0)) {
+      file.refuse(fmt::format("row {} below the header: {} has no logarithm; expected positive values for typical ones",
+                              observation.row + 1, *observation.value));
+    }
+    observation.value = std::log10(*observation.value);
+  }
 }
 
 bool names_replicates(std::string_view title) {

@@ -60,6 +60,8 @@ struct Contents {
 
 Contents read_long(const CsvFile& file, const CsvRequest& request);
 Contents read_wide(const CsvFile& file, const CsvRequest& request);
+// Of values, which have to be positive.
+void take_logarithms(const CsvFile& file, Contents& contents);
 
 // Whether a column's name says that it numbers repetitions. Folds are not among them: folds of two data sets have
 // nothing but their number in common.

@@ -10,6 +10,8 @@
 #include <vector>
 
 #include "analysis/inference/definition.hpp"
+#include "analysis/inference/estimand.hpp"
+#include "analysis/statistics/quantile.hpp"
 
 namespace ikbench::inference {
 
@@ -86,17 +88,18 @@ std::vector<Block> layout(const StudyResults& study, Blocks blocks) {
 
 namespace {
 
-std::string replicate_of(const StudyResults& study, Unit unit) {
+// `average`: what it is of several solves: "mean", "geometric mean", "share".
+std::string replicate_of(const StudyResults& study, Unit unit, std::string_view average) {
   if (unit == Unit::point) return "one point of a run";
   return study.points == 1 ? "the only solve of a run"
-                           : fmt::format("the mean of a run over its {} points", study.points);
+                           : fmt::format("the {} of a run over its {} points", average, study.points);
 }
 
-std::string replicate_of(const StudyResults& study, Blocks blocks) {
-  if (blocks == Blocks::runs) return replicate_of(study, Unit::run);
+std::string replicate_of(const StudyResults& study, Blocks blocks, std::string_view average) {
+  if (blocks == Blocks::runs) return replicate_of(study, Unit::run, average);
   if (blocks == Blocks::drawn_targets) return "the only solve of a target";
   const std::size_t runs = common_runs(study).size();
-  return runs == 1 ? "the only solve of a target" : fmt::format("the mean of a target over {} runs", runs);
+  return runs == 1 ? "the only solve of a target" : fmt::format("the {} of a target over {} runs", average, runs);
 }
 
 std::string block_of(Blocks blocks) {
@@ -105,19 +108,23 @@ std::string block_of(Blocks blocks) {
   return "a target of the path, which all solvers start from the same configuration";
 }
 
-Observations without_groups(Metric metric) {
-  const MetricInfo& info = info_of(metric);
-  return {.name = std::string(info.slug), .quantity = quantity(metric), .better = info.better};
+Observations without_groups(const Quantity& quantity) {
+  return {.name = quantity.name,
+          .quantity = quantity.text,
+          .better = quantity.better,
+          .scale = quantity.scale,
+          .notes = quantity.notes};
 }
 
-void fill_blocks(Observations& result, const StudyResults& study, const std::vector<Block>& blocks, Metric metric) {
+void fill_blocks(Observations& result, const StudyResults& study, const std::vector<Block>& blocks,
+                 const ValueOf& value_of) {
   for (const Block& block : blocks) result.blocks.push_back(block.name);
   for (const std::string& solver : study.solvers) {
     const auto solves = solves_of(study, solver);
     Group group{.name = solver};
     for (const Block& block : blocks) {
       std::vector<double> values;
-      for (const Place& place : block.places) values.push_back(value_of(*solves.at(place), metric));
+      for (const Place& place : block.places) values.push_back(value_of(*solves.at(place)));
       group.values.push_back(mean(values));
     }
     result.groups.push_back(std::move(group));
@@ -126,6 +133,18 @@ void fill_blocks(Observations& result, const StudyResults& study, const std::vec
   if (const auto all = static_cast<std::size_t>(study.runs); runs < all) {
     result.notes.push_back(
         fmt::format("Left out: {} of {} runs, because they are not complete for all solvers.", all - runs, all));
+  }
+}
+
+// Whether the worst cases decide a mean, the solves alone show.
+void add_decades(Observations& result, const StudyResults& study, Metric metric, Estimand estimand) {
+  std::map<std::string_view, std::vector<double>> values;
+  for (const SolveRecord& solve : study.solves) {
+    const double value = value_of(solve, metric), least = info_of(metric).rounding;
+    values[solve.solver].push_back(value < least ? least : value);
+  }
+  for (Group& group : result.groups) {
+    group.decades = estimand == Estimand::mean ? decades(values[group.name]) : 0;
   }
 }
 
@@ -155,33 +174,37 @@ std::string why_not_blocked(const StudyResults& study) {
   return count == 1 ? "There are no blocks to compare, because there is only one." : "";
 }
 
-std::optional<Observations> blocked_observations(const StudyResults& study, Metric metric) {
+std::optional<Observations> blocked_observations(const StudyResults& study, Metric metric, Estimand estimand) {
   if (!why_not_blocked(study).empty()) return std::nullopt;
   const Blocks blocks = blocks_of(study);
-  Observations result = without_groups(metric);
-  result.replicate = replicate_of(study, blocks);
+  const Quantity quantity = quantity_of(study, metric, estimand);
+  Observations result = without_groups(quantity);
+  result.replicate = replicate_of(study, blocks, quantity.average);
   result.block = block_of(blocks);
-  fill_blocks(result, study, layout(study, blocks), metric);
+  fill_blocks(result, study, layout(study, blocks), quantity.value);
+  add_decades(result, study, metric, estimand);
   add_notes(result, study, metric);
   return result;
 }
 
-Observations observations(const StudyResults& study, Metric metric) {
+Observations observations(const StudyResults& study, Metric metric, Estimand estimand) {
   const Unit unit = study.plan.unit;
   if (unit == Unit::run) {
-    if (std::optional<Observations> blocked = blocked_observations(study, metric)) return std::move(*blocked);
+    if (std::optional<Observations> blocked = blocked_observations(study, metric, estimand)) return std::move(*blocked);
   }
-  Observations result = without_groups(metric);
-  result.replicate = replicate_of(study, unit);
+  const Quantity quantity = quantity_of(study, metric, estimand);
+  Observations result = without_groups(quantity);
+  result.replicate = replicate_of(study, unit, quantity.average);
   if (unit == Unit::point) result.flaw = points_flaw;
   if (unit == Unit::run) result.notes.push_back(why_not_blocked(study));
-  for (Sample& sample : samples(study, metric)) {
+  for (Sample& sample : samples(study, quantity.value)) {
     if (sample.incomplete_runs > 0) {
       result.notes.push_back(fmt::format("{}: {} of its runs lack points and give no observation.", sample.solver,
                                          sample.incomplete_runs));
     }
     result.groups.push_back({.name = std::move(sample.solver), .values = std::move(sample.values)});
   }
+  add_decades(result, study, metric, estimand);
   add_notes(result, study, metric);
   return result;
 }

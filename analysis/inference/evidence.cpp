@@ -302,6 +302,7 @@ Samples values_of(const Observations& observations) {
 // Of exact observations.
 Evidence describe_groups(const Observations& observations, const AnalysisPlan& plan) {
   Evidence result = begin(observations.name, observations.quantity, observations.better, plan);
+  result.scale = observations.scale;
   result.replicate = observations.replicate;
   result.block = observations.block;
   result.blocks = observations.blocks.size();
@@ -310,7 +311,8 @@ Evidence describe_groups(const Observations& observations, const AnalysisPlan& p
   result.of_outcomes = are_outcomes(observations);
   std::vector<GroupSummary> summaries;
   for (const Group& group : observations.groups) {
-    result.groups.push_back(describe_group(group, plan));
+    GroupEvidence& described = result.groups.emplace_back(describe_group(group, plan));
+    described.decades = std::isfinite(group.decades) ? group.decades : decades(group.values);
     summaries.push_back(summarise(group.values));
   }
   check_control(result);
@@ -347,6 +349,22 @@ void make_tests(Evidence& result, const Observations& observations) {
   name_groups(result);
 }
 
+Estimate power_of_ten(const Estimate& of) {
+  return {.value = std::pow(10, of.value), .low = std::pow(10, of.low), .high = std::pow(10, of.high)};
+}
+
+// What was found of logarithms, in the unit of the values.
+Evidence told(Evidence found) {
+  if (found.scale == ValueScale::plain) return found;
+  for (GroupEvidence& group : found.groups) {
+    Description& of = group.described;
+    for (double* value : {&of.mean, &of.median, &of.min, &of.max, &group.q1, &group.q3}) *value = std::pow(10, *value);
+    for (Estimate* each : {&group.mean, &group.median}) *each = power_of_ten(*each);
+  }
+  for (Contrast& contrast : found.contrasts) contrast.difference = power_of_ten(contrast.difference);
+  return found;
+}
+
 }  // namespace
 
 Evidence evidence(const Observations& observations, const AnalysisPlan& plan) {
@@ -357,16 +375,19 @@ Evidence tested(const Observations& given, const AnalysisPlan& plan) {
   const Observations observations = exact(given);
   Evidence result = describe_groups(observations, plan);
   make_tests(result, observations);
-  return result;
+  return told(std::move(result));
 }
 
 Evidence with_bootstrap(Evidence evidence, const Observations& observations) {
   bootstrap_means(evidence, values_of(exact(observations)));
+  if (evidence.scale == ValueScale::log10) {
+    for (GroupEvidence& group : evidence.groups) group.bootstrapped = power_of_ten(group.bootstrapped);
+  }
   return evidence;
 }
 
 Evidence described(const Observations& observations, const AnalysisPlan& plan) {
-  return describe_groups(exact(observations), plan);
+  return told(describe_groups(exact(observations), plan));
 }
 
 }  // namespace ikbench::inference

@@ -32,6 +32,7 @@ struct GroupEvidence {
   double normality_w = statistics::not_defined;
   double mean_rank = statistics::not_defined;     // of all values together, 1 is best; only where there are values
   double average_rank = statistics::not_defined;  // over the blocks, 1 is best; only where there are blocks
+  double decades = statistics::not_defined;       // what the single values span (statistics::decades)
 };
 
 // assumption: what a test takes for granted. paper: the analysis that the paper made. robust: what needs less.
@@ -70,7 +71,7 @@ struct Posterior {
 
 struct Contrast {
   std::size_t first = 0, second = 0;
-  Estimate difference = {};            // mean of first - mean of second, simultaneous over all pairs
+  Estimate difference = {};            // mean of first - mean of second (Evidence::scale), simultaneous over all pairs
   double p = statistics::not_defined;  // of the deciding test, corrected for all pairs
   int ahead = 0;                       // the sign of that test's own statistic: 1 where it is for first, -1 for second
   double p_pooled = statistics::not_defined;    // Tukey
@@ -104,6 +105,9 @@ inline bool is_decided(const Contrast& contrast) {
 struct Evidence {
   std::string name, quantity;
   Better better = Better::smaller;
+  // log10: tests are of the logarithms. What is told is in the quantity's unit: means are geometric, a difference is
+  // the ratio first by second; standard deviations are of the logarithms.
+  ValueScale scale = ValueScale::plain;
   std::string replicate = {}, block = {};
   std::size_t blocks = 0;
   bool from_summaries = false;
@@ -137,6 +141,9 @@ struct Evidence {
 };
 
 constexpr std::size_t most_groups_in_pairs = 20;
+
+// The difference of two that are equal, on its scale.
+constexpr double no_difference(const Evidence& evidence) { return evidence.scale == ValueScale::log10 ? 1 : 0; }
 
 // A control that is no group, or a deciding test that the data do not have (Friedman without blocks, ranks from
 // summaries) is std::invalid_argument.

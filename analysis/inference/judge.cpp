@@ -40,10 +40,11 @@ Answer answer_in(const Contrast& contrast) {
 }
 
 // As if the second were the first.
-Judgement turned(Judgement judgement) {
+Judgement turned(Judgement judgement, ValueScale scale) {
   judgement.answer = turned(judgement.answer);
+  const auto of = [scale](double difference) { return scale == ValueScale::log10 ? 1 / difference : -difference; };
   const Estimate before = judgement.difference;
-  judgement.difference = {.value = -before.value, .low = -before.high, .high = -before.low};
+  judgement.difference = {.value = of(before.value), .low = of(before.high), .high = of(before.low)};
   return judgement;
 }
 
@@ -76,7 +77,7 @@ Judgement judge(const Evidence& evidence, std::string_view first, std::string_vi
     result.p = found->p;
     result.difference = found->difference;
     result.undefined = found->undefined;
-    if (one > other) return turned(std::move(result));
+    if (one > other) return turned(std::move(result), evidence.scale);
   }
   return result;
 }

@@ -24,7 +24,7 @@ Answer answer_of(const Tested& tested, double significance);
 struct Judgement {
   Answer answer = Answer::undecided;
   double p = statistics::not_defined;  // corrected for the pairs that are compared
-  Estimate difference = {};            // first - second
+  Estimate difference = {};            // first - second, or their ratio (Evidence::scale)
   std::string test = {};               // "Games-Howell test"
   std::string undefined = {};          // why there is no test; empty where there is one
 };

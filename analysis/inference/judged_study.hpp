@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <map>
+#include <utility>
 #include <vector>
 
 #include "analysis/inference/evidence.hpp"
@@ -15,11 +16,12 @@ class JudgedStudy : public StudyResults {
  public:
   explicit JudgedStudy(StudyResults study);
 
-  // Of one metric, without the bootstrap's intervals; of times that are not comparable, a description alone.
-  const Evidence& evidence(Metric metric) const;
+  // Of one metric by one estimand, without the bootstrap's intervals; of times that are not comparable, a description
+  // alone.
+  const Evidence& evidence(Metric metric, results::Estimand estimand = results::Estimand::mean) const;
 
  private:
-  mutable std::map<Metric, Evidence> evidence_ = {};
+  mutable std::map<std::pair<Metric, results::Estimand>, Evidence> evidence_ = {};
 };
 
 using JudgedStudies = std::vector<std::reference_wrapper<const JudgedStudy>>;

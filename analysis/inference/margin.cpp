@@ -10,11 +10,12 @@ using namespace statistics;
 bool is_in_cm(std::string_view quantity) { return quantity.ends_with("[cm]") || quantity.ends_with("_cm"); }
 
 bool has_absolute_margin(const Evidence& evidence) {
-  return evidence.plan.margin_cm > 0 && is_in_cm(evidence.quantity);
+  return evidence.plan.margin_cm > 0 && is_in_cm(evidence.quantity) && evidence.scale == ValueScale::plain;
 }
 
 double margin_of(const Evidence& evidence, const Contrast& contrast) {
   if (evidence.of_outcomes) return evidence.plan.margin;
+  if (evidence.scale == ValueScale::log10) return std::log10(1 + evidence.plan.margin);
   const double smaller = std::min(std::abs(evidence.groups[contrast.first].described.mean),
                                   std::abs(evidence.groups[contrast.second].described.mean));
   const double relative = evidence.plan.margin * smaller;

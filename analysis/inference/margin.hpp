@@ -3,7 +3,7 @@
 // It is relative, a share of the smaller of the two means, and for what is measured in cm also absolute. A difference
 // is within the margin if it is within either: near 0 a share means nothing, and far from 0 a length that an arm cannot
 // resolve is nothing beside the share. So the larger of the two is what counts. Of outcomes, whose means are shares
-// themselves, it is the difference of two shares.
+// themselves, it is the difference of two shares. Of logarithms the margin is relative: a ratio up to 1 + margin.
 #pragma once
 
 #include <string_view>

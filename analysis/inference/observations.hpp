@@ -12,15 +12,22 @@ namespace ikbench::inference {
 
 enum class Better { smaller, larger };
 
+// log10: values are logarithms, their means are told as geometric means and differences of means as ratios.
+enum class ValueScale { plain, log10 };
+
 struct Group {
   std::string name;
   std::vector<double> values = {};
+  // What the single values span of which these are means (statistics::decades); not defined where these are single
+  // themselves.
+  double decades = statistics::not_defined;
 };
 
 struct Observations {
   std::string name;      // of files and anchors: "error", "variation"; lower-case letters, digits and '-'
   std::string quantity;  // with its unit in brackets: "position error [cm]"
   Better better = Better::smaller;
+  ValueScale scale = ValueScale::plain;
   std::vector<Group> groups = {};  // values may be infinite, and NaN where a solver diverged
   // Names of the blocks (targets, problems) where every group was given the same: values[i] of each group is of
   // blocks[i]. Empty where groups are independent samples.

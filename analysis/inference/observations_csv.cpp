@@ -284,12 +284,14 @@ Observations read_observations(std::string_view text, std::string_view source, c
   const CsvFile file = open_csv(text, source);
   Contents contents =
       request.layout == Layout::one_column_a_group ? read_wide(file, request) : read_long(file, request);
+  const bool is_typical = request.scale == ValueScale::log10;
+  if (is_typical) take_logarithms(file, contents);
   if (std::ranges::none_of(contents.observations, [](const Observation& o) { return o.value.has_value(); })) {
     file.refuse("all values are missing; expected at least one");
   }
-  const std::string quantity = request.value.empty() ? "value" : request.value;
-  Observations result{
-      .name = slug(quantity), .quantity = quantity, .better = request.better, .notes = std::move(contents.notes)};
+  const std::string quantity = (is_typical ? "typical " : "") + (request.value.empty() ? "value" : request.value);
+  Observations result{.name = slug(quantity), .quantity = quantity, .better = request.better, .scale = request.scale};
+  result.notes = std::move(contents.notes);
   for (const std::string& name : contents.groups.all()) result.groups.push_back({.name = name});
   result.blocks = label(file, request, contents);
   result.replicate = "a row of " + file.name();

@@ -29,6 +29,7 @@ struct CsvRequest {
   RowsOf rows = RowsOf::no_block;
   Better better = Better::smaller;
   Replicates replicates = Replicates::checked;
+  ValueScale scale = ValueScale::plain;  // log10: the logarithms of the values, which have to be positive
 };
 
 // Groups and blocks in the order of their first row; a group without a name is "(empty)". Missing values (NA, NaN,

@@ -136,12 +136,16 @@ double tolerance_cm(const StudyResults& study) {
 }
 
 std::vector<Sample> samples(const StudyResults& study, Metric metric) {
+  return samples(study, [metric](const SolveRecord& solve) { return value_of(solve, metric); });
+}
+
+std::vector<Sample> samples(const StudyResults& study, const ValueOf& value_of) {
   std::vector<Sample> result;
   for (const std::string& solver : study.solvers) {
     Sample sample{.solver = solver};
     for (const auto& [number, run] : runs_of(study, solver)) {
       std::vector<double> values;
-      for (const SolveRecord* solve : run) values.push_back(value_of(*solve, metric));
+      for (const SolveRecord* solve : run) values.push_back(value_of(*solve));
       if (study.plan.unit == Unit::point) {
         sample.values.insert(sample.values.end(), values.begin(), values.end());
       } else if (complete(run, study)) {

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -51,6 +52,9 @@ struct Sample {
 };
 
 std::vector<Sample> samples(const StudyResults& study, Metric metric);
+// The same of anything else that a solve has.
+using ValueOf = std::function<double(const results::SolveRecord&)>;
+std::vector<Sample> samples(const StudyResults& study, const ValueOf& value_of);
 
 // Sums of what became of the solves of one solver.
 struct SolverCounts {

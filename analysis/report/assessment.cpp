@@ -32,18 +32,21 @@ constexpr std::size_t most_rows = 45;
 
 void add_differences(const Evidence& evidence, std::vector<Figure>& figures) {
   std::vector<DifferenceRow> rows;
+  const bool of_logarithms = evidence.scale == ValueScale::log10;
+  const auto shown = [&](double difference) { return of_logarithms ? std::log10(difference) : difference; };
   for (const Contrast& contrast : evidence.contrasts) {
     rows.push_back(
         {.label = fmt::format("{} - {}", evidence.groups[contrast.first].name, evidence.groups[contrast.second].name),
-         .difference = contrast.difference.value,
-         .low = contrast.difference.low,
-         .high = contrast.difference.high});
+         .difference = shown(contrast.difference.value),
+         .low = shown(contrast.difference.low),
+         .high = shown(contrast.difference.high)});
   }
   if (rows.empty() || rows.size() > most_rows) return;
-  figures.push_back(differences_figure(rows, {.name = figure_name(evidence, "differences"),
-                                              .quantity = "difference: " + evidence.quantity,
-                                              .level = 1 - evidence.plan.significance,
-                                              .method = std::string(interval_words(evidence))}));
+  figures.push_back(differences_figure(
+      rows, {.name = figure_name(evidence, "differences"),
+             .quantity = (of_logarithms ? "difference of log10: " : "difference: ") + evidence.quantity,
+             .level = 1 - evidence.plan.significance,
+             .method = std::string(interval_words(evidence))}));
 }
 
 void add_ranks(const Evidence& evidence, std::vector<Figure>& figures) {
@@ -103,12 +106,22 @@ Assessment assessment_of(const Evidence& evidence) {
   return result;
 }
 
+// Logarithms in the unit of their values.
+Observations told(Observations observations) {
+  if (observations.scale == ValueScale::plain) return observations;
+  for (Group& group : observations.groups) {
+    for (double& value : group.values) value = std::pow(10, value);
+  }
+  return observations;
+}
+
 Assessment with_observations(const Evidence& evidence, const Observations& observations) {
   const Evidence found = with_bootstrap(evidence, observations);
   Assessment result = assessment_of(found);
   if (is_worth_drawing(found) && !found.of_outcomes) {
-    result.figures.insert(result.figures.begin(), raincloud_figure(observations, quantile_type(found.plan.quartiles),
-                                                                   figure_name(found, "observations")));
+    result.figures.insert(
+        result.figures.begin(),
+        raincloud_figure(told(observations), quantile_type(found.plan.quartiles), figure_name(found, "observations")));
   }
   return result;
 }
@@ -123,8 +136,8 @@ Assessment assess(const Summaries& summaries, const AnalysisPlan& plan) {
   return assessment_of(evidence(summaries, plan));
 }
 
-Assessment assess(const JudgedStudy& study, Metric metric) {
-  return with_observations(study.evidence(metric), observations(study, metric));
+Assessment assess(const JudgedStudy& study, Metric metric, Estimand estimand) {
+  return with_observations(study.evidence(metric, estimand), observations(study, metric, estimand));
 }
 
 }  // namespace ikbench::report

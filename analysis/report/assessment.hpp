@@ -27,6 +27,6 @@ struct Assessment {
 Assessment assess(const inference::Observations& observations, const results::AnalysisPlan& plan);
 Assessment assess(const inference::Summaries& summaries, const results::AnalysisPlan& plan);
 // Of a study, by what its plan finds. Times that are not comparable are shown, and not ranked, tested or compared.
-Assessment assess(const inference::JudgedStudy& study, inference::Metric metric);
+Assessment assess(const inference::JudgedStudy& study, inference::Metric metric, results::Estimand estimand);
 
 }  // namespace ikbench::report

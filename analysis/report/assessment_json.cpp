@@ -40,7 +40,8 @@ Json group_json(const GroupEvidence& group) {
           {"shapiro_wilk_w", json_number(group.normality_w)},
           {"shapiro_wilk_p", json_number(group.normality)},
           {"mean_rank", json_number(group.mean_rank)},
-          {"average_rank", json_number(group.average_rank)}};
+          {"average_rank", json_number(group.average_rank)},
+          {"decades", json_number(group.decades)}};
 }
 
 Json test_json(const TestResult& test) {
@@ -94,6 +95,7 @@ std::string json_of(const Evidence& evidence) {
   const AnalysisPlan& plan = evidence.plan;
   Json object{{"quantity", evidence.quantity},
               {"better", evidence.better == Better::smaller ? "smaller" : "larger"},
+              {"scale", evidence.scale == ValueScale::log10 ? "log10" : "plain"},
               {"replicate", evidence.replicate},
               {"block", evidence.block},
               {"blocks", evidence.blocks},

@@ -37,6 +37,8 @@ std::string design(const Evidence& evidence) {
                                  names.size() == 1 ? "group" : "groups", listed(names), sizes(evidence));
   text += evidence.from_summaries ? "; only means, standard deviations and sizes are known." : ".";
   if (!evidence.replicate.empty()) text += fmt::format(" One observation is {}.", evidence.replicate);
+  if (evidence.scale == ValueScale::log10)
+    text += " Tests compare logarithms. So a mean is a geometric mean, and a difference is a ratio.";
   if (evidence.blocks > 0)
     text += fmt::format(" All groups share {} blocks. A block is {}.", evidence.blocks, evidence.block);
   return text;
@@ -106,21 +108,19 @@ std::string assumptions(const Evidence& evidence) {
                             known < evidence.groups.size() ? " that can be tested" : "");
 }
 
-// Values over decades: the mean is that of the largest few, and a test of means is a test of those.
+// Single values over decades: their mean is that of the largest few, and a test of means is a test of those.
 std::string decades(const Evidence& evidence) {
-  constexpr double wide = 100;
+  constexpr double wide = 2;
   std::vector<std::string> names;
   for (std::size_t i = 0; i < evidence.groups.size(); ++i) {
-    const GroupEvidence& group = evidence.groups[i];
-    const bool skewed = group.normality < evidence.plan.significance;
-    if (group.described.min > 0 && group.described.max > wide * group.described.min && skewed) {
-      names.push_back(name_words(evidence, i));
-    }
+    const double span = evidence.groups[i].decades;
+    if (span > wide) names.push_back(fmt::format("{} ({})", name_words(evidence, i), rounded_number(span, 2)));
   }
-  if (names.empty() || evidence.ranks_decide()) return "";
+  if (names.empty() || evidence.ranks_decide() || evidence.scale == ValueScale::log10) return "";
   return fmt::format(
-      "Caution: the values of {} span more than two decades, so the largest few decide the mean. A12 and rank tests do "
-      "not have this problem. Consider comparing logarithms.",
+      "Caution: the single values of {} span more than two decades (in brackets: nine tenths of them), so the largest "
+      "few decide the mean, and a test of means compares the worst cases. Geometric means, A12 and rank tests compare "
+      "typical values.",
       listed(names));
 }
 

@@ -39,15 +39,16 @@ Cell unless_zero(int count) {
 
 Table groups_table(const Evidence& evidence) {
   const std::string level = percent(1 - evidence.plan.significance);
+  const bool of_logarithms = evidence.scale == ValueScale::log10;
   Table table{.name = table_name(evidence, "groups"),
               .caption = fmt::format("Observations: {}", evidence.quantity),
               .columns = {{"group", Align::left},
                           {"n"},
                           {"not finite"},
-                          {"mean"},
+                          {of_logarithms ? "geometric mean" : "mean"},
                           {level + " interval of the mean"},
                           {"bootstrap interval"},
-                          {"sd"},
+                          {of_logarithms ? "sd of log10" : "sd"},
                           {"median"},
                           {level + " interval of the median"},
                           {"q1"},
@@ -140,7 +141,7 @@ Table contrasts_table(const Evidence& evidence) {
               .columns = {{"first", Align::left},
                           {"second", Align::left},
                           {"verdict", Align::left},
-                          {"difference of means"},
+                          {evidence.scale == ValueScale::log10 ? "ratio of geometric means" : "difference of means"},
                           {level + " interval"},
                           {"p"},
                           {evidence.blocks > 0 ? "ahead in blocks" : "A12"},

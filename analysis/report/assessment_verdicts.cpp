@@ -60,20 +60,23 @@ std::string dissent_words(const Evidence& evidence, const Dissent& dissent) {
   return fmt::format("{} {} the other", listed(measures), measures.size() == 1 ? "favours" : "favour");
 }
 
-bool includes_zero(const Contrast& contrast) { return contrast.difference.low < 0 && contrast.difference.high > 0; }
+bool includes_none(const Evidence& evidence, const Contrast& contrast) {
+  return contrast.difference.low < no_difference(evidence) && contrast.difference.high > no_difference(evidence);
+}
 
 // "by 0.156 to 0.57, more than 5 %"; empty where neither is known. An interval that is not for the better one is left
 // out.
 std::string amount_words(const Evidence& evidence, const Contrast& contrast) {
-  const double low = std::min(std::abs(contrast.difference.low), std::abs(contrast.difference.high));
-  const double high = std::max(std::abs(contrast.difference.low), std::abs(contrast.difference.high));
-  const bool is_for_it = !includes_zero(contrast) && !dissent(evidence, contrast).mean && std::isfinite(low + high);
+  const auto [low, high] = interval_sizes(evidence, contrast);
+  const bool is_for_it =
+      !includes_none(evidence, contrast) && !dissent(evidence, contrast).mean && std::isfinite(low + high);
   const std::string extent = extent_words(evidence, contrast);
   if (!is_for_it) return extent.empty() ? "" : "by " + extent;
   const double unit = evidence.of_outcomes ? 0.01 : 1;  // percentage points
   std::string text = "by " + number_words(low / unit);
   if (number_words(low) != number_words(high)) text += " to " + number_words(high / unit);
   if (evidence.of_outcomes) text += " percentage points";
+  if (evidence.scale == ValueScale::log10) text += " times";
   return extent.empty() ? text : fmt::format("{}, {}", text, extent);
 }
 
@@ -110,7 +113,11 @@ std::string better_words(const Evidence& evidence, const Contrast& contrast) {
                                  effect_of(evidence, contrast, winner), share_words(evidence, contrast));
   if (std::isfinite(contrast.p)) text += fmt::format(" ({})", p_words(contrast.p));
   std::vector<std::string> doubts;
-  if (includes_zero(contrast)) doubts.emplace_back("the interval of the difference between means includes zero");
+  if (includes_none(evidence, contrast)) {
+    doubts.emplace_back(evidence.scale == ValueScale::log10
+                            ? "the interval of the ratio includes 1"
+                            : "the interval of the difference between means includes zero");
+  }
   if (std::string words = dissent_words(evidence, dissent(evidence, contrast)); !words.empty()) {
     doubts.push_back(std::move(words));
   }
@@ -131,16 +138,22 @@ std::string who_differs_words(const Evidence& evidence, const std::vector<std::s
                      clauses(with_best.empty() ? of_others : with_best));
 }
 
+// "difference between -0.1 and 0.2"
+std::string interval_words_of(const Evidence& evidence, const Contrast& contrast) {
+  return fmt::format("{} between {} and {}", evidence.scale == ValueScale::log10 ? "ratio" : "difference",
+                     number_words(contrast.difference.low), number_words(contrast.difference.high));
+}
+
 // What is known of two that are not told apart.
 std::string open_words(const Evidence& evidence, const Contrast& contrast) {
   const std::string runs = runs_words(evidence, contrast.runs_to_decide);
   const std::string then = runs.empty() ? "" : "; " + runs;
-  if (contrast.p == 1 && contrast.difference.value == 0 && !std::isfinite(contrast.difference.low)) {
+  if (contrast.p == 1 && contrast.difference.value == no_difference(evidence) &&
+      !std::isfinite(contrast.difference.low)) {
     return "all observations are equal, but there are too few to call the groups the same" + then;
   }
   if (!std::isfinite(contrast.difference.low)) return p_words(contrast.p) + then;
-  return fmt::format("{}; difference between {} and {}{}", p_words(contrast.p), number_words(contrast.difference.low),
-                     number_words(contrast.difference.high), then);
+  return fmt::format("{}; {}{}", p_words(contrast.p), interval_words_of(evidence, contrast), then);
 }
 
 // "A vs B (...); A vs C and B vs C (...)": a reason once for all pairs that share it.
@@ -209,7 +222,8 @@ std::string lead_words(const Evidence& evidence, std::size_t group, const std::v
   if (pairs.size() > 1) {
     text += fmt::format("; against {}, the best of these", name_words(evidence, other_than(group, best)));
   }
-  text += ": mean " + effect_of(evidence, best, group);
+  text += evidence.scale == ValueScale::log10 ? ": geometric mean " : ": mean ";
+  text += effect_of(evidence, best, group);
   if (evidence.ranks_decide()) text += share_words(evidence, best);
   if (std::isnan(largest_p)) return text;
   const bool is_exact = pairs.size() == 1 || largest_p < 1e-300;
@@ -222,8 +236,7 @@ std::string same_words(const Evidence& evidence, std::size_t group, const std::v
   if (pairs.size() > 1) return text;
   const Estimate& difference = pairs.front()->difference;
   return difference.low == difference.high ? text
-                                           : fmt::format("{} (difference between {} and {})", text,
-                                                         number_words(difference.low), number_words(difference.high));
+                                           : fmt::format("{} ({})", text, interval_words_of(evidence, *pairs.front()));
 }
 
 std::string open_pairs_words(const Evidence& evidence, std::size_t group, const std::vector<const Contrast*>& pairs) {

@@ -67,6 +67,13 @@ std::string margin_words(const Evidence& evidence) {
   return evidence.plan.margin > 0 ? fmt::format("{} or {}", percent(evidence.plan.margin), absolute) : absolute;
 }
 
+std::pair<double, double> interval_sizes(const Evidence& evidence, const Contrast& contrast) {
+  const auto size = [&](double of) {
+    return evidence.scale == ValueScale::log10 ? std::max(of, 1 / of) : std::abs(of);
+  };
+  return std::minmax({size(contrast.difference.low), size(contrast.difference.high)});
+}
+
 std::string extent_words(const Evidence& evidence, const Contrast& contrast) {
   constexpr double most_in_percent = 10;  // times the smaller mean
   if (evidence.plan.margin == 0 && !has_absolute_margin(evidence)) return "";
@@ -77,9 +84,12 @@ std::string extent_words(const Evidence& evidence, const Contrast& contrast) {
     case Extent::beyond:
       return "more than " + margin;
     case Extent::across: {
-      const double unit = std::min(std::abs(evidence.groups[contrast.first].described.mean),
-                                   std::abs(evidence.groups[contrast.second].described.mean));
-      const auto [least, most] = std::minmax({std::abs(contrast.difference.low), std::abs(contrast.difference.high)});
+      const bool is_ratio = evidence.scale == ValueScale::log10;
+      const double unit = is_ratio ? 1
+                                   : std::min(std::abs(evidence.groups[contrast.first].described.mean),
+                                              std::abs(evidence.groups[contrast.second].described.mean));
+      const auto [low, high] = interval_sizes(evidence, contrast);
+      const double least = low - no_difference(evidence), most = high - no_difference(evidence);
       if (evidence.of_outcomes || !(most <= most_in_percent * unit)) return fmt::format("less or more than {}", margin);
       return fmt::format("{} to {} (margin {})", percent(least / unit), percent(most / unit), margin);
     }

@@ -65,10 +65,11 @@ Report publish(Publication publication, const std::filesystem::path& folder, con
   for (std::size_t i = 0; i < figures.size(); ++i) pieces.emplace_back(ReportFigure{figures[i], outcomes[i].rendered});
   arrange(std::move(pieces), assessments, content);
 
-  const Report report{.page = folder / "report.html",
-                      .file = folder / "report.md",
-                      .summary = content.summary,
-                      .warnings = content.warnings};
+  Report report{.page = folder / "report.html",
+                .file = folder / "report.md",
+                .summary = content.summary,
+                .warnings = content.warnings};
+  if (!content.answer.empty()) report.summary.insert(report.summary.begin(), content.answer);
   write_file(report.file, to_markdown(content));
   write_file(report.page, to_html(content, {.figures = folder / "figures",
                                             .motion = motion,

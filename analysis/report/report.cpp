@@ -15,10 +15,12 @@
 #include "analysis/inference/convergence.hpp"
 #include "analysis/inference/definition.hpp"
 #include "analysis/inference/design.hpp"
+#include "analysis/inference/estimand.hpp"
 #include "analysis/inference/text.hpp"
 #include "analysis/report/assessment.hpp"
 #include "analysis/report/cost_tables.hpp"
 #include "analysis/report/interquartile_table.hpp"
+#include "analysis/report/leaders.hpp"
 #include "analysis/report/limits_table.hpp"
 #include "analysis/report/moving_arm.hpp"
 #include "analysis/report/provenance.hpp"
@@ -88,7 +90,7 @@ std::vector<Assessment> assessments_of(const JudgedStudy& study, const Paper& pa
   if (study.solves.empty()) return {};
   std::vector<Assessment> result;
   for (const Metric metric : reported_metrics()) {
-    result.push_back(assess(study, metric));
+    for (const Estimand estimand : estimands_of(study, metric)) result.push_back(assess(study, metric, estimand));
     if (is_comparable(study, metric)) result.back().tables.push_back(interquartile_table(study, metric));
   }
   std::ranges::move(printed_assessments(study, paper), std::back_inserter(result));
@@ -169,6 +171,7 @@ Report write_report(const Store& store, const ReportRequest& request) {
 
   ReportContent content{.study = study.name,
                         .title = study.title.empty() ? study.name : study.title,
+                        .answer = leaders_sentence(study, Metric::position_error_cm),
                         .claims = paper.claims ? paper.claims(reported) : std::vector<Claim>(),
                         .summary = summary(reported, paper),
                         .warnings = warnings_of(study, reported.companions, request.papers),

@@ -88,8 +88,10 @@ void arrange(std::vector<Piece> pieces, const std::vector<Assessment>& assessmen
   fill(circumstances(), content.circumstances);
   fill(content.plan.results.empty() ? results() : content.plan.results, content.results);
   for (const Assessment& assessment : assessments) {
-    Section& filled = content.results.emplace_back(
-        section({assessment.heading, "", {fmt::format("statistics-{}-*", assessment.name)}}, pieces));
+    SectionPlan own{assessment.heading, "", {}};
+    for (const Table& table : assessment.tables) own.names.push_back(table.name);
+    for (const figures::Figure& figure : assessment.figures) own.names.push_back(figure.name);
+    Section& filled = content.results.emplace_back(section(own, pieces));
     filled.sentences = assessment.sentences;
   }
   fill({convergence()}, content.results);

@@ -46,6 +46,7 @@ struct ReportContent {
   std::string study;
   std::string kind = "Report of the study";  // what stands before its name
   std::string title;
+  std::string answer = {};  // its first words; empty where there is none
   std::vector<Claim> claims;
   std::vector<std::string> summary;
   std::vector<std::string> warnings;

@@ -219,6 +219,7 @@ std::string to_html(const ReportContent& content, const HtmlExtras& extras) {
   page.set("title", text(content.title));
   page.set("study", text(content.study));
   page.set("kind", text(content.kind));
+  if (!content.answer.empty()) page.set("answer", text(content.answer));
   page.set("summary", list_of(content.summary));
   if (!content.claims.empty()) {
     page.set("has_claims", true);

@@ -65,6 +65,7 @@ std::string markdown(const std::vector<Section>& sections) {
 std::string to_markdown(const ReportContent& content) {
   std::string text = fmt::format("# {}\n\n", markdown_text(content.title));
   text += fmt::format("{} {}.\n\n", content.kind, markdown_text(content.study));
+  if (!content.answer.empty()) text += markdown_text(content.answer) + "\n\n";
   if (!content.warnings.empty()) text += "## Warnings\n\n" + bullets(content.warnings);
   text += markdown(content.claims) + "## Summary\n\n";
   text += bullets(content.summary);

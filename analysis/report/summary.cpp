@@ -8,6 +8,7 @@
 
 #include "analysis/figures/figure_parts.hpp"
 #include "analysis/inference/text.hpp"
+#include "analysis/report/leaders.hpp"
 #include "analysis/statistics/descriptive.hpp"
 
 namespace ikbench::report {
@@ -39,6 +40,9 @@ std::vector<std::string> rankings(const Reported& reported) {
                             ? times_sentence(reported.study)
                             : ranking_sentence(reported.study, metric));
     if (metric == Metric::position_error_cm) sentences.push_back(limits_sentence(reported.study));
+    if (metric == Metric::seconds && times_are_comparable(reported.study)) {
+      sentences.push_back(leaders_sentence(reported.study, metric));
+    }
   }
   return sentences;
 }

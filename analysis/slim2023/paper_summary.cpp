@@ -10,6 +10,7 @@
 #include "analysis/inference/judge.hpp"
 #include "analysis/inference/ranking.hpp"
 #include "analysis/inference/text.hpp"
+#include "analysis/report/leaders.hpp"
 #include "analysis/report/summary.hpp"
 #include "analysis/slim2023/circle.hpp"
 #include "analysis/slim2023/paper_tables.hpp"
@@ -147,6 +148,7 @@ std::vector<std::string> paper_summary(const JudgedStudy& study) {
   for (const Metric metric : judged) {
     sentences.push_back(rankings(study, metric));
     if (metric == Metric::position_error_cm) sentences.push_back(limits_sentence(study));
+    if (metric == Metric::seconds) sentences.push_back(leaders_sentence(study, metric));
     if (metric == Metric::variation_deg) sentences.push_back(variation_sentence(study, rows));
   }
   sentences.push_back(times_sentence(study));

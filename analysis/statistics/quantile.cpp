@@ -8,6 +8,8 @@
 #include <cstddef>
 #include <stdexcept>
 
+#include "analysis/statistics/descriptive.hpp"
+
 namespace ikbench::statistics {
 
 QuantileType quantile_type(int number) {
@@ -75,6 +77,12 @@ double quantile(std::span<const double> sorted, double p, QuantileType type) {
 }
 
 bool Box::drawable() const { return std::isfinite(q1) && std::isfinite(median) && std::isfinite(q3); }
+
+double decades(std::span<const double> values) {
+  const std::vector<double> ranked = ranked_values(values);
+  const double low = quantile(ranked, 0.05, QuantileType::type_7), high = quantile(ranked, 0.95, QuantileType::type_7);
+  return low > 0 && std::isfinite(high) ? std::log10(high / low) : not_defined;
+}
 
 Box box(std::span<const double> values, QuantileType type) {
   Box result;

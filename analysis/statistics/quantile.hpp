@@ -21,6 +21,10 @@ std::vector<double> ranked_values(std::span<const double> values);
 // The p-quantile of sorted values, 0 <= p <= 1; NaN where there are none. Type 5 is MATLAB's, 7 that of R and NumPy.
 double quantile(std::span<const double> sorted, double p, QuantileType type);
 
+// Over how many decades nine tenths of the values lie: log10 of the 95 % quantile by the 5 % quantile. Not defined
+// where either is not positive or not finite.
+double decades(std::span<const double> values);
+
 // The numbers of a box plot: quartiles, and whiskers to the last value within 1.5 box heights.
 struct Box {
   int n = 0;

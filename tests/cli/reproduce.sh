@@ -9,6 +9,11 @@ has "$out" "slim2023-context: 80 solves" # 2 solvers
 has "$out" "slim2023-limits: 240 solves"
 has "$out" "slim2023-time: 80 solves"    # 4 sizes of the population x 20 targets
 has "$out" "slim2023-dobot: 20 solves"
+# Each estimand has its own winner, in the first words of the page and among the terminal's.
+for words in "Smallest mean error (its worst cases): IK-BA" "Smallest typical error: PSO" "Most often within 0.01 cm: IK-BA"; do
+  has "$out" "$words"
+  has "$(grep '<p class="answer">' paper/report.html)" "$words"
+done
 for table in table-3 table-4 table-5 table-6 table-7 table-8 limits audit readings baselines; do
   [ -s "paper/tables/$table.md" ] || fail "there is no table $table"
   has "$(<paper/report.html)" "id=\"$table\""

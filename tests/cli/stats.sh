@@ -88,6 +88,17 @@ succeeds stats blocks.csv --value error --block problem --test friedman --no-fig
 has "$out" "All groups share 3 blocks"
 has "$out" "Left out because incomplete: 1 of 4 blocks ('p4' has no value of 'B')."
 
+# Geometric means, of runs too.
+printf 'solver,run,error\nA,1,1\nA,1,100\nA,2,10\nA,2,10\nB,1,2\nB,1,2\nB,2,2\nB,2,2\n' >decades.csv
+succeeds stats decades.csv --value error --run run --estimand typical --no-figures --out decades
+quiet
+has "$out" "Statistics: typical error"
+has "$(<decades/tables/statistics-typical-error-groups.csv)" "geometric mean"
+has "$(<decades/tables/statistics-typical-error-groups.csv)" "A,2,,10,"
+sed 's/100/0/' decades.csv >zero.csv
+refused "zero.csv: row 2 below the header: 0 has no logarithm" stats zero.csv --value error --estimand typical
+refused "--estimand is typical; expected mean" stats --summaries "$published" --estimand typical
+
 # Problems of any scale, three seeds each: B crashes in the worst seed of the hardest, its row is not there.
 {
   echo problem,seed,solver,error

@@ -358,15 +358,18 @@ TEST_CASE("a study says how it will be judged, by default Friedman's or Welch's 
           "[study][analysis]") {
   const Study study = read(solver_entry);
   CHECK(study.analysis.test == DecidingTest::by_design);
-  CHECK(nlohmann::json::parse(to_json(study))["analysis"] == nlohmann::json{{"test", "by_design"},
-                                                                            {"adjustment", "holm"},
-                                                                            {"control", ""},
-                                                                            {"significance", 0.05},
-                                                                            {"margin_percent", 5.0},
-                                                                            {"margin_cm", 0.0},
-                                                                            {"power", 0.8},
-                                                                            {"quartiles", 5},
-                                                                            {"unit", "run"}});
+  CHECK(nlohmann::json::parse(to_json(study))["analysis"] ==
+        nlohmann::json{{"test", "by_design"},
+                       {"adjustment", "holm"},
+                       {"control", ""},
+                       {"significance", 0.05},
+                       {"margin_percent", 5.0},
+                       {"margin_cm", 0.0},
+                       {"power", 0.8},
+                       {"quartiles", 5},
+                       {"unit", "run"},
+                       {"estimands", {"mean", "typical", "reliability"}},
+                       {"within_cm", 0.01}});
   for (const Study& built_in : studies()) {
     INFO(built_in.name);
     CHECK(to_json(built_in.analysis) == to_json(AnalysisPlan{}));
@@ -383,6 +386,10 @@ TEST_CASE("the table of the analysis is read, and --set changes it as it does ot
   CHECK(plan.quartiles == 7);
   CHECK(plan.significance == 0.01);
   CHECK(plan.control == "A");
+  const Study study = read("[analysis]\nestimands = [\"reliability\", \"mean\"]\nwithin_cm = 0.015\n" + solver_entry);
+  CHECK(study.analysis.estimands == std::vector{Estimand::mean, Estimand::reliability});  // in their own order
+  CHECK(study.analysis.within_cm == 0.015);
+  CHECK(to_json(read(to_toml(study)).analysis) == to_json(study.analysis));
   CHECK(said_of(solver_entry, {"analysis.significance=7"}) ==
         "--set analysis.significance: analysis.significance is 7; expected a number from 0.0001 to 0.2");
 }
@@ -471,6 +478,14 @@ TEST_CASE("what an analysis cannot be is told with its place and what it can be"
          {table + "significance = 0\n" + solver_entry, "my.toml:2:16: ", {"significance is 0", "from 0.0001 to 0.2"}},
          {table + "significance = nan\n" + solver_entry, "my.toml:2:16: ", {"significance is nan"}},
          {table + "margin_percent = -1\n" + solver_entry, "my.toml:2:18: ", {"margin_percent is -1", "from 0 to 99"}},
+         {table + "estimands = []\n" + solver_entry,
+          "my.toml:2:13: ",
+          {"estimands is []", "a list of some of \"mean\", \"typical\", \"reliability\", each once"}},
+         {table + "estimands = \"mean\"\n" + solver_entry, "my.toml:2:13: ", {"a list of some of"}},
+         {table + "estimands = [\"mean\", \"median\"]\n" + solver_entry, "my.toml:2:13: ", {"a list of some of"}},
+         {table + "estimands = [\"mean\", 3]\n" + solver_entry, "my.toml:2:13: ", {"a list of some of"}},
+         {table + "estimands = [\"mean\", \"mean\"]\n" + solver_entry, "my.toml:2:13: ", {"each once"}},
+         {table + "within_cm = 0\n" + solver_entry, "my.toml:2:13: ", {"within_cm is 0", "from 1e-06 to 1000"}},
          {table + "power = 1\n" + solver_entry, "my.toml:2:9: ", {"power is 1", "from 0.5 to 0.999"}},
          {table + "quartiles = 10\n" + solver_entry, "my.toml:2:13: ", {"quartiles is 10", "from 1 to 9"}},
          {table + "control = \"IK\"\n" + solver_entry + solver_entry + "label = \"B\"\n",

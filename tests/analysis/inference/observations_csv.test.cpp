@@ -473,3 +473,14 @@ TEST_CASE("summaries that cannot be are refused", "[csv]") {
   CHECK(says(summary_refusal("name,mean,sd,n\nA,1,1,2\nA,1,1,2\n"), {"'A', given twice"}));
   CHECK(says(summary_refusal("name,mean,sd,n\n"), {"no rows below the header"}));
 }
+
+TEST_CASE("typical values of a CSV are geometric means of its positive values", "[csv]") {
+  const std::string csv = "solver,run,error\nA,1,1\nA,1,100\nA,2,10\nA,2,10\nB,1,2\nB,1,2\nB,2,2\nB,2,2\n";
+  CsvRequest request{.value = "error", .run = "run", .scale = ValueScale::log10};
+  const Observations found = read_observations(csv, "a.csv", request);
+  CHECK(found.name == "typical-error");
+  CHECK(found.quantity == "typical error");
+  CHECK(found.groups[0].values == std::vector<double>{1, 1});  // log10 of 10
+  CHECK_THROWS_WITH(read_observations("solver,run,error\nA,1,1\nA,2,0\n", "a.csv", request),
+                    "a.csv: row 2 below the header: 0 has no logarithm; expected positive values for typical ones");
+}

@@ -333,9 +333,10 @@ TEST_CASE("times that are not comparable have no verdict anywhere in a report", 
     CHECK(contains(section, "Observations: computing time"));
     CHECK(contains(section, "Not judged"));
     CHECK(times_said(section, "2.00 times their CPU time") == 2);  // once with the table, once with the figure
-    for (const char* verdict : {"In short", "Differences", "Undecided", "Methods", "Assumptions", "All groups together",
-                                "Other tests of all groups", "Where methods disagree", "is better than", "are the same within",
-                                "p = ", "Shapiro", "Tests of all groups", "average rank", "A12"}) {
+    for (const char* verdict :
+         {"In short", "Differences", "Undecided", "Methods", "Assumptions", "All groups together",
+          "Other tests of all groups", "Where methods disagree", "is better than", "are the same within",
+          "p = ", "Shapiro", "Tests of all groups", "average rank", "A12"}) {
       CAPTURE(verdict);
       CHECK(!contains(section, verdict));
     }
@@ -344,6 +345,7 @@ TEST_CASE("times that are not comparable have no verdict anywhere in a report", 
   CHECK(files.contains("tables/statistics-time-groups.csv"));
   for (const char* part : {"tests", "contrasts"}) {
     CHECK(!files.contains("tables/statistics-time-" + std::string(part) + ".csv"));
+    CHECK(!files.contains("tables/statistics-time-typical-" + std::string(part) + ".csv"));
   }
   for (const char* part : {"differences", "ranks", "effects"}) {
     CHECK(!files.contains("figures/statistics-time-" + std::string(part) + ".dat"));
@@ -351,7 +353,8 @@ TEST_CASE("times that are not comparable have no verdict anywhere in a report", 
   // What the printed times say among themselves has a section of its own: "computing time, as printed [s]".
   for (const std::string& whole : {text, page}) {
     for (const char* verdict :
-         {"computing time [s]: ", "computing time \\[s\\]: ", "Pairwise comparisons: computing time [s]",
+         {"<li>computing time [s]: ", "- computing time \\[s\\]: ", "<li>typical computing time [s]: ",
+          "- typical computing time \\[s\\]: ", "typical time", "Pairwise comparisons: computing time [s]",
           "Tests of all groups: computing time [s]", "ANOVA of seconds", "Computing time (mean, smallest first)",
           "relative only: agrees", "relative only: close", "relative only: differs"}) {
       CAPTURE(verdict);

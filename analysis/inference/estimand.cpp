@@ -1,0 +1,90 @@
+#include "analysis/inference/estimand.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "analysis/inference/definition.hpp"
+#include "analysis/inference/text.hpp"
+
+namespace ikbench::inference {
+
+using namespace results;
+using namespace statistics;
+
+namespace {
+
+Quantity mean_quantity(Metric metric) {
+  const MetricInfo& info = info_of(metric);
+  return {.name = std::string(info.slug),
+          .text = quantity(metric),
+          .better = info.better,
+          .value = [metric](const SolveRecord& solve) { return value_of(solve, metric); }};
+}
+
+Quantity typical_quantity(Metric metric) {
+  const MetricInfo& info = info_of(metric);
+  Quantity result{.name = fmt::format("{}-typical", info.slug),
+                  .text = fmt::format("typical {}", quantity(metric)),
+                  .better = info.better,
+                  .scale = ValueScale::log10,
+                  .average = "geometric mean"};
+  result.value = [metric, least = info.rounding](const SolveRecord& solve) {
+    const double value = value_of(solve, metric);
+    return std::log10(value < least ? least : value);
+  };
+  if (info.rounding > 0) {
+    result.notes.push_back(fmt::format("A value below {0} {1} counts as {0} {1}, because below that it is rounding.",
+                                       rounded_number(info.rounding, 3), info.unit));
+  }
+  return result;
+}
+
+Quantity reliability_quantity(const StudyResults& study, Metric metric) {
+  const MetricInfo& info = info_of(metric);
+  Quantity result{.name = fmt::format("{}-reliability", info.slug),
+                  .text = fmt::format("share of solves {}", within_words(study, metric)),
+                  .better = Better::larger,
+                  .average = "share"};
+  result.value = [metric, most = distance_of(study, metric) + info.rounding](const SolveRecord& solve) {
+    return solve.status != Status::refused && value_of(solve, metric) <= most ? 1.0 : 0.0;
+  };
+  result.notes.emplace_back("An answer that was refused or is not finite is not within.");
+  return result;
+}
+
+}  // namespace
+
+double distance_of(const StudyResults& study, Metric metric) {
+  if (metric == Metric::position_error_cm) {
+    const double tolerance = tolerance_cm(study);
+    return std::isfinite(tolerance) ? tolerance : study.plan.within_cm;
+  }
+  const double deadline = metric == Metric::seconds ? Definition(study.definition).number("/stop/seconds") : 0;
+  return deadline > 0 ? deadline : not_defined;
+}
+
+std::string within_words(const StudyResults& study, Metric metric) {
+  return fmt::format("within {} {}", rounded_number(distance_of(study, metric), 4), info_of(metric).unit);
+}
+
+std::vector<Estimand> estimands_of(const StudyResults& study, Metric metric) {
+  std::vector<Estimand> result = study.plan.estimands;
+  if (metric != Metric::position_error_cm && metric != Metric::seconds) return {Estimand::mean};
+  if (!std::isfinite(distance_of(study, metric))) std::erase(result, Estimand::reliability);
+  return result;
+}
+
+Quantity quantity_of(const StudyResults& study, Metric metric, Estimand estimand) {
+  switch (estimand) {
+    case Estimand::typical:
+      return typical_quantity(metric);
+    case Estimand::reliability:
+      return reliability_quantity(study, metric);
+    default:
+      return mean_quantity(metric);
+  }
+}
+
+}  // namespace ikbench::inference

@@ -1,0 +1,39 @@
+// A metric as one of its estimands has it: what of a solve goes into an observation, and how the observation is read.
+// A mean of values over decades is that of its worst cases; the typical value and the share within a distance are not.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "analysis/inference/metrics.hpp"
+#include "analysis/inference/study.hpp"
+#include "results/analysis_plan.hpp"
+
+namespace ikbench::inference {
+
+struct Quantity {
+  std::string name;  // of files and anchors: "error", "error-typical", "error-reliability"
+  std::string text;  // with its unit in brackets: "typical position error [cm]"
+  Better better = Better::smaller;
+  ValueScale scale = ValueScale::plain;
+  std::string average = "mean";         // what an observation is of its solves, in words
+  ValueOf value = {};                   // observations are means of it
+  std::vector<std::string> notes = {};  // what counts as what
+};
+
+// Those of the study's plan that a metric has. The position error has all, the computing time the reliability only
+// where the study has a deadline, and the other metrics the mean alone.
+std::vector<results::Estimand> estimands_of(const StudyResults& study, Metric metric);
+
+// mean: the value. typical: its logarithm to base 10, where a value up to the metric's rounding counts as that.
+// reliability: 1 within the distance, else 0, also where the answer was refused or is not finite.
+Quantity quantity_of(const StudyResults& study, Metric metric, results::Estimand estimand);
+
+// The distance of reliability, in the metric's unit: the study's tolerance, or the plan's within_cm where it has none;
+// of times the study's deadline, not defined where it has none.
+double distance_of(const StudyResults& study, Metric metric);
+
+// "within 0.01 cm"
+std::string within_words(const StudyResults& study, Metric metric);
+
+}  // namespace ikbench::inference

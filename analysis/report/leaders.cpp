@@ -1,0 +1,122 @@
+#include "analysis/report/leaders.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "analysis/inference/estimand.hpp"
+#include "analysis/inference/judge.hpp"
+#include "analysis/inference/text.hpp"
+#include "analysis/report/assessment_words.hpp"
+
+namespace ikbench::report {
+
+using namespace results;
+using namespace inference;
+
+namespace {
+
+// "Smallest typical error"
+std::string first_by_words(const StudyResults& study, Metric metric, Estimand estimand) {
+  if (estimand == Estimand::reliability) return fmt::format("Most often {}", within_words(study, metric));
+  return fmt::format("{} {} {}{}", metric == Metric::seconds ? "Shortest" : "Smallest", name_of(estimand),
+                     info_of(metric).slug, estimand == Estimand::mean ? " (its worst cases)" : "");
+}
+
+// Those with a value, the best first.
+std::vector<std::size_t> order_of(const Evidence& evidence) {
+  std::vector<std::size_t> order;
+  for (std::size_t i = 0; i < evidence.groups.size(); ++i) {
+    if (std::isfinite(evidence.groups[i].described.mean)) order.push_back(i);
+  }
+  std::ranges::stable_sort(order, {}, [&](std::size_t i) {
+    const double mean = evidence.groups[i].described.mean;
+    return evidence.better == Better::smaller ? mean : -mean;
+  });
+  return order;
+}
+
+// Which solver is first, who shares its place, and what sets it apart from the next.
+class Leader {
+ public:
+  Leader(const Evidence& evidence, Metric metric, Estimand estimand)
+      : evidence_(evidence), unit_(estimand == Estimand::reliability ? "" : info_of(metric).unit) {}
+
+  std::string words() const {
+    const std::vector<std::size_t> order = order_of(evidence_);
+    if (order.empty()) return "";
+    const std::string own = name(order[0]);
+    if (order.size() == 1) return fmt::format("{} ({})", own, value(order[0]));
+    std::vector<std::size_t> beside{order[0]};
+    std::string reversed;
+    bool all_same = true;
+    for (const std::size_t other : std::vector(order.begin() + 1, order.end())) {
+      const Judgement found = against(order[0], other);
+      if (!found.undefined.empty() || found.answer == Answer::better) continue;
+      if (found.answer == Answer::worse) {
+        reversed += fmt::format("; but {} is better by the {}", name(other), found.test);
+        continue;
+      }
+      beside.push_back(other);
+      all_same = all_same && found.answer == Answer::same;
+    }
+    if (beside.size() > 1) return shared(beside, all_same) + reversed + ')';
+    const Judgement next = against(order[0], order[1]);
+    return fmt::format("{} ({}; next {} {}, {}{})", own, value(order[0]), name(order[1]), value(order[1]),
+                       std::isfinite(next.p) ? p_words(next.p) : "not tested", reversed);
+  }
+
+ private:
+  Judgement against(std::size_t first, std::size_t other) const {
+    return judge(evidence_, evidence_.groups[first].name, evidence_.groups[other].name);
+  }
+  std::string name(std::size_t group) const { return name_words(evidence_, group); }
+  std::string value(std::size_t group) const {
+    const double mean = evidence_.groups[group].described.mean;
+    if (evidence_.better == Better::larger) return percent(mean);
+    return fmt::format("{} {}", number_words(mean), unit_);
+  }
+
+  // "IK-BA or DE (0.0017 cm and 0.0018 cm; undecided, p = 0.4", without the bracket at the end.
+  std::string shared(const std::vector<std::size_t>& groups, bool all_same) const {
+    constexpr std::size_t most = 4;
+    const std::string finding = all_same ? fmt::format("the same within {}", margin_words(evidence_))
+                                : groups.size() > 2
+                                    ? "undecided"
+                                    : fmt::format("undecided, {}", p_words(against(groups[0], groups[1]).p));
+    if (groups.size() > most) {
+      return fmt::format("{} or one of {} others ({}; {}", name(groups[0]), groups.size() - 1, value(groups[0]),
+                         finding);
+    }
+    std::vector<std::string> names, values;
+    for (const std::size_t group : groups) {
+      names.push_back(name(group));
+      values.push_back(value(group));
+    }
+    return fmt::format("{} {} {} ({}; {}", fmt::join(names.begin(), names.end() - 1, ", "), all_same ? "and" : "or",
+                       names.back(), listed(values), finding);
+  }
+
+  const Evidence& evidence_;
+  std::string_view unit_;
+};
+
+}  // namespace
+
+std::string leader_sentence(const JudgedStudy& study, Metric metric, Estimand estimand) {
+  const std::string words = Leader(study.evidence(metric, estimand), metric, estimand).words();
+  return words.empty() ? "" : fmt::format("{}: {}.", first_by_words(study, metric, estimand), words);
+}
+
+std::string leaders_sentence(const JudgedStudy& study, Metric metric) {
+  std::vector<std::string> sentences;
+  for (const Estimand estimand : estimands_of(study, metric)) {
+    sentences.push_back(leader_sentence(study, metric, estimand));
+  }
+  std::erase(sentences, "");
+  return fmt::format("{}", fmt::join(sentences, " "));
+}
+
+}  // namespace ikbench::report

@@ -1,0 +1,221 @@
+// Mean, typical value and reliability of the same solves: by hand, and where each has another winner.
+#include "analysis/inference/estimand.hpp"
+
+#include <cmath>
+#include <limits>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "analysis/inference/design.hpp"
+#include "analysis/inference/judge.hpp"
+#include "analysis/report/assessment.hpp"
+#include "analysis/report/leaders.hpp"
+#include "tests/catch.hpp"
+
+using namespace ikbench;
+using namespace ikbench::results;
+using namespace ikbench::inference;
+using namespace ikbench::report;
+
+namespace {
+
+constexpr Metric error = Metric::position_error_cm;
+constexpr double never = std::numeric_limits<double>::quiet_NaN();
+
+struct Run {
+  std::string solver;
+  std::vector<double> errors_cm;  // of its points
+};
+
+JudgedStudy study_of(const std::vector<Run>& runs, const std::string& more = "") {
+  std::vector<SolveRecord> solves;
+  std::vector<Series> series;
+  std::map<std::string, int> count;
+  for (const Run& run : runs) {
+    if (++count[run.solver] == 1) series.push_back({.label = run.solver});
+    for (std::size_t point = 0; point < run.errors_cm.size(); ++point) {
+      SolveRecord solve{.solver = run.solver, .run = count[run.solver], .point = static_cast<int>(point) + 1};
+      solve.position_error_cm = run.errors_cm[point];
+      solve.seconds = solve.cpu_seconds = 1;
+      solves.push_back(solve);
+    }
+  }
+  return JudgedStudy(
+      make_study({.name = "s", .definition = R"({"path": {"kind": "helix"})" + more + "}", .series = std::move(series)},
+                 std::move(solves)));
+}
+
+std::vector<double> values(const StudyResults& study, Estimand estimand) {
+  return observations(study, error, estimand).groups.at(0).values;
+}
+
+bool contains(const std::string& text, const std::string& words) { return text.find(words) != std::string::npos; }
+
+std::string text_of(const Assessment& assessment) {
+  std::string text;
+  for (const std::string& sentence : assessment.sentences) text += sentence + '\n';
+  return text;
+}
+
+// Twenty runs of each: A never fails and is never exact, B is exact or lost, C is near eight times of ten.
+std::vector<Run> three_winners() {
+  std::vector<Run> runs;
+  for (int run = 1; run <= 20; ++run) {
+    const double f = 1 + 0.001 * run;
+    runs.push_back({"A", std::vector<double>(10, 0.02 * f)});
+    runs.push_back({"B", {1e-6 * f, 1e-6 * f, 1e-6 * f, 1e-6 * f, 1e-6 * f, f, f, f, f, f}});
+    runs.push_back({"C", {}});
+    for (int point = 0; point < 10; ++point) runs.back().errors_cm.push_back(point < 8 ? 0.009 * f : 10 * f);
+  }
+  return runs;
+}
+
+}  // namespace
+
+TEST_CASE("an observation is the mean, the mean of logarithms or the share within a distance", "[estimand]") {
+  const JudgedStudy study = study_of({{"A", {0.01, 1e-4}}, {"A", {0.1, 1e-9}}, {"A", {0.02, 0.2}}});
+  const std::vector<double> means = values(study, Estimand::mean);
+  REQUIRE(means.size() == 3);
+  CHECK(means[0] == Approx(0.00505));
+  CHECK(means[1] == Approx(0.0500000005).epsilon(1e-12));  // as it is
+  CHECK(means[2] == Approx(0.11));
+  const std::vector<double> typical = values(study, Estimand::typical);
+  REQUIRE(typical.size() == 3);
+  CHECK(typical[0] == Approx(-3));  // (-2 - 4) / 2
+  CHECK(typical[1] == Approx(-4));  // (-1 - 7) / 2: below 1e-7 counts as 1e-7
+  CHECK(typical[2] == Approx((std::log10(0.02) + std::log10(0.2)) / 2));
+  CHECK(values(study, Estimand::reliability) == std::vector<double>{1, 0.5, 0});  // 0.01 cm is within 0.01 cm
+  StudyResults by_point = study;
+  by_point.plan.unit = Unit::point;
+  CHECK(values(by_point, Estimand::reliability) == std::vector<double>{1, 1, 0, 1, 0, 0});
+  const Observations shares = observations(study, error, Estimand::reliability);
+  CHECK(shares.name == "error-reliability");
+  CHECK(shares.quantity == "share of solves within 0.01 cm");
+  CHECK(shares.better == Better::larger);
+  CHECK(shares.replicate == "the share of a run over its 2 points");
+  const Observations logarithms = observations(study, error, Estimand::typical);
+  CHECK(logarithms.name == "error-typical");
+  CHECK(logarithms.quantity == "typical position error [cm]");
+  CHECK(logarithms.replicate == "the geometric mean of a run over its 2 points");
+  CHECK(logarithms.notes.front() == "A value below 1e-07 cm counts as 1e-07 cm, because below that it is rounding.");
+}
+
+TEST_CASE("the distance of reliability is the study's tolerance, or else what its plan says", "[estimand]") {
+  const std::vector<Run> runs{{"A", {0.01, 0.05, 0.2}}};
+  CHECK(values(study_of(runs), Estimand::reliability).front() == Approx(1 / 3.0));
+  CHECK(values(study_of(runs, R"(, "analysis": {"within_cm": 0.1})"), Estimand::reliability).front() ==
+        Approx(2 / 3.0));
+  CHECK(
+      values(study_of(runs, R"(, "stop": {"tolerance_cm": 1}, "analysis": {"within_cm": 0.1})"), Estimand::reliability)
+          .front() == 1);
+}
+
+TEST_CASE("an answer that was refused or is not finite is within no distance, and leaves the typical value undefined",
+          "[estimand]") {
+  JudgedStudy study = study_of({{"A", {1e-3, 1e-3, never, 1e-3}}});
+  study.solves[0].status = Status::refused;
+  CHECK(values(study, Estimand::reliability) == std::vector<double>{0.5});
+  CHECK(std::isnan(values(study, Estimand::typical).front()));
+  CHECK(std::isnan(values(study, Estimand::mean).front()));
+}
+
+TEST_CASE("error has all the plan's estimands, time its reliability with a deadline alone, other metrics the mean",
+          "[estimand]") {
+  using All = std::vector<Estimand>;
+  const std::vector<Run> runs{{"A", {1, 2}}};
+  const JudgedStudy study = study_of(runs);
+  CHECK(estimands_of(study, error) == All{Estimand::mean, Estimand::typical, Estimand::reliability});
+  CHECK(estimands_of(study, Metric::seconds) == All{Estimand::mean, Estimand::typical});
+  CHECK(estimands_of(study, Metric::variation_deg) == All{Estimand::mean});
+  const JudgedStudy timed =
+      study_of(runs, R"(, "stop": {"seconds": 1}, "analysis": {"estimands": ["reliability", "mean"]})");
+  CHECK(estimands_of(timed, Metric::seconds) == All{Estimand::mean, Estimand::reliability});
+  CHECK(observations(timed, Metric::seconds, Estimand::reliability).groups[0].values ==
+        std::vector<double>{1});  // 1 s each
+  CHECK(estimands_of(timed, error) == All{Estimand::mean, Estimand::reliability});
+}
+
+TEST_CASE("typical values are compared as logarithms and told as geometric means and ratios", "[estimand]") {
+  const JudgedStudy study =
+      study_of({{"A", {1e-3}}, {"A", {1e-4}}, {"A", {1e-5}}, {"B", {1e-1}}, {"B", {1e-2}}, {"B", {1e-3}}});
+  const Evidence found = study.evidence(error, Estimand::typical);
+  CHECK(found.groups[0].described.mean == Approx(1e-4));
+  CHECK(found.groups[0].described.median == Approx(1e-4));
+  CHECK(found.groups[0].described.std == Approx(1));  // of -3, -4 and -5
+  const Contrast& pair = found.contrasts.at(0);
+  CHECK(pair.difference.value == Approx(0.01));  // 1e-4 / 1e-2
+  // Student's t of 4 degrees of freedom at 0.975 is 2.7764451 (tables); the standard error is sqrt(2 / 3).
+  const double reach = 2.7764451 * std::sqrt(2.0 / 3);
+  CHECK(pair.difference.low == Approx(std::pow(10, -2 - reach)).epsilon(1e-6));
+  CHECK(pair.difference.high == Approx(std::pow(10, -2 + reach)).epsilon(1e-6));
+  CHECK(judge(found, "B", "A").difference.value == Approx(100));
+  CHECK(judge(found, "B", "A").difference.low == Approx(std::pow(10, 2 - reach)).epsilon(1e-6));
+  const std::string text =
+      text_of(assess(observations(study, error, Estimand::typical), AnalysisPlan{.significance = 0.1}));
+  // t is 2.1318468
+  CHECK(contains(text, "A is better than B: 0.0001 vs 0.01, by 1.82 to 5504 times, more than 5 %"));
+  CHECK(contains(text, "a mean is a geometric mean, and a difference is a ratio"));
+}
+
+TEST_CASE("typical values are the same where their ratio is within the margin", "[estimand]") {
+  std::vector<Run> runs;
+  for (int run = 0; run < 40; ++run) {
+    const double f = run % 2 == 0 ? 0.99 : 1 / 0.99;
+    runs.push_back({"A", {1e-5 * f}});
+    runs.push_back({"B", {1.01e-5 * f}});
+  }
+  CHECK(judge(study_of(runs).evidence(error, Estimand::typical), "A", "B").answer != Answer::undecided);
+  const JudgedStudy study = study_of(runs, R"(, "analysis": {"margin_percent": 3})");
+  CHECK(study.evidence(error, Estimand::typical).contrasts[0].extent == Extent::within);
+  const JudgedStudy narrow = study_of(runs, R"(, "analysis": {"margin_percent": 1})");
+  CHECK(narrow.evidence(error, Estimand::typical).contrasts[0].extent != Extent::within);
+}
+
+TEST_CASE("where each estimand has another winner, the first sentence names the estimand with its winner",
+          "[estimand]") {
+  const JudgedStudy study = study_of(three_winners());
+  const std::string sentence = leaders_sentence(study, error);
+  CAPTURE(sentence);
+  // Means 0.02, 0.5 and 2; geometric means 0.02, sqrt(1e-6) and 0.009^0.8 10^0.2 = 0.0366, each times 1.0105 at most.
+  CHECK(sentence.starts_with("Smallest mean error (its worst cases): A (0.0202 cm; next B 0.505 cm, p = "));
+  CHECK(contains(sentence, ". Smallest typical error: B (0.00101 cm; next A 0.0202 cm, p = "));
+  CHECK(contains(sentence, ". Most often within 0.01 cm: C (80 %; next B 50 %, p = "));
+}
+
+TEST_CASE("those that the test does not separate from the first share its place", "[estimand]") {
+  const auto sentence_of = [](const std::vector<Run>& runs) {
+    return leaders_sentence(study_of(runs, R"(, "analysis": {"estimands": ["mean"]})"), error);
+  };
+  const std::string label = "Smallest mean error (its worst cases): ";
+  CHECK(sentence_of({{"A", {1}}, {"A", {2}}, {"A", {3}}, {"B", {1.5}}, {"B", {2}}, {"B", {3}}})
+            .starts_with(label + "A or B (2 cm and 2.17 cm; undecided, p = "));
+  CHECK(sentence_of({{"A", {1}}, {"A", {2}}, {"B", {3}}, {"B", {2}}, {"C", {4}}, {"C", {2}}}) ==
+        label + "A, B or C (1.5 cm, 2.5 cm and 3 cm; undecided).");
+  CHECK(sentence_of({{"A", {1}}, {"B", {2}}}) == label + "A (1 cm; next B 2 cm, not tested).");  // a run each
+  CHECK(sentence_of({{"A", {1}}, {"A", {2}}}) == label + "A (1.5 cm).");
+  CHECK(sentence_of({{"A", {never}}}).empty());
+  const auto same = [](const char* solver, double value) { return std::vector<Run>(5, Run{solver, {value}}); };
+  std::vector<Run> runs = same("A", 1), others = same("B", 1);
+  runs.insert(runs.end(), others.begin(), others.end());
+  CHECK(sentence_of(runs) == label + "A and B (1 cm and 1 cm; the same within 5 %).");
+}
+
+TEST_CASE("points as observations have a first and no test", "[estimand]") {
+  CHECK(contains(leaders_sentence(study_of(three_winners(), R"(, "analysis": {"unit": "point"})"), error),
+                 "Most often within 0.01 cm: C (80 %; next B 50 %, not tested)."));
+}
+
+TEST_CASE("the caution about decades looks at the solves and not at the means of runs", "[estimand]") {
+  std::vector<Run> runs;
+  for (int run = 0; run < 10; ++run) {
+    runs.push_back({"A", {1e-6, 1e-4, 1e-2, 1 + 0.01 * run}});  // the means are alike
+    runs.push_back({"B", {0.1, 0.2, 0.3, 0.4 + 0.01 * run}});
+  }
+  const JudgedStudy study = study_of(runs);
+  const std::string of_means = text_of(assess(observations(study, error), {}));
+  CHECK(contains(of_means, "Caution: the single values of A (6) span more than two decades"));
+  for (const Estimand estimand : {Estimand::typical, Estimand::reliability}) {
+    CHECK(!contains(text_of(assess(observations(study, error, estimand), {})), "Caution"));
+  }
+}
