@@ -26,6 +26,15 @@ struct InOrder {
   }
 };
 
+std::vector<std::size_t> run_numbers(const StudyResults& study) {
+  std::map<int, std::size_t> numbers;
+  std::vector<std::size_t> result;
+  for (const SolveRecord& solve : study.solves) {
+    result.push_back(numbers.try_emplace(solve.run, numbers.size()).first->second);
+  }
+  return result;
+}
+
 }  // namespace
 
 std::vector<std::size_t> target_numbers(const StudyResults& study) {
@@ -49,18 +58,14 @@ Trials trials_of(const StudyResults& study) {
   return Trials::solves;
 }
 
-Clusters::Clusters(const StudyResults& study) : study_(study), trials_(trials_of(study)) {
-  std::size_t count = 0;
-  if (trials_ == Trials::runs) {
-    std::map<int, std::size_t> runs;
-    for (const SolveRecord& solve : study.solves) {
-      of_solve_.push_back(runs.try_emplace(solve.run, runs.size()).first->second);
-    }
-    count = runs.size();
-  } else {
-    of_solve_ = target_numbers(study);
-    count = of_solve_.empty() ? 0 : std::ranges::max(of_solve_) + 1;
-  }
+Clusters::Clusters(const StudyResults& study) : study_(study) {
+  const auto count_of = [](const std::vector<std::size_t>& numbers) {
+    return numbers.empty() ? 0 : std::ranges::max(numbers) + 1;
+  };
+  of_solve_ = target_numbers(study);
+  are_runs_ = is_chained(study) || count_of(of_solve_) == 1;
+  if (are_runs_) of_solve_ = run_numbers(study);
+  const std::size_t count = count_of(of_solve_);
   drawn_at_once_ = std::min(count, most_clusters);
   for (std::size_t& cluster : of_solve_) cluster %= most_clusters;
   if (count < fewest_clusters) {
@@ -80,7 +85,7 @@ std::vector<std::size_t> Clusters::of(const Solves& solves) const {
   return result;
 }
 
-std::string_view Clusters::noun() const { return trials_ == Trials::runs ? "runs" : "targets"; }
+std::string_view Clusters::noun() const { return are_runs_ ? "runs" : "targets"; }
 
 Interval Clusters::interval(std::vector<double> statistic) const {
   return expanded_percentiles(std::move(statistic), drawn_at_once_, interval_level);

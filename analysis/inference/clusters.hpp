@@ -1,6 +1,6 @@
 // Which solves of a study depend on each other, and so are drawn together by the bootstrap: the solves of a run where
-// each starts from the answer of the one before, else those of a target. What belongs to a cluster is drawn for all
-// solvers at once, because they share its targets.
+// each starts from the answer of the one before or all have the same target, else those of a target. What belongs to a
+// cluster is drawn for all solvers at once, because they share its targets.
 #pragma once
 
 #include <cstddef>
@@ -41,7 +41,7 @@ class Clusters {
 
  private:
   const StudyResults& study_;
-  Trials trials_;
+  bool are_runs_ = false;
   std::vector<std::size_t> of_solve_;
   std::size_t drawn_at_once_ = 0;
   std::vector<std::vector<double>> replicates_;
