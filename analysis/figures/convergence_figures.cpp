@@ -34,10 +34,10 @@ std::string dependence(const StudyResults& study) {
 // What the bands of share curves are.
 std::string bands(const StudyResults& study, const Clusters& clusters) {
   if (!clusters.undefined().empty()) return fmt::format(" There are no intervals: {}.", clusters.undefined());
-  return fmt::format(
-      " {} 95 % intervals at each position, from {} bootstrap samples of the {} with all their solves{}.",
-      study.solvers.size() <= most_bands ? "Bands:" : "The data file has", clusters.replicates().size(),
-      clusters.noun(), study.solvers.size() <= most_bands ? "" : "; a band for each curve would hide others");
+  return fmt::format(" {} {} intervals at each position, from {} bootstrap samples of the {} with all their solves{}.",
+                     study.solvers.size() <= most_bands ? "Bands:" : "The data file has", percent(clusters.level()),
+                     clusters.replicates().size(), clusters.noun(),
+                     study.solvers.size() <= most_bands ? "" : "; a band for each curve would hide others");
 }
 
 std::string without_trace(const StudyResults& study) {

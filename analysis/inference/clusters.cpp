@@ -87,8 +87,10 @@ std::vector<std::size_t> Clusters::of(const Solves& solves) const {
 
 std::string_view Clusters::noun() const { return are_runs_ ? "runs" : "targets"; }
 
+double Clusters::level() const { return 1 - study_.plan.significance; }
+
 Interval Clusters::interval(std::vector<double> statistic) const {
-  return expanded_percentiles(std::move(statistic), drawn_at_once_, interval_level);
+  return expanded_percentiles(std::move(statistic), drawn_at_once_, level());
 }
 
 std::vector<std::vector<double>> resampled_shares(const ClusteredValues& of, const Clusters& clusters,

@@ -36,6 +36,8 @@ class Clusters {
   const std::string& undefined() const { return undefined_; }
   std::string_view noun() const;  // "runs"
 
+  double level() const;  // of intervals, as the plan of the study has it
+
   // expanded_percentiles of a statistic, one of each replicate.
   statistics::Interval interval(std::vector<double> statistic) const;
 
@@ -47,8 +49,6 @@ class Clusters {
   std::vector<std::vector<double>> replicates_;
   std::string undefined_;
 };
-
-constexpr double interval_level = 0.95;
 
 // Values that come in clusters.
 struct ClusteredValues {

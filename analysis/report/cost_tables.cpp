@@ -36,7 +36,8 @@ Proportion share_reached(const Solves& solves, const std::vector<std::size_t>& t
   }
   double shares = 0;
   for (const auto& [target, count] : counts) shares += static_cast<double>(count.successes) / count.trials;
-  return wilson_of_mean(shares / static_cast<double>(counts.size()), static_cast<int>(counts.size()));
+  return wilson_of_mean(shares / static_cast<double>(counts.size()), static_cast<int>(counts.size()),
+                        1 - study.plan.significance);
 }
 
 // The complete runs, and those among them in which every point came to the tolerance.
@@ -63,19 +64,24 @@ void append(std::vector<Cell>& cells, const Successes& count, const Proportion& 
   cells.emplace_back(share.high);
 }
 
-std::string dependence_note(Trials trials) {
+std::string dependence_note(Trials trials, const std::string& level) {
   if (trials == Trials::targets) {
-    return "Each solve starts at the initial configuration, and targets repeat, so one trial is a target: the share of "
-           "its solves that reach the tolerance. The interval is the 95 % Wilson interval of the mean share. There is "
-           "no log-rank test, because it would count every repetition.";
+    return fmt::format(
+        "Each solve starts at the initial configuration, and targets repeat, so one trial is a target: the share of "
+        "its solves that reach the tolerance. The interval is the {} Wilson interval of the mean share. There is no "
+        "log-rank test, because it would count every repetition.",
+        level);
   }
   if (trials == Trials::solves) {
-    return "Solves are independent: each starts at the initial configuration. The interval is the 95 % Wilson "
-           "interval.";
+    return fmt::format(
+        "Solves are independent: each starts at the initial configuration. The interval is the {} Wilson interval.",
+        level);
   }
-  return "The solves of a run depend on each other, because each starts where the last answer left the arm. Therefore "
-         "no interval or test uses single solves. Runs are independent: the interval is the 95 % Wilson interval of "
-         "the share of complete runs in which every point reaches the tolerance.";
+  return fmt::format(
+      "The solves of a run depend on each other, because each starts where the last answer left the arm. Therefore no "
+      "interval or test uses single solves. Runs are independent: the interval is the {} Wilson interval of the share "
+      "of complete runs in which every point reaches the tolerance.",
+      level);
 }
 
 std::string log_rank_note(Trials trials, const Groups& groups) {
@@ -105,9 +111,9 @@ std::string cost_interval_note(const Clusters& clusters) {
     return fmt::format("The mean costs have no intervals: {}.", clusters.undefined());
   }
   return fmt::format(
-      "Intervals of ert and restricted_mean: 95 %, from {} bootstrap samples of the {} with all their solves (expanded "
+      "Intervals of ert and restricted_mean: {}, from {} bootstrap samples of the {} with all their solves (expanded "
       "percentiles). An end of inf: in some samples no solve succeeds.",
-      clusters.replicates().size(), clusters.noun());
+      percent(clusters.level()), clusters.replicates().size(), clusters.noun());
 }
 
 Table cost_table(const StudyResults& study, Cost cost, const Clusters& clusters) {
@@ -145,7 +151,7 @@ Table cost_table(const StudyResults& study, Cost cost, const Clusters& clusters)
     if (trials == Trials::runs) {
       cells.insert(cells.end(), {std::int64_t{reached.trials}, std::int64_t{reached.successes}, Cell(), Cell()});
       const Successes runs = runs_reached(solves[i], study);
-      append(cells, runs, wilson(runs));
+      append(cells, runs, wilson(runs, 1 - study.plan.significance));
     } else {
       append(cells, reached, share_reached(solves[i], targets, study));
       cells.resize(cells.size() + 4);
@@ -173,7 +179,7 @@ Table cost_table(const StudyResults& study, Cost cost, const Clusters& clusters)
                     "and restricted_mean flatter their solvers.",
                     diverged));
   }
-  table.notes.push_back(dependence_note(trials));
+  table.notes.push_back(dependence_note(trials, percent(clusters.level())));
   if (std::string note = log_rank_note(trials, groups); !note.empty()) table.notes.push_back(std::move(note));
   for (const std::string& reason : undefined) table.notes.push_back(fmt::format("Not defined for {}.", reason));
   for (std::string& note : status_notes(study)) table.notes.push_back(std::move(note));

@@ -24,9 +24,9 @@ std::string shares_words(const Evidence& evidence) {
   std::vector<std::string> shares;
   for (std::size_t i = 0; i < evidence.groups.size(); ++i) {
     const GroupEvidence& group = evidence.groups[i];
-    shares.push_back(fmt::format("{} {} of {} ({}, {:.0f} to {})", name_words(evidence, i), ones_of(group),
+    shares.push_back(fmt::format("{} {} of {} ({}, {:.0f} to {:.0f} %)", name_words(evidence, i), ones_of(group),
                                  group.described.n, percent(group.mean.value), 100 * group.mean.low,
-                                 percent(group.mean.high)));
+                                 100 * group.mean.high));
   }
   return fmt::format("Shares of {}: {}.", evidence.quantity, clauses(shares));
 }

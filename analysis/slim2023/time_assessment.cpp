@@ -78,9 +78,9 @@ struct TimeCosts {
   Costs costs;
 };
 
-// "1.39 times (95 % interval 1.1 to 1.8)"
+// "1.39 times (interval 1.1 to 1.8)"
 std::string with_interval(const CostRatio& ratio) {
-  return fmt::format("{} times (95 % interval {} to {})", rounded_number(ratio.value, 3),
+  return fmt::format("{} times (interval {} to {})", rounded_number(ratio.value, 3),
                      rounded_number(ratio.interval.low, 3), rounded_number(ratio.interval.high, 3));
 }
 
@@ -264,9 +264,9 @@ std::vector<std::string> cost_notes(const StudyResults& study, const std::vector
       "nothing.",
       rounded_number(ms_in_s * of.costs.horizon, 3), label_of(printed.front())));
   notes.push_back(of.clusters.undefined().empty()
-                      ? fmt::format("Intervals: 95 %, from {} bootstrap samples of the {}, the same for all entrants "
+                      ? fmt::format("Intervals: {}, from {} bootstrap samples of the {}, the same for all solvers "
                                     "(expanded percentiles).",
-                                    of.clusters.replicates().size(), of.clusters.noun())
+                                    percent(of.clusters.level()), of.clusters.replicates().size(), of.clusters.noun())
                       : fmt::format("There are no intervals: {}.", of.clusters.undefined()));
   const std::string per_bat = listed(printed, [&](const PrintedTime& row) {
     const auto place = place_of(study, label_of(row));
