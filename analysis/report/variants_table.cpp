@@ -188,7 +188,8 @@ std::string variants_verdict(std::span<const VariantComparison> comparisons, con
   const std::string margin = percent(question.margin);
   std::size_t all = 0;
   for (const VariantComparison& comparison : comparisons) all += comparison.metrics.size();
-  const std::string rest = fmt::format("Of {} comparison{}: {}.", all, all == 1 ? "" : "s", counted_outcomes(comparisons, margin));
+  const std::string rest =
+      fmt::format("Of {} comparison{}: {}.", all, all == 1 ? "" : "s", counted_outcomes(comparisons, margin));
   if (count(comparisons, Outcome::worse) > 0) {
     return fmt::format("Regression beyond {}: {}. {}", margin, regressions(comparisons, question), rest);
   }

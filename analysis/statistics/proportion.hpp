@@ -35,7 +35,7 @@ Proportion newcombe(Successes first, Successes second, double level);
 struct FisherExact {
   double p = not_defined;
   double p_greater = not_defined;  // one-sided: the first has the greater chance
-  std::string undefined;  // why there is no p; empty where there is
+  std::string undefined;           // why there is no p; empty where there is
 };
 
 FisherExact fisher_exact(Successes first, Successes second);

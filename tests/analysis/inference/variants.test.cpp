@@ -112,12 +112,16 @@ TEST_CASE("the verdict names every regression, or counts what is not decided", "
   CHECK(count(comparisons, Outcome::worse) == 1);
   comparisons.push_back(compared(a, wide, error));
   comparisons.back().label = "other";
-  CHECK_THAT(variants_verdict(comparisons, {}), ContainsSubstring("Regression beyond 5 %: mine: position_error_cm (2 times") &&
-                                                    ContainsSubstring("Of 2 comparisons: 1 worse by more than 5 %, 1 undecided (about "));
+  CHECK_THAT(variants_verdict(comparisons, {}),
+             ContainsSubstring("Regression beyond 5 %: mine: position_error_cm (2 times") &&
+                 ContainsSubstring("Of 2 comparisons: 1 worse by more than 5 %, 1 undecided (about "));
   comparisons = {compared(a, wide)};
-  CHECK(variants_verdict(comparisons, {}) == 
-        fmt::format("No regression beyond 5 % was found. Of 5 comparisons: 4 the same within 5 %, 1 undecided (about {:.0f} runs would "
-        "decide).", comparisons.front().metrics.front().n_to_decide));
+  CHECK(
+      variants_verdict(comparisons, {}) ==
+      fmt::format(
+          "No regression beyond 5 % was found. Of 5 comparisons: 4 the same within 5 %, 1 undecided (about {:.0f} runs would "
+          "decide).",
+          comparisons.front().metrics.front().n_to_decide));
 }
 
 TEST_CASE("the table has a row for every label and metric, and facts have no p", "[variants]") {

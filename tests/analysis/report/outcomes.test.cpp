@@ -47,8 +47,8 @@ TEST_CASE("outcomes have shares, Wilson's intervals and Fisher's exact test", "[
   const Observations observed = solved({{"A", outcomes(18, 20)}, {"B", outcomes(9, 20)}});
   const Evidence found = evidence(observed, {});
   CHECK(found.groups[0].mean.value == 0.9);
-  CHECK(found.groups[0].mean.low == Approx(0.6989663548).epsilon(1e-9));  // R 4.2.2, prop.test without correction
-  CHECK(found.contrasts[0].p == Approx(0.005735673700078594).epsilon(1e-6));      // SciPy 1.10.1, fisher_exact
+  CHECK(found.groups[0].mean.low == Approx(0.6989663548).epsilon(1e-9));      // R 4.2.2, prop.test without correction
+  CHECK(found.contrasts[0].p == Approx(0.005735673700078594).epsilon(1e-6));  // SciPy 1.10.1, fisher_exact
   CHECK(found.contrasts[0].relation == Relation::first_better);
   CHECK(judge(found, "B", "A").answer == Answer::worse);
   const Assessment assessed = assess(observed, {});
