@@ -9,7 +9,6 @@
 #include "analysis/inference/judge.hpp"
 #include "analysis/inference/margin.hpp"
 #include "analysis/inference/pair_ranks.hpp"
-#include "analysis/inference/posteriors.hpp"
 #include "analysis/statistics/effect_size.hpp"
 #include "analysis/statistics/friedman.hpp"
 #include "analysis/statistics/hodges_lehmann.hpp"
@@ -307,7 +306,6 @@ void add_contrasts(Evidence& evidence, std::span<const GroupSummary> summaries, 
       contrast.runs_to_decide = runs_to_decide(evidence, contrast, summaries, values);
     }
   }
-  if (evidence.blocks > 0) add_posteriors(evidence, ahead, all);
   evidence.contrasts = std::move(all);
 }
 

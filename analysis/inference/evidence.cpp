@@ -13,6 +13,7 @@
 
 #include "analysis/inference/contrasts.hpp"
 #include "analysis/inference/outcomes.hpp"
+#include "analysis/inference/posteriors.hpp"
 #include "analysis/inference/test_results.hpp"
 #include "analysis/inference/text.hpp"
 #include "analysis/statistics/anova.hpp"
@@ -379,7 +380,9 @@ Evidence tested(const Observations& given, const AnalysisPlan& plan) {
 }
 
 Evidence with_bootstrap(Evidence evidence, const Observations& observations) {
-  bootstrap_means(evidence, values_of(exact(observations)));
+  const std::vector<std::vector<double>> values = values_of(exact(observations));
+  bootstrap_means(evidence, values);
+  if (evidence.blocks > 0 && !evidence.of_outcomes) add_posteriors(evidence, values);
   if (evidence.scale == ValueScale::log10) {
     for (GroupEvidence& group : evidence.groups) group.bootstrapped = power_of_ten(group.bootstrapped);
   }

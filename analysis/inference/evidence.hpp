@@ -149,7 +149,8 @@ constexpr double no_difference(const Evidence& evidence) { return evidence.scale
 // summaries) is std::invalid_argument.
 Evidence evidence(const Observations& observations, const results::AnalysisPlan& plan);
 Evidence evidence(const Summaries& summaries, const results::AnalysisPlan& plan);
-// The same without the intervals that the bootstrap takes its time for, and with them after all.
+// The same without what takes its time and decides nothing, the bootstrap's intervals and the posteriors; and with them
+// after all.
 Evidence tested(const Observations& observations, const results::AnalysisPlan& plan);
 Evidence with_bootstrap(Evidence evidence, const Observations& observations);
 // The groups described, no test made, and no bootstrap.

@@ -8,9 +8,8 @@
 
 namespace ikbench::inference {
 
-// Every group's values, the smaller the better. Fills the posteriors of the pairs, with the plan's margin as the region
-// of practical equivalence.
-void add_posteriors(const Evidence& evidence, std::span<const std::vector<double>> ranked,
-                    std::vector<Contrast>& shown);
+// Every group's values, on the scale of the evidence. Fills the posteriors of its pairs, with the plan's margin as the
+// region of practical equivalence.
+void add_posteriors(Evidence& evidence, std::span<const std::vector<double>> values);
 
 }  // namespace ikbench::inference
