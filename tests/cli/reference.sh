@@ -4,17 +4,23 @@
 source "$(dirname "$0")/common.sh"
 
 references=$scripts/../../results/reference.inc
+
+# gives_the_reference FOLDER JOBS
+gives_the_reference() {
+  succeeds reproduce --jobs "$2" --readings 0 --no-figures --out "$1"
+  for study in slim2023 slim2023-context slim2023-limits slim2023-time slim2023-dobot; do
+    has "$out" "Fingerprint of $study: $(grep "\"$study\"" "$references" | cut -d'"' -f4), equal to the reference"
+  done
+}
+
+for jobs in 1 4; do gives_the_reference "$jobs" $jobs; done
 for set in $("$program" list instruction-sets | tail -n +2 | cut -d' ' -f1); do
   export IKBENCH_INSTRUCTION_SET=$set
   succeeds list instruction-sets
   has "$(tr -s ' ' <.out)" "$set yes"
-  for jobs in 1 2 4; do
-    succeeds reproduce --jobs $jobs --readings 0 --no-figures --out "$set-$jobs"
-    for study in slim2023 slim2023-context slim2023-limits slim2023-time slim2023-dobot; do
-      has "$out" "Fingerprint of $study: $(grep "\"$study\"" "$references" | cut -d'"' -f4), equal to the reference"
-    done
-  done
+  gives_the_reference "$set" 2
 done
+unset IKBENCH_INSTRUCTION_SET
 
 # Another seed has no reference.
 succeeds reproduce --seed 2 --runs 1 --no-figures --out seed-2
