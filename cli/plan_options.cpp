@@ -73,7 +73,7 @@ void add_plan_options(CLI::App& command, AnalysisPlan& plan) {
         fmt::format("{}: {} [{}]", meaning, fmt::join(names, ", "), name_of(value)));
   };
   enumerated("--test", plan.test, deciding_test_names,
-             "test that decides (by_design: Friedman with blocks, otherwise Welch)");
+             "test that decides (by_design: Friedman with blocks, otherwise the studentized bootstrap)");
   enumerated("--adjustment", plan.adjustment, adjustment_names, "correction of rank tests for multiple comparisons");
   command.add_option("--control", plan.control, "group to compare the others with; default: compare every pair");
   add_significance_option(command, plan.significance);

@@ -10,12 +10,13 @@
 
 namespace ikbench::results {
 
-// Which test decides. by_design: Friedman where the same targets are given to all (blocks), else Welch; the data have
-// no say in it. The others are computed beside it all the same.
-enum class DecidingTest { by_design, anova, welch, kruskal_wallis, friedman };
+// Which test decides. by_design: Friedman where the same targets are given to all (blocks), else the studentized
+// bootstrap of the means, or Tamhane's test where only summaries are known; the data have no say in it. The others are
+// computed beside it, all but the bootstrap.
+enum class DecidingTest { by_design, anova, welch, kruskal_wallis, friedman, tamhane, bootstrap };
 
 // How p-values of several contrasts are corrected for being several, where the method does not do so itself
-// (Tukey's and Games-Howell's do).
+// (those of means do).
 enum class Adjustment { holm, hochberg, bonferroni, benjamini_hochberg };
 
 // What one observation is: a run's mean over its points, or a single solve. Points of one run depend on each other.
@@ -25,8 +26,8 @@ enum class Unit { run, point };
 // decades. typical: the mean of their logarithms, so the geometric mean. reliability: the share within a distance.
 enum class Estimand { mean, typical, reliability };
 
-constexpr std::array<std::string_view, 5> deciding_test_names{"by_design", "anova", "welch", "kruskal_wallis",
-                                                              "friedman"};
+constexpr std::array<std::string_view, 7> deciding_test_names{"by_design", "anova",   "welch",    "kruskal_wallis",
+                                                              "friedman",  "tamhane", "bootstrap"};
 constexpr std::array<std::string_view, 4> adjustment_names{"holm", "hochberg", "bonferroni", "benjamini_hochberg"};
 constexpr std::array<std::string_view, 2> unit_names{"run", "point"};
 constexpr std::array<std::string_view, 3> estimand_names{"mean", "typical", "reliability"};

@@ -9,6 +9,7 @@
 #include "analysis/inference/judge.hpp"
 #include "analysis/inference/margin.hpp"
 #include "analysis/inference/pair_ranks.hpp"
+#include "analysis/inference/tests_of_means.hpp"
 #include "analysis/statistics/effect_size.hpp"
 #include "analysis/statistics/friedman.hpp"
 #include "analysis/statistics/hodges_lehmann.hpp"
@@ -194,6 +195,10 @@ double deciding_p(const Evidence& evidence, const Contrast& contrast) {
     case DecidingTest::kruskal_wallis:
     case DecidingTest::friedman:
       return contrast.p_ranks;
+    case DecidingTest::tamhane:
+      return contrast.p_tamhane;
+    case DecidingTest::bootstrap:
+      return contrast.p_bootstrap;
     default:
       return contrast.p_unpooled;
   }
@@ -204,8 +209,12 @@ double deciding_p(const Evidence& evidence, const Contrast& contrast) {
 std::vector<PairMethod> pair_methods(const Evidence& evidence) {
   if (evidence.of_outcomes) return {};
   std::vector<PairMethod> methods{{"Tukey", "pooled variance", &Contrast::p_pooled},
-                                  {"Games-Howell", "separate variances", &Contrast::p_unpooled}};
+                                  {"Games-Howell", "separate variances", &Contrast::p_unpooled},
+                                  {"Tamhane", "separate variances, few values", &Contrast::p_tamhane}};
   if (evidence.from_summaries) return methods;
+  if (evidence.plan.test == DecidingTest::bootstrap) {
+    methods.push_back({"bootstrap", "studentized, skewed values", &Contrast::p_bootstrap});
+  }
   if (evidence.blocks > 0) {
     for (PairMethod& method : methods) method.note = "without the blocks";
     methods.push_back({"paired t", "means within blocks", &Contrast::p_paired});
@@ -276,14 +285,15 @@ void add_contrasts(Evidence& evidence, std::span<const GroupSummary> summaries, 
   if (evidence.ranks_decide()) evidence.fewest = fewest_to_differ(evidence);
 
   const double level = 1 - evidence.plan.significance;
-  const std::vector<MeanDifference> pooled = tukey(summaries, level, evidence.reference);
-  const std::vector<MeanDifference> unpooled = games_howell(summaries, level, evidence.reference);
+  const TestsOfMeans tests = tests_of_means(evidence, summaries, values);
   for (std::size_t i = 0; i < all.size(); ++i) {
     Contrast& contrast = all[i];
     const GroupSummary &first = summaries[contrast.first], &second = summaries[contrast.second];
-    contrast.p_pooled = pooled[i].p;
-    contrast.p_unpooled = unpooled[i].p;
-    const MeanDifference& shown = evidence.plan.test == DecidingTest::anova ? pooled[i] : unpooled[i];
+    contrast.p_pooled = tests.pooled[i].p;
+    contrast.p_unpooled = tests.unpooled[i].p;
+    contrast.p_tamhane = tests.by_tamhane[i].p;
+    if (!tests.bootstrapped.empty()) contrast.p_bootstrap = tests.bootstrapped[i].p;
+    const MeanDifference& shown = tests.deciding(evidence.plan.test, i);
     contrast.difference = {.value = first.mean - second.mean, .low = shown.low, .high = shown.high};
     if (!evidence.ranks_decide()) {
       contrast.ahead = ahead_by_means(evidence, shown.difference);

@@ -15,9 +15,9 @@
 #include "analysis/inference/outcomes.hpp"
 #include "analysis/inference/posteriors.hpp"
 #include "analysis/inference/test_results.hpp"
+#include "analysis/inference/tests_of_means.hpp"
 #include "analysis/inference/text.hpp"
 #include "analysis/statistics/anova.hpp"
-#include "analysis/statistics/bootstrap.hpp"
 #include "analysis/statistics/equal_variances.hpp"
 #include "analysis/statistics/kruskal_wallis.hpp"
 #include "analysis/statistics/median_interval.hpp"
@@ -25,6 +25,7 @@
 #include "analysis/statistics/ranks.hpp"
 #include "analysis/statistics/rounding.hpp"
 #include "analysis/statistics/shapiro_wilk.hpp"
+#include "analysis/statistics/studentized_bootstrap.hpp"
 #include "analysis/statistics/welch.hpp"
 
 namespace ikbench::inference {
@@ -69,14 +70,21 @@ void check_control(const Evidence& evidence) {
 // Before the data are looked at: what by_design means for them, and what they do not have.
 void settle_test(Evidence& evidence) {
   DecidingTest& test = evidence.plan.test;
-  if (test == DecidingTest::by_design) test = evidence.blocks > 0 ? DecidingTest::friedman : DecidingTest::welch;
+  if (test == DecidingTest::by_design) {
+    test = evidence.blocks > 0       ? DecidingTest::friedman
+           : evidence.from_summaries ? DecidingTest::tamhane
+                                     : DecidingTest::bootstrap;
+  }
   if (test == DecidingTest::friedman && evidence.blocks == 0) {
     throw std::invalid_argument(
         "Friedman's test needs blocks, which all groups share; expected another test, or a block column");
   }
-  if (test == DecidingTest::kruskal_wallis && evidence.from_summaries) {
-    throw std::invalid_argument("the Kruskal-Wallis test needs single values; expected anova or welch for summaries");
+  if (evidence.from_summaries && (test == DecidingTest::kruskal_wallis || test == DecidingTest::bootstrap)) {
+    throw std::invalid_argument(
+        fmt::format("the {} needs single values; expected anova, welch or tamhane for summaries",
+                    test == DecidingTest::bootstrap ? "bootstrap" : "Kruskal-Wallis test"));
   }
+  if (test == DecidingTest::bootstrap && resamples_of(evidence) == 0) test = DecidingTest::tamhane;
 }
 
 // Greatest and least variance of those that are known.
@@ -108,18 +116,18 @@ Estimate interval_of(const GroupSummary& summary, double level) {
   return {.value = summary.mean, .low = found.low, .high = found.high};
 }
 
-// BCa: it follows the skewness of the values. Not for so many values that the mean is normal anyway.
+// It follows the skewness of the values. Not for so many values that the mean is normal anyway.
 void bootstrap_means(Evidence& evidence, const Samples& values) {
   constexpr std::size_t most_values = 2000;  // of all groups: about a second
   constexpr std::size_t fewest_values = 5;   // fewer have too few resamples that differ
   std::size_t all = 0;
   for (const auto& group : values) all += group.size();
   if (all > most_values || evidence.of_outcomes) return;
-  const auto mean_of = [](std::span<const double> resample) { return mean(resample); };
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (values[i].size() < fewest_values) continue;
-    const BootstrapInterval found = bootstrap(values[i], mean_of, {.level = 1 - evidence.plan.significance});
-    evidence.groups[i].bootstrapped = {.value = found.estimate, .low = found.bca_low, .high = found.bca_high};
+    const MeanInterval found = studentized_interval(values[i], {.level = 1 - evidence.plan.significance});
+    evidence.groups[i].bootstrapped = {
+        .value = evidence.groups[i].described.mean, .low = found.low, .high = found.high};
   }
 }
 
@@ -191,10 +199,13 @@ const TestResult* Evidence::test(std::string_view test_name) const {
 
 std::string_view deciding_words(const Evidence& evidence) {
   if (evidence.of_outcomes) return pair_test_words(evidence);
-  constexpr std::array<std::string_view, 5> words{"the test of the design", "One-way ANOVA with Tukey's test",
+  constexpr std::array<std::string_view, 7> words{"the test of the design",
+                                                  "One-way ANOVA with Tukey's test",
                                                   "Welch's ANOVA with the Games-Howell test",
                                                   "Kruskal-Wallis test with Brunner-Munzel and Mann-Whitney tests",
-                                                  "Friedman's test with Wilcoxon signed-rank tests"};
+                                                  "Friedman's test with Wilcoxon signed-rank tests",
+                                                  "Welch's ANOVA with Tamhane's test",
+                                                  "Studentized bootstrap of the means"};
   if (evidence.groups.size() == 2 && evidence.ranks_decide()) return pair_test_words(evidence);
   return words[static_cast<std::size_t>(evidence.plan.test)];
 }
@@ -209,6 +220,10 @@ std::string_view pair_test_words(const Evidence& evidence) {
       return "Brunner-Munzel and Mann-Whitney tests";
     case DecidingTest::friedman:
       return "Wilcoxon signed-rank test";
+    case DecidingTest::bootstrap:
+      return "studentized bootstrap";
+    case DecidingTest::tamhane:
+      return is_of_two ? "Welch's test" : "Tamhane's test";
     default:
       return is_of_two ? "Welch's test" : "Games-Howell test";
   }
@@ -223,6 +238,8 @@ const TestResult* deciding_test(const Evidence& evidence) {
       return evidence.test(kruskal_wallis_name);
     case DecidingTest::friedman:
       return evidence.test(iman_davenport_name);
+    case DecidingTest::bootstrap:
+      return nullptr;
     default:
       return evidence.test(welch_name);
   }
@@ -253,6 +270,10 @@ std::string_view interval_words(const Evidence& evidence) {
       return "paired t-test within blocks, Bonferroni-corrected";
     case DecidingTest::anova:
       return "Tukey, pooled variance";
+    case DecidingTest::tamhane:
+      return "Tamhane, separate variances";
+    case DecidingTest::bootstrap:
+      return "studentized bootstrap";
     default:
       return "Games-Howell, separate variances";
   }
@@ -287,7 +308,7 @@ AnalysisPlan feasible(AnalysisPlan plan, const Observations& observations) {
 }
 
 AnalysisPlan feasible(AnalysisPlan plan, const Summaries&) {
-  if (plan.test != DecidingTest::anova) plan.test = DecidingTest::welch;
+  if (plan.test != DecidingTest::anova && plan.test != DecidingTest::welch) plan.test = DecidingTest::tamhane;
   plan.control.clear();
   return plan;
 }

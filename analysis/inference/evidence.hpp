@@ -24,7 +24,7 @@ struct GroupEvidence {
   std::string name;
   statistics::Description described = {};
   Estimate mean = {};          // interval of Student's t
-  Estimate bootstrapped = {};  // of the mean, by the bootstrap (BCa)
+  Estimate bootstrapped = {};  // of the mean, by the studentized bootstrap
   Estimate median = {};        // interval by order statistics, free of a distribution
   double q1 = statistics::not_defined;
   double q3 = statistics::not_defined;
@@ -76,6 +76,8 @@ struct Contrast {
   int ahead = 0;                       // the sign of that test's own statistic: 1 where it is for first, -1 for second
   double p_pooled = statistics::not_defined;    // Tukey
   double p_unpooled = statistics::not_defined;  // Games and Howell
+  double p_tamhane = statistics::not_defined;
+  double p_bootstrap = statistics::not_defined;  // of the studentized means; only where it decides
   double p_paired = statistics::not_defined;  // t of the differences within blocks, corrected by Bonferroni; only where
                                               // there are blocks
   // Of ranks, each corrected as planned. What decides is of the two groups alone: within blocks Wilcoxon's, else the
@@ -174,7 +176,7 @@ std::string_view deciding_words(const Evidence& evidence);
 double standing(const Evidence& evidence, const GroupEvidence& group);
 // The group that what decides puts first.
 std::size_t best_group(const Evidence& evidence);
-// The test of all groups that goes with the pairs' deciding one; null where it was not made.
+// The test of all groups that goes with the pairs' deciding one; null where it was not made, or there is none.
 const TestResult* deciding_test(const Evidence& evidence);
 // By which method the differences have their intervals.
 std::string_view interval_words(const Evidence& evidence);

@@ -96,7 +96,7 @@ std::string disagreements(const Evidence& evidence) {
   if (pooling_disagrees && pooling_misleads(evidence)) {
     const std::string least = name_words(evidence, evidence.least_variable);
     text += fmt::format(
-        " {} dominates Tukey's pooled variance: {}. With variances this unequal, trust Games-Howell rather than Tukey.",
+        " {} dominates Tukey's pooled variance: {}. With variances this unequal, do not trust Tukey's test.",
         name_words(evidence, evidence.most_variable),
         std::isfinite(evidence.variance_ratio)
             ? fmt::format("its variance is {} times that of {}", number_words(evidence.variance_ratio), least)

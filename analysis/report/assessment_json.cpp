@@ -67,6 +67,8 @@ Json contrast_json(const Evidence& evidence, const Contrast& contrast) {
               {"p", json_number(contrast.p)},
               {"p_tukey", json_number(contrast.p_pooled)},
               {"p_games_howell", json_number(contrast.p_unpooled)},
+              {"p_tamhane", json_number(contrast.p_tamhane)},
+              {"p_bootstrap", json_number(contrast.p_bootstrap)},
               {"p_paired_t", json_number(contrast.p_paired)},
               {"p_ranks", json_number(contrast.p_ranks)},
               {"p_mann_whitney", json_number(contrast.p_mann_whitney)},

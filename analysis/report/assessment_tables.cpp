@@ -74,7 +74,7 @@ Table groups_table(const Evidence& evidence) {
   if (!evidence.replicate.empty()) table.notes.push_back(fmt::format("One observation is {}.", evidence.replicate));
   if (!evidence.from_summaries) {
     table.notes.push_back(
-        fmt::format("Intervals: Student's t and BCa bootstrap for the mean, order statistics for the median. "
+        fmt::format("Intervals: Student's t and studentized bootstrap for the mean, order statistics for the median. "
                     "Quartiles: Hyndman-Fan type {}.",
                     evidence.plan.quartiles));
   }
@@ -131,7 +131,7 @@ std::string family_note(const Evidence& evidence) {
   if (evidence.pairs == 1) return fmt::format("{} decides.", deciding_words(evidence));
   return fmt::format("{} decides. p: adjusted for {} pairs. Interval of the difference: {}, adjusted for {} pairs.",
                      deciding_words(evidence), corrected_for(evidence), interval_words(evidence),
-                     evidence.plan.test == DecidingTest::friedman ? evidence.family() : evidence.pairs);
+                     evidence.plan.test == DecidingTest::kruskal_wallis ? evidence.pairs : corrected_for(evidence));
 }
 
 Table contrasts_table(const Evidence& evidence) {

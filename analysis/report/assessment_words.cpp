@@ -127,7 +127,9 @@ std::string runs_words(const Evidence& evidence, double runs_to_decide) {
 
 // Tukey's and Games-Howell's p-values are of all pairs, with a control too.
 std::size_t corrected_for(const Evidence& evidence) {
-  return evidence.ranks_decide() || evidence.of_outcomes ? evidence.family() : evidence.pairs;
+  const bool by_family =
+      evidence.ranks_decide() || evidence.of_outcomes || evidence.plan.test == results::DecidingTest::bootstrap;
+  return by_family ? evidence.family() : evidence.pairs;
 }
 
 std::string flaw_words(const Evidence& evidence) {

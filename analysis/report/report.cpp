@@ -181,8 +181,8 @@ Report write_report(const Store& store, const ReportRequest& request) {
   std::ranges::copy(plan_changes(entry, sessions, study.solves), std::back_inserter(content.warnings));
   if (study.plan.test == DecidingTest::friedman && !blocked_observations(study, Metric::position_error_cm)) {
     content.warnings.push_back(
-        fmt::format("The plan asks for Friedman's test, which needs blocks. Welch's ANOVA with the Games-Howell test "
-                    "decides instead. {}",
+        fmt::format("The plan asks for Friedman's test, which needs blocks. The studentized bootstrap of the "
+                    "means decides instead. {}",
                     why_not_blocked(study)));
   }
   if (study.plan.unit == Unit::point) content.warnings.insert(content.warnings.begin(), capitalised(points_flaw) + '.');

@@ -9,6 +9,7 @@
 
 #include "analysis/statistics/pairs.hpp"
 #include "analysis/statistics/studentized_range.hpp"
+#include "analysis/statistics/t_distribution.hpp"
 #include "analysis/statistics/tails.hpp"
 
 namespace ikbench::statistics {
@@ -43,16 +44,52 @@ std::string too_many(std::size_t groups) {
   return groups > 1000 ? fmt::format("{} groups: the studentized range is computed for 1000 at most", groups) : "";
 }
 
-// q, p and interval of a pair whose standard error and df are known.
-void judge(MeanDifference& pair, const StudentizedRange& range, double critical) {
-  pair.q = std::abs(pair.difference) / pair.standard_error * root_two;
-  pair.p = range.upper_tail(pair.q, pair.df);
-  const double reach = critical / root_two * pair.standard_error;
+struct Found {
+  double q, p;
+  double reach;  // of the interval, in standard errors
+};
+
+void settle(MeanDifference& pair, const Found& found) {
+  pair.q = found.q;
+  pair.p = found.p;
+  const double reach = found.reach * pair.standard_error;
   pair.low = pair.difference - reach;
   pair.high = pair.difference + reach;
   if (std::isfinite(pair.q) && std::isfinite(pair.p) && std::isfinite(pair.low) && std::isfinite(pair.high)) return;
   pair.q = pair.p = pair.low = pair.high = not_defined;
   pair.undefined = "the difference or its spread is too large for double precision";
+}
+
+// q, p and interval of a pair whose standard error and df are known.
+void judge(MeanDifference& pair, const StudentizedRange& range, double critical) {
+  const double q = std::abs(pair.difference) / pair.standard_error * root_two;
+  settle(pair, {.q = q, .p = range.upper_tail(q, pair.df), .reach = critical / root_two});
+}
+
+// Pairs with the standard errors and degrees of freedom of Welch's test, where these are defined.
+std::vector<MeanDifference> with_own_variances(std::span<const GroupSummary> groups,
+                                               std::optional<std::size_t> only_with) {
+  std::vector<MeanDifference> pairs = differences(groups, only_with);
+  for (MeanDifference& pair : pairs) {
+    const GroupSummary& a = groups[pair.first];
+    const GroupSummary& b = groups[pair.second];
+    pair.undefined = too_many(groups.size());
+    for (const std::size_t index : {pair.first, pair.second}) {
+      if (pair.undefined.empty()) pair.undefined = group_obstacle(groups[index], index);
+      if (pair.undefined.empty() && groups[index].n < 2) {
+        pair.undefined = fmt::format("group {} has a single value, so it has no spread", index + 1);
+      }
+    }
+    if (pair.undefined.empty() && a.std == 0 && b.std == 0) pair.undefined = "both groups are constant";
+    if (!pair.undefined.empty()) continue;
+    const double a_error = a.std / std::sqrt(a.n);
+    const double b_error = b.std / std::sqrt(b.n);
+    pair.standard_error = std::hypot(a_error, b_error);
+    const double a_part = std::pow(a_error / pair.standard_error, 4);
+    const double b_part = std::pow(b_error / pair.standard_error, 4);
+    pair.df = 1 / (a_part / (a.n - 1) + b_part / (b.n - 1));
+  }
+  return pairs;
 }
 
 }  // namespace
@@ -92,27 +129,27 @@ std::vector<MeanDifference> tukey(std::span<const GroupSummary> groups, double l
 std::vector<MeanDifference> games_howell(std::span<const GroupSummary> groups, double level,
                                          std::optional<std::size_t> only_with) {
   check_level(level);
-  std::vector<MeanDifference> pairs = differences(groups, only_with);
+  std::vector<MeanDifference> pairs = with_own_variances(groups, only_with);
   const StudentizedRange range(static_cast<double>(groups.size()));
   for (MeanDifference& pair : pairs) {
-    const GroupSummary& a = groups[pair.first];
-    const GroupSummary& b = groups[pair.second];
-    pair.undefined = too_many(groups.size());
-    for (const std::size_t index : {pair.first, pair.second}) {
-      if (pair.undefined.empty()) pair.undefined = group_obstacle(groups[index], index);
-      if (pair.undefined.empty() && groups[index].n < 2) {
-        pair.undefined = fmt::format("group {} has a single value, so it has no spread", index + 1);
-      }
-    }
-    if (pair.undefined.empty() && a.std == 0 && b.std == 0) pair.undefined = "both groups are constant";
+    if (pair.undefined.empty()) judge(pair, range, range.quantile(level, pair.df));
+  }
+  return pairs;
+}
+
+std::vector<MeanDifference> tamhane(std::span<const GroupSummary> groups, double level,
+                                    std::optional<std::size_t> only_with) {
+  check_level(level);
+  std::vector<MeanDifference> pairs = with_own_variances(groups, only_with);
+  const auto k = static_cast<double>(groups.size());
+  const double comparisons = k * (k - 1) / 2;
+  const double tail = -std::expm1(std::log(level) / comparisons) / 2;  // of one side of one pair
+  for (MeanDifference& pair : pairs) {
     if (!pair.undefined.empty()) continue;
-    const double a_error = a.std / std::sqrt(a.n);
-    const double b_error = b.std / std::sqrt(b.n);
-    pair.standard_error = std::hypot(a_error, b_error);
-    const double a_part = std::pow(a_error / pair.standard_error, 4);
-    const double b_part = std::pow(b_error / pair.standard_error, 4);
-    pair.df = 1 / (a_part / (a.n - 1) + b_part / (b.n - 1));
-    judge(pair, range, range.quantile(level, pair.df));
+    const double t = std::abs(pair.difference) / pair.standard_error;
+    const double p = 2 * t_upper_tail(t, pair.df);
+    settle(pair,
+           {.q = t * root_two, .p = -std::expm1(comparisons * std::log1p(-p)), .reach = -t_quantile(tail, pair.df)});
   }
   return pairs;
 }

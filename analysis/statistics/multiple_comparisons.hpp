@@ -1,5 +1,7 @@
 // All pairs of means compared at one level for the whole family: Tukey-Kramer (Kramer, Biometrics 12 (1956) 307), which
-// pools the variances, and Games-Howell (J. Educational Statistics 1 (1976) 113), which does not.
+// pools the variances; Games-Howell (J. Educational Statistics 1 (1976) 113) and Tamhane's T2 (JASA 74 (1979) 471),
+// which do not. Of few values Games-Howell finds too much; T2 finds no more than Welch's test does of each pair,
+// corrected by Sidak's inequality.
 #pragma once
 
 #include <cstddef>
@@ -29,10 +31,12 @@ struct MeanDifference {
 // 1000 groups. std::invalid_argument where `level` is not between 0 and 1 or there is no such group.
 //
 // Tukey: a group of one value takes part with the variance of the others; a group whose mean or spread is not defined
-// leaves no pair defined. Games-Howell: each pair stands for itself, so only the pairs of such groups are not defined.
+// leaves no pair defined. The others: each pair stands for itself, so only the pairs of such groups are not defined.
 std::vector<MeanDifference> tukey(std::span<const GroupSummary> groups, double level,
                                   std::optional<std::size_t> only_with = std::nullopt);
 std::vector<MeanDifference> games_howell(std::span<const GroupSummary> groups, double level,
                                          std::optional<std::size_t> only_with = std::nullopt);
+std::vector<MeanDifference> tamhane(std::span<const GroupSummary> groups, double level,
+                                    std::optional<std::size_t> only_with = std::nullopt);
 
 }  // namespace ikbench::statistics

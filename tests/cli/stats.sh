@@ -73,7 +73,7 @@ has_outputs r error groups tests contrasts
 printf 'A,B,C\n1,2,3\n2,3,4\n1.5,2.5,3.25\n1.75,2,3.5\n' >wide.csv
 succeeds stats wide.csv --wide --no-figures --out wide
 has "$out" "; 3 groups (A, B and C) with 4 observations each"
-has "$out" "Methods: Welch's ANOVA with the Games-Howell test decides"
+has "$out" "Methods: Studentized bootstrap of the means decides"
 succeeds stats wide.csv --wide --rows-are-blocks --value AUC --larger-is-better --out blocks
 has "$out" "All groups share 4 blocks"
 has "$out" "Methods: Friedman's test with Wilcoxon signed-rank tests decides"
@@ -173,7 +173,7 @@ has "$pooled" "IK-BA vs DE (p = 0.0695, deciding p = 0.000297)"
 has "$pooled" "IK-BA vs K-ABC (p = 0.5, deciding p = 1.89e-10)"
 has "$error" "IK-BA is better than DE"
 has "$error" "IK-BA is better than K-ABC"
-has "$error" "trust Games-Howell"
+has "$error" "do not trust Tukey"
 has "$variation" "Undecided: IK-BA vs MO-PSO (p = 0.997;"
 has_no "$variation" "IK-BA is better than MO-PSO"
 has "$seconds" "PSO is better than IK-BA: 0.207 vs 0.244"
@@ -243,7 +243,7 @@ refused '--quantity names one quantity' stats --summaries "$published" --quantit
 refused "no group 'Z' for the control; expected one of: A, B" stats pandas.csv --value error --control Z
 refused "Friedman's test needs blocks" stats pandas.csv --value error --test friedman
 refused "needs single values" stats --summaries summaries.csv --test kruskal_wallis
-refused '--test: welsh is not one of by_design, anova, welch, kruskal_wallis, friedman' stats pandas.csv --value error --test welsh
+refused '--test: welsh is not one of by_design, anova, welch, kruskal_wallis, friedman, tamhane, bootstrap' stats pandas.csv --value error --test welsh
 refused '--test: 2 is not one of' stats pandas.csv --value error --test 2
 refused '--adjustment: holms is not one of holm,' stats pandas.csv --value error --adjustment holms
 for margin in 5 1 99.5% -1% nan% 150% inf% % 5%% 0x1p-3 1e-400%; do

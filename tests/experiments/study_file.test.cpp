@@ -471,7 +471,7 @@ TEST_CASE("what an analysis cannot be is told with its place and what it can be"
          {table + "signficance = 0.01\n" + solver_entry, "my.toml:2:1: ", {"did you mean \"significance\"?"}},
          {table + "test = \"t\"\n" + solver_entry,
           "my.toml:2:8: ",
-          {"analysis.test is \"t\"", "\"by_design\", \"anova\", \"welch\", \"kruskal_wallis\", \"friedman\""}},
+          {"analysis.test is \"t\"", "\"by_design\", \"anova\", \"welch\", \"kruskal_wallis\", \"friedman\", \"tamhane\", \"bootstrap\""}},
          {table + "adjustment = 1\n" + solver_entry,
           "my.toml:2:14: ",
           {"analysis.adjustment is 1", "\"holm\", \"hochberg\", \"bonferroni\", \"benjamini_hochberg\""}},

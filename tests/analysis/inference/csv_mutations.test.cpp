@@ -153,7 +153,7 @@ TEST_CASE("whatever is in a CSV, its statistics are words or one sentence that r
     }
   };
   for (int i = 0; i < 3000; ++i) {
-    const AnalysisPlan plan{.test = static_cast<DecidingTest>(mutator.below(5)),
+    const AnalysisPlan plan{.test = static_cast<DecidingTest>(mutator.below(7)),
                             .control = mutator.below(8) == 0 ? "A" : ""};
     if (mutator.below(8) == 0) {
       const std::string text = mutator.mutated(summaries);

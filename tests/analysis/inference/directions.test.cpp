@@ -225,12 +225,14 @@ void check_directions(const Made& made, DecidingTest test, Decided& decided) {
 
 TEST_CASE("the better one is better by the statistic that decides", "[assessment][directions]") {
   const DecidingTest test =
-      GENERATE(DecidingTest::anova, DecidingTest::welch, DecidingTest::kruskal_wallis, DecidingTest::friedman);
+      GENERATE(DecidingTest::anova, DecidingTest::welch, DecidingTest::tamhane, DecidingTest::bootstrap,
+               DecidingTest::kruskal_wallis, DecidingTest::friedman);
   CAPTURE(name_of(test));
   Random random(2023);
   Decided decided;
   std::array<int, 3> of_design{};
-  for (int set = 0; set < 1000; ++set) {
+  const int sets = test == DecidingTest::bootstrap ? 200 : 1000;  // it takes longer
+  for (int set = 0; set < sets; ++set) {
     const Design design = set % 100 == 0 ? Design::many : set % 10 == 1 ? Design::control : Design::all_pairs;
     const Made made = make(design, random);
     if (test == DecidingTest::friedman && !made.blocked) continue;

@@ -59,6 +59,27 @@ TEST_CASE("Games-Howell of PlantGrowth is that of R's rstatix", "[multiple_compa
   }
 }
 
+TEST_CASE("Tamhane's T2 of PlantGrowth is Welch's test of each pair, corrected", "[multiple_comparisons]") {
+  // mpmath, thirty digits: 1 - (1 - p)^3 of Welch's p, and t at 1 - 0.95^(1/3).
+  const auto pairs = tamhane(summaries(plant_growth), 0.95);
+  REQUIRE(pairs.size() == 3);
+  CHECK(pairs[0].p == Approx(0.5787701540936).epsilon(1e-10));
+  CHECK(pairs[1].p == Approx(0.1369246478595).epsilon(1e-10));
+  CHECK(pairs[2].p == Approx(0.02763663710409).epsilon(1e-10));
+  CHECK(pairs[2].df == Approx(14.10356912).epsilon(1e-9));
+  CHECK(pairs[2].low == Approx(-1.64273819708).epsilon(1e-9));
+  CHECK(pairs[2].high == Approx(-0.0872618029195).epsilon(1e-9));
+}
+
+TEST_CASE("Tamhane's T2 of Table 3 tells IK-BA's error from every other algorithm's", "[multiple_comparisons][paper]") {
+  // mpmath, thirty digits, as above with fifteen pairs
+  const std::vector<double> expected{1.45078409017e-6, 0.0003554925215022, 0.0001697625047371, 2.052290899952e-10,
+                                     3.458828158826e-13};
+  const auto pairs = tamhane(table_3_error, 0.95, 0);
+  REQUIRE(pairs.size() == 5);
+  for (std::size_t i = 0; i < 5; ++i) CHECK(pairs[i].p == Approx(expected[i]).epsilon(1e-8));
+}
+
 TEST_CASE("Games-Howell of Table 3 tells IK-BA's error from every other algorithm's", "[multiple_comparisons][paper]") {
   // mpmath 1.3.0, thirty digits, on the printed means and standard deviations. R 4.2.2's ptukey has 2.7e-13 for the
   // last: it takes 1 - cdf.
@@ -80,6 +101,7 @@ TEST_CASE("on Table 3 pooling hides what Games-Howell finds", "[multiple_compari
 TEST_CASE("two groups compared by Games-Howell are Welch's test, by Tukey Student's", "[multiple_comparisons]") {
   const std::vector<GroupSummary> groups{{0.75, 1.789010, 10}, {2.33, 2.002249, 12}};
   CHECK(games_howell(groups, 0.95)[0].p == Approx(welch(groups[0], groups[1]).p).epsilon(1e-11));
+  CHECK(tamhane(groups, 0.95)[0].p == Approx(welch(groups[0], groups[1]).p).epsilon(1e-11));
   CHECK(games_howell(groups, 0.95)[0].df == Approx(welch(groups[0], groups[1]).df).epsilon(1e-12));
   // One-way analysis of variance of two groups is the square of Student's t.
   CHECK(tukey(groups, 0.95)[0].p == Approx(anova_from_summaries(groups).p).epsilon(1e-11));
@@ -87,7 +109,7 @@ TEST_CASE("two groups compared by Games-Howell are Welch's test, by Tukey Studen
 
 TEST_CASE("an interval leaves out zero exactly where p is below one less the level", "[multiple_comparisons]") {
   const auto groups = summaries(plant_growth);
-  for (const auto method : {tukey, games_howell}) {
+  for (const auto method : {tukey, games_howell, tamhane}) {
     for (const MeanDifference& pair : method(groups, 0.95, std::nullopt)) {
       const auto at_p = method(groups, 1 - pair.p, std::nullopt);
       for (const MeanDifference& same : at_p) {
@@ -100,7 +122,7 @@ TEST_CASE("an interval leaves out zero exactly where p is below one less the lev
 }
 
 TEST_CASE("pairs with one group carry the correction for all groups", "[multiple_comparisons]") {
-  for (const auto method : {tukey, games_howell}) {
+  for (const auto method : {tukey, games_howell, tamhane}) {
     const auto all = method(table_3_error, 0.95, std::nullopt);
     REQUIRE(all.size() == 15);
     const auto some = method(table_3_error, 0.95, 2);
@@ -123,7 +145,7 @@ TEST_CASE("the unit of measurement changes no p, however large or small", "[mult
     group.mean *= unit;
     group.std *= unit;
   }
-  for (const auto method : {tukey, games_howell}) {
+  for (const auto method : {tukey, games_howell, tamhane}) {
     const auto expected = method(summaries(plant_growth), 0.95, std::nullopt);
     const auto pairs = method(scaled, 0.95, std::nullopt);
     for (std::size_t i = 0; i < pairs.size(); ++i) {

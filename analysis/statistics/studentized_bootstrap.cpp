@@ -1,0 +1,231 @@
+#include "analysis/statistics/studentized_bootstrap.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <iterator>
+#include <limits>
+#include <stdexcept>
+
+#include "analysis/statistics/draw.hpp"
+#include "analysis/statistics/pairs.hpp"
+#include "analysis/statistics/quantile.hpp"
+#include "analysis/statistics/tails.hpp"
+
+namespace ikbench::statistics {
+namespace {
+
+using Groups = std::span<const std::vector<double>>;
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr double tie = 1e-9;  // deviations this close are equal but for rounding
+constexpr std::size_t fewest_values = 3;
+
+// What of a mean is compared.
+enum class Scale { logarithm, mean };
+
+struct Mean {
+  double value = not_defined, error = not_defined;  // the mean and its standard error
+  double spread = not_defined;                      // the standard error on the scale of the comparison
+  std::vector<double> deviations, squares;  // of each resample on that scale: how far off, squared standard error
+};
+
+struct Resample {
+  double mean = not_defined;
+  double square = not_defined;  // of the standard error; exactly 0 where all values are equal
+};
+
+Resample summary_of(const std::vector<double>& picked) {
+  const auto n = static_cast<double>(picked.size());
+  double sum = 0, squares = 0;
+  for (const double value : picked) sum += value;
+  const double centre = sum / n;
+  for (const double value : picked) squares += (value - centre) * (value - centre);
+  const bool alike = std::ranges::all_of(picked, [&](double value) { return value == picked.front(); });
+  return {.mean = alike ? picked.front() : centre, .square = alike ? 0 : squares / (n * (n - 1))};
+}
+
+// In units in which no square overflows.
+Mean resampled(std::span<const double> values, Scale scale, double unit, const Resampling& settings) {
+  std::vector<double> sample(values.begin(), values.end()), picked(values.size());
+  for (double& value : sample) value /= unit;
+  Mean result{.value = mean(sample), .error = standard_error(sample)};
+  const auto on_scale = [&](Resample of) {
+    return scale == Scale::mean ? Resample{of.mean - result.value, of.square}
+                                : Resample{std::log(of.mean / result.value), of.square / (of.mean * of.mean)};
+  };
+  Draws draws(settings.seed);
+  const auto n = static_cast<std::uint32_t>(sample.size());
+  for (int i = 0; i < settings.resamples; ++i) {
+    for (double& value : picked) value = sample[draws.below(n)];
+    const Resample found = on_scale(summary_of(picked));
+    result.deviations.push_back(found.mean);
+    result.squares.push_back(found.square);
+  }
+  result.value *= unit;
+  result.error *= unit;
+  result.spread = scale == Scale::mean ? result.error : result.error / result.value;
+  return result;
+}
+
+std::string group_undefined(std::span<const double> values, std::size_t index) {
+  if (values.size() < fewest_values) {
+    return fmt::format("group {} has fewer than {} values, of which the bootstrap learns too little", index + 1,
+                       fewest_values);
+  }
+  if (std::ranges::all_of(values, [](double value) { return std::isfinite(value); })) return {};
+  return fmt::format("group {} has values that are not finite", index + 1);
+}
+
+bool is_of(const MeanDifference& pair, std::optional<std::size_t> group) {
+  return !group || pair.first == *group || pair.second == *group;
+}
+
+bool has_spread(const MeanDifference& pair, const std::vector<Mean>& means) {
+  return means[pair.first].spread > 0 || means[pair.second].spread > 0;
+}
+
+// Squared deviations of a pair in squared standard errors, of every resample; infinite where it has no spread.
+void studentize(const Mean& first, const Mean& second, std::vector<double>& squares) {
+  for (std::size_t i = 0; i < squares.size(); ++i) {
+    const double off = first.deviations[i] - second.deviations[i];
+    squares[i] = off == 0 ? 0 : off * off / (first.squares[i] + second.squares[i]);
+  }
+}
+
+// The largest of any pair of every resample, ascending. A pair of which too many are infinite says why and takes no
+// part.
+std::vector<double> largest_deviations(std::vector<MeanDifference>& pairs, const std::vector<Mean>& means,
+                                       const Resampling& settings) {
+  std::vector<double> largest(static_cast<std::size_t>(settings.resamples)), own(largest.size());
+  // Half of what may be beyond the critical value, for all pairs together.
+  const double most = (1 - settings.level) / 2 / static_cast<double>(pairs.size()) * settings.resamples;
+  for (MeanDifference& pair : pairs) {
+    if (!pair.undefined.empty()) continue;
+    studentize(means[pair.first], means[pair.second], own);
+    const auto without_spread = std::ranges::count(own, infinite);
+    if (static_cast<double>(without_spread) > most) {
+      pair.undefined = "too few values, or too few that are not equal, for the bootstrap of so many pairs";
+      continue;
+    }
+    std::ranges::transform(own, largest, largest.begin(),
+                           [](double one, double other) { return std::max(other, one); });
+  }
+  std::ranges::sort(largest);
+  return largest;
+}
+
+// How many standard errors the means are apart if `shift` is added to the second, or its opposite to the first.
+double apart(const Mean& first, const Mean& second, double shift, Scale scale) {
+  if (scale == Scale::mean) return (first.value - second.value - shift) / std::hypot(first.spread, second.spread);
+  const double up = first.value + std::max(-shift, 0.0), down = second.value + std::max(shift, 0.0);
+  return (std::log(up) - std::log(down)) / std::hypot(first.error / up, second.error / down);
+}
+
+// Between a shift at which `holds` and one at which it does not.
+template <class Holds>
+double border(double inside, double outside, Holds holds) {
+  for (int i = 0; i < 100; ++i) {
+    const double middle = inside + (outside - inside) / 2;
+    (holds(middle) ? inside : outside) = middle;
+  }
+  return inside;
+}
+
+// The differences that are not refuted at the critical value. Beyond a thousand times the larger mean an end says
+// nothing, and there is no interval.
+void add_interval(MeanDifference& pair, const Mean& first, const Mean& second, double critical, Scale scale) {
+  const auto holds = [&](double shift) { return std::abs(apart(first, second, shift, scale)) <= critical; };
+  const double most = 1000 * std::max({std::abs(first.value), std::abs(second.value), first.error, second.error});
+  const bool all_on_one_side = !holds(0);
+  const double low_end = all_on_one_side && pair.difference > 0 ? 0 : -most;
+  const double high_end = all_on_one_side && pair.difference < 0 ? 0 : most;
+  if (!std::isfinite(most) || holds(low_end) || holds(high_end)) return;
+  pair.low = border(pair.difference, low_end, holds);
+  pair.high = border(pair.difference, high_end, holds);
+}
+
+}  // namespace
+
+int affordable_resamples(std::size_t values, std::size_t groups, double level) {
+  constexpr double enough = 9999, fewest = 999, most_work = 5e7, work_of_pair = 0.25;  // a value's is 1
+  const auto k = static_cast<double>(groups);
+  const double work = static_cast<double>(values) + work_of_pair * k * (k - 1) / 2;
+  const double wanted = std::max(enough, 20 / (1 - level));  // some twenty of them beyond the level
+  const double possible = std::min(wanted, most_work / work);
+  return possible < fewest ? 0 : static_cast<int>(possible);
+}
+
+std::vector<MeanDifference> studentized_bootstrap(Groups groups, const PairFamily& family, const Resampling& settings) {
+  check_level(settings.level);
+  if (settings.resamples < 2) throw std::invalid_argument("fewer than two resamples");
+  auto pairs = all_pairs<MeanDifference>(groups.size());
+  std::erase_if(pairs, [&](const MeanDifference& pair) { return !is_of(pair, family.control); });
+  std::vector<double> all;
+  for (const auto& group : groups) {
+    std::ranges::copy_if(group, std::back_inserter(all), [](double value) { return std::isfinite(value); });
+  }
+  const bool positive = std::ranges::all_of(all, [](double value) { return value > 0; });
+  const Scale scale = positive && family.compared == Compared::ratios ? Scale::logarithm : Scale::mean;
+
+  std::vector<Mean> means(groups.size());
+  std::vector<std::string> undefined;
+  for (std::size_t i = 0; i < groups.size(); ++i) {
+    undefined.push_back(group_undefined(groups[i], i));
+    if (!undefined.back().empty()) continue;
+    const double unit = power_of_two_below(scale == Scale::logarithm ? std::span<const double>(groups[i]) : all);
+    const std::uint64_t own = settings.seed + i;  // other numbers for each group, the same whatever the others are
+    means[i] = resampled(groups[i], scale, unit, {.resamples = settings.resamples, .seed = own});
+  }
+  for (MeanDifference& pair : pairs) {
+    pair.undefined = undefined[pair.first].empty() ? undefined[pair.second] : undefined[pair.first];
+    if (pair.undefined.empty() && !has_spread(pair, means)) pair.undefined = "both groups are constant";
+  }
+
+  const std::vector<double> largest = largest_deviations(pairs, means, settings);
+  // p < 1 - level where fewer than so many of the resamples reach as far.
+  const double reaching = std::ceil((1 - settings.level) * (settings.resamples + 1) * (1 - tie)) - 1;
+  const double critical =
+      reaching < 1 ? infinite : std::sqrt(largest[largest.size() - static_cast<std::size_t>(reaching)]);
+  std::erase_if(pairs, [&](const MeanDifference& pair) { return !is_of(pair, family.only_with); });
+  for (MeanDifference& pair : pairs) {
+    if (!pair.undefined.empty()) continue;
+    const Mean &first = means[pair.first], &second = means[pair.second];
+    pair.difference = first.value - second.value;
+    pair.standard_error = std::hypot(first.error, second.error);
+    const double found = std::abs(apart(first, second, 0, scale));
+    if (!std::isfinite(found)) {
+      pair.undefined = "the difference or its spread is too large for double precision";
+      continue;
+    }
+    const auto reach = largest.end() - std::ranges::lower_bound(largest, found * found * (1 - tie));
+    pair.p = (1 + static_cast<double>(reach)) / (settings.resamples + 1);
+    add_interval(pair, first, second, critical * (1 + tie), scale);
+  }
+  return pairs;
+}
+
+MeanInterval studentized_interval(std::span<const double> sample, const Resampling& settings) {
+  check_level(settings.level);
+  MeanInterval result{.undefined = group_undefined(sample, 0)};
+  if (!result.undefined.empty()) return result;
+  const Mean found = resampled(sample, Scale::mean, power_of_two_below(sample), settings);
+  if (found.error == 0) return {.low = found.value, .high = found.value};
+  std::vector<double> studentized;
+  for (std::size_t i = 0; i < found.deviations.size(); ++i) {
+    const double off = found.deviations[i];
+    studentized.push_back(off == 0 ? 0 : off / std::sqrt(found.squares[i]));
+  }
+  std::ranges::sort(studentized);
+  const double outside = (1 - settings.level) / 2;
+  const double low = found.value - found.error * quantile(studentized, 1 - outside, QuantileType::type_6);
+  const double high = found.value - found.error * quantile(studentized, outside, QuantileType::type_6);
+  if (!std::isfinite(low) || !std::isfinite(high)) {
+    return {.undefined = "too few values, or too few that are not equal, for the bootstrap"};
+  }
+  return {.low = low, .high = high};
+}
+
+}  // namespace ikbench::statistics

@@ -1,0 +1,44 @@
+// Means by the studentized bootstrap, which holds each resample's deviation against that resample's own standard error
+// (Hall, Annals of Statistics 16 (1988) 927): skewness, unequal spreads and unequal sizes are then in the distribution
+// that decides. Means of positive values are compared by their logarithms, that is, by their ratio, because a large
+// mean then varies as much up as down.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "analysis/statistics/bootstrap.hpp"
+#include "analysis/statistics/multiple_comparisons.hpp"
+#include "analysis/statistics/welch.hpp"
+
+namespace ikbench::statistics {
+
+// ratios: of means of positive values; where some value is not positive, these are differences too.
+enum class Compared { ratios, differences };
+
+// Which pairs p and intervals hold for all at once, which are wanted of these, and what of their means is compared.
+struct PairFamily {
+  Compared compared = Compared::ratios;
+  std::optional<std::size_t> control = std::nullopt;    // the pairs with this group; else all
+  std::optional<std::size_t> only_with = std::nullopt;  // those that this group takes part in; else all of the family
+};
+
+// How many resamples so many values in so many groups can have in less than a second; 0 where these are too few.
+int affordable_resamples(std::size_t values, std::size_t groups, double level);
+
+// Pairs first < second in order. p is the share of resamples in which some pair of the family deviates by as much as
+// this one differs, in standard errors (Westfall and Young, Resampling-Based Multiple Testing (1993), section 2.3;
+// single step). The interval has the differences that this test does not refute; it excludes 0 where p < 1 - level.
+//
+// A pair with a group that has fewer than three values, whose values are not finite, or with two constant groups is not
+// defined. Neither is one of which so many resamples have no spread that no difference could be beyond chance. Such
+// pairs take no part in the family.
+std::vector<MeanDifference> studentized_bootstrap(std::span<const std::vector<double>> groups, const PairFamily& family,
+                                                  const Resampling& settings);
+
+// Interval of one mean, equally likely to miss it on either side.
+MeanInterval studentized_interval(std::span<const double> sample, const Resampling& settings);
+
+}  // namespace ikbench::statistics

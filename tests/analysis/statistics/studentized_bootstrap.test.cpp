@@ -1,0 +1,169 @@
+#include "analysis/statistics/studentized_bootstrap.hpp"
+
+#include <cmath>
+#include <random>
+#include <stdexcept>
+
+#include "tests/catch.hpp"
+
+using namespace ikbench::statistics;
+
+namespace {
+
+using Groups = std::vector<std::vector<double>>;
+
+const Groups two{{1.2, 3.4, 0.7, 5.9, 2.2}, {6.1, 8.3, 7.2, 12.5}};
+const Groups three{{1.2, 3.4, 0.7, 5.9}, {6.1, 8.3, 7.2}, {4.0, 2.5, 4.4}};
+
+std::vector<MeanDifference> compared(const Groups& groups, const PairFamily& family = {}) {
+  return studentized_bootstrap(groups, family, {});
+}
+
+bool says(const MeanDifference& pair, std::string_view words) {
+  return std::isnan(pair.p) && std::isnan(pair.low) && pair.undefined.find(words) != std::string::npos;
+}
+
+Groups scaled(Groups groups, double factor) {
+  for (auto& group : groups) {
+    for (double& value : group) value *= factor;
+  }
+  return groups;
+}
+
+double normal(std::mt19937_64& engine) {
+  const auto uniform = [&] { return (static_cast<double>(engine() >> 11) + 0.5) * 0x1p-53; };
+  const double radius = std::sqrt(-2 * std::log(uniform()));
+  return radius * std::cos(2 * 3.14159265358979 * uniform());
+}
+
+// Six groups of n lognormal values of mean 1, sigma 0.25 to 1.5.
+Groups of_unequal_spread(std::mt19937_64& engine, int n) {
+  Groups groups(6);
+  for (std::size_t g = 0; g < groups.size(); ++g) {
+    const double sigma = 0.25 * static_cast<double>(g + 1);
+    for (int i = 0; i < n; ++i) groups[g].push_back(std::exp(sigma * normal(engine) - sigma * sigma / 2));
+  }
+  return groups;
+}
+
+bool finds_any(const std::vector<MeanDifference>& pairs) {
+  return std::ranges::any_of(pairs, [](const MeanDifference& pair) { return pair.p < 0.05; });
+}
+
+}  // namespace
+
+// Shares of all resamples (800000 of two groups, 186624 of three), enumerated by a script in Python; ten thousand drawn
+// ones have a standard error of sqrt(p (1 - p) / 10000), four times which is allowed.
+TEST_CASE("ten thousand resamples of two groups come close to all 800000", "[studentized_bootstrap]") {
+  CHECK(compared(two)[0].p == Approx(0.038215).margin(0.0077));
+  CHECK(compared(two)[0].difference == Approx(2.68 - 8.525));
+  // 6.1 - 5.9 - 1.2 = -1.0: a value that is not positive, so the means themselves are compared.
+  CHECK(compared({{-1.2, 3.4, 0.7, 5.9, 2.2}, two[1]})[0].p == Approx(0.01992125).margin(0.0056));
+}
+
+TEST_CASE("of three groups, p is of the largest deviation of any pair of the family", "[studentized_bootstrap]") {
+  const auto pairs = compared(three);
+  REQUIRE(pairs.size() == 3);
+  CHECK(pairs[0].p == Approx(0.239744).margin(0.017));
+  CHECK(pairs[1].p == Approx(0.829218).margin(0.015));
+  CHECK(pairs[2].p == Approx(0.155832).margin(0.0145));
+  const auto with_control = compared(three, {.control = 0});
+  REQUIRE(with_control.size() == 2);
+  CHECK(with_control[0].p == Approx(0.126811).margin(0.0133));
+  CHECK(with_control[1].p == Approx(0.655800).margin(0.019));
+  const auto shown = compared(three, {.only_with = 2});  // of all pairs
+  REQUIRE(shown.size() == 2);
+  CHECK(shown[0].p == pairs[1].p);
+  CHECK(shown[1].p == pairs[2].p);
+}
+
+TEST_CASE("the interval of a skewed mean is that of all resamples", "[studentized_bootstrap]") {
+  // All 46656 resamples, in Python: 1.1845 and 5.3251; the ends lie between the limits for shares that are 0.004 (2.6
+  // standard errors of ten thousand) larger and smaller.
+  const MeanInterval found = studentized_interval(std::vector{1.2, 3.4, 0.7, 5.9, 2.2, 2.9}, {});
+  CHECK(found.low > 1.1055);
+  CHECK(found.low < 1.2598);
+  CHECK(found.high > 5.3091);
+  CHECK(found.high < 5.3342);
+}
+
+TEST_CASE("an interval excludes 0 where p is below the level, whatever the scale", "[studentized_bootstrap]") {
+  std::mt19937_64 engine(11);
+  int excluded = 0;
+  for (int set = 0; set < 100; ++set) {
+    Groups groups{{}, {}, {}};
+    for (std::size_t g = 0; g < groups.size(); ++g) {
+      for (int i = 0; i < 8; ++i) groups[g].push_back((set % 2 == 0 ? 5 : 0) + static_cast<double>(g) + normal(engine));
+    }
+    for (const MeanDifference& pair : studentized_bootstrap(groups, {}, {.resamples = 999})) {
+      REQUIRE(pair.undefined.empty());
+      CAPTURE(set, pair.low, pair.difference, pair.high, pair.p);
+      CHECK((pair.low > 0 || pair.high < 0) == (pair.p < 0.05));
+      CHECK(pair.low < pair.difference);
+      CHECK(pair.difference < pair.high);
+      excluded += pair.p < 0.05 ? 1 : 0;
+    }
+  }
+  CHECK(excluded > 20);
+  CHECK(excluded < 280);
+}
+
+TEST_CASE("the unit of the values changes no p, and scales the interval", "[studentized_bootstrap]") {
+  const auto one = compared(two)[0];
+  for (const double factor : {0x1p-600, 0x1p600}) {
+    const auto other = compared(scaled(two, factor))[0];
+    CHECK(other.p == one.p);
+    CHECK(other.low == Approx(one.low * factor).epsilon(1e-9));
+    CHECK(other.high == Approx(one.high * factor).epsilon(1e-9));
+  }
+}
+
+TEST_CASE("lognormal values of unequal spread keep the level far better than by Games-Howell",
+          "[studentized_bootstrap][coverage]") {
+  std::mt19937_64 engine(5);
+  constexpr int sets = 300;
+  int by_bootstrap = 0, by_games_howell = 0;
+  for (int set = 0; set < sets; ++set) {
+    const Groups groups = of_unequal_spread(engine, 10);
+    std::vector<GroupSummary> summaries;
+    for (const auto& group : groups) summaries.push_back(summarise(group));
+    by_bootstrap += finds_any(studentized_bootstrap(groups, {}, {.resamples = 999, .seed = engine()})) ? 1 : 0;
+    by_games_howell += finds_any(games_howell(summaries, 0.95)) ? 1 : 0;
+  }
+  // Standard errors of shares of 300: 0.015 at 0.07, 0.026 at 0.3.
+  CHECK(by_bootstrap < 0.12 * sets);
+  CHECK(by_games_howell > 0.2 * sets);
+}
+
+TEST_CASE("groups that the bootstrap learns nothing of are refused with the reason", "[studentized_bootstrap]") {
+  const std::vector<double> good{1, 2, 3, 5, 4}, other{2, 4, 1, 7, 3};
+  const auto pairs = compared({good, {1, 2}, other, {1, 2, HUGE_VAL}, {7, 7, 7}, {8, 8, 8}});
+  CHECK(says(pairs[0], "group 2 has fewer than 3 values"));
+  CHECK(pairs[1].p <= 1);
+  CHECK(says(pairs[2], "group 4 has values that are not finite"));
+  CHECK(says(pairs.back(), "both groups are constant"));
+  const Groups of_three{{1, 2, 3}, {2, 3, 5}, {3, 5, 8}, {9, 11, 14}};  // each has no spread in 3 of 27 resamples
+  CHECK(says(compared(of_three)[0], "too few values"));
+  CHECK(compared({of_three[0], of_three[3]})[0].undefined.empty());
+  CHECK(!studentized_interval(std::vector{1.0, 2.0}, {}).undefined.empty());
+  CHECK(!studentized_interval(std::vector{1.0, 2.0, 4.0}, {}).undefined.empty());
+  CHECK(studentized_interval(std::vector{3.0, 3.0, 3.0}, {}).low == 3);
+  // One value of twenty differs: no spread in a third of its resamples, and none in the group that it is held against.
+  std::vector<double> nearly_constant(20, 5), constant(20, 6);
+  nearly_constant[0] = 5.5;
+  const auto beside = compared({nearly_constant, constant, good, other});
+  CHECK(says(beside[0], "too few that are not equal"));
+  for (std::size_t i = 1; i < beside.size(); ++i) CHECK(beside[i].p <= 1);
+  CHECK(compared({}).empty());
+  CHECK_THROWS_AS(studentized_bootstrap(two, {}, {.level = 1}), std::invalid_argument);
+  CHECK_THROWS_AS(studentized_bootstrap(two, {}, {.resamples = 1}), std::invalid_argument);
+}
+
+TEST_CASE("the more values and groups, the fewer resamples, and none of too many", "[studentized_bootstrap]") {
+  CHECK(affordable_resamples(120, 6, 0.95) == 9999);
+  CHECK(affordable_resamples(120, 6, 0.999) == 20000);
+  CHECK(affordable_resamples(20000, 6, 0.95) < 2500);
+  CHECK(affordable_resamples(20000, 6, 0.95) > 999);
+  CHECK(affordable_resamples(60000, 6, 0.95) == 0);
+  CHECK(affordable_resamples(2000, 1000, 0.95) == 0);
+}
