@@ -5,12 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
-#include <random>
 #include <stdexcept>
 #include <utility>
 #include <vector>
 
+#include "analysis/statistics/draw.hpp"
 #include "analysis/statistics/quantile.hpp"
 #include "analysis/statistics/t_distribution.hpp"
 #include "analysis/statistics/tails.hpp"
@@ -110,14 +109,6 @@ double expanded(double z, std::size_t clusters) {
 
 }  // namespace
 
-std::size_t draw(std::mt19937_64& engine, std::uint64_t bound) {
-  constexpr std::uint64_t range = std::numeric_limits<std::uint64_t>::max();
-  const std::uint64_t limit = range - range % bound;
-  std::uint64_t number = engine();
-  while (number >= limit) number = engine();
-  return static_cast<std::size_t>(number % bound);
-}
-
 BootstrapInterval bootstrap(std::span<const double> sample, const Statistic& statistic, const Resampling& settings) {
   check(settings);
   BootstrapInterval result;
@@ -126,10 +117,10 @@ BootstrapInterval bootstrap(std::span<const double> sample, const Statistic& sta
 
   result.estimate = statistic(sample);
   result.acceleration = acceleration(sample, statistic);
-  std::mt19937_64 engine(settings.seed);
+  Draws draws(settings.seed);
   std::vector<double> resampled, picked(sample.size());
   for (int i = 0; i < settings.resamples; ++i) {
-    for (double& value : picked) value = sample[draw(engine, sample.size())];
+    for (double& value : picked) value = sample[draws.below(sample.size())];
     resampled.push_back(statistic(picked));
   }
   judge(result, std::move(resampled), settings.level);
@@ -139,11 +130,11 @@ BootstrapInterval bootstrap(std::span<const double> sample, const Statistic& sta
 std::vector<std::vector<double>> resampled_clusters(std::size_t clusters, const Resampling& settings) {
   check(settings);
   if (clusters == 0) throw std::invalid_argument("no clusters to draw: expected 1 or more");
-  std::mt19937_64 engine(settings.seed);
+  Draws draws(settings.seed);
   std::vector<std::vector<double>> replicates(static_cast<std::size_t>(settings.resamples),
                                               std::vector<double>(clusters));
   for (std::vector<double>& drawn : replicates) {
-    for (std::size_t i = 0; i < clusters; ++i) ++drawn[draw(engine, clusters)];
+    for (std::size_t i = 0; i < clusters; ++i) ++drawn[draws.below(clusters)];
   }
   return replicates;
 }

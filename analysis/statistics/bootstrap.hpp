@@ -6,7 +6,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <random>
 #include <span>
 #include <string>
 #include <vector>
@@ -15,11 +14,7 @@
 
 namespace ikbench::statistics {
 
-// 0 to bound - 1, each equally likely: draws from the incomplete last round of the engine's range are drawn again.
-std::size_t draw(std::mt19937_64& engine, std::uint64_t bound);
-
-// The same settings and sample give the same numbers on every machine: std::mt19937_64, whose sequence the standard
-// fixes, with a bounded draw of our own.
+// The same settings and sample give the same numbers on every machine (analysis/statistics/draw.hpp).
 struct Resampling {
   int resamples = 10000;
   std::uint64_t seed = 1;

@@ -3,6 +3,7 @@
 // 3).
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <random>
 
@@ -12,14 +13,15 @@ class Draws {
  public:
   explicit Draws(std::uint64_t seed) : engine_(seed) {}
 
-  // 0 to bound - 1, each equally likely; bound is at least 1.
-  std::uint32_t below(std::uint32_t bound) {
+  // 0 to count - 1, each equally likely; count is 1 to 2^32 - 1.
+  std::size_t below(std::size_t count) {
+    const auto bound = static_cast<std::uint32_t>(count);
     std::uint64_t product = half() * bound;
     if (static_cast<std::uint32_t>(product) < bound) {
       const std::uint32_t incomplete = (0u - bound) % bound;
       while (static_cast<std::uint32_t>(product) < incomplete) product = half() * bound;
     }
-    return static_cast<std::uint32_t>(product >> 32);
+    return static_cast<std::size_t>(product >> 32);
   }
 
  private:

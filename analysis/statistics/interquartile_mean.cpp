@@ -5,9 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <random>
 
-#include "analysis/statistics/bootstrap.hpp"
+#include "analysis/statistics/draw.hpp"
 #include "analysis/statistics/quantile.hpp"
 #include "analysis/statistics/tails.hpp"
 
@@ -88,13 +87,13 @@ InterquartileMean interquartile_mean(std::span<const Stratum> strata, double lev
   }
   result.undefined = no_interval_because(strata, of.values.size());
   if (!result.undefined.empty()) return result;
-  std::mt19937_64 engine(1);
+  Draws draws(1);
   std::vector<double> means;
   for (int i = 0; i < interquartile_resamples; ++i) {
     std::ranges::fill(counts, std::size_t{0});
     for (const auto& clusters : of.places) {
       for (std::size_t drawn = 0; drawn < clusters.size(); ++drawn) {
-        for (const std::size_t place : clusters[draw(engine, clusters.size())]) ++counts[place];
+        for (const std::size_t place : clusters[draws.below(clusters.size())]) ++counts[place];
       }
     }
     means.push_back(middle_mean(of.values, counts));

@@ -57,9 +57,8 @@ Mean resampled(std::span<const double> values, Scale scale, double unit, const R
                                 : Resample{std::log(of.mean / result.value), of.square / (of.mean * of.mean)};
   };
   Draws draws(settings.seed);
-  const auto n = static_cast<std::uint32_t>(sample.size());
   for (int i = 0; i < settings.resamples; ++i) {
-    for (double& value : picked) value = sample[draws.below(n)];
+    for (double& value : picked) value = sample[draws.below(sample.size())];
     const Resample found = on_scale(summary_of(picked));
     result.deviations.push_back(found.mean);
     result.squares.push_back(found.square);
@@ -155,7 +154,7 @@ int affordable_resamples(std::size_t values, std::size_t groups, double level) {
   const double work = static_cast<double>(values) + work_of_pair * k * (k - 1) / 2;
   const double wanted = std::max(enough, 20 / (1 - level));  // some twenty of them beyond the level
   const double possible = std::min(wanted, most_work / work);
-  return possible < fewest ? 0 : static_cast<int>(possible);
+  return possible < fewest ? 0 : static_cast<int>(std::lround(possible));
 }
 
 std::vector<MeanDifference> studentized_bootstrap(Groups groups, const PairFamily& family, const Resampling& settings) {

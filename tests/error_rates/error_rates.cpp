@@ -4,6 +4,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <charconv>
 #include <cmath>
@@ -12,8 +13,10 @@
 #include <functional>
 #include <numbers>
 #include <random>
+#include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "analysis/inference/judge.hpp"
@@ -53,11 +56,15 @@ class Random {
   std::mt19937_64 engine_;
 };
 
+// Groups of one population each, by whose draws they differ.
 struct Scenario {
-  std::string name, n;
+  std::string name;
   std::vector<int> sizes;
   std::function<double(Random&, int group)> draw;
   bool blocked = false;
+  std::string audit = {};  // what an earlier audit found for the method of that time
+
+  int n() const { return sizes.front(); }
 };
 
 Observations observations_of(const Scenario& scenario, Random& random) {
@@ -78,24 +85,34 @@ Observations observations_of(const Scenario& scenario, Random& random) {
 // Pairs that are found to differ, of all or of those with the first group.
 enum class Counts { any_pair, pairs_with_first };
 
-// By the test that decides, as it is judged, and by two that are shown beside it.
+// By the test that decides, as it is judged, and by those that are shown beside it; and how many of the pairs that test
+// is defined for.
 struct Shares {
-  double decided = 0, games_howell = 0, tamhane = 0;
+  double decided = 0, games_howell = 0, tamhane = 0, mann_whitney = 0, brunner_munzel = 0, judged = 0;
+
+  static constexpr std::array all{&Shares::decided,      &Shares::games_howell,   &Shares::tamhane,
+                                  &Shares::mann_whitney, &Shares::brunner_munzel, &Shares::judged};
 };
 
 Shares found_pairs(const Evidence& evidence, Counts counts) {
   Shares found;
-  const auto add = [&](double& share, bool differs) {
-    const double all = counts == Counts::any_pair ? 1 : static_cast<double>(evidence.groups.size()) - 1;
-    share = std::min(1.0, share + (differs ? 1 / all : 0));
-  };
+  double pairs = 0;
+  const auto add = [&](double& count, bool differs) { count += differs ? 1 : 0; };
   for (const Contrast& contrast : evidence.contrasts) {
     if (counts == Counts::pairs_with_first && contrast.first != 0) continue;
-    const Answer answer =
-        judge(evidence, evidence.groups[contrast.first].name, evidence.groups[contrast.second].name).answer;
-    add(found.decided, answer == Answer::better || answer == Answer::worse);
+    const Judgement judged =
+        judge(evidence, evidence.groups[contrast.first].name, evidence.groups[contrast.second].name);
+    add(found.decided, judged.answer == Answer::better || judged.answer == Answer::worse);
     add(found.games_howell, is_significant(contrast.p_unpooled, evidence.plan));
     add(found.tamhane, is_significant(contrast.p_tamhane, evidence.plan));
+    add(found.mann_whitney, is_significant(contrast.p_mann_whitney, evidence.plan));
+    add(found.brunner_munzel, is_significant(contrast.p_brunner_munzel, evidence.plan));
+    add(found.judged, judged.undefined.empty());
+    ++pairs;
+  }
+  for (const auto share : Shares::all) {
+    const bool is_any = counts == Counts::any_pair && share != &Shares::judged;
+    found.*share = is_any ? std::min(1.0, found.*share) : found.*share / pairs;
   }
   return found;
 }
@@ -103,53 +120,72 @@ Shares found_pairs(const Evidence& evidence, Counts counts) {
 Shares shares(const Scenario& scenario, DecidingTest test, Counts counts, int simulations) {
   std::vector<Shares> found(static_cast<std::size_t>(simulations));
   tbb::parallel_for(0, simulations, [&](int simulation) {
-    Random random(scenario.name + scenario.n, simulation);
+    Random random(fmt::format("{}{}", scenario.name, scenario.n()), simulation);
     found[static_cast<std::size_t>(simulation)] =
         found_pairs(tested(observations_of(scenario, random), {.test = test}), counts);
   });
   Shares result;
-  for (const Shares& one : found) {
-    result.decided += one.decided / simulations;
-    result.games_howell += one.games_howell / simulations;
-    result.tamhane += one.tamhane / simulations;
+  for (const auto share : Shares::all) {
+    for (const Shares& one : found) result.*share += one.*share / simulations;
   }
   return result;
 }
 
+// "0.051 +- 0.006": a share of so many simulations and its standard error.
+std::string with_error(double share, int simulations) {
+  return fmt::format("{:.3f} ± {:.3f}", share, std::sqrt(share * (1 - share) / simulations));
+}
+
+// Of the test that decides, which does not judge every pair.
+std::string decided_words(const Shares& found, int simulations) {
+  if (found.judged == 0) return "refused";
+  const std::string share = with_error(found.decided, simulations);
+  return found.judged > 0.995 ? share : fmt::format("{}; {:.0f} % of pairs judged", share, 100 * found.judged);
+}
+
 std::vector<int> six(int n) { return std::vector<int>(6, n); }
+
+std::vector<Scenario> audited() {
+  std::vector<Scenario> all;
+  const auto small = [&](int n, std::string audit) {
+    all.push_back({.name = "false findings: six normal groups of equal means, sizes n to n + 5, deviations 6 to 1",
+                   .sizes = {n, n + 1, n + 2, n + 3, n + 4, n + 5},
+                   .draw = [](Random& r, int g) { return 100 + (6 - g) * r.normal(); },
+                   .audit = std::move(audit)});
+  };
+  small(2, "0.25");
+  small(3, "0.18");
+  small(5, "0.14");
+  for (const int n : {2, 3, 5, 10, 20}) {
+    all.push_back({.name = "false findings: six lognormal groups of equal means, sigma 0.25 to 1.5",
+                   .sizes = six(n),
+                   .draw = [](Random& r, int g) { return r.lognormal(0.25 * (g + 1)); },
+                   .audit = "0.15 to 0.33"});
+  }
+  return all;
+}
 
 std::vector<Scenario> nothing_differs() {
   std::vector<Scenario> all;
-  const auto add = [&](std::string name, int n, std::vector<int> sizes, auto draw) {
-    all.push_back({std::move(name), fmt::format("{}", n), std::move(sizes), draw});
+  const auto add = [&](std::string name, std::vector<int> sizes, auto draw) {
+    all.push_back({.name = std::move(name), .sizes = std::move(sizes), .draw = draw});
   };
-  const auto spread = [](int g) { return 0.25 * (g + 1); };
-  for (const int n : {2, 3, 5, 10, 20}) add("normal", n, six(n), [](Random& r, int) { return 10 + r.normal(); });
-  for (const int n : {2, 3, 5}) {
-    add("normal; one small group, 5 times as variable as five groups of 20", n, {n, 20, 20, 20, 20, 20},
+  for (const int n : {3, 5, 10, 20}) add("normal", six(n), [](Random& r, int) { return 10 + r.normal(); });
+  for (const int n : {3, 5, 10}) {
+    add("normal; one small group, 5 times as variable as five groups of 20", {n, 20, 20, 20, 20, 20},
         [](Random& r, int g) { return 100 + (g == 0 ? 5 : 1) * r.normal(); });
   }
-  for (const int n : {2, 3, 5}) {
-    add("normal; sizes n to n + 5, deviations 6 to 1", n, {n, n + 1, n + 2, n + 3, n + 4, n + 5},
-        [](Random& r, int g) { return 100 + (6 - g) * r.normal(); });
+  for (const int n : {5, 20}) {
+    add("Student's t with 3 degrees of freedom", six(n), [](Random& r, int) { return r.student_3(); });
   }
-  for (const int n : {5, 20})
-    add("Student's t with 3 degrees of freedom", n, six(n), [](Random& r, int) { return r.student_3(); });
-  for (const int n : {5, 20}) add("lognormal, sigma 1", n, six(n), [](Random& r, int) { return r.lognormal(1); });
-  for (const int n : {2, 3, 5, 10, 20}) {
-    add("lognormal, equal means, sigma 0.25 to 1.5", n, six(n),
-        [=](Random& r, int g) { return r.lognormal(spread(g)); });
-  }
+  for (const int n : {5, 20}) add("lognormal, sigma 1", six(n), [](Random& r, int) { return r.lognormal(1); });
   for (const int n : {10, 20}) {
-    add("two lognormal groups, equal means, sigma 0.25 and 1.5", n, {n, n},
+    add("two lognormal groups, sigma 0.25 and 1.5", {n, n},
         [](Random& r, int g) { return r.lognormal(g == 0 ? 0.25 : 1.5); });
   }
   for (const int n : {10, 20}) {
-    add("three exponential groups, three of little spread", n, six(n),
+    add("three exponential groups, three of little spread", six(n),
         [](Random& r, int g) { return g < 3 ? r.exponential() : 1 + 0.1 * r.normal(); });
-  }
-  for (const int n : {10, 20}) {
-    add("0 or 1, with probability 0.9 of 1", n, six(n), [](Random& r, int) { return r.uniform() < 0.9 ? 1.0 : 0.0; });
   }
   return all;
 }
@@ -157,21 +193,17 @@ std::vector<Scenario> nothing_differs() {
 std::vector<Scenario> first_differs() {
   std::vector<Scenario> all;
   const auto add = [&](std::string name, int n, auto draw) {
-    all.push_back({std::move(name), fmt::format("{}", n), six(n), draw});
+    all.push_back({.name = std::move(name), .sizes = six(n), .draw = draw});
   };
   for (const int n : {5, 10, 20}) {
     add("normal, lower by 1.2 standard deviations", n,
         [](Random& r, int g) { return (g == 0 ? 8.8 : 10) + r.normal(); });
   }
   for (const int n : {10, 20}) {
-    add("lognormal, sigma 0.5, half the mean", n,
-        [](Random& r, int g) { return (g == 0 ? 0.5 : 1) * r.lognormal(0.5); });
-  }
-  for (const int n : {10, 20}) {
     add("lognormal, sigma 1, a quarter of the mean", n,
         [](Random& r, int g) { return (g == 0 ? 0.25 : 1) * r.lognormal(1); });
   }
-  for (const int n : {2, 3, 4, 5, 20}) {
+  for (const int n : {3, 4, 5}) {
     add("no overlap: 1 to 2 against 10 to 11", n, [](Random& r, int g) { return (g == 0 ? 1 : 10) + r.uniform(); });
   }
   return all;
@@ -179,77 +211,134 @@ std::vector<Scenario> first_differs() {
 
 std::vector<Scenario> for_ranks() {
   std::vector<Scenario> all;
-  for (const bool blocked : {false, true}) {
-    for (const int n : {5, 10, 20}) {
-      all.push_back(
-          {blocked ? "lognormal in blocks, sigma 1; Friedman's test" : "lognormal, sigma 1; Kruskal-Wallis test",
-           fmt::format("{}", n), six(n), [](Random& r, int) { return r.lognormal(1); }, blocked});
-    }
+  const auto add = [&](std::string name, std::vector<int> sizes, auto draw) {
+    all.push_back({.name = std::move(name), .sizes = std::move(sizes), .draw = draw});
+  };
+  for (const int n : {6, 10, 20}) add("all alike, lognormal", six(n), [](Random& r, int) { return r.lognormal(1); });
+  for (const int n : {6, 10, 20}) {
+    add("normal, equal medians, deviations 1 to 6", six(n), [](Random& r, int g) { return (g + 1) * r.normal(); });
+  }
+  for (const int n : {6, 10, 20}) {
+    add("the same, sizes n to n + 5, the smallest the most variable", {n, n + 1, n + 2, n + 3, n + 4, n + 5},
+        [](Random& r, int g) { return (6 - g) * r.normal(); });
+  }
+  for (const int n : {10, 20}) {
+    add("all alike, lognormal, in blocks (Wilcoxon)", six(n), [](Random& r, int) { return r.lognormal(1); });
+    all.back().blocked = true;
   }
   return all;
 }
 
-void print_shares(std::string_view title, const std::vector<Scenario>& scenarios, Counts counts, int simulations) {
-  fmt::print("| {} | n | Games-Howell | Tamhane | studentized bootstrap |\n|---|---|---|---|---|\n", title);
-  for (const Scenario& scenario : scenarios) {
-    const Shares found = shares(scenario, DecidingTest::by_design, counts, simulations);
-    fmt::print("| {} | {} | {:.3f} | {:.3f} | {:.3f} |\n", scenario.name, scenario.n, found.games_howell, found.tamhane,
-               found.decided);
-    std::fflush(stdout);
+// How often the 95 % interval of a mean holds.
+struct Covered {
+  double student = 0, bca = 0, studentized = 0;
+};
+
+struct Source {
+  std::string name;
+  double mean;
+  std::function<double(Random&)> draw;
+};
+
+Covered coverage(const Source& source, int n, int simulations) {
+  using namespace statistics;
+  std::atomic<int> student = 0, bca = 0, studentized = 0;
+  tbb::parallel_for(0, simulations, [&](int simulation) {
+    Random random(fmt::format("{}{}", source.name, n), simulation);
+    std::vector<double> values;
+    for (int i = 0; i < n; ++i) values.push_back(source.draw(random));
+    const auto has = [&](double low, double high) { return low <= source.mean && source.mean <= high ? 1 : 0; };
+    const MeanInterval by_t = mean_interval(summarise(values), 0.95);
+    const BootstrapInterval by_bca = bootstrap(values, [](std::span<const double> sample) { return mean(sample); });
+    const MeanInterval by_bootstrap = studentized_interval(values, {});
+    student += has(by_t.low, by_t.high);
+    bca += has(by_bca.bca_low, by_bca.bca_high);
+    studentized += has(by_bootstrap.low, by_bootstrap.high);
+  });
+  const auto share = [&](int count) { return static_cast<double>(count) / simulations; };
+  return {share(student), share(bca), share(studentized)};
+}
+
+const Source normal_source{"normal", 0, [](Random& r) { return r.normal(); }};
+
+// Six groups of 20 that do not overlap: the p of two that are next to each other.
+void print_dunn() {
+  Observations observations{.name = "x", .quantity = "x"};
+  for (int g = 0; g < 6; ++g) {
+    Group& group = observations.groups.emplace_back(Group{.name = fmt::format("g{}", g)});
+    for (int i = 0; i < 20; ++i) group.values.push_back(100 * g + i);
+  }
+  const Contrast pair = tested(observations, {.test = DecidingTest::kruskal_wallis}).contrasts[0];
+  fmt::print(
+      "| p of two of six groups, A12 = {:.0f}: Dunn's test before, the pair's own ranks now | 20 | not found | {:.2g} | {:.2g} |\n",
+      std::max(pair.superiority.value, 1 - pair.superiority.value), pair.p_mean_ranks, pair.p);
+}
+
+void print_audited(int simulations) {
+  fmt::print("| what is measured | n | audit | before | now |\n|---|---|---|---|---|\n");
+  for (const Scenario& scenario : audited()) {
+    const Shares found = shares(scenario, DecidingTest::by_design, Counts::any_pair, simulations);
+    fmt::print("| {} | {} | {} | {} | {} |\n", scenario.name, scenario.n(), scenario.audit,
+               with_error(found.games_howell, simulations), decided_words(found, simulations));
+  }
+  for (const auto& [n, audit] : {std::pair{5, "0.83"}, std::pair{10, "0.905"}, std::pair{20, "0.93"}}) {
+    const Covered covered = coverage(normal_source, n, simulations);
+    fmt::print("| bootstrap intervals of a normal mean that hold, at 95 % | {} | {} | {} | {} |\n", n, audit,
+               with_error(covered.bca, simulations), with_error(covered.studentized, simulations));
+  }
+  print_dunn();
+  fmt::print("\n");
+}
+
+void print_means(int simulations) {
+  fmt::print("| false findings of means, six groups | n | Games-Howell | Tamhane | default |\n|---|---|---|---|---|\n");
+  for (const Scenario& scenario : nothing_differs()) {
+    const Shares found = shares(scenario, DecidingTest::by_design, Counts::any_pair, simulations);
+    fmt::print("| {} | {} | {} | {} | {} |\n", scenario.name, scenario.n(), with_error(found.games_howell, simulations),
+               with_error(found.tamhane, simulations), decided_words(found, simulations));
+  }
+  fmt::print("\n");
+}
+
+void print_power(int simulations) {
+  fmt::print(
+      "| pairs that are found, with the one of six groups that differs | n | Games-Howell | Tamhane | default |\n"
+      "|---|---|---|---|---|\n");
+  for (const Scenario& scenario : first_differs()) {
+    const Shares found = shares(scenario, DecidingTest::by_design, Counts::pairs_with_first, simulations);
+    fmt::print("| {} | {} | {:.3f} | {:.3f} | {} |\n", scenario.name, scenario.n(), found.games_howell, found.tamhane,
+               found.judged == 0 ? "refused" : fmt::format("{:.3f}", found.decided));
   }
   fmt::print("\n");
 }
 
 void print_ranks(int simulations) {
-  fmt::print("| false findings by ranks, six groups alike | n | share |\n|---|---|---|\n");
+  fmt::print(
+      "| false findings of ranks, six groups | n | Mann-Whitney | Brunner-Munzel | what decides |\n"
+      "|---|---|---|---|---|\n");
   for (const Scenario& scenario : for_ranks()) {
     const DecidingTest test = scenario.blocked ? DecidingTest::friedman : DecidingTest::kruskal_wallis;
-    fmt::print("| {} | {} | {:.3f} |\n", scenario.name, scenario.n,
-               shares(scenario, test, Counts::any_pair, simulations).decided);
+    const Shares found = shares(scenario, test, Counts::any_pair, simulations);
+    const auto unless_blocked = [&](double share) {
+      return scenario.blocked ? std::string("-") : with_error(share, simulations);
+    };
+    fmt::print("| {} | {} | {} | {} | {} |\n", scenario.name, scenario.n(), unless_blocked(found.mann_whitney),
+               unless_blocked(found.brunner_munzel), with_error(found.decided, simulations));
   }
   fmt::print("\n");
 }
 
-struct Covered {
-  std::atomic<int> student = 0, bca = 0, studentized = 0;
-};
-
-void count_covered(const std::vector<double>& values, double truth, Covered& covered) {
-  using namespace statistics;
-  const auto has = [&](double low, double high) { return low <= truth && truth <= high ? 1 : 0; };
-  const MeanInterval student = mean_interval(summarise(values), 0.95);
-  const auto mean_of = [](std::span<const double> sample) { return mean(sample); };
-  const BootstrapInterval bca = bootstrap(values, mean_of, {.resamples = 1999});
-  const MeanInterval studentized = studentized_interval(values, {.resamples = 1999});
-  covered.student += has(student.low, student.high);
-  covered.bca += has(bca.bca_low, bca.bca_high);
-  covered.studentized += has(studentized.low, studentized.high);
-}
-
 void print_coverage(int simulations) {
-  struct Source {
-    std::string name;
-    double mean;
-    std::function<double(Random&)> draw;
-  };
-  const std::vector<Source> sources{{"normal", 0, [](Random& r) { return r.normal(); }},
+  const std::vector<Source> sources{normal_source,
                                     {"exponential", 1, [](Random& r) { return r.exponential(); }},
-                                    {"lognormal, sigma 0.5", 1, [](Random& r) { return r.lognormal(0.5); }},
                                     {"lognormal, sigma 1", 1, [](Random& r) { return r.lognormal(1); }}};
   fmt::print(
       "| 95 % intervals of a mean that hold | n | Student's t | BCa | studentized bootstrap |\n|---|---|---|---|---|\n");
   for (const Source& source : sources) {
     for (const int n : {5, 10, 20, 50}) {
-      Covered covered;
-      tbb::parallel_for(0, simulations, [&](int simulation) {
-        Random random(source.name + std::to_string(n), simulation);
-        std::vector<double> values;
-        for (int i = 0; i < n; ++i) values.push_back(source.draw(random));
-        count_covered(values, source.mean, covered);
-      });
-      const auto share = [&](int count) { return static_cast<double>(count) / simulations; };
-      fmt::print("| {} | {} | {:.3f} | {:.3f} | {:.3f} |\n", source.name, n, share(covered.student), share(covered.bca),
-                 share(covered.studentized));
+      const Covered covered = coverage(source, n, simulations);
+      fmt::print("| {} | {} | {} | {} | {} |\n", source.name, n, with_error(covered.student, simulations),
+                 with_error(covered.bca, simulations), with_error(covered.studentized, simulations));
     }
   }
 }
@@ -267,9 +356,9 @@ int main(int argc, char** argv) {
       return 1;
     }
   }
-  print_shares("false findings, six groups of equal means", nothing_differs(), Counts::any_pair, simulations);
-  print_shares("found pairs with the first of six groups, which differs", first_differs(), Counts::pairs_with_first,
-               simulations);
+  print_audited(simulations);
+  print_means(simulations);
+  print_power(simulations);
   print_ranks(simulations);
   print_coverage(simulations);
   return 0;

@@ -224,9 +224,8 @@ void check_directions(const Made& made, DecidingTest test, Decided& decided) {
 }  // namespace
 
 TEST_CASE("the better one is better by the statistic that decides", "[assessment][directions]") {
-  const DecidingTest test =
-      GENERATE(DecidingTest::anova, DecidingTest::welch, DecidingTest::tamhane, DecidingTest::bootstrap,
-               DecidingTest::kruskal_wallis, DecidingTest::friedman);
+  const DecidingTest test = GENERATE(DecidingTest::anova, DecidingTest::welch, DecidingTest::tamhane,
+                                     DecidingTest::bootstrap, DecidingTest::kruskal_wallis, DecidingTest::friedman);
   CAPTURE(name_of(test));
   Random random(2023);
   Decided decided;

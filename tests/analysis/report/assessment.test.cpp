@@ -109,7 +109,8 @@ TEST_CASE("PlantGrowth is judged as R judges it", "[assessment]") {
   CHECK(says(found, "equal variances are not rejected"));
 }
 
-TEST_CASE("on the printed Table 3 the pooled variance hides what separate variances find in the error", "[assessment]") {
+TEST_CASE("on the printed Table 3 the pooled variance hides what separate variances find in the error",
+          "[assessment]") {
   const Evidence found = evidence(printed_table_3("position_error_cm"), {});
   CHECK(found.test("One-way ANOVA")->statistic == Approx(40.7736).epsilon(1e-5));
   CHECK(found.test("Welch's ANOVA")->statistic == Approx(141.791).epsilon(1e-5));
@@ -439,7 +440,8 @@ TEST_CASE("equivalence does not depend on the order of the groups", "[assessment
 TEST_CASE("two hundred groups are compared with the best, corrected for all pairs", "[assessment]") {
   Observations many{.name = "x", .quantity = "x"};
   for (int i = 0; i < 200; ++i) {
-    many.groups.push_back({fmt::format("group {}", i), {1.0 + i, 2.0 + i, 3.5 + i, 2.5 + i, 1.5 + i, 3.0 + i, 2.2 + i, 1.7 + i}});
+    many.groups.push_back(
+        {fmt::format("group {}", i), {1.0 + i, 2.0 + i, 3.5 + i, 2.5 + i, 1.5 + i, 3.0 + i, 2.2 + i, 1.7 + i}});
   }
   const Evidence found = evidence(many, {});
   CHECK(found.pairs == 19900);
