@@ -21,7 +21,7 @@ using Groups = std::span<const std::vector<double>>;
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr double tie = 1e-9;  // deviations this close are equal but for rounding
-constexpr std::size_t fewest_values = 3;
+constexpr std::size_t fewest_resampled = 3;
 
 // What of a mean is compared.
 enum class Scale { logarithm, mean };
@@ -70,9 +70,9 @@ Mean resampled(std::span<const double> values, Scale scale, double unit, const R
 }
 
 std::string group_undefined(std::span<const double> values, std::size_t index) {
-  if (values.size() < fewest_values) {
+  if (values.size() < fewest_resampled) {
     return fmt::format("group {} has fewer than {} values, of which the bootstrap learns too little", index + 1,
-                       fewest_values);
+                       fewest_resampled);
   }
   if (std::ranges::all_of(values, [](double value) { return std::isfinite(value); })) return {};
   return fmt::format("group {} has values that are not finite", index + 1);
@@ -100,12 +100,12 @@ std::vector<double> largest_deviations(std::vector<MeanDifference>& pairs, const
                                        const Resampling& settings) {
   std::vector<double> largest(static_cast<std::size_t>(settings.resamples)), own(largest.size());
   // Half of what may be beyond the critical value, for all pairs together.
-  const double most = (1 - settings.level) / 2 / static_cast<double>(pairs.size()) * settings.resamples;
+  const double tolerated = (1 - settings.level) / 2 / static_cast<double>(pairs.size()) * settings.resamples;
   for (MeanDifference& pair : pairs) {
     if (!pair.undefined.empty()) continue;
     studentize(means[pair.first], means[pair.second], own);
     const auto without_spread = std::ranges::count(own, infinite);
-    if (static_cast<double>(without_spread) > most) {
+    if (static_cast<double>(without_spread) > tolerated) {
       pair.undefined = "too few values, or too few that are not equal, for the bootstrap of so many pairs";
       continue;
     }
@@ -137,11 +137,11 @@ double border(double inside, double outside, Holds holds) {
 // nothing, and there is no interval.
 void add_interval(MeanDifference& pair, const Mean& first, const Mean& second, double critical, Scale scale) {
   const auto holds = [&](double shift) { return std::abs(apart(first, second, shift, scale)) <= critical; };
-  const double most = 1000 * std::max({std::abs(first.value), std::abs(second.value), first.error, second.error});
+  const double farthest = 1000 * std::max({std::abs(first.value), std::abs(second.value), first.error, second.error});
   const bool all_on_one_side = !holds(0);
-  const double low_end = all_on_one_side && pair.difference > 0 ? 0 : -most;
-  const double high_end = all_on_one_side && pair.difference < 0 ? 0 : most;
-  if (!std::isfinite(most) || holds(low_end) || holds(high_end)) return;
+  const double low_end = all_on_one_side && pair.difference > 0 ? 0 : -farthest;
+  const double high_end = all_on_one_side && pair.difference < 0 ? 0 : farthest;
+  if (!std::isfinite(farthest) || holds(low_end) || holds(high_end)) return;
   pair.low = border(pair.difference, low_end, holds);
   pair.high = border(pair.difference, high_end, holds);
 }
@@ -149,12 +149,12 @@ void add_interval(MeanDifference& pair, const Mean& first, const Mean& second, d
 }  // namespace
 
 int affordable_resamples(std::size_t values, std::size_t groups, double level) {
-  constexpr double enough = 9999, fewest = 999, most_work = 5e7, work_of_pair = 0.25;  // a value's is 1
+  constexpr double enough = 9999, fewest_resamples = 999, most_work = 5e7, work_of_pair = 0.25;  // a value's is 1
   const auto k = static_cast<double>(groups);
   const double work = static_cast<double>(values) + work_of_pair * k * (k - 1) / 2;
   const double wanted = std::max(enough, 20 / (1 - level));  // some twenty of them beyond the level
   const double possible = std::min(wanted, most_work / work);
-  return possible < fewest ? 0 : static_cast<int>(std::lround(possible));
+  return possible < fewest_resamples ? 0 : static_cast<int>(std::lround(possible));
 }
 
 std::vector<MeanDifference> studentized_bootstrap(Groups groups, const PairFamily& family, const Resampling& settings) {
