@@ -29,7 +29,7 @@ TestsOfMeans tests_of_means(const Evidence& evidence, std::span<const GroupSumma
                      .bootstrapped = {}};
   if (evidence.plan.test != DecidingTest::bootstrap) return tests;
   // Of logarithms, differences are what is a ratio of the values.
-  const PairFamily family{.compared = evidence.scale == ValueScale::log10 ? Compared::differences : Compared::ratios,
+  const PairFamily family{.by = evidence.scale == ValueScale::log10 ? CompareBy::differences : CompareBy::ratios,
                           .control = evidence.plan.control.empty() ? std::nullopt : evidence.reference,
                           .only_with = evidence.reference};
   tests.bootstrapped = studentized_bootstrap(values, family, {.resamples = resamples_of(evidence), .level = level});

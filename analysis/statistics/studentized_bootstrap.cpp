@@ -167,7 +167,7 @@ std::vector<MeanDifference> studentized_bootstrap(Groups groups, const PairFamil
     std::ranges::copy_if(group, std::back_inserter(all), [](double value) { return std::isfinite(value); });
   }
   const bool positive = std::ranges::all_of(all, [](double value) { return value > 0; });
-  const Scale scale = positive && family.compared == Compared::ratios ? Scale::logarithm : Scale::mean;
+  const Scale scale = positive && family.by == CompareBy::ratios ? Scale::logarithm : Scale::mean;
 
   std::vector<Mean> means(groups.size());
   std::vector<std::string> undefined;

@@ -16,11 +16,11 @@
 namespace ikbench::statistics {
 
 // ratios: of means of positive values; where some value is not positive, these are differences too.
-enum class Compared { ratios, differences };
+enum class CompareBy { ratios, differences };
 
 // Which pairs p and intervals hold for all at once, which are wanted of these, and what of their means is compared.
 struct PairFamily {
-  Compared compared = Compared::ratios;
+  CompareBy by = CompareBy::ratios;
   std::optional<std::size_t> control = std::nullopt;    // the pairs with this group; else all
   std::optional<std::size_t> only_with = std::nullopt;  // those that this group takes part in; else all of the family
 };

@@ -148,7 +148,7 @@ std::vector<int> six(int n) { return std::vector<int>(6, n); }
 std::vector<Scenario> audited() {
   std::vector<Scenario> all;
   const auto small = [&](int n, std::string audit) {
-    all.push_back({.name = "false findings: six normal groups of equal means, sizes n to n + 5, deviations 6 to 1",
+    all.push_back({.name = "false findings: normal, sizes n to n + 5, deviations 6 to 1",
                    .sizes = {n, n + 1, n + 2, n + 3, n + 4, n + 5},
                    .draw = [](Random& r, int g) { return 100 + (6 - g) * r.normal(); },
                    .audit = std::move(audit)});
@@ -157,7 +157,7 @@ std::vector<Scenario> audited() {
   small(3, "0.18");
   small(5, "0.14");
   for (const int n : {2, 3, 5, 10, 20}) {
-    all.push_back({.name = "false findings: six lognormal groups of equal means, sigma 0.25 to 1.5",
+    all.push_back({.name = "false findings: lognormal, sigma 0.25 to 1.5",
                    .sizes = six(n),
                    .draw = [](Random& r, int g) { return r.lognormal(0.25 * (g + 1)); },
                    .audit = "0.15 to 0.33"});
@@ -270,7 +270,7 @@ void print_dunn() {
   }
   const Contrast pair = tested(observations, {.test = DecidingTest::kruskal_wallis}).contrasts[0];
   fmt::print(
-      "| p of two of six groups, A12 = {:.0f}: Dunn's test before, the pair's own ranks now | 20 | not found | {:.2g} | {:.2g} |\n",
+      "| p of two of six groups, A12 = {:.0f}: Dunn's test, now the pair's own ranks | 20 | not found | {:.2g} | {:.2g} |\n",
       std::max(pair.superiority.value, 1 - pair.superiority.value), pair.p_mean_ranks, pair.p);
 }
 
@@ -283,7 +283,7 @@ void print_audited(int simulations) {
   }
   for (const auto& [n, audit] : {std::pair{5, "0.83"}, std::pair{10, "0.905"}, std::pair{20, "0.93"}}) {
     const Covered covered = coverage(normal_source, n, simulations);
-    fmt::print("| bootstrap intervals of a normal mean that hold, at 95 % | {} | {} | {} | {} |\n", n, audit,
+    fmt::print("| 95 % bootstrap intervals that hold: normal mean | {} | {} | {} | {} |\n", n, audit,
                with_error(covered.bca, simulations), with_error(covered.studentized, simulations));
   }
   print_dunn();
@@ -347,7 +347,7 @@ void print_coverage(int simulations) {
 
 // error_rates [SIMULATIONS of each row]
 int main(int argc, char** argv) {
-  int simulations = 1500;
+  int simulations = 1000;
   if (argc > 1) {
     const std::string_view text = argv[1];
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), simulations);
@@ -356,6 +356,7 @@ int main(int argc, char** argv) {
       return 1;
     }
   }
+  fmt::print("Each row has {} data sets; ± is the standard error.\n\n", simulations);
   print_audited(simulations);
   print_means(simulations);
   print_power(simulations);
