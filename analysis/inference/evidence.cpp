@@ -18,6 +18,7 @@
 #include "analysis/inference/tests_of_means.hpp"
 #include "analysis/inference/text.hpp"
 #include "analysis/statistics/anova.hpp"
+#include "analysis/statistics/bayesian_signed_rank.hpp"
 #include "analysis/statistics/equal_variances.hpp"
 #include "analysis/statistics/kruskal_wallis.hpp"
 #include "analysis/statistics/median_interval.hpp"
@@ -116,13 +117,21 @@ Estimate interval_of(const GroupSummary& summary, double level) {
   return {.value = summary.mean, .low = found.low, .high = found.high};
 }
 
-// It follows the skewness of the values. Not for so many values that the mean is normal anyway.
+// Not for so many values that the mean is normal anyway.
+bool bootstraps_means(const Evidence& evidence) {
+  constexpr int most_values = 2000;  // of all groups: about a second
+  int all = 0;
+  for (const GroupEvidence& group : evidence.groups) all += group.described.n;
+  return all <= most_values && !evidence.of_outcomes;
+}
+
+bool draws_posteriors(const Evidence& evidence) {
+  return evidence.blocks > 0 && evidence.blocks <= most_bayesian_differences && !evidence.of_outcomes;
+}
+
+// It follows the skewness of the values.
 void bootstrap_means(Evidence& evidence, const Samples& values) {
-  constexpr std::size_t most_values = 2000;  // of all groups: about a second
-  constexpr std::size_t fewest_values = 5;   // fewer have too few resamples that differ
-  std::size_t all = 0;
-  for (const auto& group : values) all += group.size();
-  if (all > most_values || evidence.of_outcomes) return;
+  constexpr std::size_t fewest_values = 5;  // fewer have too few resamples that differ
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (values[i].size() < fewest_values) continue;
     const MeanInterval found = studentized_interval(values[i], {.level = 1 - evidence.plan.significance});
@@ -167,13 +176,15 @@ Observations exact(Observations observations) {
   return observations;
 }
 
-// Values that rank: what is not a number is worse than every number.
+// Values that rank: what is not a number is worse than every number. Where no blocks fix their order they are sorted,
+// once for all that rank them.
 Samples rankable(const Observations& observations) {
   const double worst = observations.better == Better::smaller ? worse_than_every_number : -worse_than_every_number;
   Samples values;
   for (const Group& group : observations.groups) {
     std::vector<double>& ranked = values.emplace_back(group.values);
     for (double& value : ranked) value = std::isnan(value) ? worst : value;
+    if (observations.blocks.empty()) std::ranges::sort(ranked);
   }
   return values;
 }
@@ -401,9 +412,11 @@ Evidence tested(const Observations& given, const AnalysisPlan& plan) {
 }
 
 Evidence with_bootstrap(Evidence evidence, const Observations& observations) {
-  const std::vector<std::vector<double>> values = values_of(exact(observations));
-  bootstrap_means(evidence, values);
-  if (evidence.blocks > 0 && !evidence.of_outcomes) add_posteriors(evidence, values);
+  const bool means = bootstraps_means(evidence), posteriors = draws_posteriors(evidence);
+  if (!means && !posteriors) return evidence;
+  const Samples values = values_of(exact(observations));
+  if (means) bootstrap_means(evidence, values);
+  if (posteriors) add_posteriors(evidence, values);
   if (evidence.scale == ValueScale::log10) {
     for (GroupEvidence& group : evidence.groups) group.bootstrapped = power_of_ten(group.bootstrapped);
   }

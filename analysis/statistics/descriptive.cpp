@@ -90,8 +90,11 @@ Description describe(std::span<const double> values) {
 }
 
 GroupSummary summarise(std::span<const double> values) {
-  const Description described = describe(values);
-  return {.mean = described.mean, .std = described.std, .n = described.n};
+  GroupSummary result{.n = static_cast<int>(values.size())};
+  if (!std::ranges::all_of(values, [](double value) { return std::isfinite(value); })) return result;
+  result.mean = mean(values);
+  result.std = standard_deviation(values);
+  return result;
 }
 
 }  // namespace ikbench::statistics

@@ -36,38 +36,39 @@ struct Dominance {
   double variance = 0;
 };
 
-// For each value of a, how often it is above less how often it is below those of b, a share of them.
-std::vector<double> dominances(std::span<const double> a, const std::vector<double>& sorted_b) {
-  std::vector<double> result;
-  result.reserve(a.size());
-  for (const double value : a) {
-    const auto [first, last] = std::equal_range(sorted_b.begin(), sorted_b.end(), value);
-    const auto below = first - sorted_b.begin();
-    const auto above = sorted_b.end() - last;
-    result.push_back(static_cast<double>(below - above) / static_cast<double>(sorted_b.size()));
-  }
-  return result;
-}
+// Of each value of a: how often it is above less how often it is below those of b, a share of them; and the share of
+// pairs (one of a, one of b) that are tied.
+struct Dominances {
+  std::vector<double> rows;
+  double tied = 0;
+};
 
-// The share of pairs (one of a, one of b) that are not tied.
-double untied(std::span<const double> a, const std::vector<double>& sorted_b) {
+// Of sorted samples.
+Dominances dominances(const std::vector<double>& a, const std::vector<double>& b) {
+  Dominances result;
+  result.rows.reserve(a.size());
+  const auto m = static_cast<double>(a.size()), n = static_cast<double>(b.size());
+  auto first = b.begin(), last = b.begin();  // those of b that equal a value of a
   double ties = 0;
   for (const double value : a) {
-    const auto [first, last] = std::equal_range(sorted_b.begin(), sorted_b.end(), value);
+    while (first != b.end() && *first < value) ++first;
+    while (last != b.end() && !(value < *last)) ++last;
+    result.rows.push_back(static_cast<double>((first - b.begin()) - (b.end() - last)) / n);
     ties += static_cast<double>(last - first);
   }
-  return 1 - ties / (static_cast<double>(a.size()) * static_cast<double>(sorted_b.size()));
+  result.tied = ties / (m * n);
+  return result;
 }
 
 Dominance dominance(std::span<const double> a, std::span<const double> b) {
   std::vector<double> sorted_a(a.begin(), a.end()), sorted_b(b.begin(), b.end());
   std::ranges::sort(sorted_a);
   std::ranges::sort(sorted_b);
-  const std::vector<double> rows = dominances(a, sorted_b);
-  const std::vector<double> columns = dominances(b, sorted_a);
+  const auto [rows, tied] = dominances(sorted_a, sorted_b);
+  const std::vector<double> columns = dominances(sorted_b, sorted_a).rows;
   const double m = static_cast<double>(a.size()), n = static_cast<double>(b.size());
   Dominance result{.delta = mean(rows)};
-  const double pairs = (untied(a, sorted_b) - result.delta * result.delta) * m * n;  // sum of (d_ij - delta)^2
+  const double pairs = (1 - tied - result.delta * result.delta) * m * n;  // sum of (d_ij - delta)^2
   // Cliff (1993), the consistent estimate: ((n - 1) s_row^2 + (m - 1) s_column^2 + s_pair^2) / (m n).
   result.variance = (n - 1) / (m - 1) * sum_of_squares(rows) + (m - 1) / (n - 1) * sum_of_squares(columns);
   result.variance = (result.variance + std::max(0.0, pairs) / ((m - 1) * (n - 1))) / (m * n);

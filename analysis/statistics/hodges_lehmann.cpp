@@ -30,24 +30,65 @@ class AllDifferences {
 
   std::uint64_t size() const { return std::uint64_t{first_.size()} * second_.size(); }
 
-  // The rank-th smallest, counted from 1: the least double that so many are not above, by halving the doubles between
-  // the smallest difference and the largest.
+  // The rank-th smallest, counted from 1. It is between two differences, which close in by turns: interpolated at the
+  // rank; as far beyond it as the nearer of the two now falls short; and half way between them as doubles are counted,
+  // which alone would end too.
   double smallest(std::uint64_t rank) const {
-    std::int64_t low = place_of(difference(first_.front(), second_.front()));
-    std::int64_t high = place_of(difference(first_.back(), second_.back()));
-    while (low < high) {
-      const std::int64_t middle =
-          low + static_cast<std::int64_t>((static_cast<std::uint64_t>(high) - static_cast<std::uint64_t>(low)) / 2);
-      if (up_to(double_at(middle)) >= rank) {
-        high = middle;
-      } else {
-        low = middle + 1;
-      }
+    End low{.at = difference(first_.front(), second_.front()), .count = 0};
+    End high{.at = difference(first_.back(), second_.back()), .count = static_cast<double>(size())};
+    for (const double near : around(rank)) {
+      if (near >= low.at && near < high.at) close_in(near, rank, low, high);
     }
-    return double_at(low) + 0.0;  // never -0
+    const auto wanted = static_cast<double>(rank);
+    for (int step = 1; low.at < high.at; ++step) {
+      close_in(step % 3 == 1   ? interpolated(low, high, wanted)
+               : step % 3 == 2 ? interpolated(low, high, beyond(low, high, wanted))
+                               : half_way(low, high),
+               rank, low, high);
+    }
+    return low.at;
+  }
+
+  // That one, where `before` is the one before it.
+  double smallest_after(double before, std::uint64_t rank) const {
+    const Split split = split_at(before);
+    return split.within >= rank ? before : split.least_above;
   }
 
  private:
+  // One of the two: of the higher, how many differences are not above it; of the lower, how many are below it.
+  struct End {
+    double at;
+    double count;
+  };
+
+  void close_in(double bound, std::uint64_t rank, End& low, End& high) const {
+    const Split split = split_at(bound);
+    const auto count = static_cast<double>(split.within);
+    if (split.within >= rank) {
+      high = {.at = split.largest_within, .count = count};
+    } else {
+      low = {.at = split.least_above, .count = count};
+    }
+  }
+
+  // Two differences between which the rank-th of large samples likely is: those of a few of their values.
+  std::vector<double> around(std::uint64_t rank) const {
+    constexpr std::size_t few = 2000;
+    if (std::min(first_.size(), second_.size()) < 2 * few) return {};
+    const auto thinned = [](const std::vector<double>& values) {
+      std::vector<double> result;
+      for (std::size_t i = 0; i < few; ++i) result.push_back(values[(2 * i + 1) * values.size() / (2 * few)]);
+      return result;
+    };
+    const AllDifferences of_few(thinned(first_), thinned(second_));
+    const auto all = static_cast<double>(of_few.size());
+    const double there = static_cast<double>(rank) / static_cast<double>(size()) * all;
+    constexpr double room = 2 * few;  // what each of a few stands for, twice
+    return {of_few.smallest(static_cast<std::uint64_t>(std::max(there - room, 1.0))),
+            of_few.smallest(static_cast<std::uint64_t>(std::min(there + room, all)))};
+  }
+
   // The doubles in their order as integers without gaps but one: -0 is just below 0.
   static std::int64_t place_of(double value) {
     const auto bits = std::bit_cast<std::int64_t>(value);
@@ -57,15 +98,42 @@ class AllDifferences {
     return std::bit_cast<double>(place < 0 ? std::numeric_limits<std::int64_t>::min() - place - 1 : place);
   }
 
-  // How many are not above: along the border between those that are and those that are not.
-  std::uint64_t up_to(double bound) const {
-    std::uint64_t count = 0;
+  // At or above the low end and below the high one.
+  static double half_way(const End& low, const End& high) {
+    const auto from = static_cast<std::uint64_t>(place_of(low.at)), to = static_cast<std::uint64_t>(place_of(high.at));
+    const double middle = double_at(static_cast<std::int64_t>(from + (to - from) / 2));
+    return middle < high.at ? middle : low.at;  // -0 is not below 0
+  }
+
+  // So too; half way where the ends are too far apart.
+  static double interpolated(const End& low, const End& high, double rank) {
+    const double found = low.at + (high.at - low.at) * ((rank - low.count) / (high.count - low.count));
+    return found >= low.at && found < high.at ? found : half_way(low, high);
+  }
+
+  static double beyond(const End& low, const End& high, double rank) {
+    const double from_low = rank - low.count, from_high = high.count - rank;
+    return from_low < from_high ? rank + std::min(from_low, from_high / 2) : rank - std::min(from_high, from_low / 2);
+  }
+
+  struct Split {
+    std::uint64_t within = 0;  // how many are not above the bound
+    double largest_within = -std::numeric_limits<double>::infinity();
+    double least_above = std::numeric_limits<double>::infinity();
+  };
+
+  // Along the border between those that are above and those that are not.
+  Split split_at(double bound) const {
+    Split split;
     std::size_t columns = second_.size();
     for (const double value : first_) {
       while (columns > 0 && difference(value, second_[columns - 1]) > bound) --columns;
-      count += columns;
+      split.within += columns;
+      if (columns > 0) split.largest_within = std::max(split.largest_within, difference(value, second_[columns - 1]));
+      if (columns < second_.size())
+        split.least_above = std::min(split.least_above, difference(value, second_[columns]));
     }
-    return count;
+    return split;
   }
 
   std::vector<double> first_, second_;
@@ -90,7 +158,7 @@ Shift hodges_lehmann(std::span<const double> first, std::span<const double> seco
   const AllDifferences differences(first, second);
   const std::uint64_t n = differences.size();
   const double lower = differences.smallest((n + 1) / 2);
-  const double upper = n % 2 == 1 ? lower : differences.smallest(n / 2 + 1);
+  const double upper = n % 2 == 1 ? lower : differences.smallest_after(lower, n / 2 + 1);
   shift.estimate = lower == upper ? lower : lower / 2 + upper / 2;
   const std::uint64_t rank = distribution_of_u(first.size(), second.size(), ranking).interval_rank(level);
   if (rank < 1 || rank > n) return shift;

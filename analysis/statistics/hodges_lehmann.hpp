@@ -20,8 +20,8 @@ struct Shift {
 // where P(U < r) is at most (1 - level) / 2 (Hollander, Wolfe and Chicken, Nonparametric Statistical Methods (2014),
 // chapter 4). Too few values for the level have no interval. Equal infinite values differ by 0; others may make the
 // shift infinite. The m n differences are counted, not made (Johnson and Mizoguchi, SIAM J. Computing 7 (1978) 147;
-// Monahan, ACM TOMS 10 (1984) 265, for the same of one sample): some 64 passes over the sorted samples for each of the
-// four differences, and no memory but for the sorted samples.
+// Monahan, ACM TOMS 10 (1984) 265, for the same of one sample): some 10 to 20 passes over the sorted samples for each
+// of three differences, and no memory but for the sorted samples.
 Shift hodges_lehmann(std::span<const double> first, std::span<const double> second, double level);
 
 }  // namespace ikbench::statistics

@@ -16,25 +16,50 @@ double without_rounding(double difference, double size) {
   return std::abs(difference) <= rounding ? 0.0 : difference;
 }
 
-std::vector<double> without_rounding(std::span<const double> numbers, std::span<const double> sizes) {
-  std::vector<double> result(numbers.begin(), numbers.end());
-  std::vector<std::size_t> order(numbers.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::erase_if(order, [&](std::size_t i) { return !std::isfinite(numbers[i]) || !std::isfinite(sizes[i]); });
-  std::ranges::sort(order, {}, [&](std::size_t i) { return std::tuple(sizes[i], std::abs(numbers[i])); });
-  std::set<double> different{0};  // magnitudes, those of the most exact numbers first
-  for (const std::size_t i : order) {
-    const double magnitude = std::abs(numbers[i]);
+namespace {
+
+struct Sized {
+  double magnitude;
+  double size;
+  double* number;
+};
+
+// Of those that are near each other: the most exact first, each is made equal to the nearest before, where it can be.
+void join(std::span<Sized> near, std::set<double> different) {
+  std::ranges::sort(near, {}, [](const Sized& each) { return std::tuple(each.size, each.magnitude); });
+  for (const auto& [magnitude, size, number] : near) {
     const auto above = different.lower_bound(magnitude);
-    double nearest = above == different.end() ? *std::prev(above) : *above;
+    double nearest = above == different.end() ? std::numeric_limits<double>::infinity() : *above;
     if (above != different.begin() && magnitude - *std::prev(above) < std::abs(nearest - magnitude)) {
       nearest = *std::prev(above);
     }
-    if (without_rounding(magnitude - nearest, sizes[i]) == 0) {
-      result[i] = nearest == 0 ? 0.0 : std::copysign(nearest, numbers[i]);
+    if (without_rounding(magnitude - nearest, size) == 0) {
+      *number = nearest == 0 ? 0.0 : std::copysign(nearest, *number);
     } else {
       different.insert(magnitude);
     }
+  }
+}
+
+}  // namespace
+
+std::vector<double> without_rounding(std::span<const double> numbers, std::span<const double> sizes) {
+  std::vector<double> result(numbers.begin(), numbers.end());
+  std::vector<Sized> order;
+  order.reserve(result.size());
+  double largest = 0;
+  for (std::size_t i = 0; i < result.size(); ++i) {
+    if (!std::isfinite(numbers[i]) || !std::isfinite(sizes[i])) continue;
+    order.push_back({std::abs(numbers[i]), sizes[i], &result[i]});
+    largest = std::max(largest, sizes[i]);
+  }
+  std::ranges::sort(order, {}, &Sized::magnitude);
+  const auto is_far = [largest](double below, double above) { return without_rounding(above - below, largest) != 0; };
+  for (std::size_t first = 0, end = 0; first < order.size(); first = end) {
+    for (end = first + 1; end < order.size() && !is_far(order[end - 1].magnitude, order[end].magnitude);) ++end;
+    const bool is_at_zero = first == 0 && !is_far(0, order.front().magnitude);
+    if (order[first].magnitude == order[end - 1].magnitude && !is_at_zero) continue;
+    join(std::span(order).subspan(first, end - first), is_at_zero ? std::set<double>{0} : std::set<double>{});
   }
   return result;
 }
@@ -42,15 +67,18 @@ std::vector<double> without_rounding(std::span<const double> numbers, std::span<
 // As above, where each number is its own size: the nearest of those before is the last of them.
 std::vector<double> without_rounding(std::span<const double> values) {
   std::vector<double> result(values.begin(), values.end());
-  std::vector<double*> order;
+  struct Magnitude {
+    double of;
+    double* value;
+  };
+  std::vector<Magnitude> order;  // with the numbers themselves, which a sort of millions would look for all over memory
   order.reserve(result.size());
   for (double& value : result) {
-    if (std::isfinite(value)) order.push_back(&value);
+    if (std::isfinite(value)) order.push_back({std::abs(value), &value});
   }
-  std::ranges::sort(order, {}, [](const double* value) { return std::abs(*value); });
+  std::ranges::sort(order, {}, &Magnitude::of);
   double last = 0;
-  for (double* value : order) {
-    const double magnitude = std::abs(*value);
+  for (const auto& [magnitude, value] : order) {
     if (without_rounding(magnitude - last, magnitude) == 0) {
       *value = last == 0 ? 0.0 : std::copysign(last, *value);
     } else {
