@@ -28,13 +28,20 @@ std::size_t group_column(const CsvFile& file, const CsvRequest& request) {
   file.refuse(fmt::format("no column of groups; name one with --group: {}", file.columns()));
 }
 
+std::vector<std::size_t> written_rows(const CsvFile& file) {
+  std::vector<std::size_t> rows;
+  for (std::size_t row = 0; row < file.table.rows(); ++row) {
+    if (!file.is_blank(row)) rows.push_back(row);
+  }
+  return rows;
+}
+
 // The numbers of rows that pandas and R write, and the empty columns that spreadsheets do.
-bool is_index(const CsvFile& file, std::size_t column) {
+bool is_index(const CsvFile& file, std::size_t column, const std::vector<std::size_t>& rows) {
   const std::string& title = file.table.header[column];
   if (column == 0 && (title.empty() || title == "Unnamed: 0")) return true;
-  std::size_t row = 0;
-  while (title.empty() && row < file.table.rows() && file.table.cell(row, column).empty()) ++row;
-  return title.empty() && row == file.table.rows();
+  const auto is_empty = [&](std::size_t row) { return file.table.cell(row, column).empty(); };
+  return title.empty() && std::ranges::all_of(rows, is_empty);
 }
 
 }  // namespace
@@ -62,10 +69,11 @@ Contents read_wide(const CsvFile& file, const CsvRequest& request) {
         fmt::format("--group {}: with --wide every column is a group; leave out --group", in_quotes(request.group)));
   }
   Contents contents;
+  const std::vector<std::size_t> rows = written_rows(file);  // once, not for every column
   for (std::size_t column = 0; column < file.table.header.size(); ++column) {
     const std::string& title = file.table.header[column];
     const bool is_asked_for = !title.empty() && (title == request.block || title == request.run);
-    if (is_index(file, column) || is_asked_for) continue;
+    if (is_index(file, column, rows) || is_asked_for) continue;
     if (names_replicates(title)) {
       contents.notes.push_back(fmt::format("Column {} numbers the repetitions and is not a group.", in_quotes(title)));
       continue;
@@ -78,8 +86,9 @@ Contents read_wide(const CsvFile& file, const CsvRequest& request) {
     const std::size_t group = contents.groups.index_of(title.empty() ? "(empty)" : title);
     if (group < groups_before) file.refuse(fmt::format("two columns {}; expected one", in_quotes(title)));
     expect_few(file, contents.groups);
-    for (std::size_t row = 0; row < file.table.rows(); ++row) {
-      if (file.is_blank(row)) continue;
+    if (group == 0)
+      contents.observations.reserve(rows.size() * std::min(file.table.header.size() - column, max_groups));
+    for (const std::size_t row : rows) {
       contents.observations.push_back({.group = group, .row = row, .value = file.number(row, column)});
     }
   }
