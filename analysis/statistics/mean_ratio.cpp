@@ -20,10 +20,13 @@ void check(const RatioQuestion& question) {
   if (!(question.margin >= 0 && question.margin < 1)) {
     throw std::invalid_argument(fmt::format("margin {}: expected 0 to 1, without 1", question.margin));
   }
+  if (!(question.absolute_margin >= 0)) {
+    throw std::invalid_argument(fmt::format("absolute margin {}: expected 0 or more", question.absolute_margin));
+  }
   check_level(question.level);
 }
 
-// An estimate of mean(b) - theta mean(a).
+// An estimate of mean(b) - theta mean(a) - offset.
 struct Contrast {
   double estimate = 0;
   double error = 0;  // its standard error
@@ -86,6 +89,12 @@ RatioComparison compare(ContrastAt contrast_at, const Contrast& a_alone, const R
   result.p_difference = same.error > 0       ? 2 * std::min(chance_above(same), chance_below(same))
                         : same.estimate == 0 ? 1
                                              : 0;
+  if (question.absolute_margin > 0) {
+    const Contrast above = contrast_at(1, question.absolute_margin), below = contrast_at(1, -question.absolute_margin);
+    result.p_above = chance_above(above);
+    result.p_below = chance_below(below);
+    result.p_equivalent = std::max(chance_below(above), chance_above(below));
+  }
   if (!(a_alone.estimate > 0)) {
     result.undefined = "the mean of the first sample is not positive, so there is no ratio to it";
     return result;
@@ -97,9 +106,9 @@ RatioComparison compare(ContrastAt contrast_at, const Contrast& a_alone, const R
   }
   result.ratio = ratio;
   const Contrast above = contrast_at(1 + question.margin), below = contrast_at(1 - question.margin);
-  result.p_above = chance_above(above);
-  result.p_below = chance_below(below);
-  result.p_equivalent = std::max(chance_below(above), chance_above(below));
+  result.p_above = std::fmax(result.p_above, chance_above(above));  // NaN without an absolute margin
+  result.p_below = std::fmax(result.p_below, chance_below(below));
+  result.p_equivalent = std::fmin(result.p_equivalent, std::max(chance_below(above), chance_above(below)));
   const double alpha = (1 - question.level) / 2;
   const Contrast at_ratio = contrast_at(result.ratio);
   if (!(at_ratio.error > 0)) {  // every ratio but this one is refuted
@@ -134,14 +143,14 @@ RatioComparison mean_ratio(std::span<const double> a, std::span<const double> b,
   check(question);
   if (std::string reason = obstacle(a, b); !reason.empty()) return {.undefined = reason};
   const Contrast of_a = of_sample(a), of_b = of_sample(b);
-  const auto contrast_at = [&](double theta) {
+  const auto contrast_at = [&](double theta, double offset = 0) {
     const double a_error = std::abs(theta) * of_a.error;
     const double error = std::hypot(a_error, of_b.error);
     const double a_part = error > 0 ? std::pow(a_error / error, 4) : 1;
     const double b_part = error > 0 ? std::pow(of_b.error / error, 4) : 1;
     const double df = 1 / (a_part / of_a.df + b_part / of_b.df);
     const double of_theta_a = theta * of_a.estimate;
-    return exact({.estimate = of_b.estimate - of_theta_a, .error = error, .df = df},
+    return exact({.estimate = of_b.estimate - of_theta_a - offset, .error = error, .df = df},
                  std::max(std::abs(of_b.estimate), std::abs(of_theta_a)));
   };
   RatioComparison result = compare(contrast_at, of_a, question);
@@ -156,10 +165,10 @@ RatioComparison paired_mean_ratio(std::span<const double> a, std::span<const dou
   }
   if (std::string reason = obstacle(a, b); !reason.empty()) return {.undefined = reason};
   std::vector<double> rest(a.size());
-  const auto contrast_at = [&](double theta) {
+  const auto contrast_at = [&](double theta, double offset = 0) {
     double largest = 0;
     for (std::size_t i = 0; i < a.size(); ++i) {
-      rest[i] = b[i] - theta * a[i];
+      rest[i] = b[i] - theta * a[i] - offset;
       largest = std::max({largest, std::abs(b[i]), std::abs(theta * a[i])});
     }
     return exact(of_sample(rest), largest);

@@ -34,6 +34,29 @@ TEST_CASE("the ratio of 2 4 6 to 1 2 3 by hand", "[mean_ratio]") {
   CHECK(result.undefined.empty());
 }
 
+TEST_CASE("beyond the margin is beyond the relative and the absolute one, and within it is within either",
+          "[mean_ratio]") {
+  // As above; mean(b) - mean(a) is 2, so that with an absolute margin of 2 it lies on the margin: t = 0.
+  const Values a{1, 2, 3}, b{2, 4, 6};
+  const RatioComparison on_it = mean_ratio(a, b, {.margin = 0.5, .absolute_margin = 2});
+  CHECK(on_it.p_above == Approx(0.5));
+  CHECK(on_it.p_equivalent == Approx(0.5));
+  CHECK(on_it.p_below > 0.9);
+  const RatioComparison small = mean_ratio(a, b, {.margin = 0.5, .absolute_margin = 0.001});
+  const RatioComparison none = mean_ratio(a, b, {.margin = 0.5});
+  CHECK(small.p_above == none.p_above);  // the relative margin is the larger
+  CHECK(small.p_equivalent == none.p_equivalent);
+  CHECK(small.ratio == none.ratio);
+  const RatioComparison pairs = paired_mean_ratio(a, b, {.margin = 0.5, .absolute_margin = 2});
+  CHECK(pairs.p_above == Approx(0.5));  // differences 1, 2, 3
+  const RatioComparison no_ratio = mean_ratio(Values{-1, 0, 1}, b, {.margin = 0.5, .absolute_margin = 4});
+  CHECK(no_ratio.undefined == "the mean of the first sample is not positive, so there is no ratio to it");
+  CHECK(no_ratio.p_above == Approx(0.5));
+  CHECK(paired_mean_ratio(Values{0.1, 0.1}, Values{0.11, 0.11}, {.margin = 0, .absolute_margin = 0.02}).p_equivalent ==
+        0);
+  CHECK_THROWS_AS(mean_ratio(a, b, {.absolute_margin = -1}), std::invalid_argument);
+}
+
 TEST_CASE("at a ratio of 1 the test is Welch's, and Student's of pairs", "[mean_ratio]") {
   const RatioComparison independent = mean_ratio(drug_1, drug_2, {});
   const WelchTest test = welch(summarise(drug_1), summarise(drug_2));
