@@ -8,6 +8,7 @@
 #include <memory>
 #include <stdexcept>
 
+#include "analysis/inference/margin.hpp"
 #include "analysis/report/variants_table.hpp"
 #include "cli/commands.hpp"
 #include "cli/comparing.hpp"
@@ -142,8 +143,16 @@ int run_and_compare(const CompareArguments& arguments, const Invocation& invocat
   }
 }
 
+void refuse_margin(const CompareArguments& arguments) {
+  const std::vector<std::string>& metrics = arguments.metrics;
+  if (arguments.margin_cm.value_or(0) == 0 || metrics.empty() || std::ranges::any_of(metrics, is_in_cm)) return;
+  throw std::invalid_argument(
+      "--margin-cm: no metric is in cm; expected --metric position_error_cm, or no --margin-cm");
+}
+
 int compare(const CompareArguments& arguments, const Invocation& invocation) {
   if (!arguments.output.empty()) refuse_output(arguments);
+  refuse_margin(arguments);
   if (arguments.store.empty() && arguments.run.empty())
     return tell(judged(labels_of_stores(arguments), arguments), arguments);
   refuse_labels(arguments);
@@ -202,6 +211,7 @@ void add_compare(CLI::App& app, Invocation& invocation) {
   command->add_option("--metric", arguments->metrics, metric_names() + "; repeat for more; default: all")
       ->allow_extra_args(false);
   const CLI::Option *margin = add_margin_option(*command, arguments->plan.margin),
+                    *margin_cm = add_margin_cm_option(*command, arguments->plan.margin_cm),
                     *significance = add_significance_option(*command, arguments->plan.significance);
   command->get_option("--significance")
       ->description("significance level of all tests together; intervals have level 1 minus twice this");
@@ -221,13 +231,14 @@ void add_compare(CLI::App& app, Invocation& invocation) {
       "    --strict -o comparison.md\n\n"
       "Tests of the ratio of means against the margin decide whether B is better, the same or worse. Otherwise the\n"
       "metric is undecided, and the table says how many runs or targets would decide. All labels and metrics are judged\n"
-      "together: if nothing is worse, the probability of exit code 3 is at most --significance. --margin and\n"
+      "together: if nothing is worse, the probability of exit code 3 is at most --significance. --margin, --margin-cm and\n"
       "--significance default to those of A's study.\n\n"
       "Exit codes: 0 no regression found, 1 a mistake in the request, 2 a failure of the program, the disk or the store,\n"
       "3 a regression beyond the margin, 4 (--strict only) nothing is worse, but something is undecided or not compared,\n"
       "5 (--sequential without --run) not decided yet: add runs, 130 stopped by Ctrl-C.");
-  command->callback([arguments, margin, significance, &invocation] {
+  command->callback([arguments, margin, margin_cm, significance, &invocation] {
     if (margin->count() > 0) arguments->margin = arguments->plan.margin;
+    if (margin_cm->count() > 0) arguments->margin_cm = arguments->plan.margin_cm;
     if (significance->count() > 0) arguments->significance = arguments->plan.significance;
     invocation.exit_code = compare(*arguments, invocation);
   });

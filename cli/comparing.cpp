@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "analysis/inference/analysis_plan.hpp"
+#include "analysis/inference/margin.hpp"
 #include "analysis/inference/text.hpp"
 #include "numerics/names.hpp"
 
@@ -22,6 +23,7 @@ namespace {
 MarginQuestion question_of(const CompareArguments& arguments, const StudyEntry& study) {
   const AnalysisPlan plan = plan_of(study);
   return {.margin = arguments.margin.value_or(plan.margin),
+          .margin_cm = arguments.margin_cm.value_or(plan.margin_cm),
           .significance = arguments.significance.value_or(plan.significance),
           .power = plan.power};
 }
@@ -75,7 +77,7 @@ std::vector<std::string> common_labels(const std::vector<Variant>& a, const std:
 // How to be sure, and by what.
 std::string rules(const MarginQuestion& question) {
   return fmt::format("margin {}; if nothing is worse, the probability of any \"worse\" is at most {}",
-                     percent(question.margin), percent(question.significance));
+                     margin_words(question.margin, question.margin_cm), percent(question.significance));
 }
 
 }  // namespace

@@ -18,6 +18,7 @@ struct CompareArguments {
   std::vector<std::string> labels, metrics;
   results::AnalysisPlan plan = {};    // where the options say it
   std::optional<double> margin = {};  // given; else the study of A says it
+  std::optional<double> margin_cm = {};
   std::optional<double> significance = {};
   bool strict = false;
   bool sequential = false;

@@ -50,6 +50,14 @@ CLI::Option* add_margin_option(CLI::App& command, double& margin) {
       fmt::format("smallest relative difference that matters, for example 5% or 0.05 [{:g}%]", 100 * margin));
 }
 
+CLI::Option* add_margin_cm_option(CLI::App& command, double& margin_cm) {
+  return command
+      .add_option("--margin-cm", margin_cm,
+                  "the same in cm, for quantities in cm; a difference within either margin does not matter")
+      ->check(number_in(margins_cm))
+      ->capture_default_str();
+}
+
 CLI::Option* add_significance_option(CLI::App& command, double& significance) {
   return command
       .add_option("--significance", significance, "significance level of the tests; intervals have 1 minus this level")
@@ -78,11 +86,7 @@ void add_plan_options(CLI::App& command, AnalysisPlan& plan) {
   command.add_option("--control", plan.control, "group to compare the others with; default: compare every pair");
   add_significance_option(command, plan.significance);
   add_margin_option(command, plan.margin);
-  command
-      .add_option("--margin-cm", plan.margin_cm,
-                  "the same in cm, for quantities in cm; a difference within either margin does not matter")
-      ->check(number_in(margins_cm))
-      ->capture_default_str();
+  add_margin_cm_option(command, plan.margin_cm);
   command.add_option("--power", plan.power, "power with which the tests should detect a difference of the margin")
       ->check(number_in(powers))
       ->capture_default_str();

@@ -13,6 +13,7 @@ void add_plan_options(CLI::App& command, results::AnalysisPlan& plan);
 
 // Each alone; --margin as "5%" or "0.05".
 CLI::Option* add_margin_option(CLI::App& command, double& margin);
+CLI::Option* add_margin_cm_option(CLI::App& command, double& margin_cm);
 CLI::Option* add_significance_option(CLI::App& command, double& significance);
 
 }  // namespace ikbench::cli

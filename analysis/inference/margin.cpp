@@ -1,7 +1,11 @@
 #include "analysis/inference/margin.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+
+#include "analysis/inference/text.hpp"
 
 namespace ikbench::inference {
 
@@ -11,6 +15,12 @@ bool is_in_cm(std::string_view quantity) { return quantity.ends_with("[cm]") || 
 
 bool has_absolute_margin(const Evidence& evidence) {
   return evidence.plan.margin_cm > 0 && is_in_cm(evidence.quantity) && evidence.scale == ValueScale::plain;
+}
+
+std::string margin_words(double margin, double margin_cm) {
+  if (margin_cm == 0) return percent(margin);
+  const std::string absolute = short_number(margin_cm) + " cm";
+  return margin > 0 ? fmt::format("{} or {}", percent(margin), absolute) : absolute;
 }
 
 double margin_of(const Evidence& evidence, const Contrast& contrast) {

@@ -6,6 +6,7 @@
 // themselves, it is the difference of two shares. Of logarithms the margin is relative: a ratio up to 1 + margin.
 #pragma once
 
+#include <string>
 #include <string_view>
 
 #include "analysis/inference/evidence.hpp"
@@ -15,6 +16,9 @@ namespace ikbench::inference {
 // Whether the quantity's name says so: "position error [cm]", "position_error_cm".
 bool is_in_cm(std::string_view quantity);
 bool has_absolute_margin(const Evidence& evidence);
+
+// "5 %", "5 % or 0.01 cm", "0.01 cm"; 0 cm: there is no absolute one.
+std::string margin_words(double margin, double margin_cm);
 
 // As a difference of the two means of a pair; NaN where one of these is.
 double margin_of(const Evidence& evidence, const Contrast& contrast);

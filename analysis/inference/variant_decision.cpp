@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "analysis/inference/judge.hpp"
+#include "analysis/inference/margin.hpp"
 #include "analysis/inference/text.hpp"
 #include "analysis/statistics/p_adjust.hpp"
 
@@ -43,7 +44,8 @@ std::string what_is_known(const MetricComparison& comparison, const Corrected& c
   } else if (!comparison.ratio.undefined.empty()) {
     known = comparison.ratio.undefined;
   } else if (corrected.difference < alpha) {
-    known = fmt::format("{}, but perhaps by less than {}", word, percent(question.margin));
+    const MarginQuestion asked = question_about(comparison.metric, question);
+    known = fmt::format("{}, but perhaps by less than {}", word, margin_words(asked.margin, asked.margin_cm));
   }
   if (!std::isfinite(comparison.n_to_decide)) return known;
   return fmt::format("{}; about {:.0f} {}s would decide", known, comparison.n_to_decide, comparison.observation);

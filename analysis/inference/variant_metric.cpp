@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "analysis/inference/margin.hpp"
 #include "analysis/inference/text.hpp"
 #include "analysis/statistics/mann_whitney.hpp"
 #include "analysis/statistics/power.hpp"
@@ -29,6 +30,7 @@ void check(const MarginQuestion& question) {
     throw std::invalid_argument(fmt::format("{} {}: expected {} to {}", name, value, range.first, range.second));
   };
   refuse_beyond("margin", question.margin, {margins_percent.first / 100, margins_percent.second / 100});
+  refuse_beyond("margin in cm", question.margin_cm, margins_cm);
   refuse_beyond("significance", question.significance, significances);
   refuse_beyond("power", question.power, powers);
 }
@@ -73,20 +75,23 @@ void rank(MetricComparison& result, const MetricSamples& samples, double level) 
   result.ranks_favour = favour > 0 ? 1 : favour < 0 ? -1 : 0;
 }
 
-// The observations a side with which the distance of the ratio from the nearer end of the margin shows.
-double to_decide(const MetricSamples& samples, double ratio, const MarginQuestion& question) {
-  if (!is_finite(ratio)) return not_defined;
-  const double end = 1 + std::copysign(question.margin, ratio - 1);
-  std::vector<double> scaled(samples.a.begin(), samples.a.end());
-  for (double& value : scaled) value *= end;
-  GroupSummary first = summarise(scaled), second = summarise(samples.b);
+// The observations a side with which the distance of B's mean from the nearer end of the margin shows.
+double to_decide(const MetricSamples& samples, const MarginQuestion& question) {
+  const double mean_of_a = mean(samples.a);
+  const double side = mean(samples.b) < mean_of_a ? -1 : 1;
+  const bool is_absolute = question.margin_cm > question.margin * mean_of_a;
+  std::vector<double> at_end(samples.a.begin(), samples.a.end());
+  for (double& value : at_end) {
+    value = is_absolute ? value + side * question.margin_cm : value * (1 + side * question.margin);
+  }
+  GroupSummary first = summarise(at_end), second = summarise(samples.b);
   const double distance = second.mean - first.mean;
   if (samples.paired) {  // Welch's test of the differences and a group without spread is Student's test of pairs
-    for (std::size_t i = 0; i < scaled.size(); ++i) scaled[i] -= samples.b[i];
-    first = summarise(scaled);
+    for (std::size_t i = 0; i < at_end.size(); ++i) at_end[i] -= samples.b[i];
+    first = summarise(at_end);
     second.std = 0;
   }
-  const bool is_beyond = std::abs(ratio - 1) > question.margin;  // Holm's correction is at most Bonferroni's
+  const bool is_beyond = side * distance > 0;  // Holm's correction is at most Bonferroni's
   const double alpha = question.significance / (is_beyond ? samples.tests : 1);
   return runs_to_see(first, second, distance, {.power = question.power, .alpha = 2 * alpha}).n;  // one-sided tests
 }
@@ -113,9 +118,10 @@ void limit_by_failures(MetricComparison& result, double margin) {
 }
 
 void compare_ratio(MetricComparison& result, const MetricSamples& samples, const MarginQuestion& question) {
-  const RatioQuestion about{.margin = question.margin, .level = 1 - 2 * question.significance};
+  const RatioQuestion asked{
+      .margin = question.margin, .level = 1 - 2 * question.significance, .absolute_margin = question.margin_cm};
   RatioComparison& ratio = result.ratio;
-  ratio = samples.paired ? paired_mean_ratio(samples.a, samples.b, about) : mean_ratio(samples.a, samples.b, about);
+  ratio = samples.paired ? paired_mean_ratio(samples.a, samples.b, asked) : mean_ratio(samples.a, samples.b, asked);
   const auto is_negative = [](double value) { return value < 0; };
   if (std::ranges::none_of(samples.a, is_negative) && std::ranges::none_of(samples.b, is_negative)) {
     ratio.low = std::max(ratio.low, 0.0);  // Fieller's interval knows nothing of signs; NaN stays
@@ -123,14 +129,14 @@ void compare_ratio(MetricComparison& result, const MetricSamples& samples, const
   const double least = p_of_lying_apart(samples);  // Student's p of no spread is 0, which no number of runs can show
   const auto shown = [&](double p) { return p == 0 ? least : p; };
   ratio.p_difference = shown(ratio.p_difference);
-  if (ratio.undefined.empty()) {
+  if (is_finite(ratio.p_above)) {
     const bool smaller = info_of(samples.metric).better == Better::smaller;
     ratio.p_equivalent = shown(ratio.p_equivalent);
     result.p_worse = shown(smaller ? ratio.p_above : ratio.p_below);
     result.p_better = shown(smaller ? ratio.p_below : ratio.p_above);
     result.p_not_worse = shown(1 - result.p_worse);
-    result.n_to_decide = to_decide(samples, ratio.ratio, question);
-  } else if (is_finite(ratio.p_difference)) {  // of a mean of 0 any difference is beyond the margin
+    result.n_to_decide = to_decide(samples, question);
+  } else if (is_finite(ratio.p_difference)) {  // of a mean of 0 any difference is beyond a relative margin
     const bool is_exact = !ratio.exact.empty();
     const double for_it = is_exact ? ratio.p_difference : ratio.p_difference / 2,
                  against_it = is_exact ? 1 : 1 - for_it;
@@ -220,8 +226,15 @@ void compare_not_finite(MetricComparison& result, const MetricSamples& samples, 
 
 }  // namespace
 
-MetricComparison compare_metric(const MetricSamples& samples, const MarginQuestion& question) {
-  check(question);
+MarginQuestion question_about(std::string_view metric, const MarginQuestion& question) {
+  MarginQuestion result = question;
+  if (!is_in_cm(metric)) result.margin_cm = 0;
+  return result;
+}
+
+MetricComparison compare_metric(const MetricSamples& samples, const MarginQuestion& of_all) {
+  check(of_all);
+  const MarginQuestion question = question_about(name_of(samples.metric), of_all);
   MetricComparison result{.metric = name_of(samples.metric),
                           .observation = samples.observation,
                           .a = summarise(samples.a),

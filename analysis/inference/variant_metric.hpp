@@ -26,9 +26,13 @@ constexpr std::string_view name_of(Outcome outcome) { return outcome_names[stati
 // Within the ranges of results/analysis_plan_fields.hpp.
 struct MarginQuestion {
   double margin = 0.05;        // relative difference that matters
+  double margin_cm = 0;        // the same in cm, of errors in cm; a difference within either does not matter
   double significance = 0.05;  // of all tests for worse together, and for better; intervals: 1 - 2 significance
   double power = 0.8;          // of the numbers of observations that would decide
 };
+
+// As it is about one metric, by its column: without a margin in cm where that is in another unit.
+MarginQuestion question_about(std::string_view metric, const MarginQuestion& question);
 
 struct MetricSamples {
   Metric metric;

@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "analysis/inference/margin.hpp"
 #include "analysis/inference/text.hpp"
 
 namespace ikbench::report {
@@ -52,6 +53,17 @@ std::vector<Cell> row_of(const VariantComparison& comparison, const MetricCompar
           metric.remark.empty() ? Cell() : Cell(metric.remark)};
 }
 
+// Of all metrics together.
+std::string margin_words(std::span<const VariantComparison> comparisons, const MarginQuestion& question) {
+  double margin_cm = 0;
+  for (const VariantComparison& comparison : comparisons) {
+    for (const MetricComparison& metric : comparison.metrics) {
+      margin_cm = std::max(margin_cm, question_about(metric.metric, question).margin_cm);
+    }
+  }
+  return inference::margin_words(question.margin, margin_cm);
+}
+
 std::string of_label(std::span<const VariantComparison> comparisons, const VariantComparison& comparison) {
   return comparisons.size() == 1 ? "" : comparison.label + ": ";
 }
@@ -68,10 +80,10 @@ Json json_of(const Cell& cell) {
 std::string regression(const MetricComparison& metric, const MarginQuestion& question) {
   std::vector<std::string> facts;
   const RatioComparison& ratio = metric.ratio;
-  if (std::isfinite(ratio.ratio)) facts.push_back(fmt::format("{:.3g} times A's", ratio.ratio));
+  if (std::isfinite(ratio.ratio)) facts.push_back(fmt::format("{} times A's", short_number(ratio.ratio)));
   if (std::isfinite(ratio.low)) {
-    facts.push_back(
-        fmt::format("{} interval {:.3g} to {:.3g}", percent(1 - 2 * question.significance), ratio.low, ratio.high));
+    facts.push_back(fmt::format("{} interval {} to {}", percent(1 - 2 * question.significance), short_number(ratio.low),
+                                short_number(ratio.high)));
   }
   facts.push_back(fmt::format("p {}", short_number(metric.p_worse)));
   return fmt::format("{} ({})", metric.metric, fmt::join(facts, ", "));
@@ -131,7 +143,7 @@ std::string counted_outcomes(std::span<const VariantComparison> comparisons, con
 Table variants_table(std::span<const VariantComparison> comparisons, const MarginQuestion& question) {
   Table table{
       .name = "comparison",
-      .caption = fmt::format("B compared with A, with a margin of {}", percent(question.margin)),
+      .caption = fmt::format("B compared with A, with a margin of {}", margin_words(comparisons, question)),
       .columns = {{"label", Align::left},
                   {"metric", Align::left},
                   {"B_is", Align::left},
@@ -185,7 +197,7 @@ std::vector<std::string> variants_notes(std::span<const VariantComparison> compa
 }
 
 std::string variants_verdict(std::span<const VariantComparison> comparisons, const MarginQuestion& question) {
-  const std::string margin = percent(question.margin);
+  const std::string margin = margin_words(comparisons, question);
   std::size_t all = 0;
   for (const VariantComparison& comparison : comparisons) all += comparison.metrics.size();
   const std::string rest =
@@ -201,6 +213,7 @@ std::string variants_json(std::span<const VariantComparison> comparisons, const 
   const Table table = variants_table(comparisons, question);
   Json json{{"verdict", variants_verdict(comparisons, question)},
             {"margin", question.margin},
+            {"margin_cm", question.margin_cm},
             {"significance", question.significance},
             {"notes", variants_notes(comparisons)},
             {"rows", Json::array()}};

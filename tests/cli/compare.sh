@@ -46,6 +46,16 @@ answers "Regression beyond 20 %: position_error_cm ("
 succeeds compare $base $fewer --label K-ABC --metric evaluations
 has "$out" "better"
 
+# A margin in cm beside the relative one: errors that are worse, but by less than it.
+is_worse $base $fewer --label K-ABC --metric position_error_cm --margin-cm 0.01
+answers "Regression beyond 5 % or 0.01 cm: position_error_cm ("
+succeeds compare $base $fewer --label K-ABC --metric position_error_cm --margin-cm 1000
+answers "No regression beyond 5 % or 1000 cm. Of 1 comparison: 1 worse by less than 5 % or 1000 cm."
+has "$out" "margin 5 % or 1000 cm; if nothing is worse"
+succeeds compare $base $fewer --label K-ABC --metric evaluations --metric position_error_cm --margin-cm 1000
+refused '--margin-cm: no metric is in cm' compare $base $fewer --metric evaluations --margin-cm 1
+refused '--margin-cm: 2000 is not a number from 0 to 1000' compare $base $fewer --margin-cm 2000
+
 # Two labels of one store.
 succeeds compare BA IK-BA --store $base --metric evaluations
 has "$out" "B: IK-BA, against A: BA, in study slim2023"
@@ -154,6 +164,10 @@ is_worse $base $fewer --label K-ABC --metric position_error_cm -o new/regression
 study wide --set analysis.margin_percent=30
 succeeds compare wide/store.sqlite $base --label BA --metric evaluations
 has "$out" "margin 30 %"
+study wide --set analysis.margin_percent=0 --set analysis.margin_cm=500
+succeeds compare wide/store.sqlite $fewer --label K-ABC --metric position_error_cm
+has "$out" "margin 500 cm"
+answers "No regression beyond 500 cm"
 
 # What a study's [analysis] allows, all that reads it can work with.
 for edge in "analysis.margin_percent=99 analysis.significance=0.2 analysis.power=0.5" \

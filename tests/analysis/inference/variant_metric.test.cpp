@@ -56,6 +56,34 @@ TEST_CASE("a margin is to be exceeded: 8 % more is worse by more than 5 %, and b
   CHECK(error_of(a, b, {.margin = 0.10}).outcome == Outcome::worse_by_less);
 }
 
+TEST_CASE("an error that is twice as large, but by less than an arm can resolve, is worse by less", "[variants]") {
+  const Variant a = variant(about(0.001, 0.0001)), b = variant(about(0.002, 0.0001));
+  CHECK(error_of(a, b).outcome == Outcome::worse);
+  CHECK(error_of(a, b, {.margin_cm = 0.01}).outcome == Outcome::worse_by_less);
+  CHECK(error_of(b, a, {.margin_cm = 0.01}).outcome == Outcome::better_by_less);
+  CHECK(error_of(a, b, {.margin_cm = 0.0005}).outcome == Outcome::worse);
+  CHECK(error_of(a, variant(about(0.001, 0.0002)), {.margin = 0, .margin_cm = 0.01}).outcome == Outcome::same);
+  const Change turned = [](SolveRecord& solve) { solve.variation_deg = 0.002 + 1e-5 * solve.run; };
+  const VariantComparison other =
+      compared(variant(about(1, 0.1), turned),
+               variant(about(1, 0.1), [](SolveRecord& solve) { solve.variation_deg = 0.004 + 1e-5 * solve.run; }),
+               {"variation_deg"}, {.margin_cm = 0.01});
+  CHECK(other.metrics.front().outcome == Outcome::worse);  // degrees are no cm
+}
+
+TEST_CASE("of what is open within an absolute margin it says how many runs would decide", "[variants]") {
+  // By hand: standard deviations 0.0249 and 0.0249, difference 0.005, 0.005 from the margin's end of 0.01.
+  const MetricComparison open =
+      error_of(variant(about(1, 0.04)), variant(about(1.005, 0.04)), {.margin = 0, .margin_cm = 0.01});
+  CHECK(open.outcome == Outcome::undecided);
+  const MetricComparison relative = error_of(variant(about(1, 0.04)), variant(about(1.005, 0.04)), {.margin = 0.01});
+  CHECK(open.n_to_decide == Approx(relative.n_to_decide).epsilon(0.03));  // 1 % of 1 is 0.01
+  const MetricComparison across = error_of(variant(about(1, 0.04)), variant(about(1.05, 0.04)), {.margin_cm = 0.05});
+  CHECK(across.remark.starts_with("worse, but perhaps by less than 5 % or 0.05 cm"));
+  CHECK_THROWS_WITH(error_of(variant(about(1, 0.1)), variant(about(1, 0.1)), {.margin_cm = -1}),
+                    ContainsSubstring("margin in cm -1: expected 0 to 1000"));
+}
+
 TEST_CASE("equivalent is a claim that is shown, and few or wide runs do not show it", "[variants]") {
   CHECK(error_of(variant(about(1, 0.01)), variant(about(1.001, 0.01))).outcome == Outcome::same);
   const MetricComparison wide = error_of(variant(about(1, 0.5)), variant(about(1.001, 0.4)));
