@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,8 @@ namespace {
 
 const char* const drawn_targets =
     R"({"stop": {"tolerance_cm": 0.1, "evaluations": 1000}, "path": {"kind": "random"}, "start": "initial"})";
+const char* const fixed_targets =
+    R"({"stop": {"tolerance_cm": 0.1, "evaluations": 1000}, "path": {"kind": "helix"}, "start": "initial"})";
 const char* const chained = R"({"stop": {"tolerance_cm": 0.1}, "path": {"kind": "helix"}, "start": "previous"})";
 
 struct Spent {
@@ -41,7 +44,8 @@ StudyResults study_of(const std::vector<std::vector<std::vector<Spent>>>& solver
         solve.evaluations = evaluations;
         solve.seconds = solve.cpu_seconds = 1e-6 * static_cast<double>(evaluations);
         solve.position_error_cm = reached ? 0.05 : 5;
-        solve.target_position_m = {0.1 * static_cast<double>(point), definition == chained ? 0.0 : 0.1 * solve.run, 0};
+        solve.target_position_m = {0.1 * static_cast<double>(point),
+                                   definition == drawn_targets ? 0.1 * solve.run : 0.0, 0};
         solves.push_back(std::move(solve));
       }
     }
@@ -61,6 +65,29 @@ Runs twenty(const std::function<Spent(int)>& spent) {
 }
 
 double width(const Interval& interval) { return interval.high - interval.low; }
+
+// Evenly from -1 to 1; std::mt19937_64's sequence is fixed by the C++ standard.
+double symmetric(std::mt19937_64& engine) { return 0x1p-52 * static_cast<double>(engine() >> 11) - 1; }
+
+Spent about(double evaluations) { return {std::llround(evaluations)}; }
+
+constexpr int repetitions = 200;
+// Three binomial standard errors below 0.95.
+const double least_coverage = 0.95 - 3 * std::sqrt(0.95 * 0.05 / repetitions);
+
+// How often the interval of the expected running time holds the true one.
+double coverage(double truth, const char* definition, const std::function<Runs(std::mt19937_64&)>& sample) {
+  std::mt19937_64 engine(3);
+  int covered = 0;
+  for (int i = 0; i < repetitions; ++i) {
+    const StudyResults study = study_of({sample(engine)}, definition);
+    const Clusters clusters(study);
+    const Interval interval =
+        clusters.interval(costs_of(study, Cost::evaluations, clusters).solvers[0].expected.replicates);
+    covered += interval.low <= truth && truth <= interval.high ? 1 : 0;
+  }
+  return static_cast<double>(covered) / repetitions;
+}
 
 }  // namespace
 
@@ -89,6 +116,60 @@ TEST_CASE("fewer than ten clusters have no intervals, and more than a thousand a
   const Clusters of_many(many);
   CHECK(of_many.drawn_at_once() == 1000);
   CHECK(of_many.of(many.solves[1200]) == 200);
+}
+
+TEST_CASE("an interval by targets covers where the same targets are solved in every run", "[clusters][simulation]") {
+  // A target is as hard in every run, and a run has no part in it: all its solves start anew.
+  const auto sample = [](std::mt19937_64& engine) {
+    Runs runs(4);
+    for (int target = 0; target < 20; ++target) {
+      const double hard = 500 * symmetric(engine);
+      for (auto& run : runs) run.push_back(about(1000 + hard + 300 * symmetric(engine)));
+    }
+    return runs;
+  };
+  CHECK(coverage(1000, fixed_targets, sample) > least_coverage);
+}
+
+TEST_CASE("an interval by runs covers where a run chains a fixed path", "[clusters][simulation]") {
+  // The path stays, so that its hard points are no chance; what a run starts with goes through all its points.
+  const auto sample = [](std::mt19937_64& engine) {
+    Runs runs(20);
+    for (auto& run : runs) {
+      const double own = 500 * symmetric(engine);
+      for (const double hard : {-600, -200, 200, 600})
+        run.push_back(about(1000 + hard + own + 100 * symmetric(engine)));
+    }
+    return runs;
+  };
+  CHECK(coverage(1000, chained, sample) > least_coverage);
+}
+
+TEST_CASE("an interval of expected running time covers but where no failure is in the sample",
+          "[clusters][simulation]") {
+  // Ten targets; a solve spends 100 evaluations and fails, after 1000, with probability 0.1: (90 + 100) / 0.9 = 211.
+  // Each solved once, 0.9^10 = 0.35 of the samples hold no failure, and no replicate can then have one.
+  int without_failure = 0;
+  const auto solves = [&](std::size_t times) {
+    return [&, times](std::mt19937_64& engine) {
+      Runs runs(times, std::vector<Spent>(10, Spent{100}));
+      bool fails = false;
+      for (auto& run : runs) {
+        for (Spent& solve : run) {
+          if (symmetric(engine) < 0.8) continue;
+          solve = {1000, false};
+          fails = true;
+        }
+      }
+      without_failure += fails ? 0 : 1;
+      return runs;
+    };
+  };
+  CHECK(coverage(190 / 0.9, fixed_targets, solves(10)) > least_coverage);
+  without_failure = 0;
+  const double of_one = coverage(190 / 0.9, fixed_targets, solves(1));
+  CHECK(of_one == 1 - static_cast<double>(without_failure) / repetitions);
+  CHECK(without_failure > 40);
 }
 
 TEST_CASE("where all runs are alike the band is the curve", "[clusters]") {
@@ -170,9 +251,8 @@ TEST_CASE("who never succeeds has no running time, and the restricted mean decid
 TEST_CASE("the probability of improvement is that of two solves at the same target, by hand", "[clusters]") {
   // Two targets, two runs each from the same start. At the first A 1, 3 against B 2, 3: 1 < 2, 1 < 3, 3 > 2, 3 = 3 is
   // 2.5 of 4. At the second A 5, never against B never, 4: 5 wins and loses, never ties and loses: 1.5 of 4.
-  const char* const repeated = R"({"stop": {"tolerance_cm": 0.1}, "path": {"kind": "helix"}, "start": "initial"})";
-  StudyResults study = study_of({{{{1}, {5}}, {{3}, {9, false}}}, {{{2}, {9, false}}, {{3}, {4}}}}, repeated);
-  for (SolveRecord& solve : study.solves) solve.target_position_m[1] = 0;
+  const StudyResults study =
+      study_of({{{{1}, {5}}, {{3}, {9, false}}}, {{{2}, {9, false}}, {{3}, {4}}}}, fixed_targets);
   const CostPair pair = compare_costs(study, Cost::evaluations, Clusters(study)).front();
   CHECK(pair.improvement.value == Approx((2.5 + 1.5) / 8));
   CHECK(std::isnan(pair.improvement.interval.low));  // two targets
