@@ -3,10 +3,12 @@
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 #include <sys/utsname.h>
+#include <unistd.h>
 
 #include <Eigen/Core>
 #include <chrono>
 #include <fstream>
+#include <limits>
 #include <string_view>
 #include <thread>
 
@@ -58,6 +60,15 @@ std::map<std::string, std::string> environment() {
           {"sanitizers", build_info::sanitize},
           {"source", shared_source_digest()},
           {"version", build_info::version}};
+}
+
+double stolen_seconds() {
+  std::ifstream stat("/proc/stat");
+  std::string cpu;
+  double user = 0, nice = 0, system = 0, idle = 0, waiting = 0, interrupts = 0, soft_interrupts = 0, stolen = 0;
+  stat >> cpu >> user >> nice >> system >> idle >> waiting >> interrupts >> soft_interrupts >> stolen;
+  return stat && cpu == "cpu" ? stolen / static_cast<double>(sysconf(_SC_CLK_TCK))
+                              : std::numeric_limits<double>::quiet_NaN();
 }
 
 bool is_debug_build() {

@@ -30,8 +30,8 @@ struct Chained {  // one run of one solver, and how far it is
 // A study laid out for work. Runs outside, solvers inside: whatever drifts on the machine meanwhile touches all solvers
 // alike.
 struct Plan {
-  explicit Plan(const Study& of) : study(of), arm(arm_of(of)), points(of.path->points()) {
-    for (const SolverEntry& entry : study.solvers) solve_runners.emplace_back(study, entry, arm);
+  explicit Plan(const Study& of, int repeats = 1) : study(of), arm(arm_of(of)), points(of.path->points()) {
+    for (const SolverEntry& entry : study.solvers) solve_runners.emplace_back(study, entry, arm, repeats);
     chains.reserve(solve_runners.size() * static_cast<std::size_t>(study.runs));
     for (int run = 1; run <= study.runs; ++run) {
       for (const SolveRunner& solve_runner : solve_runners) chains.push_back({&solve_runner, run, 1, study.initial});
@@ -98,6 +98,7 @@ void solve_rest(Plan& plan, int jobs, const std::atomic<bool>* cancelled, Record
     if (chain.next_point > plan.points) return;
     const std::unique_ptr<Solver> solver = chain.solve_runner->make_solver();
     const std::vector<Pose> poses = targets(plan.study, chain.run);
+    chain.solve_runner->warm_up(*solver, poses[static_cast<std::size_t>(chain.next_point - 1)], chain.configuration);
     while (chain.next_point <= plan.points && !is_over()) {
       SolveRecord record = chain.solve_runner->solve(*solver, poses[static_cast<std::size_t>(chain.next_point - 1)],
                                                      chain.configuration, chain.run, chain.next_point);
@@ -131,6 +132,7 @@ void solve_missing(Plan& plan, Store& store, const RunRequest& request, Progress
   session["jobs"] = std::to_string(request.jobs);
   session["command"] = request.command;
   const std::int64_t session_id = store.begin_session(session);
+  const double stolen_before = stolen_seconds();
   solve_rest(plan, request.jobs, request.cancelled, [&](std::vector<SolveRecord> records) {
     for (SolveRecord& record : records) record.session = session_id;
     store.append(records);
@@ -139,12 +141,16 @@ void solve_missing(Plan& plan, Store& store, const RunRequest& request, Progress
       if (request.progress) request.progress(progress);
     }
   });
+  if (const double stolen = stolen_seconds() - stolen_before; stolen >= 0) {
+    store.add_to_session(session_id, {{"stolen_seconds", fmt::format("{:.2f}", stolen)}});
+  }
 }
 
 }  // namespace
 
 Progress run(const Study& study, Store& store, const RunRequest& request) {
-  Plan plan(study);
+  const bool times_count = request.jobs == 1 && !is_debug_build();
+  Plan plan(study, times_count ? study.repeats : 1);
   store.save_study(entry_of(plan));
   Progress progress{.total = static_cast<std::int64_t>(plan.chains.size()) * plan.points};
   progress.done = progress.reused = move_past_stored(plan, store);
@@ -187,7 +193,7 @@ void solve_study(const Study& study, int jobs, const std::function<void(SolveRec
 
 SolveRecord solve_once(const Study& study, const SolverEntry& entry, const Pose& target) {
   const Robot arm = arm_of(study);
-  const SolveRunner solve_runner(study, entry, arm);
+  const SolveRunner solve_runner(study, entry, arm, 1);
   return solve_runner.solve(*solve_runner.make_solver(), target, study.initial, 1, 1);
 }
 

@@ -27,6 +27,8 @@ struct RunRequest {
 // The points of a run are chained (the arm starts where the previous answer left it) unless the study starts each at
 // its initial configuration; runs are independent. Numbers do not depend on `jobs` (unless a solve ends by its wall
 // time), on the order of solvers, or on what the store already had.
+// Each solve is timed as often as the study says, its median being its time, if it can be compared: with one job, in no
+// debug build, where no solve ends by its wall time. Else it is solved once.
 // What is complete is what the store now has under the study's name: else std::invalid_argument, as below.
 Progress run(const Study& study, results::Store& store, const RunRequest& request);
 
@@ -43,7 +45,7 @@ LeftAside left_aside(const Study& study, const results::Store& store);
 void check_is_stored(const Study& study, const results::Store& store);
 
 // All solves of a study, without a store. `take` gets each as soon as it is done, by one thread at a time: those of a
-// run in the order of its points. `cancelled` is looked at before every solve.
+// run in the order of its points; each is made once, whatever the study says of repeats. `cancelled` is looked at before every solve.
 void solve_study(const Study& study, int jobs, const std::function<void(results::SolveRecord)>& take,
                  const std::atomic<bool>* cancelled = nullptr);
 

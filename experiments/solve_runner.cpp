@@ -1,10 +1,16 @@
 #include "experiments/solve_runner.hpp"
 
+#include <fmt/format.h>
+#include <sys/resource.h>
 #include <time.h>
 
+#include <algorithm>
 #include <array>
+#include <bit>
 #include <chrono>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <utility>
 
 #include "experiments/environment.hpp"
 #include "experiments/orientation.hpp"
@@ -25,6 +31,26 @@ double thread_seconds() {
   timespec now{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+// How often the system took the processor from this thread.
+double thread_interruptions() {
+  rusage usage{};
+  getrusage(RUSAGE_THREAD, &usage);
+  return static_cast<double>(usage.ru_nivcsw);
+}
+
+template <class Numbers>
+bool same_bits(const Numbers& a, const Numbers& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](double x, double y) {
+    return std::bit_cast<std::uint64_t>(x) == std::bit_cast<std::uint64_t>(y);
+  });
+}
+
+bool same_answer(const Solution& a, const Solution& b) {
+  return a.iterations == b.iterations && a.evaluations == b.evaluations && a.stopped == b.stopped &&
+         same_bits(std::array{a.best.error}, std::array{b.best.error}) && same_bits(a.best.q, b.best.q) &&
+         same_bits(a.trace, b.trace);
 }
 
 StopReason recorded(Stopped stopped) {
@@ -88,7 +114,7 @@ std::size_t Task::chosen(const std::array<Eigen::Vector3d, 2>& branches, const E
   return is_to_be_inside && !is_inside(branches[first]) && is_inside(branches[1 - first]) ? 1 - first : first;
 }
 
-SolveRunner::SolveRunner(const Study& study, const SolverEntry& entry, const Robot& arm)
+SolveRunner::SolveRunner(const Study& study, const SolverEntry& entry, const Robot& arm, int repeats)
     : study_(study),
       entry_(entry),
       arm_(arm),
@@ -98,23 +124,57 @@ SolveRunner::SolveRunner(const Study& study, const SolverEntry& entry, const Rob
       series_{.key = series_key(study, entry),
               .label = entry.label,
               .algorithm = entry.solver,
-              .options = options_text(options_, entry)} {}
+              .options = options_text(options_, entry)},
+      repeats_(study.stop.seconds > 0 ? 1 : repeats) {}
+
+SolveRunner::Posed SolveRunner::posed(const Pose& target, const Configuration& start, int run, int point) const {
+  return {.target = target,
+          .start = start,
+          .problem = task_.problem(start, effective_population(study_, entry_)),
+          .random = Random(Key(study_.seed)
+                               .with(entry_.label)
+                               .with(static_cast<std::uint64_t>(run))
+                               .with(static_cast<std::uint64_t>(point)))};
+}
+
+SolveRunner::Timed SolveRunner::timed(Solver& solver, const Posed& given) const {
+  Objective objective(task_.arm(), task_.goal(given.target));
+  Random random = given.random;
+  const double thread_started = thread_seconds();
+  const auto started = std::chrono::steady_clock::now();
+  Solution solution = solvers::solve(solver, given.problem, objective, random, study_.stop, study_.trace);
+  Configuration answer = task_.completed(solution.best.q, given.target, given.start);
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - started;
+  const double cpu_seconds = thread_seconds() - thread_started;
+  return {std::move(solution), std::move(answer), seconds.count(), cpu_seconds};
+}
+
+std::vector<SolveRunner::Timed> SolveRunner::repeated(Solver& solver, const Posed& given) const {
+  std::vector<Timed> all;
+  for (int i = 0; i < repeats_; ++i) all.push_back(timed(solver, given));
+  return all;
+}
+
+void SolveRunner::warm_up(Solver& solver, const Pose& target, const Configuration& start) const {
+  if (repeats_ > 1) timed(solver, posed(target, start, 1, 1));
+}
 
 SolveRecord SolveRunner::solve(Solver& solver, const Pose& target, const Configuration& start, int run,
                                int point) const {
-  Objective objective(task_.arm(), task_.goal(target));
-  Random random(Key(study_.seed)
-                    .with(entry_.label)
-                    .with(static_cast<std::uint64_t>(run))
-                    .with(static_cast<std::uint64_t>(point)));
-  const Problem problem = task_.problem(start, effective_population(study_, entry_));
-
-  const double thread_started = thread_seconds();
-  const auto started = std::chrono::steady_clock::now();
-  const Solution solution = solvers::solve(solver, problem, objective, random, study_.stop, study_.trace);
-  Configuration answer = task_.completed(solution.best.q, target, start);
-  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - started;
-  const double cpu_seconds = thread_seconds() - thread_started;
+  const double interrupted_before = thread_interruptions();
+  std::vector<Timed> all = repeated(solver, posed(target, start, run, point));
+  const double interruptions = thread_interruptions() - interrupted_before;
+  for (const Timed& other : all) {
+    if (same_answer(other.solution, all.front().solution) && same_bits(other.answer, all.front().answer)) continue;
+    throw std::runtime_error(
+        fmt::format("{} gives another answer when it solves run {}, point {} again; a solver that is started must "
+                    "remember nothing and take its random numbers from the stream that it is given",
+                    entry_.label, run, point));
+  }
+  std::ranges::sort(all, {}, &Timed::seconds);
+  const Timed& median = all[(all.size() - 1) / 2];  // one that was measured
+  const Solution& solution = median.solution;
+  Configuration answer = median.answer;
 
   Verification verified = verify(arm_, target, start, answer);
   const Status status = solution.stopped == Stopped::not_finite
@@ -148,9 +208,13 @@ SolveRecord SolveRunner::solve(Solver& solver, const Pose& target, const Configu
                      .iterations = solution.iterations,
                      .stop_reason = recorded(solution.stopped),
                      .status = status,
-                     .seconds = seconds.count(),
-                     .cpu_seconds = cpu_seconds,
-                     .timing = is_debug_build() ? Timing::debug_build : Timing::clean};
+                     .seconds = median.seconds,
+                     .cpu_seconds = median.cpu_seconds,
+                     .timing = is_debug_build() ? Timing::debug_build : Timing::clean,
+                     .repeats = repeats_,
+                     .smallest_seconds = all.front().seconds,
+                     .largest_seconds = all.back().seconds,
+                     .interruptions = interruptions};
   for (const double error : solution.trace) record.trace_cm.push_back(error / centimetre);
   return record;
 }

@@ -4,6 +4,7 @@
 #include <array>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "experiments/study.hpp"
 #include "results/store.hpp"
@@ -37,15 +38,35 @@ class Task {
 // Study, entry and arm outlive it. It may be used by several threads at once, each with a solver of its own.
 class SolveRunner {
  public:
-  SolveRunner(const Study& study, const SolverEntry& entry, const robots::Robot& arm);
+  // `repeats`: how often a problem is solved, to be timed; once where a solve ends by its wall time.
+  SolveRunner(const Study& study, const SolverEntry& entry, const robots::Robot& arm, int repeats);
 
   const results::Series& series() const { return series_; }
   // Good for any number of solves, one after the other: a solver that is started anew remembers nothing.
   std::unique_ptr<solvers::Solver> make_solver() const { return info_.make(options_); }
+  // Where repeats are timed: solves once, untimed, so that the first is no slower than the others.
+  void warm_up(solvers::Solver& solver, const robots::Pose& target, const robots::Configuration& start) const;
+  // std::runtime_error where a repeat has another answer, to the bit.
   results::SolveRecord solve(solvers::Solver& solver, const robots::Pose& target, const robots::Configuration& start,
                              int run, int point) const;
 
  private:
+  struct Timed {
+    solvers::Solution solution;
+    robots::Configuration answer;  // all joints
+    double seconds;
+    double cpu_seconds;
+  };
+  struct Posed {  // a problem, and the random numbers to solve it by
+    const robots::Pose& target;
+    const robots::Configuration& start;
+    solvers::Problem problem;
+    numerics::Random random;
+  };
+  Posed posed(const robots::Pose& target, const robots::Configuration& start, int run, int point) const;
+  Timed timed(solvers::Solver& solver, const Posed& given) const;
+  std::vector<Timed> repeated(solvers::Solver& solver, const Posed& given) const;
+
   const Study& study_;
   const SolverEntry& entry_;
   const robots::Robot& arm_;
@@ -53,6 +74,7 @@ class SolveRunner {
   solvers::SolverInfo info_;
   solvers::Settings options_;
   results::Series series_;
+  int repeats_;
 };
 
 }  // namespace ikbench::experiments

@@ -58,6 +58,7 @@ struct Study {
   int population = 50;
   solvers::StopRule stop;
   int runs = 20;
+  int repeats = 5;  // of a solve, to time it; decides no number but times (runner.hpp)
   std::uint64_t seed = 1;
   solvers::Trace trace = solvers::Trace::none;
   std::vector<SolverEntry> solvers;

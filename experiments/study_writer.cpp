@@ -173,7 +173,7 @@ nlohmann::ordered_json arm_definition(const Robot& arm) {
 
 // The settings in which a study differs from the built-in one that claims to be of the same paper and has a path of the
 // same kind, or else from the first that does. A name, a title, a
-// seed, a trace and how the solves are judged make no difference to that claim; further solvers neither.
+// seed, a trace, repeats and how the solves are judged make no difference to that claim; further solvers neither.
 std::vector<std::string> departures(const Study& study) {
   const std::vector<Study> known = studies();
   const auto is_of_same_paper = [&](const Study& candidate) {
@@ -188,7 +188,7 @@ std::vector<std::string> departures(const Study& study) {
   const auto ours = definition(study).flatten(), theirs = definition(*original).flatten();
   for (const auto& [pointer, value] : theirs.items()) {
     const bool is_free = pointer == "/name" || pointer == "/title" || pointer == "/seed" || pointer == "/trace" ||
-                         pointer.starts_with("/analysis/");
+                         pointer == "/repeats" || pointer.starts_with("/analysis/");
     if (is_free || (ours.contains(pointer) && ours[pointer] == value)) continue;
     std::string key = pointer.substr(1);
     std::replace(key.begin(), key.end(), '/', '.');

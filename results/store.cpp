@@ -145,6 +145,15 @@ struct Store::Database : StoreFile {
     return fmt::format("{}{}", fmt::join(names, ", "), others > 0 ? fmt::format(" and {} more", others) : "");
   }
 
+  void add_environment(std::int64_t session, const std::map<std::string, std::string>& environment) {
+    SQLite::Statement add(sqlite(), "INSERT INTO environment (session, key, value) VALUES (?, ?, ?)");
+    for (const auto& [key, value] : environment) {
+      SQLite::bind(add, session, key, value);
+      add.exec();
+      add.reset();
+    }
+  }
+
   // Appends the solves of a series, up to a run, to the list.
   void read_solves(const std::string& key, std::int64_t last_run, std::vector<SolveRecord>& list) {
     refuse_blobs("solves", "series");
@@ -235,14 +244,17 @@ std::int64_t Store::begin_session(const std::map<std::string, std::string>& envi
     SQLite::Transaction transaction(sqlite, SQLite::TransactionBehavior::IMMEDIATE);
     sqlite.exec(fmt::format("INSERT INTO sessions (began) VALUES ({})", now));
     const std::int64_t id = sqlite.getLastInsertRowid();
-    SQLite::Statement add(sqlite, "INSERT INTO environment (session, key, value) VALUES (?, ?, ?)");
-    for (const auto& [key, value] : environment) {
-      SQLite::bind(add, id, key, value);
-      add.exec();
-      add.reset();
-    }
+    database_->add_environment(id, environment);
     database_->commit(transaction);
     return id;
+  });
+}
+
+void Store::add_to_session(std::int64_t id, const std::map<std::string, std::string>& environment) {
+  guarded(database_->name(), [&] {
+    SQLite::Transaction transaction(database_->sqlite(), SQLite::TransactionBehavior::IMMEDIATE);
+    database_->add_environment(id, environment);
+    database_->commit(transaction);
   });
 }
 

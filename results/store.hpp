@@ -54,6 +54,8 @@ class Store {
   StudyEntry study(const std::string& name) const;  // std::invalid_argument where there is none
 
   std::int64_t begin_session(const std::map<std::string, std::string>& environment);
+  // What is known of a session at its end; it has none of these keys yet.
+  void add_to_session(std::int64_t id, const std::map<std::string, std::string>& environment);
   std::vector<Session> sessions() const;
 
   // All of them in one transaction, which outlives the process, however that ends. A solve that is already there

@@ -18,7 +18,7 @@ namespace {
 
 constexpr double spread_for_logarithmic = 30;
 
-std::string logarithmic_settings(double smallest, double largest, bool room_for_zero) {
+std::string logarithmic_settings(double smallest, double largest, double factor, bool room_for_zero) {
   // Whole decades; gnuplot works in doubles, so 300 of them either way.
   int low = static_cast<int>(std::floor(std::log10(std::max(smallest, 1e-300))));
   const int high = std::max(low + 1, static_cast<int>(std::ceil(std::log10(std::min(largest, 1e300)))));
@@ -26,8 +26,8 @@ std::string logarithmic_settings(double smallest, double largest, bool room_for_
   const int decades_per_tick = 1 + (high - low - 1) / 7;
   return fmt::format(
       "set logscale y\nset format y '10^{{%T}}'\nset yrange [1e{0}:1e{1}]\nset ytics 1e{2}\nset mytics {3}\n"
-      "shown(y) = y > 0 ? y : (y <= 0 ? 1e{0} : NaN)\n",
-      low, high, decades_per_tick, decades_per_tick == 1 ? 10 : 1);
+      "shown(y) = y > 0 ? y * {4} : (y <= 0 ? 1e{0} : NaN)\n",
+      low, high, decades_per_tick, decades_per_tick == 1 ? 10 : 1, text_of(factor));
 }
 
 }  // namespace
@@ -41,26 +41,27 @@ Axis value_axis(std::span<const double> values, std::string_view quantity, Scale
   Axis axis{.has_values = !finite.empty()};
   const double largest = finite.empty() ? 1.0 : std::ranges::max(finite);
   const double smallest = finite.empty() ? 0.0 : std::ranges::min(finite);
-  std::string label(quantity);
+  axis.quantity = quantity;
+  double factor = 1;
+  if (axis.quantity.ends_with("[s]") && largest > 0 && largest < 0.1) {
+    const bool micro = largest < 1e-4;
+    factor = micro ? 1e6 : 1e3;
+    axis.quantity.replace(axis.quantity.size() - 3, 3, micro ? "[µs]" : "[ms]");
+  }
   if (!positive.empty() && scale != Scale::linear) {
     const double least = std::ranges::min(positive);
     axis.logarithmic = scale == Scale::logarithmic || largest > spread_for_logarithmic * least;
   }
   if (axis.logarithmic) {
     axis.shows_at_edge = positive.size() < finite.size();
-    axis.settings = logarithmic_settings(std::ranges::min(positive), largest, axis.shows_at_edge);
+    axis.settings =
+        logarithmic_settings(factor * std::ranges::min(positive), factor * largest, factor, axis.shows_at_edge);
   } else {
-    double factor = 1;
-    if (label.ends_with("[s]") && largest > 0 && largest < 0.1) {
-      const bool micro = largest < 1e-4;
-      factor = micro ? 1e6 : 1e3;
-      label.replace(label.size() - 3, 3, micro ? "[µs]" : "[ms]");
-    }
     const double top = largest > 0 ? 1.05 * factor * largest : 1.0;
     axis.settings = fmt::format("set yrange [{}:{}]\nshown(y) = y * {}\n",
                                 text_of(std::min(0.0, 1.05 * factor * smallest)), text_of(top), text_of(factor));
   }
-  axis.settings += fmt::format("set ylabel {}\n", gnuplot_string(label));
+  axis.settings += fmt::format("set ylabel {}\n", gnuplot_string(axis.quantity));
   if (!axis.has_values) axis.settings += "unset ytics\nset label 'no finite values' at graph 0.5, graph 0.5 center\n";
   return axis;
 }

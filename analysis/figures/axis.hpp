@@ -17,6 +17,7 @@ struct Axis {
   bool logarithmic = false;
   bool has_values = false;     // finite ones
   bool shows_at_edge = false;  // values of zero or below, which a logarithmic axis does not have
+  std::string quantity = {};   // with the unit in which it is drawn
   // Sets label, range and ticks of y, and the function shown(y): what is drawn for y.
   std::string settings = {};
 };

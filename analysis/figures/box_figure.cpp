@@ -112,12 +112,7 @@ std::string plot_of(const std::vector<Box>& boxes, const std::string& name, bool
 }  // namespace
 
 Figure box_figure(const StudyResults& study, const BoxRequest& request) {
-  Figure figure{
-      .name = request.name,
-      .caption = fmt::format(
-          "{}: box plots over the {}. Quartiles: Hyndman-Fan type {}. Whiskers: last value within 1.5 box heights.",
-          capitalised(quantity(request.metric)), study.plan.unit == Unit::run ? "run means" : "points",
-          study.plan.quartiles)};
+  Figure figure{.name = request.name};
   std::vector<Box> boxes;
   std::vector<double> all;
   for (const Sample& sample : samples(study, request.metric)) {
@@ -130,10 +125,15 @@ Figure box_figure(const StudyResults& study, const BoxRequest& request) {
       if (std::ranges::find(study.solvers, mark.solver) == study.solvers.end()) continue;
       all.insert(all.end(), {mark.min, mark.median, mark.max});
     }
-    figure.caption += " Grey: printed minimum, median and maximum.";
   }
   const Axis axis = value_axis(all, quantity(request.metric), Scale::by_spread);
-  figure.caption = with_notes(figure.caption, study, request.metric, axis);
+  figure.caption = with_notes(
+      fmt::format("{}: box plots over the {}. Quartiles: Hyndman-Fan type {}. Whiskers: last value within 1.5 box "
+                  "heights.{}",
+                  capitalised(axis.quantity),
+                  study.plan.unit == Unit::run ? fmt::format("run {}s", average_name(request.metric)) : "points",
+                  study.plan.quartiles, marks.empty() ? "" : " Grey: printed minimum, median and maximum."),
+      study, request.metric, axis);
   if (boxes.size() > 8) figure.width_cm = two_columns_cm;
   figure.data = data_of(study, boxes, marks);
   figure.settings = axis.settings + counts_above(boxes) + label_settings(study, figure);

@@ -13,6 +13,7 @@
 #include "analysis/inference/convergence.hpp"
 #include "analysis/inference/definition.hpp"
 #include "analysis/inference/text.hpp"
+#include "analysis/inference/times.hpp"
 #include "analysis/statistics/survival.hpp"
 #include "numerics/number.hpp"
 
@@ -130,6 +131,7 @@ Figure runtime_figure(const StudyResults& study, const Clusters& clusters, Cost 
       has_tolerance ? "the tolerance of the study"
                     : "the decade below the smallest error of any solve, at least 1e-8 cm",
       cost == Cost::seconds ? "time" : "evaluations", bands(study, clusters), without_trace(study));
+  if (cost == Cost::seconds) figure.caption += fmt::format(" {}", median_speed_words);
   draw_shares(figure, study, shares);
   return figure;
 }
@@ -246,8 +248,9 @@ Figure survival_figure(const StudyResults& study, const Clusters& clusters) {
 
 }  // namespace
 
-std::vector<Figure> convergence_figures(const StudyResults& study) {
-  if (study.solves.empty()) return {};
+std::vector<Figure> convergence_figures(const StudyResults& measured) {
+  if (measured.solves.empty()) return {};
+  const StudyResults study = at_median_speed(measured);
   const bool has_clean_times = times_are_comparable(study);
   const Clusters clusters(study);
   std::vector<Figure> figures;

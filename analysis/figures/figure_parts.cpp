@@ -76,14 +76,14 @@ std::string plot_command(const std::vector<std::string>& clauses, std::string_vi
   return fmt::format("{} {}", command, fmt::join(clauses, ", \\\n  "));
 }
 
-std::vector<double> means_by_point(const StudyResults& study, const std::string& solver, Metric metric) {
+std::vector<double> averages_by_point(const StudyResults& study, const std::string& solver, Metric metric) {
   std::vector<std::vector<double>> values(static_cast<std::size_t>(study.points));
   for (const SolveRecord& solve : study.solves) {
     if (solve.solver == solver) values[static_cast<std::size_t>(solve.point) - 1].push_back(value_of(solve, metric));
   }
-  std::vector<double> means;
-  for (const auto& at_point : values) means.push_back(mean(at_point));
-  return means;
+  std::vector<double> averages;
+  for (const auto& at_point : values) averages.push_back(average_of(metric)(at_point));
+  return averages;
 }
 
 std::map<int, const SolveRecord*> first_run(const StudyResults& study, const std::string& solver) {

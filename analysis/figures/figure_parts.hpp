@@ -35,9 +35,10 @@ std::string space_axes(const std::array<std::vector<double>, 3>& coordinates_cm)
 std::string lines_by_point(const std::map<int, std::vector<double>>& values);
 std::string plot_command(const std::vector<std::string>& clauses, std::string_view command = "plot");
 
-// Mean over the runs at every point; a point with an answer that is not finite has none.
-std::vector<double> means_by_point(const inference::StudyResults& study, const std::string& solver,
-                                   inference::Metric metric);
+// Average over the runs at every point (inference::average_of); a mean with an answer that is not finite is not
+// defined.
+std::vector<double> averages_by_point(const inference::StudyResults& study, const std::string& solver,
+                                      inference::Metric metric);
 // The first run that the solver has, by point.
 std::map<int, const results::SolveRecord*> first_run(const inference::StudyResults& study, const std::string& solver);
 // Of each of those, all joints [deg]; not defined where an answer has fewer joints than another.

@@ -72,17 +72,15 @@ Figure path_figure(const StudyResults& study, const std::string& name) {
 
 Figure curves_figure(const StudyResults& study, Metric metric, const std::string& name,
                      const std::map<int, std::vector<double>>& printed) {
-  Figure figure{.name = name,
-                .caption = fmt::format("{}: mean over the runs at each point.", capitalised(quantity(metric)))};
+  Figure figure{.name = name};
   std::vector<std::vector<double>> curves;
   std::vector<double> all;
   for (const std::string& solver : study.solvers) {
-    curves.push_back(means_by_point(study, solver, metric));
+    curves.push_back(averages_by_point(study, solver, metric));
     all.insert(all.end(), curves.back().begin(), curves.back().end());
   }
   std::vector<std::string> clauses{"NaN notitle"}, labels;
   if (!printed.empty()) {
-    figure.caption += " Grey: as printed.";
     for (const auto& [point, values] : printed) all.insert(all.end(), values.begin(), values.end());
     labels.emplace_back("as printed");
     clauses.push_back(fmt::format("'{}.dat' index 1 using 1:(shown($2)) with linespoints lw 0.7 dt 2 {} title '{}'",
@@ -91,12 +89,15 @@ Figure curves_figure(const StudyResults& study, Metric metric, const std::string
   labels.insert(labels.end(), study.solvers.begin(), study.solvers.end());
   const Axis axis =
       value_axis(all, quantity(metric), metric == Metric::position_error_cm ? Scale::logarithmic : Scale::by_spread);
-  figure.caption = with_notes(figure.caption, study, metric, axis);
+  figure.caption = with_notes(fmt::format("{}: {} over the runs at each point.{}", capitalised(axis.quantity),
+                                          average_name(metric), printed.empty() ? "" : " Grey: as printed."),
+                              study, metric, axis);
   figure.settings = axis.settings + point_axis(study.points);
   add_legend(figure, labels);
 
   const int points_per_marker = 1 + study.points / 40;
-  figure.data = fmt::format("# column 1: point; then {}, mean over the runs, of\n", quantity(metric));
+  figure.data =
+      fmt::format("# column 1: point; then {}, {} over the runs, of\n", quantity(metric), average_name(metric));
   for (std::size_t i = 0; i < study.solvers.size(); ++i) {
     figure.data += fmt::format("# column {}: {}\n", i + 2, one_line(study.solvers[i]));
     const std::string label = shortened(study.solvers[i], longest_label);

@@ -10,7 +10,7 @@
 namespace ikbench::inference {
 
 // Parts of a definition on which no solve depends: how it is judged, and which targets were found to be out of reach.
-constexpr std::array<std::string_view, 2> decide_no_solve{"analysis", "out_of_reach"};
+constexpr std::array<std::string_view, 3> decide_no_solve{"analysis", "out_of_reach", "repeats"};
 
 // Values are named by JSON pointers: "/path/kind".
 class Definition {

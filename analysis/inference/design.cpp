@@ -117,15 +117,15 @@ Observations without_groups(const Quantity& quantity) {
 }
 
 void fill_blocks(Observations& result, const StudyResults& study, const std::vector<Block>& blocks,
-                 const ValueOf& value_of) {
+                 const Quantity& quantity) {
   for (const Block& block : blocks) result.blocks.push_back(block.name);
   for (const std::string& solver : study.solvers) {
     const auto solves = solves_of(study, solver);
     Group group{.name = solver};
     for (const Block& block : blocks) {
       std::vector<double> values;
-      for (const Place& place : block.places) values.push_back(value_of(*solves.at(place)));
-      group.values.push_back(mean(values));
+      for (const Place& place : block.places) values.push_back(quantity.value(*solves.at(place)));
+      group.values.push_back(quantity.of(values));
     }
     result.groups.push_back(std::move(group));
   }
@@ -181,7 +181,7 @@ std::optional<Observations> blocked_observations(const StudyResults& study, Metr
   Observations result = without_groups(quantity);
   result.replicate = replicate_of(study, blocks, quantity.average);
   result.block = block_of(blocks);
-  fill_blocks(result, study, layout(study, blocks), quantity.value);
+  fill_blocks(result, study, layout(study, blocks), quantity);
   add_decades(result, study, metric, estimand);
   add_notes(result, study, metric);
   return result;
@@ -197,7 +197,7 @@ Observations observations(const StudyResults& study, Metric metric, Estimand est
   result.replicate = replicate_of(study, unit, quantity.average);
   if (unit == Unit::point) result.flaw = points_flaw;
   if (unit == Unit::run) result.notes.push_back(why_not_blocked(study));
-  for (Sample& sample : samples(study, quantity.value)) {
+  for (Sample& sample : samples(study, quantity.value, quantity.of)) {
     if (sample.incomplete_runs > 0) {
       result.notes.push_back(fmt::format("{}: {} of its runs lack points and give no observation.", sample.solver,
                                          sample.incomplete_runs));

@@ -20,6 +20,8 @@ Quantity mean_quantity(Metric metric) {
   return {.name = std::string(info.slug),
           .text = quantity(metric),
           .better = info.better,
+          .average = std::string(average_name(metric)),
+          .of = average_of(metric),
           .value = [metric](const SolveRecord& solve) { return value_of(solve, metric); }};
 }
 
@@ -71,9 +73,10 @@ std::string within_words(const StudyResults& study, Metric metric) {
 
 std::vector<Estimand> estimands_of(const StudyResults& study, Metric metric) {
   std::vector<Estimand> result = study.plan.estimands;
-  if (metric != Metric::position_error_cm && metric != Metric::seconds) return {Estimand::mean};
-  if (!std::isfinite(distance_of(study, metric))) std::erase(result, Estimand::reliability);
-  return result;
+  if (metric == Metric::position_error_cm) return result;
+  const bool has_reliability = std::ranges::find(result, Estimand::reliability) != result.end();
+  if (!has_reliability || !std::isfinite(distance_of(study, metric))) return {Estimand::mean};
+  return {Estimand::mean, Estimand::reliability};
 }
 
 Quantity quantity_of(const StudyResults& study, Metric metric, Estimand estimand) {

@@ -17,16 +17,18 @@ struct Quantity {
   Better better = Better::smaller;
   ValueScale scale = ValueScale::plain;
   std::string average = "mean";         // what an observation is of its solves, in words
-  ValueOf value = {};                   // observations are means of it
+  Average of = statistics::mean;        // and as a function
+  ValueOf value = {};                   // of which observations are averages
   std::vector<std::string> notes = {};  // what counts as what
 };
 
-// Those of the study's plan that a metric has. The position error has all, the computing time the reliability only
-// where the study has a deadline, and the other metrics the mean alone.
+// Those of the study's plan that a metric has. The position error has all, the other metrics the mean alone; the
+// computing time, whose average is the median, the reliability too where the study has a deadline.
 std::vector<results::Estimand> estimands_of(const StudyResults& study, Metric metric);
 
-// mean: the value. typical: its logarithm to base 10, where a value up to the metric's rounding counts as that.
-// reliability: 1 within the distance, else 0, also where the answer was refused or is not finite.
+// mean: the average of the value (average_of). typical: its logarithm to base 10, where a value up to the metric's
+// rounding counts as that. reliability: 1 within the distance, else 0, also where the answer was refused or is not
+// finite.
 Quantity quantity_of(const StudyResults& study, Metric metric, results::Estimand estimand);
 
 // The distance of reliability, in the metric's unit: the study's tolerance, or the plan's within_cm where it has none;

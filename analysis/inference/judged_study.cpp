@@ -6,14 +6,29 @@
 
 namespace ikbench::inference {
 
+using namespace results;
+
+namespace {
+
+// Unless the plan names a test, ranks decide of times: one interruption of the program would decide a mean.
+AnalysisPlan judging(AnalysisPlan plan, Metric metric, const Observations& observed) {
+  const bool is_time = info_of(metric).kind == Kind::time;
+  if (is_time && plan.test == DecidingTest::by_design && observed.blocks.empty()) {
+    plan.test = DecidingTest::kruskal_wallis;
+  }
+  return feasible(std::move(plan), observed);
+}
+
+}  // namespace
+
 JudgedStudy::JudgedStudy(StudyResults study) : StudyResults(std::move(study)) {}
 
-const Evidence& JudgedStudy::evidence(Metric metric, results::Estimand estimand) const {
+const Evidence& JudgedStudy::evidence(Metric metric, Estimand estimand) const {
   const std::pair asked{metric, estimand};
   const auto known = evidence_.find(asked);
   if (known != evidence_.end()) return known->second;
   const Observations observed = observations(*this, metric, estimand);
-  const results::AnalysisPlan possible = feasible(plan, observed);
+  const AnalysisPlan possible = judging(plan, metric, observed);
   return evidence_
       .emplace(asked, is_comparable(*this, metric) ? tested(observed, possible) : described(observed, possible))
       .first->second;

@@ -4,8 +4,10 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <set>
 #include <stdexcept>
 #include <tuple>
@@ -13,9 +15,11 @@
 #include "analysis/inference/analysis_plan.hpp"
 #include "analysis/inference/definition.hpp"
 #include "analysis/statistics/descriptive.hpp"
+#include "numerics/number.hpp"
 
 namespace ikbench::inference {
 
+using namespace numerics;
 using namespace results;
 using namespace statistics;
 
@@ -115,8 +119,11 @@ StudyResults make_study(const StudyEntry& entry, std::vector<SolveRecord> solves
   std::set<std::int64_t> used;
   for (const SolveRecord& solve : study.solves) used.insert(solve.session);
   for (const Session& session : sessions) {
-    const auto cpu = session.environment.find("cpu");
-    if (used.contains(session.id) && cpu != session.environment.end()) study.cpus.insert(cpu->second);
+    if (!used.contains(session.id)) continue;
+    const auto cpu = session.environment.find("cpu"), stolen = session.environment.find("stolen_seconds");
+    if (cpu != session.environment.end()) study.cpus.insert(cpu->second);
+    const auto seconds = stolen != session.environment.end() ? number_from(stolen->second) : std::nullopt;
+    if (seconds) study.stolen_seconds = (std::isnan(study.stolen_seconds) ? 0 : study.stolen_seconds) + *seconds;
   }
   check_and_count(study);
   return study;
@@ -136,10 +143,11 @@ double tolerance_cm(const StudyResults& study) {
 }
 
 std::vector<Sample> samples(const StudyResults& study, Metric metric) {
-  return samples(study, [metric](const SolveRecord& solve) { return value_of(solve, metric); });
+  return samples(
+      study, [metric](const SolveRecord& solve) { return value_of(solve, metric); }, average_of(metric));
 }
 
-std::vector<Sample> samples(const StudyResults& study, const ValueOf& value_of) {
+std::vector<Sample> samples(const StudyResults& study, const ValueOf& value_of, Average average) {
   std::vector<Sample> result;
   for (const std::string& solver : study.solvers) {
     Sample sample{.solver = solver};
@@ -149,7 +157,7 @@ std::vector<Sample> samples(const StudyResults& study, const ValueOf& value_of) 
       if (study.plan.unit == Unit::point) {
         sample.values.insert(sample.values.end(), values.begin(), values.end());
       } else if (complete(run, study)) {
-        sample.values.push_back(mean(values));
+        sample.values.push_back(average(values));
       } else {
         ++sample.incomplete_runs;
       }
@@ -157,6 +165,14 @@ std::vector<Sample> samples(const StudyResults& study, const ValueOf& value_of) 
     result.push_back(std::move(sample));
   }
   return result;
+}
+
+Average average_of(Metric metric) { return info_of(metric).kind == Kind::time ? median : mean; }
+
+std::string_view average_name(Metric metric) { return info_of(metric).kind == Kind::time ? "median" : "mean"; }
+
+double average_in(const Description& of, Metric metric) {
+  return info_of(metric).kind == Kind::time ? of.median : of.mean;
 }
 
 std::vector<SolverCounts> counts(const StudyResults& study) {
@@ -217,20 +233,28 @@ std::vector<std::string> status_notes(const StudyResults& study) {
 
 namespace {
 
-// Wall time by CPU time of the solves that are recorded as clean; not defined where none has any.
-double clean_slowdown(const StudyResults& study) {
-  double seconds = 0, cpu_seconds = 0;
-  for (const SolveRecord& solve : study.solves) {
-    if (solve.timing != Timing::clean) continue;
-    seconds += solve.seconds;
-    cpu_seconds += solve.cpu_seconds;
-  }
-  return cpu_seconds > 0 ? seconds / cpu_seconds : not_defined;
+struct Disturbed {
+  std::ptrdiff_t solves = 0, clean = 0;
+};
+
+// How many of the solves that are recorded as clean took longer than they had the processor.
+Disturbed disturbed(const StudyResults& study) {
+  constexpr double most = 1.1;  // wall time by CPU time
+  const auto is_clean = [](const SolveRecord& solve) { return solve.timing == Timing::clean; };
+  return {std::ranges::count_if(study.solves,
+                                [&](const SolveRecord& solve) {
+                                  return is_clean(solve) && solve.seconds > most * solve.cpu_seconds &&
+                                         solve.cpu_seconds > 0;
+                                }),
+          std::ranges::count_if(study.solves, is_clean)};
 }
 
 }  // namespace
 
-bool times_were_disturbed(const StudyResults& study) { return clean_slowdown(study) > 1.1; }
+bool times_were_disturbed(const StudyResults& study) {
+  const Disturbed found = disturbed(study);
+  return found.solves > 1 && 10 * found.solves > found.clean;
+}
 
 std::string timing_note(const StudyResults& study) {
   const auto timed = [&](Timing how) { return std::ranges::count(study.solves, how, &SolveRecord::timing); };
@@ -242,10 +266,11 @@ std::string timing_note(const StudyResults& study) {
   }
   if (std::string note = cpu_note(study.cpus); !note.empty()) return note;
   if (!times_were_disturbed(study)) return "";
+  const Disturbed found = disturbed(study);
   return fmt::format(
-      "Times are not comparable: the wall time of the solves is {:.2f} times their CPU time, so other programs were "
+      "Times are not comparable: {} of {} solves took more than 1.1 times their CPU time, so other programs were "
       "running.",
-      clean_slowdown(study));
+      found.solves, found.clean);
 }
 
 std::string cpu_note(const std::set<std::string>& cpus) {

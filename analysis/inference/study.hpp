@@ -1,16 +1,19 @@
 // A study as the analysis sees it: the solves, who took part, and what was to be solved. Points of one run depend on
-// each other; the unit of analysis is therefore the run, one observation being the mean over its points.
+// each other; the unit of analysis is therefore the run, one observation being the mean over its points, of times the
+// median.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <set>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "analysis/inference/metrics.hpp"
+#include "analysis/statistics/descriptive.hpp"
 #include "results/analysis_plan.hpp"
 #include "results/record.hpp"
 #include "results/store.hpp"
@@ -24,9 +27,10 @@ struct StudyResults {
   int runs = 0;                           // as defined, per solver
   int points = 0;                         // as defined, per run
   std::string published = {};             // paper whose printed tables it is held against (results/published), or empty
-  std::vector<std::string> departures = {};  // what of the published study's definition was changed
-  results::AnalysisPlan plan = {};           // how it is judged
-  std::set<std::string> cpus = {};           // of the sessions in which it was solved, as far as these say
+  std::vector<std::string> departures = {};         // what of the published study's definition was changed
+  results::AnalysisPlan plan = {};                  // how it is judged
+  std::set<std::string> cpus = {};                  // of the sessions in which it was solved, as far as these say
+  double stolen_seconds = statistics::not_defined;  // processor time that its sessions' hosts kept from their machines
   std::string definition = {};  // JSON, as the store has it (analysis/inference/definition.hpp); empty where none
   std::vector<results::SolveRecord> solves = {};
 };
@@ -52,9 +56,15 @@ struct Sample {
 };
 
 std::vector<Sample> samples(const StudyResults& study, Metric metric);
-// The same of anything else that a solve has.
+// The same of anything else that a solve has, and of any average of a run's points.
 using ValueOf = std::function<double(const results::SolveRecord&)>;
-std::vector<Sample> samples(const StudyResults& study, const ValueOf& value_of);
+using Average = double (*)(std::span<const double>);
+std::vector<Sample> samples(const StudyResults& study, const ValueOf& value_of, Average average = statistics::mean);
+// What stands for several values of a metric: their mean; of times their median, which one interruption of the program
+// hardly changes.
+Average average_of(Metric metric);
+std::string_view average_name(Metric metric);  // "mean", "median"
+double average_in(const statistics::Description& of, Metric metric);
 
 // Sums of what became of the solves of one solver.
 struct SolverCounts {
@@ -82,7 +92,8 @@ std::vector<std::string> status_notes(const StudyResults& study);
 std::string timing_note(const StudyResults& study);
 bool times_are_comparable(const StudyResults& study);
 bool is_comparable(const StudyResults& study, Metric metric);  // all metrics are but times
-// Whether other programs were at work while the solves ran that are recorded as clean: by their wall and CPU time.
+// Whether other programs were at work while the solves ran that are recorded as clean: whether many of these took
+// longer than their CPU time. One does not matter.
 bool times_were_disturbed(const StudyResults& study);
 // Times of several CPUs cannot be compared; empty where there are not several.
 std::string cpu_note(const std::set<std::string>& cpus);

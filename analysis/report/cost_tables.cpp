@@ -11,6 +11,7 @@
 #include "analysis/inference/clusters.hpp"
 #include "analysis/inference/cost_comparison.hpp"
 #include "analysis/inference/text.hpp"
+#include "analysis/inference/times.hpp"
 #include "analysis/report/cost_pair_tables.hpp"
 #include "analysis/statistics/log_rank.hpp"
 #include "analysis/statistics/proportion.hpp"
@@ -172,6 +173,7 @@ Table cost_table(const StudyResults& study, Cost cost, const Clusters& clusters)
                   "restricted_mean: the mean up to {} {}, to which the curves of all solvers are known.",
                   rounded_number(costs.horizon, 6), unit));
   table.notes.push_back(cost_interval_note(clusters));
+  if (in_seconds) table.notes.emplace_back(median_speed_words);
   const auto diverged = std::ranges::count(study.solves, StopReason::not_finite, &SolveRecord::stop_reason);
   if (diverged > 0) {
     table.notes.push_back(
@@ -188,8 +190,9 @@ Table cost_table(const StudyResults& study, Cost cost, const Clusters& clusters)
 
 }  // namespace
 
-std::vector<Table> cost_tables(const StudyResults& study) {
-  if (study.solves.empty()) return {};
+std::vector<Table> cost_tables(const StudyResults& measured) {
+  if (measured.solves.empty()) return {};
+  const StudyResults study = at_median_speed(measured);
   const Clusters clusters(study);
   std::vector<Cost> costs;
   if (std::isfinite(tolerance_cm(study))) costs.push_back(Cost::evaluations);

@@ -21,31 +21,22 @@ namespace {
 // "Smallest typical error"
 std::string first_by_words(const StudyResults& study, Metric metric, Estimand estimand) {
   if (estimand == Estimand::reliability) return fmt::format("Most often {}", within_words(study, metric));
-  return fmt::format("{} {} {}{}", metric == Metric::seconds ? "Shortest" : "Smallest", name_of(estimand),
-                     info_of(metric).slug, estimand == Estimand::mean ? " (its worst cases)" : "");
-}
-
-// Those with a value, the best first.
-std::vector<std::size_t> order_of(const Evidence& evidence) {
-  std::vector<std::size_t> order;
-  for (std::size_t i = 0; i < evidence.groups.size(); ++i) {
-    if (std::isfinite(evidence.groups[i].described.mean)) order.push_back(i);
-  }
-  std::ranges::stable_sort(order, {}, [&](std::size_t i) {
-    const double mean = evidence.groups[i].described.mean;
-    return evidence.better == Better::smaller ? mean : -mean;
-  });
-  return order;
+  const std::string_view slug = info_of(metric).slug;
+  if (info_of(metric).kind == Kind::time) return fmt::format("Shortest {} {}", average_name(metric), slug);
+  return fmt::format("Smallest {} {}{}", name_of(estimand), slug,
+                     estimand == Estimand::mean ? " (its worst cases)" : "");
 }
 
 // Which solver is first, who shares its place, and what sets it apart from the next.
 class Leader {
  public:
   Leader(const Evidence& evidence, Metric metric, Estimand estimand)
-      : evidence_(evidence), unit_(estimand == Estimand::reliability ? "" : info_of(metric).unit) {}
+      : evidence_(evidence),
+        is_median_(estimand == Estimand::mean && info_of(metric).kind == Kind::time),
+        unit_(estimand == Estimand::reliability ? "" : info_of(metric).unit) {}
 
   std::string words() const {
-    const std::vector<std::size_t> order = order_of(evidence_);
+    const std::vector<std::size_t> order = order_of_groups();
     if (order.empty()) return "";
     const std::string own = name(order[0]);
     if (order.size() == 1) return fmt::format("{} ({})", own, value(order[0]));
@@ -69,14 +60,27 @@ class Leader {
   }
 
  private:
+  double average(std::size_t group) const {
+    const statistics::Description& of = evidence_.groups[group].described;
+    return is_median_ ? of.median : of.mean;
+  }
+  // Those with a value, the best first.
+  std::vector<std::size_t> order_of_groups() const {
+    std::vector<std::size_t> order;
+    for (std::size_t i = 0; i < evidence_.groups.size(); ++i) {
+      if (std::isfinite(average(i))) order.push_back(i);
+    }
+    std::ranges::stable_sort(
+        order, {}, [&](std::size_t i) { return evidence_.better == Better::smaller ? average(i) : -average(i); });
+    return order;
+  }
   Judgement against(std::size_t first, std::size_t other) const {
     return judge(evidence_, evidence_.groups[first].name, evidence_.groups[other].name);
   }
   std::string name(std::size_t group) const { return name_words(evidence_, group); }
   std::string value(std::size_t group) const {
-    const double mean = evidence_.groups[group].described.mean;
-    if (evidence_.better == Better::larger) return percent(mean);
-    return fmt::format("{} {}", number_words(mean), unit_);
+    if (evidence_.better == Better::larger) return percent(average(group));
+    return fmt::format("{} {}", number_words(average(group)), unit_);
   }
 
   // "IK-BA or DE (0.0017 cm and 0.0018 cm; undecided, p = 0.4", without the bracket at the end.
@@ -100,6 +104,7 @@ class Leader {
   }
 
   const Evidence& evidence_;
+  bool is_median_;
   std::string_view unit_;
 };
 

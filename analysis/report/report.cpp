@@ -17,6 +17,7 @@
 #include "analysis/inference/design.hpp"
 #include "analysis/inference/estimand.hpp"
 #include "analysis/inference/text.hpp"
+#include "analysis/inference/times.hpp"
 #include "analysis/report/assessment.hpp"
 #include "analysis/report/cost_tables.hpp"
 #include "analysis/report/interquartile_table.hpp"
@@ -128,9 +129,12 @@ std::vector<std::string> warnings_of(const StudyResults& study, const JudgedStud
     warnings.push_back(
         fmt::format("{}: only {} of {} solves are stored", one_line(count.solver), count.solves, count.expected));
   }
-  if (std::string note = timing_note(study); !note.empty()) warnings.push_back(std::move(note));
+  for (const std::string& note : {timing_note(study), load_warning(study)}) {
+    if (!note.empty()) warnings.push_back(note);
+  }
   for (const StudyResults& companion : companions) {
-    for (const std::string& warning : {out_of_reach_warning(companion), timing_note(companion)}) {
+    for (const std::string& warning :
+         {out_of_reach_warning(companion), timing_note(companion), load_warning(companion)}) {
       if (!warning.empty()) warnings.push_back(fmt::format("{}: {}", companion.name, warning));
     }
   }

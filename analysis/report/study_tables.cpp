@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <utility>
 
+#include "analysis/inference/times.hpp"
 #include "analysis/statistics/descriptive.hpp"
 
 namespace ikbench::report {
@@ -16,15 +17,26 @@ using namespace inference;
 
 namespace {
 
-std::string_view unit_note(Unit unit) {
-  return unit == Unit::run ? "One observation is the mean of a run over its points."
-                           : "One observation is one point. Points of one run depend on each other, so p-values and "
-                             "standard deviations are too optimistic.";
+std::string_view unit_note(Unit unit, std::span<const Metric> metrics) {
+  if (unit == Unit::point) {
+    return "One observation is one point. Points of one run depend on each other, so p-values and standard deviations "
+           "are too optimistic.";
+  }
+  const auto is_time = [](Metric metric) { return info_of(metric).kind == Kind::time; };
+  if (std::ranges::none_of(metrics, is_time)) return "One observation is the mean of a run over its points.";
+  if (std::ranges::all_of(metrics, is_time)) return "One observation is the median of a run over its points.";
+  return "One observation is the mean of a run over its points; of times it is the median.";
 }
 
-void add_notes(Table& table, const StudyResults& study) {
-  table.notes.emplace_back(unit_note(study.plan.unit));
+void add_notes(Table& table, const StudyResults& study, std::span<const Metric> metrics) {
+  table.notes.emplace_back(unit_note(study.plan.unit, metrics));
   for (std::string& note : status_notes(study)) table.notes.push_back(std::move(note));
+}
+
+void add_timing_notes(Table& table, const StudyResults& study) {
+  for (const std::string& note : {timing_note(study), outliers_note(study)}) {
+    if (!note.empty()) table.notes.push_back(note);
+  }
 }
 
 Cell count(std::int64_t number) { return number; }
@@ -50,8 +62,8 @@ Table results_table(const StudyResults& study, std::span<const Metric> metrics) 
       table.rows.push_back({sample.solver, std::string(name_of(metric)), of.mean, of.median, of.std, of.max, of.min});
     }
   }
-  add_notes(table, study);
-  if (std::string note = timing_note(study); !note.empty()) table.notes.push_back(std::move(note));
+  add_notes(table, study, metrics);
+  add_timing_notes(table, study);
   return table;
 }
 
@@ -94,7 +106,7 @@ Table anova_table(const StudyResults& study, Metric metric) {
   if (is_judged && !ours.table.undefined.empty())
     table.notes.push_back("F and p are not defined: " + ours.table.undefined + ".");
   table.notes.insert(table.notes.end(), ours.left_out.begin(), ours.left_out.end());
-  add_notes(table, study);
+  add_notes(table, study, std::span(&metric, 1));
   if (!is_judged) table.notes.push_back(timing_note(study) + " So our F and p are left out.");
   return table;
 }
@@ -135,7 +147,7 @@ Table status_table(const StudyResults& study) {
       "study has one. outside_limits counts all answers with a joint outside its limits, whatever their status; "
       "worst_outside_deg is the largest such violation. timing_disturbed: solved one by one, but while other programs "
       "were running.");
-  if (std::string note = timing_note(study); !note.empty()) table.notes.push_back(std::move(note));
+  add_timing_notes(table, study);
   return table;
 }
 

@@ -52,8 +52,8 @@ std::vector<std::string> rankings(const Reported& reported) {
 std::vector<Standing> standings(const StudyResults& study, Metric metric) {
   std::vector<Standing> result;
   for (const Sample& sample : samples(study, metric)) {
-    const double mean = statistics::describe(sample.values).mean;
-    if (std::isfinite(mean)) result.push_back({sample.solver, mean});
+    const double average = average_in(statistics::describe(sample.values), metric);
+    if (std::isfinite(average)) result.push_back({sample.solver, average});
   }
   return ranked(std::move(result));
 }
@@ -62,12 +62,13 @@ std::string ranking_sentence(const StudyResults& study, Metric metric) {
   const std::string_view name = info_of(metric).name;
   const auto ours = standings(study, metric);
   if (ours.empty()) return "";
-  std::string text = fmt::format(
-      "{}, smallest first): {}",
-      metric == Metric::position_error_cm ? fmt::format("Accuracy (mean {}", name) : capitalised(name) + " (mean",
-      order_words(ours));
+  std::string text =
+      fmt::format("{}, smallest first): {}",
+                  metric == Metric::position_error_cm ? fmt::format("Accuracy (mean {}", name)
+                                                      : fmt::format("{} ({}", capitalised(name), average_name(metric)),
+                  order_words(ours));
   if (ours.size() < study.solvers.size()) {
-    text += fmt::format("; {} without a mean", study.solvers.size() - ours.size());
+    text += fmt::format("; {} without a {}", study.solvers.size() - ours.size(), average_name(metric));
   }
   return text + ".";
 }
@@ -108,7 +109,7 @@ std::string baselines_sentence(const StudyResults& other) {
   const auto means = [&](Metric metric, int digits) {  // of every solver, in their order
     std::vector<std::string> texts;
     for (const Sample& sample : samples(other, metric)) {
-      texts.push_back(rounded_number(statistics::describe(sample.values).mean, digits));
+      texts.push_back(rounded_number(average_in(statistics::describe(sample.values), metric), digits));
     }
     return texts;
   };

@@ -148,7 +148,7 @@ Table table_3(const StudyResults& study) {
       study.plan.test == DecidingTest::anova ? "Student's test" : "Welch's test",
       rounded_number(study.plan.significance, 3), time_reference, time_reference, time_reference);
   if (study.plan.unit == Unit::point) note += " With points as observations, verdicts use the ratio only.";
-  table.notes.insert(table.notes.end() - (timing_note(study).empty() ? 0 : 1), std::move(note));
+  table.notes.push_back(std::move(note));
   return table;
 }
 

@@ -25,6 +25,7 @@ using namespace report;
 namespace {
 
 double our_mean(const Pair& pair) { return pair.ours.mean; }
+double our_median(const Pair& pair) { return pair.ours.median; }
 double printed_mean(const Pair& pair) { return pair.printed.mean; }
 
 std::vector<Standing> standings(const std::vector<Pair>& pairs, double (*mean_of)(const Pair&)) {
@@ -69,11 +70,13 @@ Verdict verdict_on(const FoundOrder& order) {
 }
 
 // "A 1 cm, B 2 cm. 14 of 15 pairs rank as in the paper; first is A, as printed."
-std::string our_ranking(const std::vector<Pair>& pairs, std::string_view unit) {
-  const std::vector<Standing> ours = standings(pairs, our_mean), printed = standings(pairs, printed_mean);
+std::string our_ranking(const std::vector<Pair>& pairs, const Ranked& what) {
+  const std::vector<Standing> ours = standings(pairs, what.metric == Metric::seconds ? our_median : our_mean),
+                              printed = standings(pairs, printed_mean);
   std::string list;
   for (const Standing& standing : ours) {
-    list += fmt::format("{}{} {} {}", list.empty() ? "" : ", ", standing.solver, short_number(standing.mean), unit);
+    list +=
+        fmt::format("{}{} {} {}", list.empty() ? "" : ", ", standing.solver, short_number(standing.mean), what.unit);
   }
   return fmt::format("{}. {}; first is {}{}.", list, printed_order_words(compare_pairs(printed, ours)),
                      first_words(ours), first_of(ours) == first_of(printed) ? ", as printed" : "");
@@ -95,9 +98,9 @@ std::optional<Claim> ranking(const JudgedStudy& study, const std::vector<Compari
     const Evidence& tested = study.evidence(what.metric);
     const FoundOrder here = found_order(tested, printed);
     claim.verdict = verdict_on(here);
-    claim.evidence = fmt::format("Here: {} The {} finds {} of {} pairs in the printed order and {} in the reverse.",
-                                 our_ranking(printed, what.unit), pair_test_words(tested), here.as_printed, here.pairs,
-                                 here.reversed);
+    claim.evidence =
+        fmt::format("Here: {} The {} finds {} of {} pairs in the printed order and {} in the reverse.",
+                    our_ranking(printed, what), pair_test_words(tested), here.as_printed, here.pairs, here.reversed);
   }
   claim.evidence += fmt::format(" Printed: the {} finds {} of {} pairs.", pair_test_words(tested_print),
                                 in_print.as_printed, in_print.pairs);

@@ -11,8 +11,10 @@
 #include "analysis/inference/definition.hpp"
 #include "analysis/inference/judge.hpp"
 #include "analysis/inference/text.hpp"
+#include "analysis/inference/times.hpp"
 #include "analysis/slim2023/published_numbers.hpp"
 #include "analysis/statistics/descriptive.hpp"
+#include "analysis/statistics/effect_size.hpp"
 #include "results/published.hpp"
 
 namespace ikbench::slim2023 {
@@ -50,7 +52,7 @@ std::string verdict(const std::vector<TimeAssessment>& rows, double tolerance,
   for (const TimeAssessment& row : rows) {
     solves += row.solves;
     in_time += row.in_time;
-    if (row.solves > 0 && (worst == nullptr || !(row.time_ms.max <= worst->time_ms.max))) worst = &row;
+    if (row.solves > 0 && (worst == nullptr || !(row.undisturbed_ms.max <= worst->undisturbed_ms.max))) worst = &row;
   }
   if (worst == nullptr) return "Real time: there are no solves yet.";
   std::string text = fmt::format(
@@ -62,7 +64,8 @@ std::string verdict(const std::vector<TimeAssessment>& rows, double tolerance,
                                             return fmt::format("{} {} of {}", row.solver, row.in_time, row.solves);
                                           }));
   return text + fmt::format("; the longest solve took {} ms ({}). Printed times, in MATLAB on another machine: {}.",
-                            rounded_number(worst->time_ms.max, 3), worst->solver, printed_real_time(printed.front()));
+                            rounded_number(worst->undisturbed_ms.max, 3), worst->solver,
+                            printed_real_time(printed.front()));
 }
 
 // Nothing where the solver has no solves.
@@ -145,26 +148,30 @@ std::string scaling_verdict(const StudyResults& study, const std::vector<TimeAss
 
 std::vector<TimeAssessment> assess_times(const StudyResults& study) {
   const double tolerance = tolerance_cm(study);
+  const StudyResults undisturbed = at_median_speed(study);
   std::vector<TimeAssessment> rows;
   for (const std::string& solver : study.solvers) {
     TimeAssessment row{.solver = solver};
-    std::vector<double> times, times_reached, iterations, iterations_reached, evaluations;
-    for (const SolveRecord& solve : study.solves) {
+    std::vector<double> times, times_undisturbed, times_reached, iterations, iterations_reached, evaluations;
+    for (std::size_t i = 0; i < study.solves.size(); ++i) {
+      const SolveRecord& solve = study.solves[i];
       if (solve.solver != solver) continue;
-      const double time_ms = 1000 * solve.seconds;
+      const double time_ms = ms_in_s * solve.seconds, undisturbed_ms = ms_in_s * undisturbed.solves[i].seconds;
       times.push_back(time_ms);
+      times_undisturbed.push_back(undisturbed_ms);
       iterations.push_back(static_cast<double>(solve.iterations));
       evaluations.push_back(static_cast<double>(solve.evaluations));
       if (solve.position_error_cm <= tolerance + verifier_rounding_cm) {
         times_reached.push_back(time_ms);
         iterations_reached.push_back(static_cast<double>(solve.iterations));
-        if (time_ms < real_time_ms) ++row.in_time;
+        if (undisturbed_ms < real_time_ms) ++row.in_time;
       } else {
         ++row.never_reached;  // an answer that is not finite too
       }
     }
     row.solves = static_cast<int>(times.size());
     row.time_ms = describe(times);
+    row.undisturbed_ms = describe(times_undisturbed);
     row.reached_ms = describe(times_reached);
     row.iterations_median = describe(iterations).median;
     row.iterations_reached_median = describe(iterations_reached).median;
@@ -228,7 +235,9 @@ std::vector<std::string> table_7_notes(const StudyResults& study, const std::vec
   notes.push_back(fmt::format("Mean time per bat [ms], printed: {}.", listed(printed, [](const PrintedTime& row) {
                                 return fmt::format("{} {}", label_of(row), rounded_number(row.mean_ms / row.bats, 3));
                               })));
-  if (std::string timing = timing_note(study); !timing.empty()) notes.push_back(std::move(timing));
+  for (const std::string& note : {timing_note(study), outliers_note(study)}) {
+    if (!note.empty()) notes.push_back(note);
+  }
   const std::string misprinted = listed(printed, [](const PrintedTime& row) {
     return row.mean_ms <= row.max_ms ? "" : fmt::format("{} ({} by {})", label_of(row), row.mean_ms, row.max_ms);
   });
@@ -248,6 +257,19 @@ void append(std::vector<Cell>& cells, const MeanCost& mean, const MeanCost* refe
   const bool is_itself = reference == &mean;
   cells.insert(cells.end(), {ms_in_s * mean.estimate, range_in(clusters.interval(mean.replicates), ms_in_s),
                              ratio.value, is_itself ? Cell() : range_in(ratio.interval, 1)});
+}
+
+std::vector<double> times_ms_of(const StudyResults& study, const std::string& solver) {
+  std::vector<double> times;
+  for (const SolveRecord& solve : study.solves) {
+    if (solve.solver == solver) times.push_back(ms_in_s * solve.seconds);
+  }
+  return times;
+}
+
+// The chance that a solve of the second takes longer than one of the first, as measured.
+double chance_to_take_longer(const StudyResults& study, const std::string& first, const std::string& second) {
+  return vargha_delaney(times_ms_of(study, second), times_ms_of(study, first), 1 - study.plan.significance).value;
 }
 
 std::vector<std::string> cost_notes(const StudyResults& study, const std::vector<TimeAssessment>& rows,
@@ -312,11 +334,13 @@ std::optional<Table> table_7(const StudyResults& study) {
   return table;
 }
 
-std::optional<Table> table_7_cost(const StudyResults& study) {
-  const bool has_costs = std::isfinite(tolerance_cm(study)) && times_are_comparable(study) && !study.solves.empty();
-  if (!is_time_study(study) || !has_costs) return std::nullopt;
+std::optional<Table> table_7_cost(const StudyResults& measured) {
+  const bool has_costs =
+      std::isfinite(tolerance_cm(measured)) && times_are_comparable(measured) && !measured.solves.empty();
+  if (!is_time_study(measured) || !has_costs) return std::nullopt;
+  const StudyResults study = at_median_speed(measured);
   const std::vector<PrintedTime> printed = printed_table_7(study.published);
-  const std::vector<TimeAssessment> rows = assess_times(study);
+  const std::vector<TimeAssessment> rows = assess_times(measured);
   const Clusters clusters(study);
   const TimeCosts of{clusters, costs_of(study, Cost::seconds, clusters)};
   Table table{.name = "table-7-cost",
@@ -331,6 +355,8 @@ std::optional<Table> table_7_cost(const StudyResults& study) {
                           {"restricted_mean_ms interval"},
                           {"restricted_mean_ratio"},
                           {"restricted_mean_ratio interval"},
+                          {"median_ratio"},
+                          {"A12"},
                           {"mean_reached_ms"},
                           {"ratio_reached"},
                           {"paper_ratio"}}};
@@ -340,6 +366,9 @@ std::optional<Table> table_7_cost(const StudyResults& study) {
     const SolverCost* of_reference = reference ? &of.costs.solvers[*reference] : nullptr;
     append(cells, of.costs.solvers[i].expected, of_reference ? &of_reference->expected : nullptr, clusters);
     append(cells, of.costs.solvers[i].restricted, of_reference ? &of_reference->restricted : nullptr, clusters);
+    cells.emplace_back(reference ? rows[i].time_ms.median / rows[*reference].time_ms.median : not_defined);
+    cells.emplace_back(reference ? chance_to_take_longer(measured, rows[*reference].solver, rows[i].solver)
+                                 : not_defined);
     cells.emplace_back(rows[i].reached_ms.mean);
     cells.emplace_back(reference ? rows[i].reached_ms.mean / rows[*reference].reached_ms.mean : not_defined);
     const auto same = std::ranges::find(printed, rows[i].solver, label_of);
@@ -347,6 +376,10 @@ std::optional<Table> table_7_cost(const StudyResults& study) {
     table.rows.push_back(std::move(cells));
   }
   table.notes = cost_notes(study, rows, printed, of);
+  table.notes.push_back(
+      fmt::format("{} A12: the chance that a solve takes longer than one of the first entrant, by the measured times; "
+                  "median_ratio: of the medians of these.",
+                  median_speed_words));
   return table;
 }
 

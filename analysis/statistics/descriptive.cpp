@@ -89,6 +89,8 @@ Description describe(std::span<const double> values) {
   return result;
 }
 
+double median(std::span<const double> values) { return describe(values).median; }
+
 GroupSummary summarise(std::span<const double> values) {
   GroupSummary result{.n = static_cast<int>(values.size())};
   if (!std::ranges::all_of(values, [](double value) { return std::isfinite(value); })) return result;

@@ -42,6 +42,8 @@ GroupSummary summarise(std::span<const double> values);
 
 // Two passes, shifted by the first value, so that many equal leading digits cost nothing.
 double mean(std::span<const double> values);
+// As describe() has it.
+double median(std::span<const double> values);
 // Sum of squared deviations from the mean. It vanishes below 1e-308 and overflows above 1e308; the two below do not.
 double sum_of_squares(std::span<const double> values);
 // Sample standard deviation, divided by n - 1, and the same by sqrt(n), that of the mean; NaN of fewer than two values,

@@ -40,8 +40,9 @@ inline experiments::Study small_study() {
 
 // A solve without what differs from one run of the program to the next.
 inline results::SolveRecord without_times(results::SolveRecord record) {
-  record.seconds = 0;
-  record.cpu_seconds = 0;
+  record.seconds = record.cpu_seconds = record.smallest_seconds = record.largest_seconds = 0;
+  record.interruptions = 0;
+  record.repeats = 1;
   record.timing = results::Timing::clean;
   record.session = 0;
   return record;

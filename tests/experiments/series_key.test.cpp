@@ -281,12 +281,13 @@ TEST_CASE("how a study is judged decides no series", "[series]") {
   }
 }
 
-TEST_CASE("name, title, printed tables, runs and the other solvers decide no series", "[series]") {
+TEST_CASE("name, title, printed tables, runs, repeats and the other solvers decide no series", "[series]") {
   const std::string key = key_of(small_study());
   CHECK(key == key_of(changed([](Study& study) { study.name = "another"; })));
   CHECK(key == key_of(changed([](Study& study) { study.title = "Another"; })));
   CHECK(key == key_of(changed([](Study& study) { study.published = "slim2023"; })));
   CHECK(key == key_of(changed([](Study& study) { study.runs = 1000; })));
+  CHECK(key == key_of(changed([](Study& study) { study.repeats = 1; })));
   CHECK(key == key_of(changed([](Study& study) { study.solvers.resize(1); })));
   Study reordered = small_study();
   std::swap(reordered.solvers[0], reordered.solvers[2]);

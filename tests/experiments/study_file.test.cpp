@@ -127,6 +127,7 @@ TEST_CASE("a study in which nothing is as by default comes back the same", "[stu
   study.population = 7;
   study.stop = {.iterations = 13, .tolerance = 0.001, .evaluations = 9'000'000'000'000, .seconds = 0.25};
   study.runs = 3;
+  study.repeats = 2;
   study.seed = 9'223'372'036'854'775'807;  // the largest integer of TOML
   study.trace = Trace::best_error;
   study.path = path_of({"centre_cm=[50, -25, 1]", "radius_cm=30", "length_cm=-10", "turns=1.5", "start_deg=90",

@@ -277,6 +277,18 @@ TEST_CASE("the file names its program and the schema of these columns", "[store]
         "trace_cm TEXT");
 }
 
+TEST_CASE("what is known of a session at its end is added to it, and to no other", "[store]") {
+  const ScratchFolder folder;
+  Store store(folder.path / "a.ikb", Store::Mode::write);
+  const std::int64_t first = store.begin_session({{"cpu", "x"}}), second = store.begin_session({{"cpu", "y"}});
+  store.add_to_session(second, {{"stolen_seconds", "0.25"}});
+  const std::vector<Session> sessions = store.sessions();
+  REQUIRE(sessions.size() == 2);
+  CHECK(sessions[0].id == first);
+  CHECK(sessions[0].environment == std::map<std::string, std::string>{{"cpu", "x"}});
+  CHECK(sessions[1].environment == std::map<std::string, std::string>{{"cpu", "y"}, {"stolen_seconds", "0.25"}});
+}
+
 TEST_CASE("2400 solves are appended one by one and read back in a moment", "[store][.speed]") {
   const ScratchFolder folder;
   Store store(folder.path / "a.ikb", Store::Mode::write);

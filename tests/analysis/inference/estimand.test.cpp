@@ -126,7 +126,7 @@ TEST_CASE("error has all the plan's estimands, time its reliability with a deadl
   const std::vector<Run> runs{{"A", {1, 2}}};
   const JudgedStudy study = study_of(runs);
   CHECK(estimands_of(study, error) == All{Estimand::mean, Estimand::typical, Estimand::reliability});
-  CHECK(estimands_of(study, Metric::seconds) == All{Estimand::mean, Estimand::typical});
+  CHECK(estimands_of(study, Metric::seconds) == All{Estimand::mean});
   CHECK(estimands_of(study, Metric::variation_deg) == All{Estimand::mean});
   const JudgedStudy timed =
       study_of(runs, R"(, "stop": {"seconds": 1}, "analysis": {"estimands": ["reliability", "mean"]})");

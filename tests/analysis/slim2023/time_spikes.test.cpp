@@ -1,0 +1,114 @@
+// Another program that has the processor for a moment changes no verdict on times: whichever solve it met.
+#include <fmt/format.h>
+
+#include "analysis/inference/cost_comparison.hpp"
+#include "analysis/inference/judge.hpp"
+#include "analysis/inference/times.hpp"
+#include "analysis/report/leaders.hpp"
+#include "analysis/report/summary.hpp"
+#include "analysis/slim2023/paper_claims.hpp"
+#include "analysis/slim2023/paper_tables.hpp"
+#include "analysis/slim2023/time_assessment.hpp"
+#include "tests/analysis/synthetic.hpp"
+#include "tests/catch.hpp"
+
+using namespace ikbench;
+using namespace ikbench::results;
+using namespace ikbench::inference;
+using namespace ikbench::report;
+using namespace ikbench::slim2023;
+
+namespace {
+
+constexpr double spike = 50;
+
+// Everything that is concluded from the times of a study, without the numbers that it rests on.
+std::vector<std::string> verdicts(StudyResults of) {
+  const JudgedStudy study(std::move(of));
+  std::vector<std::string> all{timing_note(study), load_warning(study), ranking_sentence(study, Metric::seconds)};
+  const std::string leaders = leaders_sentence(study, Metric::seconds);
+  all.push_back(leaders.substr(0, leaders.find('(')));
+  const Evidence& found = study.evidence(Metric::seconds);
+  for (const std::string& first : study.solvers) {
+    for (const std::string& second : study.solvers) {
+      if (first == second) continue;
+      all.push_back(fmt::format("{} {} {}", first, static_cast<int>(judge(found, first, second).answer), second));
+    }
+  }
+  for (const Claim& claim : claims({study, {}})) {
+    all.push_back(fmt::format("{} {}", claim.statement, static_cast<int>(claim.verdict)));
+  }
+  for (const Comparison& row : compare(study)) {
+    if (row.metric == Metric::seconds) all.emplace_back(name_of(row.agreement));
+  }
+  return all;
+}
+
+StudyResults helix(std::vector<SolveRecord> solves) {
+  return make_study(
+      StudyEntry{.name = "s",
+                 .definition = R"({"runs": 20, "points": 20, "published": "slim2023", "path": {"kind": "helix"}})",
+                 .series = {}},
+      std::move(solves));
+}
+
+// Twenty targets that every entrant solves once, as in slim2023-time: a single solve is an observation.
+std::vector<SolveRecord> timed_solves() {
+  std::vector<SolveRecord> all =
+      synthetic::solves({.solvers = {"12 bats", "15 bats", "20 bats", "30 bats"}, .runs = 1});
+  synthetic::Noise noise;
+  for (SolveRecord& solve : all) {
+    solve.position_error_cm = 0.05;
+    solve.evaluations = 2000 + static_cast<std::int64_t>(1000 * noise.next());
+    const double pace = solve.solver == "12 bats" ? 1e-7 : solve.solver == "30 bats" ? 4e-7 : 2e-7;
+    solve.seconds = solve.cpu_seconds = pace * static_cast<double>(solve.evaluations);
+  }
+  return all;
+}
+
+StudyResults times_to_tolerance(std::vector<SolveRecord> solves) {
+  return make_study(StudyEntry{.name = "s-time",
+                               .definition = R"({"runs": 1, "points": 20, "published": "slim2023", "start": "initial",
+                                   "path": {"kind": "random"}, "stop": {"tolerance_cm": 0.1}})",
+                               .series = {}},
+                    std::move(solves));
+}
+
+std::vector<std::string> verdicts_on_costs(const StudyResults& study) {
+  std::vector<std::string> all = verdicts(study);
+  all.push_back(real_time_verdict(study));
+  all.push_back(table_7_cost(study)->notes.front());  // the scaling, to its last digit
+  const StudyResults undisturbed = at_median_speed(study);
+  for (const CostPair& pair : compare_costs(undisturbed, Cost::seconds, Clusters(undisturbed))) {
+    all.push_back(fmt::format("{} {} {}", pair.first, static_cast<int>(pair.answer), pair.second));
+  }
+  return all;
+}
+
+}  // namespace
+
+TEST_CASE("one solve that takes 50 times as long changes no verdict on the times of a study", "[times][slim2023]") {
+  const std::vector<SolveRecord> clean = synthetic::solves({});
+  const std::vector<std::string> before = verdicts(helix(clean));
+  CHECK(before.size() > 40);
+  for (std::size_t solver = 0; solver < 6; ++solver) {
+    std::vector<SolveRecord> solves = clean;
+    SolveRecord& met = solves[400 * solver + 61 * solver];
+    met.seconds *= spike;
+    CAPTURE(met.solver, met.run, met.point);
+    CHECK(verdicts(helix(solves)) == before);
+    CHECK(outliers_note(helix(solves)).starts_with("1 of 2400 solves took more than 3 times as long as usual."));
+  }
+}
+
+TEST_CASE("one solve that takes 50 times as long changes no verdict on times to a tolerance", "[times][slim2023]") {
+  const std::vector<SolveRecord> clean = timed_solves();
+  const std::vector<std::string> before = verdicts_on_costs(times_to_tolerance(clean));
+  for (std::size_t solver = 0; solver < 4; ++solver) {
+    std::vector<SolveRecord> solves = clean;
+    SolveRecord& met = solves[20 * solver + 3 * solver];
+    met.seconds *= spike;
+    CAPTURE(met.solver, met.point);
+    CHECK(verdicts_on_costs(times_to_tolerance(solves)) == before);
+  }
+}
