@@ -6,8 +6,10 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <string_view>
 
+#include "analysis/figures/arm.hpp"
 #include "analysis/figures/axis.hpp"
 #include "analysis/figures/figure_parts.hpp"
 #include "analysis/inference/definition.hpp"
@@ -32,40 +34,89 @@ std::string letters(std::size_t index) {
 
 }  // namespace
 
+namespace {
+
+// A helix as its definition has it (experiments/paths/helix.cpp), as lines of x, y, z [cm]; empty where it is none, or
+// somebody's own.
+std::string helix_lines(const Definition& definition) {
+  const auto of = [&](const char* name) { return definition.number(fmt::format("/path/{}", name)); };
+  const std::vector<double> centre = definition.numbers("/path/centre_cm");
+  const double turns = of("turns"), length = of("length_cm"), radius = of("radius_cm");
+  const bool is_helix = definition.text("/path/kind") == "helix" && centre.size() == 3 &&
+                        std::isfinite(length + radius + of("start_deg")) && std::abs(turns) <= 1000;
+  if (!is_helix) return "";
+  const bool sine_first = definition.text("/path/phase") != "cos_sin";
+  const int corners = 1 + static_cast<int>(60 * std::abs(turns));
+  std::string lines;
+  for (int i = 0; i <= corners; ++i) {
+    const double fraction = static_cast<double>(i) / corners;
+    const double t = of("start_deg") * std::numbers::pi / 180 + 2 * std::numbers::pi * turns * fraction;
+    const double first = sine_first ? std::sin(t) : std::cos(t), second = sine_first ? std::cos(t) : std::sin(t);
+    lines += fmt::format("{} {} {}\n", text_of(centre[0] + radius * first), text_of(centre[1] + radius * second),
+                         text_of(centre[2] + length * fraction));
+  }
+  return lines;
+}
+
+// Three numbers [m] as a line [cm], which are also added to the coordinates that the axes show.
+std::string line_of(const std::vector<double>& position_m, std::array<std::vector<double>, 3>& shown_cm) {
+  std::string line;
+  for (std::size_t axis = 0; axis < shown_cm.size(); ++axis) {
+    const double cm = position_m.size() == shown_cm.size() ? 100 * position_m[axis] : not_defined;
+    if (std::isfinite(cm)) shown_cm[axis].push_back(cm);
+    line += data_number(cm) + ' ';
+  }
+  return line;
+}
+
+}  // namespace
+
 Figure path_figure(const StudyResults& study, const std::string& name) {
   const std::string solver = study.solves.front().solver;
-  const bool is_path = !Definition(study.definition).draws_targets();
+  const Definition definition(study.definition);
+  const bool is_path = !definition.draws_targets();
   Figure figure{.name = name,
-                .caption = fmt::format("Targets ({}dots) and positions that {} reached in its first run (rings).",
-                                       is_path ? "line, " : "", solver),
+                .caption = fmt::format("Targets, and positions that {} reached in its first run.", solver),
                 .height_cm = 8.0};
   figure.data = "# target x, y, z [cm]; reached x, y, z [cm] and position error [cm] of " + one_line(solver) + "\n";
   std::array<std::vector<double>, 3> coordinates;
   double largest_error = 0;
-  for (const auto& [point, solve] : first_run(study, solver)) {
+  const auto solves = first_run(study, solver);
+  for (const auto& [point, solve] : solves) {
     if (solve->target_position_m.size() != coordinates.size()) continue;
-    for (std::size_t axis = 0; axis < coordinates.size(); ++axis) {
-      coordinates[axis].push_back(100 * solve->target_position_m[axis]);
-      figure.data += data_number(coordinates[axis].back()) + ' ';
-    }
-    for (std::size_t axis = 0; axis < coordinates.size(); ++axis) {
-      const bool known = solve->reached_position_m.size() == coordinates.size();
-      figure.data += data_number(known ? 100 * solve->reached_position_m[axis] : not_defined) + ' ';
-    }
-    figure.data += data_number(solve->position_error_cm) + '\n';
+    std::array<std::vector<double>, 3> reached;  // by which the axes are not widened
+    figure.data += line_of(solve->target_position_m, coordinates) + line_of(solve->reached_position_m, reached) +
+                   data_number(solve->position_error_cm) + '\n';
     largest_error =
         std::isfinite(solve->position_error_cm) ? std::max(largest_error, solve->position_error_cm) : not_defined;
   }
   figure.caption += std::isfinite(largest_error)
                         ? fmt::format(" The largest error is {} cm.", rounded_number(largest_error, 2))
                         : " Some of its answers are not finite.";
-  figure.settings = space_axes(coordinates) + "unset key\n";
-  std::vector<std::string> clauses;
-  const auto add = [&](std::string_view what) { clauses.push_back(fmt::format("'{}.dat' using {}", name, what)); };
-  if (is_path) add("1:2:3 with lines lw 0.7 lc rgb '#888888'");
-  add("1:2:3 with points pt 7 ps 0.35 lc rgb '#000000'");
-  add("4:5:6 with points pt 6 ps 0.8 lw 0.8 lc rgb '#0072B2'");
-  if (is_path) add("1:2:3:('start') every ::0::0 with labels right offset -0.9,0.4");
+  std::vector<std::string> clauses, labels{"target", "reached"};
+  const auto add = [&](std::string_view what) { clauses.push_back(fmt::format("'{}.dat' {}", name, what)); };
+  const std::string helix = helix_lines(definition);
+  figure.data += "\n\n# the path: x, y, z [cm]\n" + (helix.empty() ? "NaN NaN NaN\n" : helix);
+  figure.data += "\n\n# the arm at the first point, from the base to the tool: x, y, z [cm]\n";
+  const std::vector<Point> corners = arm_points(definition, solves.begin()->second->answer_rad);
+  for (const Point& corner : corners) {
+    figure.data += line_of({corner.begin(), corner.end()}, coordinates) + '\n';
+  }
+  if (corners.empty()) figure.data += "NaN NaN NaN\n";
+  if (!corners.empty()) {
+    labels.emplace_back(fmt::format("arm at point {}", solves.begin()->first));
+    add(fmt::format("index 2 using 1:2:3 with linespoints lw 1.6 pt 7 ps 0.4 lc rgb '#D55E00' title '{}'",
+                    labels.back()));
+  }
+  if (is_path) {
+    labels.emplace_back("path");
+    add(fmt::format("index {} using 1:2:3 with lines lw 0.7 lc rgb '#888888' title 'path'", helix.empty() ? 0 : 1));
+  }
+  add("index 0 using 1:2:3 with points pt 7 ps 0.35 lc rgb '#000000' title 'target'");
+  add("index 0 using 4:5:6 with points pt 6 ps 0.8 lw 0.8 lc rgb '#0072B2' title 'reached'");
+  if (is_path) add("index 0 using 1:2:3:('start') every ::0::0 with labels right offset -0.9,0.4 notitle");
+  figure.settings = space_axes(coordinates);
+  add_legend(figure, labels);
   figure.plot = plot_command(clauses, "splot");
   return figure;
 }
