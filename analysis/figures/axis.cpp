@@ -18,27 +18,33 @@ namespace {
 
 constexpr double spread_for_logarithmic = 30;
 
-std::string logarithmic_settings(double smallest, double largest, double factor, bool room_for_zero) {
+struct Drawn {
+  double smallest, largest, factor, least;
+  bool room_for_least;
+};
+
+std::string logarithmic_settings(const Drawn& of) {
   // Whole decades; gnuplot works in doubles, so 300 of them either way.
-  int low = static_cast<int>(std::floor(std::log10(std::max(smallest, 1e-300))));
-  const int high = std::max(low + 1, static_cast<int>(std::ceil(std::log10(std::min(largest, 1e300)))));
-  if (room_for_zero) low -= 1;
+  int low = static_cast<int>(std::floor(std::log10(std::max(of.factor * of.smallest, 1e-300))));
+  const int high = std::max(low + 1, static_cast<int>(std::ceil(std::log10(std::min(of.factor * of.largest, 1e300)))));
+  if (of.room_for_least) low -= 1;
   const int decades_per_tick = 1 + (high - low - 1) / 7;
   return fmt::format(
       "set logscale y\nset format y '10^{{%T}}'\nset yrange [1e{0}:1e{1}]\nset ytics 1e{2}\nset mytics {3}\n"
-      "shown(y) = y > 0 ? y * {4} : (y <= 0 ? 1e{0} : NaN)\n",
-      low, high, decades_per_tick, decades_per_tick == 1 ? 10 : 1, text_of(factor));
+      "shown(y) = y > {5} ? y * {4} : (y <= {5} ? 1e{0} : NaN)\n",
+      low, high, decades_per_tick, decades_per_tick == 1 ? 10 : 1, text_of(of.factor), text_of(of.least));
 }
 
 }  // namespace
 
-Axis value_axis(std::span<const double> values, std::string_view quantity, Scale scale) {
+Axis value_axis(std::span<const double> values, std::string_view quantity, Scale scale, double least) {
   std::vector<double> finite;
   std::ranges::copy_if(values, std::back_inserter(finite), [](double value) { return std::isfinite(value); });
+  if (std::ranges::none_of(finite, [&](double value) { return value > least; })) least = 0;
   std::vector<double> positive;
-  std::ranges::copy_if(finite, std::back_inserter(positive), [](double value) { return value > 0; });
+  std::ranges::copy_if(finite, std::back_inserter(positive), [&](double value) { return value > least; });
 
-  Axis axis{.has_values = !finite.empty()};
+  Axis axis{.has_values = !finite.empty(), .least = least};
   const double largest = finite.empty() ? 1.0 : std::ranges::max(finite);
   const double smallest = finite.empty() ? 0.0 : std::ranges::min(finite);
   axis.quantity = quantity;
@@ -49,13 +55,16 @@ Axis value_axis(std::span<const double> values, std::string_view quantity, Scale
     axis.quantity.replace(axis.quantity.size() - 3, 3, micro ? "[µs]" : "[ms]");
   }
   if (!positive.empty() && scale != Scale::linear) {
-    const double least = std::ranges::min(positive);
-    axis.logarithmic = scale == Scale::logarithmic || largest > spread_for_logarithmic * least;
+    const double smallest_shown = std::ranges::min(positive);
+    axis.logarithmic = scale == Scale::logarithmic || largest > spread_for_logarithmic * smallest_shown;
   }
   if (axis.logarithmic) {
     axis.shows_at_edge = positive.size() < finite.size();
-    axis.settings =
-        logarithmic_settings(factor * std::ranges::min(positive), factor * largest, factor, axis.shows_at_edge);
+    axis.settings = logarithmic_settings({.smallest = std::ranges::min(positive),
+                                          .largest = largest,
+                                          .factor = factor,
+                                          .least = least,
+                                          .room_for_least = axis.shows_at_edge});
   } else {
     const double top = largest > 0 ? 1.05 * factor * largest : 1.0;
     axis.settings = fmt::format("set yrange [{}:{}]\nshown(y) = y * {}\n",

@@ -16,13 +16,15 @@ enum class Scale {
 struct Axis {
   bool logarithmic = false;
   bool has_values = false;     // finite ones
-  bool shows_at_edge = false;  // values of zero or below, which a logarithmic axis does not have
-  std::string quantity = {};   // with the unit in which it is drawn
+  bool shows_at_edge = false;  // values of `least` or below, which a logarithmic axis does not have
+  double least = 0;
+  std::string quantity = {};  // with the unit in which it is drawn
   // Sets label, range and ticks of y, and the function shown(y): what is drawn for y.
   std::string settings = {};
 };
 
-// `quantity` with its unit in brackets; seconds "[s]" become [ms] or [us] where they are small.
-Axis value_axis(std::span<const double> values, std::string_view quantity, Scale scale);
+// `quantity` with its unit in brackets; seconds "[s]" become [ms] or [us] where they are small. `least`: up to here a
+// value is none on a logarithmic axis, unless all are.
+Axis value_axis(std::span<const double> values, std::string_view quantity, Scale scale, double least = 0);
 
 }  // namespace ikbench::figures

@@ -33,7 +33,11 @@ std::string tick_label(std::string_view text) {
 std::string data_number(double value) { return std::isfinite(value) ? text_of(value) : "NaN"; }
 
 std::string with_notes(std::string caption, const StudyResults& study, Metric metric, const Axis& axis) {
-  if (axis.shows_at_edge) caption += " Values of zero are drawn at the lower edge.";
+  if (axis.shows_at_edge) {
+    caption += axis.least > 0 ? fmt::format(" Values up to {}, which are rounding, are drawn at the lower edge.",
+                                            rounded_number(axis.least, 3))
+                              : " Values of zero are drawn at the lower edge.";
+  }
   if (info_of(metric).kind == Kind::time) {
     if (const std::string note = timing_note(study); !note.empty()) caption += ' ' + note;
   }

@@ -12,9 +12,11 @@
 #include "analysis/figures/arm.hpp"
 #include "analysis/figures/axis.hpp"
 #include "analysis/figures/figure_parts.hpp"
+#include "analysis/figures/share_curves.hpp"
 #include "analysis/inference/definition.hpp"
 #include "analysis/inference/text.hpp"
 #include "analysis/statistics/descriptive.hpp"
+#include "analysis/statistics/quantile.hpp"
 #include "numerics/number.hpp"
 
 namespace ikbench::figures {
@@ -121,51 +123,97 @@ Figure path_figure(const StudyResults& study, const std::string& name) {
   return figure;
 }
 
+namespace {
+
+// A metric of every solver, point by point over the runs.
+struct Curves {
+  std::vector<std::vector<double>> averages;  // of a solver, by point
+  bool has_bands = false;
+  std::map<int, std::vector<double>> by_point = {};  // the averages of all solvers, then the quartiles of each
+  std::vector<double> all = {};
+
+  // Of gnuplot's data file, which begins with the point.
+  static std::size_t column(std::size_t solver) { return solver + 2; }
+  std::size_t band_column(std::size_t solver) const { return averages.size() + 2 + 2 * solver; }
+};
+
+Curves curves_of(const StudyResults& study, Metric metric) {
+  Curves curves{.averages = {}, .has_bands = study.runs > 1 && study.solvers.size() <= most_bands};
+  for (const std::string& solver : study.solvers) {
+    curves.averages.push_back(averages_by_point(study, solver, metric));
+    for (int point = 1; point <= study.points; ++point) {
+      curves.by_point[point].push_back(curves.averages.back()[static_cast<std::size_t>(point) - 1]);
+    }
+  }
+  for (const std::string& solver : study.solvers) {
+    if (!curves.has_bands) break;
+    std::map<int, std::vector<double>> values;
+    for (const SolveRecord& solve : study.solves) {
+      if (solve.solver == solver) values[solve.point].push_back(value_of(solve, metric));
+    }
+    for (int point = 1; point <= study.points; ++point) {
+      const std::vector<double> ranked = ranked_values(values[point]);
+      for (const double p : {0.25, 0.75}) {
+        curves.by_point[point].push_back(quantile(ranked, p, quantile_type(study.plan.quartiles)));
+      }
+    }
+  }
+  for (const auto& [point, values] : curves.by_point) curves.all.insert(curves.all.end(), values.begin(), values.end());
+  return curves;
+}
+
+}  // namespace
+
 Figure curves_figure(const StudyResults& study, Metric metric, const std::string& name,
                      const std::map<int, std::vector<double>>& printed) {
   Figure figure{.name = name};
-  std::vector<std::vector<double>> curves;
-  std::vector<double> all;
-  for (const std::string& solver : study.solvers) {
-    curves.push_back(averages_by_point(study, solver, metric));
-    all.insert(all.end(), curves.back().begin(), curves.back().end());
-  }
+  Curves curves = curves_of(study, metric);
   std::vector<std::string> clauses{"NaN notitle"}, labels;
   if (!printed.empty()) {
-    for (const auto& [point, values] : printed) all.insert(all.end(), values.begin(), values.end());
+    for (const auto& [point, values] : printed) curves.all.insert(curves.all.end(), values.begin(), values.end());
     labels.emplace_back("as printed");
-    clauses.push_back(fmt::format("'{}.dat' index 1 using 1:(shown($2)) with linespoints lw 0.7 dt 2 {} title '{}'",
-                                  figure.name, grey_rings, labels.back()));
+    const std::string source = fmt::format("'{}.dat' index 1 using 1:(shown($2))", figure.name);
+    clauses.push_back(source + " with lines lw 0.7 dt 2 lc rgb '#999999' notitle");
+    clauses.push_back(fmt::format("{} with points dt 1 {} title '{}'", source, grey_rings, labels.back()));
   }
   labels.insert(labels.end(), study.solvers.begin(), study.solvers.end());
   const Axis axis =
-      value_axis(all, quantity(metric), metric == Metric::position_error_cm ? Scale::logarithmic : Scale::by_spread);
-  figure.caption = with_notes(fmt::format("{}: {} over the runs at each point.{}", capitalised(axis.quantity),
-                                          average_name(metric), printed.empty() ? "" : " Grey: as printed."),
-                              study, metric, axis);
+      value_axis(curves.all, quantity(metric),
+                 metric == Metric::position_error_cm ? Scale::logarithmic : Scale::by_spread, info_of(metric).rounding);
+  figure.caption =
+      with_notes(fmt::format("{}: {} over the runs at each point.{}{}", capitalised(axis.quantity),
+                             average_name(metric), curves.has_bands ? " Bands: the middle half of the runs." : "",
+                             printed.empty() ? "" : " Grey: as printed."),
+                 study, metric, axis);
   figure.settings = axis.settings + point_axis(study.points);
   add_legend(figure, labels);
 
   const int points_per_marker = 1 + study.points / 40;
   figure.data =
       fmt::format("# column 1: point; then {}, {} over the runs, of\n", quantity(metric), average_name(metric));
+  std::vector<std::string> lines;
   for (std::size_t i = 0; i < study.solvers.size(); ++i) {
-    figure.data += fmt::format("# column {}: {}\n", i + 2, one_line(study.solvers[i]));
+    const std::size_t column = Curves::column(i), band = curves.band_column(i);
+    figure.data += fmt::format("# column {}: {}{}\n", column, one_line(study.solvers[i]),
+                               curves.has_bands ? fmt::format("; quartiles in {} and {}", band, band + 1) : "");
+    if (curves.has_bands) {
+      clauses.push_back(
+          fmt::format("'{}.dat' index 0 using 1:(shown(${})):(shown(${})) with filledcurves ls {} fillstyle "
+                      "transparent solid 0.13 noborder notitle",
+                      figure.name, band, band + 1, i + 1));
+    }
     const std::string label = shortened(study.solvers[i], longest_label);
-    if (std::ranges::any_of(curves[i], [](double value) { return std::isfinite(value); })) {
-      clauses.push_back(
+    if (std::ranges::any_of(curves.averages[i], [](double value) { return std::isfinite(value); })) {
+      lines.push_back(
           fmt::format("'{}.dat' index 0 using 1:(shown(${})) with linespoints ls {} pointinterval {} title {}",
-                      figure.name, i + 2, i + 1, points_per_marker, gnuplot_string(label)));
+                      figure.name, column, i + 1, points_per_marker, gnuplot_string(label)));
     } else {  // in the legend all the same
-      clauses.push_back(
+      lines.push_back(
           fmt::format("keyentry with linespoints ls {} title {}", i + 1, gnuplot_string(label + " (nothing to show)")));
     }
   }
-  std::map<int, std::vector<double>> by_point;
-  for (int point = 1; point <= study.points; ++point) {
-    for (const auto& curve : curves) by_point[point].push_back(curve[static_cast<std::size_t>(point) - 1]);
-  }
-  figure.data += lines_by_point(by_point);
+  clauses.insert(clauses.end(), lines.begin(), lines.end());
+  figure.data += lines_by_point(curves.by_point);
   if (!printed.empty()) figure.data += "\n\n# as printed: point, value\n" + lines_by_point(printed);
   figure.plot = plot_command(clauses);
   return figure;
