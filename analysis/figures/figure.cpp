@@ -143,7 +143,8 @@ std::string script_of(const Figure& figure) {
   script += figure.settings + '\n';
   for (const std::string_view type : picture_types) {
     script += fmt::format("set terminal @{}\nset output '{}.{}'\n", type, figure.name, type);
-    script += type == picture_types.front() ? figure.plot + '\n' : "replot\n";
+    const bool is_to_be_said = type == picture_types.front() || figure.plot.starts_with("set multiplot");
+    script += is_to_be_said ? figure.plot + '\n' : "replot\n";
   }
   return script + "unset output\n";
 }

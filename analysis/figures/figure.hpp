@@ -16,7 +16,7 @@ struct Figure {
   double width_cm = 8.5;  // one column of a journal
   double height_cm = 6.4;
   std::string settings = {};  // gnuplot commands before the plot; any foreign text through gnuplot_string
-  std::string plot = {};      // the one plot or splot command; reads NAME.dat
+  std::string plot = {};      // the one plot or splot command, or those from "set multiplot" on; reads NAME.dat
   std::string data = {};      // the numbers as drawn; comment lines start with '#'
 };
 

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <optional>
 #include <string_view>
 
 #include "analysis/figures/arm.hpp"
@@ -25,16 +26,6 @@ using namespace numerics;
 using namespace results;
 using namespace statistics;
 using namespace inference;
-
-namespace {
-
-// 0 is a, 25 z, 26 aa.
-std::string letters(std::size_t index) {
-  std::string text(1, static_cast<char>('a' + index % 26));
-  return index < 26 ? text : letters(index / 26 - 1) + text;
-}
-
-}  // namespace
 
 namespace {
 
@@ -219,41 +210,102 @@ Figure curves_figure(const StudyResults& study, Metric metric, const std::string
   return figure;
 }
 
-std::vector<Figure> joint_figures(const StudyResults& study, const std::string& name) {
-  std::vector<Figure> figures;
+namespace {
+
+constexpr std::size_t most_panels = 12;
+
+// The limits of an arm, each pair once, with the joints that have it: "-120 to 120 deg (joints 2, 4, 6)". Only those
+// that turn, and only where the definition has an arm of so many joints.
+std::map<std::pair<double, double>, std::vector<std::size_t>> limits_deg(const Definition& definition,
+                                                                         std::size_t joints) {
+  std::map<std::pair<double, double>, std::vector<std::size_t>> limits;
+  const std::optional<Arm> arm = arm_of(definition);
+  if (!arm || arm->links.size() != joints) return limits;
+  for (std::size_t joint = 0; joint < joints; ++joint) {
+    const ArmLink& link = arm->links[joint];
+    if (link.joint == ArmLink::Joint::slides || !std::isfinite(link.lower + link.upper)) continue;
+    limits[{link.lower * 180 / std::numbers::pi, link.upper * 180 / std::numbers::pi}].push_back(joint + 1);
+  }
+  return limits;
+}
+
+// The joint angles of a solver's first run.
+struct Panel {
+  std::string solver;
+  int run;
+  std::map<int, std::vector<double>> angles;
+};
+
+std::vector<Panel> panels_of(const StudyResults& study) {
+  std::vector<Panel> panels;
   for (const std::string& solver : study.solvers) {
     const auto solves = first_run(study, solver);
     if (solves.empty()) continue;
-    Figure figure{
-        .name = fmt::format("{}-{}", name, letters(figures.size())),
-        .caption = fmt::format("Joint angles along the path, run {} of {}.", solves.begin()->second->run, solver)};
-    const std::map<int, std::vector<double>> angles = joint_angles_deg(solves);
-    const std::size_t joints = angles.begin()->second.size();
-    double largest = 180;
-    for (const auto& [point, of_joints] : angles) {
-      for (const double angle : of_joints) {
-        if (std::isfinite(angle)) largest = std::max(largest, std::abs(angle));
-      }
-    }
-    figure.data = "# point, then the angle of each joint [deg]\n" + lines_by_point(angles);
-    const double range = largest <= 180 ? 180 : 1.05 * largest;
-    figure.settings = fmt::format(
-        "set title {} noenhanced offset 0, -0.6\nset tmargin 2\nset ylabel 'joint angle [deg]'\nset yrange [{}:{}]\n{}",
-        gnuplot_string(shortened(solver, 2 * longest_label)), -range, range, largest <= 180 ? "set ytics 60\n" : "");
-    figure.settings += point_axis(study.points);
-    std::vector<std::string> clauses;
-    std::vector<std::string> labels;
-    for (std::size_t joint = 1; joint <= joints; ++joint) {
-      labels.push_back(fmt::format("joint {}", joint));
-      clauses.push_back(fmt::format("'{}.dat' using 1:(${}) with linespoints ls {} title '{}'", figure.name, joint + 1,
-                                    joint, labels.back()));
-    }
-    if (clauses.empty()) continue;
-    add_legend(figure, labels);
-    figure.plot = plot_command(clauses);
-    figures.push_back(std::move(figure));
+    panels.push_back({solver, solves.begin()->second->run, joint_angles_deg(solves)});
+    if (panels.back().angles.begin()->second.empty()) panels.pop_back();
   }
-  return figures;
+  return panels;
+}
+
+std::string panel_commands(const Panel& panel, const std::string& source, std::size_t place) {
+  const std::size_t joints = panel.angles.begin()->second.size();
+  std::vector<std::string> clauses;
+  for (std::size_t joint = 1; joint <= joints; ++joint) {
+    clauses.push_back(fmt::format("{} index {} using 1:(${}) with linespoints ls {} ps 0.3 title 'joint {}'", source,
+                                  place, joint + 1, joint, joint));
+  }
+  return fmt::format("set title {} noenhanced offset 0, -0.7\n{}\nunset key\n",
+                     gnuplot_string(shortened(panel.solver, 2 * longest_label)), plot_command(clauses));
+}
+
+}  // namespace
+
+std::optional<Figure> joints_figure(const StudyResults& study, const std::string& name) {
+  std::vector<Panel> panels = panels_of(study);
+  if (panels.empty()) return std::nullopt;
+  const std::size_t all = panels.size(), joints = panels.front().angles.begin()->second.size();
+  panels.resize(std::min(all, most_panels), panels.front());
+  const std::size_t columns = std::min<std::size_t>(panels.size(), 3), rows = (panels.size() + columns - 1) / columns;
+  Figure figure{.name = name,
+                .caption = "Joint angles along the path, in the first run of each solver.",
+                .width_cm = two_columns_cm,
+                .height_cm = 1.6 + 4.2 * static_cast<double>(rows)};
+  double range = 180;
+  for (const Panel& panel : panels) {
+    figure.data +=
+        fmt::format("{}# {}, run {}: point, then the angle of each joint [deg]\n{}", figure.data.empty() ? "" : "\n\n",
+                    one_line(panel.solver), panel.run, lines_by_point(panel.angles));
+    for (const auto& [point, angles] : panel.angles) {
+      for (const double angle : angles) range = std::isfinite(angle) ? std::max(range, std::abs(angle)) : range;
+    }
+  }
+  figure.settings = point_axis(study.points) +
+                    fmt::format(
+                        "set ylabel 'joint angle [deg]'\nset yrange [{0}:{1}]\n{2}set key at screen 0.5, 0.01 "
+                        "bottom center horizontal maxrows 1\n",
+                        -range, range, range <= 180 ? "set ytics 60\n" : "");
+  std::vector<std::string> limits;
+  for (const auto& [pair, of_joints] : limits_deg(Definition(study.definition), joints)) {
+    limits.push_back(fmt::format("{} to {} deg (joint{} {})", rounded_number(pair.first, 4),
+                                 rounded_number(pair.second, 4), of_joints.size() == 1 ? "" : "s",
+                                 fmt::join(of_joints, ", ")));
+    for (const double limit : {pair.first, pair.second}) {
+      figure.settings += fmt::format(
+          "set arrow from graph 0, first {0} to graph 1, first {0} nohead back lw 0.6 dt 2 lc rgb '#777777'\n",
+          text_of(limit));
+    }
+  }
+  if (!limits.empty()) figure.caption += fmt::format(" Dashed: the joint limits, {}.", fmt::join(limits, "; "));
+  if (panels.size() < all)
+    figure.caption += fmt::format(" Only the first {} of {} solvers are shown.", most_panels, all);
+  const double bottom = 1.9 / figure.height_cm, top = 1 - 0.6 / figure.height_cm, gap = 1.1 / figure.height_cm;
+  figure.plot = fmt::format("set multiplot layout {}, {} rowsfirst margins 0.07, 0.99, {}, {} spacing 0.06, {}\n", rows,
+                            columns, text_of(bottom), text_of(top), text_of(gap));
+  for (std::size_t i = 0; i < panels.size(); ++i) {
+    figure.plot += panel_commands(panels[i], fmt::format("'{}.dat'", name), i);
+  }
+  figure.plot += "unset multiplot";
+  return figure;
 }
 
 }  // namespace ikbench::figures

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,7 +16,7 @@ Figure path_figure(const inference::StudyResults& study, const std::string& name
 // `printed` is drawn in grey, by point.
 Figure curves_figure(const inference::StudyResults& study, inference::Metric metric, const std::string& name,
                      const std::map<int, std::vector<double>>& printed = {});
-// NAME-a, NAME-b, ...: one per solver that has solves.
-std::vector<Figure> joint_figures(const inference::StudyResults& study, const std::string& name);
+// One sheet, a panel a solver with answers; none where there is none.
+std::optional<Figure> joints_figure(const inference::StudyResults& study, const std::string& name);
 
 }  // namespace ikbench::figures

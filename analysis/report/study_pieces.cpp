@@ -16,7 +16,7 @@ StudyPieces study_pieces(const StudyResults& study) {
   StudyPieces pieces{.tables = {results_table(study, metrics), status_table(study)}};
   for (const Metric metric : metrics) pieces.tables.push_back(anova_table(study, metric));
   if (study.solves.empty()) return pieces;
-  pieces.figures = joint_figures(study, "joints");
+  if (std::optional<Figure> joints = joints_figure(study, "joints")) pieces.figures.push_back(std::move(*joints));
   pieces.figures.push_back(path_figure(study, "path"));
   for (const Metric metric : metrics) {
     const std::string name(info_of(metric).slug);

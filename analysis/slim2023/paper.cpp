@@ -67,7 +67,7 @@ std::vector<Summaries> printed_summaries(const StudyResults& study) {
 ReportPlan sections() {
   return {.results = {{"Results",
                        "",
-                       {"figure-5", "table-3", "table-3-as-printed", "figure-6", "figure-7", "figure-8", "figure-9-*"}},
+                       {"figure-5", "table-3", "table-3-as-printed", "figure-6", "figure-7", "figure-8", "figure-9"}},
                       {"Analysis of variance",
                        "",
                        {"figure-10", "figure-11", "figure-12", "table-4", "table-5", "table-6",

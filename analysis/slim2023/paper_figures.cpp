@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <optional>
 #include <utility>
 
 #include "analysis/figures/study_figures.hpp"
@@ -31,7 +32,7 @@ std::vector<Figure> paper_figures(const StudyResults& study) {
   for (const Metric metric : paper_metrics) {
     figures.push_back(curves_figure(study, metric, fmt::format("figure-{}", paper_numbers(metric).curves_figure)));
   }
-  for (Figure& figure : joint_figures(study, "figure-9")) figures.push_back(std::move(figure));
+  if (std::optional<Figure> joints = joints_figure(study, "figure-9")) figures.push_back(std::move(*joints));
   for (const Metric metric : paper_metrics) {
     figures.push_back(printed_box_figure(study, {.metric = metric}));
   }

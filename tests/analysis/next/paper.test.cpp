@@ -90,7 +90,7 @@ TEST_CASE("a study without a paper has its results, status, statistics and figur
     CAPTURE(table);
     CHECK(files.contains("tables/" + std::string(table) + ".csv"));
   }
-  for (const char* figure : {"path", "error", "time-boxes", "joints-a", "joints-b", "statistics-error-differences"}) {
+  for (const char* figure : {"path", "error", "time-boxes", "joints", "statistics-error-differences"}) {
     CAPTURE(figure);
     CHECK(files.contains("figures/" + std::string(figure) + ".gp"));
   }

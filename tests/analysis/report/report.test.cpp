@@ -84,7 +84,7 @@ TEST_CASE("a report has its tables, figures and report.md", "[report]") {
   for (const char* words :
        {"Report of the study slim2023", "## Verdict", "| IK-BA is the most accurate | holds | holds | ", "## Summary",
         "    ikbench run slim2023 --out out", "| path.kind | helix |", "| IK-BA | algorithm | alpha | 0.97 |",
-        "a &lt;fast&gt; one", "](figures/figure-9-f.png)", "Table 6: one-way ANOVA",
+        "a &lt;fast&gt; one", "](figures/figure-9.png)", "Table 6: one-way ANOVA",
         "IK-BA is first in the paper, and here too"}) {
     CAPTURE(words);
     CHECK(contains(text, words));
