@@ -21,14 +21,18 @@ using namespace inference;
 
 namespace {
 
-// Of the marks' solvers: position, smallest, median, largest.
+bool is_below_resolution(const Mark& mark) { return mark.min <= 0 && mark.resolution > 0; }
+
+double least_of(const Mark& mark) { return is_below_resolution(mark) ? mark.resolution : mark.min; }
+
+// Of the marks' solvers: position, smallest, median, largest, and how far an arrow points below the smallest.
 std::string marks_data(const StudyResults& study, const std::vector<Mark>& marks) {
   std::string data;
   for (std::size_t i = 0; i < study.solvers.size(); ++i) {
     const auto mark = std::ranges::find(marks, study.solvers[i], &Mark::solver);
     if (mark == marks.end()) continue;
-    data +=
-        fmt::format("{} {} {} {}\n", i + 1, data_number(mark->min), data_number(mark->median), data_number(mark->max));
+    data += fmt::format("{} {} {} {} {}\n", i + 1, data_number(least_of(*mark)), data_number(mark->median),
+                        data_number(mark->max), is_below_resolution(*mark) ? "0.3" : "NaN");
   }
   return data;
 }
@@ -46,7 +50,12 @@ std::string data_of(const StudyResults& study, const std::vector<Box>& boxes, co
   }
   if (outliers.empty()) outliers = "1 NaN\n";
   data += fmt::format("\n\n# outliers: solver's position, value\n{}", outliers);
-  return marks.empty() ? data : data + "\n\n# as printed: solver's position, smallest, median, largest\n" + marks;
+  return marks.empty()
+             ? data
+             : data +
+                   "\n\n# as printed: solver's position, smallest, median, largest; arrow to this part of the "
+                   "smallest, which is an upper limit\n" +
+                   marks;
 }
 
 // Above a box: how many of its observations it does not show.
@@ -105,8 +114,24 @@ std::string plot_of(const std::vector<Box>& boxes, const std::string& name, bool
         "'{0}.dat' index 2 using ($1+0.36):(shown($2)):(0):(shown($4)-shown($2)) with vectors nohead lw 1.6 lc rgb "
         "'#AAAAAA', '' index 2 using ($1+0.29):(shown($3)):(0.14):(0) with vectors nohead lw 1.6 lc rgb '#777777'",
         name));
+    clauses.push_back(fmt::format(
+        "'{}.dat' index 2 using ($1+0.36):(shown($2)):(0):(shown($2*$5)-shown($2)) with vectors head filled size "
+        "graph 0.015, 25 lw 1.2 lc rgb '#AAAAAA'",
+        name));
+    clauses.emplace_back("keyentry with lines lw 1.6 lc rgb '#AAAAAA' title 'as printed: minimum to maximum'");
+    clauses.emplace_back("keyentry with lines lw 1.6 lc rgb '#777777' title 'median'");
   }
   return plot_command(clauses);
+}
+
+// What the grey marks are.
+std::string printed_note(const BoxRequest& request) {
+  std::string note = fmt::format(" Grey: {}.", request.printed_words);
+  for (const Mark& mark : request.printed) {
+    if (!is_below_resolution(mark)) continue;
+    note += fmt::format(" The printed minimum of {} is 0, so below {} (arrow).", mark.solver, text_of(mark.resolution));
+  }
+  return note;
 }
 
 }  // namespace
@@ -123,7 +148,7 @@ Figure box_figure(const StudyResults& study, const BoxRequest& request) {
   if (!marks.empty()) {
     for (const Mark& mark : request.printed) {
       if (std::ranges::find(study.solvers, mark.solver) == study.solvers.end()) continue;
-      all.insert(all.end(), {mark.min, mark.median, mark.max});
+      all.insert(all.end(), {least_of(mark), mark.median, mark.max});
     }
   }
   const Axis axis = value_axis(all, quantity(request.metric), Scale::by_spread);
@@ -132,11 +157,12 @@ Figure box_figure(const StudyResults& study, const BoxRequest& request) {
                   "heights.{}",
                   capitalised(axis.quantity),
                   study.plan.unit == Unit::run ? fmt::format("run {}s", average_name(request.metric)) : "points",
-                  study.plan.quartiles, marks.empty() ? "" : " Grey: printed minimum, median and maximum."),
+                  study.plan.quartiles, marks.empty() ? "" : printed_note(request)),
       study, request.metric, axis);
   if (boxes.size() > 8) figure.width_cm = two_columns_cm;
   figure.data = data_of(study, boxes, marks);
   figure.settings = axis.settings + counts_above(boxes) + label_settings(study, figure);
+  if (!marks.empty()) add_legend(figure, {"as printed: minimum to maximum", "median"});
   figure.plot = plot_of(boxes, figure.name, !marks.empty());
   return figure;
 }

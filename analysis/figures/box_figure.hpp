@@ -13,6 +13,7 @@ namespace ikbench::figures {
 struct Mark {
   std::string solver;
   double min, median, max;
+  double resolution = 0;  // a smallest value of 0 means: below this
 };
 
 // Unit and quartiles are the plan's.
@@ -20,6 +21,7 @@ struct BoxRequest {
   std::string name;
   inference::Metric metric = inference::Metric::position_error_cm;
   std::vector<Mark> printed = {};
+  std::string printed_words = "printed minimum, median and maximum";
 };
 Figure box_figure(const inference::StudyResults& study, const BoxRequest& request);
 

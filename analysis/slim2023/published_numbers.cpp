@@ -58,7 +58,8 @@ std::vector<PrintedRow> printed_table_3(std::string_view paper, Metric metric) {
                                 .n = static_cast<int>(table.number(row, "n"))},
                     .median = table.number(row, "median"),
                     .max = table.number(row, "max"),
-                    .min = table.number(row, "min")});
+                    .min = table.number(row, "min"),
+                    .min_resolution = half_unit(table.rows[row][table.column("min")])});
   }
   return rows;
 }

@@ -27,6 +27,7 @@ struct PrintedRow {
   double median = statistics::not_defined;
   double max = statistics::not_defined;
   double min = statistics::not_defined;
+  double min_resolution = statistics::not_defined;  // half a unit of its last printed digit
 };
 
 // The rows of the printed Table 3 for one metric; none where nothing is published, or the paper has no such metric.
