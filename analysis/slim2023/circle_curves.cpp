@@ -1,6 +1,7 @@
 #include "analysis/slim2023/circle_curves.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -48,6 +49,36 @@ std::vector<double> mean_trace(const StudyResults& study, const std::string& sol
   return result;
 }
 
+// Of each joint [deg].
+struct Limits {
+  std::vector<double> lower, upper;
+};
+
+// The limits that are within the axis, dashed.
+std::string limits_settings(const Limits& limits, double low, double high) {
+  std::string settings;
+  for (std::size_t joint = 0; joint < limits.lower.size(); ++joint) {
+    for (const double limit : {limits.lower[joint], limits.upper[joint]}) {
+      if (!(limit > low && limit < high)) continue;
+      settings += fmt::format(
+          "set arrow from graph 0, first {0} to graph 1, first {0} nohead lw 0.7 dt 2 lc rgb word(colours, {1})\n",
+          text_of(limit), joint % 7 + 1);
+    }
+  }
+  return settings;
+}
+
+std::string limits_words(const Limits& limits) {
+  std::vector<std::string> words;
+  for (std::size_t joint = 0; joint < limits.lower.size(); ++joint) {
+    words.push_back(
+        fmt::format("{} to {} deg", rounded_number(limits.lower[joint], 4), rounded_number(limits.upper[joint], 4)));
+  }
+  return words.empty() ? ""
+                       : fmt::format(" Dashed: joint limits within the axis; those of joints 1 to {} are {}.",
+                                     words.size(), fmt::join(words, ", "));
+}
+
 }  // namespace
 
 Figure circle_joints_figure(const StudyResults& study) {
@@ -63,10 +94,15 @@ Figure circle_joints_figure(const StudyResults& study) {
     }
   }
   const std::vector<PrintedPosture> printed = printed_table_8(study.published);
-  const std::map<int, std::vector<double>> angles = joint_angles_deg(solves);
+  std::map<int, std::vector<double>> angles = joint_angles_deg(solves);
+  const bool has_fourth = angles.begin()->second.size() == 3;  // as the paper: it turns the tool as joint 1 the arm
+  for (auto& [point, of_joints] : angles) {
+    if (has_fourth) of_joints.push_back(of_joints[0]);
+  }
   const std::size_t joints = angles.begin()->second.size();
 
   Figure figure{.name = "figure-16", .caption = fmt::format("Joint angles along the circle, first run of {}.", solver)};
+  if (has_fourth) figure.caption += " Joint 4 turns the tool by the angle of joint 1, as in the paper.";
   std::vector<double> all;
   figure.data = "# point, then the angle of each joint [deg]\n" + lines_by_point(angles);
   for (const auto& [point, of_joints] : angles) all.insert(all.end(), of_joints.begin(), of_joints.end());
@@ -75,30 +111,19 @@ Figure circle_joints_figure(const StudyResults& study) {
     figure.caption += " Grey: as printed.";
     figure.data += "\n\n# as printed: point, then the angle of each joint [deg]\n";
     for (const PrintedPosture& posture : printed) {
-      figure.data += fmt::format("{} {} {} {}\n", posture.point, posture.angles_deg[0], posture.angles_deg[1],
-                                 posture.angles_deg[2]);
+      figure.data += fmt::format("{} {}\n", posture.point, fmt::join(posture.angles_deg, " "));
       all.insert(all.end(), posture.angles_deg.begin(), posture.angles_deg.end());
     }
-    for (int joint = 1; joint <= 3; ++joint) {
+    for (int joint = 1; joint <= 4; ++joint) {
       clauses.push_back(fmt::format("'{}.dat' index 1 using 1:{} with points {} {}", figure.name, joint + 1, grey_rings,
                                     joint == 1 ? "title 'as printed'" : "notitle"));
     }
   }
   for (std::size_t joint = 1; joint <= joints; ++joint) {
     labels.push_back(fmt::format("joint {}", joint));
-    clauses.push_back(fmt::format("'{}.dat' index 0 using 1:{} with linespoints ls {} title '{}'", figure.name,
-                                  joint + 1, joint, labels.back()));
-  }
-  const std::size_t limited = std::min({joints, lower.size(), upper.size()});
-  if (limited > 0) figure.caption += " Dashed: joint limits, in the colour of the joint.";
-  for (std::size_t joint = 0; joint < limited; ++joint) {
-    for (const double limit : {lower[joint], upper[joint]}) {
-      if (!std::isfinite(limit)) continue;
-      all.push_back(limit);
-      figure.settings += fmt::format(
-          "set arrow from graph 0, first {0} to graph 1, first {0} nohead lw 0.7 dt 2 lc rgb word(colours, {1})\n",
-          text_of(limit), joint % 7 + 1);
-    }
+    const bool is_fourth = has_fourth && joint == joints;  // on the line of joint 1
+    clauses.push_back(fmt::format("'{}.dat' index 0 using 1:{} with {} ls {} title '{}'", figure.name, joint + 1,
+                                  is_fourth ? "points ps 0.9" : "linespoints", joint, labels.back()));
   }
   std::erase_if(all, [](double angle) { return !std::isfinite(angle); });
   if (all.empty()) {
@@ -106,7 +131,10 @@ Figure circle_joints_figure(const StudyResults& study) {
   } else {
     const auto [smallest, largest] = std::ranges::minmax(all);
     const double margin = std::max(5.0, 0.05 * (largest - smallest));
-    figure.settings += fmt::format("set yrange [{}:{}]\n", text_of(smallest - margin), text_of(largest + margin));
+    const double low = smallest - margin, high = largest + margin;
+    figure.settings += fmt::format("set yrange [{}:{}]\n", text_of(low), text_of(high));
+    figure.settings += limits_settings({lower, upper}, low, high);
+    figure.caption += limits_words({lower, upper});
     if (largest - smallest <= 400) figure.settings += "set ytics 30\n";
   }
   figure.settings += "set ylabel 'joint angle [deg]'\n" + point_axis(study.points);
