@@ -89,8 +89,9 @@ Figure effect_matrix_figure(const EffectMatrix& matrix) {
   }
   const double cell_cm = n > 8 ? 0.72 : 0.95;
   const bool standing = widest_cm > 0.9 * cell_cm;
-  const double rows_cm = widest_cm + 0.35;
-  const double columns_cm = standing ? rows_cm : 0.6;
+  constexpr double title_cm = 0.45;
+  const double rows_cm = widest_cm + 0.35 + title_cm;
+  const double columns_cm = standing ? rows_cm : 0.6 + title_cm;
   const double side_cm = cell_cm * static_cast<double>(std::max<std::size_t>(n, 2));
   constexpr double colours_cm = 1.5;
   Figure figure{
@@ -99,10 +100,14 @@ Figure effect_matrix_figure(const EffectMatrix& matrix) {
   figure.settings = fmt::format(
       "unset key\nunset grid\nset border 0\nset tics scale 0\nset lmargin at screen {}\nset rmargin at screen {}\n"
       "set bmargin at screen {}\nset tmargin at screen {}\nset xrange [0.5:{}.5]\nset yrange [{}.5:0.5]\n"
-      "set xtics noenhanced font ',7' {}({})\nset ytics noenhanced font ',7' ({})\n",
+      "set xtics noenhanced font ',7' {}({})\nset ytics noenhanced font ',7' ({})\n"
+      "set label 'the chance that this one ...' at screen {}, screen {} center rotate by 90 font ',7'\n"
+      "set label '... is better than this one' at screen {}, screen {} center font ',7'\n",
       screen(rows_cm, figure.width_cm), screen(rows_cm + side_cm, figure.width_cm),
       screen(columns_cm, figure.height_cm), screen(columns_cm + side_cm, figure.height_cm), n, n,
-      standing ? "rotate by 90 right " : "", row_ticks, row_ticks);
+      standing ? "rotate by 90 right " : "", row_ticks, row_ticks, screen(0.25, figure.width_cm),
+      screen(columns_cm + side_cm / 2, figure.height_cm), screen(rows_cm + side_cm / 2, figure.width_cm),
+      screen(0.22, figure.height_cm));
   figure.settings += fmt::format(
       "set palette defined (0 '#E69F00', 0.5 '#FFFFFF', 1 '#56B4E9')\nset cbrange [0:1]\nset cbtics 0.25 font ',6' "
       "offset -0.6, 0\nset colorbox user origin screen {}, screen {} size screen {}, screen {} noborder\n",
