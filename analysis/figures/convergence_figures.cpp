@@ -176,7 +176,7 @@ std::optional<Figure> profile_figure(const StudyResults& study, const Clusters& 
   const double tolerance = tolerance_cm(study);
   const Cost cost = of == ProfileOf::seconds ? Cost::seconds : Cost::evaluations;
   const Profile profile = performance_profile(study, [&](const SolveRecord& solve) {
-    if (of == ProfileOf::error) return final_error_cm(solve);
+    if (of == ProfileOf::error) return std::max(final_error_cm(solve), info_of(Metric::position_error_cm).rounding);
     return reaches(solve, tolerance) ? total_cost(solve, cost) : censored;
   });
   const auto compared = std::ranges::count_if(profile.ratios, [](const auto& ratios) { return !ratios.empty(); });
@@ -200,6 +200,10 @@ std::optional<Figure> profile_figure(const StudyResults& study, const Clusters& 
       profile.problems, words,
       of == ProfileOf::error ? "" : fmt::format(" until the position error is {} cm", rounded_number(tolerance, 3)),
       problem(study));
+  if (of == ProfileOf::error) {
+    figure.caption += fmt::format(" An error up to {} cm is rounding and counts as that.",
+                                  info_of(Metric::position_error_cm).rounding);
+  }
   figure.caption += bands(study, clusters);
   if (profile.unsolved > 0) figure.caption += fmt::format(" No solver solves {} of them.", profile.unsolved);
   if (profile.has_zero_costs) {

@@ -64,7 +64,14 @@ CostAxis cost_axis(double smallest, double largest) {
 }
 
 CostAxis ratio_axis(double largest) {
+  constexpr double powers_of_two = 12;  // beyond, powers of ten are read more easily
   const double powers = std::clamp(std::ceil(std::log2(std::max(largest, 1.0))), 1.0, 990.0);
+  const double decades = std::ceil(std::log10(std::max(largest, 10.0)));
+  if (powers > powers_of_two) {
+    return axis_between(std::pow(10, -margin * decades), std::pow(10, std::min(decades, 299.0)),
+                        fmt::format("set logscale x\nset xtics enhanced 1, 1e{}\nset format x '10^{{%T}}'\n",
+                                    1 + static_cast<int>(decades) / 8));
+  }
   return axis_between(std::exp2(-margin * powers), std::exp2(powers),
                       fmt::format("set logscale x 2\nset xtics enhanced 1, 2**{}\nset format x '2^{{%L}}'\n",
                                   1 + static_cast<int>(powers) / 8));
