@@ -136,7 +136,8 @@ TEST_CASE("figures are drawn where values are zero, not finite, or all the same"
     solve.seconds = 0;
   }
   const auto figures = figures_of(solves);
-  CHECK(contains(named(figures, "figure-6").caption, "Values of zero are drawn at the lower edge."));
+  CHECK(contains(named(figures, "figure-6").caption,
+                 "Values up to 1e-07, which are rounding, are drawn at the lower edge."));
   CHECK(contains(named(figures, "figure-7").settings, "no finite values"));
   CHECK(contains(named(figures, "figure-10").settings, "3 not\\nfinite"));
   const TestFolder folder;
@@ -155,7 +156,7 @@ TEST_CASE("random targets are not joined by a line", "[figure]") {
   const Figure random = path_of(R"({"path": {"kind": "random"}})");
   CHECK(!contains(random.plot, "with lines"));
   CHECK(!contains(random.plot, "start"));
-  CHECK(random.caption.starts_with("Targets (dots)"));
+  CHECK(random.caption.starts_with("Targets, and positions that IK-BA reached"));
 }
 
 TEST_CASE("a study of which nothing is solved has no figures", "[figure]") { CHECK(figures_of({}).empty()); }
@@ -210,6 +211,57 @@ TEST_CASE("a logarithmic axis shows zero at its lower edge, a decade below the r
   const Axis axis = value_axis(std::vector<double>{0, 0.02, 3}, "x [cm]", Scale::logarithmic);
   CHECK(axis.shows_at_edge);
   CHECK(contains(axis.settings, "set yrange [1e-3:1e1]"));
+}
+
+TEST_CASE("on a logarithmic axis rounding is at the lower edge, unless all is rounding", "[figure]") {
+  const Axis axis = value_axis(std::vector<double>{1e-13, 1e-3, 3}, "x [cm]", Scale::logarithmic, 1e-7);
+  CHECK(axis.shows_at_edge);
+  CHECK(contains(axis.settings, "set yrange [1e-4:1e1]"));
+  CHECK(contains(axis.settings, "shown(y) = y > 1e-07 ? y * 1 : (y <= 1e-07 ? 1e-4 : NaN)"));
+  const Axis of_rounding = value_axis(std::vector<double>{1e-15, 3e-14}, "x [cm]", Scale::logarithmic, 1e-7);
+  CHECK(!of_rounding.shows_at_edge);
+  CHECK(contains(of_rounding.settings, "set yrange [1e-15:1e-13]"));
+}
+
+TEST_CASE("the unit of a time is the same on the axis and in the caption", "[figure]") {
+  const auto figures = figures_of(synthetic::solves({.runs = 2}));
+  for (const char* name : {"figure-8", "figure-12"}) {
+    CHECK(named(figures, name).caption.starts_with("Computing time [ms]: "));
+    CHECK(contains(named(figures, name).settings, "computing time [ms]"));
+  }
+  const Axis logarithmic = value_axis(std::vector<double>{1e-4, 0.05}, "time [s]", Scale::logarithmic);
+  CHECK(logarithmic.quantity == "time [ms]");
+  CHECK(contains(logarithmic.settings, "set yrange [1e-1:1e2]"));
+}
+
+TEST_CASE("the path is the helix itself, with the arm at its first point", "[figure]") {
+  auto solves = synthetic::solves({.solvers = {"IK-BA"}, .runs = 1});
+  for (SolveRecord& solve : solves) solve.answer_rad = {0};
+  const Figure figure = path_figure(
+      make_study(StudyEntry{.name = "s",
+                            .definition = R"({"path": {"kind": "helix", "centre_cm": [60, 0, 10], "radius_cm": 20,
+                                                       "length_cm": 50, "turns": 2, "start_deg": 0},
+                                              "arm": {"links": [{"joint": "turns", "offset_deg": 0, "d_m": 0.5,
+                                                                 "a_m": 0.25, "alpha_deg": 0}],
+                                                      "base": {"position_m": [0, 0, 0], "rpy_deg": [0, 0, 0]},
+                                                      "tool": {"position_m": [0, 0, 0], "rpy_deg": [0, 0, 0]}}})",
+                            .series = {}},
+                 solves),
+      "path");
+  CHECK(contains(figure.data, "# the path: x, y, z [cm]\n60 20 10\n"));  // centre + radius (sin 0, cos 0)
+  CHECK(contains(figure.data, "from the base to the tool: x, y, z [cm]\n0 0 0 \n0 0 50 \n25 0 50 \n"));
+  for (const char* label : {"'path'", "'target'", "'reached'", "'arm at point 1'"}) CHECK(contains(figure.plot, label));
+}
+
+TEST_CASE("a printed minimum of zero is below its last digit, and no bar goes to the floor", "[figure]") {
+  const StudyResults study = make_study("s", synthetic::solves({.solvers = {"A", "B"}, .runs = 3}));
+  const Figure figure =
+      box_figure(study, {.name = "boxes",
+                         .printed = {{.solver = "A", .min = 0.001, .median = 0.01, .max = 0.02, .resolution = 5e-5},
+                                     {.solver = "B", .min = 0, .median = 0.01, .max = 0.02, .resolution = 5e-5}}});
+  CHECK(contains(figure.data, "\n1 0.001 0.01 0.02 NaN\n2 5e-05 0.01 0.02 0.3\n"));
+  CHECK(contains(figure.caption, "The printed minimum of B is 0, so below 5e-05 (arrow)."));
+  CHECK(contains(figure.plot, "title 'as printed: minimum to maximum'"));
 }
 
 TEST_CASE("small times are shown in milli- and microseconds", "[figure]") {

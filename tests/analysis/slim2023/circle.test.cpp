@@ -125,7 +125,10 @@ TEST_CASE("a circle has figures 14 to 18, and every one is drawn", "[circle]") {
   check_drawn(figures);
   CHECK(contains(figures[1].caption, "with the arm at points 1, 8, 15."));
   CHECK(contains(figures[1].data, "\n0 0 5.8"));  // the shoulder
-  CHECK(contains(figures[2].caption, "Dashed: joint limits"));
+  CHECK(contains(figures[2].caption,
+                 "joint limits within the axis; those of joints 1 to 3 are -90 to 90 deg, 0 to 85 "
+                 "deg, -10 to 95 deg."));
+  CHECK(contains(figures[2].plot, "title 'joint 4'"));
   CHECK(contains(figures[3].data, "\n12 9.61e-14\n"));
 }
 
