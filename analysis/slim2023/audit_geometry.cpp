@@ -165,6 +165,18 @@ AuditItems geometry_items(std::string_view paper) {
   items.push_back({"3.5f", statements.source("twist_axis"), "alpha turns about " + statements.text("twist_axis"),
                    "about x", unless(statements.text("twist_axis") == "x", AuditVerdict::misprint),
                    "If alpha also rotated about z, all axes of the arm would be parallel."});
+  // Columns 1 and 3 of a Denavit-Hartenberg rotation are (cos theta, sin theta, 0) and (sin theta sin alpha, e, cos
+  // alpha): they are perpendicular for this e alone.
+  const std::string element = "-cos(theta) sin(alpha)";
+  items.push_back({"3.5g", statements.source("element_2_3_of_eq_18") + ", element (2,3)",
+                   statements.text("element_2_3_of_eq_18"), element,
+                   unless(statements.text("element_2_3_of_eq_18") == element, AuditVerdict::misprint),
+                   "With any other element, the first and the third axis of a frame are not perpendicular."});
+  items.push_back(
+      {"3.5h", fmt::format("{} against {}", statements.source("limits_in_text"), statements.source("limits_of_eq_4")),
+       statements.text("limits_in_text"), statements.text("limits_of_eq_4"),
+       unless(statements.text("limits_in_text") == statements.text("limits_of_eq_4"), AuditVerdict::misprint),
+       "The text calls the lower limit of a joint the upper one, and the upper the lower."});
   return items;
 }
 
