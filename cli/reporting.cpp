@@ -134,7 +134,8 @@ void write_and_announce(const Store& store, WrittenReport wanted) {
                                              .figures = {.render = !wanted.arguments.without_figures},
                                              .papers = analysis::papers(),
                                              .extra_tables = std::move(wanted.tables),
-                                             .extra_figures = std::move(wanted.figures)});
+                                             .extra_figures = std::move(wanted.figures),
+                                             .shares = std::move(wanted.shares)});
   fmt::print("\n{}\n", aligned(readable_cells(report.results)));
   for (const std::string& sentence : report.summary) fmt::print("{}\n", printable(sentence));
   for (const std::string& remark : wanted.remarks) fmt::print("{}\n", printable(remark));

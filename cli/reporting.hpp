@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "analysis/figures/figure.hpp"
+#include "analysis/report/claims.hpp"
 #include "analysis/report/table.hpp"
 #include "experiments/runner.hpp"
 #include "results/store.hpp"
@@ -40,6 +41,7 @@ struct WrittenReport {
   std::vector<std::string> remarks = {};  // printed after the summary
   std::vector<report::Table> tables = {};
   std::vector<figures::Figure> figures = {};
+  std::vector<report::ClaimShares> shares = {};
 };
 
 // Writes tables, figures, report.md and report.html into the folder; prints the summary, the remarks and, as the last

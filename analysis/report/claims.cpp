@@ -4,38 +4,92 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
+#include <utility>
+
+#include "analysis/inference/text.hpp"
 
 namespace ikbench::report {
 
+namespace {
+
+constexpr std::array<Verdict, 6> in_order{Verdict::holds, Verdict::in_part,   Verdict::depends,
+                                          Verdict::fails, Verdict::undecided, Verdict::untested};
+
+// "2 hold in part"
+std::string counted(Verdict verdict, std::ptrdiff_t count) {
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 6> words{
+      {{"holds", "hold"},
+       {"holds in part", "hold in part"},
+       {"is undecided", "are undecided"},
+       {"fails", "fail"},
+       {"depends on what the paper leaves open", "depend on what the paper leaves open"},
+       {"cannot be tested here", "cannot be tested here"}}};
+  const auto& [one, several] = words[static_cast<std::size_t>(verdict)];
+  return fmt::format("{} {}", count, count == 1 ? one : several);
+}
+
+// "holds in 61 %, fails in 30 %, is undecided in 9 %"
+std::string share_words(const ClaimShares& of) {
+  const auto percent = [](double share) { return inference::rounded_number(100 * share, 2); };
+  return fmt::format("holds in {} %, fails in {} %, is undecided in {} %", percent(of.holds), percent(of.fails),
+                     percent(of.undecided));
+}
+
+void join(Claim& claim, const ClaimShares& of) {
+  if (claim.verdict == Verdict::untested) return;
+  claim.evidence +=
+      ' ' + (of.sentence.empty() ? fmt::format("Over all interpretations it {}.", share_words(of)) : of.sentence);
+  if (std::max({of.holds, of.fails, of.undecided}) >= clear_share) return;
+  claim.evidence = fmt::format("By our default: {}. {}", name_of(claim.verdict), claim.evidence);
+  claim.verdict = Verdict::depends;
+  claim.depends_on = of.decided_by.empty() ? "what the paper leaves open" : of.decided_by;
+  claim.number = share_words(of);
+}
+
+}  // namespace
+
 std::string_view name_of(Verdict verdict) {
-  constexpr std::array<std::string_view, 4> names{"holds", "holds in part", "undecided", "fails"};
+  constexpr std::array<std::string_view, 6> names{"holds", "holds in part", "undecided",
+                                                  "fails", "depends",       "cannot be tested here"};
   return names[static_cast<std::size_t>(verdict)];
 }
 
+std::string verdict_words(const Claim& claim) {
+  const std::string name(name_of(claim.verdict));
+  return claim.depends_on.empty() ? name : fmt::format("{} on {}", name, claim.depends_on);
+}
+
+std::vector<Claim> claims_by(By by, const std::vector<Claim>& claims) {
+  std::vector<Claim> result;
+  std::ranges::copy_if(claims, std::back_inserter(result), [by](const Claim& claim) { return claim.by == by; });
+  return result;
+}
+
 std::string tally(const std::vector<Claim>& claims) {
-  struct Words {
-    Verdict verdict;
-    std::string_view one, several;
-  };
-  constexpr std::array<Words, 4> words{{{Verdict::holds, "holds", "hold"},
-                                        {Verdict::in_part, "holds in part", "hold in part"},
-                                        {Verdict::fails, "fails", "fail"},
-                                        {Verdict::undecided, "is undecided", "are undecided"}}};
+  const std::vector<Claim> all = claims_by(By::paper, claims);
   std::vector<std::string> parts;
-  for (const auto& [verdict, one, several] : words) {
-    const auto count = std::ranges::count(claims, verdict, &Claim::verdict);
-    if (count > 0) parts.push_back(fmt::format("{} {}", count, count == 1 ? one : several));
+  for (const Verdict verdict : in_order) {
+    const auto count = std::ranges::count(all, verdict, &Claim::verdict);
+    if (count > 0) parts.push_back(counted(verdict, count));
   }
-  std::string text = fmt::format("Of {} claim{}", claims.size(), claims.size() == 1 ? "" : "s");
+  std::string text = fmt::format("Of {} claim{}", all.size(), all.size() == 1 ? "" : "s");
   for (std::size_t i = 0; i < parts.size(); ++i) {
     text += (i > 0 && i + 1 == parts.size() ? " and " : ", ") + parts[i];
   }
   const auto is_printed = [](const Claim& claim) { return claim.printed.has_value(); };
-  if (const auto printed = std::ranges::count_if(claims, is_printed); printed > 0) {
+  if (const auto printed = std::ranges::count_if(all, is_printed); printed > 0) {
     text += fmt::format(". By the printed numbers, {} of {} hold",
-                        std::ranges::count(claims, Verdict::holds, &Claim::printed), printed);
+                        std::ranges::count(all, Verdict::holds, &Claim::printed), printed);
   }
   return text + '.';
+}
+
+void join(std::vector<Claim>& claims, std::span<const ClaimShares> shares) {
+  for (Claim& claim : claims) {
+    const auto of = std::ranges::find(shares, claim.id, &ClaimShares::id);
+    if (of != shares.end()) join(claim, *of);
+  }
 }
 
 }  // namespace ikbench::report

@@ -2,14 +2,18 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace ikbench::report {
 
-enum class Verdict { holds, in_part, undecided, fails };
+// depends: on what the paper leaves open. untested: nothing here could decide it.
+enum class Verdict { holds, in_part, undecided, fails, depends, untested };
 std::string_view name_of(Verdict verdict);
+
+enum class By { paper, us };  // who claims it: the paper, or we asked
 
 struct Claim {
   std::string statement;
@@ -17,9 +21,34 @@ struct Claim {
   std::string evidence;                 // in words and numbers, all of them of the store but those said to be printed
   std::string table;                    // the name of the table that has the numbers
   std::optional<Verdict> printed = {};  // on the printed numbers alone; none where they cannot say
+  std::string id = {};                  // "most_accurate"; by it other results are joined
+  std::string section = {};             // of the paper
+  By by = By::paper;
+  std::string decides = {};     // what would decide it, a sentence
+  std::string number = {};      // the one that says most, short: "0.0017 against 0.21 cm"
+  std::string depends_on = {};  // where it depends: "bounds"
 };
 
-// How many of some claims hold here, in a sentence.
+// "depends on bounds"
+std::string verdict_words(const Claim& claim);
+
+std::vector<Claim> claims_by(By by, const std::vector<Claim>& claims);
+
+// How many of the paper's claims hold here, in a sentence; what we asked besides is not counted.
 std::string tally(const std::vector<Claim>& claims);
+
+// Of all interpretations of what a paper leaves open, the shares in which a claim holds, fails and is undecided.
+struct ClaimShares {
+  std::string id;
+  double holds = 0, fails = 0, undecided = 0;
+  std::string decided_by = {};  // what its answer depends on most: "bounds"
+  std::string sentence = {};    // how
+};
+
+// No answer to a claim that depends has as much as that.
+constexpr double clear_share = 0.95;
+
+// By id. A claim to which no answer is clear depends; the others keep their verdicts. All say their shares.
+void join(std::vector<Claim>& claims, std::span<const ClaimShares> shares);
 
 }  // namespace ikbench::report

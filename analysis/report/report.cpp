@@ -65,6 +65,15 @@ std::vector<JudgedStudy> others_of(const Store& store, const StudyResults& study
   return result;
 }
 
+// Whether its numbers can stand beside the study's as those of other solvers: not of the same ones in other
+// circumstances, which are there for a claim.
+bool is_baseline(const StudyResults& other, const StudyResults& study) {
+  const auto is_known = [&](const std::string& solver) {
+    return std::ranges::find(study.solvers, solver) != study.solvers.end();
+  };
+  return enforces_limits(other) == enforces_limits(study) && !std::ranges::all_of(other.solvers, is_known);
+}
+
 // The paper of the study; one that says nothing where it has none.
 const Paper& paper_of(const StudyResults& study, std::span<const Paper> papers) {
   static const Paper none;
@@ -158,7 +167,7 @@ Report write_report(const Store& store, const ReportRequest& request) {
     if (is_companion(other.name, study, paper)) reported.companions.push_back(other);
     if (!same_targets(study, other)) continue;
     same_targets_given.push_back(other);
-    if (enforces_limits(other) == enforces_limits(study)) same_limits_too.push_back(other);
+    if (is_baseline(other, study)) same_limits_too.push_back(other);
   }
 
   std::vector<Table> tables{definition_table(entry), options_table(entry),
@@ -182,6 +191,7 @@ Report write_report(const Store& store, const ReportRequest& request) {
                         .command = command_of(study, sessions),
                         .plan = paper.sections,
                         .path = pieces.path};
+  join(content.claims, request.shares);
   std::ranges::copy(plan_changes(entry, sessions, study.solves), std::back_inserter(content.warnings));
   if (study.plan.test == DecidingTest::friedman && !blocked_observations(study, Metric::position_error_cm)) {
     content.warnings.push_back(

@@ -26,6 +26,7 @@ struct ReportRequest {
   std::span<const Paper> papers = {};               // of which the study's, if it is there, has its say
   std::vector<Table> extra_tables = {};             // written and shown with the others (report_content.cpp says where)
   std::vector<figures::Figure> extra_figures = {};  // likewise
+  std::vector<ClaimShares> shares = {};             // of the paper's claims over all interpretations
 };
 
 // An unknown study, or a folder that cannot be written to, is std::invalid_argument. Tables are there even where

@@ -193,7 +193,7 @@ Data claims_data(const ReportContent& content) {
   for (const Claim& claim : content.claims) {
     Data data;
     data.set("claim", text(claim.statement));
-    data.set("verdict", text(name_of(claim.verdict)));
+    data.set("verdict", text(verdict_words(claim)));
     data.set("kind", Data(kind_of(claim.verdict)));
     if (claim.printed) {
       data.set("printed", text(name_of(*claim.printed)));

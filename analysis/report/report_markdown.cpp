@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 #include "analysis/inference/text.hpp"
 
 namespace ikbench::report {
@@ -34,17 +36,29 @@ std::string markdown(const ReportFigure& piece) {
 std::string markdown(const Table& table) { return to_markdown(table) + '\n'; }
 
 // A column that no claim fills is left out.
-std::string markdown(const std::vector<Claim>& claims) {
-  if (claims.empty()) return "";
-  Table table{
-      .name = "claims",
-      .caption = tally(claims),
-      .columns = {{"claim", Align::left}, {"here", Align::left}, {"printed", Align::left}, {"evidence", Align::left}}};
+Table table_of(const std::vector<Claim>& claims, std::string caption) {
+  Table table{.name = "claims",
+              .caption = std::move(caption),
+              .columns = {{"claim", Align::left},
+                          {"here", Align::left},
+                          {"printed", Align::left},
+                          {"number", Align::left},
+                          {"stated in", Align::left},
+                          {"evidence", Align::left}}};
   for (const Claim& claim : claims) {
-    table.rows.push_back({claim.statement, std::string(name_of(claim.verdict)),
-                          claim.printed ? Cell(std::string(name_of(*claim.printed))) : Cell(), claim.evidence});
+    table.rows.push_back({claim.statement, verdict_words(claim),
+                          claim.printed ? Cell(std::string(name_of(*claim.printed))) : Cell(), claim.number,
+                          claim.section, claim.evidence});
   }
-  return "## Verdict\n\n" + markdown(table);
+  return table;
+}
+
+std::string markdown(const std::vector<Claim>& claims) {
+  std::string text;
+  const std::vector<Claim> papers = claims_by(By::paper, claims), ours = claims_by(By::us, claims);
+  if (!papers.empty()) text += "## Verdict\n\n" + markdown(table_of(papers, tally(papers)));
+  if (!ours.empty()) text += "## What we asked besides\n\n" + markdown(table_of(ours, "Not claims of the paper."));
+  return text;
 }
 
 std::string markdown(const std::vector<Section>& sections) {

@@ -4,8 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
+#include "analysis/inference/design.hpp"
 #include "analysis/inference/text.hpp"
+#include "analysis/report/provenance.hpp"
 #include "analysis/slim2023/published_numbers.hpp"
 
 namespace ikbench::slim2023 {
@@ -15,29 +18,50 @@ using namespace statistics;
 using namespace inference;
 using namespace report;
 
-std::vector<Pair> pairs(const StudyResults& study, const std::vector<Comparison>& rows, Metric metric) {
+namespace {
+
+// Those observations of which a claim takes the solvers; of one opponent those two alone.
+void keep(Observations& observed, const ClaimEntry& entry) {
+  if (entry.against.empty()) return;
+  std::erase_if(observed.groups,
+                [&](const Group& group) { return group.name != entry.solver && group.name != entry.against; });
+}
+
+// The solver's numbers from the one, the others' from the other: they share no block.
+Observations mixed(Observations of_solver, Observations of_others, const std::string& solver) {
+  std::erase_if(of_others.groups, [&](const Group& group) { return group.name == solver; });
+  for (Group& group : of_solver.groups) {
+    if (group.name == solver) of_others.groups.insert(of_others.groups.begin(), std::move(group));
+  }
+  of_others.blocks.clear();
+  of_others.block.clear();
+  if (of_others.flaw.empty()) of_others.flaw = of_solver.flaw;
+  return of_others;
+}
+
+}  // namespace
+
+Claim begun(const ClaimEntry& entry) {
+  return {.statement = entry.sentence,
+          .verdict = Verdict::undecided,
+          .evidence = "",
+          .table = "table-3",
+          .id = entry.id,
+          .section = entry.section,
+          .by = entry.by,
+          .decides = entry.decides};
+}
+
+std::vector<Pair> pairs(const StudyResults& study, Metric metric) {
   std::vector<Pair> result;
-  for (const Comparison& row : rows) {
-    const std::optional<PrintedRow> printed = printed_row(study, row.solver, metric);
-    if (row.metric != metric || !printed || row.ours.n == 0) continue;
-    result.push_back({row.solver, row.ours, printed->summary});
+  for (const Sample& sample : samples(study, metric)) {
+    const std::optional<PrintedRow> printed = printed_row(study, sample.solver, metric);
+    if (printed && !sample.values.empty()) {
+      result.push_back({sample.solver, describe(sample.values), printed->summary});
+    }
   }
   std::ranges::stable_sort(result, {}, [](const Pair& pair) { return pair.printed.mean; });
   return result;
-}
-
-std::optional<Description> description(const StudyResults& study, std::string_view solver, Metric metric) {
-  for (const Sample& sample : samples(study, metric)) {
-    if (sample.solver == solver && !sample.values.empty()) return describe(sample.values);
-  }
-  return std::nullopt;
-}
-
-Smaller smaller(const Judgement& found) {
-  return {found.answer == Answer::better  ? Verdict::holds
-          : found.answer == Answer::worse ? Verdict::fails
-                                          : Verdict::undecided,
-          found.p};
 }
 
 Evidence printed_evidence(const std::vector<Pair>& pairs, const AnalysisPlan& plan) {
@@ -46,16 +70,81 @@ Evidence printed_evidence(const std::vector<Pair>& pairs, const AnalysisPlan& pl
   return evidence(printed, feasible(plan, printed));
 }
 
-void weaken(Smaller& claim, const Smaller& by) {
-  claim.verdict = std::max(claim.verdict, by.verdict);
-  if (std::isfinite(by.p)) claim.p = std::isfinite(claim.p) ? std::max(claim.p, by.p) : by.p;
+const JudgedStudy* companion_of(const Reported& reported, const ClaimEntry& entry) {
+  for (const JudgedStudy& companion : reported.companions) {
+    if (companion.name == reported.study.name + '-' + entry.study && same_targets(reported.study, companion)) {
+      return &companion;
+    }
+  }
+  return nullptr;
+}
+
+std::optional<Evidence> evidence_for(const Reported& reported, const ClaimEntry& entry, Metric metric) {
+  const JudgedStudy& study = reported.study;
+  const JudgedStudy* const companion = companion_of(reported, entry);
+  if (!entry.study.empty() && companion == nullptr) return std::nullopt;
+  const JudgedStudy& of_solver = companion != nullptr && entry.take != Take::others ? *companion : study;
+  const JudgedStudy& of_others = companion != nullptr && entry.take != Take::solver ? *companion : study;
+  std::optional<Evidence> found;
+  if (&of_solver == &of_others && entry.against.empty()) {
+    found = of_solver.evidence(metric);
+  } else {
+    Observations observed = &of_solver == &of_others
+                                ? observations(of_solver, metric)
+                                : mixed(observations(of_solver, metric), observations(of_others, metric), entry.solver);
+    keep(observed, entry);
+    AnalysisPlan plan = feasible(study.plan, observed);
+    if (std::ranges::find(observed.groups, plan.control, &Group::name) == observed.groups.end()) plan.control.clear();
+    const bool comparable = is_comparable(of_solver, metric) && is_comparable(of_others, metric);
+    found = comparable ? tested(observed, plan) : described(observed, plan);
+  }
+  const auto is_solver = [&](const GroupEvidence& group) { return group.name == entry.solver; };
+  const auto is_empty = [](const GroupEvidence& group) { return group.described.n == 0; };
+  const bool complete = found->groups.size() >= 2 && std::ranges::any_of(found->groups, is_solver) &&
+                        std::ranges::none_of(found->groups, is_empty);
+  return complete ? found : std::nullopt;
+}
+
+void Found::add(Answer answer) {
+  better += answer == Answer::better ? 1 : 0;
+  worse += answer == Answer::worse ? 1 : 0;
+  open += answer == Answer::same || answer == Answer::undecided ? 1 : 0;
+}
+
+Verdict verdict_on(const Found& found) {
+  if (found.worse > 0) return Verdict::fails;
+  if (found.open == 0) return Verdict::holds;
+  return found.better > 0 ? Verdict::in_part : Verdict::undecided;
+}
+
+Verdict verdict_on(const std::vector<Verdict>& verdicts) {
+  const auto count = [&](Verdict verdict) { return static_cast<std::size_t>(std::ranges::count(verdicts, verdict)); };
+  if (count(Verdict::holds) == verdicts.size()) return Verdict::holds;
+  if (count(Verdict::holds) + count(Verdict::in_part) > 0) return Verdict::in_part;
+  return count(Verdict::fails) > 0 ? Verdict::fails : Verdict::undecided;
+}
+
+Against against(const Evidence& evidence, const std::string& solver, Should should) {
+  Against result;
+  const double sign = should == Should::be_smallest ? 1 : -1;
+  for (const GroupEvidence& group : evidence.groups) {
+    if (group.name == solver) {
+      result.own_mean = group.described.mean;
+      continue;
+    }
+    const Judgement found = sign > 0 ? judge(evidence, solver, group.name) : judge(evidence, group.name, solver);
+    result.found.add(found.answer);
+    if (std::isfinite(found.p)) result.p = std::isfinite(result.p) ? std::max(result.p, found.p) : found.p;
+    const double mean = group.described.mean;
+    if (!std::isfinite(result.nearest_mean) || sign * mean < sign * result.nearest_mean) {
+      result.nearest = group.name;
+      result.nearest_mean = mean;
+    }
+  }
+  return result;
 }
 
 std::string in_brackets(double p) { return std::isfinite(p) ? fmt::format(" (p = {})", rounded_number(p, 3)) : ""; }
-
-std::string at_most(double p) {
-  return std::isfinite(p) ? fmt::format(" (p at most {} against each other solver)", rounded_number(p, 2)) : "";
-}
 
 std::string how_tested(const Evidence& here, const Evidence& printed) {
   const std::string_view test = pair_test_words(here), other = pair_test_words(printed);

@@ -3,15 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "analysis/inference/text.hpp"
-#include "analysis/report/provenance.hpp"
 #include "analysis/slim2023/circle.hpp"
 #include "analysis/slim2023/claim_comparison.hpp"
 #include "analysis/slim2023/published_numbers.hpp"
@@ -26,40 +24,89 @@ using namespace report;
 
 namespace {
 
-GroupSummary summary_of(const Description& of) { return {.mean = of.mean, .std = of.std, .n = of.n}; }
-
-}  // namespace
-
-// Table 7's first row, as time_assessment judges it.
-std::optional<Claim> real_time(const StudyResults& study) {
-  const std::vector<PrintedTime> all_printed = printed_table_7(study.published);
-  if (all_printed.empty() || !std::isfinite(tolerance_cm(study))) return std::nullopt;
-  const PrintedTime printed = all_printed.front();
-  const std::vector<TimeAssessment> rows = assess_times(study);
-  const auto row = std::ranges::find(rows, fmt::format("{} bats", printed.bats), &TimeAssessment::solver);
-  if (row == rows.end() || row->solves == 0) return std::nullopt;
-  const bool comparable = times_are_comparable(study);
-  const std::string here =
-      comparable
-          ? fmt::format("Here, in C++: {} of {} targets reach {} cm in less than {} ms; median {} ms, slowest {} ms.",
-                        row->in_time, row->solves, tolerance_cm(study), real_time_ms, short_number(row->time_ms.median),
-                        short_number(row->undisturbed_ms.max))
-          : fmt::format("Not judged, because {} (see the warnings).", times_not_judged);
-  return Claim{
-      .statement = fmt::format("With {} bats IK-BA answers in real time", printed.bats),
-      .verdict = !comparable                               ? Verdict::undecided
-                 : row->in_time == row->solves             ? Verdict::holds
-                 : row->undisturbed_ms.max >= real_time_ms ? Verdict::fails
-                                                           : Verdict::in_part,
-      .evidence = fmt::format("{} Printed, in MATLAB on another machine: {}.", here, printed_real_time(printed)),
-      .table = "table-7",
-      .printed = printed.max_ms < real_time_ms    ? Verdict::holds
-                 : printed.mean_ms < real_time_ms ? Verdict::in_part
-                                                  : Verdict::fails};
+// The study itself or the first companion that the rule has something to say of.
+std::optional<Claim> first_of(const Reported& reported,
+                              const std::function<std::optional<Claim>(const StudyResults&)>& rule) {
+  std::optional<Claim> claim = rule(reported.study);
+  for (const StudyResults& companion : reported.companions) {
+    if (!claim) claim = rule(companion);
+  }
+  return claim;
 }
 
-// Table 8: errors of the order of rounding, which is a double's step times the length that is computed.
-std::optional<Claim> circle(const StudyResults& study) {
+// What time_assessment says of the printed rows of Table 7 that the study has.
+struct TimedRow {
+  PrintedTime printed;
+  TimeAssessment ours;
+};
+std::vector<TimedRow> timed_rows(const StudyResults& study) {
+  std::vector<TimedRow> result;
+  if (!std::isfinite(tolerance_cm(study))) return result;
+  const std::vector<TimeAssessment> rows = assess_times(study);
+  for (const PrintedTime& printed : printed_table_7(study.published)) {
+    const auto row = std::ranges::find(rows, fmt::format("{} bats", printed.bats), &TimeAssessment::solver);
+    if (row != rows.end() && row->solves > 0) result.push_back({printed, *row});
+  }
+  return result;
+}
+
+std::string not_judged() { return fmt::format("Not judged, because {} (see the warnings).", times_not_judged); }
+
+std::optional<Claim> real_time_of(const StudyResults& study, const ClaimEntry& entry) {
+  const std::vector<TimedRow> rows = timed_rows(study);
+  if (rows.empty() || rows.front().printed.bats != printed_table_7(study.published).front().bats) return std::nullopt;
+  const auto& [printed, row] = rows.front();
+  Claim claim = begun(entry);
+  claim.table = "table-7";
+  if (times_are_comparable(study)) {
+    claim.verdict = row.in_time == row.solves                ? Verdict::holds
+                    : row.undisturbed_ms.max >= real_time_ms ? Verdict::fails
+                                                             : Verdict::in_part;
+    claim.number = fmt::format("{} of {} in time", row.in_time, row.solves);
+    claim.evidence =
+        fmt::format("Here, in C++: {} of {} targets reach {} cm in less than {} ms; median {} ms, slowest {} ms.",
+                    row.in_time, row.solves, tolerance_cm(study), real_time_ms, short_number(row.time_ms.median),
+                    short_number(row.undisturbed_ms.max));
+  } else {
+    claim.evidence = not_judged();
+  }
+  claim.evidence += fmt::format(" Printed, in MATLAB on another machine: {}.", printed_real_time(printed));
+  claim.printed = printed.max_ms < real_time_ms    ? Verdict::holds
+                  : printed.mean_ms < real_time_ms ? Verdict::in_part
+                                                   : Verdict::fails;
+  return claim;
+}
+
+std::optional<Claim> only_offline_of(const StudyResults& study, const ClaimEntry& entry) {
+  std::vector<TimedRow> rows = timed_rows(study);
+  if (rows.size() < 2) return std::nullopt;
+  rows.erase(rows.begin());
+  std::vector<Verdict> here, in_print;
+  std::string list, printed_list;
+  for (const auto& [printed, ours] : rows) {
+    const auto slow = [](double mean_ms) { return mean_ms >= real_time_ms ? Verdict::holds : Verdict::fails; };
+    here.push_back(slow(ours.time_ms.median));
+    in_print.push_back(slow(printed.mean_ms));
+    list += fmt::format("{}{} {} ms", list.empty() ? "" : ", ", ours.solver, short_number(ours.time_ms.median));
+    printed_list += fmt::format("{}{} ms", printed_list.empty() ? "" : ", ", short_number(printed.mean_ms));
+  }
+  Claim claim = begun(entry);
+  claim.table = "table-7";
+  const bool comparable = times_are_comparable(study);
+  if (comparable) {
+    claim.verdict = verdict_on(here);
+    claim.number = fmt::format("{} with {}", fmt::format("{} ms", short_number(rows.back().ours.time_ms.median)),
+                               rows.back().ours.solver);
+  }
+  claim.printed = verdict_on(in_print);
+  claim.evidence =
+      fmt::format("{} Printed, in MATLAB on another machine: {}.",
+                  comparable ? fmt::format("Here, in C++, median: {}.", list) : not_judged(), printed_list);
+  return claim;
+}
+
+// Rounding is a double's step times the length that is computed.
+std::optional<Claim> circle_of(const StudyResults& study, const ClaimEntry& entry) {
   constexpr double step = std::numeric_limits<double>::epsilon(), order = 10;
   const std::vector<PrintedPosture> postures = printed_table_8(study.published);
   if (!is_circle(study) || study.solves.empty() || postures.empty()) return std::nullopt;
@@ -71,82 +118,41 @@ std::optional<Claim> circle(const StudyResults& study) {
   if (ours.empty()) return std::nullopt;
   const double farthest_cm = farthest_target_cm(study), rounding = step * farthest_cm;
   const auto verdict_of = [&](double error) { return error <= order * rounding ? Verdict::holds : Verdict::fails; };
-  return Claim{.statement = "IK-BA moves the Dobot Magician along a circle with an error at rounding level",
-               .verdict = verdict_of(mean(ours)),
-               .evidence = fmt::format("Mean error {} cm over {} points; printed {} cm. Rounding level: {} cm (2^-52 "
-                                       "of {} cm, the farthest target) times at most {}.",
-                                       short_number(mean(ours)), ours.size(), short_number(mean(printed)),
-                                       short_number(rounding), short_number(farthest_cm), order),
-               .table = "table-8",
-               .printed = verdict_of(mean(printed))};
+  Claim claim = begun(entry);
+  claim.table = "table-8";
+  claim.verdict = verdict_of(mean(ours));
+  claim.printed = verdict_of(mean(printed));
+  claim.number = fmt::format("{} cm", short_number(mean(ours)));
+  claim.evidence = fmt::format(
+      "Mean error {} cm over {} points; printed {} cm. Rounding level: {} cm (2^-52 of {} cm, the farthest target) "
+      "times at most {}.",
+      short_number(mean(ours)), ours.size(), short_number(mean(printed)), short_number(rounding),
+      short_number(farthest_cm), order);
+  return claim;
 }
 
-// The study with limits enforced.
-std::optional<Claim> accurate_inside_limits(const StudyResults& study, const JudgedStudy& limits) {
-  if (!enforces_limits(limits) || enforces_limits(study) || !same_targets(study, limits)) return std::nullopt;
-  const auto ours = description(limits, time_reference, Metric::position_error_cm);
-  const auto before = description(study, time_reference, Metric::position_error_cm);
-  std::optional<Description> best;
-  std::vector<std::string> others;
-  std::string best_solver, refused;
-  for (const SolverCounts& count : counts(limits)) {
-    refused += fmt::format("{}{} {} of {}", refused.empty() ? "" : ", ", count.solver, count.of(Status::refused),
-                           count.solves);
-    const auto other = description(limits, count.solver, Metric::position_error_cm);
-    if (count.solver == time_reference || !other) continue;
-    others.push_back(count.solver);
-    if (!std::isfinite(other->mean)) continue;
-    if (best && best->mean <= other->mean) continue;
-    best = other;
-    best_solver = count.solver;
-  }
-  if (!ours || !before || !best) return std::nullopt;
-  Smaller here{Verdict::holds, not_defined};
-  const Evidence& found = limits.evidence(Metric::position_error_cm);
-  for (const std::string& other : others) weaken(here, smaller(judge(found, time_reference, other)));
-  return Claim{
-      .statement = fmt::format("With enforced joint limits, {} is still the most accurate", time_reference),
-      .verdict = here.verdict,
-      .evidence = fmt::format("Mean position error {} cm ({} cm without); {} comes to {} cm, {} times as much{}.{} "
-                              "Refused answers: {}.",
-                              short_number(ours->mean), short_number(before->mean), best_solver,
-                              short_number(best->mean), short_number(best->mean / ours->mean), at_most(here.p),
-                              study.plan.unit == Unit::run ? how_tested(found, found) : "", refused),
-      .table = "limits"};
+}  // namespace
+
+std::optional<Claim> real_time(const Reported& reported, const ClaimEntry& entry) {
+  return first_of(reported, [&](const StudyResults& study) { return real_time_of(study, entry); });
 }
 
-// A solver of the textbooks on the same targets, in error, variation and evaluations.
-std::optional<Claim> better_than_classical(const StudyResults& study, const StudyResults& context) {
-  constexpr std::string_view classical = "DLS";  // damped least squares
-  constexpr std::array<Metric, 3> metrics{Metric::position_error_cm, Metric::variation_deg, Metric::evaluations};
-  constexpr std::array<std::string_view, 3> words{"cm of mean position error", "deg of variation", "evaluations"};
-  if (!same_targets(study, context)) return std::nullopt;
-  int better = 0, worse = 0;
-  std::string list, test;
-  for (std::size_t i = 0; i < metrics.size(); ++i) {
-    const auto ours = description(study, time_reference, metrics[i]);
-    const auto other = description(context, classical, metrics[i]);
-    if (!ours || !other) return std::nullopt;
-    const MeanPair means{summary_of(*ours), summary_of(*other), info_of(metrics[i]).better};
-    const Judgement found = study.plan.unit == Unit::run ? judge(means, study.plan) : Judgement{};
-    if (!found.test.empty()) test = found.test;
-    Smaller here = smaller(found);
-    if (info_of(metrics[i]).kind == Kind::count && ours->mean != other->mean) {  // counted, not measured
-      here = {ours->mean < other->mean ? Verdict::holds : Verdict::fails, not_defined};
-    }
-    if (here.verdict == Verdict::holds) ++better;
-    if (here.verdict == Verdict::fails) ++worse;
-    list += fmt::format("{}{} vs {} {}{}", list.empty() ? "" : ", ", short_number(ours->mean),
-                        short_number(other->mean), words[i], in_brackets(here.p));
-  }
-  return Claim{.statement = fmt::format("{} is better than a classical solver (damped least squares)", time_reference),
-               .verdict = better == static_cast<int>(metrics.size()) ? Verdict::holds
-                          : better > 0                               ? Verdict::in_part
-                          : worse > 0                                ? Verdict::fails
-                                                                     : Verdict::undecided,
-               .evidence = fmt::format("{} against {}, per point: {}.{}", time_reference, classical, list,
-                                       test.empty() ? "" : fmt::format(" p-values: {} on run means.", test)),
-               .table = "baselines"};
+std::optional<Claim> only_offline(const Reported& reported, const ClaimEntry& entry) {
+  return first_of(reported, [&](const StudyResults& study) { return only_offline_of(study, entry); });
+}
+
+std::optional<Claim> circle(const Reported& reported, const ClaimEntry& entry) {
+  return first_of(reported, [&](const StudyResults& study) { return circle_of(study, entry); });
+}
+
+Claim untested(const ClaimEntry& entry) {
+  Claim claim = begun(entry);
+  claim.verdict = Verdict::untested;
+  claim.table = "";
+  claim.evidence = fmt::format("What would decide it: {}", entry.decides);
+  if (!entry.study.empty())
+    claim.evidence += fmt::format(" `ikbench reproduce` runs the study for it ({}).", entry.study);
+  return claim;
 }
 
 }  // namespace ikbench::slim2023

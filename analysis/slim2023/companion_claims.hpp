@@ -1,19 +1,20 @@
-// What is claimed beside the six solvers on the helix: real time, the circle, and what our own studies add to it. None
-// where the study is not of that kind.
+// Rules for what is claimed beside the six solvers on the helix: real time, the circle, the arm. None where no study of
+// the report is of that kind.
 #pragma once
 
 #include <optional>
 
-#include "analysis/inference/judged_study.hpp"
-#include "analysis/report/claims.hpp"
+#include "analysis/report/paper.hpp"
+#include "analysis/slim2023/claim_entries.hpp"
 
 namespace ikbench::slim2023 {
 
-std::optional<report::Claim> real_time(const inference::StudyResults& study);
-std::optional<report::Claim> circle(const inference::StudyResults& study);
-std::optional<report::Claim> accurate_inside_limits(const inference::StudyResults& study,
-                                                    const inference::JudgedStudy& limits);
-std::optional<report::Claim> better_than_classical(const inference::StudyResults& study,
-                                                   const inference::StudyResults& context);
+// Table 7's first row, and its others.
+std::optional<report::Claim> real_time(const report::Reported& reported, const ClaimEntry& entry);
+std::optional<report::Claim> only_offline(const report::Reported& reported, const ClaimEntry& entry);
+// Table 8: errors of the order of rounding.
+std::optional<report::Claim> circle(const report::Reported& reported, const ClaimEntry& entry);
+// What nothing here can decide, for want of what the claim says would.
+report::Claim untested(const ClaimEntry& entry);
 
 }  // namespace ikbench::slim2023

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "analysis/slim2023/audit.hpp"
-#include "analysis/slim2023/paper_claims.hpp"
+#include "analysis/slim2023/claims.hpp"
 #include "analysis/slim2023/paper_figures.hpp"
 #include "analysis/slim2023/paper_summary.hpp"
 #include "analysis/slim2023/paper_tables.hpp"
@@ -84,11 +84,13 @@ ReportPlan sections() {
 
 Paper paper() {
   return {.name = this_paper,
-          .studies = {{this_paper, {"seed", "runs"}},          // Sec. 5.2
-                      {"slim2023-context", {"seed", "runs"}},  // beside it: a classical solver
-                      {"slim2023-limits", {"seed", "runs"}},   // the same with the limits enforced
-                      {"slim2023-time", {"seed"}},             // Sec. 5.3.3
-                      {"slim2023-dobot", {"seed"}}},           // Sec. 6
+          .studies = {{this_paper, {"seed", "runs"}},            // Sec. 5.2
+                      {"slim2023-context", {"seed", "runs"}},    // beside it: a classical solver
+                      {"slim2023-limits", {"seed", "runs"}},     // the same with the limits enforced
+                      {"slim2023-bounds", {"seed", "runs"}},     // with the other solvers clamped
+                      {"slim2023-frequency", {"seed", "runs"}},  // without Eq. 13
+                      {"slim2023-time", {"seed"}},               // Sec. 5.3.3
+                      {"slim2023-dobot", {"seed"}}},             // Sec. 6
           .claims = claims,
           .pieces = pieces,
           .sections = sections(),

@@ -3,13 +3,25 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <limits>
+#include <map>
+#include <numbers>
 #include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 #include "analysis/figures/figure_parts.hpp"
 #include "analysis/inference/text.hpp"
+#include "analysis/report/assessment_words.hpp"
 #include "analysis/slim2023/claim_comparison.hpp"
 #include "analysis/slim2023/published_numbers.hpp"
+#include "analysis/statistics/equal_variances.hpp"
+#include "analysis/statistics/p_adjust.hpp"
 
 namespace ikbench::slim2023 {
 
@@ -20,90 +32,254 @@ using namespace report;
 
 namespace {
 
-// The paper's solver moves the joints less than those others: as much as is true of each of them.
-struct Others {
-  std::vector<Pair> solvers;
-  std::string words;
-  const Evidence& here;
-  const Evidence& printed;
-};
-Claim moves_less(const Pair& reference, const Others& of) {
-  Verdict here = Verdict::holds, printed = Verdict::holds;
-  std::string our_list, printed_list;
-  for (const Pair& other : of.solvers) {
-    const Smaller ours = smaller(judge(of.here, reference.solver, other.solver));
-    const Smaller theirs = smaller(judge(of.printed, reference.solver, other.solver));
-    here = std::max(here, ours.verdict);
-    printed = std::max(printed, theirs.verdict);
-    our_list += fmt::format(", {} by {}{}", other.solver, short_number(other.ours.mean), in_brackets(ours.p));
-    printed_list += fmt::format(", {} {}{}", other.solver, short_number(other.printed.mean), in_brackets(theirs.p));
+// Whether the study is held against the printed Table 3 and has the claim's solver and another.
+bool has_solver(const StudyResults& study, const ClaimEntry& entry) {
+  const std::vector<Pair> all = pairs(study, Metric::position_error_cm);
+  return all.size() >= 2 && std::ranges::find(all, entry.solver, &Pair::solver) != all.end();
+}
+
+double in_deg(double rad) { return rad * 180 / std::numbers::pi; }
+
+}  // namespace
+
+std::optional<Claim> least_at_each_point(const Reported& reported, const ClaimEntry& entry) {
+  const StudyResults& study = reported.study;
+  if (!has_solver(study, entry)) return std::nullopt;
+  std::map<std::string, int> first;  // at so many points
+  std::vector<std::vector<double>> means;
+  for (const std::string& solver : study.solvers) {
+    means.push_back(figures::means_by_point(study, solver, entry.metrics.front()));
+    first[solver] = 0;
   }
-  return {.statement = fmt::format("{} moves the joints less than {}", reference.solver, of.words),
-          .verdict = here,
-          .evidence = fmt::format("{} moves the joints by {} deg per point{}. Printed: {} {}{}.{}", reference.solver,
-                                  short_number(reference.ours.mean), our_list, reference.solver,
-                                  short_number(reference.printed.mean), printed_list, how_tested(of.here, of.printed)),
-          .table = "table-3",
-          .printed = printed};
+  const auto points = static_cast<std::size_t>(study.points);
+  for (std::size_t point = 0; point < points; ++point) {
+    std::vector<std::string> least;
+    double smallest = std::numeric_limits<double>::infinity();
+    for (std::size_t s = 0; s < means.size(); ++s) {
+      const double mean = point < means[s].size() ? means[s][point] : not_defined;
+      if (mean < smallest) least.clear();
+      if (mean <= smallest) least.push_back(study.solvers[s]);
+      if (mean < smallest) smallest = mean;
+    }
+    if (least.size() == 1) ++first[least.front()];  // a tie is nobody's
+  }
+  Claim claim = begun(entry);
+  claim.table = "figure-6";
+  const int own = first[entry.solver];
+  claim.verdict = own == study.points ? Verdict::holds : 2 * own > study.points ? Verdict::in_part : Verdict::fails;
+  claim.number = fmt::format("{} of {} points", own, study.points);
+  std::vector<std::string> words;
+  for (const std::string& solver : study.solvers) {
+    if (first[solver] > 0) words.push_back(fmt::format("{} at {}", solver, first[solver]));
+  }
+  claim.evidence = fmt::format("The smallest error, averaged over the runs: {} of {} points.", listed(words), points);
+  return claim;
+}
+
+namespace {
+
+// Which of two groups has the smaller spread, by a test whose p-values are corrected for the others.
+struct Spread {
+  std::string other;
+  double own, others, p;
+};
+
+Found found_of(std::vector<Spread>& spreads, const AnalysisPlan& plan) {
+  std::vector<double> p;
+  for (const Spread& spread : spreads) p.push_back(spread.p);
+  p = adjusted(p, Correction::holm);
+  Found found;
+  for (std::size_t i = 0; i < spreads.size(); ++i) {
+    spreads[i].p = p[i];
+    const bool smaller = spreads[i].own < spreads[i].others;
+    found.add(answer_of({.p_better = smaller ? p[i] : 1, .p_worse = smaller ? 1 : p[i]}, plan.significance));
+  }
+  return found;
+}
+
+std::string spread_words(const std::vector<Spread>& spreads, const std::string& solver) {
+  std::string list = fmt::format("{} {} cm", solver, short_number(spreads.front().own));
+  for (const Spread& spread : spreads) {
+    list += fmt::format(", {} {}{}", spread.other, short_number(spread.others), in_brackets(spread.p));
+  }
+  return list;
 }
 
 }  // namespace
 
-std::vector<Claim> variation(const JudgedStudy& study, const std::vector<Comparison>& rows) {
-  const std::vector<Pair> all = pairs(study, rows, Metric::variation_deg);
-  if (all.size() < 2 || all.front().solver != time_reference) return {};
-  const Evidence& here = study.evidence(Metric::variation_deg);
-  const Evidence printed = printed_evidence(all, study.plan);
-  std::vector<Claim> result{moves_less(all[0], {{all[1]}, all[1].solver, here, printed})};
-  if (all.size() > 2)
-    result.push_back(moves_less(all[0], {{all.begin() + 2, all.end()}, "the other solvers", here, printed}));
-  return result;
+std::optional<Claim> least_spread(const Reported& reported, const ClaimEntry& entry) {
+  const StudyResults& study = reported.study;
+  const Metric metric = entry.metrics.front();
+  if (!has_solver(study, entry) || study.plan.unit == Unit::point) return std::nullopt;
+  std::map<std::string, std::vector<double>> values;
+  for (Sample& sample : samples(study, metric)) values[sample.solver] = std::move(sample.values);
+  const std::vector<Pair> all = pairs(study, metric);
+  const Pair own = *std::ranges::find(all, entry.solver, &Pair::solver);
+  std::vector<Spread> here, printed;
+  for (const Pair& other : all) {
+    if (other.solver == own.solver) continue;
+    const std::array<std::vector<double>, 2> two{values[own.solver], values[other.solver]};
+    const std::array<GroupSummary, 2> in_print{own.printed, other.printed};
+    here.push_back({other.solver, own.ours.std, other.ours.std, brown_forsythe(two).p});
+    printed.push_back({other.solver, own.printed.std, other.printed.std, bartlett_from_summaries(in_print).p});
+  }
+  Claim claim = begun(entry);
+  claim.verdict = verdict_on(found_of(here, study.plan));
+  claim.printed = verdict_on(found_of(printed, study.plan));
+  claim.number = fmt::format("{} against {} cm", short_number(own.ours.std),
+                             short_number(std::ranges::min(here, {}, &Spread::others).others));
+  claim.evidence = fmt::format(
+      "Standard deviation of the run means: {}. Printed: {}. p-values: Brown-Forsythe test of each pair, printed: "
+      "Bartlett's; after Holm.",
+      spread_words(here, own.solver), spread_words(printed, own.solver));
+  return claim;
 }
 
-// As many of the metrics as are judged; times that are not comparable are not.
-std::optional<Claim> solvers_differ(const StudyResults& study) {
-  std::string list;
-  int alike = 0, differ = 0, printed_alike = 0;
-  for (const Metric metric : paper_metrics) {
-    const std::optional<AnovaTable> printed = comparable_printed_anova(study, metric);
-    if (!printed) return std::nullopt;
-    if (!is_significant(printed->p, study.plan)) ++printed_alike;
-    list += fmt::format("{}{}: ", list.empty() ? "" : "; ", figures::capitalised(info_of(metric).name));
-    if (metric == Metric::seconds && !times_are_comparable(study)) {
-      list += fmt::format("not tested, because {} (see the warnings)", times_not_judged);
-      continue;
+namespace {
+
+// The mean absolute second difference of the joints' angles along each complete run [deg].
+std::vector<double> second_differences_deg(const StudyResults& study, const std::string& solver) {
+  std::map<int, std::map<int, const SolveRecord*>> runs;
+  for (const SolveRecord& solve : study.solves) {
+    if (solve.solver == solver) runs[solve.run][solve.point] = &solve;
+  }
+  std::vector<double> means;
+  for (const auto& [run, solves] : runs) {
+    if (static_cast<int>(solves.size()) != study.points) continue;
+    const std::map<int, std::vector<double>> angles = figures::joint_angles_deg(solves);
+    std::vector<double> bends;
+    for (auto point = std::next(angles.begin()); std::next(point) != angles.end(); ++point) {
+      const auto &before = std::prev(point)->second, &after = std::next(point)->second;
+      for (std::size_t joint = 0; joint < point->second.size(); ++joint) {
+        bends.push_back(std::abs(before[joint] - 2 * point->second[joint] + after[joint]));
+      }
     }
-    const AnovaTable table = anova(study, metric).table;
-    if (!std::isfinite(table.p)) return std::nullopt;
-    ++(is_significant(table.p, study.plan) ? differ : alike);
-    list += fmt::format("F({}, {}) = {}, p = {}", table.df_between, table.df_within, short_number(table.F),
-                        rounded_number(table.p, 2));
+    means.push_back(mean(bends));
   }
-  const auto verdict_of = [](int number_alike, int number_differing) {
-    if (number_differing == static_cast<int>(paper_metrics.size())) return Verdict::holds;
-    if (number_differing > 0) return Verdict::in_part;
-    return number_alike == static_cast<int>(paper_metrics.size()) ? Verdict::fails : Verdict::undecided;
-  };
-  return Claim{.statement = "The solvers differ in error, variation and time (ANOVA)",
-               .verdict = verdict_of(alike, differ),
-               .evidence = list + ".",
-               .table = "table-4",
-               .printed = verdict_of(printed_alike, static_cast<int>(paper_metrics.size()) - printed_alike)};
+  return means;
 }
 
-std::optional<Claim> inside_limits(const StudyResults& study) {
-  for (const SolverCounts& count : counts(study)) {
-    if (count.solver != time_reference || count.solves == 0) continue;
-    return Claim{
-        .statement = fmt::format("{}'s answers are inside the joint limits (Eq. 4)", count.solver),
-        .verdict = count.outside_limits == 0 ? Verdict::holds : Verdict::fails,
-        .evidence = count.outside_limits == 0
-                        ? fmt::format("All {} are.", count.solves)
-                        : fmt::format("{} of {} are not; the worst joint is outside by {} deg.", count.outside_limits,
-                                      count.solves, short_number(count.worst_outside_deg)),
-        .table = "status"};
+// The largest move of a joint from one point to the next, averaged over each complete run [deg].
+std::vector<double> largest_moves_deg(const StudyResults& study, const std::string& solver) {
+  for (const Sample& sample : samples(study, [](const SolveRecord& solve) { return solve.largest_move_deg; })) {
+    if (sample.solver == solver) return sample.values;
   }
-  return std::nullopt;
+  return {};
+}
+
+}  // namespace
+
+std::optional<Claim> smoothest(const Reported& reported, const ClaimEntry& entry) {
+  const StudyResults& study = reported.study;
+  if (!has_solver(study, entry) || study.plan.unit == Unit::point || study.points < 3) return std::nullopt;
+  const std::array<std::pair<std::string_view, std::vector<double> (*)(const StudyResults&, const std::string&)>, 2>
+      measures{{{"Mean second difference of an angle along the path", second_differences_deg},
+                {"Mean of the largest move of a joint", largest_moves_deg}}};
+  Claim claim = begun(entry);
+  claim.table = "figure-9-a";
+  std::vector<Verdict> verdicts;
+  for (const auto& [words, values_of] : measures) {
+    Observations observed{.name = "smoothness", .quantity = fmt::format("{} [deg]", words)};
+    for (const std::string& solver : study.solvers) observed.groups.push_back({solver, values_of(study, solver)});
+    if (std::ranges::any_of(observed.groups, [](const Group& group) { return group.values.empty(); }))
+      return std::nullopt;
+    const Evidence found = tested(observed, feasible(study.plan, observed));
+    const Against ours = against(found, entry.solver);
+    verdicts.push_back(verdict_on(ours.found));
+    claim.evidence +=
+        fmt::format("{}: {} {} deg, {} {}; found smaller than {} of {} others, larger than {}. ", words, entry.solver,
+                    short_number(ours.own_mean), ours.nearest, short_number(ours.nearest_mean), ours.found.better,
+                    ours.found.all(), ours.found.worse);
+    if (claim.number.empty()) {
+      claim.number = fmt::format("{} against {} deg", short_number(ours.own_mean), short_number(ours.nearest_mean));
+    }
+  }
+  claim.verdict = verdict_on(verdicts);
+  claim.evidence += "Figure 9 prints no number.";
+  return claim;
+}
+
+std::optional<Claim> inside_limits(const Reported& reported, const ClaimEntry& entry) {
+  if (!has_solver(reported.study, entry)) return std::nullopt;
+  const std::vector<SolverCounts> all = counts(reported.study);
+  const SolverCounts& count = *std::ranges::find(all, entry.solver, &SolverCounts::solver);
+  Claim claim = begun(entry);
+  claim.table = "status";
+  claim.verdict = count.outside_limits == 0 ? Verdict::holds : Verdict::fails;
+  claim.number = fmt::format("{} of {} outside", count.outside_limits, count.solves);
+  claim.evidence = count.outside_limits == 0
+                       ? fmt::format("All {} are.", count.solves)
+                       : fmt::format("{} of {} are not; the worst joint is outside by {} deg.", count.outside_limits,
+                                     count.solves, short_number(count.worst_outside_deg));
+  return claim;
+}
+
+std::optional<Claim> has_effect(const Reported& reported, const ClaimEntry& entry) {
+  const JudgedStudy* const without = companion_of(reported, entry);
+  if (without == nullptr || !has_solver(reported.study, entry)) return std::nullopt;
+  std::map<std::pair<int, int>, const SolveRecord*> solves;
+  for (const SolveRecord& solve : without->solves) {
+    if (solve.solver == entry.solver) solves[{solve.run, solve.point}] = &solve;
+  }
+  std::size_t shared = 0, changed = 0;
+  for (const SolveRecord& solve : reported.study.solves) {
+    const auto other = solves.find({solve.run, solve.point});
+    if (solve.solver != entry.solver || other == solves.end()) continue;
+    ++shared;
+    changed += solve.answer_rad == other->second->answer_rad ? 0 : 1;
+  }
+  if (shared == 0) return std::nullopt;
+  Claim claim = begun(entry);
+  claim.number = fmt::format("{} of {} answers change", changed, shared);
+  if (changed == 0) {
+    claim.verdict = Verdict::fails;
+    claim.evidence = fmt::format(
+        "All {} answers are the same to the last bit with f_max = 0: Eqs. 5, 7 and 13 have no effect, because Eq. 14 "
+        "overwrites what Eq. 7 moved.",
+        shared);
+    return claim;
+  }
+  const Metric metric = entry.metrics.front();
+  std::array<GroupSummary, 2> means;
+  for (std::size_t i = 0; i < means.size(); ++i) {
+    for (const Sample& sample : samples(i == 0 ? static_cast<const StudyResults&>(reported.study) : *without, metric)) {
+      if (sample.solver == entry.solver) means[i] = summarise(sample.values);
+    }
+  }
+  const Judgement found = judge(MeanPair{means[0], means[1], info_of(metric).better}, reported.study.plan);
+  Found of;
+  of.add(found.answer);
+  claim.verdict = verdict_on(of);
+  claim.evidence = fmt::format("{} of {} answers change without it. {}: {} {} with, {} without{}.", changed, shared,
+                               figures::capitalised(info_of(metric).name), short_number(means[0].mean),
+                               info_of(metric).unit, short_number(means[1].mean), in_brackets(found.p));
+  return claim;
+}
+
+std::optional<Claim> singularities(const Reported& reported, const ClaimEntry& entry) {
+  constexpr double near_deg = 5;
+  constexpr std::array<std::pair<std::size_t, std::string_view>, 2> joints{
+      {{3, "a stretched elbow"}, {5, "an aligned wrist"}}};
+  if (!has_solver(reported.study, entry)) return std::nullopt;
+  Claim claim = begun(entry);
+  claim.verdict = Verdict::untested;
+  claim.table = "";
+  claim.evidence = entry.decides;
+  for (const auto& [joint, words] : joints) {
+    double nearest = std::numeric_limits<double>::infinity();
+    int answers = 0, near = 0;
+    for (const SolveRecord& solve : reported.study.solves) {
+      if (solve.solver != entry.solver || solve.answer_rad.size() != 7) continue;
+      const double distance = std::abs(in_deg(std::remainder(solve.answer_rad[joint], std::numbers::pi)));
+      nearest = std::min(nearest, distance);
+      ++answers;
+      near += distance < near_deg ? 1 : 0;
+    }
+    if (answers == 0) continue;
+    claim.evidence += fmt::format(" {} of {} answers are within {} deg of {} (the nearest: {} deg).", near, answers,
+                                  near_deg, words, short_number(nearest));
+  }
+  return claim;
 }
 
 }  // namespace ikbench::slim2023

@@ -1,18 +1,25 @@
-// What is claimed of the six solvers beside their ranking: how much they move the joints, that they differ, and that
-// answers are inside the joint limits.
+// Rules for what is claimed of a solver beside its means: at each point, over the runs, of its joints, and of an
+// equation of it. None where the study has no numbers for it.
 #pragma once
 
 #include <optional>
-#include <vector>
 
-#include "analysis/inference/judged_study.hpp"
-#include "analysis/report/claims.hpp"
-#include "analysis/slim2023/paper_tables.hpp"
+#include "analysis/report/paper.hpp"
+#include "analysis/slim2023/claim_entries.hpp"
 
 namespace ikbench::slim2023 {
 
-std::vector<report::Claim> variation(const inference::JudgedStudy& study, const std::vector<Comparison>& rows);
-std::optional<report::Claim> solvers_differ(const inference::StudyResults& study);
-std::optional<report::Claim> inside_limits(const inference::StudyResults& study);
+// Its error, averaged over the runs, is the smallest at each point.
+std::optional<report::Claim> least_at_each_point(const report::Reported& reported, const ClaimEntry& entry);
+// The standard deviation over its runs is the smallest, by Brown and Forsythe's test of each pair, after Holm.
+std::optional<report::Claim> least_spread(const report::Reported& reported, const ClaimEntry& entry);
+// Second differences of the angles along the path, and the largest move of a joint.
+std::optional<report::Claim> smoothest(const report::Reported& reported, const ClaimEntry& entry);
+// No answer has a joint outside its limits.
+std::optional<report::Claim> inside_limits(const report::Reported& reported, const ClaimEntry& entry);
+// Its metric is smaller than in the companion that goes without something; it fails where no answer changes.
+std::optional<report::Claim> has_effect(const report::Reported& reported, const ClaimEntry& entry);
+// Never decided; how near answers come to a stretched elbow or an aligned wrist is told.
+std::optional<report::Claim> singularities(const report::Reported& reported, const ClaimEntry& entry);
 
 }  // namespace ikbench::slim2023
