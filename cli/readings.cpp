@@ -48,12 +48,13 @@ RunMeans run_means(const std::string& name, std::vector<SolveRecord> solves) {
 }
 
 // Solves the parts one after the other; after Ctrl-C those that were finished.
-std::vector<RunMeans> solved(const ReadingsPlan& plan, int jobs, const std::atomic<bool>& cancelled) {
+std::vector<RunMeans> solved(const ReadingsPlan& plan, const char* title, int jobs,
+                             const std::atomic<bool>& cancelled) {
   Progress progress;
   for (const Study& part : plan.parts) {
     progress.total += std::int64_t{part.runs} * static_cast<std::int64_t>(targets(part, 1).size());
   }
-  ProgressBar bar("interpretations");
+  ProgressBar bar(title);
   std::vector<RunMeans> means;
   for (const Study& part : plan.parts) {
     std::vector<SolveRecord> solves;
@@ -128,11 +129,16 @@ void write_and_tell(const ReadingsReport& report, const ReadingsArguments& argum
 }  // namespace
 
 Read read(const Paper& paper, const ReadingsPlan& plan, int jobs, const std::atomic<bool>& cancelled) {
-  const std::vector<RunMeans> means = solved(plan, jobs, cancelled);
+  const std::vector<RunMeans> means = solved(plan, "interpretations", jobs, cancelled);
   const std::vector<ReadingResults> results = results_of(plan, means);
   Read answer{.done = results.size(), .is_complete = means.size() == plan.parts.size()};
   if (!results.empty()) answer.report = paper.readings(results);
   return answer;
+}
+
+std::vector<ReadSolver> repetitions(const ReadingsPlan& plan, int jobs, const std::atomic<bool>& cancelled) {
+  std::vector<ReadingResults> results = results_of(plan, solved(plan, "repetitions", jobs, cancelled));
+  return results.empty() ? std::vector<ReadSolver>() : std::move(results.front().solvers);
 }
 
 void add_readings(CLI::App& app, Invocation& invocation) {

@@ -4,6 +4,7 @@
 #include <atomic>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "analysis/report/paper.hpp"
 #include "experiments/readings.hpp"
@@ -19,5 +20,9 @@ struct Read {
 // With progress, on `jobs` threads.
 Read read(const report::Paper& paper, const experiments::ReadingsPlan& plan, int jobs,
           const std::atomic<bool>& cancelled);
+
+// The run means of a plan without an interpretation, by seed; none where it was cancelled.
+std::vector<report::ReadSolver> repetitions(const experiments::ReadingsPlan& plan, int jobs,
+                                            const std::atomic<bool>& cancelled);
 
 }  // namespace ikbench::cli

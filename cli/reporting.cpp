@@ -135,6 +135,7 @@ void write_and_announce(const Store& store, WrittenReport wanted) {
                                              .papers = analysis::papers(),
                                              .extra_tables = std::move(wanted.tables),
                                              .extra_figures = std::move(wanted.figures),
+                                             .repetitions = std::move(wanted.repetitions),
                                              .shares = std::move(wanted.shares)});
   fmt::print("\n{}\n", aligned(readable_cells(report.results)));
   for (const std::string& sentence : report.summary) fmt::print("{}\n", printable(sentence));

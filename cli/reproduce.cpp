@@ -2,11 +2,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdio>
+#include <iterator>
 #include <map>
 #include <memory>
+#include <optional>
 #include <thread>
 #include <utility>
 
+#include "analysis/inference/study.hpp"
 #include "analysis/papers.hpp"
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
@@ -36,6 +40,24 @@ std::string compared_with_reference(const Store& store, const std::string& name)
                                          : fmt::format("different from the reference {}", reference));
 }
 
+// The paper's own tables, before anything else is solved.
+void show_tables(const Store& store, const Paper& paper) {
+  if (!paper.pieces) return;
+  std::vector<inference::JudgedStudy> studies;
+  for (const PaperStudy& each : paper.studies) {
+    studies.emplace_back(inference::make_study(store.study(each.name), store.solves(each.name), store.sessions()));
+  }
+  const StudyPieces pieces = paper.pieces({studies.front(), {studies.begin() + 1, studies.end()}});
+  std::vector<std::string> names{pieces.results};
+  for (const SectionPlan& section : paper.sections.further) std::ranges::copy(section.names, std::back_inserter(names));
+  for (const std::string& name : names) {
+    const auto table = std::ranges::find(pieces.tables, name, &Table::name);
+    if (table == pieces.tables.end()) continue;
+    fmt::print("\n{}\n{}\n", printable(table->caption), aligned(readable_cells(*table)));
+  }
+  std::fflush(stdout);
+}
+
 // The paper's studies, each with those of the overrides that it takes.
 std::vector<std::pair<std::string, Overrides>> studies_of(const Paper& paper,
                                                           const std::map<std::string, std::string>& given) {
@@ -47,17 +69,42 @@ std::vector<std::pair<std::string, Overrides>> studies_of(const Paper& paper,
   return studies;
 }
 
+struct Arguments {
+  std::string paper;
+  std::int64_t seed = 1;
+  int runs = 20;
+  int seeds = 3;
+  std::optional<int> repetitions = {};  // else as many as the paper asks for
+  bool is_quick = false;
+  RunArguments run;
+  ReportArguments report;
+};
+
+// What needs more solves than the paper's studies: repetitions of the first and the interpretations. No time is
+// measured, so all processors may work. False where it was stopped.
+bool solve_besides(const Arguments& arguments, const Paper& paper, WrittenReport& wanted) {
+  if (arguments.is_quick) return true;
+  const int jobs = std::max(arguments.run.jobs, static_cast<int>(std::max(1u, std::thread::hardware_concurrency())));
+  const std::string& first = paper.studies.front().name;
+  const Overrides runs{fmt::format("runs={}", arguments.runs)};
+  const CancelOnSignal signals;
+  if (const int seeds = arguments.repetitions.value_or(paper.repetitions); seeds > 0) {
+    wanted.repetitions = repetitions(plan_readings(first, {Combination()}, seeds, runs), jobs, signals.requested());
+    if (wanted.repetitions.empty()) return false;
+  }
+  if (paper.readings && arguments.seeds > 0) {
+    const ReadingsPlan plan = plan_readings(first, one_at_a_time(readings(first)), arguments.seeds, runs);
+    const Read answer = read(paper, plan, jobs, signals.requested());
+    if (!answer.is_complete) return false;
+    wanted.tables.push_back(answer.report->table);
+    wanted.figures.push_back(answer.report->figure);
+  }
+  return true;
+}
+
 }  // namespace
 
 void add_reproduce(CLI::App& app, Invocation& invocation) {
-  struct Arguments {
-    std::string paper;
-    std::int64_t seed = 1;
-    int runs = 20;
-    int seeds = 3;
-    RunArguments run;
-    ReportArguments report;
-  };
   auto arguments = std::make_shared<Arguments>();
   CLI::App* command =
       app.add_subcommand("reproduce", "Repeat the experiments of a paper and report beside the printed results");
@@ -74,12 +121,18 @@ void add_reproduce(CLI::App& app, Invocation& invocation) {
       ->check(whole_number())
       ->check(CLI::Range(0, 1000))
       ->capture_default_str();
+  command
+      ->add_option("--repetitions", arguments->repetitions,
+                   "number of seeds that say what a repetition would give; default: 50; 0: skip them")
+      ->check(whole_number())
+      ->check(CLI::Range(0, 1000));
+  command->add_flag("--quick", arguments->is_quick, "skip the interpretations and the repetitions");
   add_report_options(*command, arguments->report);
   command->footer(
       "Examples:\n"
       "  ikbench reproduce\n"
       "  ikbench reproduce --seed 2 --out out/seed-2\n"
-      "  ikbench reproduce --readings 0           faster: skip the interpretations\n"
+      "  ikbench reproduce --quick                faster: skip the interpretations and the repetitions\n"
       "  ikbench reproduce --jobs 2               faster: two solves at once, but times are not comparable");
   command->callback([arguments, &invocation] {
     refuse_points(arguments->report);
@@ -97,19 +150,11 @@ void add_reproduce(CLI::App& app, Invocation& invocation) {
       }
     }
     WrittenReport wanted{.study = first, .folder = folder, .arguments = arguments->report};
-    if (paper.readings && arguments->seeds > 0) {
-      const CancelOnSignal signals;
-      const ReadingsPlan plan = plan_readings(first, one_at_a_time(readings(first)), arguments->seeds, {runs});
-      // No time is measured here, so all processors may work.
-      const int processors = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
-      const Read answer = read(paper, plan, std::max(arguments->run.jobs, processors), signals.requested());
-      if (!answer.is_complete) {
-        say("Stopped before the report. The solves are kept; run the same command again to continue.");
-        invocation.exit_code = 130;
-        return;
-      }
-      wanted.tables.push_back(answer.report->table);
-      wanted.figures.push_back(answer.report->figure);
+    show_tables(Store(store_in(folder), Store::Mode::read), paper);
+    if (!solve_besides(*arguments, paper, wanted)) {
+      say("Stopped before the report. The solves are kept; run the same command again to continue.");
+      invocation.exit_code = 130;
+      return;
     }
     if (paper.audit) wanted.tables.push_back(audit_table(paper.audit()));
     const Store store(store_in(folder), Store::Mode::read);

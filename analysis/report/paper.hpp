@@ -21,6 +21,7 @@ namespace ikbench::report {
 struct Reported {
   const inference::JudgedStudy& study;
   inference::JudgedStudies companions = {};
+  std::span<const ReadSolver> repetitions = {};  // the study's run means with other seeds; none where not solved
 };
 
 // A built-in study that `ikbench reproduce` runs.
@@ -33,6 +34,7 @@ struct Paper {
   std::string name;  // as a study's `published` and results/published have it
   // The first is the paper's own; "first-part" is a companion of it, and "mine-part" of a study "mine".
   std::vector<PaperStudy> studies = {};
+  int repetitions = 0;  // with so many seeds the first is solved, for what a repetition would give
   std::function<std::vector<Claim>(const Reported&)> claims = {};
   std::function<StudyPieces(const Reported&)> pieces = {};  // instead of study_pieces, which it may take and add to
   ReportPlan sections = {};                                 // where these stand

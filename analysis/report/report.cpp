@@ -160,7 +160,7 @@ Report write_report(const Store& store, const ReportRequest& request) {
   const JudgedStudy study(std::move(stored));
   const Paper& paper = paper_of(study, request.papers);
   const std::vector<JudgedStudy> others = others_of(store, study, paper);
-  Reported reported{study};
+  Reported reported{.study = study, .repetitions = request.repetitions};
   // Where limits are not treated alike, numbers cannot be put side by side: those have a table of their own.
   JudgedStudies same_targets_given{study}, same_limits_too{study};
   for (const JudgedStudy& other : others) {

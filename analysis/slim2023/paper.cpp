@@ -32,7 +32,7 @@ bool is_of_companions(const std::string& piece) {
 }
 
 StudyPieces pieces(const Reported& reported) {
-  StudyPieces all{.tables = paper_tables(reported.study),
+  StudyPieces all{.tables = paper_tables(reported.study, reported.repetitions),
                   .figures = paper_figures(reported.study),
                   .results = "table-3",
                   .path = "figure-5"};
@@ -67,7 +67,8 @@ std::vector<Summaries> printed_summaries(const StudyResults& study) {
 ReportPlan sections() {
   return {.results = {{"Results",
                        "",
-                       {"figure-5", "table-3", "table-3-as-printed", "figure-6", "figure-7", "figure-8", "figure-9"}},
+                       {"figure-5", "table-3", "agreement", "table-3-as-printed", "figure-6", "figure-7", "figure-8",
+                        "figure-9"}},
                       {"Analysis of variance",
                        "",
                        {"figure-10", "figure-11", "figure-12", "table-4", "table-5", "table-6",
@@ -91,10 +92,11 @@ Paper paper() {
                       {"slim2023-frequency", {"seed", "runs"}},  // without Eq. 13
                       {"slim2023-time", {"seed"}},               // Sec. 5.3.3
                       {"slim2023-dobot", {"seed"}}},             // Sec. 6
+          .repetitions = 50,
           .claims = claims,
           .pieces = pieces,
           .sections = sections(),
-          .summary = [](const Reported& of) { return paper_summary(of.study); },
+          .summary = [](const Reported& of) { return paper_summary(of); },
           .printed = printed_summaries,
           .audit = [] { return audit(this_paper); },
           .readings = [](std::span<const ReadingResults> results) { return readings_report(this_paper, results); }};

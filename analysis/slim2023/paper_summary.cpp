@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <span>
 #include <utility>
@@ -12,6 +13,7 @@
 #include "analysis/inference/text.hpp"
 #include "analysis/report/leaders.hpp"
 #include "analysis/report/summary.hpp"
+#include "analysis/slim2023/agreement.hpp"
 #include "analysis/slim2023/circle.hpp"
 #include "analysis/slim2023/paper_tables.hpp"
 #include "analysis/slim2023/published_numbers.hpp"
@@ -108,28 +110,16 @@ std::string anova_sentence(const StudyResults& study, Metric metric) {
   return text + ".";
 }
 
-// Which numbers agree, are close, differ.
-std::vector<std::string> number_sentences(const std::vector<Comparison>& rows) {
-  std::vector<std::string> sentences;
-  const auto add = [&](std::string_view verdict, auto&& has_it) {
-    int count = 0;
-    std::string list;
-    for (const Comparison& row : rows) {
-      if (!has_it(row) || (row.metric == Metric::seconds && row.solver == time_reference)) continue;
-      ++count;
-      list += fmt::format("{}{} {}{} ({} x)", count == 1 ? "" : ", ", row.solver,
-                          row.metric == Metric::seconds ? "relative " : "", info_of(row.metric).slug,
-                          rounded_number(row.ratio, 3));
-    }
-    if (count > 0) {
-      sentences.push_back(fmt::format("Table 3, verdict '{}' ({} means; ratio ours/paper): {}.", verdict, count, list));
-    }
-  };
-  for (const Agreement agreement : {Agreement::agrees, Agreement::close, Agreement::differs}) {
-    add(name_of(agreement), [&](const Comparison& row) { return row.agreement == agreement && !rests_on_spread(row); });
+// By how much our means differ from the printed ones.
+std::string ratios_sentence(const std::vector<Comparison>& rows) {
+  std::string list;
+  for (const Comparison& row : rows) {
+    const bool is_time = row.metric == Metric::seconds;
+    if (!std::isfinite(row.ratio) || (is_time && row.solver == time_reference)) continue;
+    list += fmt::format("{}{} {}{} ({} x)", list.empty() ? "" : ", ", row.solver, is_time ? "relative " : "",
+                        info_of(row.metric).slug, rounded_number(row.ratio, 3));
   }
-  add("agrees only because of its spread", rests_on_spread);
-  return sentences;
+  return list.empty() ? "" : fmt::format("Our mean divided by the printed mean: {}.", list);
 }
 
 // The paper's metrics without the times where those cannot be compared.
@@ -141,7 +131,8 @@ std::span<const Metric> judged_metrics(const StudyResults& study) {
 
 }  // namespace
 
-std::vector<std::string> paper_summary(const JudgedStudy& study) {
+std::vector<std::string> paper_summary(const Reported& reported) {
+  const JudgedStudy& study = reported.study;
   const auto rows = compare(study);
   std::vector<std::string> sentences;
   const std::span<const Metric> judged = judged_metrics(study);
@@ -155,7 +146,8 @@ std::vector<std::string> paper_summary(const JudgedStudy& study) {
   sentences.push_back(real_time_verdict(study));
   sentences.push_back(printed_angles_verdict(study));
   for (const Metric metric : judged) sentences.push_back(anova_sentence(study, metric));
-  for (std::string& sentence : number_sentences(rows)) sentences.push_back(std::move(sentence));
+  sentences.push_back(agreement_sentence(agreements(study, reported.repetitions)));
+  sentences.push_back(ratios_sentence(rows));
   return sentences;
 }
 

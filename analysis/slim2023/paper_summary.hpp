@@ -4,11 +4,11 @@
 #include <string>
 #include <vector>
 
-#include "analysis/inference/judged_study.hpp"
+#include "analysis/report/paper.hpp"
 
 namespace ikbench::slim2023 {
 
 // Sentences, the most important first; some may be empty. The study has solves.
-std::vector<std::string> paper_summary(const inference::JudgedStudy& study);
+std::vector<std::string> paper_summary(const report::Reported& reported);
 
 }  // namespace ikbench::slim2023

@@ -8,8 +8,7 @@
 #include <optional>
 #include <set>
 
-#include "analysis/inference/judge.hpp"
-#include "analysis/inference/text.hpp"
+#include "analysis/slim2023/agreement.hpp"
 #include "analysis/slim2023/circle.hpp"
 #include "analysis/slim2023/published_numbers.hpp"
 #include "analysis/slim2023/time_assessment.hpp"
@@ -26,9 +25,9 @@ namespace {
 
 Cell text(std::string_view words) { return std::string(words); }
 
-Agreement by_ratio(double ratio) {
-  if (!std::isfinite(ratio)) return Agreement::none;
-  return ratio >= 0.5 && ratio <= 2 ? Agreement::close : Agreement::differs;
+std::string by_ratio(double ratio) {
+  if (!std::isfinite(ratio)) return "not defined";
+  return ratio >= 0.5 && ratio <= 2 ? "close" : "differs";
 }
 
 double mean_of(const std::vector<Comparison>& rows, std::string_view solver, Metric metric) {
@@ -38,43 +37,18 @@ double mean_of(const std::vector<Comparison>& rows, std::string_view solver, Met
   return not_defined;
 }
 
-void hold_against_printed(Comparison& row, const PrintedRow& printed, const AnalysisPlan& plan) {
-  row.paper_mean = printed.summary.mean;
-  row.ratio = row.ours.mean / row.paper_mean;
-  row.agreement = by_ratio(row.ratio);
-  if (plan.unit == Unit::point) return;
-  const Judgement found =
-      judge({.first = {.mean = row.ours.mean, .std = row.ours.std, .n = row.ours.n}, .second = printed.summary}, plan);
-  const bool differs = found.answer == Answer::better || found.answer == Answer::worse;
-  if (std::isfinite(found.p) && !differs) row.agreement = Agreement::agrees;
-}
-
 // The printed times are of another machine and language: only their ratio to IK-BA's can be compared.
 void hold_against_printed_time(Comparison& row, double our_reference, const StudyResults& study) {
   const auto printed = printed_row(study, row.solver, Metric::seconds);
   const auto printed_reference = printed_row(study, time_reference, Metric::seconds);
   if (!printed || !printed_reference) return;
   row.paper_mean = printed->summary.mean;
+  row.remark = times_not_judged;
+  if (!times_are_comparable(study)) return;
   row.ratio = (row.ours.mean / our_reference) / (row.paper_mean / printed_reference->summary.mean);
-  row.agreement = by_ratio(row.ratio);
-}
-
-Comparison without_agreement(Comparison row) {
-  row.ratio = not_defined;
-  row.agreement = Agreement::not_comparable;
-  return row;
-}
-
-Cell verdict(const Comparison& row) {
-  if (!std::isfinite(row.paper_mean)) return {};
-  if (row.metric != Metric::seconds) {
-    if (row.agreement == Agreement::none) return text("not defined");
-    return rests_on_spread(row) ? "agrees only because of its spread" : text(name_of(row.agreement));
-  }
-  if (row.agreement == Agreement::not_comparable) return text(name_of(row.agreement));
-  if (row.agreement == Agreement::none) return fmt::format("no time of {} to compare with", time_reference);
-  if (row.solver == time_reference) return text("relative only: the reference");
-  return fmt::format("relative only: {}", name_of(row.agreement));
+  row.remark = row.solver == time_reference   ? "relative only: the reference"
+               : std::isfinite(our_reference) ? "relative only: " + by_ratio(row.ratio)
+                                              : fmt::format("no time of {} to compare with", time_reference);
 }
 
 // The printed cells beside the rows of an ANOVA, the last three of a table.
@@ -92,16 +66,7 @@ void add_printed_anova(Table& table, const std::optional<AnovaTable>& printed) {
 
 }  // namespace
 
-std::string_view name_of(Agreement agreement) {
-  constexpr std::array<std::string_view, 5> names{"", "agrees", "close", "differs", times_not_judged};
-  return names[static_cast<std::size_t>(agreement)];
-}
-
-bool rests_on_spread(const Comparison& row) {
-  return row.agreement == Agreement::agrees && by_ratio(row.ratio) == Agreement::differs;
-}
-
-std::vector<Comparison> compare(const StudyResults& study) {
+std::vector<Comparison> compare(const StudyResults& study, std::span<const ReadSolver> repetitions) {
   std::vector<Comparison> rows;
   for (const Metric metric : paper_metrics) {
     for (const Sample& sample : samples(study, metric)) {
@@ -110,14 +75,21 @@ std::vector<Comparison> compare(const StudyResults& study) {
   }
   if (study.published.empty()) return rows;
   const double our_reference = mean_of(rows, time_reference, Metric::seconds);
-  const bool has_comparable_times = times_are_comparable(study);
   for (Comparison& row : rows) {
     if (row.metric == Metric::seconds) {
       hold_against_printed_time(row, our_reference, study);
-      if (!has_comparable_times) row = without_agreement(row);
     } else if (const auto printed = printed_row(study, row.solver, row.metric)) {
-      hold_against_printed(row, *printed, study.plan);
+      row.paper_mean = printed->summary.mean;
+      row.ratio = row.ours.mean / row.paper_mean;
+      row.remark = by_ratio(row.ratio);
     }
+  }
+  for (const Agreement& each : agreements(study, repetitions)) {
+    const auto is_its = [&](const Comparison& row) {
+      return each.statistic == "mean" && row.solver == each.solver && row.metric == each.metric;
+    };
+    const auto row = std::ranges::find_if(rows, is_its);
+    if (row != rows.end()) row->remark = words_of(each);
   }
   return rows;
 }
@@ -128,26 +100,25 @@ std::optional<AnovaTable> comparable_printed_anova(const StudyResults& study, Me
   return study.plan.unit == Unit::run && ours == printed ? printed_anova(study.published, metric) : std::nullopt;
 }
 
-Table table_3(const StudyResults& study) {
+Table table_3(const StudyResults& study, std::span<const ReadSolver> repetitions) {
   Table table = results_table(study, paper_metrics);
   table.name = "table-3";
   table.caption = "Table 3: position error, angles variation and computing time";
   table.columns.insert(table.columns.end(), {{"paper_mean"}, {"ratio"}, {"verdict", Align::left}});
-  const std::vector<Comparison> compared = compare(study);  // row by row
+  const std::vector<Comparison> compared = compare(study, repetitions);  // row by row
   for (std::size_t i = 0; i < compared.size(); ++i) {
     const bool printed = std::isfinite(compared[i].paper_mean);
     table.rows[i].push_back(printed ? Cell(compared[i].paper_mean) : Cell());
     table.rows[i].push_back(printed ? Cell(compared[i].ratio) : Cell());
-    table.rows[i].push_back(verdict(compared[i]));
+    table.rows[i].push_back(printed ? Cell(compared[i].remark) : Cell());
   }
   if (printed_table_3(study, Metric::position_error_cm).empty()) return table;
   std::string note = fmt::format(
-      "Verdict: agrees if {} of our mean against the printed one has p >= {} (only because of its spread if the "
-      "ratio is outside 0.5 to 2); close if the ratio is within 0.5 to 2; otherwise differs. "
-      "Computing times are compared relative to {}: our t / t_{} divided by the printed t / t_{}.",
-      study.plan.test == DecidingTest::anova ? "Student's test" : "Welch's test",
-      rounded_number(study.plan.significance, 3), time_reference, time_reference, time_reference);
-  if (study.plan.unit == Unit::point) note += " With points as observations, verdicts use the ratio only.";
+      "Verdict: {} Computing times are compared relative to {}: our t / t_{} divided by the printed t / t_{}.",
+      repetitions.empty() ? "close if our mean divided by the printed one is within 0.5 to 2; otherwise differs. "
+                            "(`ikbench reproduce` says which numbers are as expected of a repetition.)"
+                          : "whether the printed mean lies within the 95 % predictive range of ours (table agreement).",
+      time_reference, time_reference, time_reference);
   table.notes.push_back(std::move(note));
   return table;
 }
@@ -199,9 +170,10 @@ Table anova_from_printed_table_3(std::string_view paper) {
   return table;
 }
 
-std::vector<Table> paper_tables(const StudyResults& study) {
+std::vector<Table> paper_tables(const StudyResults& study, std::span<const ReadSolver> repetitions) {
   const bool is_published = !printed_table_3(study, Metric::position_error_cm).empty();
-  std::vector<Table> tables{table_3(study)};
+  std::vector<Table> tables{table_3(study, repetitions)};
+  if (std::optional<Table> table = agreement_table(study, repetitions)) tables.push_back(std::move(*table));
   if (is_published) tables.push_back(table_3_as_printed(study.published));
   for (const Metric metric : paper_metrics) tables.push_back(printed_anova_table(study, metric));
   if (is_published) tables.push_back(anova_from_printed_table_3(study.published));

@@ -110,8 +110,8 @@ std::optional<Claim> compared(const Reported& reported, const ClaimEntry& entry,
     if (comparable > 0) test = how_tested(*found, of_print);
   }
   claim.verdict = verdict_on(here);
-  if (!printed_lists.empty()) claim.evidence += fmt::format("Printed: {}.", printed_lists);
-  claim.evidence += test;
+  claim.evidence +=
+      printed_lists.empty() ? test.substr(test.empty() ? 0 : 1) : fmt::format("Printed: {}.{}", printed_lists, test);
   if (!in_print.empty()) claim.printed = verdict_on(in_print);
   if (here.size() > 1) {
     claim.number = fmt::format("better in {} of {}", std::ranges::count(here, Verdict::holds), here.size());
@@ -128,6 +128,7 @@ std::optional<Claim> smallest(const Reported& reported, const ClaimEntry& entry)
   if (!claim || entry.metrics.size() > 1 || !entry.study.empty() || !entry.against.empty()) return claim;
   // The paper compares means, so the verdict is by the mean; what holds by the worst cases alone holds in part.
   const Metric metric = entry.metrics.front();
+  if (!is_comparable(reported.study, metric)) return claim;
   const OtherEstimands others = other_estimands(reported.study, entry.solver, metric);
   claim->evidence += others.sentences;
   if (claim->verdict == Verdict::holds && !others.against.empty()) {

@@ -146,9 +146,9 @@ std::vector<double> second_differences_deg(const StudyResults& study, const std:
   std::vector<double> means;
   for (const auto& [run, solves] : runs) {
     if (static_cast<int>(solves.size()) != study.points) continue;
-    const std::map<int, std::vector<double>> angles = figures::joint_angles_deg(solves);
+    const std::map<int, std::vector<double>> path = figures::joint_angles_deg(solves);
     std::vector<double> bends;
-    for (auto point = std::next(angles.begin()); std::next(point) != angles.end(); ++point) {
+    for (auto point = std::next(path.begin()); std::next(point) != path.end(); ++point) {
       const auto &before = std::prev(point)->second, &after = std::next(point)->second;
       for (std::size_t joint = 0; joint < point->second.size(); ++joint) {
         bends.push_back(std::abs(before[joint] - 2 * point->second[joint] + after[joint]));

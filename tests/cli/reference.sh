@@ -7,8 +7,8 @@ references=$scripts/../../results/reference.inc
 
 # gives_the_reference FOLDER JOBS
 gives_the_reference() {
-  succeeds reproduce --jobs "$2" --readings 0 --no-figures --out "$1"
-  for study in slim2023 slim2023-context slim2023-limits slim2023-time slim2023-dobot; do
+  succeeds reproduce --jobs "$2" --quick --no-figures --out "$1"
+  for study in slim2023 slim2023-context slim2023-limits slim2023-bounds slim2023-frequency slim2023-time slim2023-dobot; do
     has "$out" "Fingerprint of $study: $(grep "\"$study\"" "$references" | cut -d'"' -f4), equal to the reference"
   done
 }
@@ -23,5 +23,5 @@ done
 unset IKBENCH_INSTRUCTION_SET
 
 # Another seed has no reference.
-succeeds reproduce --seed 2 --runs 1 --no-figures --out seed-2
+succeeds reproduce --seed 2 --runs 1 --quick --no-figures --out seed-2
 has "$out" "no reference for this seed and number of runs"

@@ -2,6 +2,7 @@
 #include "analysis/slim2023/claims.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <numbers>
 #include <set>
 #include <stdexcept>
@@ -43,8 +44,7 @@ const Claim& claim_of(const std::vector<Claim>& claims, const std::string& id) {
 Verdict verdict_of(const std::vector<Claim>& claims, const std::string& id) { return claim_of(claims, id).verdict; }
 
 // The claims after something is done to every solve.
-template <class Change>
-std::vector<Claim> claims_after(Change&& change) {
+std::vector<Claim> claims_after(const std::function<void(SolveRecord&)>& change) {
   std::vector<SolveRecord> solves = synthetic::solves({});
   for (SolveRecord& solve : solves) change(solve);
   return claims_of(study_of(std::move(solves)));

@@ -1,0 +1,173 @@
+#include "analysis/slim2023/agreement.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "analysis/inference/text.hpp"
+#include "analysis/slim2023/paper_tables.hpp"
+#include "analysis/slim2023/published_numbers.hpp"
+#include "analysis/statistics/descriptive.hpp"
+#include "analysis/statistics/predictive_interval.hpp"
+#include "numerics/number.hpp"
+#include "results/published.hpp"
+
+namespace ikbench::slim2023 {
+
+using namespace numerics;
+using namespace results;
+using namespace statistics;
+using namespace inference;
+using namespace report;
+
+namespace {
+
+constexpr double predictive_level = 0.95;
+constexpr std::array<std::pair<const char*, double Description::*>, 5> printed_statistics{
+    {{"mean", &Description::mean},
+     {"median", &Description::median},
+     {"std", &Description::std},
+     {"max", &Description::max},
+     {"min", &Description::min}}};
+constexpr std::array<Metric, 2> repeated_metrics{Metric::position_error_cm, Metric::variation_deg};
+
+// A row of the printed table.
+struct PrintedCells {
+  std::string solver;
+  Metric metric;
+  std::vector<std::string> cells;  // of the printed statistics
+};
+
+std::vector<PrintedCells> printed_cells(std::string_view paper, Metric metric) {
+  const CsvTable table = published::table(paper, "table-3");
+  std::vector<PrintedCells> rows;
+  for (const std::vector<std::string>& row : table.rows) {
+    if (row[table.column("metric")] != name_of(metric)) continue;
+    PrintedCells& printed = rows.emplace_back(PrintedCells{row[table.column("algorithm")], metric, {}});
+    for (const auto& [name, field] : printed_statistics) printed.cells.push_back(row[table.column(name)]);
+  }
+  return rows;
+}
+
+std::vector<Description> descriptions(const ReadSolver& solver, Metric metric) {
+  std::vector<Description> seeds;
+  for (const std::vector<double>& runs : metric == Metric::variation_deg ? solver.variation_deg : solver.error_cm) {
+    seeds.push_back(describe(runs));
+  }
+  return seeds;
+}
+
+const Sample* sample_of(const std::vector<Sample>& all, const std::string& solver) {
+  const auto found = std::ranges::find(all, solver, &Sample::solver);
+  return found == all.end() || found->values.empty() ? nullptr : &*found;
+}
+
+// "0.73 (printed 0.4075: 1.8 times, beyond the range 0.62 to 0.83)"
+Cell cell_of(const Agreement& agreement) {
+  return fmt::format("{} (printed {}{})", short_number(agreement.ours), agreement.printed,
+                     agreement.is_expected ? "" : ": " + words_of(agreement));
+}
+
+// Only how a time stands to IK-BA's can be compared.
+void add_times(Table& table, const StudyResults& study) {
+  const std::vector<Sample> all = samples(study, Metric::seconds);
+  const Sample* const reference = sample_of(all, std::string(time_reference));
+  const std::optional<PrintedRow> printed_reference = printed_row(study, time_reference, Metric::seconds);
+  if (!times_are_comparable(study) || reference == nullptr || !printed_reference) return;
+  const Description own = describe(reference->values);
+  for (const PrintedRow& printed : printed_table_3(study, Metric::seconds)) {
+    const Sample* const sample = sample_of(all, printed.algorithm);
+    if (sample == nullptr || printed.algorithm == time_reference) continue;
+    const Description ours = describe(sample->values);
+    const auto times = [](double our_ratio, double printed_ratio) -> Cell {
+      return fmt::format("{} x (printed {} x)", short_number(our_ratio), short_number(printed_ratio));
+    };
+    table.rows.push_back({fmt::format("time by {}'s", time_reference), printed.algorithm,
+                          times(ours.mean / own.mean, printed.summary.mean / printed_reference->summary.mean),
+                          times(ours.median / own.median, printed.median / printed_reference->median), Cell(), Cell(),
+                          Cell()});
+  }
+}
+
+}  // namespace
+
+std::string words_of(const Agreement& agreement) {
+  if (agreement.is_expected) return "as expected of a repetition";
+  return fmt::format("{}beyond the range {} to {}",
+                     std::isfinite(agreement.ratio) ? rounded_number(agreement.ratio, 2) + " times, " : "",
+                     rounded_number(agreement.expected.low, 2), rounded_number(agreement.expected.high, 2));
+}
+
+std::vector<Agreement> agreements(const StudyResults& study, std::span<const ReadSolver> repetitions) {
+  std::vector<Agreement> result;
+  if (printed_table_3(study, Metric::position_error_cm).empty()) return result;
+  for (const Metric metric : repeated_metrics) {
+    const std::vector<Sample> all = samples(study, metric);
+    for (const PrintedCells& row : printed_cells(study.published, metric)) {
+      const auto repeated = std::ranges::find(repetitions, row.solver, &ReadSolver::label);
+      const Sample* const sample = sample_of(all, row.solver);
+      if (repeated == repetitions.end() || sample == nullptr) continue;
+      const std::vector<Description> seeds = descriptions(*repeated, metric);
+      const Description ours = describe(sample->values);
+      for (std::size_t s = 0; s < printed_statistics.size(); ++s) {
+        const auto& [name, field] = printed_statistics[s];
+        std::vector<double> values;
+        for (const Description& seed : seeds) values.push_back(seed.*field);
+        const Interval expected = predictive_interval(values, predictive_level);
+        const double printed = number_from(row.cells[s]).value(), rounding = half_unit(row.cells[s]);
+        result.push_back({.solver = row.solver,
+                          .metric = metric,
+                          .statistic = name,
+                          .printed = row.cells[s],
+                          .ours = ours.*field,
+                          .ratio = printed == 0 ? not_defined : ours.*field / printed,
+                          .expected = expected,
+                          .is_expected = printed + rounding >= expected.low && printed - rounding <= expected.high});
+      }
+    }
+  }
+  return result;
+}
+
+std::optional<Table> agreement_table(const StudyResults& study, std::span<const ReadSolver> repetitions) {
+  const std::vector<Agreement> all = agreements(study, repetitions);
+  if (all.empty()) return std::nullopt;
+  Table table{.name = "agreement",
+              .caption = "Table 3, our numbers beside the printed ones",
+              .columns = {{"metric", Align::left}, {"algorithm", Align::left}}};
+  for (const auto& [name, field] : printed_statistics) table.columns.push_back({name, Align::left});
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (i % printed_statistics.size() == 0) {
+      table.rows.push_back({std::string(name_of(all[i].metric)), all[i].solver});
+    }
+    table.rows.back().push_back(cell_of(all[i]));
+  }
+  add_times(table, study);
+  table.notes.push_back(agreement_sentence(all));
+  table.notes.push_back(fmt::format(
+      "The printed digits are the paper's. Where there is no word, the printed number is as expected of a repetition: it "
+      "lies within the 95 % predictive range of that statistic for one more study like ours, from {} seeds (their order "
+      "statistics). Elsewhere there is our number divided by the printed one, and the range. Computing times are ratios "
+      "to those of {}.",
+      repetitions.front().error_cm.size(), time_reference));
+  return table;
+}
+
+std::string agreement_sentence(const std::vector<Agreement>& agreements) {
+  if (agreements.empty()) return "";
+  std::string means;
+  for (const Agreement& each : agreements) {
+    if (each.is_expected || each.statistic != "mean") continue;
+    means +=
+        fmt::format("{}{} {} ({})", means.empty() ? "" : "; ", each.solver, info_of(each.metric).slug, words_of(each));
+  }
+  return fmt::format(
+      "Of {} printed numbers of error and variation, {} are as expected of a repetition of our study. Means that are not: "
+      "{}.",
+      agreements.size(), std::ranges::count(agreements, true, &Agreement::is_expected), means.empty() ? "none" : means);
+}
+
+}  // namespace ikbench::slim2023

@@ -1,0 +1,44 @@
+// Agreement with the printed Table 3: would a repetition of our study, with other random numbers, print this?
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "analysis/inference/study.hpp"
+#include "analysis/report/readings.hpp"
+#include "analysis/report/table.hpp"
+#include "analysis/statistics/bootstrap.hpp"
+
+namespace ikbench::slim2023 {
+
+// One printed number of error or variation. The range is the 95 % predictive one of that statistic, from our study with
+// other seeds.
+struct Agreement {
+  std::string solver;
+  inference::Metric metric;
+  std::string statistic;  // "mean", as a column of the printed table
+  std::string printed;    // its digits
+  double ours = statistics::not_defined;
+  double ratio = statistics::not_defined;  // ours by the printed; not defined where that is 0
+  statistics::Interval expected = {};
+  bool is_expected = false;  // what may have been rounded to the printed digits lies within the range
+};
+
+// "as expected of a repetition", "1.8 times, beyond the range 0.62 to 0.83"
+std::string words_of(const Agreement& agreement);
+
+// Of each printed number of the solvers that were repeated; `repetitions` are the run means of the study by seed. None
+// where there are no repetitions.
+std::vector<Agreement> agreements(const inference::StudyResults& study,
+                                  std::span<const report::ReadSolver> repetitions);
+
+// A block for each metric, all five statistics of a solver in a row; nothing where there are no repetitions.
+std::optional<report::Table> agreement_table(const inference::StudyResults& study,
+                                             std::span<const report::ReadSolver> repetitions);
+
+// How many are as expected, and by how much the means that are not differ; empty where there are none.
+std::string agreement_sentence(const std::vector<Agreement>& agreements);
+
+}  // namespace ikbench::slim2023
