@@ -357,7 +357,7 @@ degenerate() { # WORDS CSV...: a report that has the words, whose numbers are JS
 degenerate "There is only one group" A "1 2 3"
 degenerate "; 1 group (A) with 1 observation each" A 1
 degenerate "nothing can be judged, because no group has more than one observation" A 1 B 2 C 3
-degenerate "Not defined: A vs B (A has a single value, so it has no spread)" A 1 B "2 3"
+degenerate "Not defined: A vs B (A has fewer than 3 values, of which the bootstrap learns too little)" A 1 B "2 3"
 degenerate "Welch's ANOVA (without B, whose variance is 0 or not defined): F(1, 4) = 1.5" A "1 2 3" B 7 C "2 3 4" # t^2 = 1 / (2 / 3)
 degenerate "All values within a group are equal" A "1 1 1 1 1" B "2 2 2 2 2"
 has "$out" "A is better than B: 1 vs 2, by 1, more than 5 %, ahead in 100 % of pairs of observations (p = 0.00794)" # 2 of 252 arrangements
@@ -369,7 +369,7 @@ has "$out" "A dominates Tukey's pooled variance: B has no variance"
 degenerate "A has values that are not finite" A "1 2 Inf" B "2 3 4"
 degenerate "A has values that are not finite" A "Inf Inf" B "-Inf Inf"
 degenerate "Mann-Whitney test: not defined, all values are equal" A "Inf Inf" B "Inf Inf"
-degenerate "the difference or its spread is too large for double precision" A "1e308 1.1e308 1.2e308" B "-1e308 -1.1e308 1e307"
+degenerate "Undecided: A vs B (p = 0.32; about 4 observations per group would decide)" A "1e308 1.1e308 1.2e308" B "-1e308 -1.1e308 1e307"
 degenerate "A has no values" A "NaN NaN" B "1 2" C "2 3"
 degenerate "Undecided: A vs B" A "1e-320 2e-320 3e-320" B "5e-324 1e-323 9e-320"
 degenerate "; 2 groups" A "-0 0 0" B "0 0 1"

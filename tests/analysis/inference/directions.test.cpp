@@ -82,13 +82,14 @@ Made make(Design design, Random& random) {
                      : design == Design::control ? 3 + random.below(2)
                                                  : 2 + random.below(3);
   if (design == Design::control) made.control = static_cast<std::size_t>(random.below(groups));
-  const int size = 4 + random.below(20);
+  const int most = design == Design::many ? 40 : 20;
+  const int size = 4 + random.below(most);
   std::vector<double> of_block;
   for (int i = 0; i < size; ++i) of_block.push_back(3 * random.normal());
   for (int g = 0; g < groups; ++g) {
     const Law law = laws[static_cast<std::size_t>(random.below(5))];
     const double spread = std::exp(1.5 * random.normal()), shift = 0.7 * random.normal();
-    const int own_size = made.blocked ? size : 4 + random.below(20);
+    const int own_size = made.blocked ? size : 4 + random.below(most);
     std::vector<double>& values = made.groups.emplace_back();
     for (int i = 0; i < own_size; ++i) {
       const double common = made.blocked ? of_block[static_cast<std::size_t>(i)] : 0;

@@ -138,7 +138,8 @@ TEST_CASE("error has all the plan's estimands, time its reliability with a deadl
 
 TEST_CASE("typical values are compared as logarithms and told as geometric means and ratios", "[estimand]") {
   const JudgedStudy study =
-      study_of({{"A", {1e-3}}, {"A", {1e-4}}, {"A", {1e-5}}, {"B", {1e-1}}, {"B", {1e-2}}, {"B", {1e-3}}});
+      study_of({{"A", {1e-3}}, {"A", {1e-4}}, {"A", {1e-5}}, {"B", {1e-1}}, {"B", {1e-2}}, {"B", {1e-3}}},
+               R"(, "analysis": {"test": "welch"})");
   const Evidence found = study.evidence(error, Estimand::typical);
   CHECK(found.groups[0].described.mean == Approx(1e-4));
   CHECK(found.groups[0].described.median == Approx(1e-4));
@@ -151,8 +152,8 @@ TEST_CASE("typical values are compared as logarithms and told as geometric means
   CHECK(pair.difference.high == Approx(std::pow(10, -2 + reach)).epsilon(1e-6));
   CHECK(judge(found, "B", "A").difference.value == Approx(100));
   CHECK(judge(found, "B", "A").difference.low == Approx(std::pow(10, 2 - reach)).epsilon(1e-6));
-  const std::string text =
-      text_of(assess(observations(study, error, Estimand::typical), AnalysisPlan{.significance = 0.1}));
+  const std::string text = text_of(assess(observations(study, error, Estimand::typical),
+                                          AnalysisPlan{.test = DecidingTest::welch, .significance = 0.1}));
   // t is 2.1318468
   CHECK(contains(text, "A is better than B: 0.0001 vs 0.01, by 1.82 to 5504 times, more than 5 %"));
   CHECK(contains(text, "a mean is a geometric mean, and a difference is a ratio"));
@@ -185,7 +186,7 @@ TEST_CASE("where each estimand has another winner, the first sentence names the 
 
 TEST_CASE("those that the test does not separate from the first share its place", "[estimand]") {
   const auto sentence_of = [](const std::vector<Run>& runs) {
-    return leaders_sentence(study_of(runs, R"(, "analysis": {"estimands": ["mean"]})"), error);
+    return leaders_sentence(study_of(runs, R"(, "analysis": {"test": "welch", "estimands": ["mean"]})"), error);
   };
   const std::string label = "Smallest mean error (its worst cases): ";
   CHECK(sentence_of({{"A", {1}}, {"A", {2}}, {"A", {3}}, {"B", {1.5}}, {"B", {2}}, {"B", {3}}})

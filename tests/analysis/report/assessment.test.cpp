@@ -317,7 +317,8 @@ TEST_CASE("degenerate data are explained and never a crash", "[assessment]") {
 TEST_CASE("sentences say what is known, of whom, and no more", "[assessment]") {
   const double inf = std::numeric_limits<double>::infinity();
   const auto of = [](std::vector<Group> groups) {
-    return evidence(Observations{.name = "x", .quantity = "x", .groups = std::move(groups)}, {});
+    return evidence(Observations{.name = "x", .quantity = "x", .groups = std::move(groups)},
+                    {.test = DecidingTest::welch});
   };
   // Of reasons: the group by its name, not by its number.
   const Evidence infinite = of({{"plain", {1, 2, 3}}, {"odd", {1, 2, inf}}, {"other", {2, 3, 5}}});
@@ -348,7 +349,7 @@ TEST_CASE("a variance is called dominating where it is larger than by chance alo
       .name = "x",
       .quantity = "x",
       .groups = {{"A", {0, 5.13, 10.26}}, {"B", {9, 10, 11}}, {"C", {12, 14, 16}}, {"D", {1, 3, 5}}}};
-  const Evidence found = evidence(few, {});
+  const Evidence found = evidence(few, {.test = DecidingTest::welch});
   CHECK(found.variance_ratio == Approx(26.3169));
   CHECK(says(found, "equal variances are not rejected"));
   CHECK(says(found, "Tukey (pooled variance)"));

@@ -134,7 +134,7 @@ TEST_CASE("where the plan says 0.01, nothing is decided at 0.05: in no claim, ta
                        Significance{.study = 0.05, .companion = 0.05, .given = 0.01}));
   CHECK(told.relations == std::vector<std::string>(6, "undecided"));
   for (const char* claim : judged_claims) CHECK(verdict_of(told, claim) == "undecided");
-  CHECK(contains(told.text, "Against MO-PSO (99 %) it is undecided (Welch's test, p &gt;= 0.01)"));
+  CHECK(contains(told.text, "Against MO-PSO (99 %) it is undecided (studentized bootstrap, p &gt;= 0.01)"));
   CHECK(!contains(told.text, "the solvers differ"));
   for (const char* other : {"p >= 0.05", "p &gt;= 0.05", "at 0.05", "95 %"}) CHECK(!contains(told.text, other));
   CHECK(told.compared == Outcome::undecided);
@@ -183,7 +183,7 @@ TEST_CASE("a judgement of two, the other way round, is the opposite", "[judge]")
   CHECK(found.p == back.p);
   CHECK(found.difference.value == Approx(-2));
   CHECK(back.difference.low == -found.difference.high);
-  CHECK(found.test == "Welch's test");
+  CHECK(found.test == "studentized bootstrap");
 
   observed.flaw = "made up";
   CHECK(judge(evidence(observed, {}), "one", "other").answer == Answer::undecided);

@@ -34,7 +34,8 @@ StudyResults study_of(const std::string& name, const char* limits, const std::ve
     }
     solves.push_back(solve);
   }
-  const std::string definition = std::string(R"({"points": 1, "limits": ")") + limits + "\"}";
+  const std::string definition =
+      std::string(R"({"points": 1, "analysis": {"test": "welch"}, "limits": ")") + limits + "\"}";
   return make_study(StudyEntry{.name = name, .definition = definition, .series = {}}, solves);
 }
 
@@ -82,10 +83,9 @@ TEST_CASE("what survives is said of every solver", "[limits]") {
       table,
       "variation of accepted answers 50 -> 80 deg (1.6 x); answers outside the limits 1 of 2 -> refused 1 of 2; "));
   // 11 against 3, variances 200 and 0, n = 2: t = 0.8, 1 degree of freedom; of two groups p were 1 - 2 atan(t) / pi.
-  CHECK(has_note(
-      table,
-      "rank by error: 1 -> 2 of 2, no longer first (DE is now first, which is undecided; studentized bootstrap, "
-      "p = 0.77); "));
+  CHECK(has_note(table,
+                 "rank by error: 1 -> 2 of 2, no longer first (DE is now first, which is undecided; Games-Howell test, "
+                 "p = 0.77); "));
   CHECK(has_note(table, "rank by variation: 1 -> 1 of 2, still ranked first."));
   CHECK(has_note(table, "DE: position error 4 -> 3 cm (0.75 x)"));
   CHECK(has_note(table, "rank by error: 2 -> 1 of 2, now ranked first; rank by variation: 2 -> 2 of 2, unchanged."));
