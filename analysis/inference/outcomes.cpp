@@ -1,6 +1,7 @@
 #include "analysis/inference/outcomes.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 #include "analysis/inference/contrasts.hpp"
@@ -43,7 +44,9 @@ void compare_shares(const Evidence& evidence, std::span<const std::vector<double
     contrast.p = fisher_exact(successes_of(first), successes_of(second)).p;
     difference = newcombe(successes_of(first), successes_of(second), level);
     const PowerGoal goal{.power = evidence.plan.power, .alpha = 1 - level};
-    contrast.runs_to_decide = runs_to_see(summarise(first), summarise(second), evidence.plan.margin, goal).n;
+    const double apart = std::abs(difference.estimate);
+    const double to_see = std::max(apart, evidence.plan.margin - apart);  // found, or shown to be within the margin
+    contrast.runs_to_decide = runs_to_see(summarise(first), summarise(second), to_see, goal).n;
   }
   contrast.difference = {.value = difference.estimate, .low = difference.low, .high = difference.high};
   contrast.ahead = sign_of(difference.estimate) * (evidence.better == Better::smaller ? -1 : 1);
@@ -83,7 +86,10 @@ void compare_outcomes(Evidence& evidence, std::span<const std::vector<double>> v
   evidence.contrasts = shown_pairs(evidence);
   for (Contrast& contrast : evidence.contrasts) compare_shares(evidence, values, contrast);
   correct(evidence, &Contrast::p, evidence.contrasts);
-  for (Contrast& contrast : evidence.contrasts) contrast.relation = relation_of(evidence, contrast, contrast.p);
+  for (Contrast& contrast : evidence.contrasts) {
+    contrast.relation = relation_of(evidence, contrast, contrast.p);
+    if (contrast.relation != Relation::not_told_apart) contrast.runs_to_decide = not_defined;
+  }
 }
 
 }  // namespace ikbench::inference

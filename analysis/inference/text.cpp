@@ -163,7 +163,10 @@ std::string gnuplot_string(std::string_view text) {
 }
 
 std::string rounded_number(double value, int significant_digits) {
-  return fmt::format("{:.{}g}", value, significant_digits);
+  const std::string text = fmt::format("{:.{}g}", value, significant_digits);
+  const double size = std::abs(value);
+  const bool has_exponent = text.find('e') != std::string::npos;
+  return has_exponent && size >= 1 && size < 1e7 ? fmt::format("{:.0f}", value) : text;
 }
 
 std::string short_number(double value) { return std::isfinite(value) ? rounded_number(value, 3) : "not defined"; }

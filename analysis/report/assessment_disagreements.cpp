@@ -11,6 +11,7 @@
 
 #include "analysis/inference/contrasts.hpp"
 #include "analysis/inference/judge.hpp"
+#include "analysis/inference/text.hpp"
 #include "analysis/report/assessment_words.hpp"
 
 namespace ikbench::report {
@@ -19,10 +20,10 @@ using namespace inference;
 
 namespace {
 
-// Pairs that a method separates and the deciding one does not, and the reverse, with both p-values.
+// Pairs that a method separates and the deciding one does not, and the reverse.
 struct Dispute {
-  bool made = false;  // some pair has both
-  std::vector<std::string> only_here, only_there;
+  bool made = false;  // some pair has both p-values
+  std::vector<const Contrast*> only_here, only_there;
 };
 
 Dispute dispute(const Evidence& evidence, const PairMethod& method) {
@@ -32,19 +33,32 @@ Dispute dispute(const Evidence& evidence, const PairMethod& method) {
     if (!std::isfinite(p) || !std::isfinite(contrast.p)) continue;
     result.made = true;
     if (is_significant(p, evidence.plan) == is_significant(contrast.p, evidence.plan)) continue;
-    (is_significant(p, evidence.plan) ? result.only_here : result.only_there)
-        .push_back(
-            fmt::format("{} ({}, deciding {})", pair_words(evidence, contrast), p_words(p), p_words(contrast.p)));
+    (is_significant(p, evidence.plan) ? result.only_here : result.only_there).push_back(&contrast);
   }
   return result;
 }
 
-void add_dispute(std::vector<std::string>& parts, const Dispute& found, const PairMethod& method) {
+// With both p-values, unless there are so many that the table tells them better.
+std::string disputed_words(const Evidence& evidence, const PairMethod& method,
+                           const std::vector<const Contrast*>& pairs) {
+  constexpr std::size_t most_with_p = 3;
+  std::vector<std::string> names;
+  for (const Contrast* pair : pairs) {
+    names.push_back(pair_words(evidence, *pair));
+    if (pairs.size() > most_with_p) continue;
+    names.back() += fmt::format(" ({}, deciding {})", p_words(pair->*method.p), p_words(pair->p));
+  }
+  return clauses(names);
+}
+
+void add_dispute(std::vector<std::string>& parts, const Evidence& evidence, const PairMethod& method,
+                 const Dispute& found) {
+  const std::string name = fmt::format("{} ({})", method.name, method.note);
   if (!found.only_here.empty()) {
-    parts.push_back(fmt::format("{} ({}) also separates {}", method.name, method.note, clauses(found.only_here)));
+    parts.push_back(fmt::format("{} also separates {}", name, disputed_words(evidence, method, found.only_here)));
   }
   if (!found.only_there.empty()) {
-    parts.push_back(fmt::format("{} ({}) does not separate {}", method.name, method.note, clauses(found.only_there)));
+    parts.push_back(fmt::format("{} does not separate {}", name, disputed_words(evidence, method, found.only_there)));
   }
 }
 
@@ -84,7 +98,7 @@ std::string disagreements(const Evidence& evidence) {
   bool comparable = false, pooling_disagrees = false;
   for (const PairMethod& method : pair_methods(evidence)) {
     const Dispute found = dispute(evidence, method);
-    add_dispute(parts, found, method);
+    add_dispute(parts, evidence, method, found);
     const bool differs = !found.only_here.empty() || !found.only_there.empty();
     pooling_disagrees = pooling_disagrees || (differs && method.p == &Contrast::p_pooled && evidence.blocks == 0);
     comparable = comparable || found.made;
@@ -99,7 +113,7 @@ std::string disagreements(const Evidence& evidence) {
         " {} dominates Tukey's pooled variance: {}. With variances this unequal, do not trust Tukey's test.",
         name_words(evidence, evidence.most_variable),
         std::isfinite(evidence.variance_ratio)
-            ? fmt::format("its variance is {} times that of {}", number_words(evidence.variance_ratio), least)
+            ? fmt::format("its variance is {} times that of {}", rounded_number(evidence.variance_ratio, 3), least)
             : fmt::format("{} has no variance", least));
   }
   return text;

@@ -45,7 +45,9 @@ std::string design(const Evidence& evidence) {
 }
 
 std::string methods(const Evidence& evidence) {
-  std::string text = fmt::format("Methods: {} decides, at {}", deciding_words(evidence),
+  const std::string_view by = deciding_words(evidence);
+  const bool is_one = by.find(" with ") != std::string_view::npos || !by.ends_with("tests");
+  std::string text = fmt::format("Methods: {} {}, at {}", by, is_one ? "decides" : "decide",
                                  rounded_number(evidence.plan.significance, 3));
   if (!evidence.plan.control.empty()) {
     text +=
@@ -65,8 +67,8 @@ std::string methods(const Evidence& evidence) {
 // "F(5, 44.3) = 142, p = 4e-26"
 std::string result_words(const TestResult& test) {
   if (!test.undefined.empty()) return "not defined, " + test.undefined;
-  std::string df = number_words(test.df);
-  if (std::isfinite(test.df_within)) df += ", " + number_words(test.df_within);
+  std::string df = rounded_number(test.df, 3);
+  if (std::isfinite(test.df_within)) df += ", " + rounded_number(test.df_within, 3);
   std::string text = std::isfinite(test.df)
                          ? fmt::format("{}({}) = {}", test.symbol, df, rounded_number(test.statistic, 4))
                          : fmt::format("{} = {}", test.symbol, rounded_number(test.statistic, 4));
@@ -87,7 +89,7 @@ std::string assumptions(const Evidence& evidence) {
                                        : "equal variances are not rejected";
   if (std::isfinite(evidence.variance_ratio)) {
     text += fmt::format("; the variance of {} is {} times that of {}", name_words(evidence, evidence.most_variable),
-                        number_words(evidence.variance_ratio), name_words(evidence, evidence.least_variable));
+                        rounded_number(evidence.variance_ratio, 3), name_words(evidence, evidence.least_variable));
   }
   text += fmt::format(" ({}).", fmt::join(tests, "; "));
   if (evidence.from_summaries) return text + " Summaries do not show whether the values are normal.";
@@ -99,7 +101,8 @@ std::string assumptions(const Evidence& evidence) {
     if (p < evidence.plan.significance)
       not_normal.push_back(fmt::format("{} ({})", name_words(evidence, i), p_words(p)));
   }
-  if (known == 0) return text + " Normality cannot be tested.";
+  if (known == 0)
+    return text + " Normality cannot be tested: Shapiro-Wilk takes 3 to 5000 values that are not all equal.";
   if (!not_normal.empty()) {
     return text +
            fmt::format(" Normality is rejected for {} (Shapiro-Wilk, separately for each group).", listed(not_normal));
@@ -136,9 +139,10 @@ std::vector<std::string> analyses(const Evidence& evidence) {
     std::string& text = &test == deciding_test(evidence) ? planned : others;
     text += fmt::format(" {}{}: {}{}{}.", test.test, test.without.empty() ? "" : fmt::format(" ({})", test.without),
                         result_words(test), effect_words(test),
-                        !test.undefined.empty()               ? ""
-                        : test.p < evidence.plan.significance ? "; at least one group differs"
-                                                              : "; no difference is shown");
+                        !test.undefined.empty() ? ""
+                        : test.p < evidence.plan.significance
+                            ? (evidence.groups.size() == 2 ? "; the groups differ" : "; at least one group differs")
+                            : "; no difference is shown");
     if (test.role == Role::paper && variances_differ(evidence))
       text += " It assumes equal variances, which are rejected.";
   }

@@ -18,13 +18,19 @@ using namespace inference;
 
 namespace {
 
-// "0.0019 against 0.365", with as many digits as tell them apart.
+// "A has the mean 1.25", "B has no mean: 3 of its 20 values are not finite"
+std::string mean_words(const Evidence& evidence, std::size_t group) {
+  const Description& of = evidence.groups[group].described;
+  const std::string name = name_words(evidence, group);
+  if (std::isfinite(of.mean)) return fmt::format("{} has the mean {}", name, rounded_number(of.mean, 3));
+  if (of.not_finite == 0) return fmt::format("{} has no mean", name);
+  return fmt::format("{} has no mean: {} of its {} values {} not finite", name, of.not_finite, of.n,
+                     of.not_finite == 1 ? "is" : "are");
+}
+
+// "0.0019 vs 0.365", with as many digits as tell them apart.
 std::string against(double mean, double other) {
-  if (!std::isfinite(mean) || !std::isfinite(other)) {
-    const auto words = [](double value) { return std::isfinite(value) ? number_words(value) : std::string("no mean"); };
-    return fmt::format("{} vs {}", words(mean), words(other));
-  }
-  std::string one = number_words(mean), two = number_words(other);
+  std::string one = rounded_number(mean, 3), two = rounded_number(other, 3);
   for (int digits = 4; one == two && digits <= 12; ++digits) {
     one = rounded_number(mean, digits);
     two = rounded_number(other, digits);
@@ -73,11 +79,18 @@ std::string amount_words(const Evidence& evidence, const Contrast& contrast) {
   const std::string extent = extent_words(evidence, contrast);
   if (!is_for_it) return extent.empty() ? "" : "by " + extent;
   const double unit = evidence.of_outcomes ? 0.01 : 1;  // percentage points
-  std::string text = "by " + number_words(low / unit);
-  if (number_words(low) != number_words(high)) text += " to " + number_words(high / unit);
+  std::string text = "by " + rounded_number(low / unit, 3);
+  if (rounded_number(low, 3) != rounded_number(high, 3)) text += " to " + rounded_number(high / unit, 3);
   if (evidence.of_outcomes) text += " percentage points";
   if (evidence.scale == ValueScale::log10) text += " times";
   return extent.empty() ? text : fmt::format("{}, {}", text, extent);
+}
+
+// "..., 3 % to 12 % (margin 5 %; p = 0.002)": in the brackets that are there, or in its own.
+std::string with_remark(std::string text, const std::string& remark) {
+  if (!text.ends_with(')')) return fmt::format("{} ({})", text, remark);
+  text.pop_back();
+  return fmt::format("{}; {})", text, remark);
 }
 
 std::size_t other_than(std::size_t group, const Contrast& contrast) {
@@ -88,13 +101,17 @@ std::size_t better_of(const Contrast& contrast) {
   return contrast.relation == Relation::first_better ? contrast.first : contrast.second;
 }
 
-// "0.0019 vs 0.365, by 0.156 to 0.57, more than 5 %"
-std::string effect_of(const Evidence& evidence, const Contrast& contrast, std::size_t group) {
+// ": mean 0.0019 vs 0.365, by 0.156 to 0.57, more than 5 %", with "mean " as the kind; " (A has the mean 1.25; B has no
+// mean: ...)".
+std::string effect_of(const Evidence& evidence, const Contrast& contrast, std::size_t group, std::string_view kind) {
+  const std::size_t other = other_than(group, contrast);
+  const double mean = evidence.groups[group].described.mean, of_other = evidence.groups[other].described.mean;
+  if (!std::isfinite(mean) || !std::isfinite(of_other))
+    return fmt::format(" ({}; {})", mean_words(evidence, group), mean_words(evidence, other));
   const std::string amount = amount_words(evidence, contrast);
-  const double mean = evidence.groups[group].described.mean;
-  const double other = evidence.groups[other_than(group, contrast)].described.mean;
-  return (evidence.of_outcomes ? fmt::format("{} vs {}", percent(mean), percent(other)) : against(mean, other)) +
-         (amount.empty() ? "" : ", " + amount);
+  const std::string means =
+      evidence.of_outcomes ? fmt::format("{} vs {}", percent(mean), percent(of_other)) : against(mean, of_other);
+  return fmt::format(": {}{}{}{}", kind, means, amount.empty() ? "" : ", ", amount);
 }
 
 // ", ahead in 98 % of blocks", of the better one; empty where only summaries are known.
@@ -108,10 +125,10 @@ std::string share_words(const Evidence& evidence, const Contrast& contrast) {
 // "IK-BA is better than DE: 0.0019 vs 0.365, by 0.156 to 0.57, more than 5 % (p = 0.000297), although ..."
 std::string better_words(const Evidence& evidence, const Contrast& contrast) {
   const std::size_t winner = better_of(contrast);
-  std::string text = fmt::format("{} is better than {}: {}{}", name_words(evidence, winner),
+  std::string text = fmt::format("{} is better than {}{}{}", name_words(evidence, winner),
                                  name_words(evidence, other_than(winner, contrast)),
-                                 effect_of(evidence, contrast, winner), share_words(evidence, contrast));
-  if (std::isfinite(contrast.p)) text += fmt::format(" ({})", p_words(contrast.p));
+                                 effect_of(evidence, contrast, winner, ""), share_words(evidence, contrast));
+  if (std::isfinite(contrast.p)) text = with_remark(std::move(text), p_words(contrast.p));
   std::vector<std::string> doubts;
   if (includes_none(evidence, contrast)) {
     doubts.emplace_back(evidence.scale == ValueScale::log10
@@ -140,8 +157,11 @@ std::string who_differs_words(const Evidence& evidence, const std::vector<std::s
 
 // "difference between -0.1 and 0.2"
 std::string interval_words_of(const Evidence& evidence, const Contrast& contrast) {
-  return fmt::format("{} between {} and {}", evidence.scale == ValueScale::log10 ? "ratio" : "difference",
-                     number_words(contrast.difference.low), number_words(contrast.difference.high));
+  const double unit = evidence.of_outcomes ? 0.01 : 1;
+  return fmt::format("{} between {} and {}{}", evidence.scale == ValueScale::log10 ? "ratio" : "difference",
+                     rounded_number(contrast.difference.low / unit, 3),
+                     rounded_number(contrast.difference.high / unit, 3),
+                     evidence.of_outcomes ? " percentage points" : "");
 }
 
 // What is known of two that are not told apart.
@@ -222,12 +242,14 @@ std::string lead_words(const Evidence& evidence, std::size_t group, const std::v
   if (pairs.size() > 1) {
     text += fmt::format("; against {}, the best of these", name_words(evidence, other_than(group, best)));
   }
-  text += evidence.scale == ValueScale::log10 ? ": geometric mean " : ": mean ";
-  text += effect_of(evidence, best, group);
+  const std::string_view kind = evidence.of_outcomes                  ? "share "
+                                : evidence.scale == ValueScale::log10 ? "geometric mean "
+                                                                      : "mean ";
+  text += effect_of(evidence, best, group, kind);
   if (evidence.ranks_decide()) text += share_words(evidence, best);
   if (std::isnan(largest_p)) return text;
   const bool is_exact = pairs.size() == 1 || largest_p < 1e-300;
-  return fmt::format("{} ({})", text, is_exact ? p_words(largest_p) : "p at most " + at_most(largest_p));
+  return with_remark(std::move(text), is_exact ? p_words(largest_p) : "p at most " + at_most(largest_p));
 }
 
 std::string same_words(const Evidence& evidence, std::size_t group, const std::vector<const Contrast*>& pairs) {

@@ -20,12 +20,6 @@ constexpr double unequal_variances = 4;  // largest by smallest, from which a po
 
 }  // namespace
 
-// Three digits, and all digits before the point.
-std::string number_words(double value) {
-  const double size = std::abs(value);
-  return size >= 1000 && size < 1e7 ? fmt::format("{:.0f}", value) : rounded_number(value, 3);
-}
-
 std::string p_words(double p) {
   if (p < 1e-300) return "p < 1e-300";
   return p > 0.9995 ? "p > 0.999" : fmt::format("p = {}", rounded_number(p, 3));
@@ -62,9 +56,7 @@ std::string pair_words(const Evidence& evidence, const Contrast& contrast) {
 
 std::string margin_words(const Evidence& evidence) {
   if (evidence.of_outcomes) return rounded_number(100 * evidence.plan.margin, 3) + " percentage points";
-  if (!has_absolute_margin(evidence)) return percent(evidence.plan.margin);
-  const std::string absolute = rounded_number(evidence.plan.margin_cm, 3) + " cm";
-  return evidence.plan.margin > 0 ? fmt::format("{} or {}", percent(evidence.plan.margin), absolute) : absolute;
+  return inference::margin_words(evidence.plan.margin, has_absolute_margin(evidence) ? evidence.plan.margin_cm : 0);
 }
 
 std::pair<double, double> interval_sizes(const Evidence& evidence, const Contrast& contrast) {

@@ -12,7 +12,6 @@ namespace ikbench::report {
 
 constexpr std::size_t longest_name_in_text = 60;
 
-std::string number_words(double value);  // three digits, and all digits before the point
 std::string p_words(double p);
 std::string listed(const std::vector<std::string>& items);   // "a, b and c"; of many the first, and how many more
 std::string clauses(const std::vector<std::string>& items);  // the same of clauses that have commas themselves

@@ -80,7 +80,7 @@ class Leader {
   std::string name(std::size_t group) const { return name_words(evidence_, group); }
   std::string value(std::size_t group) const {
     if (evidence_.better == Better::larger) return percent(average(group));
-    return fmt::format("{} {}", number_words(average(group)), unit_);
+    return fmt::format("{} {}", rounded_number(average(group), 3), unit_);
   }
 
   // "IK-BA or DE (0.0017 cm and 0.0018 cm; undecided, p = 0.4", without the bracket at the end.

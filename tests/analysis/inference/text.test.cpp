@@ -53,6 +53,15 @@ TEST_CASE("nothing that means something to gnuplot stands in a script", "[text]"
 TEST_CASE("rounded numbers have the digits asked for", "[text]") {
   CHECK(rounded_number(388.9396, 5) == "388.94");
   CHECK(rounded_number(1.7824e-4, 4) == "0.0001782");
+  CHECK(rounded_number(1.7824e-5, 3) == "1.78e-05");
+}
+
+TEST_CASE("a rounded number has all digits before the point, and an exponent from ten million on", "[text]") {
+  CHECK(rounded_number(2431.7, 2) == "2432");
+  CHECK(rounded_number(-98765.4, 3) == "-98765");
+  CHECK(rounded_number(999.6, 3) == "1000");
+  CHECK(rounded_number(12345678, 3) == "1.23e+07");
+  CHECK(short_number(1e4) == "10000");
 }
 
 TEST_CASE("shares are said in percent with three digits", "[text]") {
