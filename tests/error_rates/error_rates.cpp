@@ -347,7 +347,7 @@ void print_coverage(int simulations) {
 
 // error_rates [SIMULATIONS of each row]
 int main(int argc, char** argv) {
-  int simulations = 1000;
+  int simulations = 400;
   if (argc > 1) {
     const std::string_view text = argv[1];
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), simulations);
