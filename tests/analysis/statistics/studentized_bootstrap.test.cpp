@@ -52,8 +52,8 @@ bool finds_any(const std::vector<MeanDifference>& pairs) {
 
 }  // namespace
 
-// Shares of all resamples (800000 of two groups, 1769472 of three), enumerated by a script in Python; ten thousand drawn
-// ones have a standard error of sqrt(p (1 - p) / 10000), four times which is allowed.
+// Shares of all resamples (800000 of two groups, 1769472 of three), enumerated by a script in Python; ten thousand
+// drawn ones have a standard error of sqrt(p (1 - p) / 10000), four times which is allowed.
 TEST_CASE("ten thousand resamples of two groups come close to all 800000", "[studentized_bootstrap]") {
   CHECK(compared(two)[0].p == Approx(0.038215).margin(0.0077));
   CHECK(compared(two)[0].difference == Approx(2.68 - 8.525));
