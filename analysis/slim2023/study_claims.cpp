@@ -48,7 +48,7 @@ std::optional<Claim> least_at_each_point(const Reported& reported, const ClaimEn
   std::map<std::string, int> first;  // at so many points
   std::vector<std::vector<double>> means;
   for (const std::string& solver : study.solvers) {
-    means.push_back(figures::means_by_point(study, solver, entry.metrics.front()));
+    means.push_back(figures::averages_by_point(study, solver, entry.metrics.front()));
     first[solver] = 0;
   }
   const auto points = static_cast<std::size_t>(study.points);
