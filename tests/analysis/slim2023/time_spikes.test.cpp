@@ -6,7 +6,7 @@
 #include "analysis/inference/times.hpp"
 #include "analysis/report/leaders.hpp"
 #include "analysis/report/summary.hpp"
-#include "analysis/slim2023/paper_claims.hpp"
+#include "analysis/slim2023/claims.hpp"
 #include "analysis/slim2023/paper_tables.hpp"
 #include "analysis/slim2023/time_assessment.hpp"
 #include "tests/analysis/synthetic.hpp"
