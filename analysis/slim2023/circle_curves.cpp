@@ -122,8 +122,9 @@ Figure circle_joints_figure(const StudyResults& study) {
   for (std::size_t joint = 1; joint <= joints; ++joint) {
     labels.push_back(fmt::format("joint {}", joint));
     const bool is_fourth = has_fourth && joint == joints;  // on the line of joint 1
-    clauses.push_back(fmt::format("'{}.dat' index 0 using 1:{} with {} ls {} title '{}'", figure.name, joint + 1,
-                                  is_fourth ? "points ps 0.9" : "linespoints", joint, labels.back()));
+    clauses.push_back(fmt::format("'{}.dat' index 0 using 1:{} with {} ls {}{} title '{}'", figure.name, joint + 1,
+                                  is_fourth ? "points" : "linespoints", joint, is_fourth ? " ps 0.9" : "",
+                                  labels.back()));
   }
   std::erase_if(all, [](double angle) { return !std::isfinite(angle); });
   if (all.empty()) {

@@ -39,7 +39,7 @@ std::vector<std::string> verdicts(StudyResults of) {
     all.push_back(fmt::format("{} {}", claim.statement, static_cast<int>(claim.verdict)));
   }
   for (const Comparison& row : compare(study)) {
-    if (row.metric == Metric::seconds) all.emplace_back(name_of(row.agreement));
+    if (row.metric == Metric::seconds) all.push_back(row.remark);
   }
   return all;
 }
