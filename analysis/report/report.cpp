@@ -65,13 +65,10 @@ std::vector<JudgedStudy> others_of(const Store& store, const StudyResults& study
   return result;
 }
 
-// Whether its numbers can stand beside the study's as those of other solvers: not of the same ones in other
-// circumstances, which are there for a claim.
-bool is_baseline(const StudyResults& other, const StudyResults& study) {
-  const auto is_known = [&](const std::string& solver) {
-    return std::ranges::find(study.solvers, solver) != study.solvers.end();
-  };
-  return enforces_limits(other) == enforces_limits(study) && !std::ranges::all_of(other.solvers, is_known);
+bool has_another_solver(const StudyResults& other, const StudyResults& study) {
+  return std::ranges::any_of(other.solvers, [&](const std::string& solver) {
+    return std::ranges::find(study.solvers, solver) == study.solvers.end();
+  });
 }
 
 // The paper of the study; one that says nothing where it has none.
@@ -164,10 +161,13 @@ Report write_report(const Store& store, const ReportRequest& request) {
   // Where limits are not treated alike, numbers cannot be put side by side: those have a table of their own.
   JudgedStudies same_targets_given{study}, same_limits_too{study};
   for (const JudgedStudy& other : others) {
-    if (is_companion(other.name, study, paper)) reported.companions.push_back(other);
+    const bool is_of_paper = is_companion(other.name, study, paper);
+    if (is_of_paper) reported.companions.push_back(other);
     if (!same_targets(study, other)) continue;
     same_targets_given.push_back(other);
-    if (is_baseline(other, study)) same_limits_too.push_back(other);
+    // A companion with the same solvers in other circumstances is there for a claim.
+    const bool is_for_a_claim = is_of_paper && !has_another_solver(other, study);
+    if (enforces_limits(other) == enforces_limits(study) && !is_for_a_claim) same_limits_too.push_back(other);
   }
 
   std::vector<Table> tables{definition_table(entry), options_table(entry),

@@ -176,7 +176,7 @@ std::optional<Claim> smoothest(const Reported& reported, const ClaimEntry& entry
       measures{{{"Mean second difference of an angle along the path", second_differences_deg},
                 {"Mean of the largest move of a joint", largest_moves_deg}}};
   Claim claim = begun(entry);
-  claim.table = "figure-9-a";
+  claim.table = "figure-9";
   std::vector<Verdict> verdicts;
   for (const auto& [words, values_of] : measures) {
     Observations observed{.name = "smoothness", .quantity = fmt::format("{} [deg]", words)};

@@ -162,7 +162,7 @@ std::vector<TimeAssessment> assess_times(const StudyResults& study) {
       iterations.push_back(static_cast<double>(solve.iterations));
       evaluations.push_back(static_cast<double>(solve.evaluations));
       if (solve.position_error_cm <= tolerance + verifier_rounding_cm) {
-        times_reached.push_back(time_ms);
+        times_reached.push_back(undisturbed_ms);
         iterations_reached.push_back(static_cast<double>(solve.iterations));
         if (undisturbed_ms < real_time_ms) ++row.in_time;
       } else {

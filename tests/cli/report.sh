@@ -10,7 +10,7 @@ for file in made/report.md made/report.html made/tables/table-3.csv made/tables/
   [ -s "$file" ] || fail "no $file"
 done
 if command -v gnuplot >/dev/null; then
-  for figure in 5 6 7 8 9-a 9-f 10 11 12; do
+  for figure in 5 6 7 8 9 10 11 12; do
     [ -s "made/figures/figure-$figure.svg" ] || fail "no figure $figure"
   done
 fi

@@ -242,9 +242,9 @@ TEST_CASE("the better one is better by the statistic that decides", "[assessment
   std::array<int, 3> of_design{};
   // It takes longer, so it has fewer sets, and none of many groups.
   const bool by_bootstrap = test == DecidingTest::bootstrap;
-  const int sets = by_bootstrap ? 200 : 1000;
+  const int sets = by_bootstrap ? 200 : 400;
   for (int set = 0; set < sets; ++set) {
-    const bool is_many = set % 100 == 0 && !by_bootstrap, has_control = set % (by_bootstrap ? 3 : 10) == 1;
+    const bool is_many = set % 20 == 0 && !by_bootstrap, has_control = set % (by_bootstrap ? 3 : 10) == 1;
     const Design design = is_many ? Design::many : has_control ? Design::control : Design::all_pairs;
     const Made made = make(design, random);
     if (test == DecidingTest::friedman && !made.blocked) continue;
