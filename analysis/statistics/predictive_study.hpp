@@ -1,0 +1,25 @@
+// What another study of the same thing would print: ranges of its mean, median, standard deviation, largest and
+// smallest value, from the values that we have. Hill's A(n), JASA 63 (1968) 677: the next value is equally likely to
+// lie in each of the n + 1 gaps between those known, and then is known itself; so our own error of sampling is part of
+// the range.
+#pragma once
+
+#include <array>
+#include <span>
+
+#include "analysis/statistics/bootstrap.hpp"
+
+namespace ikbench::statistics {
+
+constexpr std::size_t fewest_predicting = 5;  // values
+
+// Mean, median, standard deviation, largest, smallest.
+constexpr std::size_t predicted_statistics = 5;
+using PredictedRanges = std::array<Interval, predicted_statistics>;
+
+// Of positive values, which are taken as their logarithms: within a gap each place is equally likely, and beyond the
+// last value an exponential tail of Hill's (Annals of Statistics 3 (1975) 1163) slope. NaN where a value is not
+// positive and finite, or there are fewer than that.
+PredictedRanges predicted_ranges(std::span<const double> values, std::size_t runs, const Resampling& settings);
+
+}  // namespace ikbench::statistics
