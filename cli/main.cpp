@@ -26,6 +26,7 @@ int main(int argc, char** argv) {
       "                                           the same statistics on your own data\n"
       "  ikbench audit slim2023                   whether the paper's printed numbers agree with each other\n"
       "  ikbench readings slim2023                how each interpretation of the paper changes the results\n"
+      "  ikbench multiverse slim2023              in how many of all interpretations each claim holds\n"
       "  ikbench compare old.sqlite new.sqlite    whether a variant of a solver is better, the same or worse\n"
       "  ikbench COMMAND --help                   more examples\n\n"
       "Exit codes: 0 success, 1 a mistake in the request, 2 a failure of the program, the disk or the store,\n"
@@ -42,6 +43,7 @@ int main(int argc, char** argv) {
   cli::add_stats(app, invocation);
   cli::add_audit(app);
   cli::add_readings(app, invocation);
+  cli::add_multiverse(app, invocation);
   cli::add_compare(app, invocation);
   cli::add_list(app);
   cli::add_solve(app);

@@ -4,25 +4,19 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <atomic>
 #include <memory>
 #include <stdexcept>
 
-#include "analysis/inference/study.hpp"
 #include "analysis/papers.hpp"
 #include "analysis/report/report.hpp"
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
 #include "cli/reporting.hpp"
-#include "experiments/runner.hpp"
 
 namespace ikbench::cli {
 
 using namespace numerics;
-using namespace solvers;
-using namespace results;
 using namespace experiments;
-using namespace inference;
 using namespace figures;
 using namespace report;
 
@@ -35,42 +29,6 @@ struct ReadingsArguments {
   int seeds = 3, jobs = 1;
   bool list = false, without_figures = false;
 };
-
-// What a part of the plan came to: the runs' means.
-struct RunMeans {
-  std::vector<double> error_cm, variation_deg;
-};
-
-RunMeans run_means(const std::string& name, std::vector<SolveRecord> solves) {
-  const StudyResults results = make_study(name, std::move(solves));
-  return {samples(results, Metric::position_error_cm).front().values,
-          samples(results, Metric::variation_deg).front().values};
-}
-
-// Solves the parts one after the other; after Ctrl-C those that were finished.
-std::vector<RunMeans> solved(const ReadingsPlan& plan, const char* title, int jobs,
-                             const std::atomic<bool>& cancelled) {
-  Progress progress;
-  for (const Study& part : plan.parts) {
-    progress.total += std::int64_t{part.runs} * static_cast<std::int64_t>(targets(part, 1).size());
-  }
-  ProgressBar bar(title);
-  std::vector<RunMeans> means;
-  for (const Study& part : plan.parts) {
-    std::vector<SolveRecord> solves;
-    solve_study(
-        part, jobs,
-        [&](SolveRecord record) {
-          solves.push_back(std::move(record));
-          ++progress.done;
-          bar.show(progress);
-        },
-        &cancelled);
-    if (solves.size() < static_cast<std::size_t>(part.runs) * targets(part, 1).size()) break;
-    means.push_back(run_means(part.name, std::move(solves)));
-  }
-  return means;
-}
 
 std::string name_of(const Combination& combination) {
   if (combination.empty()) return "default";
@@ -128,16 +86,16 @@ void write_and_tell(const ReadingsReport& report, const ReadingsArguments& argum
 
 }  // namespace
 
-Read read(const Paper& paper, const ReadingsPlan& plan, int jobs, const std::atomic<bool>& cancelled) {
-  const std::vector<RunMeans> means = solved(plan, "interpretations", jobs, cancelled);
+Read read(const Paper& paper, const ReadingsPlan& plan, const SeriesArguments& arguments) {
+  const std::vector<RunMeans> means = solved(plan.parts, arguments);
   const std::vector<ReadingResults> results = results_of(plan, means);
   Read answer{.done = results.size(), .is_complete = means.size() == plan.parts.size()};
   if (!results.empty()) answer.report = paper.readings(results);
   return answer;
 }
 
-std::vector<ReadSolver> repetitions(const ReadingsPlan& plan, int jobs, const std::atomic<bool>& cancelled) {
-  std::vector<ReadingResults> results = results_of(plan, solved(plan, "repetitions", jobs, cancelled));
+std::vector<ReadSolver> repetitions(const ReadingsPlan& plan, const SeriesArguments& arguments) {
+  std::vector<ReadingResults> results = results_of(plan, solved(plan.parts, arguments));
   return results.empty() ? std::vector<ReadSolver>() : std::move(results.front().solvers);
 }
 
@@ -154,7 +112,7 @@ void add_readings(CLI::App& app, Invocation& invocation) {
       ->check(whole_number())
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
-  command->add_option("--jobs", arguments->jobs, "number of solves at once; the results do not depend on it")
+  command->add_option("--jobs", arguments->jobs, "number of series at once; the results do not depend on it")
       ->check(whole_number())
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();
@@ -162,7 +120,10 @@ void add_readings(CLI::App& app, Invocation& invocation) {
       ->add_option("--set", arguments->overrides,
                    "change a key in the default and in every interpretation: runs=5, population=20")
       ->allow_extra_args(false);
-  command->add_option("--out", arguments->out, "folder for tables/readings and figures/readings; default: print only");
+  command->add_option(
+      "--out", arguments->out,
+      "folder for tables/readings, figures/readings and series.csv, which keeps what is solved; default: print "
+      "only");
   command->add_flag("--no-figures", arguments->without_figures,
                     "write the script and data of the figure, but do not draw it");
   command->footer(
@@ -185,7 +146,7 @@ void add_readings(CLI::App& app, Invocation& invocation) {
     const ReadingsPlan plan =
         plan_readings(study, arguments->grid.empty() ? one_at_a_time(all) : full_grid(all, arguments->grid),
                       arguments->seeds, arguments->overrides);
-    const Read answer = read(paper, plan, arguments->jobs, signals.requested());
+    const Read answer = read(paper, plan, {"interpretations", arguments->out, arguments->jobs, &signals.requested()});
     if (answer.report) write_and_tell(*answer.report, *arguments);
     if (answer.is_complete) return;
     say(fmt::format("Stopped: {} of {} interpretations are done, including the default.", answer.done,

@@ -1,12 +1,12 @@
 // Solves the readings of a paper's study, for `ikbench readings` and for the report of `ikbench reproduce`.
 #pragma once
 
-#include <atomic>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "analysis/report/paper.hpp"
+#include "cli/series.hpp"
 #include "experiments/readings.hpp"
 
 namespace ikbench::cli {
@@ -17,12 +17,9 @@ struct Read {
   bool is_complete = false;                           // else it was cancelled
 };
 
-// With progress, on `jobs` threads.
-Read read(const report::Paper& paper, const experiments::ReadingsPlan& plan, int jobs,
-          const std::atomic<bool>& cancelled);
+Read read(const report::Paper& paper, const experiments::ReadingsPlan& plan, const SeriesArguments& arguments);
 
 // The run means of a plan without an interpretation, by seed; none where it was cancelled.
-std::vector<report::ReadSolver> repetitions(const experiments::ReadingsPlan& plan, int jobs,
-                                            const std::atomic<bool>& cancelled);
+std::vector<report::ReadSolver> repetitions(const experiments::ReadingsPlan& plan, const SeriesArguments& arguments);
 
 }  // namespace ikbench::cli

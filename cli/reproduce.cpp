@@ -14,6 +14,7 @@
 #include "analysis/papers.hpp"
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
+#include "cli/multiverse.hpp"
 #include "cli/readings.hpp"
 #include "cli/reporting.hpp"
 #include "experiments/study_reader.hpp"
@@ -80,6 +81,23 @@ struct Arguments {
   ReportArguments report;
 };
 
+// Claims over the smaller set of interpretations, in its tables and its figure; false where it was cancelled.
+bool add_small_multiverse(WrittenReport& wanted, const Paper& paper, const Overrides& runs,
+                          const SeriesArguments& arguments) {
+  const std::vector<Dimension> varied = within(Scope::small, dimensions(wanted.study));
+  auto report = judged_universes(paper, plan_multiverse(wanted.study, varied, 1, runs), arguments);
+  if (!report) return false;
+  std::vector<std::string>& notes = report->tables.front().notes;
+  for (const ClaimShares& claim : report->claims) notes.push_back(claim.sentence);
+  notes.insert(notes.end(), report->sentences.begin(), report->sentences.end());
+  notes.push_back(fmt::format("This is the small multiverse, of {} dimensions; `ikbench multiverse {}` varies more.",
+                              varied.size(), paper.name));
+  for (Table& table : report->tables) wanted.tables.push_back(std::move(table));
+  for (figures::Figure& figure : report->figures) wanted.figures.push_back(std::move(figure));
+  wanted.shares = std::move(report->claims);
+  return true;
+}
+
 // What needs more solves than the paper's studies: repetitions of the first and the interpretations. No time is
 // measured, so all processors may work. False where it was stopped.
 bool solve_besides(const Arguments& arguments, const Paper& paper, WrittenReport& wanted) {
@@ -88,18 +106,20 @@ bool solve_besides(const Arguments& arguments, const Paper& paper, WrittenReport
   const std::string& first = paper.studies.front().name;
   const Overrides runs{fmt::format("runs={}", arguments.runs)};
   const CancelOnSignal signals;
+  const auto of = [&](const char* title) { return SeriesArguments{title, wanted.folder, jobs, &signals.requested()}; };
   if (const int seeds = arguments.repetitions.value_or(paper.repetitions); seeds > 0) {
-    wanted.repetitions = repetitions(plan_readings(first, {Combination()}, seeds, runs), jobs, signals.requested());
+    wanted.repetitions = repetitions(plan_readings(first, {Combination()}, seeds, runs), of("repetitions"));
     if (wanted.repetitions.empty()) return false;
   }
-  if (paper.readings && arguments.seeds > 0) {
+  if (arguments.seeds == 0) return true;
+  if (paper.readings) {
     const ReadingsPlan plan = plan_readings(first, one_at_a_time(readings(first)), arguments.seeds, runs);
-    const Read answer = read(paper, plan, jobs, signals.requested());
+    const Read answer = read(paper, plan, of("interpretations"));
     if (!answer.is_complete) return false;
     wanted.tables.push_back(answer.report->table);
     wanted.figures.push_back(answer.report->figure);
   }
-  return true;
+  return !paper.multiverse || add_small_multiverse(wanted, paper, runs, of("multiverse"));
 }
 
 }  // namespace
@@ -117,7 +137,7 @@ void add_reproduce(CLI::App& app, Invocation& invocation) {
       ->capture_default_str();
   command
       ->add_option("--readings", arguments->seeds,
-                   "number of seeds for comparing the interpretations of the paper; 0: skip them")
+                   "number of seeds for comparing the interpretations of the paper; 0: skip them and their multiverse")
       ->check(whole_number())
       ->check(CLI::Range(0, 1000))
       ->capture_default_str();

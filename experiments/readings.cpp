@@ -3,34 +3,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
 #include <stdexcept>
 #include <utility>
 
-#include "experiments/series_key.hpp"
-#include "numerics/embedded_file.hpp"
 #include "numerics/names.hpp"
-#include "numerics/toml_table.hpp"
 
 namespace ikbench::experiments {
 
 using namespace numerics;
-using namespace solvers;
 
 namespace {
-
-constexpr EmbeddedFile reading_files[]{
-#include "readings.inc"
-};
-
-Reading read_reading(TomlReader reader) {
-  Reading one;
-  reader.text("set", one.set, "");
-  reader.text("section", one.section, "");
-  reader.text("sentence", one.sentence, "");
-  reader.refuse_unknown_keys();
-  return one;
-}
 
 // What a reading sets: "path.tool" of "path.tool=eq27".
 std::string setting_of(const Reading& reading) { return reading.set.substr(0, reading.set.find('=')); }
@@ -47,12 +29,12 @@ const Reading& reading(const std::vector<Reading>& readings, const std::string& 
 }  // namespace
 
 std::vector<Reading> readings(std::string_view study) {
-  const EmbeddedFile* const file = find_embedded(reading_files, study);
-  if (file == nullptr) return {};
-  const toml::table table = parse_toml(file->text, file->name);
   std::vector<Reading> list;
-  for (const toml::node& node : *table["readings"].as_array()) {
-    list.push_back(read_reading({*node.as_table(), file->name, "readings."}));
+  for (const Dimension& dimension : dimensions(study)) {
+    for (const Alternative& each : dimension.alternatives) {
+      if (&each == &dimension.alternatives.front()) continue;
+      list.push_back({.set = each.set, .section = dimension.section, .sentence = each.sentence()});
+    }
   }
   return list;
 }
@@ -98,13 +80,9 @@ std::vector<Combination> full_grid(const std::vector<Reading>& readings, const s
 
 ReadingsPlan plan_readings(const std::string& name, const std::vector<Combination>& combinations, int seeds,
                            const Overrides& overrides) {
-  for (const std::string& text : overrides) {
-    if (text.starts_with("seed=")) {
-      throw std::invalid_argument(fmt::format("--set {}: interpretations use the seeds 1 to --seeds", text));
-    }
-  }
+  refuse_seed(overrides);
   ReadingsPlan plan;
-  std::map<std::string, std::size_t> known;  // series key to part
+  SeriesList needed;
   for (const Combination& combination : combinations) {
     ReadingsPlan::Row row{.readings = combination};
     for (int seed = 1; seed <= seeds; ++seed) {
@@ -117,16 +95,12 @@ ReadingsPlan plan_readings(const std::string& name, const std::vector<Combinatio
       plan.solvers.clear();
       for (std::size_t s = 0; s < study.solvers.size(); ++s) {
         plan.solvers.push_back(study.solvers[s].label);
-        const auto [found, is_new] = known.try_emplace(series_key(study, study.solvers[s]), plan.parts.size());
-        if (is_new) {
-          plan.parts.push_back(study);
-          plan.parts.back().solvers = {study.solvers[s]};
-        }
-        row.parts[s].push_back(found->second);
+        row.parts[s].push_back(needed.add(study, s));
       }
     }
     plan.rows.push_back(std::move(row));
   }
+  plan.parts = std::move(needed.parts);
   return plan;
 }
 

@@ -1,5 +1,5 @@
-// The readings of a paper that says less than a program needs: the alternatives to what its study takes by default, and
-// what has to be solved to compare them.
+// The readings of a paper that says less than a program needs: its multiverse (multiverse.hpp) in one dimension, each
+// alternative beside the default.
 #pragma once
 
 #include <cstddef>
@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "experiments/study_reader.hpp"
+#include "experiments/multiverse.hpp"
 
 namespace ikbench::experiments {
 
@@ -18,8 +18,7 @@ struct Reading {
   std::string sentence;
 };
 
-// Those of a built-in study, which the build carries in the program: the file of its name in readings/. None where
-// there is no such file.
+// Those of a built-in study: the alternatives of all its dimensions but the defaults.
 std::vector<Reading> readings(std::string_view study);
 
 // Readings that are tried together; none of them is the default.

@@ -63,8 +63,8 @@ const std::map<std::string, Names>& may_know() {
 }
 
 // Written by CMake, in the build folder of those that include them.
-const Names generated{"arms.inc",     "build_info.hpp",     "claims.inc",  "published_tables.inc",
-                      "readings.inc", "source_digests.inc", "studies.inc", "templates.inc"};
+const Names generated{"arms.inc",           "build_info.hpp", "claims.inc",   "multiverse.inc", "published_tables.inc",
+                      "source_digests.inc", "studies.inc",    "templates.inc"};
 
 // The folder of the table that a path in the repository lies in; else its first part.
 std::string folder_of(const std::string& path) {

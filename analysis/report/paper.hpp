@@ -8,9 +8,11 @@
 #include <vector>
 
 #include "analysis/inference/judged_study.hpp"
+#include "analysis/inference/multiverse.hpp"
 #include "analysis/inference/observations.hpp"
 #include "analysis/report/audit.hpp"
 #include "analysis/report/claims.hpp"
+#include "analysis/report/multiverse.hpp"
 #include "analysis/report/readings.hpp"
 #include "analysis/report/report_content.hpp"
 #include "analysis/report/study_pieces.hpp"
@@ -44,6 +46,7 @@ struct Paper {
   std::function<std::vector<AuditItem>()> audit = {};
   // The first of the results is the default, by which the others are measured.
   std::function<ReadingsReport(std::span<const ReadingResults>)> readings = {};
+  std::function<MultiverseReport(const inference::Multiverse&)> multiverse = {};
 };
 
 }  // namespace ikbench::report

@@ -9,6 +9,7 @@
 
 #include "analysis/slim2023/audit.hpp"
 #include "analysis/slim2023/claims.hpp"
+#include "analysis/slim2023/multiverse.hpp"
 #include "analysis/slim2023/paper_figures.hpp"
 #include "analysis/slim2023/paper_summary.hpp"
 #include "analysis/slim2023/paper_tables.hpp"
@@ -99,7 +100,8 @@ Paper paper() {
           .summary = [](const Reported& of) { return paper_summary(of); },
           .printed = printed_summaries,
           .audit = [] { return audit(this_paper); },
-          .readings = [](std::span<const ReadingResults> results) { return readings_report(this_paper, results); }};
+          .readings = [](std::span<const ReadingResults> results) { return readings_report(this_paper, results); },
+          .multiverse = [](const Multiverse& multiverse) { return multiverse_report(this_paper, multiverse); }};
 }
 
 }  // namespace ikbench::slim2023

@@ -5,13 +5,14 @@
 #include <vector>
 
 #include "analysis/statistics/descriptive.hpp"
+#include "analysis/statistics/draw.hpp"
 #include "analysis/statistics/quantile.hpp"
 
 namespace ikbench::statistics {
 namespace {
 
 // In (0, 1).
-double open_uniform(std::mt19937_64& engine) { return (static_cast<double>(engine() >> 11) + 0.5) * 0x1p-53; }
+double open_uniform(Draws& draws) { return (static_cast<double>(draws.below(1u << 31)) + 0.5) * 0x1p-31; }
 
 // Mean excess of the outermost fifth over the next: the slope of an exponential tail.
 double tail_slope(std::span<const double> outwards) {
@@ -31,11 +32,11 @@ class NextValues {
   }
 
   // The values of one study to come.
-  std::vector<double> draw_study(std::mt19937_64& engine) const {
+  std::vector<double> draw_study(Draws& draws) const {
     std::vector<double> known = known_, study;
     for (std::size_t run = 0; run < runs_; ++run) {
-      const std::size_t gap = draw(engine, known.size() + 1);
-      const double u = open_uniform(engine);
+      const std::size_t gap = draws.below(known.size() + 1);
+      const double u = open_uniform(draws);
       const double value = gap == 0              ? known.front() + below_ * std::log(u)
                            : gap == known.size() ? known.back() - above_ * std::log(u)
                                                  : known[gap - 1] + u * (known[gap] - known[gap - 1]);
@@ -63,10 +64,10 @@ PredictedRanges predicted_ranges(std::span<const double> values, std::size_t run
   }
   std::ranges::sort(logs);
   const NextValues next(std::move(logs), runs);
-  std::mt19937_64 engine(settings.seed);
+  Draws draws(settings.seed);
   std::array<std::vector<double>, predicted_statistics> replicates;
   for (int i = 0; i < settings.resamples; ++i) {
-    const Description study = describe(next.draw_study(engine));
+    const Description study = describe(next.draw_study(draws));
     replicates[0].push_back(study.mean);
     replicates[1].push_back(study.median);
     replicates[2].push_back(study.std);

@@ -6,7 +6,7 @@ succeeds --help
 has "$out" "Examples:"
 has "$out" "Exit codes:"
 all=$out
-for command in reproduce run report audit compare readings list solve export fingerprint; do
+for command in reproduce run report audit compare readings multiverse list solve export fingerprint; do
   has "$all" "  $command "
   succeeds "$command" --help
   has "$out" "Examples:"

@@ -52,7 +52,7 @@ TEST_CASE("every reading is an override of slim2023 that changes a series", "[re
 
 TEST_CASE("every built-in list of readings is of a built-in study, which each of them changes", "[readings]") {
   int lists = 0;
-  for (const auto& file : std::filesystem::directory_iterator("experiments/readings")) {
+  for (const auto& file : std::filesystem::directory_iterator("experiments/multiverse")) {
     const std::string study = file.path().stem().string();
     CAPTURE(study);
     const Study usual = load_study(study);

@@ -1,0 +1,120 @@
+#include "analysis/figures/specification_curve.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+
+#include "analysis/figures/figure_parts.hpp"
+#include "analysis/inference/text.hpp"
+#include "numerics/number.hpp"
+
+namespace ikbench::figures {
+
+using namespace numerics;
+using namespace inference;
+
+namespace {
+
+constexpr double curve_rows = 13;  // height of the curve, in rows of the choices below it
+constexpr double row_height_cm = 0.3;
+constexpr std::size_t longest_choice = 44;
+
+// Where a log10 ratio is drawn above the rows.
+struct CurveAxis {
+  double low = -0.5, high = 0.5;
+  double at(double value) const { return 1 + (value - low) / (high - low) * (curve_rows - 1); }
+};
+
+CurveAxis curve_axis(const SpecificationCurve& curve) {
+  CurveAxis axis;
+  for (const SpecificationCurve::Universe& each : curve.universes) {
+    if (!std::isfinite(each.estimate)) continue;
+    axis.low = std::min(axis.low, each.estimate - 0.2);
+    axis.high = std::max(axis.high, each.estimate + 0.2);
+  }
+  return axis;
+}
+
+// Whole decades, as ratios.
+std::vector<std::string> curve_ticks(const CurveAxis& axis) {
+  std::vector<std::string> ticks;
+  const int step = axis.high - axis.low > 8 ? 2 : 1;
+  for (int decade = -20; decade <= 20; ++decade) {
+    if (decade % step != 0 || decade < axis.low || decade > axis.high) continue;
+    const std::string label = std::abs(decade) < 3 ? text_of(std::pow(10, decade)) : fmt::format("10^{{{}}}", decade);
+    ticks.push_back(fmt::format("'{}' {}", label, text_of(axis.at(decade))));
+  }
+  return ticks;
+}
+
+// As it stands, where labels are enhanced text.
+std::string literal_label(std::string_view text) {
+  constexpr std::string_view meaningful = "_^{}@&~\\";
+  std::string escaped;
+  for (const char c : text) {
+    if (meaningful.find(c) != std::string_view::npos) escaped += '\\';
+    escaped += c;
+  }
+  return tick_label(escaped);
+}
+
+}  // namespace
+
+Figure specification_curve(const SpecificationCurve& curve) {
+  const CurveAxis axis = curve_axis(curve);
+  std::vector<std::string> ticks = curve_ticks(axis);
+  std::vector<double> places;
+  double place = 0;
+  std::string lines;
+  for (const SpecificationCurve::Group& group : curve.groups) {
+    place -= 0.45;
+    lines += fmt::format("set arrow from graph 0, first {0} to graph 1, first {0} nohead back ls 100\n",
+                         text_of(place - 0.27));
+    for (const std::string& row : group.rows) {
+      places.push_back(place -= 1);
+      ticks.push_back(fmt::format("{} {}", literal_label(row_label(row, longest_choice)), text_of(place)));
+    }
+  }
+  Figure figure{.name = curve.name,
+                .caption = curve.caption,
+                .width_cm = two_columns_cm,
+                .height_cm = 1.6 + row_height_cm * (curve_rows - place)};
+  figure.settings = fmt::format(
+      "unset key\nset bars 0\nset xrange [0:100]\nset yrange [{}:{}]\nset xlabel 'universes, sorted [%]'\nset ytics enhanced font ',7' "
+      "({})\nset grid noytics noxtics\nset label {} at graph 0.01, first {} left font ',7'\n{}",
+      text_of(place - 0.6), text_of(curve_rows + 0.6), fmt::join(ticks, ", "), gnuplot_string(curve.quantity),
+      text_of(curve_rows - 0.2), lines);
+  figure.settings += fmt::format("set arrow from graph 0, first {0} to graph 1, first {0} nohead back ls 101 lw 0.8\n",
+                                 text_of(axis.at(0)));
+  figure.data = "# share of universes before it [%], log10 of the ratio, its interval, their places in the picture\n";
+  const auto x_of = [&](std::size_t i) {
+    return 100 * (static_cast<double>(i) + 0.5) / static_cast<double>(curve.universes.size());
+  };
+  for (std::size_t i = 0; i < curve.universes.size(); ++i) {
+    const SpecificationCurve::Universe& each = curve.universes[i];
+    const auto shown = [&](double value) { return data_number(std::clamp(axis.at(value), 0.6, curve_rows + 0.6)); };
+    figure.data +=
+        fmt::format("{} {} {} {} {} {} {}\n", text_of(x_of(i)), data_number(each.estimate), data_number(each.low),
+                    data_number(each.high), shown(each.estimate), shown(each.low), shown(each.high));
+  }
+  figure.data += "\n\n# share of universes before it [%], row of a choice, 1 where the ratio is below 1\n";
+  for (std::size_t i = 0; i < curve.universes.size(); ++i) {
+    for (const std::size_t row : curve.universes[i].rows) {
+      figure.data +=
+          fmt::format("{} {} {}\n", text_of(x_of(i)), text_of(places.at(row)), curve.universes[i].estimate < 0 ? 1 : 0);
+    }
+  }
+  const std::string file = fmt::format("'{}.dat'", curve.name);
+  figure.plot =
+      plot_command({fmt::format("{} index 0 using 1:5:6:7 with yerrorbars pt 7 ps 0.01 lw 0.6 lc rgb '#BBBBBB'", file),
+                    fmt::format("{} index 0 using 1:($2 < 0 ? $5 : NaN) with points ls 1 pt 7 ps 0.22", file),
+                    fmt::format("{} index 0 using 1:($2 < 0 ? NaN : $5) with points ls 2 pt 7 ps 0.22", file),
+                    fmt::format("{} index 1 using 1:($3 == 1 ? $2 : NaN) with points ls 1 pt 7 ps 0.14", file),
+                    fmt::format("{} index 1 using 1:($3 == 1 ? NaN : $2) with points ls 2 pt 7 ps 0.14", file)});
+  return figure;
+}
+
+}  // namespace ikbench::figures

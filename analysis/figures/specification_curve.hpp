@@ -1,0 +1,30 @@
+// The specification curve of a multiverse (Simonsohn, Simmons and Nelson, Nature Human Behaviour 4 (2020) 1208):
+// universes sorted by their estimate, and below each the choices that it is made of.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "analysis/figures/figure.hpp"
+
+namespace ikbench::figures {
+
+struct SpecificationCurve {
+  struct Universe {
+    double estimate, low, high;     // log10 of a ratio, with its interval
+    std::vector<std::size_t> rows;  // of the choices, by place
+  };
+  struct Group {
+    std::string name;               // a dimension
+    std::vector<std::string> rows;  // its alternatives
+  };
+  std::string name, caption;
+  std::string quantity;  // "IK-BA's mean error / best rival's"
+  std::vector<Group> groups;
+  std::vector<Universe> universes;  // sorted by estimate
+};
+
+Figure specification_curve(const SpecificationCurve& curve);
+
+}  // namespace ikbench::figures

@@ -1,0 +1,291 @@
+#include "analysis/inference/multiverse.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <optional>
+#include <tuple>
+#include <utility>
+
+#include "analysis/inference/judge.hpp"
+#include "analysis/statistics/descriptive.hpp"
+#include "analysis/statistics/studentized_range.hpp"
+#include "analysis/statistics/welch.hpp"
+
+namespace ikbench::inference {
+
+using namespace statistics;
+
+namespace {
+
+// Welch's t of two groups against the studentized range of all solvers: Games and Howell's test, which the study's own
+// plan takes for pairs.
+class PairJudge {
+ public:
+  PairJudge(std::size_t solvers, double significance)
+      : range_(static_cast<double>(solvers)), significance_(significance) {}
+
+  // Of the first; smaller is better.
+  Answer operator()(const GroupSummary& first, const GroupSummary& second) const {
+    const bool is_number = std::isfinite(first.mean), other_is_number = std::isfinite(second.mean);
+    if (is_number != other_is_number) return is_number ? Answer::better : Answer::worse;
+    const WelchTest test = welch(first, second);
+    const double p = range_.upper_tail(std::abs(test.t) * std::numbers::sqrt2, test.df);
+    if (std::isnan(p)) return Answer::undecided;
+    return answer_of({.p_better = test.t < 0 ? p : 1, .p_worse = test.t > 0 ? p : 1}, significance_);
+  }
+
+ private:
+  StudentizedRange range_;
+  double significance_;
+};
+
+// Of the runs' means; typical: of their logarithms, where what is rounding is as small as can be told.
+GroupSummary summary_of(const std::vector<double>& values, Metric metric, JudgedBy by) {
+  if (by == JudgedBy::mean) return summarise(values);
+  std::vector<double> logarithms;
+  for (const double value : values) logarithms.push_back(std::log10(std::max(value, info_of(metric).rounding)));
+  return summarise(logarithms);
+}
+
+// What a solver is found to be against one choice of another, by seed, for a choice of the study: by its own choice, by
+// solver, by that one's choice.
+using Answers = std::vector<std::vector<std::vector<Answer>>>;
+
+using Summarised = std::vector<std::vector<GroupSummary>>;  // by solver, by its choice
+
+Answers answers_of(const Summarised& groups, std::size_t solver, const PairJudge& judge) {
+  Answers answers;
+  for (const GroupSummary& ours : groups[solver]) {
+    auto& of_own = answers.emplace_back(groups.size());
+    for (std::size_t rival = 0; rival < groups.size(); ++rival) {
+      if (rival == solver) continue;
+      for (const GroupSummary& theirs : groups[rival]) of_own[rival].push_back(judge(ours, theirs));
+    }
+  }
+  return answers;
+}
+
+Summarised summaries_of(const Multiverse::OfStudy& study, std::size_t seed, const MultiverseClaim& claim) {
+  Summarised groups;
+  for (const std::vector<Multiverse::Own>& of_solver : study.solvers) {
+    groups.emplace_back();
+    for (const Multiverse::Own& own : of_solver) {
+      groups.back().push_back(summary_of(values_of(own, claim.metric)[seed], claim.metric, claim.by));
+    }
+  }
+  return groups;
+}
+
+// How many choices of a rival there are, against how many of them the solver is better, and worse.
+struct Against {
+  double all = 0, better = 0, worse = 0;
+  void operator+=(Answer answer) {
+    all += 1;
+    better += answer == Answer::better ? 1 : 0;
+    worse += answer == Answer::worse ? 1 : 0;
+  }
+};
+
+UniverseCounts product_of(const std::vector<Against>& rivals) {
+  UniverseCounts counts{.holds = 1, .fails = 0, .all = 1};
+  double not_worse = 1;
+  for (const Against& each : rivals) {
+    counts.holds *= each.better;
+    counts.all *= each.all;
+    not_worse *= each.all - each.worse;
+  }
+  counts.fails = counts.all - not_worse;
+  return counts;
+}
+
+// The claim in all universes of one choice of the study and one of the solver's own.
+class OwnCount {
+ public:
+  OwnCount(ClaimCounts& into, const Multiverse::OfStudy& study, std::size_t seed)
+      : into_(into), study_(study), seed_(seed) {}
+
+  // `answers` by solver, by its choice; none for the solver itself. Those that take no part never decide.
+  void add(const Multiverse::Own& own, const std::vector<std::vector<Answer>>& answers) {
+    std::vector<Against> rivals;
+    for (const std::vector<Answer>& of_rival : answers) {
+      if (of_rival.empty()) continue;
+      Against& against = rivals.emplace_back();
+      for (const Answer answer : of_rival) against += answer;
+    }
+    const UniverseCounts counts = product_of(rivals);
+    into_.all += counts;
+    into_.seeds[seed_] += counts;
+    for (const auto* chosen : {&study_.chosen, &own.chosen}) {
+      for (const Multiverse::Choice& each : *chosen) into_.alternatives[each.dimension][each.alternative] += counts;
+    }
+    std::size_t place = 0;
+    for (std::size_t rival = 0; rival < answers.size(); ++rival) {
+      if (answers[rival].empty()) continue;
+      add_rival(rival, answers[rival], rivals, place++);
+    }
+  }
+
+ private:
+  // With a rival's choices only as far as they have an alternative, one after the other.
+  void add_rival(std::size_t rival, const std::vector<Answer>& answers, std::vector<Against> rivals,
+                 std::size_t place) {
+    std::map<std::pair<std::size_t, std::size_t>, Against> restricted;
+    for (std::size_t b = 0; b < answers.size(); ++b) {
+      for (const Multiverse::Choice& each : study_.solvers[rival][b].chosen) {
+        restricted[{each.dimension, each.alternative}] += answers[b];
+      }
+    }
+    for (const auto& [choice, against] : restricted) {
+      rivals[place] = against;
+      into_.alternatives[choice.first][choice.second] += product_of(rivals);
+    }
+  }
+
+  ClaimCounts& into_;
+  const Multiverse::OfStudy& study_;
+  std::size_t seed_;
+};
+
+std::optional<std::size_t> place_of_solver(const Multiverse& multiverse, std::string_view label) {
+  const auto found = std::ranges::find(multiverse.solvers, label);
+  if (found == multiverse.solvers.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - multiverse.solvers.begin());
+}
+
+ClaimCounts no_counts(const Multiverse& multiverse, const MultiverseClaim& claim) {
+  ClaimCounts counts{.claim = claim};
+  counts.seeds.resize(multiverse.seeds());
+  for (const Multiverse::Dimension& each : multiverse.dimensions) {
+    counts.alternatives.emplace_back(each.alternatives.size());
+  }
+  return counts;
+}
+
+// Every answer the same, as many as there are choices.
+std::vector<std::vector<Answer>> alike(const Multiverse::OfStudy& study, std::size_t solver, Answer answer) {
+  std::vector<std::vector<Answer>> answers;
+  for (const auto& of_solver : study.solvers) answers.emplace_back(of_solver.size(), answer);
+  answers[solver].clear();
+  return answers;
+}
+
+// Claims of one solver that are judged alike share the answers.
+void count_ranking(const Multiverse& multiverse, const std::vector<ClaimCounts*>& alike_judged, double significance) {
+  const MultiverseClaim& first = alike_judged.front()->claim;
+  const std::optional<std::size_t> solver = place_of_solver(multiverse, first.solver);
+  if (!solver) return;
+  const PairJudge judge(multiverse.solvers.size(), significance);
+  for (const Multiverse::OfStudy& study : multiverse.studies) {
+    for (std::size_t seed = 0; seed < multiverse.seeds(); ++seed) {
+      const Answers answers = answers_of(summaries_of(study, seed, first), *solver, judge);
+      for (ClaimCounts* counts : alike_judged) {
+        const std::string& named = counts->claim.rival;
+        const std::optional<std::size_t> rival = place_of_solver(multiverse, named);
+        if (!named.empty() && !rival) continue;
+        OwnCount into(*counts, study, seed);
+        for (std::size_t own = 0; own < answers.size(); ++own) {
+          std::vector<std::vector<Answer>> held = rival ? alike(study, *solver, Answer::better) : answers[own];
+          if (rival) held[*rival] = answers[own][*rival];
+          into.add(study.solvers[*solver][own], held);
+        }
+      }
+    }
+  }
+}
+
+// The choice that differs in that dimension alone, where it has the default; null where there is no such dimension.
+const Multiverse::Own* twin_of(const std::vector<Multiverse::Own>& all, const Multiverse::Own& own,
+                               std::size_t dimension) {
+  std::vector<Multiverse::Choice> wanted = own.chosen;
+  const auto found = std::ranges::find(wanted, dimension, &Multiverse::Choice::dimension);
+  if (found == wanted.end()) return nullptr;
+  found->alternative = 0;
+  const auto is_wanted = [&](const Multiverse::Own& each) {
+    return std::ranges::equal(each.chosen, wanted, [](const auto& a, const auto& b) {
+      return a.dimension == b.dimension && a.alternative == b.alternative;
+    });
+  };
+  const auto twin = std::ranges::find_if(all, is_wanted);
+  return twin == all.end() ? nullptr : &*twin;
+}
+
+void count_effect(const Multiverse& multiverse, ClaimCounts& counts) {
+  const std::optional<std::size_t> solver = place_of_solver(multiverse, counts.claim.solver);
+  const auto dimension =
+      std::ranges::find(multiverse.dimensions, counts.claim.without_effect, &Multiverse::Dimension::name);
+  if (!solver || dimension == multiverse.dimensions.end()) return;
+  const auto place = static_cast<std::size_t>(dimension - multiverse.dimensions.begin());
+  for (const Multiverse::OfStudy& study : multiverse.studies) {
+    for (std::size_t seed = 0; seed < multiverse.seeds(); ++seed) {
+      OwnCount into(counts, study, seed);
+      for (const Multiverse::Own& own : study.solvers[*solver]) {
+        const Multiverse::Own* twin = twin_of(study.solvers[*solver], own, place);
+        if (twin == nullptr) continue;
+        const bool is_same =
+            own.error_cm[seed] == twin->error_cm[seed] && own.variation_deg[seed] == twin->variation_deg[seed];
+        into.add(own, alike(study, *solver, is_same ? Answer::better : Answer::worse));
+      }
+    }
+  }
+}
+
+}  // namespace
+
+double Multiverse::universes() const {
+  double all = 0;
+  for (const OfStudy& study : studies) {
+    double product = 1;
+    for (const std::vector<Own>& of_solver : study.solvers) product *= static_cast<double>(of_solver.size());
+    all += product;
+  }
+  return all;
+}
+
+const std::vector<std::vector<double>>& values_of(const Multiverse::Own& own, Metric metric) {
+  return metric == Metric::position_error_cm ? own.error_cm : own.variation_deg;
+}
+
+void UniverseCounts::operator+=(const UniverseCounts& more) {
+  holds += more.holds;
+  fails += more.fails;
+  all += more.all;
+}
+
+double ClaimCounts::difference(std::size_t dimension) const {
+  double least = 1, most = 0;
+  for (const UniverseCounts& each : alternatives[dimension]) {
+    if (each.all == 0) continue;
+    least = std::min(least, each.held());
+    most = std::max(most, each.held());
+  }
+  return std::max(0.0, most - least);
+}
+
+std::size_t ClaimCounts::deciding() const {
+  std::size_t most = alternatives.size();
+  for (std::size_t d = 0; d < alternatives.size(); ++d) {
+    if (difference(d) > (most == alternatives.size() ? 0 : difference(most))) most = d;
+  }
+  return most;
+}
+
+std::vector<ClaimCounts> counted(const Multiverse& multiverse, const std::vector<MultiverseClaim>& claims,
+                                 double significance) {
+  std::vector<ClaimCounts> all;
+  for (const MultiverseClaim& claim : claims) all.push_back(no_counts(multiverse, claim));
+  std::map<std::tuple<std::string, Metric, JudgedBy>, std::vector<ClaimCounts*>> judged_alike;
+  for (ClaimCounts& counts : all) {
+    const MultiverseClaim& claim = counts.claim;
+    if (claim.without_effect.empty()) {
+      judged_alike[{claim.solver, claim.metric, claim.by}].push_back(&counts);
+    } else {
+      count_effect(multiverse, counts);
+    }
+  }
+  for (const auto& [judged, group] : judged_alike) count_ranking(multiverse, group, significance);
+  return all;
+}
+
+}  // namespace ikbench::inference

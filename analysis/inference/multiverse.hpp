@@ -1,0 +1,93 @@
+// Claims between solvers judged in every universe: every combination of a choice for the study with one of each
+// solver's own (Steegen et al., Perspectives on Psychological Science 11 (2016) 702). Given the study's choice the
+// solvers are independent, so that universes are counted by products, exactly, and never listed.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "analysis/inference/metrics.hpp"
+
+namespace ikbench::inference {
+
+struct Multiverse {
+  struct Alternative {
+    std::string set;    // "bounds=clamp"
+    std::string where;  // "every solver is clamped"
+  };
+  struct Dimension {
+    std::string name;                       // "bounds"
+    std::string section;                    // of the paper's notes
+    std::string solver;                     // the label whose own it is; empty: the study's
+    std::vector<Alternative> alternatives;  // the first is the default
+  };
+  struct Choice {
+    std::size_t dimension = 0, alternative = 0;
+  };
+  // One solver as one of its choices has it: by seed, a value a run.
+  struct Own {
+    std::vector<Choice> chosen;
+    std::vector<std::vector<double>> error_cm, variation_deg;
+  };
+  struct OfStudy {
+    std::vector<Choice> chosen;
+    int out_of_reach = 0;
+    std::vector<std::vector<Own>> solvers;  // by solver, by its own choice; the default first
+  };
+  std::vector<Dimension> dimensions;
+  std::vector<std::string> solvers;
+  std::vector<OfStudy> studies;  // the default first
+
+  std::size_t seeds() const { return studies.front().solvers.front().front().error_cm.size(); }
+  double universes() const;
+};
+
+// Position error or variation, by seed.
+const std::vector<std::vector<double>>& values_of(const Multiverse::Own& own, Metric metric);
+
+// What of the runs decides: their mean or, typical, their geometric mean. Either way by Welch's t against the
+// studentized range of all solvers (Games and Howell), as the study's own plan judges pairs.
+enum class JudgedBy { mean, typical };
+
+// A claim about one solver: better than a rival or, where none is named, than every other.
+struct MultiverseClaim {
+  std::string id;     // "most_accurate"
+  std::string words;  // "IK-BA has the smallest mean error"
+  std::string solver;
+  std::string rival = {};
+  Metric metric = Metric::position_error_cm;
+  JudgedBy by = JudgedBy::mean;
+  std::string without_effect = {};  // instead: the dimension of which every alternative gives the same bits
+};
+
+// Universes in which a claim holds (the solver is found better than each rival), fails (a rival is found better), and
+// all there are. Each seed is a study of its own, and counts as such.
+struct UniverseCounts {
+  double holds = 0, fails = 0, all = 0;
+  void operator+=(const UniverseCounts& more);
+  double held() const { return holds / all; }
+  double failed() const { return fails / all; }
+  double undecided() const { return (all - holds - fails) / all; }
+};
+
+struct ClaimCounts {
+  MultiverseClaim claim;
+  UniverseCounts all;
+  std::vector<UniverseCounts> seeds;
+  // By dimension, by alternative; universes in which a dimension has no choice are in none of its counts.
+  std::vector<std::vector<UniverseCounts>> alternatives;
+
+  // The dimension between whose alternatives the share that holds differs most; the number of dimensions where it
+  // differs between none.
+  std::size_t deciding() const;
+  double difference(std::size_t dimension) const;
+};
+
+// A claim whose solver, rival or dimension is not there has counts of 0.
+std::vector<ClaimCounts> counted(const Multiverse& multiverse, const std::vector<MultiverseClaim>& claims,
+                                 double significance);
+
+}  // namespace ikbench::inference

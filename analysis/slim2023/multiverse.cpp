@@ -1,0 +1,199 @@
+#include "analysis/slim2023/multiverse.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <stdexcept>
+
+#include "analysis/slim2023/multiverse_curve.hpp"
+#include "analysis/slim2023/multiverse_printed.hpp"
+#include "analysis/slim2023/multiverse_words.hpp"
+
+namespace ikbench::slim2023 {
+
+using namespace inference;
+using namespace report;
+
+namespace {
+
+constexpr const char* claimed_solver = "IK-BA";
+constexpr double significance = 0.05;  // of the study's plan
+
+// "mo_pso" of "MO-PSO".
+std::string snake_case(std::string text) {
+  for (char& c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    c = std::isalnum(byte) != 0 ? static_cast<char>(std::tolower(byte)) : '_';
+  }
+  return text;
+}
+
+std::vector<MultiverseClaim> claims_in_universes(const Multiverse& multiverse) {
+  const std::string who = claimed_solver;
+  std::vector<MultiverseClaim> claims{
+      {.id = "most_accurate", .words = who + " has the smallest mean error", .solver = who},
+      {.id = "most_accurate_typically",
+       .words = who + " has the smallest typical error (geometric mean of the runs)",
+       .solver = who,
+       .by = JudgedBy::typical},
+      {.id = "smallest_variation",
+       .words = who + " has the smallest angles variation",
+       .solver = who,
+       .metric = Metric::variation_deg}};
+  for (const std::string& rival : multiverse.solvers) {
+    if (rival == who) continue;
+    claims.push_back({.id = "better_than_" + snake_case(rival),
+                      .words = fmt::format("{} has a smaller mean error than {}", who, rival),
+                      .solver = who,
+                      .rival = rival});
+  }
+  claims.push_back({.id = "f_max_has_no_effect",
+                    .words = "f_max (Eqs. 5, 7 and 13) changes no bit of " + who,
+                    .solver = who,
+                    .without_effect = who + ".f_max"});
+  return claims;
+}
+
+// The one universe in which everything is as by default.
+Multiverse default_of(const Multiverse& multiverse) {
+  Multiverse one{.dimensions = multiverse.dimensions, .solvers = multiverse.solvers, .studies = {}};
+  one.studies.push_back(multiverse.studies.front());
+  for (auto& of_solver : one.studies.front().solvers) of_solver.resize(1);
+  return one;
+}
+
+// "in 3 % where no solver is clamped, in 90 % where every solver is": the least share first.
+std::string deciding_words(const Multiverse& multiverse, const ClaimCounts& counts) {
+  const std::size_t dimension = counts.deciding();
+  if (dimension == multiverse.dimensions.size()) return "";
+  struct Part {
+    double share;
+    std::string where;
+  };
+  std::vector<Part> parts;
+  for (std::size_t a = 0; a < counts.alternatives[dimension].size(); ++a) {
+    const UniverseCounts& each = counts.alternatives[dimension][a];
+    if (each.all > 0) parts.push_back({each.held(), multiverse.dimensions[dimension].alternatives[a].where});
+  }
+  std::ranges::stable_sort(parts, {}, &Part::share);
+  std::string words;
+  for (const Part& part : parts) {
+    words += fmt::format("{}in {} where {}", words.empty() ? "" : ", ", share_words(part.share), part.where);
+  }
+  return fmt::format("{} decides most: {}", multiverse.dimensions[dimension].name, words);
+}
+
+ClaimShares shares_of(const Multiverse& multiverse, const ClaimCounts& counts) {
+  const UniverseCounts& all = counts.all;
+  const std::string deciding = deciding_words(multiverse, counts);
+  return {.id = counts.claim.id,
+          .holds = all.held(),
+          .fails = all.failed(),
+          .undecided = all.undecided(),
+          .decided_by = deciding.empty() ? "" : multiverse.dimensions[counts.deciding()].name,
+          .sentence = fmt::format("{} in {} of the universes ({} fail, {} undecided){}.", counts.claim.words,
+                                  share_words(all.held()), share_words(all.failed()), share_words(all.undecided()),
+                                  deciding.empty() ? "" : "; " + deciding)};
+}
+
+Cell percent_cell(double share) { return std::round(1000 * share) / 10 + 0.0; }
+
+std::string outcome(const UniverseCounts& counts) {
+  return counts.holds == counts.all ? "holds" : counts.fails == counts.all ? "fails" : "undecided";
+}
+
+// The largest difference between the shares of two seeds, in percentage points.
+Cell seed_difference(const ClaimCounts& counts) {
+  if (counts.seeds.size() < 2) return {};
+  const auto [least, most] = std::ranges::minmax(counts.seeds, {}, &UniverseCounts::held);
+  return percent_cell(most.held() - least.held());
+}
+
+Table claims_table(const Multiverse& multiverse, const std::vector<ClaimCounts>& all,
+                   const std::vector<ClaimCounts>& in_default) {
+  Table table{.name = "multiverse",
+              .caption = "The paper's claims in every universe of what the paper leaves open",
+              .columns = {{"claim", Align::left},
+                          {"holds_percent"},
+                          {"fails_percent"},
+                          {"undecided_percent"},
+                          {"in_the_default", Align::left},
+                          {"deciding_dimension", Align::left},
+                          {"difference_percent"},
+                          {"between_seeds_percent"},
+                          {"id", Align::left}}};
+  for (std::size_t c = 0; c < all.size(); ++c) {
+    const ClaimCounts& counts = all[c];
+    if (counts.all.all == 0) continue;
+    const std::size_t deciding = counts.deciding();
+    const bool is_decided = deciding < multiverse.dimensions.size();
+    table.rows.push_back({counts.claim.words, percent_cell(counts.all.held()), percent_cell(counts.all.failed()),
+                          percent_cell(counts.all.undecided()), outcome(in_default[c].all),
+                          is_decided ? Cell(multiverse.dimensions[deciding].name) : Cell(),
+                          is_decided ? percent_cell(counts.difference(deciding)) : Cell(), seed_difference(counts),
+                          counts.claim.id});
+  }
+  table.notes.push_back(fmt::format(
+      "{} universes: {} choices for the study, each with every combination of the solvers' own. All are counted, and "
+      "none weighs more than another. A claim holds where {} is found better than each rival, and fails where a rival "
+      "is found better: Welch's t of the run means against the studentized range of the {} solvers, at {}.",
+      count_words(multiverse.universes()), multiverse.studies.size(), claimed_solver, multiverse.solvers.size(),
+      significance));
+  table.notes.emplace_back(
+      "deciding_dimension: between whose alternatives the share that holds differs most, with that difference. "
+      "between_seeds: largest difference between the shares of two seeds; each seed is a study of its own.");
+  const auto out_of_reach =
+      std::ranges::count_if(multiverse.studies, [](const auto& study) { return study.out_of_reach > 0; });
+  if (out_of_reach > 0) {
+    table.notes.push_back(
+        fmt::format("In {} of the choices for the study some targets are out of reach.", out_of_reach));
+  }
+  return table;
+}
+
+Table alternatives_table(const Multiverse& multiverse, const std::vector<ClaimCounts>& all) {
+  Table table{.name = "multiverse-alternatives",
+              .caption = "Share of the universes with each alternative in which a claim holds, in percent",
+              .columns = {{"alternative", Align::left}, {"notes", Align::left}, {"default", Align::left}}};
+  for (const ClaimCounts& counts : all) {
+    if (counts.all.all > 0) table.columns.push_back({counts.claim.id});
+  }
+  for (std::size_t d = 0; d < multiverse.dimensions.size(); ++d) {
+    const Multiverse::Dimension& dimension = multiverse.dimensions[d];
+    for (std::size_t a = 0; a < dimension.alternatives.size(); ++a) {
+      std::vector<Cell> row{dimension.alternatives[a].set, dimension.section, a == 0 ? Cell("default") : Cell()};
+      for (const ClaimCounts& counts : all) {
+        if (counts.all.all > 0) row.push_back(percent_cell(counts.alternatives[d][a].held()));
+      }
+      table.rows.push_back(std::move(row));
+      table.notes.push_back(fmt::format("{}: {}.", dimension.alternatives[a].set, dimension.alternatives[a].where));
+    }
+  }
+  return table;
+}
+
+}  // namespace
+
+MultiverseReport multiverse_report(std::string_view paper, const Multiverse& multiverse) {
+  if (multiverse.studies.empty() || multiverse.seeds() == 0) {
+    throw std::invalid_argument("no universe to report; expected the default first");
+  }
+  if (std::ranges::find(multiverse.solvers, claimed_solver) == multiverse.solvers.end()) {
+    throw std::invalid_argument(fmt::format("no universe has the solver {}", claimed_solver));
+  }
+  const std::vector<MultiverseClaim> claims = claims_in_universes(multiverse);
+  const std::vector<ClaimCounts> all = counted(multiverse, claims, significance),
+                                 in_default = counted(default_of(multiverse), claims, significance);
+  MultiverseReport result;
+  for (const ClaimCounts& counts : all) {
+    if (counts.all.all > 0) result.claims.push_back(shares_of(multiverse, counts));
+  }
+  result.tables = {claims_table(multiverse, all, in_default), alternatives_table(multiverse, all)};
+  result.figures = {error_curve(multiverse, claimed_solver)};
+  add_printed(result, paper, multiverse);
+  return result;
+}
+
+}  // namespace ikbench::slim2023

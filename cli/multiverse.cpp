@@ -1,0 +1,182 @@
+// ikbench multiverse: the claims of a paper in every combination of what it leaves open.
+#include "cli/multiverse.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <memory>
+#include <stdexcept>
+
+#include "analysis/papers.hpp"
+#include "analysis/report/report.hpp"
+#include "cli/commands.hpp"
+#include "cli/console.hpp"
+#include "cli/reporting.hpp"
+
+namespace ikbench::cli {
+
+using namespace experiments;
+using namespace inference;
+using namespace figures;
+using namespace report;
+
+namespace {
+
+struct MultiverseArguments {
+  std::string paper, out;
+  std::vector<std::string> dimensions;
+  Overrides overrides;
+  int seeds = 1, jobs = 1;
+  bool list = false, small = false, without_figures = false;
+};
+
+std::vector<Multiverse::Choice> as_data(const Chosen& chosen) {
+  std::vector<Multiverse::Choice> all;
+  for (const Choice& each : chosen) all.push_back({each.dimension, each.alternative});
+  return all;
+}
+
+Multiverse as_data(const MultiversePlan& plan, const std::vector<RunMeans>& means) {
+  Multiverse multiverse{.dimensions = {}, .solvers = plan.solvers, .studies = {}};
+  for (const Dimension& each : plan.dimensions) {
+    auto& dimension = multiverse.dimensions.emplace_back();
+    dimension = {.name = each.name, .section = each.section, .solver = each.solver, .alternatives = {}};
+    for (const Alternative& one : each.alternatives) dimension.alternatives.push_back({one.set, one.where});
+  }
+  for (const MultiversePlan::OfStudy& each : plan.studies) {
+    auto& study = multiverse.studies.emplace_back();
+    study.chosen = as_data(each.chosen);
+    study.out_of_reach = each.out_of_reach;
+    for (const std::vector<MultiversePlan::Own>& of_solver : each.solvers) {
+      auto& solver = study.solvers.emplace_back();
+      for (const MultiversePlan::Own& from : of_solver) {
+        Multiverse::Own& own = solver.emplace_back();
+        own.chosen = as_data(from.chosen);
+        for (const std::size_t part : from.parts) {
+          own.error_cm.push_back(means[part].error_cm);
+          own.variation_deg.push_back(means[part].variation_deg);
+        }
+      }
+    }
+  }
+  return multiverse;
+}
+
+// Every dimension with its alternatives; those that vary by default are marked.
+std::string dimension_list(const std::string& study, const std::vector<Dimension>& all,
+                           const std::vector<Dimension>& varied) {
+  std::vector<std::vector<std::string>> rows{{"ALTERNATIVE", "NOTES", "IN", "MEANING"}};
+  for (const Dimension& each : all) {
+    for (const Alternative& one : each.alternatives) {
+      const bool is_default = &one == &each.alternatives.front();
+      rows.push_back({one.set, each.section,
+                      is_default                  ? "the default"
+                      : one.scope == Scope::small ? "small and default"
+                      : one.scope == Scope::usual ? "default"
+                                                  : "",
+                      one.sentence()});
+    }
+  }
+  std::vector<std::string> labels;
+  for (const SolverEntry& entry : load_study(study).solvers) labels.push_back(entry.label);
+  const MultiverseSize size = size_of(varied, labels);
+  return aligned(rows) +
+         fmt::format("\n{} universes of {} dimensions: {} choices for the study, {} series for a seed\n",
+                     size.universes, varied.size(), size.studies, size.series);
+}
+
+void tell_multiverse(const MultiverseReport& report, const MultiverseArguments& arguments,
+                     const std::filesystem::path& folder) {
+  for (const ClaimShares& claim : report.claims) fmt::print("{}\n", printable(claim.sentence));
+  for (const std::string& sentence : report.sentences) fmt::print("{}\n", printable(sentence));
+  fmt::print("\n{}\n", aligned(readable_cells(report.tables.front())));
+  for (const std::string& note : report.tables.front().notes) fmt::print("{}\n", printable(note));
+  for (const Table& table : report.tables) write_table(table, folder / "tables");
+  const auto outcomes =
+      write_figures(report.figures, folder / "figures", {.render = !arguments.without_figures, .jobs = 1});
+  for (const FigureOutcome& outcome : outcomes) {
+    if (!outcome.error.empty()) say(fmt::format("warning: {} was not drawn: {}", outcome.name, outcome.error));
+  }
+  fmt::print(
+      "Tables: {}\nFigure: {}\n", printable((folder / "tables").string()),
+      printable((folder / "figures" / (arguments.without_figures ? "multiverse.gp" : "multiverse.png")).string()));
+}
+
+void solve_multiverse(const Paper& paper, const MultiverseArguments& arguments, const std::vector<Dimension>& varied,
+                      Invocation& invocation) {
+  const std::string& study = paper.studies.front().name;
+  const CancelOnSignal signals;
+  const MultiversePlan plan = plan_multiverse(study, varied, arguments.seeds, arguments.overrides);
+  const std::filesystem::path folder =
+      arguments.out.empty() ? default_folder(study + "-multiverse") : std::filesystem::path(arguments.out);
+  const auto report = judged_universes(paper, plan, {"multiverse", folder, arguments.jobs, &signals.requested()});
+  if (report) return tell_multiverse(*report, arguments, folder);
+  say(fmt::format("Stopped. What is solved is in {}; to continue: {}", (folder / "series.csv").string(),
+                  invocation.command));
+  invocation.exit_code = 130;
+}
+
+}  // namespace
+
+std::optional<MultiverseReport> judged_universes(const Paper& paper, const MultiversePlan& plan,
+                                                 const SeriesArguments& arguments) {
+  const std::vector<RunMeans> means = solved(plan.parts, arguments);
+  if (means.size() < plan.parts.size()) return std::nullopt;
+  return paper.multiverse(as_data(plan, means));
+}
+
+void add_multiverse(CLI::App& app, Invocation& invocation) {
+  auto arguments = std::make_shared<MultiverseArguments>();
+  CLI::App* command =
+      app.add_subcommand("multiverse", "Judge the claims of a paper in every combination of what it leaves open");
+  add_paper_option(*command, arguments->paper);
+  command->add_flag("--list", arguments->list, "list the dimensions and the size, without solving");
+  CLI::Option* small =
+      command->add_flag("--small", arguments->small, "fewer dimensions: what `ikbench reproduce` shows");
+  command
+      ->add_option("--dimensions", arguments->dimensions,
+                   "vary these, with all their alternatives, instead of the default ones: bounds,IK-BA.acceptance")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->excludes(small);
+  command->add_option("--seeds", arguments->seeds, "number of seeds, counted from 1; each is a study of its own")
+      ->check(whole_number())
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
+  command->add_option("--jobs", arguments->jobs, "number of series at once; the results do not depend on it")
+      ->check(whole_number())
+      ->check(CLI::Range(1, 1024))
+      ->capture_default_str();
+  command->add_option("--set", arguments->overrides, "change a key in every universe: runs=5, path.points=10")
+      ->allow_extra_args(false);
+  command->add_option("--out", arguments->out,
+                      "folder for tables, figures and series.csv, which keeps what is solved; default: "
+                      "out/STUDY-multiverse");
+  command->add_flag("--no-figures", arguments->without_figures,
+                    "write the script and data of the figure, but do not draw it");
+  command->footer(
+      "Examples:\n"
+      "  ikbench multiverse slim2023 --jobs 2\n"
+      "  ikbench multiverse slim2023 --list\n"
+      "  ikbench multiverse slim2023 --small --seeds 2 --out out/small\n"
+      "  ikbench multiverse slim2023 --dimensions bounds,population,wrist_branch\n\n"
+      "A universe is one choice in every dimension. Each solver is solved once for each of its own choices; claims are\n"
+      "counted over all combinations. After Ctrl-C the same command continues.");
+  command->callback([arguments, &invocation] {
+    const Paper& paper = analysis::paper(arguments->paper);
+    const std::string& study = paper.studies.front().name;
+    const std::vector<Dimension> all = dimensions(study);
+    if (!paper.multiverse || all.empty())
+      throw std::invalid_argument(fmt::format("the program has no multiverse of the paper {}", paper.name));
+    const std::vector<Dimension> varied = !arguments->dimensions.empty()
+                                              ? named(arguments->dimensions, all)
+                                              : within(arguments->small ? Scope::small : Scope::usual, all);
+    if (arguments->list) {
+      fmt::print("{}", dimension_list(study, all, varied));
+      return;
+    }
+    solve_multiverse(paper, *arguments, varied, invocation);
+  });
+}
+
+}  // namespace ikbench::cli

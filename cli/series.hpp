@@ -1,0 +1,24 @@
+// Solves the series that interpretations need, for `ikbench readings`, `multiverse` and `reproduce`.
+#pragma once
+
+#include <atomic>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "experiments/series_means.hpp"
+
+namespace ikbench::cli {
+
+struct SeriesArguments {
+  std::string title;             // of the progress
+  std::filesystem::path folder;  // where series.csv keeps what is solved; empty: nowhere
+  int jobs = 1;
+  const std::atomic<bool>* cancelled = nullptr;
+};
+
+// With progress. After Ctrl-C those before the first that is missing.
+std::vector<experiments::RunMeans> solved(const std::vector<experiments::Study>& series,
+                                          const SeriesArguments& arguments);
+
+}  // namespace ikbench::cli

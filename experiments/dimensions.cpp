@@ -1,0 +1,159 @@
+#include "experiments/dimensions.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <stdexcept>
+#include <utility>
+
+#include "numerics/embedded_file.hpp"
+#include "numerics/names.hpp"
+#include "numerics/toml_table.hpp"
+
+namespace ikbench::experiments {
+
+using namespace numerics;
+
+namespace {
+
+constexpr EmbeddedFile multiverse_files[]{
+#include "multiverse.inc"
+};
+
+constexpr std::size_t most_dimensions = 100, most_alternatives = 20;
+
+// "path.tool" of "path.tool=eq27".
+std::string key_of_setting(std::string_view set) { return std::string(set.substr(0, set.find('='))); }
+
+// The tables of a list, which has to be there.
+std::vector<const toml::table*> tables_of(TomlReader& reader, std::string_view key, std::size_t most) {
+  const std::string expected = fmt::format("a list of 1 to {} tables", most);
+  const toml::node* node = reader.find(key);
+  if (node == nullptr) {
+    throw std::invalid_argument(fmt::format(
+        "{}{}{} is missing; expected {}", reader.where(reader.table().source(), key), reader.prefix(), key, expected));
+  }
+  const toml::array* array = node->as_array();
+  if (array == nullptr || array->empty() || array->size() > most) reader.fail(key, *node, expected);
+  std::vector<const toml::table*> tables;
+  for (const toml::node& element : *array) {
+    if (!element.is_table()) reader.fail(key, element, "a table");
+    tables.push_back(element.as_table());
+  }
+  return tables;
+}
+
+std::vector<std::string> exceptions(TomlReader& reader) {
+  std::vector<std::string> texts;
+  const toml::node* node = reader.find("except");
+  if (node == nullptr) return texts;
+  const toml::array* array = node->as_array();
+  if (array == nullptr || array->size() > most_alternatives) reader.fail("except", *node, "a short list of texts");
+  for (const toml::node& element : *array) {
+    const std::string text = element.value<std::string>().value_or("");
+    if (text.find('=') == std::string::npos) reader.fail("except", element, "what another alternative sets");
+    texts.push_back(text);
+  }
+  return texts;
+}
+
+Alternative read_alternative(TomlReader reader, bool is_default) {
+  Alternative one;
+  reader.text("set", one.set, "");
+  reader.text("where", one.where, "");
+  for (const auto& [key, text] : {std::pair("set", &one.set), std::pair("where", &one.where)}) {
+    if (!text->empty() && (key != std::string_view("set") || text->find('=', 1) != std::string::npos)) continue;
+    throw std::invalid_argument(fmt::format("{}{}{} is missing or has no value; expected {}",
+                                            reader.where(reader.table().source(), key), reader.prefix(), key,
+                                            key == std::string_view("set") ? "what --set takes" : "a clause"));
+  }
+  if (!is_default) {
+    reader.choice("in", one.scope, {{"small", Scope::small}, {"default", Scope::usual}}, "");
+    one.except = exceptions(reader);
+  }
+  reader.refuse_unknown_keys();
+  return one;
+}
+
+Dimension read_dimension(TomlReader reader, const std::vector<std::string>& labels) {
+  Dimension one;
+  reader.text("section", one.section, "");
+  for (const toml::table* table : tables_of(reader, "alternatives", most_alternatives)) {
+    one.alternatives.push_back(
+        read_alternative(reader.nested(*table, "dimensions.alternatives."), one.alternatives.empty()));
+    const std::string name = key_of_setting(one.alternatives.back().set);
+    if (one.name.empty()) one.name = name;
+    const std::string& set = one.alternatives.back().set;
+    if (name != one.name || std::ranges::count(one.alternatives, set, &Alternative::set) > 1) {
+      reader.fail("alternatives", *table, fmt::format("another value of {}", one.name));
+    }
+  }
+  reader.refuse_unknown_keys();
+  const std::string owner = one.name.substr(0, std::min(one.name.rfind('.'), one.name.size()));
+  if (std::ranges::find(labels, owner) != labels.end()) one.solver = owner;
+  return one;
+}
+
+}  // namespace
+
+std::string Alternative::sentence() const {
+  std::string text = where + '.';
+  text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
+  return text;
+}
+
+std::vector<Dimension> parse_dimensions(std::string_view text, std::string_view source,
+                                        const std::vector<std::string>& labels) {
+  const toml::table table = parse_toml(text, source);
+  TomlReader reader(table, source, "");
+  std::vector<Dimension> list;
+  for (const toml::table* each : tables_of(reader, "dimensions", most_dimensions)) {
+    list.push_back(read_dimension(reader.nested(*each, "dimensions."), labels));
+    if (std::ranges::count(list, list.back().name, &Dimension::name) > 1) {
+      reader.fail("dimensions", *each, fmt::format("{} once", list.back().name));
+    }
+  }
+  reader.refuse_unknown_keys();
+  return list;
+}
+
+std::vector<Dimension> dimensions(std::string_view study) {
+  const EmbeddedFile* const file = find_embedded(multiverse_files, study);
+  if (file == nullptr) return {};
+  std::vector<std::string> labels;
+  for (const SolverEntry& entry : load_study(std::string(study)).solvers) labels.push_back(entry.label);
+  return parse_dimensions(file->text, file->name, labels);
+}
+
+std::vector<Dimension> within(Scope scope, std::vector<Dimension> dimensions) {
+  for (Dimension& each : dimensions) {
+    std::vector<Alternative> kept;
+    for (Alternative& one : each.alternatives) {
+      if (kept.empty() || one.scope <= scope) kept.push_back(std::move(one));
+    }
+    each.alternatives = std::move(kept);
+  }
+  std::erase_if(dimensions, [](const Dimension& each) { return each.alternatives.size() < 2; });
+  return dimensions;
+}
+
+std::vector<Dimension> named(const std::vector<std::string>& names, const std::vector<Dimension>& dimensions) {
+  std::vector<std::string> known;
+  for (const Dimension& each : dimensions) known.push_back(each.name);
+  for (const std::string& name : names) {
+    if (std::ranges::find(known, name) == known.end()) {
+      throw std::invalid_argument(unknown_name("dimension", name, known));
+    }
+    if (std::ranges::count(names, name) > 1) {
+      throw std::invalid_argument(fmt::format("the dimension {} is given twice; expected it once", name));
+    }
+  }
+  std::vector<Dimension> chosen;
+  for (const Dimension& each : dimensions) {
+    if (std::ranges::find(names, each.name) != names.end()) chosen.push_back(each);
+  }
+  return chosen;
+}
+
+}  // namespace ikbench::experiments

@@ -1,0 +1,179 @@
+#include "experiments/series_means.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <fstream>
+#include <mutex>
+#include <optional>
+#include <sstream>
+#include <stdexcept>
+#include <string_view>
+#include <system_error>
+#include <utility>
+
+#include "experiments/series_key.hpp"
+#include "experiments/workers.hpp"
+#include "numerics/number.hpp"
+
+namespace ikbench::experiments {
+
+using namespace numerics;
+using namespace results;
+
+namespace {
+
+constexpr std::string_view head_of_means = "series,position_error_cm,variation_deg\n";
+
+std::string texts_of_numbers(const std::vector<double>& values) {
+  std::string text;
+  for (const double value : values) text += fmt::format("{}{}", text.empty() ? "" : " ", text_of(value));
+  return text;
+}
+
+std::optional<std::vector<double>> numbers_of_text(std::string_view text) {
+  constexpr std::size_t most = 1'000'000;
+  std::vector<double> values;
+  while (values.size() < most) {
+    const std::size_t end = std::min(text.find(' '), text.size());
+    const std::optional<double> value = number_from(text.substr(0, end));
+    if (!value) return std::nullopt;
+    values.push_back(*value);
+    if (end == text.size()) return values;
+    text.remove_prefix(end + 1);
+  }
+  return std::nullopt;
+}
+
+// A line of the file: nothing where it is none of ours.
+std::optional<std::pair<std::string, RunMeans>> kept_line(std::string_view line) {
+  const std::size_t first = line.find(','), second = line.rfind(',');
+  if (first == std::string_view::npos || second == first || first == 0) return std::nullopt;
+  const auto errors = numbers_of_text(line.substr(first + 1, second - first - 1));
+  const auto variations = numbers_of_text(line.substr(second + 1));
+  if (!errors || !variations || errors->size() != variations->size()) return std::nullopt;
+  return std::pair(std::string(line.substr(0, first)), RunMeans{*errors, *variations});
+}
+
+// What is known of series that are solved side by side, and how far they are known without a gap.
+struct SolvedSeries {
+  std::vector<std::optional<RunMeans>> means;
+  std::vector<bool> is_new;
+  std::size_t complete = 0;
+};
+
+std::int64_t solves_of_series(const Study& study) {
+  return std::int64_t{study.runs} * static_cast<std::int64_t>(targets(study, 1).size());
+}
+
+}  // namespace
+
+SeriesMeans::SeriesMeans(std::filesystem::path file) : file_(std::move(file)) {
+  if (!file_.empty()) read();
+}
+
+void SeriesMeans::read() {
+  std::error_code error;
+  if (!std::filesystem::exists(file_, error)) return;
+  constexpr std::uintmax_t largest = 2'000'000'000;
+  if (std::filesystem::file_size(file_, error) > largest) {
+    throw std::invalid_argument(fmt::format("{}: expected a file of at most 2 GB", file_.string()));
+  }
+  std::ifstream in(file_, std::ios::binary);
+  if (!in) throw std::invalid_argument(fmt::format("cannot read {}", file_.string()));
+  std::string line;
+  std::uintmax_t whole = 0;
+  for (int number = 1; std::getline(in, line) && !in.eof(); ++number) {
+    whole += line.size() + 1;
+    if (number == 1 && line + '\n' == head_of_means) continue;
+    auto kept = number == 1 ? std::nullopt : kept_line(line);
+    if (!kept) {
+      throw std::invalid_argument(fmt::format(
+          "{}:{}: expected a series with the means of its runs; the file was edited, so remove it or choose another "
+          "--out",
+          file_.string(), number));
+    }
+    RunMeans& known = known_[kept->first];
+    if (kept->second.error_cm.size() > known.error_cm.size()) known = std::move(kept->second);
+  }
+  in.close();
+  if (whole < std::filesystem::file_size(file_, error) && !error) std::filesystem::resize_file(file_, whole, error);
+  if (error) throw std::invalid_argument(fmt::format("cannot write {}: {}", file_.string(), error.message()));
+}
+
+const RunMeans* SeriesMeans::find(const std::string& key, std::size_t runs) const {
+  const auto found = known_.find(key);
+  return found == known_.end() || found->second.error_cm.size() < runs ? nullptr : &found->second;
+}
+
+void SeriesMeans::keep(const std::string& key, RunMeans means) {
+  if (!file_.empty()) {
+    std::error_code error;
+    if (file_.has_parent_path()) std::filesystem::create_directories(file_.parent_path(), error);
+    std::ofstream out(file_, std::ios::binary | std::ios::app);
+    out.seekp(0, std::ios::end);
+    const std::string line =
+        fmt::format("{},{},{}\n", key, texts_of_numbers(means.error_cm), texts_of_numbers(means.variation_deg));
+    out << (out.tellp() == 0 ? head_of_means : "") << line << std::flush;
+    if (!out) throw std::runtime_error(fmt::format("cannot write {}", file_.string()));
+  }
+  known_[key] = std::move(means);
+}
+
+std::vector<RunMeans> solve_series(const std::vector<Study>& series, SeriesMeans& kept, const SeriesRequest& request) {
+  SolvedSeries solved{.means = std::vector<std::optional<RunMeans>>(series.size()),
+                      .is_new = std::vector<bool>(series.size())};
+  std::vector<std::string> keys;
+  Progress progress;
+  for (std::size_t i = 0; i < series.size(); ++i) {
+    keys.push_back(series_key(series[i], series[i].solvers.front()));
+    const std::int64_t solves = solves_of_series(series[i]);
+    progress.total += solves;
+    const auto runs = static_cast<std::size_t>(series[i].runs);
+    if (const RunMeans* known = kept.find(keys.back(), runs)) {
+      RunMeans& means = solved.means[i].emplace(*known);
+      means.error_cm.resize(runs);
+      means.variation_deg.resize(runs);
+      progress.reused += solves;
+    }
+  }
+  progress.done = progress.reused;
+  std::mutex mutex;
+  const auto take = [&](std::size_t place, std::optional<RunMeans> means) {
+    const std::scoped_lock lock(mutex);
+    if (means) {
+      solved.means[place] = std::move(means);
+      solved.is_new[place] = true;
+      progress.done += solves_of_series(series[place]);
+    }
+    for (; solved.complete < series.size() && solved.means[solved.complete]; ++solved.complete) {
+      if (solved.is_new[solved.complete]) kept.keep(keys[solved.complete], *solved.means[solved.complete]);
+    }
+    if (request.progress) request.progress(progress);
+  };
+  take(0, std::nullopt);
+  std::atomic<std::size_t> next{0};
+  std::atomic<bool> has_failed{false};
+  const auto is_over = [&] { return has_failed || (request.cancelled != nullptr && *request.cancelled); };
+  work_together(request.jobs, [&] {
+    try {
+      for (std::size_t i = next++; i < series.size() && !is_over(); i = next++) {
+        if (solved.means[i]) continue;
+        std::vector<SolveRecord> solves;
+        solve_study(
+            series[i], 1, [&](SolveRecord record) { solves.push_back(std::move(record)); }, request.cancelled);
+        if (static_cast<std::int64_t>(solves.size()) < solves_of_series(series[i])) break;
+        take(i, request.means_of(series[i], std::move(solves)));
+      }
+    } catch (...) {
+      has_failed = true;
+      throw;
+    }
+  });
+  std::vector<RunMeans> means;
+  for (std::size_t i = 0; i < solved.complete; ++i) means.push_back(std::move(*solved.means[i]));
+  return means;
+}
+
+}  // namespace ikbench::experiments

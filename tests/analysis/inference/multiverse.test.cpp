@@ -1,0 +1,174 @@
+#include "analysis/inference/multiverse.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <random>
+#include <utility>
+
+#include "analysis/statistics/multiple_comparisons.hpp"
+#include "tests/catch.hpp"
+
+using namespace ikbench;
+using namespace ikbench::inference;
+using namespace ikbench::statistics;
+
+namespace {
+
+constexpr double significance = 0.05;
+
+std::vector<double> runs_around(double centre, std::mt19937_64& engine) {
+  std::vector<double> values;
+  for (int run = 0; run < 6; ++run) {
+    const double uniform = static_cast<double>(engine() >> 11) / 9007199254740992.0;  // 2^53
+    values.push_back(centre * (0.6 + 0.8 * uniform));
+  }
+  return values;
+}
+
+// Two dimensions of the study, of which the second has a choice with the first one's default only; A has two choices, B
+// two times two, C one; two seeds.
+Multiverse small_multiverse() {
+  const auto alternative = [](const std::string& set) { return Multiverse::Alternative{set, "it is " + set}; };
+  Multiverse multiverse{.dimensions = {{"x", "2.1", "", {alternative("x=0"), alternative("x=1"), alternative("x=2")}},
+                                       {"y", "2.1", "", {alternative("y=0"), alternative("y=1")}},
+                                       {"A.k", "2.2", "A", {alternative("A.k=0"), alternative("A.k=1")}},
+                                       {"B.k", "2.3", "B", {alternative("B.k=0"), alternative("B.k=1")}},
+                                       {"B.l", "2.3", "B", {alternative("B.l=0"), alternative("B.l=1")}}},
+                        .solvers = {"A", "B", "C"},
+                        .studies = {}};
+  std::mt19937_64 engine(7);
+  const auto own = [&](std::vector<Multiverse::Choice> chosen, double centre) {
+    Multiverse::Own one{.chosen = std::move(chosen), .error_cm = {}, .variation_deg = {}};
+    for (int seed = 0; seed < 2; ++seed) {
+      one.error_cm.push_back(runs_around(centre, engine));
+      one.variation_deg.push_back(runs_around(10 * centre, engine));
+    }
+    return one;
+  };
+  const std::vector<std::vector<Multiverse::Choice>> studies{{{0, 0}, {1, 0}}, {{0, 0}, {1, 1}}, {{0, 1}}, {{0, 2}}};
+  for (std::size_t g = 0; g < studies.size(); ++g) {
+    Multiverse::OfStudy study{.chosen = studies[g], .out_of_reach = 0, .solvers = {}};
+    const double shift = 0.3 * static_cast<double>(g);
+    study.solvers.push_back({own({{2, 0}}, 0.6 + shift), own({{2, 1}}, 1.4)});
+    study.solvers.push_back({});
+    for (std::size_t k = 0; k < 2; ++k) {
+      for (std::size_t l = 0; l < 2; ++l) {
+        study.solvers[1].push_back(
+            own({{3, k}, {4, l}}, 1 + 0.4 * static_cast<double>(k) - 0.5 * static_cast<double>(l) * shift));
+      }
+    }
+    study.solvers.push_back({own({}, 1.2)});
+    multiverse.studies.push_back(std::move(study));
+  }
+  return multiverse;
+}
+
+using ByAlternative = std::map<std::pair<std::size_t, std::size_t>, UniverseCounts>;
+
+// Universe by universe, each judged by the test that a study's plan has for all pairs.
+ByAlternative listed(const Multiverse& multiverse, const std::string& rival, UniverseCounts& all) {
+  ByAlternative counts;
+  for (const Multiverse::OfStudy& study : multiverse.studies) {
+    for (const Multiverse::Own& a : study.solvers[0]) {
+      for (const Multiverse::Own& b : study.solvers[1]) {
+        for (const Multiverse::Own& c : study.solvers[2]) {
+          for (std::size_t seed = 0; seed < 2; ++seed) {
+            const std::vector<GroupSummary> groups{summarise(a.error_cm[seed]), summarise(b.error_cm[seed]),
+                                                   summarise(c.error_cm[seed])};
+            int better = 0, worse = 0, rivals = 0;
+            for (const MeanDifference& pair : games_howell(groups, 1 - significance, 0)) {
+              if (!rival.empty() && multiverse.solvers[pair.second] != rival) continue;
+              ++rivals;
+              if (pair.p < significance) ++(pair.difference < 0 ? better : worse);
+            }
+            const UniverseCounts one{.holds = better == rivals ? 1.0 : 0.0, .fails = worse > 0 ? 1.0 : 0.0, .all = 1};
+            all += one;
+            for (const auto* chosen : {&study.chosen, &a.chosen, &b.chosen, &c.chosen}) {
+              for (const Multiverse::Choice& each : *chosen) counts[{each.dimension, each.alternative}] += one;
+            }
+          }
+        }
+      }
+    }
+  }
+  return counts;
+}
+
+}  // namespace
+
+TEST_CASE("claims counted by products are those counted universe by universe", "[multiverse]") {
+  const Multiverse multiverse = small_multiverse();
+  for (const std::string rival : {"", "B", "C"}) {
+    CAPTURE(rival);
+    UniverseCounts all;
+    ByAlternative expected = listed(multiverse, rival, all);
+    const ClaimCounts counts =
+        counted(multiverse, {{.id = "best", .words = "A is best", .solver = "A", .rival = rival}}, significance)
+            .front();
+    CHECK(counts.all.all == 2 * multiverse.universes());
+    CHECK(counts.all.holds == all.holds);
+    CHECK(counts.all.fails == all.fails);
+    CHECK(counts.all.all == all.all);
+    // Of every kind some, else this would show little.
+    CHECK(all.holds > 0);
+    CHECK(all.fails > 0);
+    CHECK(all.holds + all.fails < all.all);
+    for (std::size_t d = 0; d < multiverse.dimensions.size(); ++d) {
+      for (std::size_t a = 0; a < multiverse.dimensions[d].alternatives.size(); ++a) {
+        CAPTURE(d, a);
+        CHECK(counts.alternatives[d][a].holds == expected[{d, a}].holds);
+        CHECK(counts.alternatives[d][a].fails == expected[{d, a}].fails);
+        CHECK(counts.alternatives[d][a].all == expected[{d, a}].all);
+      }
+    }
+    CHECK(counts.seeds.size() == 2);
+    CHECK(counts.seeds[0].holds + counts.seeds[1].holds == all.holds);
+    CHECK(counts.seeds[0].all == counts.seeds[1].all);
+  }
+}
+
+TEST_CASE("the deciding dimension is that with the largest difference of shares", "[multiverse]") {
+  const Multiverse multiverse = small_multiverse();
+  const ClaimCounts counts =
+      counted(multiverse, {{.id = "best", .words = "A is best", .solver = "A"}}, significance).front();
+  const std::size_t deciding = counts.deciding();
+  REQUIRE(deciding < multiverse.dimensions.size());
+  for (std::size_t d = 0; d < multiverse.dimensions.size(); ++d) {
+    CHECK(counts.difference(d) <= counts.difference(deciding));
+  }
+  CHECK(counts.difference(deciding) > 0);
+}
+
+TEST_CASE("a dimension has no effect where its alternatives give the same bits", "[multiverse]") {
+  Multiverse multiverse = small_multiverse();
+  for (Multiverse::OfStudy& study : multiverse.studies) {
+    study.solvers[0][1].error_cm = study.solvers[0][0].error_cm;
+    study.solvers[0][1].variation_deg = study.solvers[0][0].variation_deg;
+  }
+  const std::vector<MultiverseClaim> claims{
+      {.id = "a", .words = "k changes nothing", .solver = "A", .without_effect = "A.k"},
+      {.id = "b", .words = "k changes nothing", .solver = "B", .without_effect = "B.k"},
+      {.id = "none", .words = "no such dimension", .solver = "A", .without_effect = "A.z"}};
+  std::vector<ClaimCounts> counts = counted(multiverse, claims, significance);
+  CHECK(counts[0].all.holds == counts[0].all.all);
+  CHECK(counts[0].all.all == 2 * multiverse.universes());
+  CHECK(counts[0].deciding() == multiverse.dimensions.size());
+  CHECK(counts[1].all.holds == counts[1].all.all / 2);  // those with the default itself
+  CHECK(counts[2].all.all == 0);
+  // The last bit of one run.
+  double& value = multiverse.studies[3].solvers[0][1].error_cm[1].back();
+  value = std::nextafter(value, 2 * value);
+  counts = counted(multiverse, claims, significance);
+  CHECK(counts[0].all.fails == 4);  // in one choice of the study and one seed, with B's four choices
+}
+
+TEST_CASE("a mean that is no number is worse than one that is, in every universe", "[multiverse]") {
+  Multiverse multiverse = small_multiverse();
+  for (Multiverse::OfStudy& study : multiverse.studies) {
+    for (Multiverse::Own& own : study.solvers[0]) own.error_cm[0].front() = own.error_cm[1].front() = INFINITY;
+  }
+  const ClaimCounts counts =
+      counted(multiverse, {{.id = "best", .words = "A is best", .solver = "A"}}, significance).front();
+  CHECK(counts.all.fails == counts.all.all);
+}

@@ -1,0 +1,54 @@
+#!/usr/bin/env bash
+# All combinations of what a paper leaves open: resumable, the same for any number of jobs; Ctrl-C tells how to go on.
+source "$(dirname "$0")/common.sh"
+
+succeeds multiverse slim2023 --list
+has "$out" "bounds=initial"
+has "$out" "universes of"
+succeeds multiverse slim2023 --small --list
+has "$out" "universes of"
+
+few=(--dimensions bounds,IK-BA.f_max,BA.best_of)
+succeeds multiverse slim2023 "${small[@]}" "${few[@]}" --jobs 2 --out folder
+quiet
+has "$out" "IK-BA has the smallest mean error in"
+has "$out" "f_max (Eqs. 5, 7 and 13) changes no bit of IK-BA in 100 % of the universes"
+for table in multiverse multiverse-alternatives; do
+  for type in md csv tex; do [ -s "folder/tables/$table.$type" ] || fail "no $table.$type"; done
+done
+for type in gp dat; do [ -s "folder/figures/multiverse.$type" ] || fail "no multiverse.$type"; done
+! command -v gnuplot >/dev/null || [ -s folder/figures/multiverse.png ] || fail "no picture"
+
+# One job, and a file that was cut: the same bytes.
+succeeds multiverse slim2023 "${small[@]}" "${few[@]}" --no-figures --out again
+cmp folder/series.csv again/series.csv || fail "other series with one job"
+head -c 1500 folder/series.csv >again/series.csv
+succeeds multiverse slim2023 "${small[@]}" "${few[@]}" --no-figures --out again
+cmp folder/series.csv again/series.csv || fail "other series after a cut"
+for file in tables/multiverse.csv tables/multiverse-alternatives.csv figures/multiverse.dat; do
+  cmp "folder/$file" "again/$file" || fail "another $file"
+done
+# `readings` takes what is there.
+succeeds readings slim2023 "${small[@]}" --seeds 1 --out folder --no-figures
+lines=$(wc -l <folder/series.csv)
+succeeds multiverse slim2023 "${small[@]}" --dimensions search --out folder --no-figures
+[ "$(wc -l <folder/series.csv)" = "$lines" ] || fail "solved again what readings had solved"
+
+refused 'unknown dimension "bound"' multiverse slim2023 --dimensions bound
+refused 'is given twice' multiverse slim2023 --dimensions bounds,bounds
+refused '--seeds' multiverse slim2023 --seeds 0
+refused 'did you mean "slim2023"' multiverse slim2024
+refused 'seeds 1 to --seeds' multiverse slim2023 --set seed=77
+refused 'excludes' multiverse slim2023 --small --dimensions bounds
+echo "edited" >folder/series.csv
+refused 'series.csv:1' multiverse slim2023 "${small[@]}" --dimensions bounds --out folder
+
+# Far too much to be done; stopped after a second.
+"$program" multiverse slim2023 --set runs=500 --out long >stopped.out 2>stopped.err &
+process=$!
+sleep 3
+kill -INT $process || fail "it had ended before it could be stopped: $(<stopped.err)"
+wait $process
+code=$?
+[ "$code" = 130 ] || fail "exit code $code after SIGINT, expected 130: $(<stopped.err)"
+has "$(<stopped.err)" "to continue: ikbench multiverse slim2023 --set runs=500 --out long"

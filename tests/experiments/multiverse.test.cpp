@@ -1,0 +1,260 @@
+#include "experiments/multiverse.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <filesystem>
+#include <set>
+#include <stdexcept>
+
+#include "experiments/series_key.hpp"
+#include "experiments/series_means.hpp"
+#include "tests/catch.hpp"
+#include "tests/experiments/samples.hpp"
+
+using namespace ikbench;
+using namespace ikbench::results;
+using namespace ikbench::experiments;
+
+namespace {
+
+const Overrides tiny{"runs=2", "path.points=2", "stop.iterations=2", "population=6"};
+const std::vector<std::string> three_labels{"A", "B", "C"};
+
+struct MeansFolder {
+  ScratchFolder folder;
+  std::filesystem::path file() const { return folder.path / "series.csv"; }
+  std::string text() const { return text_in(file()); }
+};
+
+RunMeans first_points(const Study&, const std::vector<SolveRecord>& solves) {
+  RunMeans means;
+  std::vector<SolveRecord> sorted = solves;
+  std::ranges::sort(sorted, {}, &SolveRecord::run);
+  for (const SolveRecord& solve : sorted) {
+    if (solve.point != 1) continue;
+    means.error_cm.push_back(solve.position_error_cm);
+    means.variation_deg.push_back(solve.variation_deg);
+  }
+  return means;
+}
+
+std::vector<RunMeans> solved_into(const MeansFolder& folder, const std::vector<Study>& series, int jobs,
+                                  int* solved = nullptr) {
+  SeriesMeans kept(folder.file());
+  std::atomic<int> count{0};
+  auto means = solve_series(series, kept,
+                            {.means_of =
+                                 [&](const Study& study, std::vector<SolveRecord> solves) {
+                                   ++count;
+                                   return first_points(study, solves);
+                                 },
+                             .jobs = jobs});
+  if (solved != nullptr) *solved = count;
+  return means;
+}
+
+std::vector<Dimension> parsed(const std::string& alternatives) {
+  return parse_dimensions("[[dimensions]]\nsection = '2.1'\nalternatives = [" + alternatives + "]\n", "open.toml",
+                          three_labels);
+}
+
+}  // namespace
+
+TEST_CASE("the first alternative of every dimension is the default, and every other is not", "[multiverse]") {
+  const Study usual = load_study("slim2023");
+  const auto keys_of = [](const Study& study) {
+    std::vector<std::string> keys;
+    for (const SolverEntry& entry : study.solvers) keys.push_back(series_key(study, entry));
+    return keys;
+  };
+  for (const Dimension& dimension : dimensions("slim2023")) {
+    CHECK(dimension.section.starts_with("2."));
+    for (const Alternative& each : dimension.alternatives) {
+      CAPTURE(each.set);
+      const bool is_default = &each == &dimension.alternatives.front();
+      CHECK((keys_of(load_study("slim2023", {each.set})) == keys_of(usual)) == is_default);
+      CHECK(each.sentence().ends_with('.'));
+    }
+  }
+}
+
+TEST_CASE("what an alternative does not go with is an alternative of another dimension", "[multiverse]") {
+  std::set<std::string> known;
+  for (const Dimension& dimension : dimensions("slim2023")) {
+    for (const Alternative& each : dimension.alternatives) known.insert(each.set);
+  }
+  int exceptions = 0;
+  for (const Dimension& dimension : dimensions("slim2023")) {
+    for (const Alternative& each : dimension.alternatives) {
+      for (const std::string& other : each.except) {
+        CAPTURE(each.set, other);
+        CHECK(known.contains(other));
+        CHECK_FALSE(other.starts_with(dimension.name + "="));
+        ++exceptions;
+      }
+    }
+  }
+  CHECK(exceptions > 0);
+}
+
+TEST_CASE("the small multiverse is part of the default one", "[multiverse]") {
+  const auto sets_of = [](Scope scope) {
+    std::set<std::string> sets;
+    for (const Dimension& dimension : within(scope, dimensions("slim2023"))) {
+      CHECK(dimension.alternatives.size() >= 2);
+      for (const Alternative& each : dimension.alternatives) sets.insert(each.set);
+    }
+    return sets;
+  };
+  const std::set<std::string> small = sets_of(Scope::small), usual = sets_of(Scope::usual);
+  CHECK(std::ranges::includes(usual, small));
+  CHECK(small.size() < usual.size());
+  CHECK(small.contains("population=20"));
+  CHECK(small.contains("bounds=initial"));
+}
+
+TEST_CASE("a plan has every combination of the alternatives that go together, each series once", "[multiverse]") {
+  // wrist_branch has no effect where all joints are searched; DE.bounds=reflect contradicts bounds=initial.
+  const auto varied = named({"bounds", "search", "DE.bounds", "wrist_branch"}, dimensions("slim2023"));
+  const MultiversePlan plan = plan_multiverse("slim2023", varied, 1, tiny);
+  REQUIRE(plan.solvers.size() == 6);
+  CHECK(plan.studies.size() == 3 * (4 + 1));
+  const auto de = static_cast<std::size_t>(std::ranges::find(plan.solvers, "DE") - plan.solvers.begin());
+  std::int64_t series = 0;
+  std::set<std::size_t> used;
+  for (const MultiversePlan::OfStudy& study : plan.studies) {
+    const auto has = [&](const std::string& set) {
+      return std::ranges::any_of(study.chosen, [&](const Choice& each) {
+        return plan.dimensions[each.dimension].alternatives[each.alternative].set == set;
+      });
+    };
+    CHECK(study.chosen.size() == (has("search=all_joints") ? 2 : 3));
+    // As the default says: clamp, reflect, resample, initial; nobody clamped: clamp (as the study) and initial; all
+    // clamped: not initial.
+    CHECK(study.solvers[de].size() == (has("bounds=initial") ? 2 : has("bounds=clamp") ? 3 : 4));
+    for (const auto& of_solver : study.solvers) {
+      series += static_cast<std::int64_t>(of_solver.size());
+      for (const auto& own : of_solver) used.insert(own.parts.begin(), own.parts.end());
+    }
+  }
+  CHECK(used.size() == plan.parts.size());
+  std::set<std::string> keys;
+  for (const Study& part : plan.parts) {
+    REQUIRE(part.solvers.size() == 1);
+    CHECK(keys.insert(series_key(part, part.solvers.front())).second);
+  }
+  const MultiverseSize size = size_of(varied, plan.solvers);
+  CHECK(size.studies == static_cast<std::int64_t>(plan.studies.size()));
+  CHECK(size.series == series);
+  CHECK(size.series > static_cast<std::int64_t>(plan.parts.size()));
+  CHECK(plan.studies.front().chosen == Chosen{{0, 0}, {1, 0}, {3, 0}});
+}
+
+TEST_CASE("too many universes are refused with their number", "[multiverse]") {
+  std::vector<std::string> names;
+  for (const Dimension& each : dimensions("slim2023")) names.push_back(each.name);
+  CHECK_THROWS_WITH(plan_multiverse("slim2023", named(names, dimensions("slim2023")), 1),
+                    Catch::Matchers::Contains("choose fewer with --dimensions"));
+  CHECK_THROWS_WITH(named({"bound"}, dimensions("slim2023")),
+                    Catch::Matchers::StartsWith("unknown dimension \"bound\"; did you mean \"bounds\""));
+  CHECK_THROWS_AS(named({"bounds", "bounds"}, dimensions("slim2023")), std::invalid_argument);
+  CHECK_THROWS_AS(plan_multiverse("slim2023", {}, 1, {"seed=3"}), std::invalid_argument);
+}
+
+TEST_CASE("series that are solved are kept, and any number of jobs writes the same bytes", "[multiverse]") {
+  const auto series = plan_multiverse("slim2023", named({"bounds"}, dimensions("slim2023")), 2, tiny).parts;
+  int solved = 0;
+  const MeansFolder one;
+  const std::vector<RunMeans> means = solved_into(one, series, 1, &solved);
+  REQUIRE(means.size() == series.size());
+  CHECK(solved == static_cast<int>(series.size()));
+  const std::string bytes = one.text();
+  solved_into(one, series, 1, &solved);
+  CHECK(solved == 0);
+  std::filesystem::remove(one.file());
+  const std::vector<RunMeans> again = solved_into(one, series, 3);
+  CHECK(one.text() == bytes);
+  for (std::size_t i = 0; i < series.size(); ++i) {
+    CHECK(again[i].error_cm == means[i].error_cm);
+    CHECK(again[i].variation_deg == means[i].variation_deg);
+  }
+  // Fewer runs are the first of many; more are solved again.
+  std::vector<Study> shorter{series.front()};
+  shorter.front().runs = 1;
+  const std::vector<RunMeans> first = solved_into(one, shorter, 1, &solved);
+  CHECK(solved == 0);
+  CHECK(first.front().error_cm == std::vector<double>{means.front().error_cm.front()});
+  shorter.front().runs = 3;
+  solved_into(one, shorter, 1, &solved);
+  CHECK(solved == 1);
+}
+
+TEST_CASE("a file that was cut anywhere is continued to the same bytes", "[multiverse]") {
+  const auto series = plan_multiverse("slim2023", named({"bounds"}, dimensions("slim2023")), 1, tiny).parts;
+  const MeansFolder folder;
+  solved_into(folder, series, 1);
+  const std::string bytes = folder.text();
+  for (const double share : {0.0, 0.002, 0.3, 0.55, 0.999}) {
+    std::filesystem::resize_file(folder.file(), static_cast<std::uintmax_t>(share * static_cast<double>(bytes.size())));
+    solved_into(folder, series, 2);
+    CHECK(folder.text() == bytes);
+  }
+}
+
+TEST_CASE("a file of series that was edited is refused with its line", "[multiverse]") {
+  for (const std::string text :
+       {"not ours\n", "series,position_error_cm,variation_deg\nkey,1 2,3\n",
+        "series,position_error_cm,variation_deg\n,1,1\n", "series,position_error_cm,variation_deg\nkey,1 x,1 2\n",
+        "series,position_error_cm,variation_deg\nkey,,\n"}) {
+    CAPTURE(text);
+    const MeansFolder folder;
+    write_text(folder.file(), text);
+    CHECK_THROWS_AS(SeriesMeans(folder.file()), std::invalid_argument);
+  }
+}
+
+TEST_CASE("cancelled, the series before the first that is missing are told and kept", "[multiverse]") {
+  const auto series = plan_multiverse("slim2023", named({"bounds"}, dimensions("slim2023")), 1, tiny).parts;
+  const MeansFolder folder;
+  std::atomic<bool> cancelled{false};
+  SeriesMeans kept(folder.file());
+  const auto means = solve_series(series, kept,
+                                  {.means_of =
+                                       [&](const Study& study, std::vector<SolveRecord> solves) {
+                                         cancelled = true;
+                                         return first_points(study, solves);
+                                       },
+                                   .cancelled = &cancelled});
+  CHECK(means.size() == 1);
+  CHECK(std::ranges::count(folder.text(), '\n') == 2);
+}
+
+TEST_CASE("a file of dimensions says in one sentence where it is wrong", "[multiverse]") {
+  const std::string good = "{set='x=1', where='a'}, {set='x=2', where='b', in='small', except=['y=1']}";
+  REQUIRE(parsed(good).size() == 1);
+  CHECK(parsed(good).front().name == "x");
+  CHECK(parsed("{set='B.x=1', where='a'}, {set='B.x=2', where='b'}").front().solver == "B");
+  const auto refuses = [](const std::string& alternatives, const std::string& words) {
+    CAPTURE(alternatives);
+    CHECK_THROWS_WITH(parsed(alternatives),
+                      Catch::Matchers::StartsWith("open.toml:") && Catch::Matchers::Contains(words));
+  };
+  refuses("", "alternatives");
+  refuses("1", "a table");
+  refuses("{where='a'}", "set is missing");
+  refuses("{set='x', where='a'}", "what --set takes");
+  refuses("{set='x=1'}", "where is missing");
+  refuses("{set='x=1', where='a'}, {set='y=1', where='b'}", "another value of x");
+  refuses("{set='x=1', where='a'}, {set='x=1', where='b'}", "another value of x");
+  refuses("{set='x=1', where='a'}, {set='x=2', where='b', in='medium'}", "small");
+  refuses("{set='x=1', where='a'}, {set='x=2', where='b', except='y=1'}", "except");
+  refuses("{set='x=1', where='a'}, {set='x=2', where='b', except=[1]}", "except");
+  refuses("{set='x=1', where='a', in='small'}", "unknown key \"in\"");
+  refuses("{set='x=1', where=\"a\\nb\"}", "control characters");
+  std::string many;
+  for (int i = 0; i < 30; ++i) many += "{set='x=" + std::to_string(i) + "', where='a'},";
+  refuses(many, "a list of 1 to 20 tables");
+  CHECK_THROWS_AS(parse_dimensions("dimensions = 3", "open.toml", three_labels), std::invalid_argument);
+  CHECK_THROWS_AS(parse_dimensions("", "open.toml", three_labels), std::invalid_argument);
+  CHECK_THROWS_AS(parse_dimensions("[[dimensions", "open.toml", three_labels), std::invalid_argument);
+}
