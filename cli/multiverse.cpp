@@ -135,7 +135,7 @@ void add_multiverse(CLI::App& app, Invocation& invocation) {
       command->add_flag("--small", arguments->small, "fewer dimensions: what `ikbench reproduce` shows");
   command
       ->add_option("--dimensions", arguments->dimensions,
-                   "vary these, with all their alternatives, instead of the default ones: bounds,IK-BA.acceptance")
+                   "vary these, with all their alternatives, instead of the default ones: bounds,population")
       ->delimiter(',')
       ->allow_extra_args(false)
       ->excludes(small);
