@@ -45,7 +45,8 @@ LeftAside left_aside(const Study& study, const results::Store& store);
 void check_is_stored(const Study& study, const results::Store& store);
 
 // All solves of a study, without a store. `take` gets each as soon as it is done, by one thread at a time: those of a
-// run in the order of its points; each is made once, whatever the study says of repeats. `cancelled` is looked at before every solve.
+// run in the order of its points; each is made once, whatever the study says of repeats. `cancelled` is looked at
+// before every solve.
 void solve_study(const Study& study, int jobs, const std::function<void(results::SolveRecord)>& take,
                  const std::atomic<bool>* cancelled = nullptr);
 

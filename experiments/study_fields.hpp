@@ -62,9 +62,10 @@ inline void list_fields(Fields& io, Study& study) {
   io.whole("population", study.population, populations,
            "candidates per iteration; an entry of [[solvers]] can override it", InKey::in_text);
   io.whole("runs", study.runs, {1, 1'000'000}, "independent repetitions", InKey::no);
-  io.whole("repeats", study.repeats, {1, 1000},
-           "how often each solve is timed; its time is the median. 1 with --jobs above 1, stop.seconds or a debug build",
-           InKey::no);
+  io.whole(
+      "repeats", study.repeats, {1, 1000},
+      "how often each solve is timed; its time is the median. 1 with --jobs above 1, stop.seconds or a debug build",
+      InKey::no);
   io.whole("seed", study.seed, {0, no_limit}, "seed of all random numbers", InKey::in_text);
   io.choice("trace", study.trace,
             Choices<solvers::Trace>{{"none", solvers::Trace::none}, {"best_error", solvers::Trace::best_error}},

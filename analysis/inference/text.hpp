@@ -24,7 +24,7 @@ std::string latex_text(std::string_view text);
 std::string gnuplot_string(std::string_view text);
 
 std::string rounded_number(double value, int significant_digits);  // 2430, not 2.4e+03: all digits before the point
-std::string short_number(double value);  // three digits, or "not defined"
-std::string percent(double share);       // "5 %", three digits
+std::string short_number(double value);                            // three digits, or "not defined"
+std::string percent(double share);                                 // "5 %", three digits
 
 }  // namespace ikbench::inference

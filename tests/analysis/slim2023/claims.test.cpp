@@ -178,7 +178,8 @@ TEST_CASE("a solver that is the most accurate by its mean alone is so in part, w
 TEST_CASE("an order that most pairs keep holds in part", "[claims]") {
   std::vector<SolveRecord> solves = synthetic::solves({});
   for (SolveRecord& solve : solves) {
-    if (solve.solver == "PSO") solve.seconds = solve.cpu_seconds = 1.25 * solve.seconds;  // from the first place to the second
+    if (solve.solver == "PSO")
+      solve.seconds = solve.cpu_seconds = 1.25 * solve.seconds;  // from the first place to the second
   }
   const auto second = claims_of(study_of(solves));
   CHECK(verdict_of(second, "time_order") == Verdict::in_part);
