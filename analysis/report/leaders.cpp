@@ -43,9 +43,13 @@ class Leader {
     std::vector<std::size_t> beside{order[0]};
     std::string reversed;
     bool all_same = true;
-    for (const std::size_t other : std::vector(order.begin() + 1, order.end())) {
+    const std::vector<std::size_t> others(order.begin() + 1, order.end());
+    const auto is_tested = [&](std::size_t other) { return against(order[0], other).undefined.empty(); };
+    const bool any_tested = std::ranges::any_of(others, is_tested);
+    for (const std::size_t other : others) {
       const Judgement found = against(order[0], other);
-      if (!found.undefined.empty() || found.answer == Answer::better) continue;
+      // Whom no test can set apart from the first is not beaten, unless no one is tested at all.
+      if (found.answer == Answer::better || (!any_tested && !found.undefined.empty())) continue;
       if (found.answer == Answer::worse) {
         reversed += fmt::format("; but {} is better by the {}", name(other), found.test);
         continue;
@@ -87,7 +91,7 @@ class Leader {
   std::string shared(const std::vector<std::size_t>& groups, bool all_same) const {
     constexpr std::size_t most = 4;
     const std::string finding = all_same ? fmt::format("the same within {}", margin_words(evidence_))
-                                : groups.size() > 2
+                                : groups.size() > 2 || !std::isfinite(against(groups[0], groups[1]).p)
                                     ? "undecided"
                                     : fmt::format("undecided, {}", p_words(against(groups[0], groups[1]).p));
     if (groups.size() > most) {
