@@ -112,14 +112,14 @@ std::string plot_of(const std::vector<Box>& boxes, const std::string& name, bool
   if (has_marks) {
     clauses.push_back(fmt::format(
         "'{0}.dat' index 2 using ($1+0.36):(shown($2)):(0):(shown($4)-shown($2)) with vectors nohead lw 1.6 lc rgb "
-        "'#AAAAAA', '' index 2 using ($1+0.29):(shown($3)):(0.14):(0) with vectors nohead lw 1.6 lc rgb '#777777'",
+        "'#808080', '' index 2 using ($1+0.29):(shown($3)):(0.14):(0) with vectors nohead lw 1.6 lc rgb '#404040'",
         name));
     clauses.push_back(fmt::format(
         "'{}.dat' index 2 using ($1+0.36):(shown($2)):(0):(shown($2*$5)-shown($2)) with vectors head filled size "
-        "graph 0.015, 25 lw 1.2 lc rgb '#AAAAAA'",
+        "graph 0.015, 25 lw 1.2 lc rgb '#808080'",
         name));
-    clauses.emplace_back("keyentry with lines lw 1.6 lc rgb '#AAAAAA' title 'as printed: minimum to maximum'");
-    clauses.emplace_back("keyentry with lines lw 1.6 lc rgb '#777777' title 'median'");
+    clauses.emplace_back("keyentry with lines lw 1.6 lc rgb '#808080' title 'as printed: minimum to maximum'");
+    clauses.emplace_back("keyentry with lines lw 1.6 lc rgb '#404040' title 'median'");
   }
   return plot_command(clauses);
 }
@@ -162,7 +162,10 @@ Figure box_figure(const StudyResults& study, const BoxRequest& request) {
   if (boxes.size() > 8) figure.width_cm = two_columns_cm;
   figure.data = data_of(study, boxes, marks);
   figure.settings = axis.settings + counts_above(boxes) + label_settings(study, figure);
-  if (!marks.empty()) add_legend(figure, {"as printed: minimum to maximum", "median"});
+  if (!marks.empty()) {
+    figure.settings += "set key noautotitle\n";
+    add_legend(figure, {"as printed: minimum to maximum", "median"});
+  }
   figure.plot = plot_of(boxes, figure.name, !marks.empty());
   return figure;
 }

@@ -98,7 +98,7 @@ Figure path_figure(const StudyResults& study, const std::string& name) {
   if (corners.empty()) figure.data += "NaN NaN NaN\n";
   if (!corners.empty()) {
     labels.emplace_back(fmt::format("arm at point {}", solves.begin()->first));
-    add(fmt::format("index 2 using 1:2:3 with linespoints lw 1.6 pt 7 ps 0.4 lc rgb '#D55E00' title '{}'",
+    add(fmt::format("index 2 using 1:2:3 with linespoints lw 1.6 pt 7 ps 0.4 lc rgb '#FF2E1B' title '{}'",
                     labels.back()));
   }
   if (is_path) {
@@ -106,7 +106,7 @@ Figure path_figure(const StudyResults& study, const std::string& name) {
     add(fmt::format("index {} using 1:2:3 with lines lw 0.7 lc rgb '#888888' title 'path'", helix.empty() ? 0 : 1));
   }
   add("index 0 using 1:2:3 with points pt 7 ps 0.35 lc rgb '#000000' title 'target'");
-  add("index 0 using 4:5:6 with points pt 6 ps 0.8 lw 0.8 lc rgb '#0072B2' title 'reached'");
+  add("index 0 using 4:5:6 with points pt 6 ps 0.8 lw 0.8 lc rgb '#0E65B8' title 'reached'");
   if (is_path) add("index 0 using 1:2:3:('start') every ::0::0 with labels right offset -0.9,0.4 notitle");
   figure.settings = space_axes(coordinates);
   add_legend(figure, labels);
@@ -164,7 +164,7 @@ Figure curves_figure(const StudyResults& study, Metric metric, const std::string
     for (const auto& [point, values] : printed) curves.all.insert(curves.all.end(), values.begin(), values.end());
     labels.emplace_back("as printed");
     const std::string source = fmt::format("'{}.dat' index 1 using 1:(shown($2))", figure.name);
-    clauses.push_back(source + " with lines lw 0.7 dt 2 lc rgb '#999999' notitle");
+    clauses.push_back(source + " with lines lw 0.7 dt 2 lc rgb '#808080' notitle");
     clauses.push_back(fmt::format("{} with points dt 1 {} title '{}'", source, grey_rings, labels.back()));
   }
   labels.insert(labels.end(), study.solvers.begin(), study.solvers.end());
@@ -279,11 +279,10 @@ std::optional<Figure> joints_figure(const StudyResults& study, const std::string
       for (const double angle : angles) range = std::isfinite(angle) ? std::max(range, std::abs(angle)) : range;
     }
   }
-  figure.settings = point_axis(study.points) +
-                    fmt::format(
-                        "set ylabel 'joint angle [deg]'\nset yrange [{0}:{1}]\n{2}set key at screen 0.5, 0.01 "
-                        "bottom center horizontal maxrows 1\n",
-                        -range, range, range <= 180 ? "set ytics 60\n" : "");
+  figure.settings = point_axis(study.points) + fmt::format(
+                                                   "set yrange [{0}:{1}]\n{2}set key at screen 0.5, 0.01 "
+                                                   "bottom center vertical maxrows 1\n",
+                                                   -range, range, range <= 180 ? "set ytics 60\n" : "");
   std::vector<std::string> limits;
   for (const auto& [pair, of_joints] : limits_deg(Definition(study.definition), joints)) {
     limits.push_back(fmt::format("{} to {} deg (joint{} {})", rounded_number(pair.first, 4),
@@ -298,10 +297,13 @@ std::optional<Figure> joints_figure(const StudyResults& study, const std::string
   if (!limits.empty()) figure.caption += fmt::format(" Dashed: the joint limits, {}.", fmt::join(limits, "; "));
   if (panels.size() < all)
     figure.caption += fmt::format(" Only the first {} of {} solvers are shown.", most_panels, all);
-  const double bottom = 1.9 / figure.height_cm, top = 1 - 0.6 / figure.height_cm, gap = 1.1 / figure.height_cm;
-  figure.plot = fmt::format("set multiplot layout {}, {} rowsfirst margins 0.07, 0.99, {}, {} spacing 0.06, {}\n", rows,
-                            columns, text_of(bottom), text_of(top), text_of(gap));
+  const double bottom = 1.9 / figure.height_cm, top = 1 - 0.6 / figure.height_cm, gap = 1.2 / figure.height_cm;
+  figure.plot =
+      fmt::format("set multiplot layout {}, {} rowsfirst margins 0.07, 0.99, {}, {} spacing 0.06, {}\nset key\n", rows,
+                  columns, text_of(bottom), text_of(top), text_of(gap));
   for (std::size_t i = 0; i < panels.size(); ++i) {
+    figure.plot += fmt::format("set xlabel '{}'\nset ylabel '{}'\n", i + columns < panels.size() ? "" : "point",
+                               i % columns > 0 ? "" : "joint angle [deg]");
     figure.plot += panel_commands(panels[i], fmt::format("'{}.dat'", name), i);
   }
   figure.plot += "unset multiplot";
