@@ -90,7 +90,7 @@ std::string verdict(const std::vector<Row>& rows, std::size_t printed_points) {
       within == printed ? "All" : fmt::to_string(within), printed, printed_rounding_deg);
   if (solved > 0) {
     text += std::isfinite(largest) ? fmt::format("; the largest difference is {} deg", rounded_number(largest, 2))
-                                   : "; some of ours are not finite";
+                                   : "; some of our angles are not finite";
   }
   if (!others.empty()) text += "; points with an angle that does not agree: " + others;
   if (solved < printed_points) text += fmt::format("; unsolved points: {}", printed_points - solved);

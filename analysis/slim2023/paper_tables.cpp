@@ -115,9 +115,10 @@ Table table_3(const StudyResults& study, std::span<const ReadSolver> repetitions
   if (printed_table_3(study, Metric::position_error_cm).empty()) return table;
   std::string note = fmt::format(
       "Verdict: {} Computing times are compared relative to {}: our t / t_{} divided by the printed t / t_{}.",
-      repetitions.empty() ? "close if our mean divided by the printed one is within 0.5 to 2; otherwise differs. "
-                            "(`ikbench reproduce` says which numbers are as expected of a repetition.)"
-                          : "whether the printed mean lies within the 95 % predictive range of ours (table agreement).",
+      repetitions.empty()
+          ? "close if our mean divided by the printed one is within 0.5 to 2; otherwise differs. "
+            "(`ikbench reproduce` says which numbers are as expected of a repetition.)"
+          : "whether the printed mean lies within the 95 % predictive range of our studies (table agreement).",
       time_reference, time_reference, time_reference);
   table.notes.push_back(std::move(note));
   return table;

@@ -313,7 +313,7 @@ std::optional<Table> table_7(const StudyResults& study) {
               .caption = std::isfinite(tolerance)
                              ? fmt::format("Table 7: computing time [ms] until the position error is {} cm", tolerance)
                              : "Table 7: computing time [ms]",
-              .columns = {{"entrant", Align::left},
+              .columns = {{"configuration", Align::left},
                           {"solves"},
                           {"never_reached"},
                           {"mean_ms"},
@@ -346,7 +346,7 @@ std::optional<Table> table_7_cost(const StudyResults& measured) {
   Table table{.name = "table-7-cost",
               .caption = fmt::format("Table 7: what {} cm costs in time [ms], unsuccessful solves included",
                                      tolerance_cm(study)),
-              .columns = {{"entrant", Align::left},
+              .columns = {{"configuration", Align::left},
                           {"ert_ms"},
                           {"ert_ms interval"},
                           {"ert_ratio"},
@@ -376,10 +376,10 @@ std::optional<Table> table_7_cost(const StudyResults& measured) {
     table.rows.push_back(std::move(cells));
   }
   table.notes = cost_notes(study, rows, printed, of);
-  table.notes.push_back(
-      fmt::format("{} A12: the chance that a solve takes longer than one of the first entrant, by the measured times; "
-                  "median_ratio: of the medians of these.",
-                  median_speed_words));
+  table.notes.push_back(fmt::format(
+      "{} A12: the chance that a solve takes longer than one of the first configuration, by the measured times; "
+      "median_ratio: of the medians of these.",
+      median_speed_words));
   return table;
 }
 

@@ -1,13 +1,9 @@
-// Intervals of any statistic by resampling: percentile, and BCa (bias-corrected, accelerated). Efron, JASA 82 (1987)
-// 171; Davison and Hinkley, Bootstrap Methods and their Application (1997), chapter 5. Of values that depend on each
-// other, by drawing whole clusters (their section 3.8).
+// Intervals of any statistic of values that depend on each other, by drawing whole clusters: Davison and Hinkley,
+// Bootstrap Methods and their Application (1997), section 3.8.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
-#include <span>
-#include <string>
 #include <vector>
 
 #include "analysis/statistics/descriptive.hpp"
@@ -20,25 +16,6 @@ struct Resampling {
   std::uint64_t seed = 1;
   double level = 0.95;
 };
-
-struct BootstrapInterval {
-  double estimate = not_defined;        // of the sample itself
-  double standard_error = not_defined;  // standard deviation over the resamples
-  double low = not_defined;             // percentiles (type 7) of the resamples
-  double high = not_defined;
-  double bca_low = not_defined;
-  double bca_high = not_defined;
-  double z0 = not_defined;  // bias correction: the normal quantile of the share of resamples below the estimate
-  double acceleration = not_defined;
-  std::string undefined;      // why there are no percentiles; empty where there are
-  std::string bca_undefined;  // why there is no BCa interval; empty where there is
-};
-
-using Statistic = std::function<double(std::span<const double>)>;
-
-// A statistic that is not finite on the sample or on a resample (the inverse of a mean of zero) has no interval.
-// Fewer than two resamples or a level outside (0, 1) is std::invalid_argument.
-BootstrapInterval bootstrap(std::span<const double> sample, const Statistic& statistic, const Resampling& = {});
 
 // Clusters (runs, targets) drawn with replacement, each with all that belongs to it: a row for each replicate, which
 // says how often it drew each cluster. A statistic of sums within clusters is thus a weighted sum. The level is not

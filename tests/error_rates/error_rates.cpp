@@ -20,8 +20,8 @@
 #include <vector>
 
 #include "analysis/inference/judge.hpp"
-#include "analysis/statistics/bootstrap.hpp"
 #include "analysis/statistics/studentized_bootstrap.hpp"
+#include "tests/error_rates/bca.hpp"
 
 namespace {
 
@@ -249,10 +249,10 @@ Covered coverage(const Source& source, int n, int simulations) {
     for (int i = 0; i < n; ++i) values.push_back(source.draw(random));
     const auto has = [&](double low, double high) { return low <= source.mean && source.mean <= high ? 1 : 0; };
     const MeanInterval by_t = mean_interval(summarise(values), 0.95);
-    const BootstrapInterval by_bca = bootstrap(values, [](std::span<const double> sample) { return mean(sample); });
+    const Interval by_bca = bca_of_mean(values);
     const MeanInterval by_bootstrap = studentized_interval(values, {});
     student += has(by_t.low, by_t.high);
-    bca += has(by_bca.bca_low, by_bca.bca_high);
+    bca += has(by_bca.low, by_bca.high);
     studentized += has(by_bootstrap.low, by_bootstrap.high);
   });
   const auto share = [&](int count) { return static_cast<double>(count) / simulations; };

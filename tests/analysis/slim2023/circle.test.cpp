@@ -79,7 +79,7 @@ TEST_CASE("the verdict on the printed angles is counted", "[circle]") {
   CHECK(contains(printed_angles_verdict(study_of(solves)), "unsolved points: 1."));
   solves[0].answer_rad[1] = NAN;
   CHECK(contains(printed_angles_verdict(study_of(solves)), "54 of the 60"));
-  CHECK(contains(printed_angles_verdict(study_of(solves)), "some of ours are not finite"));
+  CHECK(contains(printed_angles_verdict(study_of(solves)), "some of our angles are not finite"));
 }
 
 TEST_CASE("Table 8 tells of our mean error and of the printed errors' two means", "[circle]") {

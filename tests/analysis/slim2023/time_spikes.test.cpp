@@ -52,7 +52,7 @@ StudyResults helix(std::vector<SolveRecord> solves) {
       std::move(solves));
 }
 
-// Twenty targets that every entrant solves once, as in slim2023-time: a single solve is an observation.
+// Twenty targets that every solver solves once, as in slim2023-time: a single solve is an observation.
 std::vector<SolveRecord> timed_solves() {
   std::vector<SolveRecord> all =
       synthetic::solves({.solvers = {"12 bats", "15 bats", "20 bats", "30 bats"}, .runs = 1});
