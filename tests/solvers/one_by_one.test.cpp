@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -31,7 +30,8 @@ struct Loop {
         joints(static_cast<std::size_t>(problem.joints())),
         objective(through),
         random{Key(key)},
-        settings(with) {
+        settings(with),
+        clamps(is("bounds", "clamp")) {
     best.q = problem.start;
   }
 
@@ -40,6 +40,7 @@ struct Loop {
   Objective& objective;
   Random random;
   const Settings& settings;
+  const bool clamps;
   std::vector<Vector> x;
   Vector errors;
   Best best;
@@ -99,9 +100,11 @@ struct Loop {
 // Slim et al. 2023, Algorithm 2.
 void ik_bat(Loop& loop) {
   const std::size_t bats = population;
+  const double step_factor = loop.number("step_factor");
+  const bool is_greedy = loop.is("acceptance", "greedy"), by_loudness = loop.is("acceptance", "loudness");
   loop.draw_first(bats);
   for (std::size_t j = 0; j < loop.joints; ++j) loop.x[0][j] = loop.start(j);
-  if (loop.is("bounds", "clamp")) loop.clamp(loop.x[0]);
+  if (loop.clamps) loop.clamp(loop.x[0]);
   loop.evaluate_first();
   double A = loop.number("loudness");
   for (int t = 0; t < iterations; ++t) {
@@ -116,12 +119,11 @@ void ik_bat(Loop& loop) {
     for (std::size_t i = 0; i < bats; ++i) {
       Vector q(loop.joints);
       for (std::size_t j = 0; j < loop.joints; ++j) {  // Eq. 14
-        q[j] = (r * loop.best_q(j) + (1 - r) * loop.start(j)) + (loop.number("step_factor") * A) * epsilon[i][j];
+        q[j] = (r * loop.best_q(j) + (1 - r) * loop.start(j)) + (step_factor * A) * epsilon[i][j];
       }
-      if (loop.is("bounds", "clamp")) loop.clamp(q);
+      if (loop.clamps) loop.clamp(q);
       const double error = loop.error(q);
-      const bool accepts =
-          loop.is("acceptance", "greedy") || (loop.is("acceptance", "loudness") ? chance[i] < A : chance[i] > A);
+      const bool accepts = is_greedy || (by_loudness ? chance[i] < A : chance[i] > A);
       if (accepts) loop.keep_if_best(q, error);
     }
   }
@@ -130,8 +132,11 @@ void ik_bat(Loop& loop) {
 // Slim et al. 2023, Algorithm 1.
 void bat(Loop& loop) {
   const std::size_t bats = population;
+  const double f_min = loop.number("f_min"), f_max = loop.number("f_max"), step_factor = loop.number("step_factor");
+  const double alpha = loop.number("alpha"), gamma = loop.number("gamma"), pulse_rate = loop.number("pulse_rate");
+  const bool keeps_all = loop.is("best_of", "evaluated");
   loop.draw_first(bats);
-  Vector A = loop.uniforms(bats), r(bats, loop.number("pulse_rate"));
+  Vector A = loop.uniforms(bats), r(bats, pulse_rate);
   std::vector<Vector> v(bats, Vector(loop.joints, 0));
   loop.evaluate_first();
   for (int t = 1; t <= iterations; ++t) {
@@ -142,23 +147,23 @@ void bat(Loop& loop) {
       double sum = 0;
       for (const double loudness : A) sum += loudness;
       const double mean = sum / static_cast<double>(bats);
-      const double f = loop.number("f_min") + (loop.number("f_max") - loop.number("f_min")) * beta[i];  // Eq. 5
+      const double f = f_min + (f_max - f_min) * beta[i];  // Eq. 5
       Vector q(loop.joints);
       for (std::size_t j = 0; j < loop.joints; ++j) {
-        v[i][j] = v[i][j] + (loop.x[i][j] - loop.best_q(j)) * f;                                       // Eq. 6
-        q[j] = local[i] > r[i] ? loop.best_q(j) + (loop.number("step_factor") * mean) * epsilon[i][j]  // Eq. 8
-                               : loop.x[i][j] + v[i][j];                                               // Eq. 7
+        v[i][j] = v[i][j] + (loop.x[i][j] - loop.best_q(j)) * f;                        // Eq. 6
+        q[j] = local[i] > r[i] ? loop.best_q(j) + (step_factor * mean) * epsilon[i][j]  // Eq. 8
+                               : loop.x[i][j] + v[i][j];                                // Eq. 7
       }
-      if (loop.is("bounds", "clamp")) loop.clamp(q);
+      if (loop.clamps) loop.clamp(q);
       const double error = loop.error(q);
       const bool accepted = error <= loop.errors[i] && chance[i] < A[i];
       if (accepted) {
         loop.x[i] = q;
         loop.errors[i] = error;
-        A[i] *= loop.number("alpha");                                                     // Eq. 9
-        r[i] = loop.number("pulse_rate") * (1 - exponential(-loop.number("gamma") * t));  // Eq. 10
+        A[i] *= alpha;                                      // Eq. 9
+        r[i] = pulse_rate * (1 - exponential(-gamma * t));  // Eq. 10
       }
-      if (accepted || loop.is("best_of", "evaluated")) loop.keep_if_best(q, error);
+      if (accepted || keeps_all) loop.keep_if_best(q, error);
     }
   }
 }
@@ -166,6 +171,7 @@ void bat(Loop& loop) {
 // Kennedy and Eberhart 1995 with inertia; the swarm's best is told at once.
 void particle_swarm(Loop& loop) {
   const std::size_t particles = population;
+  const double inertia = loop.number("inertia"), cognitive = loop.number("cognitive"), social = loop.number("social");
   loop.draw_first(particles);
   loop.evaluate_first();
   std::vector<Vector> v(particles, Vector(loop.joints, 0)), personal = loop.x;
@@ -174,11 +180,11 @@ void particle_swarm(Loop& loop) {
     for (std::size_t i = 0; i < particles; ++i) {
       Vector& x = loop.x[i];
       for (std::size_t j = 0; j < loop.joints; ++j) {
-        v[i][j] = loop.number("inertia") * v[i][j] + loop.number("cognitive") * (u1[i][j] * (personal[i][j] - x[j])) +
-                  loop.number("social") * (u2[i][j] * (loop.best_q(j) - x[j]));
+        v[i][j] = inertia * v[i][j] + cognitive * (u1[i][j] * (personal[i][j] - x[j])) +
+                  social * (u2[i][j] * (loop.best_q(j) - x[j]));
         x[j] += v[i][j];
       }
-      if (loop.is("bounds", "clamp")) loop.clamp(x);
+      if (loop.clamps) loop.clamp(x);
       const double error = loop.error(x);
       if (error < loop.errors[i]) {
         personal[i] = x;
@@ -192,6 +198,7 @@ void particle_swarm(Loop& loop) {
 // rand/1/bin, a better trial in its place at once.
 void differential_evolution(Loop& loop) {
   const std::size_t candidates = population;
+  const double crosses_below = loop.number("crossover"), weight = loop.number("weight");
   loop.draw_first(candidates);
   loop.evaluate_first();
   for (int t = 0; t < iterations; ++t) {
@@ -201,25 +208,25 @@ void differential_evolution(Loop& loop) {
     const Vector forced = loop.uniforms(candidates);
     for (std::size_t i = 0; i < candidates; ++i) {
       // Three of the others, each among those that are left, in order.
-      std::set<std::size_t> left;
+      std::vector<std::size_t> left;
       for (std::size_t k = 0; k < candidates; ++k) {
-        if (k != i) left.insert(left.end(), k);
+        if (k != i) left.push_back(k);
       }
       std::array<std::size_t, 3> partner{};
       for (std::size_t k = 0; k < 3; ++k) {
         const double share = chance(static_cast<Eigen::Index>(k), static_cast<Eigen::Index>(i));
-        const auto which = std::next(left.begin(), static_cast<int>(share * static_cast<double>(left.size())));
+        const auto which = left.begin() + static_cast<int>(share * static_cast<double>(left.size()));
         partner[k] = *which;
         left.erase(which);
       }
       const auto& [a, b, c] = partner;
       Vector q(loop.joints);
       for (std::size_t j = 0; j < loop.joints; ++j) {
-        const bool mutates = crossover[i][j] < loop.number("crossover") ||
+        const bool mutates = crossover[i][j] < crosses_below ||
                              static_cast<std::size_t>(forced[i] * static_cast<double>(loop.joints)) == j;
-        q[j] = mutates ? loop.x[a][j] + loop.number("weight") * (loop.x[b][j] - loop.x[c][j]) : loop.x[i][j];
+        q[j] = mutates ? loop.x[a][j] + weight * (loop.x[b][j] - loop.x[c][j]) : loop.x[i][j];
       }
-      if (loop.is("bounds", "clamp")) loop.clamp(q);
+      if (loop.clamps) loop.clamp(q);
       const double error = loop.error(q);
       if (!(error < loop.errors[i])) continue;
       loop.x[i] = q;
@@ -236,16 +243,17 @@ void k_artificial_bee_colony(Loop& loop) {
   loop.evaluate_first();
   std::vector<int> failures(sources, 0);
   const auto set_limit = static_cast<int>(loop.number("limit"));
+  const bool takes_random = loop.is("neighbour", "random");
+  const double unit = loop.is("fitness_unit", "cm") ? centimetre : 1;
   const int limit = set_limit > 0 ? set_limit : (population + static_cast<int>(loop.joints)) / 2;
   for (int t = 0; t < iterations; ++t) {
     for (const bool onlookers : {false, true}) {
       const Vector joint = loop.uniforms(sources), phi = loop.uniforms(sources);
-      const Vector neighbour = loop.is("neighbour", "random") ? loop.uniforms(sources) : Vector(sources, 0);
+      const Vector neighbour = takes_random ? loop.uniforms(sources) : Vector(sources, 0);
       const Vector roulette = onlookers ? loop.uniforms(sources) : Vector(sources, 0);
       Vector shares;  // added up; as they are before the first onlooker flies
       for (const double error : loop.errors) {
-        shares.push_back((shares.empty() ? 0 : shares.back()) +
-                         1 / (1 + error / (loop.is("fitness_unit", "cm") ? centimetre : 1)));
+        shares.push_back((shares.empty() ? 0 : shares.back()) + 1 / (1 + error / unit));
       }
       for (std::size_t bee = 0; bee < sources; ++bee) {
         std::size_t i = bee;
@@ -255,14 +263,14 @@ void k_artificial_bee_colony(Loop& loop) {
         const auto best_source =
             static_cast<std::size_t>(std::min_element(loop.errors.begin(), loop.errors.end()) - loop.errors.begin());
         std::size_t k = best_source;
-        if (loop.is("neighbour", "random")) {
+        if (takes_random) {
           k = static_cast<std::size_t>(neighbour[bee] * static_cast<double>(sources - 1));
           if (k >= i) ++k;
         }
         const auto j = static_cast<std::size_t>(joint[bee] * static_cast<double>(loop.joints));
         Vector q = loop.x[i];
         q[j] += (2 * phi[bee] - 1) * (k == i ? q[j] : q[j] - loop.x[k][j]);
-        if (loop.is("bounds", "clamp")) loop.clamp(q);
+        if (loop.clamps) loop.clamp(q);
         const double error = loop.error(q);
         if (error < loop.errors[i]) {
           loop.x[i] = q;
