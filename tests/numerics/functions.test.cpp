@@ -36,7 +36,7 @@ std::vector<double> hard_angles(Dice& dice, double most, int count) {
 
 }  // namespace
 
-TEST_CASE("sine and cosine are within 1.5 ulp, and 1.6e-33 a quarter turn, of long double", "[functions]") {
+TEST_CASE("sine and cosine are within 1.5 ulp, and 1.6e-33 a quarter turn, of long double", "[functions][sines]") {
   Dice dice;
   double worst = 0;
   for (const double most : {4 * pi, 4 * pi, 1e3, 1e5, 1e9}) {
@@ -58,7 +58,7 @@ TEST_CASE("sine and cosine are within 1.5 ulp, and 1.6e-33 a quarter turn, of lo
   CHECK(sin_cos(0.0).cosine == 1);
 }
 
-TEST_CASE("sine and cosine are not a number for angles that are none or too large", "[functions]") {
+TEST_CASE("sine and cosine are not a number for angles that are none or too large", "[functions][sines]") {
   for (const double bad : {not_a_number, infinity, -infinity, 1e300, -1e300, too_far, -too_far}) {
     CAPTURE(bad);
     CHECK(std::isnan(sin_cos(bad).sine));

@@ -327,7 +327,7 @@ TEST_CASE("the smallest and the largest draws give truncated normal numbers at -
   }
 }
 
-TEST_CASE("streams of neighbouring keys are independent", "[random]") {
+TEST_CASE("streams of neighbouring keys are independent", "[random][independence]") {
   for (std::uint64_t key = 0; key < 20; ++key) {
     CAPTURE(key);
     check_independent(many(Kind::uniform, key, 20'000), many(Kind::uniform, key + 1, 20'000), uniform_share);
@@ -336,7 +336,7 @@ TEST_CASE("streams of neighbouring keys are independent", "[random]") {
   }
 }
 
-TEST_CASE("numbers next to each other in a stream are independent", "[random]") {
+TEST_CASE("numbers next to each other in a stream are independent", "[random][independence]") {
   const std::vector<double> uniforms = many(Kind::uniform), normals = many(Kind::normal);
   const std::vector<double> truncated = many(Kind::truncated);
   for (const std::size_t lag : {1u, 2u, 7u, 8u, 9u, 15u, 16u, 17u}) {
@@ -351,7 +351,7 @@ TEST_CASE("numbers next to each other in a stream are independent", "[random]") 
   }
 }
 
-TEST_CASE("the two normal numbers of a pair, by cosine and by sine, are independent", "[random]") {
+TEST_CASE("the two normal numbers of a pair, by cosine and by sine, are independent", "[random][independence]") {
   const std::vector<double> values = many(Kind::normal, 5, 160'000);
   std::vector<double> cosines, sines, radii;
   for (std::size_t block = 0; block < values.size(); block += 16) {
