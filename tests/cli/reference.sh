@@ -13,12 +13,15 @@ gives_the_reference() {
   done
 }
 
-for jobs in 1 4; do gives_the_reference "$jobs" $jobs; done
+# Each instruction set with another number of threads: both change nothing, so each stands for the others (docs/same-bits
+# has all combinations).
+jobs=4
 for set in $("$program" list instruction-sets | tail -n +2 | cut -d' ' -f1); do
   export IKBENCH_INSTRUCTION_SET=$set
   succeeds list instruction-sets
   has "$(tr -s ' ' <.out)" "$set yes"
-  gives_the_reference "$set" 2
+  gives_the_reference "$set" $jobs
+  jobs=$(((jobs + 1) / 2))
 done
 unset IKBENCH_INSTRUCTION_SET
 
