@@ -15,7 +15,7 @@ grep -q '^warning: ' .log || fail "no warning on a line of its own: $(<.log)"
 [[ "$(tail -n 1 .log)" == "Report: "* ]] || fail "the report's path is not the last line: $(<.log)"
 
 script -qec true /dev/null >/dev/null 2>&1 </dev/null || exit 77  # no `script`, or no terminal to be had
-script -qec "'$program' run slim2023 --set runs=4 --set path.points=5 --set stop.iterations=4000 --no-report --out shown" /dev/null >.shown </dev/null ||
+script -qec "'$program' run slim2023 --set runs=4 --set path.points=5 --set stop.iterations=1000 --no-report --out shown" /dev/null >.shown </dev/null ||
   fail "on a terminal: exit code $?; it said: $(<.shown)"
 shown=$(<.shown)
 has "$shown" $'\r'
