@@ -12,15 +12,16 @@ constexpr std::size_t exact_below = 50;
 // Of U for n1 and n2 different values, by whether the largest of all is in the first sample or in the second:
 // (n1 + n2) P(n1, n2, u) = n1 P(n1 - 1, n2, u - n2) + n2 P(n1, n2 - 1, u).
 std::vector<double> probabilities(std::size_t n1, std::size_t n2) {
-  std::vector<std::vector<double>> by_first(n1 + 1, std::vector<double>(n1 * n2 + 1, 0.0));  // for n2 = 0 as yet
+  std::vector<std::vector<double>> by_first(n1 + 1);  // for n2 = 0 as yet
+  for (std::size_t a = 0; a <= n1; ++a) by_first[a].resize(a * n2 + 1);
   for (auto& distribution : by_first) distribution[0] = 1;
   for (std::size_t b = 1; b <= n2; ++b) {
     for (std::size_t a = 1; a <= n1; ++a) {
       const double in_first = static_cast<double>(a) / static_cast<double>(a + b);
-      for (std::size_t u = 0; u <= a * b; ++u) {
-        const double with_first = u >= b ? in_first * by_first[a - 1][u - b] : 0.0;
-        by_first[a][u] = with_first + (1 - in_first) * by_first[a][u];
-      }
+      const std::vector<double>& before = by_first[a - 1];
+      std::vector<double>& now = by_first[a];
+      for (std::size_t u = 0; u < b; ++u) now[u] *= 1 - in_first;
+      for (std::size_t u = b; u <= a * b; ++u) now[u] = in_first * before[u - b] + (1 - in_first) * now[u];
     }
   }
   return by_first[n1];

@@ -129,17 +129,18 @@ double piece_width() { return std::asinh(largest_range / 4) / pieces; }
 StudentizedRange::StudentizedRange(double k) : k_(k) {
   if (!valid(k, 1)) return;
   const NormalRange range(k);
-  const double pi = boost::math::constants::pi<double>();
   const double n = static_cast<double>(terms);
+  std::array<Piece, terms> cosines;  // of every node, which all pieces share
+  for (std::size_t i = 0; i < terms; ++i) {
+    const double angle = boost::math::constants::pi<double>() * (static_cast<double>(i) + 0.5) / n;
+    for (std::size_t j = 0; j < terms; ++j) cosines[i][j] = std::cos(static_cast<double>(j) * angle);
+  }
   for (int piece = 0; piece < pieces; ++piece) {
     Piece& coefficients = pieces_.emplace_back();
-    for (std::size_t i = 0; i < terms; ++i) {
-      const double angle = pi * (static_cast<double>(i) + 0.5) / n;
-      const double w = 4 * std::sinh((piece + 0.5 + 0.5 * std::cos(angle)) * piece_width());
+    for (const Piece& node : cosines) {
+      const double w = 4 * std::sinh((piece + 0.5 + 0.5 * node[1]) * piece_width());
       const double value = std::log(range.tail(w));
-      for (std::size_t j = 0; j < terms; ++j) {
-        coefficients[j] += (j == 0 ? 1 : 2) / n * value * std::cos(static_cast<double>(j) * angle);
-      }
+      for (std::size_t j = 0; j < terms; ++j) coefficients[j] += (j == 0 ? 1 : 2) / n * value * node[j];
     }
   }
 }
