@@ -126,8 +126,7 @@ double piece_width() { return std::asinh(largest_range / 4) / pieces; }
 
 }  // namespace
 
-StudentizedRange::StudentizedRange(double k) : k_(k) {
-  if (!valid(k, 1)) return;
+StudentizedRange::Table StudentizedRange::tabulated(int k) {
   const NormalRange range(k);
   const double n = static_cast<double>(terms);
   std::array<Piece, terms> cosines;  // of every node, which all pieces share
@@ -135,14 +134,24 @@ StudentizedRange::StudentizedRange(double k) : k_(k) {
     const double angle = boost::math::constants::pi<double>() * (static_cast<double>(i) + 0.5) / n;
     for (std::size_t j = 0; j < terms; ++j) cosines[i][j] = std::cos(static_cast<double>(j) * angle);
   }
+  Table table;
   for (int piece = 0; piece < pieces; ++piece) {
-    Piece& coefficients = pieces_.emplace_back();
+    Piece& coefficients = table.emplace_back();
     for (const Piece& node : cosines) {
       const double w = 4 * std::sinh((piece + 0.5 + 0.5 * node[1]) * piece_width());
       const double value = std::log(range.tail(w));
       for (std::size_t j = 0; j < terms; ++j) coefficients[j] += (j == 0 ? 1 : 2) / n * value * node[j];
     }
   }
+  return table;
+}
+
+StudentizedRange::StudentizedRange(double k) : k_(k) {
+  if (!valid(k, 1)) return;
+  // Most comparisons are of few groups.
+  static const std::array<Table, 5> of_few{tabulated(2), tabulated(3), tabulated(4), tabulated(5), tabulated(6)};
+  const auto at = static_cast<std::size_t>(k - 2);
+  table_ = at < of_few.size() ? of_few[at] : tabulated(static_cast<int>(k));
 }
 
 double StudentizedRange::range_tail(double w) const {
@@ -150,7 +159,7 @@ double StudentizedRange::range_tail(double w) const {
   const double position = std::asinh(w / 4) / piece_width();
   const double piece = std::min(std::floor(position), pieces - 1.0);
   const double x = 2 * (position - piece) - 1;
-  const Piece& coefficients = pieces_[static_cast<std::size_t>(piece)];
+  const Piece& coefficients = table_[static_cast<std::size_t>(piece)];
   double b1 = 0, b2 = 0;  // Clenshaw's recurrence
   for (std::size_t j = terms - 1; j > 0; --j) {
     const double b = 2 * x * b1 - b2 + coefficients[j];
