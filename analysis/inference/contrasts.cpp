@@ -299,8 +299,7 @@ void add_contrasts(Evidence& evidence, std::span<const GroupSummary> summaries, 
       contrast.ahead = ahead_by_means(evidence, shown.difference);
       contrast.undefined = shown.undefined;
     }
-    const EffectSize g = hedges_g(first, second, level);
-    contrast.g = {.value = g.value, .low = g.low, .high = g.high};
+    contrast.g = hedges_g(first, second);
     if (!ahead.empty()) {
       contrast.superiority = superiority(evidence, ahead[contrast.first], ahead[contrast.second]);
       if (evidence.blocks > 0) {

@@ -89,7 +89,7 @@ struct Contrast {
   double p_nemenyi = statistics::not_defined;     // of Friedman's ranks, all pairs; only within blocks
   Estimate superiority = {};  // A12: the chance that an observation of first is better than one of second
   Estimate shift = {};        // Hodges and Lehmann's: the median of all differences first - second; not in blocks
-  Estimate g = {};            // Hedges; positive where the mean of first is larger
+  double g = statistics::not_defined;  // Hedges; positive where the mean of first is larger
   // Of a pair that is undecided: observations a group, or blocks, that would decide it with the planned power if the
   // difference is what it seems; no fewer than the test needs to find any.
   double runs_to_decide = statistics::not_defined;

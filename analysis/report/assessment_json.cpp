@@ -7,6 +7,7 @@
 #include "analysis/report/assessment_sentences.hpp"
 #include "analysis/report/assessment_words.hpp"
 #include "analysis/report/json.hpp"
+#include "analysis/statistics/effect_size.hpp"
 
 namespace ikbench::report {
 
@@ -18,6 +19,12 @@ namespace {
 
 Json estimate(const Estimate& of) {
   return {{"value", json_number(of.value)}, {"low", json_number(of.low)}, {"high", json_number(of.high)}};
+}
+
+Json effect_of(const Evidence& evidence, const Contrast& contrast) {
+  const int n = evidence.groups[contrast.first].described.n, other_n = evidence.groups[contrast.second].described.n;
+  const EffectSize g = hedges_g_interval(contrast.g, n, other_n, 1 - evidence.plan.significance);
+  return estimate({.value = g.value, .low = g.low, .high = g.high});
 }
 
 void add_reason(Json& object, const std::string& undefined) {
@@ -77,7 +84,7 @@ Json contrast_json(const Evidence& evidence, const Contrast& contrast) {
               {"p_nemenyi", json_number(contrast.p_nemenyi)},
               {evidence.blocks > 0 ? "share_of_blocks_ahead" : "a12", estimate(contrast.superiority)},
               {"hodges_lehmann_shift", estimate(contrast.shift)},
-              {"hedges_g", estimate(contrast.g)},
+              {"hedges_g", effect_of(evidence, contrast)},
               {"runs_to_decide", json_number(contrast.runs_to_decide)},
               {"relation", name_of(contrast.relation)},
               {"extent", name_of(contrast.extent)},

@@ -165,7 +165,7 @@ Table contrasts_table(const Evidence& evidence) {
         std::vector<Cell>{evidence.groups[contrast.first].name, evidence.groups[contrast.second].name,
                           verdict_words(evidence, contrast), contrast.difference.value, interval(contrast.difference),
                           or_nothing(PValue{contrast.p}), or_nothing(contrast.superiority.value),
-                          interval(contrast.superiority), size_words(contrast), or_nothing(contrast.g.value)});
+                          interval(contrast.superiority), size_words(contrast), or_nothing(contrast.g)});
     if (evidence.blocks == 0) {
       row.push_back(or_nothing(contrast.shift.value));
       row.push_back(interval(contrast.shift));

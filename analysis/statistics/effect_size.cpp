@@ -77,13 +77,8 @@ Dominance dominance(std::span<const double> a, std::span<const double> b) {
 
 double finite(double value) { return std::isfinite(value) ? value : not_defined; }
 
-std::string obstacle(const GroupSummary& a, const GroupSummary& b) {
-  if (a.n < 2 || b.n < 2) return "a group of fewer than two values has no spread";
-  const auto defined = [](const GroupSummary& group) { return std::isfinite(group.mean) && std::isfinite(group.std); };
-  if (!defined(a) || !defined(b)) return "a mean or a standard deviation is not defined";
-  if (a.std == 0 && b.std == 0) return "both groups are constant";
-  return {};
-}
+// g / d of two groups with so many degrees of freedom together.
+double correction(double df) { return boost::math::tgamma_delta_ratio(df / 2, -0.5) / std::sqrt(df / 2); }
 
 }  // namespace
 
@@ -91,35 +86,29 @@ double omega_squared(const AnovaTable& table) {
   return finite((table.ss_between - table.df_between * table.ms_within) / (table.ss_total + table.ms_within));
 }
 
-EffectSize cohen_d(const GroupSummary& a, const GroupSummary& b, double level) {
-  check_level(level);
-  EffectSize effect{.undefined = obstacle(a, b)};
-  if (!effect.undefined.empty()) return effect;
+double hedges_g(const GroupSummary& a, const GroupSummary& b) {
+  if (a.n < 2 || b.n < 2) return not_defined;
   const double df = a.n - 1.0 + b.n - 1.0;
   const double pooled = std::hypot(a.std * std::sqrt((a.n - 1) / df), b.std * std::sqrt((b.n - 1) / df));
-  const double scale = std::sqrt(1.0 / a.n + 1.0 / b.n);  // d = t scale
-  effect.value = finite((a.mean - b.mean) / pooled);
-  const double t = effect.value / scale;
-  effect.low = shift_of((1 - level) / 2, t, df) * scale;
-  effect.high = shift_of((1 + level) / 2, t, df) * scale;
-  if (std::isnan(effect.value)) {
-    effect.undefined = "the difference is too large for double precision";
-  } else if (!std::isfinite(effect.low) || !std::isfinite(effect.high)) {
+  return std::isfinite(pooled) ? finite((a.mean - b.mean) / pooled * correction(df)) : not_defined;
+}
+
+EffectSize hedges_g_interval(double g, int n_a, int n_b, double level) {
+  check_level(level);
+  EffectSize effect{.value = g};
+  if (std::isnan(g)) {
+    effect.undefined = "g is not defined";
+    return effect;
+  }
+  const double df = n_a - 1.0 + n_b - 1.0;
+  const double scale = correction(df) * std::sqrt(1.0 / n_a + 1.0 / n_b);  // g = t scale
+  effect.low = shift_of((1 - level) / 2, g / scale, df) * scale;
+  effect.high = shift_of((1 + level) / 2, g / scale, df) * scale;
+  if (!std::isfinite(effect.low) || !std::isfinite(effect.high)) {
     effect.low = effect.high = not_defined;
     effect.undefined =
         "the interval was not found: the difference is too large, or the noncentral t distribution did not converge";
   }
-  return effect;
-}
-
-EffectSize hedges_g(const GroupSummary& a, const GroupSummary& b, double level) {
-  EffectSize effect = cohen_d(a, b, level);
-  if (std::isnan(effect.value)) return effect;
-  const double half = (a.n - 1.0 + b.n - 1.0) / 2;
-  const double correction = boost::math::tgamma_delta_ratio(half, -0.5) / std::sqrt(half);
-  effect.value *= correction;
-  effect.low *= correction;
-  effect.high *= correction;
   return effect;
 }
 
