@@ -1,27 +1,30 @@
 #!/usr/bin/env bash
-# The paper's studies give the reference numbers, bit by bit, with every instruction set of this machine and any number
-# of threads. After a change that is meant to give others: docs/renew-reference.
+# The paper's studies give the reference numbers, bit by bit; and their first runs, with every instruction set of this
+# machine and other numbers of threads, those of the whole (docs/same-bits has the whole with each). After a change that
+# is meant to give others: docs/renew-reference.
 source "$(dirname "$0")/common.sh"
 
 references=$scripts/../../results/reference.inc
+studies=(slim2023 slim2023-context slim2023-limits slim2023-bounds slim2023-frequency slim2023-time slim2023-dobot)
 
-# gives_the_reference FOLDER JOBS
-gives_the_reference() {
-  succeeds reproduce --jobs "$2" --quick --no-figures --out "$1"
-  for study in slim2023 slim2023-context slim2023-limits slim2023-bounds slim2023-frequency slim2023-time slim2023-dobot; do
-    has "$out" "Fingerprint of $study: $(grep "\"$study\"" "$references" | cut -d'"' -f4), equal to the reference"
-  done
-}
+succeeds reproduce --jobs 4 --quick --no-figures --out whole
+for study in "${studies[@]}"; do
+  has "$out" "Fingerprint of $study: $(grep "\"$study\"" "$references" | cut -d'"' -f4), equal to the reference"
+  numbers whole/store.sqlite "$study" |
+    awk -F, 'NR == 1 { for (i = 1; i <= NF; ++i) if ($i == "run") run = i } NR == 1 || $run <= 4' >"whole-$study.csv"
+  [ "$(wc -l <"whole-$study.csv")" -gt 1 ] || fail "no first runs of $study"
+done
 
-# Each instruction set with another number of threads: both change nothing, so each stands for the others (docs/same-bits
-# has all combinations).
-jobs=4
-for set in $("$program" list instruction-sets | tail -n +2 | cut -d' ' -f1); do
+mapfile -t sets < <("$program" list instruction-sets | tail -n +2 | cut -d' ' -f1)
+for i in "${!sets[@]}"; do
+  set=${sets[i]}
   export IKBENCH_INSTRUCTION_SET=$set
   succeeds list instruction-sets
   has "$(tr -s ' ' <.out)" "$set yes"
-  gives_the_reference "$set" $jobs
-  jobs=$(((jobs + 1) / 2))
+  succeeds reproduce --runs 4 --jobs $((${#sets[@]} - i)) --quick --no-figures --out "$set"
+  for study in "${studies[@]}"; do
+    numbers "$set/store.sqlite" "$study" | cmp - "whole-$study.csv" || fail "$study with $set: other numbers"
+  done
 done
 unset IKBENCH_INSTRUCTION_SET
 
