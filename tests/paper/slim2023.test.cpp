@@ -32,12 +32,12 @@ const std::map<std::string, Range> errors_cm{{"IK-BA", {0.0014, 0.0021}}, {"BA",
 const std::map<std::string, Range> variations_deg{{"IK-BA", {25, 115}}, {"BA", {240, 330}},    {"DE", {240, 330}},
                                                   {"PSO", {240, 330}},  {"K-ABC", {240, 330}}, {"MO-PSO", {25, 115}}};
 
-// The study with that seed, solved into a store that is gone afterwards.
+// The study with that seed and no repeats, which decide times alone, solved into a store that is gone afterwards.
 StudyResults solved(int seed) {
   const std::filesystem::path folder =
       std::filesystem::temp_directory_path() / ("ikbench-paper-" + std::to_string(getpid()));
   std::filesystem::remove_all(folder);
-  const Study study = load_study("slim2023", {"seed=" + std::to_string(seed)});
+  const Study study = load_study("slim2023", {"seed=" + std::to_string(seed), "repeats=1"});
   StudyResults results = [&] {
     Store store(folder / "store.sqlite", Store::Mode::write);
     run(study, store, {.jobs = 1});
