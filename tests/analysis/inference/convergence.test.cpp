@@ -331,9 +331,12 @@ TEST_CASE("no curve of a large study has more than some hundred rows", "[converg
 TEST_CASE("figures of convergence are drawn of few, odd and hostile data too", "[convergence]") {
   const auto drawn = [](std::vector<SolveRecord> solves) {
     StudyResults study = make_study("s", std::move(solves));
-    const bool without = all_drawn(convergence_figures(study));
+    std::vector<Figure> figures = convergence_figures(study);
+    // Without a tolerance there is one of them that is not among those with it.
+    std::erase_if(figures, [](const Figure& figure) { return figure.name != "statistics-profile-error"; });
     study.definition = with_tolerance;
-    return without && all_drawn(convergence_figures(study));
+    for (Figure& figure : convergence_figures(study)) figures.push_back(std::move(figure));
+    return all_drawn(figures);
   };
   CHECK(drawn(solves_with_traces({.solvers = {"A"}, .runs = 1, .points = 1})));
   CHECK(drawn(solves_with_traces(

@@ -119,7 +119,7 @@ class Mutator {
 void expect_words(const Assessment& assessment) {
   CHECK_FALSE(assessment.sentences.empty());
   CHECK_FALSE(assessment.tables.empty());
-  CHECK_FALSE(nlohmann::json::parse(assessment.json, nullptr, false).is_discarded());
+  CHECK(nlohmann::json::accept(assessment.json));
 }
 
 struct Case {
@@ -152,7 +152,7 @@ TEST_CASE("whatever is in a CSV, its statistics are words or one sentence that r
       CHECK(std::string_view(mistake.what()).find('\n') == std::string_view::npos);
     }
   };
-  for (int i = 0; i < 3000; ++i) {
+  for (int i = 0; i < 1500; ++i) {
     const AnalysisPlan plan{.test = static_cast<DecidingTest>(mutator.below(7)),
                             .control = mutator.below(8) == 0 ? "A" : ""};
     if (mutator.below(8) == 0) {
