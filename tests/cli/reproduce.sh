@@ -2,7 +2,7 @@
 # Every study of the paper: one command, one store, one report.
 source "$(dirname "$0")/common.sh"
 
-succeeds reproduce --runs 2 --jobs 2 --readings 1 --repetitions 3 --no-figures --out paper
+succeeds reproduce --runs 2 --jobs 2 --readings 1 --repetitions 2 --no-figures --out paper
 quiet
 has "$out" "slim2023: 240 solves"        # 6 solvers x 2 runs x 20 points
 has "$out" "slim2023-context: 80 solves" # 2 solvers
