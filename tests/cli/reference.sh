@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# The paper's studies give the reference numbers, bit by bit; and their first runs, with every instruction set of this
-# machine and other numbers of threads, those of the whole (docs/same-bits has the whole with each). After a change that
-# is meant to give others: docs/renew-reference.
+# The paper's studies give the reference numbers, bit by bit; and their first four runs, with every instruction set of
+# this machine and other numbers of threads, those of the whole (docs/same-bits solves the whole with each). After a
+# change that is meant to give others: docs/renew-reference.
 source "$(dirname "$0")/common.sh"
 
 references=$scripts/../../results/reference.inc
