@@ -36,11 +36,16 @@ std::string share_words(const ClaimShares& of) {
                      percent(of.undecided));
 }
 
+// Of the interpretations with that verdict; what holds in part counts as undecided.
+double share_of(Verdict verdict, const ClaimShares& of) {
+  return verdict == Verdict::holds ? of.holds : verdict == Verdict::fails ? of.fails : of.undecided;
+}
+
 void join(Claim& claim, const ClaimShares& of) {
   if (claim.verdict == Verdict::untested) return;
   claim.evidence +=
       ' ' + (of.sentence.empty() ? fmt::format("Over all interpretations it {}.", share_words(of)) : of.sentence);
-  if (std::max({of.holds, of.fails, of.undecided}) >= clear_share) return;
+  if (share_of(claim.verdict, of) >= clear_share) return;
   claim.evidence = fmt::format("By our default: {}. {}", name_of(claim.verdict), claim.evidence);
   claim.verdict = Verdict::depends;
   claim.depends_on = of.decided_by.empty() ? "what the paper leaves open" : of.decided_by;

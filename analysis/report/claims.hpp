@@ -45,10 +45,10 @@ struct ClaimShares {
   std::string sentence = {};    // how
 };
 
-// No answer to a claim that depends has as much as that.
+// The verdict on a claim that depends has not as much as that.
 constexpr double clear_share = 0.95;
 
-// By id. A claim to which no answer is clear depends; the others keep their verdicts. All say their shares.
+// By id. A claim keeps its verdict where that has a clear share, and else depends. All say their shares.
 void join(std::vector<Claim>& claims, std::span<const ClaimShares> shares);
 
 }  // namespace ikbench::report
