@@ -69,9 +69,18 @@ double every_choice_counted(const std::vector<Dimension>& dimensions, std::strin
   return count;
 }
 
+// The defaults among them too: a solver's own may differ from what the study's choice would make of it.
 void add_overrides(Overrides& overrides, const std::vector<Dimension>& dimensions, const Chosen& chosen) {
-  for (const Choice& each : chosen) {
-    if (each.alternative > 0) overrides.push_back(alternative_of(dimensions, each).set);
+  for (const Choice& each : chosen) overrides.push_back(alternative_of(dimensions, each).set);
+}
+
+void refuse_varied(const Overrides& overrides, const std::vector<Dimension>& dimensions) {
+  for (const std::string& text : overrides) {
+    const std::string key = text.substr(0, text.find('='));
+    if (std::ranges::find(dimensions, key, &Dimension::name) == dimensions.end()) continue;
+    throw std::invalid_argument(fmt::format(
+        "--set {}: {} is a dimension that varies; leave this out, or choose other dimensions with --dimensions", text,
+        key));
   }
 }
 
@@ -118,6 +127,7 @@ MultiverseSize size_of(const std::vector<Dimension>& dimensions, const std::vect
 MultiversePlan plan_multiverse(const std::string& name, const std::vector<Dimension>& dimensions, int seeds,
                                const Overrides& overrides) {
   refuse_seed(overrides);
+  refuse_varied(overrides, dimensions);
   MultiversePlan plan{.dimensions = dimensions};
   for (const SolverEntry& entry : load_study(name, overrides).solvers) plan.solvers.push_back(entry.label);
   size_of(dimensions, plan.solvers);

@@ -52,7 +52,8 @@ struct MultiverseSize {
 };
 MultiverseSize size_of(const std::vector<Dimension>& dimensions, const std::vector<std::string>& solvers);
 
-// `overrides` hold in every universe; the seeds are 1 to `seeds`.
+// `overrides` hold in every universe; the seeds are 1 to `seeds`. An override of what a dimension varies is
+// std::invalid_argument.
 MultiversePlan plan_multiverse(const std::string& study, const std::vector<Dimension>& dimensions, int seeds,
                                const Overrides& overrides = {});
 

@@ -114,7 +114,7 @@ TEST_CASE("the small multiverse is part of the default one", "[multiverse]") {
 }
 
 TEST_CASE("a plan has every combination of the alternatives that go together, each series once", "[multiverse]") {
-  // wrist_branch has no effect where all joints are searched; DE.bounds=reflect contradicts bounds=initial.
+  // wrist_branch has no effect where all joints are searched; DE.bounds contradicts a choice for all solvers.
   const auto varied = named({"bounds", "search", "DE.bounds", "wrist_branch"}, dimensions("slim2023"));
   const MultiversePlan plan = plan_multiverse("slim2023", varied, 1, tiny);
   REQUIRE(plan.solvers.size() == 6);
@@ -129,9 +129,7 @@ TEST_CASE("a plan has every combination of the alternatives that go together, ea
       });
     };
     CHECK(study.chosen.size() == (has("search=all_joints") ? 2 : 3));
-    // As the default says: clamp, reflect, resample, initial; nobody clamped: clamp (as the study) and initial; all
-    // clamped: not initial.
-    CHECK(study.solvers[de].size() == (has("bounds=initial") ? 2 : has("bounds=clamp") ? 3 : 4));
+    CHECK(study.solvers[de].size() == (has("bounds=per_solver") ? 4 : 1));
     for (const auto& of_solver : study.solvers) {
       series += static_cast<std::int64_t>(of_solver.size());
       for (const auto& own : of_solver) used.insert(own.parts.begin(), own.parts.end());
@@ -148,6 +146,27 @@ TEST_CASE("a plan has every combination of the alternatives that go together, ea
   CHECK(size.series == series);
   CHECK(size.series > static_cast<std::int64_t>(plan.parts.size()));
   CHECK(plan.studies.front().chosen == Chosen{{0, 0}, {1, 0}, {3, 0}});
+}
+
+TEST_CASE("the series of a universe are solved with what its choices say, defaults too", "[multiverse]") {
+  Overrides unclamped = tiny;
+  unclamped.emplace_back("bounds=initial");
+  const auto varied = named({"IK-BA.bounds", "DE.bounds"}, dimensions("slim2023"));
+  const MultiversePlan plan = plan_multiverse("slim2023", varied, 1, unclamped);
+  for (const auto& of_solver : plan.studies.front().solvers) {
+    for (const MultiversePlan::Own& own : of_solver) {
+      const Study& part = plan.parts[own.parts.front()];
+      const std::string bounds = effective_options(part, part.solvers.front()).at("bounds");
+      if (own.chosen.empty()) {
+        CHECK(bounds == "initial");
+      } else {
+        const Choice& choice = own.chosen.front();
+        CHECK(plan.dimensions[choice.dimension].alternatives[choice.alternative].set.ends_with("bounds=" + bounds));
+      }
+    }
+  }
+  CHECK_THROWS_WITH(plan_multiverse("slim2023", named({"population"}, dimensions("slim2023")), 1, {"population=20"}),
+                    Catch::Matchers::StartsWith("--set population=20: population is a dimension that varies"));
 }
 
 TEST_CASE("too many universes are refused with their number", "[multiverse]") {
