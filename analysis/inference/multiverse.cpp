@@ -195,12 +195,13 @@ void count_ranking(const Multiverse& multiverse, const std::vector<ClaimCounts*>
   }
 }
 
-// The choice that differs in that dimension alone, where it has the default; null where there is no such dimension.
+// The choice that differs in that dimension alone, where it has the default; null where there is none, and for what has
+// the default itself.
 const Multiverse::Own* twin_of(const std::vector<Multiverse::Own>& all, const Multiverse::Own& own,
                                std::size_t dimension) {
   std::vector<Multiverse::Choice> wanted = own.chosen;
   const auto found = std::ranges::find(wanted, dimension, &Multiverse::Choice::dimension);
-  if (found == wanted.end()) return nullptr;
+  if (found == wanted.end() || found->alternative == 0) return nullptr;
   found->alternative = 0;
   const auto is_wanted = [&](const Multiverse::Own& each) {
     return std::ranges::equal(each.chosen, wanted, [](const auto& a, const auto& b) {

@@ -60,7 +60,9 @@ struct MultiverseClaim {
   std::string rival = {};
   Metric metric = Metric::position_error_cm;
   JudgedBy by = JudgedBy::mean;
-  std::string without_effect = {};  // instead: the dimension of which every alternative gives the same bits
+  // Instead: a dimension of which another alternative gives the same bits as the default. Universes with the default are
+  // not counted.
+  std::string without_effect = {};
 };
 
 // Universes in which a claim holds (the solver is found better than each rival), fails (a rival is found better), and

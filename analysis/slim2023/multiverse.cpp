@@ -100,7 +100,8 @@ ClaimShares shares_of(const Multiverse& multiverse, const ClaimCounts& counts) {
 
 Cell percent_cell(double share) { return std::round(1000 * share) / 10 + 0.0; }
 
-std::string outcome(const UniverseCounts& counts) {
+Cell outcome(const UniverseCounts& counts) {
+  if (counts.all == 0) return {};
   return counts.holds == counts.all ? "holds" : counts.fails == counts.all ? "fails" : "undecided";
 }
 
@@ -165,7 +166,8 @@ Table alternatives_table(const Multiverse& multiverse, const std::vector<ClaimCo
     for (std::size_t a = 0; a < dimension.alternatives.size(); ++a) {
       std::vector<Cell> row{dimension.alternatives[a].set, dimension.section, a == 0 ? Cell("default") : Cell()};
       for (const ClaimCounts& counts : all) {
-        if (counts.all.all > 0) row.push_back(percent_cell(counts.alternatives[d][a].held()));
+        const UniverseCounts& of = counts.alternatives[d][a];
+        if (counts.all.all > 0) row.push_back(of.all > 0 ? percent_cell(of.held()) : Cell());
       }
       table.rows.push_back(std::move(row));
       table.notes.push_back(fmt::format("{}: {}.", dimension.alternatives[a].set, dimension.alternatives[a].where));
