@@ -46,6 +46,7 @@ Multiverse as_data(const MultiversePlan& plan, const std::vector<RunMeans>& mean
   for (const MultiversePlan::OfStudy& each : plan.studies) {
     auto& study = multiverse.studies.emplace_back();
     study.chosen = as_data(each.chosen);
+    study.weight = each.weight;
     study.out_of_reach = each.out_of_reach;
     for (const std::vector<MultiversePlan::Own>& of_solver : each.solvers) {
       auto& solver = study.solvers.emplace_back();

@@ -26,26 +26,32 @@ bool is_excepted(const Alternative& alternative, const std::vector<Dimension>& d
   });
 }
 
+// With its share where the alternatives of a dimension have equal parts of what was chosen before it.
+struct Branch {
+  Chosen chosen = {};
+  double weight = 1;
+};
+
 // Every choice in the dimensions of one owner (a solver, or "" for the study), beside those that are given. What is in
 // `given` is not repeated.
-std::vector<Chosen> every_choice(const std::vector<Dimension>& dimensions, std::string_view owner,
+std::vector<Branch> every_choice(const std::vector<Dimension>& dimensions, std::string_view owner,
                                  const Chosen& given) {
-  std::vector<Chosen> all{{}};
+  std::vector<Branch> all{{}};
   for (std::size_t d = 0; d < dimensions.size(); ++d) {
     if (dimensions[d].solver != owner) continue;
-    std::vector<Chosen> larger;
-    for (const Chosen& chosen : all) {
+    std::vector<Branch> larger;
+    for (const Branch& branch : all) {
       Chosen known = given;
-      known.insert(known.end(), chosen.begin(), chosen.end());
+      known.insert(known.end(), branch.chosen.begin(), branch.chosen.end());
       Chosen possible;
       for (std::size_t a = 0; a < dimensions[d].alternatives.size(); ++a) {
         if (!is_excepted(dimensions[d].alternatives[a], dimensions, known)) possible.push_back({d, a});
       }
       if (possible.size() < 2) possible.clear();  // nothing to choose
-      if (possible.empty()) larger.push_back(chosen);
+      if (possible.empty()) larger.push_back(branch);
       for (const Choice& each : possible) {
-        larger.push_back(chosen);
-        larger.back().push_back(each);
+        larger.push_back({branch.chosen, branch.weight / static_cast<double>(possible.size())});
+        larger.back().chosen.push_back(each);
       }
     }
     all = std::move(larger);
@@ -109,10 +115,10 @@ MultiverseSize size_of(const std::vector<Dimension>& dimensions, const std::vect
   refuse_too_many(dimensions, "series for a seed", every_choice_counted(dimensions, "") * bound, most_combinations);
   MultiverseSize size;
   double universes = 0;
-  for (const Chosen& chosen : every_choice(dimensions, "", {})) {
+  for (const Branch& branch : every_choice(dimensions, "", {})) {
     double of_solvers = 1;
     for (const std::string& solver : solvers) {
-      const std::size_t own = every_choice(dimensions, solver, chosen).size();
+      const std::size_t own = every_choice(dimensions, solver, branch.chosen).size();
       size.series += static_cast<std::int64_t>(own);
       of_solvers *= static_cast<double>(own);
     }
@@ -132,18 +138,19 @@ MultiversePlan plan_multiverse(const std::string& name, const std::vector<Dimens
   for (const SolverEntry& entry : load_study(name, overrides).solvers) plan.solvers.push_back(entry.label);
   size_of(dimensions, plan.solvers);
   SeriesList needed;
-  for (const Chosen& chosen : every_choice(dimensions, "", {})) {
+  for (const auto& [chosen, weight] : every_choice(dimensions, "", {})) {
     MultiversePlan::OfStudy& of_study = plan.studies.emplace_back();
     of_study.chosen = chosen;
+    of_study.weight = weight;
     Overrides all = overrides;
     add_overrides(all, dimensions, chosen);
     of_study.out_of_reach = static_cast<int>(unreachable(load_study(name, all)).size());
     for (std::size_t s = 0; s < plan.solvers.size(); ++s) {
       std::vector<MultiversePlan::Own>& of_solver = of_study.solvers.emplace_back();
-      for (const Chosen& own : every_choice(dimensions, plan.solvers[s], chosen)) {
-        of_solver.push_back({.chosen = own, .parts = {}});
+      for (const Branch& own : every_choice(dimensions, plan.solvers[s], chosen)) {
+        of_solver.push_back({.chosen = own.chosen, .parts = {}});
         Overrides of_own = all;
-        add_overrides(of_own, dimensions, own);
+        add_overrides(of_own, dimensions, own.chosen);
         of_own.emplace_back();
         for (int seed = 1; seed <= seeds; ++seed) {
           of_own.back() = fmt::format("seed={}", seed);

@@ -28,7 +28,9 @@ void refuse_seed(const Overrides& overrides);
 
 // A universe is a choice for the study and, for each solver, one of its own. Solvers are independent given the study's
 // choice, so that each is solved by itself and no universe ever as a whole. A dimension is among the choices only where
-// it has an alternative besides its default (Alternative::except). The default comes first.
+// it has an alternative besides its default (Alternative::except). The default comes first. The study's choices weigh
+// by equal parts: in each dimension its alternatives share the weight of what was chosen before it, so that a detail
+// that only one of them has changes nothing for the others.
 struct MultiversePlan {
   struct Own {
     Chosen chosen;
@@ -36,6 +38,7 @@ struct MultiversePlan {
   };
   struct OfStudy {
     Chosen chosen;
+    double weight = 1;                      // all together 1
     int out_of_reach = 0;                   // targets that no configuration reaches
     std::vector<std::vector<Own>> solvers;  // in the order of `solvers`
   };

@@ -88,23 +88,22 @@ struct Against {
   }
 };
 
-UniverseCounts product_of(const std::vector<Against>& rivals) {
-  UniverseCounts counts{.holds = 1, .fails = 0, .all = 1};
-  double not_worse = 1;
+// Of universes that weigh so much each.
+UniverseCounts product_of(const std::vector<Against>& rivals, double weight) {
+  double all = 1, better = 1, not_worse = 1;
   for (const Against& each : rivals) {
-    counts.holds *= each.better;
-    counts.all *= each.all;
+    all *= each.all;
+    better *= each.better;
     not_worse *= each.all - each.worse;
   }
-  counts.fails = counts.all - not_worse;
-  return counts;
+  return {.holds = weight * better, .fails = weight * (all - not_worse), .undecided = weight * (not_worse - better)};
 }
 
 // The claim in all universes of one choice of the study and one of the solver's own.
 class OwnCount {
  public:
   OwnCount(ClaimCounts& into, const Multiverse::OfStudy& study, std::size_t seed)
-      : into_(into), study_(study), seed_(seed) {}
+      : into_(into), study_(study), seed_(seed), weight_(study.weight / study.universes()) {}
 
   // `answers` by solver, by its choice; none for the solver itself. Those that take no part never decide.
   void add(const Multiverse::Own& own, const std::vector<std::vector<Answer>>& answers) {
@@ -114,7 +113,7 @@ class OwnCount {
       Against& against = rivals.emplace_back();
       for (const Answer answer : of_rival) against += answer;
     }
-    const UniverseCounts counts = product_of(rivals);
+    const UniverseCounts counts = product_of(rivals, weight_);
     into_.all += counts;
     into_.seeds[seed_] += counts;
     for (const auto* chosen : {&study_.chosen, &own.chosen}) {
@@ -139,13 +138,14 @@ class OwnCount {
     }
     for (const auto& [choice, against] : restricted) {
       rivals[place] = against;
-      into_.alternatives[choice.first][choice.second] += product_of(rivals);
+      into_.alternatives[choice.first][choice.second] += product_of(rivals, weight_);
     }
   }
 
   ClaimCounts& into_;
   const Multiverse::OfStudy& study_;
   std::size_t seed_;
+  double weight_;  // of a universe
 };
 
 std::optional<std::size_t> place_of_solver(const Multiverse& multiverse, std::string_view label) {
@@ -234,13 +234,15 @@ void count_effect(const Multiverse& multiverse, ClaimCounts& counts) {
 
 }  // namespace
 
+double Multiverse::OfStudy::universes() const {
+  double product = 1;
+  for (const std::vector<Own>& of_solver : solvers) product *= static_cast<double>(of_solver.size());
+  return product;
+}
+
 double Multiverse::universes() const {
   double all = 0;
-  for (const OfStudy& study : studies) {
-    double product = 1;
-    for (const std::vector<Own>& of_solver : study.solvers) product *= static_cast<double>(of_solver.size());
-    all += product;
-  }
+  for (const OfStudy& study : studies) all += study.universes();
   return all;
 }
 
@@ -251,15 +253,15 @@ const std::vector<std::vector<double>>& values_of(const Multiverse::Own& own, Me
 void UniverseCounts::operator+=(const UniverseCounts& more) {
   holds += more.holds;
   fails += more.fails;
-  all += more.all;
+  undecided += more.undecided;
 }
 
 double ClaimCounts::difference(std::size_t dimension) const {
   double least = 1, most = 0;
   for (const UniverseCounts& each : alternatives[dimension]) {
-    if (each.all == 0) continue;
-    least = std::min(least, each.held());
-    most = std::max(most, each.held());
+    if (each.all() == 0) continue;
+    least = std::min(least, each.holds / each.all());
+    most = std::max(most, each.holds / each.all());
   }
   return std::max(0.0, most - least);
 }

@@ -32,10 +32,14 @@ struct Multiverse {
     std::vector<Choice> chosen;
     std::vector<std::vector<double>> error_cm, variation_deg;
   };
+  // The universes of one choice for the study. They share its weight evenly.
   struct OfStudy {
     std::vector<Choice> chosen;
+    double weight = 1;
     int out_of_reach = 0;
     std::vector<std::vector<Own>> solvers;  // by solver, by its own choice; the default first
+
+    double universes() const;
   };
   std::vector<Dimension> dimensions;
   std::vector<std::string> solvers;
@@ -60,19 +64,17 @@ struct MultiverseClaim {
   std::string rival = {};
   Metric metric = Metric::position_error_cm;
   JudgedBy by = JudgedBy::mean;
-  // Instead: a dimension of which another alternative gives the same bits as the default. Universes with the default are
-  // not counted.
+  // Instead: a dimension of which another alternative gives the same bits as the default. Universes with the default
+  // are not counted.
   std::string without_effect = {};
 };
 
-// Universes in which a claim holds (the solver is found better than each rival), fails (a rival is found better), and
-// all there are. Each seed is a study of its own, and counts as such.
+// Weights of the universes in which a claim holds (the solver is found better than each rival), fails (a rival is found
+// better) and is undecided. Each seed is a study of its own, and counts as such.
 struct UniverseCounts {
-  double holds = 0, fails = 0, all = 0;
+  double holds = 0, fails = 0, undecided = 0;
   void operator+=(const UniverseCounts& more);
-  double held() const { return holds / all; }
-  double failed() const { return fails / all; }
-  double undecided() const { return (all - holds - fails) / all; }
+  double all() const { return holds + fails + undecided; }
 };
 
 struct ClaimCounts {

@@ -75,7 +75,8 @@ std::string deciding_words(const Multiverse& multiverse, const ClaimCounts& coun
   std::vector<Part> parts;
   for (std::size_t a = 0; a < counts.alternatives[dimension].size(); ++a) {
     const UniverseCounts& each = counts.alternatives[dimension][a];
-    if (each.all > 0) parts.push_back({each.held(), multiverse.dimensions[dimension].alternatives[a].where});
+    if (each.all() > 0)
+      parts.push_back({each.holds / each.all(), multiverse.dimensions[dimension].alternatives[a].where});
   }
   std::ranges::stable_sort(parts, {}, &Part::share);
   std::string words;
@@ -86,30 +87,34 @@ std::string deciding_words(const Multiverse& multiverse, const ClaimCounts& coun
 }
 
 ClaimShares shares_of(const Multiverse& multiverse, const ClaimCounts& counts) {
-  const UniverseCounts& all = counts.all;
+  const double all = counts.all.all(), holds = counts.all.holds / all, fails = counts.all.fails / all,
+               undecided = counts.all.undecided / all;
   const std::string deciding = deciding_words(multiverse, counts);
   return {.id = counts.claim.id,
-          .holds = all.held(),
-          .fails = all.failed(),
-          .undecided = all.undecided(),
+          .holds = holds,
+          .fails = fails,
+          .undecided = undecided,
           .decided_by = deciding.empty() ? "" : multiverse.dimensions[counts.deciding()].name,
           .sentence = fmt::format("{} in {} of the universes ({} fail, {} undecided){}.", counts.claim.words,
-                                  share_words(all.held()), share_words(all.failed()), share_words(all.undecided()),
+                                  share_words(holds), share_words(fails), share_words(undecided),
                                   deciding.empty() ? "" : "; " + deciding)};
 }
 
-Cell percent_cell(double share) { return std::round(1000 * share) / 10 + 0.0; }
+Cell percent_cell(double part, double all) {
+  if (all == 0) return {};
+  return std::round(1000 * part / all) / 10 + 0.0;
+}
 
 Cell outcome(const UniverseCounts& counts) {
-  if (counts.all == 0) return {};
-  return counts.holds == counts.all ? "holds" : counts.fails == counts.all ? "fails" : "undecided";
+  if (counts.all() == 0) return {};
+  return counts.holds > 0 ? "holds" : counts.fails > 0 ? "fails" : "undecided";
 }
 
 // The largest difference between the shares of two seeds, in percentage points.
 Cell seed_difference(const ClaimCounts& counts) {
   if (counts.seeds.size() < 2) return {};
-  const auto [least, most] = std::ranges::minmax(counts.seeds, {}, &UniverseCounts::held);
-  return percent_cell(most.held() - least.held());
+  const auto [least, most] = std::ranges::minmax(counts.seeds, {}, &UniverseCounts::holds);
+  return percent_cell(most.holds - least.holds, least.all());
 }
 
 Table claims_table(const Multiverse& multiverse, const std::vector<ClaimCounts>& all,
@@ -127,18 +132,20 @@ Table claims_table(const Multiverse& multiverse, const std::vector<ClaimCounts>&
                           {"id", Align::left}}};
   for (std::size_t c = 0; c < all.size(); ++c) {
     const ClaimCounts& counts = all[c];
-    if (counts.all.all == 0) continue;
+    const double weight = counts.all.all();
+    if (weight == 0) continue;
     const std::size_t deciding = counts.deciding();
     const bool is_decided = deciding < multiverse.dimensions.size();
-    table.rows.push_back({counts.claim.words, percent_cell(counts.all.held()), percent_cell(counts.all.failed()),
-                          percent_cell(counts.all.undecided()), outcome(in_default[c].all),
-                          is_decided ? Cell(multiverse.dimensions[deciding].name) : Cell(),
-                          is_decided ? percent_cell(counts.difference(deciding)) : Cell(), seed_difference(counts),
+    table.rows.push_back({counts.claim.words, percent_cell(counts.all.holds, weight),
+                          percent_cell(counts.all.fails, weight), percent_cell(counts.all.undecided, weight),
+                          outcome(in_default[c].all), is_decided ? Cell(multiverse.dimensions[deciding].name) : Cell(),
+                          is_decided ? percent_cell(counts.difference(deciding), 1) : Cell(), seed_difference(counts),
                           counts.claim.id});
   }
   table.notes.push_back(fmt::format(
-      "{} universes: {} choices for the study, each with every combination of the solvers' own. All are counted, and "
-      "none weighs more than another. A claim holds where {} is found better than each rival, and fails where a rival "
+      "{} universes: {} choices for the study, each with every combination of the solvers' own. All are counted. The "
+      "alternatives of the study weigh alike, given what was chosen before them, and so do the universes of a choice for "
+      "the study. A claim holds where {} is found better than each rival, and fails where a rival "
       "is found better: Welch's t of the run means against the studentized range of the {} solvers, at {}.",
       count_words(multiverse.universes()), multiverse.studies.size(), claimed_solver, multiverse.solvers.size(),
       significance));
@@ -159,7 +166,7 @@ Table alternatives_table(const Multiverse& multiverse, const std::vector<ClaimCo
               .caption = "Share of the universes with each alternative in which a claim holds, in percent",
               .columns = {{"alternative", Align::left}, {"notes", Align::left}, {"default", Align::left}}};
   for (const ClaimCounts& counts : all) {
-    if (counts.all.all > 0) table.columns.push_back({counts.claim.id});
+    if (counts.all.all() > 0) table.columns.push_back({counts.claim.id});
   }
   for (std::size_t d = 0; d < multiverse.dimensions.size(); ++d) {
     const Multiverse::Dimension& dimension = multiverse.dimensions[d];
@@ -167,7 +174,7 @@ Table alternatives_table(const Multiverse& multiverse, const std::vector<ClaimCo
       std::vector<Cell> row{dimension.alternatives[a].set, dimension.section, a == 0 ? Cell("default") : Cell()};
       for (const ClaimCounts& counts : all) {
         const UniverseCounts& of = counts.alternatives[d][a];
-        if (counts.all.all > 0) row.push_back(of.all > 0 ? percent_cell(of.held()) : Cell());
+        if (counts.all.all() > 0) row.push_back(percent_cell(of.holds, of.all()));
       }
       table.rows.push_back(std::move(row));
       table.notes.push_back(fmt::format("{}: {}.", dimension.alternatives[a].set, dimension.alternatives[a].where));
@@ -190,7 +197,7 @@ MultiverseReport multiverse_report(std::string_view paper, const Multiverse& mul
                                  in_default = counted(default_of(multiverse), claims, significance);
   MultiverseReport result;
   for (const ClaimCounts& counts : all) {
-    if (counts.all.all > 0) result.claims.push_back(shares_of(multiverse, counts));
+    if (counts.all.all() > 0) result.claims.push_back(shares_of(multiverse, counts));
   }
   result.tables = {claims_table(multiverse, all, in_default), alternatives_table(multiverse, all)};
   result.figures = {error_curve(multiverse, claimed_solver)};

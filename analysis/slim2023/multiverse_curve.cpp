@@ -27,6 +27,7 @@ struct BestRival {
   double estimate = 0;   // log10 of the solver's mean by the rival's
   double error = 0;      // its standard error, by propagation of those of the means
   double universes = 0;  // how many these are
+  double weight = 0;     // and what they weigh together
   std::size_t study = 0, own = 0, rival = 0;
 };
 
@@ -57,8 +58,9 @@ double universes_of_best(const PooledMeans& means, std::size_t solver, std::size
 std::vector<BestRival> best_rivals(const Multiverse& multiverse, std::size_t solver) {
   std::vector<BestRival> all;
   for (std::size_t g = 0; g < multiverse.studies.size(); ++g) {
+    const Multiverse::OfStudy& study = multiverse.studies[g];
     PooledMeans means;
-    for (const auto& of_solver : multiverse.studies[g].solvers) {
+    for (const auto& of_solver : study.solvers) {
       means.emplace_back();
       for (const Multiverse::Own& own : of_solver) means.back().push_back(pooled(own));
     }
@@ -74,6 +76,7 @@ std::vector<BestRival> best_rivals(const Multiverse& multiverse, std::size_t sol
           all.push_back({.estimate = estimate,
                          .error = std::hypot(ours.error / ours.mean, theirs.error / theirs.mean) / std::log(10),
                          .universes = universes,
+                         .weight = universes * study.weight / study.universes(),
                          .study = g,
                          .own = a,
                          .rival = rival});
@@ -135,8 +138,11 @@ Figure error_curve(const Multiverse& multiverse, const std::string& label) {
   const auto solver =
       static_cast<std::size_t>(std::ranges::find(multiverse.solvers, label) - multiverse.solvers.begin());
   const std::vector<BestRival> all = best_rivals(multiverse, solver);
-  double universes = 0;
-  for (const BestRival& each : all) universes += each.universes;
+  double universes = 0, weight = 0;
+  for (const BestRival& each : all) {
+    universes += each.universes;
+    weight += each.weight;
+  }
   const CurveRows rows = rows_of_curve(multiverse, solver);
   SpecificationCurve curve{.name = "multiverse",
                            .quantity = fmt::format("mean error of {} / of its best rival", label),
@@ -145,13 +151,13 @@ Figure error_curve(const Multiverse& multiverse, const std::string& label) {
   double before = 0;
   auto at = all.begin();
   for (std::size_t i = 0; i < count; ++i) {
-    const double rank = (static_cast<double>(i) + 0.5) / static_cast<double>(count) * universes;
-    while (at + 1 != all.end() && before + at->universes < rank) before += (at++)->universes;
+    const double rank = (static_cast<double>(i) + 0.5) / static_cast<double>(count) * weight;
+    while (at + 1 != all.end() && before + at->weight < rank) before += (at++)->weight;
     curve.universes.push_back(drawn(multiverse, *at, solver, rows));
   }
   curve.caption = fmt::format(
       "Specification curve: mean error of {} divided by that of its best rival, in {} of {} universes, sorted by it and "
-      "drawn evenly by rank. Below the line at 1 (blue) {} is the more accurate. Grey: 95 % intervals. Dots below: the "
+      "drawn evenly by their weight. Below the line at 1 (blue) {} is the more accurate. Grey: 95 % intervals. Dots below: the "
       "choices that a universe is made of, those of the rivals left out.",
       label, count, count_words(universes), label);
   return specification_curve(curve);

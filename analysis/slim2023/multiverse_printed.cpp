@@ -106,16 +106,17 @@ Explained explained_numbers(const PrintedSolver& printed, const Ranges& ranges) 
 // By choice of the study, by solver, by its own choice.
 using ExplainedBy = std::vector<std::vector<std::vector<Explained>>>;
 
-// What is counted over all universes.
+// What is counted over all universes by their weights, and over the best by their number.
 struct Support {
-  std::vector<double> universes;             // by how many numbers they explain
+  std::vector<double> universes;             // weights, by how many numbers they explain
   std::vector<std::vector<double>> mean_of;  // by dimension, alternative: numbers explained on average
   std::vector<std::vector<int>> best_of;     // and at most
   std::vector<std::vector<double>> in_best;  // and how many of the best universes have it
   std::vector<std::array<double, numbers_of_solver>> share_of;  // by solver: of universes that explain a number
   std::vector<std::array<double, numbers_of_solver>> share_of_best;
   int most = 0;
-  double best = 0, all = 0;  // universes that explain the most, and all
+  double best = 0;  // universes that explain the most
+  double all = 0;   // the weight of all
 };
 
 int count_of(Explained explained) { return std::popcount(explained); }
@@ -198,32 +199,34 @@ class SupportCount {
   void add(const Multiverse::OfStudy& study, const std::vector<std::vector<Explained>>& explained) {
     const StudySums sums = sums_of(explained);
     const std::vector<double> spread = spread_of(explained);
-    for (std::size_t i = 0; i < spread.size(); ++i) support_.universes[i] += spread[i];
+    for (std::size_t i = 0; i < spread.size(); ++i) {
+      support_.universes[i] += spread[i] * study.weight / sums.universes;
+    }
     const bool has_best = sums.best == support_.most;
-    support_.all += sums.universes;
+    support_.all += study.weight;
     if (has_best) support_.best += sums.attaining;
     for (const Multiverse::Choice& each : study.chosen) {
-      count(each, {sums.mean, sums.universes}, sums.best, has_best ? sums.attaining : 0);
+      count(each, {sums.mean, study.weight}, sums.best, has_best ? sums.attaining : 0);
     }
     for (std::size_t s = 0; s < explained.size(); ++s) {
-      const double share = 1 / static_cast<double>(explained[s].size());
+      const double weight = study.weight / static_cast<double>(explained[s].size());
       for (std::size_t a = 0; a < explained[s].size(); ++a) {
         const int ours = count_of(explained[s][a]);
         const bool is_best = has_best && ours == sums.bests[s];
-        const double universes = sums.universes * share, best = is_best ? sums.attaining / sums.how_many[s] : 0;
+        const double best = is_best ? sums.attaining / sums.how_many[s] : 0;
         for (const Multiverse::Choice& each : study.solvers[s][a].chosen) {
-          count(each, {sums.mean - sums.means[s] + ours, universes}, sums.best - sums.bests[s] + ours, best);
+          count(each, {sums.mean - sums.means[s] + ours, weight}, sums.best - sums.bests[s] + ours, best);
         }
         for (std::size_t i = 0; i < numbers_of_solver; ++i) {
           if (!has_bit(explained[s][a], i)) continue;
-          support_.share_of[s][i] += universes;
+          support_.share_of[s][i] += weight;
           support_.share_of_best[s][i] += best;
         }
       }
     }
   }
 
-  // `mean` explained on average in so many universes (its weight), `most` at most, `best` of the best universes.
+  // `mean` explained on average in universes of that weight, `most` at most, `best` of the best universes.
   void count(const Multiverse::Choice& choice, Weighted mean, int most, double best) {
     Weighted& sum = means_[choice.dimension][choice.alternative];
     sum.sum += mean.sum * mean.weight;
@@ -349,15 +352,15 @@ void add_printed(MultiverseReport& report, std::string_view paper, const Multive
   const Support support = SupportCount(multiverse).of(explained);
   int by_default = 0;
   for (const std::vector<Explained>& of_solver : explained.front()) by_default += count_of(of_solver.front());
-  double more = 0;
-  for (std::size_t i = static_cast<std::size_t>(by_default) + 1; i < support.universes.size(); ++i) {
-    more += support.universes[i];
+  double more = 0, rest = 0;
+  for (std::size_t i = 0; i < support.universes.size(); ++i) {
+    (i > static_cast<std::size_t>(by_default) ? more : rest) += support.universes[i];
   }
   const int numbers = static_cast<int>(solvers) * static_cast<int>(numbers_of_solver);
   report.sentences.push_back(fmt::format(
       "Of the {} printed numbers of error and variation the default explains {} (they lie in the 95 % range "
       "of a study of 20 runs); {} of the universes explain more.",
-      numbers, by_default, share_words(more / support.all)));
+      numbers, by_default, share_words(more / (more + rest))));
   report.sentences.push_back(best_sentence(multiverse, support));
   report.sentences.push_back(unexplained_sentence(multiverse, printed, support));
   report.tables.push_back(alternatives_support(multiverse, support, numbers));
