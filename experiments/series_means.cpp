@@ -56,12 +56,9 @@ std::optional<std::pair<std::string, RunMeans>> kept_line(std::string_view line)
   return std::pair(std::string(line.substr(0, first)), RunMeans{*errors, *variations});
 }
 
-// What is known of series that are solved side by side, and how far they are known without a gap.
-struct SolvedSeries {
-  std::vector<std::optional<RunMeans>> means;
-  std::vector<bool> is_new;
-  std::size_t complete = 0;
-};
+std::string line_of(const std::string& key, const RunMeans& means) {
+  return fmt::format("{},{},{}\n", key, texts_of_numbers(means.error_cm), texts_of_numbers(means.variation_deg));
+}
 
 std::int64_t solves_of_series(const Study& study) {
   return std::int64_t{study.runs} * static_cast<std::int64_t>(targets(study, 1).size());
@@ -94,6 +91,7 @@ void SeriesMeans::read() {
           "--out",
           file_.string(), number));
     }
+    if (!known_.empty() && kept->first <= known_.rbegin()->first) is_sorted_ = false;
     RunMeans& known = known_[kept->first];
     if (kept->second.error_cm.size() > known.error_cm.size()) known = std::move(kept->second);
   }
@@ -113,17 +111,29 @@ void SeriesMeans::keep(const std::string& key, RunMeans means) {
     if (file_.has_parent_path()) std::filesystem::create_directories(file_.parent_path(), error);
     std::ofstream out(file_, std::ios::binary | std::ios::app);
     out.seekp(0, std::ios::end);
-    const std::string line =
-        fmt::format("{},{},{}\n", key, texts_of_numbers(means.error_cm), texts_of_numbers(means.variation_deg));
-    out << (out.tellp() == 0 ? head_of_means : "") << line << std::flush;
+    out << (out.tellp() == 0 ? head_of_means : "") << line_of(key, means) << std::flush;
     if (!out) throw std::runtime_error(fmt::format("cannot write {}", file_.string()));
   }
   known_[key] = std::move(means);
+  is_sorted_ = false;
+}
+
+void SeriesMeans::sort() {
+  if (file_.empty() || is_sorted_) return;
+  std::filesystem::path sorted = file_;
+  sorted += ".sorted";
+  std::ofstream out(sorted, std::ios::binary | std::ios::trunc);
+  out << head_of_means;
+  for (const auto& [key, means] : known_) out << line_of(key, means);
+  out.close();
+  std::error_code error;
+  if (out) std::filesystem::rename(sorted, file_, error);
+  if (!out || error) throw std::runtime_error(fmt::format("cannot write {}", file_.string()));
+  is_sorted_ = true;
 }
 
 std::vector<RunMeans> solve_series(const std::vector<Study>& series, SeriesMeans& kept, const SeriesRequest& request) {
-  SolvedSeries solved{.means = std::vector<std::optional<RunMeans>>(series.size()),
-                      .is_new = std::vector<bool>(series.size())};
+  std::vector<std::optional<RunMeans>> solved(series.size());
   std::vector<std::string> keys;
   Progress progress;
   for (std::size_t i = 0; i < series.size(); ++i) {
@@ -132,7 +142,7 @@ std::vector<RunMeans> solve_series(const std::vector<Study>& series, SeriesMeans
     progress.total += solves;
     const auto runs = static_cast<std::size_t>(series[i].runs);
     if (const RunMeans* known = kept.find(keys.back(), runs)) {
-      RunMeans& means = solved.means[i].emplace(*known);
+      RunMeans& means = solved[i].emplace(*known);
       means.error_cm.resize(runs);
       means.variation_deg.resize(runs);
       progress.reused += solves;
@@ -140,26 +150,21 @@ std::vector<RunMeans> solve_series(const std::vector<Study>& series, SeriesMeans
   }
   progress.done = progress.reused;
   std::mutex mutex;
-  const auto take = [&](std::size_t place, std::optional<RunMeans> means) {
+  const auto take = [&](std::size_t place, RunMeans means) {
     const std::scoped_lock lock(mutex);
-    if (means) {
-      solved.means[place] = std::move(means);
-      solved.is_new[place] = true;
-      progress.done += solves_of_series(series[place]);
-    }
-    for (; solved.complete < series.size() && solved.means[solved.complete]; ++solved.complete) {
-      if (solved.is_new[solved.complete]) kept.keep(keys[solved.complete], *solved.means[solved.complete]);
-    }
+    kept.keep(keys[place], means);
+    solved[place] = std::move(means);
+    progress.done += solves_of_series(series[place]);
     if (request.progress) request.progress(progress);
   };
-  take(0, std::nullopt);
+  if (request.progress) request.progress(progress);
   std::atomic<std::size_t> next{0};
   std::atomic<bool> has_failed{false};
   const auto is_over = [&] { return has_failed || (request.cancelled != nullptr && *request.cancelled); };
   work_together(request.jobs, [&] {
     try {
       for (std::size_t i = next++; i < series.size() && !is_over(); i = next++) {
-        if (solved.means[i]) continue;
+        if (solved[i]) continue;
         std::vector<SolveRecord> solves;
         solve_study(
             series[i], 1, [&](SolveRecord record) { solves.push_back(std::move(record)); }, request.cancelled);
@@ -171,8 +176,9 @@ std::vector<RunMeans> solve_series(const std::vector<Study>& series, SeriesMeans
       throw;
     }
   });
+  kept.sort();
   std::vector<RunMeans> means;
-  for (std::size_t i = 0; i < solved.complete; ++i) means.push_back(std::move(*solved.means[i]));
+  for (std::size_t i = 0; i < series.size() && solved[i]; ++i) means.push_back(std::move(*solved[i]));
   return means;
 }
 

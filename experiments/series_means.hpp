@@ -26,13 +26,16 @@ class SeriesMeans {
   explicit SeriesMeans(std::filesystem::path file);
   // The means of so many runs of a series; null where it was not solved so often.
   const RunMeans* find(const std::string& key, std::size_t runs) const;
-  void keep(const std::string& key, RunMeans means);
+  void keep(const std::string& key, RunMeans means);  // behind the others, at once
+  // Brings the lines into the order of their keys, whatever the order in which they were kept.
+  void sort();
 
  private:
   void read();
 
   std::filesystem::path file_;
   std::map<std::string, RunMeans> known_;
+  bool is_sorted_ = true;  // the file's lines are
 };
 
 struct SeriesRequest {
@@ -43,7 +46,7 @@ struct SeriesRequest {
 };
 
 // The means of series of one solver each, in their order; after Ctrl-C those before the first that is missing. Each is
-// kept as soon as it and those before it are there, so that the file is the same for any number of jobs.
+// kept as soon as it is there; at the end the file is sorted, and so the same for any number of jobs.
 std::vector<RunMeans> solve_series(const std::vector<Study>& series, SeriesMeans& kept, const SeriesRequest& request);
 
 }  // namespace ikbench::experiments

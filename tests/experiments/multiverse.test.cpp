@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <set>
 #include <stdexcept>
+#include <thread>
 
 #include "experiments/series_key.hpp"
 #include "experiments/series_means.hpp"
@@ -251,6 +252,28 @@ TEST_CASE("cancelled, the series before the first that is missing are told and k
                                    .cancelled = &cancelled});
   CHECK(means.size() == 1);
   CHECK(std::ranges::count(folder.text(), '\n') == 2);
+}
+
+TEST_CASE("a series that is solved is kept though one before it is not", "[multiverse]") {
+  const auto series = plan_multiverse("slim2023", named({"bounds"}, dimensions("slim2023")), 1, tiny).parts;
+  const MeansFolder folder;
+  SeriesMeans kept(folder.file());
+  const std::string first = series_key(series.front(), series.front().solvers.front());
+  std::atomic<std::size_t> others{0};
+  const auto means_of = [&](const Study& study, std::vector<SolveRecord> solves) {
+    if (series_key(study, study.solvers.front()) == first) {
+      while (others + 1 < series.size()) std::this_thread::yield();
+      throw std::runtime_error("killed");
+    }
+    ++others;
+    return first_points(study, solves);
+  };
+  CHECK_THROWS_WITH(solve_series(series, kept, {.means_of = means_of, .jobs = 2}), "killed");
+  const SeriesMeans again(folder.file());
+  CHECK(again.find(first, 1) == nullptr);
+  for (std::size_t i = 1; i < series.size(); ++i) {
+    CHECK(again.find(series_key(series[i], series[i].solvers.front()), 2) != nullptr);
+  }
 }
 
 TEST_CASE("a file of dimensions says in one sentence where it is wrong", "[multiverse]") {
