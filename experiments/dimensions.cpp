@@ -76,7 +76,16 @@ Alternative read_alternative(TomlReader reader, bool is_default) {
   return one;
 }
 
-Dimension read_dimension(TomlReader reader, const std::vector<std::string>& labels) {
+// Whether the choice is made when one of that owner (a solver, or "" for the study) is to be.
+bool is_set_before(const std::vector<Dimension>& earlier, const std::string& owner, const std::string& set) {
+  return std::ranges::any_of(earlier, [&](const Dimension& each) {
+    return (each.solver.empty() || each.solver == owner) &&
+           std::ranges::find(each.alternatives, set, &Alternative::set) != each.alternatives.end();
+  });
+}
+
+Dimension read_dimension(TomlReader reader, const std::vector<std::string>& labels,
+                         const std::vector<Dimension>& earlier) {
   Dimension one;
   reader.text("section", one.section, "");
   for (const toml::table* table : tables_of(reader, "alternatives", most_alternatives)) {
@@ -84,14 +93,20 @@ Dimension read_dimension(TomlReader reader, const std::vector<std::string>& labe
         read_alternative(reader.nested(*table, "dimensions.alternatives."), one.alternatives.empty()));
     const std::string name = key_of_setting(one.alternatives.back().set);
     if (one.name.empty()) one.name = name;
+    const std::string owner = name.substr(0, std::min(name.rfind('.'), name.size()));
+    if (std::ranges::find(labels, owner) != labels.end()) one.solver = owner;
     const std::string& set = one.alternatives.back().set;
     if (name != one.name || std::ranges::count(one.alternatives, set, &Alternative::set) > 1) {
       reader.fail("alternatives", *table, fmt::format("another value of {}", one.name));
     }
+    for (const std::string& excepted : one.alternatives.back().except) {
+      if (is_set_before(earlier, one.solver, excepted)) continue;
+      reader.fail(
+          "alternatives", *table,
+          fmt::format("in except what an earlier dimension of the study or of this solver sets, not \"{}\"", excepted));
+    }
   }
   reader.refuse_unknown_keys();
-  const std::string owner = one.name.substr(0, std::min(one.name.rfind('.'), one.name.size()));
-  if (std::ranges::find(labels, owner) != labels.end()) one.solver = owner;
   return one;
 }
 
@@ -109,7 +124,7 @@ std::vector<Dimension> parse_dimensions(std::string_view text, std::string_view 
   TomlReader reader(table, source, "");
   std::vector<Dimension> list;
   for (const toml::table* each : tables_of(reader, "dimensions", most_dimensions)) {
-    list.push_back(read_dimension(reader.nested(*each, "dimensions."), labels));
+    list.push_back(read_dimension(reader.nested(*each, "dimensions."), labels, list));
     if (std::ranges::count(list, list.back().name, &Dimension::name) > 1) {
       reader.fail("dimensions", *each, fmt::format("{} once", list.back().name));
     }

@@ -16,8 +16,8 @@ enum class Scope { small, usual, none };
 struct Alternative {
   std::string set;                       // "bounds=initial"
   std::string where;                     // a clause: "no solver is clamped"
-  Scope scope = Scope::none;             // of no account for the default
-  std::vector<std::string> except = {};  // alternatives with which it has no effect, or which it contradicts
+  Scope scope = Scope::none;             // the default is in each
+  std::vector<std::string> except = {};  // earlier alternatives with which it has no effect, or which it contradicts
 
   std::string sentence() const;  // "No solver is clamped."
 };
