@@ -123,7 +123,7 @@ std::optional<MultiverseReport> judged_universes(const Paper& paper, const Multi
                                                  const SeriesArguments& arguments) {
   const std::vector<RunMeans> means = solved(plan.parts, arguments);
   if (means.size() < plan.parts.size()) return std::nullopt;
-  return paper.multiverse(as_data(plan, means));
+  return paper.multiverse(as_data(plan, means), plan.parts.front().analysis);
 }
 
 void add_multiverse(CLI::App& app, Invocation& invocation) {

@@ -15,16 +15,21 @@
 
 namespace ikbench::inference {
 
+using namespace results;
 using namespace statistics;
 
 namespace {
 
-// Welch's t of two groups against the studentized range of all solvers: Games and Howell's test, which the study's own
-// plan takes for pairs.
+// Games and Howell's test.
 class PairJudge {
  public:
-  PairJudge(std::size_t solvers, double significance)
-      : range_(static_cast<double>(solvers)), significance_(significance) {}
+  PairJudge(const std::vector<std::string>& solvers, const AnalysisPlan& plan)
+      : solvers_(solvers), plan_(plan), range_(static_cast<double>(solvers.size())) {}
+
+  // Whether the plan compares them; with a control, only with that.
+  bool compares(std::size_t one, std::size_t other) const {
+    return plan_.control.empty() || solvers_[one] == plan_.control || solvers_[other] == plan_.control;
+  }
 
   // Of the first; smaller is better.
   Answer operator()(const GroupSummary& first, const GroupSummary& second) const {
@@ -33,12 +38,13 @@ class PairJudge {
     const WelchTest test = welch(first, second);
     const double p = range_.upper_tail(std::abs(test.t) * std::numbers::sqrt2, test.df);
     if (std::isnan(p)) return Answer::undecided;
-    return answer_of({.p_better = test.t < 0 ? p : 1, .p_worse = test.t > 0 ? p : 1}, significance_);
+    return answer_of({.p_better = test.t < 0 ? p : 1, .p_worse = test.t > 0 ? p : 1}, plan_.significance);
   }
 
  private:
+  const std::vector<std::string>& solvers_;
+  const AnalysisPlan& plan_;
   StudentizedRange range_;
-  double significance_;
 };
 
 // Of the runs' means; typical: of their logarithms, where what is rounding is as small as can be told.
@@ -61,7 +67,9 @@ Answers answers_of(const Summarised& groups, std::size_t solver, const PairJudge
     auto& of_own = answers.emplace_back(groups.size());
     for (std::size_t rival = 0; rival < groups.size(); ++rival) {
       if (rival == solver) continue;
-      for (const GroupSummary& theirs : groups[rival]) of_own[rival].push_back(judge(ours, theirs));
+      for (const GroupSummary& theirs : groups[rival]) {
+        of_own[rival].push_back(judge.compares(solver, rival) ? judge(ours, theirs) : Answer::undecided);
+      }
     }
   }
   return answers;
@@ -172,11 +180,11 @@ std::vector<std::vector<Answer>> alike(const Multiverse::OfStudy& study, std::si
 }
 
 // Claims of one solver that are judged alike share the answers.
-void count_ranking(const Multiverse& multiverse, const std::vector<ClaimCounts*>& alike_judged, double significance) {
+void count_ranking(const Multiverse& multiverse, const std::vector<ClaimCounts*>& alike_judged,
+                   const PairJudge& judge) {
   const MultiverseClaim& first = alike_judged.front()->claim;
   const std::optional<std::size_t> solver = place_of_solver(multiverse, first.solver);
   if (!solver) return;
-  const PairJudge judge(multiverse.solvers.size(), significance);
   for (const Multiverse::OfStudy& study : multiverse.studies) {
     for (std::size_t seed = 0; seed < multiverse.seeds(); ++seed) {
       const Answers answers = answers_of(summaries_of(study, seed, first), *solver, judge);
@@ -275,7 +283,8 @@ std::size_t ClaimCounts::deciding() const {
 }
 
 std::vector<ClaimCounts> counted(const Multiverse& multiverse, const std::vector<MultiverseClaim>& claims,
-                                 double significance) {
+                                 const AnalysisPlan& plan) {
+  const PairJudge judge(multiverse.solvers, plan);
   std::vector<ClaimCounts> all;
   for (const MultiverseClaim& claim : claims) all.push_back(no_counts(multiverse, claim));
   std::map<std::tuple<std::string, Metric, JudgedBy>, std::vector<ClaimCounts*>> judged_alike;
@@ -287,7 +296,7 @@ std::vector<ClaimCounts> counted(const Multiverse& multiverse, const std::vector
       count_effect(multiverse, counts);
     }
   }
-  for (const auto& [judged, group] : judged_alike) count_ranking(multiverse, group, significance);
+  for (const auto& [judged, group] : judged_alike) count_ranking(multiverse, group, judge);
   return all;
 }
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "analysis/inference/metrics.hpp"
+#include "results/analysis_plan.hpp"
 
 namespace ikbench::inference {
 
@@ -52,8 +53,9 @@ struct Multiverse {
 // Position error or variation, by seed.
 const std::vector<std::vector<double>>& values_of(const Multiverse::Own& own, Metric metric);
 
-// What of the runs decides: their mean or, typical, their geometric mean. Either way by Welch's t against the
-// studentized range of all solvers (Games and Howell), as the study's own plan judges pairs.
+// What of the runs decides: their mean or, typical, their geometric mean. Either way by Games and Howell's test,
+// Welch's t against the studentized range of all solvers: it takes the values of two solvers only, so that pairs can be
+// counted by themselves. The level and the control are those of the study's plan.
 enum class JudgedBy { mean, typical };
 
 // A claim about one solver: better than a rival or, where none is named, than every other.
@@ -92,6 +94,6 @@ struct ClaimCounts {
 
 // A claim whose solver, rival or dimension is not there has counts of 0.
 std::vector<ClaimCounts> counted(const Multiverse& multiverse, const std::vector<MultiverseClaim>& claims,
-                                 double significance);
+                                 const results::AnalysisPlan& plan);
 
 }  // namespace ikbench::inference

@@ -46,7 +46,7 @@ struct Paper {
   std::function<std::vector<AuditItem>()> audit = {};
   // The first of the results is the default, by which the others are measured.
   std::function<ReadingsReport(std::span<const ReadingResults>)> readings = {};
-  std::function<MultiverseReport(const inference::Multiverse&)> multiverse = {};
+  std::function<MultiverseReport(const inference::Multiverse&, const results::AnalysisPlan&)> multiverse = {};
 };
 
 }  // namespace ikbench::report

@@ -13,13 +13,13 @@
 
 namespace ikbench::slim2023 {
 
+using namespace results;
 using namespace inference;
 using namespace report;
 
 namespace {
 
 constexpr const char* claimed_solver = "IK-BA";
-constexpr double significance = 0.05;  // of the study's plan
 
 // "mo_pso" of "MO-PSO".
 std::string snake_case(std::string text) {
@@ -54,14 +54,6 @@ std::vector<MultiverseClaim> claims_in_universes(const Multiverse& multiverse) {
                     .solver = who,
                     .without_effect = who + ".f_max"});
   return claims;
-}
-
-// The one universe in which everything is as by default.
-Multiverse default_of(const Multiverse& multiverse) {
-  Multiverse one{.dimensions = multiverse.dimensions, .solvers = multiverse.solvers, .studies = {}};
-  one.studies.push_back(multiverse.studies.front());
-  for (auto& of_solver : one.studies.front().solvers) of_solver.resize(1);
-  return one;
 }
 
 // "in 3 % where no solver is clamped, in 90 % where every solver is": the least share first.
@@ -105,11 +97,6 @@ Cell percent_cell(double part, double all) {
   return std::round(1000 * part / all) / 10 + 0.0;
 }
 
-Cell outcome(const UniverseCounts& counts) {
-  if (counts.all() == 0) return {};
-  return counts.holds > 0 ? "holds" : counts.fails > 0 ? "fails" : "undecided";
-}
-
 // The largest difference between the shares of two seeds, in percentage points.
 Cell seed_difference(const ClaimCounts& counts) {
   if (counts.seeds.size() < 2) return {};
@@ -117,38 +104,34 @@ Cell seed_difference(const ClaimCounts& counts) {
   return percent_cell(most.holds - least.holds, least.all());
 }
 
-Table claims_table(const Multiverse& multiverse, const std::vector<ClaimCounts>& all,
-                   const std::vector<ClaimCounts>& in_default) {
+Table claims_table(const Multiverse& multiverse, const std::vector<ClaimCounts>& all, const AnalysisPlan& plan) {
   Table table{.name = "multiverse",
               .caption = "The paper's claims in every universe of what the paper leaves open",
               .columns = {{"claim", Align::left},
                           {"holds_percent"},
                           {"fails_percent"},
                           {"undecided_percent"},
-                          {"in_the_default", Align::left},
                           {"deciding_dimension", Align::left},
                           {"difference_percent"},
                           {"between_seeds_percent"},
                           {"id", Align::left}}};
-  for (std::size_t c = 0; c < all.size(); ++c) {
-    const ClaimCounts& counts = all[c];
+  for (const ClaimCounts& counts : all) {
     const double weight = counts.all.all();
     if (weight == 0) continue;
     const std::size_t deciding = counts.deciding();
     const bool is_decided = deciding < multiverse.dimensions.size();
-    table.rows.push_back({counts.claim.words, percent_cell(counts.all.holds, weight),
-                          percent_cell(counts.all.fails, weight), percent_cell(counts.all.undecided, weight),
-                          outcome(in_default[c].all), is_decided ? Cell(multiverse.dimensions[deciding].name) : Cell(),
-                          is_decided ? percent_cell(counts.difference(deciding), 1) : Cell(), seed_difference(counts),
-                          counts.claim.id});
+    table.rows.push_back(
+        {counts.claim.words, percent_cell(counts.all.holds, weight), percent_cell(counts.all.fails, weight),
+         percent_cell(counts.all.undecided, weight), is_decided ? Cell(multiverse.dimensions[deciding].name) : Cell(),
+         is_decided ? percent_cell(counts.difference(deciding), 1) : Cell(), seed_difference(counts), counts.claim.id});
   }
   table.notes.push_back(fmt::format(
       "{} universes: {} choices for the study, each with every combination of the solvers' own. All are counted. The "
       "alternatives of the study weigh alike, given what was chosen before them, and so do the universes of a choice for "
-      "the study. A claim holds where {} is found better than each rival, and fails where a rival "
-      "is found better: Welch's t of the run means against the studentized range of the {} solvers, at {}.",
-      count_words(multiverse.universes()), multiverse.studies.size(), claimed_solver, multiverse.solvers.size(),
-      significance));
+      "the study. A claim holds where its solver is found better than each rival, and fails where a rival is found "
+      "better: by Games and Howell's test of the run means at {}, for {} solvers. It stands in for the test of the study's "
+      "plan because it needs two solvers at a time, so that pairs can be counted.",
+      count_words(multiverse.universes()), multiverse.studies.size(), plan.significance, multiverse.solvers.size()));
   table.notes.emplace_back(
       "deciding_dimension: between whose alternatives the share that holds differs most, with that difference. "
       "between_seeds: largest difference between the shares of two seeds; each seed is a study of its own.");
@@ -185,7 +168,7 @@ Table alternatives_table(const Multiverse& multiverse, const std::vector<ClaimCo
 
 }  // namespace
 
-MultiverseReport multiverse_report(std::string_view paper, const Multiverse& multiverse) {
+MultiverseReport multiverse_report(std::string_view paper, const Multiverse& multiverse, const AnalysisPlan& plan) {
   if (multiverse.studies.empty() || multiverse.seeds() == 0) {
     throw std::invalid_argument("no universe to report; expected the default first");
   }
@@ -193,13 +176,12 @@ MultiverseReport multiverse_report(std::string_view paper, const Multiverse& mul
     throw std::invalid_argument(fmt::format("no universe has the solver {}", claimed_solver));
   }
   const std::vector<MultiverseClaim> claims = claims_in_universes(multiverse);
-  const std::vector<ClaimCounts> all = counted(multiverse, claims, significance),
-                                 in_default = counted(default_of(multiverse), claims, significance);
+  const std::vector<ClaimCounts> all = counted(multiverse, claims, plan);
   MultiverseReport result;
   for (const ClaimCounts& counts : all) {
     if (counts.all.all() > 0) result.claims.push_back(shares_of(multiverse, counts));
   }
-  result.tables = {claims_table(multiverse, all, in_default), alternatives_table(multiverse, all)};
+  result.tables = {claims_table(multiverse, all, plan), alternatives_table(multiverse, all)};
   result.figures = {error_curve(multiverse, claimed_solver)};
   add_printed(result, paper, multiverse);
   return result;

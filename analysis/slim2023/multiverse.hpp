@@ -9,6 +9,7 @@
 namespace ikbench::slim2023 {
 
 // `paper` names the printed tables. std::invalid_argument where there is no universe.
-report::MultiverseReport multiverse_report(std::string_view paper, const inference::Multiverse& multiverse);
+report::MultiverseReport multiverse_report(std::string_view paper, const inference::Multiverse& multiverse,
+                                           const results::AnalysisPlan& plan);
 
 }  // namespace ikbench::slim2023

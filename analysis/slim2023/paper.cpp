@@ -18,6 +18,7 @@
 
 namespace ikbench::slim2023 {
 
+using namespace results;
 using namespace inference;
 using namespace report;
 
@@ -101,7 +102,8 @@ Paper paper() {
           .printed = printed_summaries,
           .audit = [] { return audit(this_paper); },
           .readings = [](std::span<const ReadingResults> results) { return readings_report(this_paper, results); },
-          .multiverse = [](const Multiverse& multiverse) { return multiverse_report(this_paper, multiverse); }};
+          .multiverse = [](const Multiverse& multiverse,
+                           const AnalysisPlan& plan) { return multiverse_report(this_paper, multiverse, plan); }};
 }
 
 }  // namespace ikbench::slim2023

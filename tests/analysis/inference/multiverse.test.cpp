@@ -11,11 +11,12 @@
 
 using namespace ikbench;
 using namespace ikbench::inference;
+using namespace ikbench::results;
 using namespace ikbench::statistics;
 
 namespace {
 
-constexpr double significance = 0.05;
+const AnalysisPlan plan;
 
 std::vector<double> runs_around(double centre, std::mt19937_64& engine) {
   std::vector<double> values;
@@ -78,10 +79,10 @@ ByAlternative listed(const Multiverse& multiverse, const std::string& rival, Uni
             const std::vector<GroupSummary> groups{summarise(a.error_cm[seed]), summarise(b.error_cm[seed]),
                                                    summarise(c.error_cm[seed])};
             int better = 0, worse = 0, rivals = 0;
-            for (const MeanDifference& pair : games_howell(groups, 1 - significance, 0)) {
+            for (const MeanDifference& pair : games_howell(groups, 1 - plan.significance, 0)) {
               if (!rival.empty() && multiverse.solvers[pair.second] != rival) continue;
               ++rivals;
-              if (pair.p < significance) ++(pair.difference < 0 ? better : worse);
+              if (pair.p < plan.significance) ++(pair.difference < 0 ? better : worse);
             }
             const double weight = study.weight / (2 * 4);
             const UniverseCounts one{.holds = better == rivals ? weight : 0,
@@ -113,8 +114,7 @@ TEST_CASE("claims counted by products are those counted universe by universe", "
     UniverseCounts all;
     ByAlternative expected = listed(multiverse, rival, all);
     const ClaimCounts counts =
-        counted(multiverse, {{.id = "best", .words = "A is best", .solver = "A", .rival = rival}}, significance)
-            .front();
+        counted(multiverse, {{.id = "best", .words = "A is best", .solver = "A", .rival = rival}}, plan).front();
     CHECK(counts.all.all() == Approx(2));  // seeds
     CHECK(are_same(counts.all, all));
     // Of every kind some, else this would show little.
@@ -136,8 +136,7 @@ TEST_CASE("claims counted by products are those counted universe by universe", "
 
 TEST_CASE("the deciding dimension is that with the largest difference of shares", "[multiverse]") {
   const Multiverse multiverse = small_multiverse();
-  const ClaimCounts counts =
-      counted(multiverse, {{.id = "best", .words = "A is best", .solver = "A"}}, significance).front();
+  const ClaimCounts counts = counted(multiverse, {{.id = "best", .words = "A is best", .solver = "A"}}, plan).front();
   const std::size_t deciding = counts.deciding();
   REQUIRE(deciding < multiverse.dimensions.size());
   for (std::size_t d = 0; d < multiverse.dimensions.size(); ++d) {
@@ -156,7 +155,7 @@ TEST_CASE("a dimension has no effect where another alternative gives the bits of
       {.id = "a", .words = "k changes nothing", .solver = "A", .without_effect = "A.k"},
       {.id = "b", .words = "k changes nothing", .solver = "B", .without_effect = "B.k"},
       {.id = "none", .words = "no such dimension", .solver = "A", .without_effect = "A.z"}};
-  std::vector<ClaimCounts> counts = counted(multiverse, claims, significance);
+  std::vector<ClaimCounts> counts = counted(multiverse, claims, plan);
   CHECK(counts[0].all.holds == counts[0].all.all());
   CHECK(counts[0].all.all() == Approx(1));  // two seeds, and half of the universes have the default
   CHECK(counts[0].alternatives[2][0].all() == 0);
@@ -166,7 +165,7 @@ TEST_CASE("a dimension has no effect where another alternative gives the bits of
   // The last bit of one run.
   double& value = multiverse.studies[3].solvers[0][1].error_cm[1].back();
   value = std::nextafter(value, 2 * value);
-  counts = counted(multiverse, claims, significance);
+  counts = counted(multiverse, claims, plan);
   CHECK(counts[0].all.fails == Approx(1.0 / 3 / 2));  // in half of one choice of the study, for one seed
 }
 
@@ -175,8 +174,7 @@ TEST_CASE("a mean that is no number is worse than one that is, in every universe
   for (Multiverse::OfStudy& study : multiverse.studies) {
     for (Multiverse::Own& own : study.solvers[0]) own.error_cm[0].front() = own.error_cm[1].front() = INFINITY;
   }
-  const ClaimCounts counts =
-      counted(multiverse, {{.id = "best", .words = "A is best", .solver = "A"}}, significance).front();
+  const ClaimCounts counts = counted(multiverse, {{.id = "best", .words = "A is best", .solver = "A"}}, plan).front();
   CHECK(counts.all.fails == counts.all.all());
 }
 
@@ -190,11 +188,26 @@ TEST_CASE("a detail that only one choice of the study has does not change what t
       .solvers = {"A", "B"},
       .studies = {{.chosen = {{0, 0}}, .weight = 0.5, .solvers = {{own(1)}, {own(9), own(8), own(7)}}},
                   {.chosen = {{0, 1}}, .weight = 0.5, .solvers = {{own(9)}, {own(1)}}}}};
-  const ClaimCounts counts =
-      counted(multiverse, {{.id = "best", .words = "A is best", .solver = "A"}}, significance).front();
+  const ClaimCounts counts = counted(multiverse, {{.id = "best", .words = "A is best", .solver = "A"}}, plan).front();
   CHECK(multiverse.universes() == 4);
   CHECK(counts.all.holds == Approx(0.5));
   CHECK(counts.all.fails == Approx(0.5));
   CHECK(counts.alternatives[0][0].holds == Approx(0.5));
   CHECK(counts.alternatives[0][1].fails == Approx(0.5));
+}
+
+TEST_CASE("pairs are judged at the level of the study's plan, and with a control only against it", "[multiverse]") {
+  const Multiverse multiverse = small_multiverse();
+  const auto decided = [&](const AnalysisPlan& of, const std::string& rival) {
+    const std::vector<MultiverseClaim> claims{{.id = "best", .words = "A is best", .solver = "A", .rival = rival}};
+    const UniverseCounts all = counted(multiverse, claims, of).front().all;
+    return all.holds + all.fails;
+  };
+  AnalysisPlan strict, controlled;
+  strict.significance = 0.001;
+  controlled.control = "B";
+  CHECK(decided(strict, "B") < decided(plan, "B"));
+  CHECK(decided(controlled, "B") == decided(plan, "B"));
+  CHECK(decided(controlled, "C") == 0);
+  CHECK(decided(plan, "C") > 0);
 }
