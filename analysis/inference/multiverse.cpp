@@ -220,10 +220,21 @@ const Multiverse::Own* twin_of(const std::vector<Multiverse::Own>& all, const Mu
   return twin == all.end() ? nullptr : &*twin;
 }
 
-void count_effect(const Multiverse& multiverse, ClaimCounts& counts) {
+// Of the first; worse where they are the same.
+Answer effect_between(const Multiverse::Own& usual, const Multiverse::Own& other, std::size_t seed,
+                      const MultiverseClaim& claim, const PairJudge& judge) {
+  if (usual.error_cm[seed] == other.error_cm[seed] && usual.variation_deg[seed] == other.variation_deg[seed]) {
+    return Answer::worse;
+  }
+  const auto summary = [&](const Multiverse::Own& own) {
+    return summary_of(values_of(own, claim.metric)[seed], claim.metric, claim.by);
+  };
+  return judge(summary(usual), summary(other));
+}
+
+void count_effect(const Multiverse& multiverse, ClaimCounts& counts, const PairJudge& judge) {
   const std::optional<std::size_t> solver = place_of_solver(multiverse, counts.claim.solver);
-  const auto dimension =
-      std::ranges::find(multiverse.dimensions, counts.claim.without_effect, &Multiverse::Dimension::name);
+  const auto dimension = std::ranges::find(multiverse.dimensions, counts.claim.effect_of, &Multiverse::Dimension::name);
   if (!solver || dimension == multiverse.dimensions.end()) return;
   const auto place = static_cast<std::size_t>(dimension - multiverse.dimensions.begin());
   for (const Multiverse::OfStudy& study : multiverse.studies) {
@@ -232,9 +243,7 @@ void count_effect(const Multiverse& multiverse, ClaimCounts& counts) {
       for (const Multiverse::Own& own : study.solvers[*solver]) {
         const Multiverse::Own* twin = twin_of(study.solvers[*solver], own, place);
         if (twin == nullptr) continue;
-        const bool is_same =
-            own.error_cm[seed] == twin->error_cm[seed] && own.variation_deg[seed] == twin->variation_deg[seed];
-        into.add(own, alike(study, *solver, is_same ? Answer::better : Answer::worse));
+        into.add(own, alike(study, *solver, effect_between(*twin, own, seed, counts.claim, judge)));
       }
     }
   }
@@ -253,6 +262,8 @@ double Multiverse::universes() const {
   for (const OfStudy& study : studies) all += study.universes();
   return all;
 }
+
+bool is_of_universes(Metric metric) { return metric == Metric::position_error_cm || metric == Metric::variation_deg; }
 
 const std::vector<std::vector<double>>& values_of(const Multiverse::Own& own, Metric metric) {
   return metric == Metric::position_error_cm ? own.error_cm : own.variation_deg;
@@ -290,10 +301,10 @@ std::vector<ClaimCounts> counted(const Multiverse& multiverse, const std::vector
   std::map<std::tuple<std::string, Metric, JudgedBy>, std::vector<ClaimCounts*>> judged_alike;
   for (ClaimCounts& counts : all) {
     const MultiverseClaim& claim = counts.claim;
-    if (claim.without_effect.empty()) {
+    if (claim.effect_of.empty()) {
       judged_alike[{claim.solver, claim.metric, claim.by}].push_back(&counts);
     } else {
-      count_effect(multiverse, counts);
+      count_effect(multiverse, counts, judge);
     }
   }
   for (const auto& [judged, group] : judged_alike) count_ranking(multiverse, group, judge);

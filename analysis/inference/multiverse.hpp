@@ -50,7 +50,9 @@ struct Multiverse {
   double universes() const;
 };
 
-// Position error or variation, by seed.
+// Position error and variation.
+bool is_of_universes(Metric metric);
+// One of these, by seed.
 const std::vector<std::vector<double>>& values_of(const Multiverse::Own& own, Metric metric);
 
 // What of the runs decides: their mean or, typical, their geometric mean. Either way by Games and Howell's test,
@@ -61,14 +63,14 @@ enum class JudgedBy { mean, typical };
 // A claim about one solver: better than a rival or, where none is named, than every other.
 struct MultiverseClaim {
   std::string id;     // "most_accurate"
-  std::string words;  // "IK-BA has the smallest mean error"
+  std::string words;  // "IK-BA is the most accurate"
   std::string solver;
   std::string rival = {};
   Metric metric = Metric::position_error_cm;
   JudgedBy by = JudgedBy::mean;
-  // Instead: a dimension of which another alternative gives the same bits as the default. Universes with the default
-  // are not counted.
-  std::string without_effect = {};
+  // Instead: that the solver is better with this dimension's default than with another alternative of it, all else the
+  // same. It fails where these give the same bits. Universes with the default are not counted.
+  std::string effect_of = {};
 };
 
 // Weights of the universes in which a claim holds (the solver is found better than each rival), fails (a rival is found

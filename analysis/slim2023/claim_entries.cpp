@@ -38,6 +38,12 @@ bool is_snake_case(std::string_view id) {
   return std::ranges::all_of(id, is_such);
 }
 
+bool can_be_counted(const ClaimEntry& entry) {
+  const bool has_effect = entry.test == "has_effect";
+  return (has_effect || entry.test == "smallest") && !entry.solver.empty() && has_effect == !entry.dimension.empty() &&
+         entry.metrics.size() == 1 && is_of_universes(entry.metrics.front()) && entry.take == Take::all;
+}
+
 ClaimEntry read_claim(TomlReader reader, const std::vector<std::string>& tests) {
   ClaimEntry entry;
   const std::array<std::pair<std::string_view, std::string*>, 4> needed{
@@ -53,10 +59,17 @@ ClaimEntry read_claim(TomlReader reader, const std::vector<std::string>& tests) 
   reader.chosen("metrics", entry.metrics, metric_choices(), "");
   reader.text("study", entry.study, "");
   reader.choice("take", entry.take, {{"all", Take::all}, {"solver", Take::solver}, {"others", Take::others}}, "");
+  reader.chosen("universes", entry.universes, {{"mean", JudgedBy::mean}, {"typical", JudgedBy::typical}}, "");
+  reader.text("dimension", entry.dimension, "");
   reader.refuse_unknown_keys();
   if (!is_snake_case(entry.id)) reader.fail("id", *reader.find("id"), "lower-case letters, digits and underscores");
   if (std::ranges::find(tests, entry.test) == tests.end())
     refuse(reader, unknown_name("test of a claim", entry.test, tests));
+  if (!entry.universes.empty() && !can_be_counted(entry)) {
+    reader.fail("universes", *reader.find("universes"),
+                "it only for a solver with one metric of error or variation, and the test \"smallest\" or, with a "
+                "dimension, \"has_effect\"");
+  }
   return entry;
 }
 

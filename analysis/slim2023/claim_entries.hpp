@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "analysis/inference/metrics.hpp"
+#include "analysis/inference/multiverse.hpp"
 #include "analysis/report/claims.hpp"
 
 namespace ikbench::slim2023 {
@@ -23,6 +24,10 @@ struct ClaimEntry {
   std::vector<inference::Metric> metrics;
   std::string study;  // "limits" of the companion slim2023-limits; empty: the study itself
   Take take = Take::all;
+  // The numbers by which every universe of what the paper leaves open judges it too (docs/multiverse.md); none: it is
+  // not judged there. Only "smallest" and "has_effect" can be, of one solver and one metric that universes have.
+  std::vector<inference::JudgedBy> universes;
+  std::string dimension;  // of "has_effect" in universes: the one that is without it, "IK-BA.f_max"
 };
 
 // From the text of a file. Whatever is missing, unknown or twice is std::invalid_argument with `source` and the line;

@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <stdexcept>
 
+#include "analysis/slim2023/claims.hpp"
 #include "analysis/slim2023/multiverse_curve.hpp"
 #include "analysis/slim2023/multiverse_printed.hpp"
 #include "analysis/slim2023/multiverse_words.hpp"
@@ -21,38 +21,20 @@ namespace {
 
 constexpr const char* claimed_solver = "IK-BA";
 
-// "mo_pso" of "MO-PSO".
-std::string snake_case(std::string text) {
-  for (char& c : text) {
-    const auto byte = static_cast<unsigned char>(c);
-    c = std::isalnum(byte) != 0 ? static_cast<char>(std::tolower(byte)) : '_';
+std::vector<MultiverseClaim> claims_in_universes() {
+  std::vector<MultiverseClaim> claims;
+  for (const ClaimEntry& entry : claim_entries(claim_tests())) {
+    for (const JudgedBy by : entry.universes) {
+      const bool is_typical = by == JudgedBy::typical;
+      claims.push_back({.id = entry.id + (is_typical ? "_typically" : ""),
+                        .words = entry.sentence + (is_typical ? " by geometric means" : ""),
+                        .solver = entry.solver,
+                        .rival = entry.against,
+                        .metric = entry.metrics.front(),
+                        .by = by,
+                        .effect_of = entry.dimension});
+    }
   }
-  return text;
-}
-
-std::vector<MultiverseClaim> claims_in_universes(const Multiverse& multiverse) {
-  const std::string who = claimed_solver;
-  std::vector<MultiverseClaim> claims{
-      {.id = "most_accurate", .words = who + " has the smallest mean error", .solver = who},
-      {.id = "most_accurate_typically",
-       .words = who + " has the smallest typical error (geometric mean of the runs)",
-       .solver = who,
-       .by = JudgedBy::typical},
-      {.id = "smallest_variation",
-       .words = who + " has the smallest angles variation",
-       .solver = who,
-       .metric = Metric::variation_deg}};
-  for (const std::string& rival : multiverse.solvers) {
-    if (rival == who) continue;
-    claims.push_back({.id = "better_than_" + snake_case(rival),
-                      .words = fmt::format("{} has a smaller mean error than {}", who, rival),
-                      .solver = who,
-                      .rival = rival});
-  }
-  claims.push_back({.id = "f_max_has_no_effect",
-                    .words = "f_max (Eqs. 5, 7 and 13) changes no bit of " + who,
-                    .solver = who,
-                    .without_effect = who + ".f_max"});
   return claims;
 }
 
@@ -175,8 +157,7 @@ MultiverseReport multiverse_report(std::string_view paper, const Multiverse& mul
   if (std::ranges::find(multiverse.solvers, claimed_solver) == multiverse.solvers.end()) {
     throw std::invalid_argument(fmt::format("no universe has the solver {}", claimed_solver));
   }
-  const std::vector<MultiverseClaim> claims = claims_in_universes(multiverse);
-  const std::vector<ClaimCounts> all = counted(multiverse, claims, plan);
+  const std::vector<ClaimCounts> all = counted(multiverse, claims_in_universes(), plan);
   MultiverseReport result;
   for (const ClaimCounts& counts : all) {
     if (counts.all.all() > 0) result.claims.push_back(shares_of(multiverse, counts));

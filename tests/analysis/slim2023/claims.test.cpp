@@ -413,6 +413,12 @@ TEST_CASE("a mistake among the claims is refused with file and line", "[claims]"
   };
   refused(good + "metrics = [\"beauty\"]\n", ":6:", "\"position_error_cm\"");
   refused(good + "by = \"them\"\n", ":6:", "one of \"paper\", \"us\"");
+  const std::string of_one = good + "solver = \"A\"\nmetrics = [\"variation_deg\"]\n";
+  CHECK(read_claims(of_one + "universes = [\"mean\"]\n", "claims.toml", claim_tests()).front().universes.size() == 1);
+  refused(of_one + "universes = [\"median\"]\n", ":8:", "\"mean\", \"typical\"");
+  refused(of_one + "universes = [\"mean\"]\ndimension = \"A.k\"\n",
+          ":8:", "the test \"smallest\" or, with a dimension");
+  refused(good + "universes = [\"mean\"]\n", ":6:", "a solver with one metric");
   refused(good + "colour = \"red\"\n", ":6:", "unknown key \"colour\"");
   refused(good + "solver = \"\\u001b[2J\"\n", ":6:", "without control characters");
   refused(good + "section = \"" + std::string(201, 'x') + "\"\n", ":6:", "at most 200 bytes");
