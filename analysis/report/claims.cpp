@@ -7,8 +7,6 @@
 #include <iterator>
 #include <utility>
 
-#include "analysis/inference/text.hpp"
-
 namespace ikbench::report {
 
 namespace {
@@ -30,10 +28,9 @@ std::string counted(Verdict verdict, std::ptrdiff_t count) {
 }
 
 // "holds in 61 %, fails in 30 %, is undecided in 9 %"
-std::string share_words(const ClaimShares& of) {
-  const auto percent = [](double share) { return inference::rounded_number(100 * share, 2); };
-  return fmt::format("holds in {} %, fails in {} %, is undecided in {} %", percent(of.holds), percent(of.fails),
-                     percent(of.undecided));
+std::string answers_in(const ClaimShares& of) {
+  return fmt::format("holds in {}, fails in {}, is undecided in {}", share_words(of.holds), share_words(of.fails),
+                     share_words(of.undecided));
 }
 
 // Of the interpretations with that verdict; what holds in part counts as undecided.
@@ -44,12 +41,12 @@ double share_of(Verdict verdict, const ClaimShares& of) {
 void join(Claim& claim, const ClaimShares& of) {
   if (claim.verdict == Verdict::untested) return;
   claim.evidence +=
-      ' ' + (of.sentence.empty() ? fmt::format("Over all interpretations it {}.", share_words(of)) : of.sentence);
+      ' ' + (of.sentence.empty() ? fmt::format("Over all interpretations it {}.", answers_in(of)) : of.sentence);
   if (share_of(claim.verdict, of) >= clear_share) return;
   claim.evidence = fmt::format("By our default: {}. {}", name_of(claim.verdict), claim.evidence);
   claim.verdict = Verdict::depends;
   claim.depends_on = of.decided_by.empty() ? "what the paper leaves open" : of.decided_by;
-  claim.number = share_words(of);
+  claim.number = answers_in(of);
 }
 
 }  // namespace
@@ -88,6 +85,12 @@ std::string tally(const std::vector<Claim>& claims) {
                         std::ranges::count(all, Verdict::holds, &Claim::printed), printed);
   }
   return text + '.';
+}
+
+std::string share_words(double share) {
+  if (share > 0 && share < 0.005) return "under 1 %";
+  if (share < 1 && share > 0.995) return "over 99 %";
+  return fmt::format("{:.0f} %", 100 * share);
 }
 
 void join(std::vector<Claim>& claims, std::span<const ClaimShares> shares) {

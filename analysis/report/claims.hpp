@@ -48,6 +48,9 @@ struct ClaimShares {
 // The verdict on a claim that depends has not as much as that.
 constexpr double clear_share = 0.95;
 
+// "61 %"; "under 1 %" and "over 99 %" where it is neither none nor all.
+std::string share_words(double share);
+
 // By id. A claim keeps its verdict where that has a clear share, and else depends. All say their shares.
 void join(std::vector<Claim>& claims, std::span<const ClaimShares> shares);
 

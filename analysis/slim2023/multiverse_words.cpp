@@ -2,19 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-
 #include "analysis/inference/text.hpp"
 
 namespace ikbench::slim2023 {
 
 using namespace inference;
-
-std::string share_words(double share) {
-  if (share > 0 && share < 0.005) return "under 1 %";
-  if (share < 1 && share > 0.995) return "over 99 %";
-  return fmt::format("{:.0f} %", 100 * share);
-}
 
 std::string count_words(double count) {
   if (count >= 1e9) return short_number(count / 1e9) + " billion";

@@ -1,4 +1,4 @@
-// How shares and choices of a multiverse are said.
+// How numbers and choices of a multiverse are said.
 #pragma once
 
 #include <span>
@@ -8,8 +8,6 @@
 
 namespace ikbench::slim2023 {
 
-// "61 %"; "under 1 %" and "over 99 %" where it is neither none nor all.
-std::string share_words(double share);
 // "43.2 million", "144"
 std::string count_words(double count);
 // "the default", or what is not as in the default: "bounds=clamp, population=20".

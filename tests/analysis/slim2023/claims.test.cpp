@@ -331,7 +331,7 @@ TEST_CASE("a circle is led to rounding error where its errors are of the order o
     return verdict_of(claims_of(circle), "circle");
   };
   // The targets are 60 to 100 cm away, so that rounding is some 2e-14 cm.
-  CHECK(verdict(3e-14, 1) == Verdict::holds);  // the second solver is of no account
+  CHECK(verdict(3e-14, 1) == Verdict::holds);  // the second solver does not count
   CHECK(verdict(3e-12, 0) == Verdict::fails);
 }
 
