@@ -87,7 +87,7 @@ TestResult of_welch(const std::vector<GroupEvidence>& groups, std::span<const Gr
   result.df = test.df_between;
   result.df_within = test.df_within;
   result.p = test.p;
-  if (!std::isfinite(test.p)) result.undefined = "the variances are too far apart for double precision";
+  if (!std::isfinite(test.p)) result.undefined = "the variances are too large or too far apart for double precision";
   if (!others.empty()) {
     constexpr std::size_t most_named = 3;
     result.without = fmt::format("without {}, whose variance is 0 or not defined",

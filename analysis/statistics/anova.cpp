@@ -6,6 +6,7 @@
 #include <boost/math/distributions/fisher_f.hpp>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 
 namespace ikbench::statistics {
 namespace {
@@ -27,9 +28,9 @@ AnovaTable from_moments(const std::vector<Moments>& groups) {
   for (std::size_t i = 0; i < groups.size(); ++i) {
     if (groups[i].n < 1) {
       table.undefined = fmt::format("group {} has no values", i + 1);
-    } else if (!std::isfinite(groups[i].shifted_mean) || !std::isfinite(groups[i].std)) {
+    } else if (std::isnan(groups[i].shifted_mean) || std::isnan(groups[i].std)) {
       table.undefined = fmt::format("group {} has values that are not finite", i + 1);
-    } else if (!std::isfinite(groups[i].squares)) {
+    } else if (!std::isfinite(groups[i].shifted_mean) || !std::isfinite(groups[i].squares)) {
       table.undefined = too_large;
     }
     if (!table.undefined.empty()) return table;
@@ -58,7 +59,7 @@ AnovaTable from_moments(const std::vector<Moments>& groups) {
     return table;
   }
   table.ms_within = table.ss_within / table.df_within;
-  if (!(table.ms_within > 0)) {
+  if (!(table.ms_within >= std::numeric_limits<double>::min())) {  // below it digits are lost
     const bool has_spread = std::ranges::any_of(groups, [](const Moments& group) { return group.std > 0; });
     table.undefined = has_spread ? "the spread within groups is too small for double precision"
                                  : "every group is constant, so there is no spread within groups to compare with";
@@ -89,10 +90,13 @@ AnovaTable anova(std::span<const std::vector<double>> groups) {
     std::vector<double> shifted;
     shifted.reserve(group.size());
     for (const double value : group) shifted.push_back(value - shift);
+    const bool finite = std::ranges::all_of(group, [](double value) { return std::isfinite(value); });
     moments.push_back({.n = static_cast<double>(group.size()),
                        .shifted_mean = mean(shifted),
                        .squares = sum_of_squares(shifted),
-                       .std = shifted.size() == 1 ? 0.0 : standard_deviation(shifted)});
+                       .std = !finite             ? not_defined
+                              : group.size() == 1 ? 0.0
+                                                  : standard_deviation(group)});
   }
   return from_moments(moments);
 }

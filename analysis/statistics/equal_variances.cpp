@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 
 #include "analysis/statistics/anova.hpp"
 #include "analysis/statistics/rounding.hpp"
@@ -22,7 +23,9 @@ Bartlett bartlett_from_summaries(std::span<const GroupSummary> groups) {
   for (std::size_t i = 0; i < groups.size(); ++i) {
     if (groups[i].n < 2) {
       test.undefined = fmt::format("group {} has fewer than two values, so no variance", i + 1);
-    } else if (!std::isfinite(groups[i].std) || groups[i].std < 0) {
+    } else if (std::isinf(groups[i].std)) {
+      test.undefined = fmt::format("the standard deviation of group {} is too large for double precision", i + 1);
+    } else if (!(groups[i].std >= 0)) {
       test.undefined = fmt::format("the standard deviation of group {} is not defined", i + 1);
     } else if (groups[i].std == 0) {
       test.undefined = fmt::format("group {} is constant", i + 1);
@@ -59,7 +62,8 @@ BrownForsythe brown_forsythe(std::span<const std::vector<double>> groups) {
     const double median = describe(group).median;
     std::vector<double> own, sizes;
     for (const double value : group) {
-      own.push_back(std::abs(value - median));
+      const double deviation = std::min(std::abs(value - median), std::numeric_limits<double>::max());
+      own.push_back(std::isfinite(value) ? deviation : not_defined);
       sizes.push_back(std::max(std::abs(value), std::abs(median)));
     }
     deviations.push_back(without_rounding(own, sizes));

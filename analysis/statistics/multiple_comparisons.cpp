@@ -34,8 +34,9 @@ std::vector<MeanDifference> differences(std::span<const GroupSummary> groups, st
 std::string group_obstacle(const GroupSummary& group, std::size_t index) {
   if (group.n < 1) return fmt::format("group {} has no values", index + 1);
   if (!std::isfinite(group.mean)) return fmt::format("group {} has values that are not finite", index + 1);
-  if (group.n > 1 && !(group.std >= 0 && std::isfinite(group.std))) {
-    return fmt::format("the spread of group {} is not defined", index + 1);
+  if (group.n > 1 && !(group.std >= 0)) return fmt::format("the spread of group {} is not defined", index + 1);
+  if (group.n > 1 && std::isinf(group.std)) {
+    return fmt::format("the spread of group {} is too large for double precision", index + 1);
   }
   return {};
 }

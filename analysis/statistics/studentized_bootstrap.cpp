@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <iterator>
 #include <limits>
 #include <stdexcept>
 
@@ -29,6 +28,7 @@ enum class Scale { logarithm, mean };
 struct Mean {
   double value = not_defined, error = not_defined;  // the mean and its standard error
   double spread = not_defined;                      // the standard error on the scale of the comparison
+  double unit = 1;                                  // of what follows; 0 of a constant
   std::vector<double> deviations, squares;  // of each resample on that scale: how far off, squared standard error
 };
 
@@ -47,8 +47,9 @@ Resample summary_of(const std::vector<double>& picked) {
   return {.mean = alike ? picked.front() : centre, .square = alike ? 0 : squares / (n * (n - 1))};
 }
 
-// In units in which no square overflows.
-Mean resampled(std::span<const double> values, Scale scale, double unit, const Resampling& settings) {
+// In a unit in which no square overflows.
+Mean resampled(std::span<const double> values, Scale scale, const Resampling& settings) {
+  const double unit = power_of_two_below(values);
   std::vector<double> sample(values.begin(), values.end()), picked(values.size());
   for (double& value : sample) value /= unit;
   Mean result{.value = mean(sample), .error = standard_error(sample)};
@@ -66,6 +67,7 @@ Mean resampled(std::span<const double> values, Scale scale, double unit, const R
   result.value *= unit;
   result.error *= unit;
   result.spread = scale == Scale::mean ? result.error : result.error / result.value;
+  if (scale == Scale::mean) result.unit = result.spread > 0 ? unit : 0;  // logarithms have none
   return result;
 }
 
@@ -74,8 +76,17 @@ std::string group_undefined(std::span<const double> values, std::size_t index) {
     return fmt::format("group {} has fewer than {} values, of which the bootstrap learns too little", index + 1,
                        fewest_resampled);
   }
-  if (std::ranges::all_of(values, [](double value) { return std::isfinite(value); })) return {};
-  return fmt::format("group {} has values that are not finite", index + 1);
+  if (!std::ranges::all_of(values, [](double value) { return std::isfinite(value); })) {
+    return fmt::format("group {} has values that are not finite", index + 1);
+  }
+  constexpr double widest = 1e130;  // squares of what is left without the largest values must not vanish
+  double least = infinite, largest = 0;
+  for (const double value : values) {
+    if (value != 0) least = std::min(least, std::abs(value));
+    largest = std::max(largest, std::abs(value));
+  }
+  return largest / widest > least ? fmt::format("group {} has values too far apart for double precision", index + 1)
+                                  : "";
 }
 
 bool is_of(const MeanDifference& pair, std::optional<std::size_t> group) {
@@ -86,12 +97,23 @@ bool has_spread(const MeanDifference& pair, const std::vector<Mean>& means) {
   return means[pair.first].spread > 0 || means[pair.second].spread > 0;
 }
 
-// Squared deviations of a pair in squared standard errors, of every resample; infinite where it has no spread.
+// Squared deviations of a pair in squared standard errors, of every resample; infinite where it has no spread. Both
+// units are powers of two, so that nothing is rounded; that of a constant does not count.
 void studentize(const Mean& first, const Mean& second, std::vector<double>& squares) {
+  const double unit = std::max(first.unit, second.unit);
+  const double one = first.unit / unit, other = second.unit / unit;
   for (std::size_t i = 0; i < squares.size(); ++i) {
-    const double off = first.deviations[i] - second.deviations[i];
-    squares[i] = off == 0 ? 0 : off * off / (first.squares[i] + second.squares[i]);
+    const double off = one * first.deviations[i] - other * second.deviations[i];
+    squares[i] = off == 0 ? 0 : off * off / (one * one * first.squares[i] + other * other * second.squares[i]);
   }
+}
+
+// So many different values a group have hardly a resample in which both groups of a pair have no spread: n values have
+// none in n^(1 - n) of them.
+int enough_values(double tolerated_share) {
+  int n = 3;
+  while (std::pow(n, 2 - 2 * n) > tolerated_share / 2) ++n;
+  return n;
 }
 
 // The largest of any pair of every resample, ascending. A pair of which too many are infinite says why and takes no
@@ -106,7 +128,10 @@ std::vector<double> largest_deviations(std::vector<MeanDifference>& pairs, const
     studentize(means[pair.first], means[pair.second], own);
     const auto without_spread = std::ranges::count(own, infinite);
     if (static_cast<double>(without_spread) > tolerated) {
-      pair.undefined = "too few values, or too few that are not equal, for the bootstrap of so many pairs";
+      pair.undefined = fmt::format(
+          "too few values, or too few that are not equal, for the bootstrap of {} pair{}; {} different values a group are "
+          "enough",
+          pairs.size(), pairs.size() == 1 ? "" : "s", enough_values(tolerated / settings.resamples));
       continue;
     }
     std::ranges::transform(own, largest, largest.begin(),
@@ -162,11 +187,9 @@ std::vector<MeanDifference> studentized_bootstrap(Groups groups, const PairFamil
   if (settings.resamples < 2) throw std::invalid_argument("fewer than two resamples");
   auto pairs = all_pairs<MeanDifference>(groups.size());
   std::erase_if(pairs, [&](const MeanDifference& pair) { return !is_of(pair, family.control); });
-  std::vector<double> all;
-  for (const auto& group : groups) {
-    std::ranges::copy_if(group, std::back_inserter(all), [](double value) { return std::isfinite(value); });
-  }
-  const bool positive = std::ranges::all_of(all, [](double value) { return value > 0; });
+  const bool positive = std::ranges::all_of(groups, [](const std::vector<double>& group) {
+    return std::ranges::all_of(group, [](double value) { return value > 0 || !std::isfinite(value); });
+  });
   const Scale scale = positive && family.by == CompareBy::ratios ? Scale::logarithm : Scale::mean;
 
   std::vector<Mean> means(groups.size());
@@ -174,9 +197,8 @@ std::vector<MeanDifference> studentized_bootstrap(Groups groups, const PairFamil
   for (std::size_t i = 0; i < groups.size(); ++i) {
     undefined.push_back(group_undefined(groups[i], i));
     if (!undefined.back().empty()) continue;
-    const double unit = power_of_two_below(scale == Scale::logarithm ? std::span<const double>(groups[i]) : all);
     const std::uint64_t own = settings.seed + i;  // other numbers for each group, the same whatever the others are
-    means[i] = resampled(groups[i], scale, unit, {.resamples = settings.resamples, .seed = own});
+    means[i] = resampled(groups[i], scale, {.resamples = settings.resamples, .seed = own});
   }
   for (MeanDifference& pair : pairs) {
     pair.undefined = undefined[pair.first].empty() ? undefined[pair.second] : undefined[pair.first];
@@ -210,7 +232,7 @@ MeanInterval studentized_interval(std::span<const double> sample, const Resampli
   check_level(settings.level);
   MeanInterval result{.undefined = group_undefined(sample, 0)};
   if (!result.undefined.empty()) return result;
-  const Mean found = resampled(sample, Scale::mean, power_of_two_below(sample), settings);
+  const Mean found = resampled(sample, Scale::mean, settings);
   if (found.error == 0) return {.low = found.value, .high = found.value};
   std::vector<double> studentized;
   for (std::size_t i = 0; i < found.deviations.size(); ++i) {

@@ -75,6 +75,7 @@ TEST_CASE("where variances cannot be compared the tests say why", "[equal_varian
   CHECK(says(bartlett(Groups{{1, 2}, {3, 3}}).undefined, "group 2 is constant"));
   CHECK(says(bartlett(Groups{{1, HUGE_VAL}, {3, 4}}).undefined, "group 1 is not defined"));
   CHECK(bartlett(Groups{{1e308, -1e308}, {3, 4}}).p < 1e-100);
+  CHECK(says(bartlett(Groups{{3, 4}, {1.7e308, -1.7e308, 1.7e308}}).undefined, "group 2 is too large"));
   CHECK(std::isnan(bartlett(Groups{{1, 2}, {3, 3}}).p));
 
   CHECK(says(brown_forsythe({}).undefined, "no group"));
@@ -82,5 +83,6 @@ TEST_CASE("where variances cannot be compared the tests say why", "[equal_varian
   CHECK(says(brown_forsythe(Groups{{1}, {2}}).undefined, "single value"));
   CHECK(says(brown_forsythe(Groups{{1, 1}, {2, 2}}).undefined, "constant"));
   CHECK(says(brown_forsythe(Groups{{1, NAN}, {2, 2}}).undefined, "not finite"));
+  CHECK(says(brown_forsythe(Groups{{1.7e308, 1.7e308, -1.7e308}, {2, 3}}).undefined, "too large"));
   CHECK(std::isnan(brown_forsythe(Groups{{1, 1}, {2, 2}}).p));
 }

@@ -118,6 +118,32 @@ TEST_CASE("the unit of the values changes no p, and scales the interval", "[stud
   }
 }
 
+TEST_CASE("a value of any size makes no winner: the means are hard to tell apart, or the group is refused",
+          "[studentized_bootstrap]") {
+  const double huge = GENERATE(1e100, 1e150, 1e160, 1e200, 1e300, 1.7e308);
+  const double small = GENERATE(0.5, -0.5, 1e-150, 1e-300);
+  for (const CompareBy by : {CompareBy::ratios, CompareBy::differences}) {
+    const auto pair = compared({{small, huge, 1, 2}, {0.1, 0.2, 5, 2}}, {.by = by})[0];
+    CAPTURE(huge, small, pair.p, pair.undefined);
+    if (huge / std::abs(small) > 1e131) CHECK(says(pair, "group 1 has values too far apart for double precision"));
+    CHECK_FALSE(pair.p < 0.05);
+  }
+}
+
+TEST_CASE("groups keep their digits beside one that is larger by any power of ten", "[studentized_bootstrap]") {
+  // Two groups of which one value is below 0, so that means are compared, and the same ones beside a third.
+  const Groups tiny = scaled({{-1.2, 3.4, 0.7, 5.9, 2.2}, two[1]}, 1e-290);
+  const auto alone = compared(tiny)[0];
+  const auto beside = compared({tiny[0], tiny[1], {1e300, 2e300, 3e300, 1.5e300, 2.5e300, 4e300}});
+  REQUIRE(beside[0].undefined.empty());
+  CHECK(beside[0].p >= alone.p);  // of three pairs
+  CHECK(beside[0].p < 0.2);
+  CHECK(beside[0].difference == alone.difference);
+  CHECK(beside[1].undefined.empty());
+  // A constant has no unit either.
+  CHECK(compared({tiny[0], std::vector<double>(5, 1.0)})[0].p <= 0.05);
+}
+
 TEST_CASE("lognormal values of unequal spread keep the level far better than by Games-Howell",
           "[studentized_bootstrap][coverage]") {
   std::mt19937_64 engine(5);
@@ -144,6 +170,7 @@ TEST_CASE("groups that the bootstrap learns nothing of are refused with the reas
   CHECK(says(pairs.back(), "both groups are constant"));
   const Groups of_three{{1, 2, 3}, {2, 3, 5}, {3, 5, 8}, {9, 11, 14}};  // each has no spread in 3 of 27 resamples
   CHECK(says(compared(of_three)[0], "too few values"));
+  CHECK(says(compared(of_three)[0], "of 6 pairs; 4 different values a group are enough"));  // 4^-6 < 0.025 / 6 / 2
   CHECK(compared({of_three[0], of_three[3]})[0].undefined.empty());
   CHECK(!studentized_interval(std::vector{1.0, 2.0}, {}).undefined.empty());
   CHECK(!studentized_interval(std::vector{1.0, 2.0, 4.0}, {}).undefined.empty());
