@@ -1,8 +1,10 @@
 #include "cli/series.hpp"
 
+#include <cmath>
 #include <utility>
 
 #include "analysis/inference/study.hpp"
+#include "analysis/statistics/quantile.hpp"
 #include "cli/console.hpp"
 
 namespace ikbench::cli {
@@ -15,8 +17,12 @@ namespace {
 
 RunMeans run_means(const Study& study, std::vector<SolveRecord> solves) {
   const StudyResults results = make_study(study.name, std::move(solves));
-  return {samples(results, Metric::position_error_cm).front().values,
-          samples(results, Metric::variation_deg).front().values};
+  const auto means = [&](Metric metric) {
+    std::vector<double> values = samples(results, metric).front().values;
+    for (double& value : values) value = std::isfinite(value) ? value : statistics::worse_than_every_number;
+    return values;
+  };
+  return {.error_cm = means(Metric::position_error_cm), .variation_deg = means(Metric::variation_deg)};
 }
 
 }  // namespace

@@ -32,29 +32,47 @@ std::string texts_of_numbers(const std::vector<double>& values) {
   return text;
 }
 
-std::optional<std::vector<double>> numbers_of_text(std::string_view text) {
-  constexpr std::size_t most = 1'000'000;
-  std::vector<double> values;
-  while (values.size() < most) {
-    const std::size_t end = std::min(text.find(' '), text.size());
-    const std::optional<double> value = number_from(text.substr(0, end));
-    if (!value) return std::nullopt;
-    values.push_back(*value);
-    if (end == text.size()) return values;
-    text.remove_prefix(end + 1);
-  }
-  return std::nullopt;
-}
+// A line of the file and where it stands, for what has to be said of it.
+struct Line {
+  std::string where, text;
 
-// A line of the file: nothing where it is none of ours.
-std::optional<std::pair<std::string, RunMeans>> kept_line(std::string_view line) {
-  const std::size_t first = line.find(','), second = line.rfind(',');
-  if (first == std::string_view::npos || second == first || first == 0) return std::nullopt;
-  const auto errors = numbers_of_text(line.substr(first + 1, second - first - 1));
-  const auto variations = numbers_of_text(line.substr(second + 1));
-  if (!errors || !variations || errors->size() != variations->size()) return std::nullopt;
-  return std::pair(std::string(line.substr(0, first)), RunMeans{*errors, *variations});
-}
+  [[noreturn]] void refuse(std::string_view what) const {
+    throw std::invalid_argument(fmt::format(
+        "{}: {}; the file was edited: remove this line to have the series solved again, or choose another --out", where,
+        what));
+  }
+
+  std::vector<double> numbers(std::string_view column, std::string_view cell) const {
+    std::vector<double> values;
+    for (std::size_t from = 0, end = 0; end < cell.size() || values.empty(); from = end + 1) {
+      end = std::min(cell.find(' ', from), cell.size());
+      const std::string_view number = cell.substr(from, end - from);
+      const std::optional<double> value = number_from(number);
+      if (!value || !(*value >= 0)) {
+        constexpr std::size_t longest = 40;
+        refuse(fmt::format("column {}, run {}: '{}', expected a number from 0, or Inf", column, values.size() + 1,
+                           number.substr(0, longest)));
+      }
+      values.push_back(*value);
+    }
+    return values;
+  }
+
+  std::pair<std::string, RunMeans> series() const {
+    const std::size_t first = text.find(','), second = text.rfind(',');
+    if (first == std::string::npos || second == first || first == 0) {
+      refuse("expected a series, its errors and its variations, with commas between them");
+    }
+    const std::string_view cells = text;
+    RunMeans means{.error_cm = numbers("position_error_cm", cells.substr(first + 1, second - first - 1)),
+                   .variation_deg = numbers("variation_deg", cells.substr(second + 1))};
+    if (means.error_cm.size() != means.variation_deg.size()) {
+      refuse(fmt::format("{} errors and {} variations, expected one of each for every run", means.error_cm.size(),
+                         means.variation_deg.size()));
+    }
+    return {text.substr(0, first), std::move(means)};
+  }
+};
 
 std::string line_of(const std::string& key, const RunMeans& means) {
   return fmt::format("{},{},{}\n", key, texts_of_numbers(means.error_cm), texts_of_numbers(means.variation_deg));
@@ -73,6 +91,9 @@ SeriesMeans::SeriesMeans(std::filesystem::path file) : file_(std::move(file)) {
 void SeriesMeans::read() {
   std::error_code error;
   if (!std::filesystem::exists(file_, error)) return;
+  if (!std::filesystem::is_regular_file(file_, error)) {
+    throw std::invalid_argument(fmt::format("{} is no regular file; choose another --out", file_.string()));
+  }
   constexpr std::uintmax_t largest = 2'000'000'000;
   if (std::filesystem::file_size(file_, error) > largest) {
     throw std::invalid_argument(fmt::format("{}: expected a file of at most 2 GB", file_.string()));
@@ -83,17 +104,15 @@ void SeriesMeans::read() {
   std::uintmax_t whole = 0;
   for (int number = 1; std::getline(in, line) && !in.eof(); ++number) {
     whole += line.size() + 1;
-    if (number == 1 && line + '\n' == head_of_means) continue;
-    auto kept = number == 1 ? std::nullopt : kept_line(line);
-    if (!kept) {
-      throw std::invalid_argument(fmt::format(
-          "{}:{}: expected a series with the means of its runs; the file was edited, so remove it or choose another "
-          "--out",
-          file_.string(), number));
+    if (number == 1) {
+      if (line + '\n' == head_of_means) continue;
+      throw std::invalid_argument(fmt::format("{}:1: expected the header '{}'; remove the file or choose another --out",
+                                              file_.string(), head_of_means.substr(0, head_of_means.size() - 1)));
     }
-    if (!known_.empty() && kept->first <= known_.rbegin()->first) is_sorted_ = false;
-    RunMeans& known = known_[kept->first];
-    if (kept->second.error_cm.size() > known.error_cm.size()) known = std::move(kept->second);
+    auto [key, means] = Line{fmt::format("{}:{}", file_.string(), number), std::move(line)}.series();
+    if (!known_.empty() && key <= known_.rbegin()->first) is_sorted_ = false;
+    RunMeans& known = known_[key];
+    if (means.error_cm.size() > known.error_cm.size()) known = std::move(means);
   }
   in.close();
   if (whole < std::filesystem::file_size(file_, error) && !error) std::filesystem::resize_file(file_, whole, error);
@@ -112,7 +131,10 @@ void SeriesMeans::keep(const std::string& key, RunMeans means) {
     std::ofstream out(file_, std::ios::binary | std::ios::app);
     out.seekp(0, std::ios::end);
     out << (out.tellp() == 0 ? head_of_means : "") << line_of(key, means) << std::flush;
-    if (!out) throw std::runtime_error(fmt::format("cannot write {}", file_.string()));
+    if (!out) {
+      throw std::runtime_error(
+          fmt::format("cannot write {}; make it writable, make room, or choose another --out", file_.string()));
+    }
   }
   known_[key] = std::move(means);
   is_sorted_ = false;

@@ -13,7 +13,7 @@
 
 namespace ikbench::experiments {
 
-// A value for every run, over its points.
+// A value from 0 for every run, over its points; infinite where an answer is not finite.
 struct RunMeans {
   std::vector<double> error_cm, variation_deg;
 };
@@ -22,7 +22,7 @@ struct RunMeans {
 // without its end, is cut off.
 class SeriesMeans {
  public:
-  // No file is kept where its name is empty. A file with a line that is none of ours is std::invalid_argument.
+  // No file is kept where its name is empty. A line that is none of ours is std::invalid_argument.
   explicit SeriesMeans(std::filesystem::path file);
   // The means of so many runs of a series; null where it was not solved so often.
   const RunMeans* find(const std::string& key, std::size_t runs) const;

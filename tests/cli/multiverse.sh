@@ -40,6 +40,9 @@ refused '--seeds' multiverse slim2023 --seeds 0
 refused 'did you mean "slim2023"' multiverse slim2024
 refused 'seeds 1 to --seeds' multiverse slim2023 --set seed=77
 refused 'excludes' multiverse slim2023 --small --dimensions bounds
+sed -i '2s/,.*,/,-1,/' again/series.csv
+refused "series.csv:2: column position_error_cm, run 1: '-1', expected a number from 0, or Inf; the file was edited: remove this line" \
+  multiverse slim2023 "${small[@]}" --dimensions bounds --out again
 echo "edited" >folder/series.csv
 refused 'series.csv:1' multiverse slim2023 "${small[@]}" --dimensions bounds --out folder
 

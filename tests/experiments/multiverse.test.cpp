@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <filesystem>
+#include <fstream>
 #include <set>
 #include <stdexcept>
 #include <thread>
@@ -207,16 +209,44 @@ TEST_CASE("a file that was cut anywhere is continued to the same bytes", "[multi
   }
 }
 
-TEST_CASE("a file of series that was edited is refused with its line", "[multiverse]") {
-  for (const std::string text :
-       {"not ours\n", "series,position_error_cm,variation_deg\nkey,1 2,3\n",
-        "series,position_error_cm,variation_deg\n,1,1\n", "series,position_error_cm,variation_deg\nkey,1 x,1 2\n",
-        "series,position_error_cm,variation_deg\nkey,,\n"}) {
+TEST_CASE("a file of series that was edited is refused with line, column, value and what to do", "[multiverse]") {
+  const std::string head = "series,position_error_cm,variation_deg\n";
+  const auto refuses = [](const std::string& text, const std::string& words) {
     CAPTURE(text);
     const MeansFolder folder;
     write_text(folder.file(), text);
     CHECK_THROWS_AS(SeriesMeans(folder.file()), std::invalid_argument);
+    CHECK_THROWS_WITH(SeriesMeans(folder.file()), Catch::Matchers::StartsWith(folder.file().string() + words) &&
+                                                      Catch::Matchers::Contains("choose another --out"));
+  };
+  refuses("not ours\n", ":1: expected the header 'series,position_error_cm,variation_deg'; remove the file");
+  refuses(head + ",1,1\n", ":2: expected a series, its errors and its variations");
+  refuses(head + "key,1\n", ":2: expected a series, its errors and its variations");
+  refuses(head + "key,1,1\nkey,1 2,3\n", ":3: 2 errors and 1 variations, expected one of each for every run");
+  for (const std::string number : {"nan", "NaN", "-1", "-Inf", "1e999", "x", ""}) {
+    refuses(head + "key,1 " + number + ",1 2\n",
+            ":2: column position_error_cm, run 2: '" + number + "', expected a number from 0, or Inf");
+    refuses(head + "key,1," + number + "\n", ":2: column variation_deg, run 1: '" + number + "', expected a number");
   }
+  refuses(head + "key,1 ,1 2\n", ":2: column position_error_cm, run 2: ''");
+  const MeansFolder folder;
+  write_text(folder.file(), head + "key,0 Inf,1 2\nlast,1,1");  // of the last line the end is missing
+  CHECK(SeriesMeans(folder.file()).find("key", 2)->error_cm == std::vector<double>{0, HUGE_VAL});
+  CHECK(folder.text() == head + "key,0 Inf,1 2\n");
+}
+
+TEST_CASE("what cannot be kept is an error that names the file", "[multiverse]") {
+  const auto cannot_keep = [](const std::filesystem::path& file) {
+    CHECK_THROWS_AS(SeriesMeans(file).keep("key", {{1}, {1}}), std::runtime_error);
+    CHECK_THROWS_WITH(SeriesMeans(file).keep("key", {{1}, {1}}),
+                      Catch::Matchers::StartsWith("cannot write " + file.string() + "; make it writable"));
+  };
+  const MeansFolder folder;
+  write_text(folder.file(), "series,position_error_cm,variation_deg\n");
+  cannot_keep(folder.file() / "series.csv");  // a file in the place of the folder
+  std::filesystem::permissions(folder.file(), std::filesystem::perms::owner_read);
+  if (!std::ofstream(folder.file(), std::ios::app)) cannot_keep(folder.file());  // whom nothing is forbidden can write
+  CHECK_THROWS_WITH(SeriesMeans(folder.folder.path), Catch::Matchers::EndsWith("is no file; choose another --out"));
 }
 
 TEST_CASE("cancelled, the series before the first that is missing are told and kept", "[multiverse]") {
