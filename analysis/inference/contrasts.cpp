@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "analysis/inference/deciding.hpp"
 #include "analysis/inference/judge.hpp"
 #include "analysis/inference/margin.hpp"
 #include "analysis/inference/pair_ranks.hpp"

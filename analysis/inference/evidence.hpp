@@ -168,17 +168,5 @@ constexpr std::string_view anova_name = "One-way ANOVA", welch_name = "Welch's A
                            iman_davenport_name = "Iman-Davenport form",
                            brown_forsythe_name = "Brown-Forsythe test of equal variances",
                            bartlett_name = "Bartlett's test of equal variances";
-// The test of one pair that decides, in words; and with that of all groups that goes with it.
-std::string_view pair_test_words(const Evidence& evidence);
-std::string_view deciding_words(const Evidence& evidence);
-// How good a group is by what decides: its mean rank, average rank or mean, the smaller the better; infinite where it
-// is not defined.
-double standing(const Evidence& evidence, const GroupEvidence& group);
-// The group that what decides puts first.
-std::size_t best_group(const Evidence& evidence);
-// The test of all groups that goes with the pairs' deciding one; null where it was not made, or there is none.
-const TestResult* deciding_test(const Evidence& evidence);
-// By which method the differences have their intervals.
-std::string_view interval_words(const Evidence& evidence);
 
 }  // namespace ikbench::inference

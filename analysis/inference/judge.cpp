@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "analysis/inference/deciding.hpp"
 #include "analysis/statistics/tails.hpp"
 
 namespace ikbench::inference {

@@ -8,6 +8,7 @@
 #include "analysis/figures/critical_difference_figure.hpp"
 #include "analysis/figures/raincloud_figure.hpp"
 #include "analysis/figures/statistics_figures.hpp"
+#include "analysis/inference/deciding.hpp"
 #include "analysis/inference/design.hpp"
 #include "analysis/inference/text.hpp"
 #include "analysis/report/assessment_json.hpp"

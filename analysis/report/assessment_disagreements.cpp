@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "analysis/inference/contrasts.hpp"
+#include "analysis/inference/deciding.hpp"
 #include "analysis/inference/judge.hpp"
 #include "analysis/inference/text.hpp"
 #include "analysis/report/assessment_words.hpp"

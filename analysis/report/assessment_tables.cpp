@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "analysis/inference/contrasts.hpp"
+#include "analysis/inference/deciding.hpp"
 #include "analysis/inference/text.hpp"
 #include "analysis/report/assessment_words.hpp"
 #include "analysis/report/outcome_words.hpp"

@@ -11,6 +11,7 @@
 
 #include "analysis/figures/figure_parts.hpp"
 #include "analysis/inference/convergence.hpp"
+#include "analysis/inference/deciding.hpp"
 #include "analysis/inference/estimand.hpp"
 #include "analysis/inference/ranking.hpp"
 #include "analysis/inference/text.hpp"

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "analysis/inference/contrasts.hpp"
+#include "analysis/inference/deciding.hpp"
 #include "analysis/inference/observations_csv.hpp"
 #include "analysis/inference/summaries_csv.hpp"
 #include "analysis/report/assessment_sentences.hpp"
