@@ -125,7 +125,7 @@ Compared judged(const Asked& asked, const CompareArguments& arguments) {
                                   rules(asked.question), arguments.looks.step, arguments.looks.most,
                                   looked.state == LookState::settled ? "decided" : "not decided", looked.runs);
   compared.notes.push_back(
-      "p-values count the looks. Ratios and intervals do not: they are those of the runs at this look.");
+      "p-values count the looks. Ratios, intervals and the runs that would decide do not: they are those of this look.");
   if (looked.state == LookState::open) {
     compared.notes.push_back(
         fmt::format("Next: ikbench run STUDY --set runs={} for A and for B, into the same folders, then compare again.",

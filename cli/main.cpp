@@ -30,7 +30,8 @@ int main(int argc, char** argv) {
       "  ikbench compare old.sqlite new.sqlite    whether a variant of a solver is better, the same or worse\n"
       "  ikbench COMMAND --help                   more examples\n\n"
       "Exit codes: 0 success, 1 a mistake in the request, 2 a failure of the program, the disk or the store,\n"
-      "3 a regression beyond the margin, 4 undecided (compare --strict), 130 stopped by Ctrl-C.");
+      "3 a regression beyond the margin, 4 undecided (compare --strict), 5 more runs are needed (compare --sequential),\n"
+      "130 stopped by Ctrl-C.");
   app.set_version_flag("--version", "ikbench " + version());
   app.require_subcommand(1);
   app.failure_message([](const CLI::App*, const CLI::Error& error) {

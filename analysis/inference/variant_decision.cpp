@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -45,7 +46,9 @@ std::string what_is_known(const MetricComparison& comparison, const Corrected& c
     known = comparison.ratio.undefined;
   } else if (corrected.difference < alpha) {
     const MarginQuestion asked = question_about(comparison.metric, question);
-    known = fmt::format("{}, but perhaps by less than {}", word, margin_words(asked.margin, asked.margin_cm));
+    const bool is_absolute = asked.margin_cm > asked.margin * std::abs(comparison.a.mean);
+    known = fmt::format("{}, but perhaps by less than {}", word,
+                        margin_words(is_absolute ? 0 : asked.margin, is_absolute ? asked.margin_cm : 0));
   }
   if (!std::isfinite(comparison.n_to_decide)) return known;
   return fmt::format("{}; about {:.0f} {}s would decide", known, comparison.n_to_decide, comparison.observation);
@@ -117,6 +120,9 @@ void decide(std::span<VariantComparison> comparisons, const MarginQuestion& ques
     if (metric.is_fact) continue;
     const Corrected corrected{.worse = worse[i], .better = better[i], .difference = difference[i], .ranks = ranks[i]};
     metric.outcome = outcome_of(metric, corrected, question.significance);
+    // No more than there are already, and they do not.
+    const bool is_open = metric.outcome == Outcome::undecided || metric.outcome == Outcome::not_worse;
+    if (is_open && metric.n_to_decide <= std::min(metric.a.n, metric.b.n)) metric.n_to_decide = not_defined;
     metric.remark = remark_on(metric, corrected, question);
     metric.p_worse = corrected.worse;
     metric.p_better = corrected.better;

@@ -66,6 +66,16 @@ TEST_CASE("a fact and what is not compared have no p, and do not count", "[varia
   CHECK(labels[0].metrics[1].outcome == Outcome::same);
 }
 
+TEST_CASE("as many runs as there are already are not said to decide", "[variants][decision]") {
+  std::vector<VariantComparison> labels{{.label = "one", .metrics = {tested(0.3), tested(0.3), tested(0.001)}}};
+  for (MetricComparison& metric : labels[0].metrics) metric.n_to_decide = metric.a.n = metric.b.n = 5;
+  labels[0].metrics[1].n_to_decide = 6;
+  decide(labels, {});
+  CHECK(labels[0].metrics[0].remark == "no difference shown");
+  CHECK(labels[0].metrics[1].remark == "no difference shown; about 6 runs would decide");
+  CHECK(labels[0].metrics[2].n_to_decide == 5);  // decided
+}
+
 TEST_CASE("a label that is worse alone may be so by chance among twenty", "[variants][decision]") {
   // One of twenty labels is 17 % off, of which a t-test of it alone finds p = 0.04.
   const Variant a = variant(about(1, 0.3)), b = variant(about(1.17, 0.3)), same = variant(about(1, 0.3));
