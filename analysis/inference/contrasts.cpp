@@ -89,13 +89,6 @@ double chance_of_unanimity(const Evidence& evidence, const Contrast& contrast) {
                              evidence.groups[contrast.second].described.n);
 }
 
-// So many observations a group, or blocks, does it take before values can say the same often enough.
-int fewest_to_differ(const Evidence& evidence) {
-  int n = 2;
-  while (chance_of_unanimity(evidence, n, n) >= evidence.plan.significance) ++n;
-  return n;
-}
-
 // Of the differences within blocks; p and interval hold for the whole family by Bonferroni.
 void compare_in_blocks(const Evidence& evidence, Values values, Contrast& contrast) {
   const auto family = static_cast<double>(evidence.family());
@@ -118,6 +111,17 @@ int ahead_by_means(const Evidence& evidence, double difference) {
 }
 
 }  // namespace
+
+bool are_constants(const Evidence& evidence, const Contrast& contrast) {
+  return !evidence.from_summaries && !evidence.of_outcomes && is_constant(evidence.groups[contrast.first].described) &&
+         is_constant(evidence.groups[contrast.second].described);
+}
+
+int fewest_to_differ(const Evidence& evidence) {
+  int n = 2;
+  while (chance_of_unanimity(evidence, n, n) >= evidence.plan.significance) ++n;
+  return n;
+}
 
 Relation relation_of(const Evidence& evidence, const Contrast& contrast, double p) {
   const Tested tested{.p_better = contrast.ahead > 0 ? p : 1,
@@ -158,8 +162,7 @@ void judge_constants(const Evidence& evidence, Contrast& contrast) {
 }
 
 void judge(const Evidence& evidence, Contrast& contrast) {
-  if (!evidence.from_summaries && is_constant(evidence.groups[contrast.first].described) &&
-      is_constant(evidence.groups[contrast.second].described)) {
+  if (are_constants(evidence, contrast)) {
     judge_constants(evidence, contrast);
     return;
   }

@@ -19,6 +19,11 @@ std::vector<Contrast> shown_pairs(Evidence& evidence);
 // By the one rule (judge.hpp), with the p of whichever is ahead.
 Relation relation_of(const Evidence& evidence, const Contrast& contrast, double p);
 
+// Whether both groups have one value each, so that Fisher's exact test (within blocks the sign test) judges them.
+bool are_constants(const Evidence& evidence, const Contrast& contrast);
+// So many observations a group, or blocks, does it take before values can say the same often enough.
+int fewest_to_differ(const Evidence& evidence);
+
 // A method that gives every pair a p of its own.
 struct PairMethod {
   std::string name;

@@ -268,7 +268,8 @@ Evidence describe_groups(const Observations& observations, const AnalysisPlan& p
   const std::size_t k = result.groups.size();
   if (k < 2) return result;
   result.pairs = k * (k - 1) / 2;
-  result.constant = std::ranges::all_of(result.groups, [](const GroupEvidence& g) { return is_constant(g.described); });
+  result.constant = !result.of_outcomes &&
+                    std::ranges::all_of(result.groups, [](const GroupEvidence& g) { return is_constant(g.described); });
   if (!result.constant) compare_variances(result, summaries);
   return result;
 }

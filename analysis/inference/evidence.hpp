@@ -83,6 +83,7 @@ struct Contrast {
   // Of ranks, each corrected as planned. What decides is of the two groups alone: within blocks Wilcoxon's, else the
   // larger of Mann-Whitney's and Brunner-Munzel's.
   double p_ranks = statistics::not_defined;
+  int ahead_by_ranks = 0;  // the sign of Wilcoxon's or Mann-Whitney's statistic, as `ahead`
   double p_mann_whitney = statistics::not_defined;
   double p_brunner_munzel = statistics::not_defined;
   double p_mean_ranks = statistics::not_defined;  // Dunn, or Friedman's average ranks within blocks: of all groups
@@ -117,7 +118,7 @@ struct Evidence {
   std::string flaw = {};
   results::AnalysisPlan plan = {};  // its test is never by_design here, but the one that decides
   bool of_outcomes = false;         // every observation is 0 or 1 (outcomes.hpp): a group's mean is a share
-  bool constant = false;            // every group has one value alone
+  bool constant = false;            // every group has one value alone, and not as outcomes have
   std::vector<GroupEvidence> groups = {};
   double variance_ratio = statistics::not_defined;  // the largest by the smallest
   std::size_t most_variable = 0, least_variable = 0;
@@ -128,7 +129,7 @@ struct Evidence {
   std::vector<Contrast> contrasts = {};
   std::optional<std::size_t> reference = {};
   std::size_t pairs = 0;  // of all groups
-  int fewest = 0;         // observations a group, or blocks, from which ranks can tell a pair apart; 0: means decide
+  int fewest = 0;  // observations a group, or blocks, from which a pair can be told apart; 0: means decide, from two on
 
   const TestResult* test(std::string_view test_name) const;  // null where it was not made
   bool ranks_within_blocks() const {

@@ -9,6 +9,7 @@
 #include "analysis/inference/pair_ranks.hpp"
 #include "analysis/statistics/paired_proportion.hpp"
 #include "analysis/statistics/power.hpp"
+#include "analysis/statistics/rounding.hpp"
 
 namespace ikbench::inference {
 
@@ -34,20 +35,28 @@ PairedSuccesses paired_successes(const std::vector<double>& first, const std::ve
 // p is of this pair alone as yet.
 void compare_shares(const Evidence& evidence, std::span<const std::vector<double>> values, Contrast& contrast) {
   const std::vector<double>&first = values[contrast.first], &second = values[contrast.second];
-  const double level = 1 - evidence.plan.significance / static_cast<double>(evidence.family());
+  const double alpha = evidence.plan.significance / static_cast<double>(evidence.family());
+  const PowerGoal goal{.power = evidence.plan.power, .alpha = alpha};
+  const double apart = std::abs(mean(first) - mean(second));
+  const double to_see = std::max(apart, evidence.plan.margin - apart);  // found, or shown to be within the margin
   Proportion difference;
+  double fewest = evidence.fewest;
   if (evidence.blocks > 0) {
     const PairedSuccesses counts = paired_successes(first, second);
     contrast.p = mcnemar_exact(counts);
-    difference = newcombe_paired(counts, level);
+    difference = newcombe_paired(counts, 1 - alpha);
+    contrast.runs_to_decide =
+        pairs_to_see(standard_deviation(differences_without_rounding(first, second)), to_see, goal).n;
+    // Only blocks in which the two differ count.
+    if (counts.first_only + counts.second_only > 0) {
+      fewest = std::ceil(fewest * counts.trials() / (counts.first_only + counts.second_only));
+    }
   } else {
     contrast.p = fisher_exact(successes_of(first), successes_of(second)).p;
-    difference = newcombe(successes_of(first), successes_of(second), level);
-    const PowerGoal goal{.power = evidence.plan.power, .alpha = 1 - level};
-    const double apart = std::abs(difference.estimate);
-    const double to_see = std::max(apart, evidence.plan.margin - apart);  // found, or shown to be within the margin
+    difference = newcombe(successes_of(first), successes_of(second), 1 - alpha);
     contrast.runs_to_decide = runs_to_see(summarise(first), summarise(second), to_see, goal).n;
   }
+  if (apart > 0) contrast.runs_to_decide = std::fmax(contrast.runs_to_decide, fewest);
   contrast.difference = {.value = difference.estimate, .low = difference.low, .high = difference.high};
   contrast.ahead = sign_of(difference.estimate) * (evidence.better == Better::smaller ? -1 : 1);
   contrast.extent = extent_of(evidence, contrast);
@@ -84,6 +93,7 @@ void compare_outcomes(Evidence& evidence, std::span<const std::vector<double>> v
                        .undefined = test.undefined}};
   }
   evidence.contrasts = shown_pairs(evidence);
+  evidence.fewest = fewest_to_differ(evidence);
   for (Contrast& contrast : evidence.contrasts) compare_shares(evidence, values, contrast);
   correct(evidence, &Contrast::p, evidence.contrasts);
   for (Contrast& contrast : evidence.contrasts) {

@@ -36,8 +36,9 @@ Correction correction_of(Adjustment adjustment) {
 
 template <class Test>
 void take(const Evidence& evidence, Test test, Contrast& contrast) {
+  contrast.ahead_by_ranks = -test.direction;  // the larger is the worse
   if (!evidence.ranks_decide()) return;
-  contrast.ahead = -test.direction;  // the larger is the worse
+  contrast.ahead = contrast.ahead_by_ranks;
   contrast.undefined = std::move(test.undefined);
 }
 

@@ -215,7 +215,7 @@ std::vector<std::string> sentences_of(const Evidence& evidence) {
     sentences.push_back(
         fmt::format("All values within a group are equal. p comes from {}. If a quantity is fixed by design, such as a "
                     "budget of evaluations, its difference is a fact and needs no test.",
-                    evidence.blocks > 0 ? "the sign test within blocks" : "Fisher's exact test"));
+                    test_of_constants_words(evidence)));
     return sentences;
   }
   if (has_single_values(evidence)) return sentences;

@@ -10,8 +10,8 @@
 #include "analysis/inference/deciding.hpp"
 #include "analysis/inference/judge.hpp"
 #include "analysis/inference/text.hpp"
+#include "analysis/report/assessment_doubts.hpp"
 #include "analysis/report/assessment_words.hpp"
-#include "analysis/statistics/rounding.hpp"
 
 namespace ikbench::report {
 
@@ -40,44 +40,12 @@ std::string against(double mean, double other) {
   return fmt::format("{} vs {}", one, two);
 }
 
-// What says that the other of a pair is better than the one for which the deciding test is.
-struct Dissent {
-  bool mean = false, median = false, share = false;
-};
-
-Dissent dissent(const Evidence& evidence, const Contrast& contrast) {
-  const Description& first = evidence.groups[contrast.first].described;
-  const Description& second = evidence.groups[contrast.second].described;
-  const auto is_against = [&](double for_first) { return sign_of(for_first) == -contrast.ahead; };
-  const auto is_smaller_against = [&](double of_first, double of_second) {
-    const double difference = without_rounding(of_second - of_first, std::max(std::abs(of_first), std::abs(of_second)));
-    return is_against(evidence.better == Better::smaller ? difference : -difference);
-  };
-  return {.mean = is_smaller_against(first.mean, second.mean),
-          .median = is_smaller_against(first.median, second.median),
-          .share = is_against(contrast.superiority.value - 0.5)};
-}
-
-// "the median and A12 point the other way"; empty where nothing does.
-std::string dissent_words(const Evidence& evidence, const Dissent& dissent) {
-  std::vector<std::string> measures;
-  if (dissent.mean) measures.emplace_back("the mean");
-  if (dissent.median) measures.emplace_back("the median");
-  if (dissent.share) measures.emplace_back(evidence.blocks > 0 ? "the share of blocks" : "A12");
-  if (measures.empty()) return "";
-  return fmt::format("{} {} the other", listed(measures), measures.size() == 1 ? "favours" : "favour");
-}
-
-bool includes_none(const Evidence& evidence, const Contrast& contrast) {
-  return contrast.difference.low < no_difference(evidence) && contrast.difference.high > no_difference(evidence);
-}
-
 // "by 0.156 to 0.57, more than 5 %"; empty where neither is known. An interval that is not for the better one is left
 // out.
 std::string amount_words(const Evidence& evidence, const Contrast& contrast) {
   const auto [low, high] = interval_sizes(evidence, contrast);
   const bool is_for_it =
-      !includes_none(evidence, contrast) && !dissent(evidence, contrast).mean && std::isfinite(low + high);
+      !includes_none(evidence, contrast) && !mean_favours_other(evidence, contrast) && std::isfinite(low + high);
   const std::string extent = extent_words(evidence, contrast);
   if (!is_for_it) return extent.empty() ? "" : "by " + extent;
   const double unit = evidence.of_outcomes ? 0.01 : 1;  // percentage points
@@ -131,16 +99,8 @@ std::string better_words(const Evidence& evidence, const Contrast& contrast) {
                                  name_words(evidence, other_than(winner, contrast)),
                                  effect_of(evidence, contrast, winner, ""), share_words(evidence, contrast));
   if (std::isfinite(contrast.p)) text = with_remark(std::move(text), p_words(contrast.p));
-  std::vector<std::string> doubts;
-  if (includes_none(evidence, contrast)) {
-    doubts.emplace_back(evidence.scale == ValueScale::log10
-                            ? "the interval of the ratio includes 1"
-                            : "the interval of the difference between means includes zero");
-  }
-  if (std::string words = dissent_words(evidence, dissent(evidence, contrast)); !words.empty()) {
-    doubts.push_back(std::move(words));
-  }
-  return doubts.empty() ? text : fmt::format("{}, although {}", text, fmt::join(doubts, " and "));
+  const std::string doubt = doubt_words(evidence, contrast);
+  return doubt.empty() ? text : fmt::format("{}, although {}", text, doubt);
 }
 
 // "10 of the 15 pairs differ. IK-BA is better than BA: ..."; of pairs with the best, or of the others where none of
@@ -175,34 +135,59 @@ std::string open_words(const Evidence& evidence, const Contrast& contrast) {
     return "all observations are equal, but there are too few to call the groups the same" + then;
   }
   if (!std::isfinite(contrast.difference.low)) return p_words(contrast.p) + then;
-  return fmt::format("{}; {}{}", p_words(contrast.p), interval_words_of(evidence, contrast), then);
+  return fmt::format("{}; {}{}{}", p_words(contrast.p), interval_words_of(evidence, contrast),
+                     excludes_none(evidence, contrast)
+                         ? fmt::format(", which excludes {} by another method ({}) than the test that decides",
+                                       evidence.scale == ValueScale::log10 ? "1" : "zero", interval_words(evidence))
+                         : "",
+                     then);
 }
 
-// "A vs B (...); A vs C and B vs C (...)": a reason once for all pairs that share it.
-std::string undefined_words(const Evidence& evidence, const std::vector<const Contrast*>& pairs) {
+// "A vs B (...); A vs C and B vs C (...)": a reason once for all that share it, and which test would do.
+template <class NameOf>
+std::string undefined_words(const Evidence& evidence, const std::vector<const Contrast*>& pairs, NameOf name_of_pair) {
   std::vector<std::pair<std::string, std::vector<std::string>>> by_reason;
+  bool by_means = false, by_ranks = false;
+  std::size_t single = 0;  // that no test judges
   for (const Contrast* pair : pairs) {
     auto found = std::ranges::find(by_reason, pair->undefined, [](const auto& each) { return each.first; });
     if (found == by_reason.end()) found = by_reason.insert(found, {pair->undefined, {}});
-    found->second.push_back(pair_words(evidence, *pair));
+    found->second.push_back(name_of_pair(*pair));
+    const Description &first = evidence.groups[pair->first].described,
+                      &second = evidence.groups[pair->second].described;
+    if (std::min(first.n, second.n) < 2) {
+      ++single;
+      continue;
+    }
+    (std::isfinite(first.std) && std::isfinite(second.std) ? by_means : by_ranks) = true;
   }
   std::vector<std::string> words;
   for (const auto& [reason, names] : by_reason) words.push_back(fmt::format("{} ({})", listed(names), reason));
-  return clauses(words);
+  const bool has_other = !evidence.from_summaries && !evidence.ranks_decide();
+  const std::string test = has_other && by_ranks                                                ? "kruskal_wallis"
+                           : by_means && evidence.plan.test == results::DecidingTest::bootstrap ? "tamhane"
+                                                                                                : "";
+  if (test.empty()) return clauses(words);
+  return fmt::format("{}; --test {} (in a study: test = \"{}\") would judge {}", clauses(words), test, test,
+                     single > 0          ? "others of them"
+                     : pairs.size() == 1 ? "it"
+                                         : "them");
 }
 
 // What is said of the pairs of one group, by what is known of them.
 struct PairsOf {
-  std::vector<const Contrast*> ahead = {}, behind = {}, same = {}, open = {};
+  std::vector<const Contrast*> ahead = {}, behind = {}, same = {}, open = {}, undefined = {};
   std::vector<const Contrast*> others_decided = {};
-  std::size_t others = 0;  // that have an answer
+  std::size_t others = 0, others_undefined = 0;
 };
 
 PairsOf pairs_of(const Evidence& evidence, std::size_t group) {
   PairsOf result;
   for (const Contrast& contrast : evidence.contrasts) {
     const bool is_own = contrast.first == group || contrast.second == group;
-    result.others += is_own || contrast.relation == Relation::undefined ? 0 : 1;
+    const bool is_undefined = contrast.relation == Relation::undefined;
+    result.others += is_own ? 0 : 1;
+    result.others_undefined += !is_own && is_undefined ? 1 : 0;
     if (is_decided(contrast)) {
       (!is_own                        ? result.others_decided
        : better_of(contrast) == group ? result.ahead
@@ -211,6 +196,7 @@ PairsOf pairs_of(const Evidence& evidence, std::size_t group) {
     }
     if (is_own && contrast.relation == Relation::equivalent) result.same.push_back(&contrast);
     if (is_own && contrast.relation == Relation::not_told_apart) result.open.push_back(&contrast);
+    if (is_own && is_undefined) result.undefined.push_back(&contrast);
   }
   return result;
 }
@@ -219,7 +205,7 @@ std::string others_of(const Evidence& evidence, std::size_t group, const std::ve
   std::vector<std::string> names;
   for (const Contrast* pair : pairs) {
     const std::string name = name_words(evidence, other_than(group, *pair));
-    const std::string doubt = is_decided(*pair) ? dissent_words(evidence, dissent(evidence, *pair)) : "";
+    const std::string doubt = doubt_words(evidence, *pair);
     names.push_back(doubt.empty() ? name : fmt::format("{} (although {})", name, doubt));
   }
   return listed(names);
@@ -255,8 +241,9 @@ std::string lead_words(const Evidence& evidence, std::size_t group, const std::v
 }
 
 std::string same_words(const Evidence& evidence, std::size_t group, const std::vector<const Contrast*>& pairs) {
-  std::string text = fmt::format("{} and {} are the same within {}", name_words(evidence, group),
-                                 others_of(evidence, group, pairs), margin_words(evidence));
+  std::string text =
+      fmt::format("{} and {} are the same within {}", name_words(evidence, group), others_of(evidence, group, pairs),
+                  pairs.size() == 1 ? margin_words(evidence, *pairs.front()) : margin_words(evidence));
   if (pairs.size() > 1) return text;
   const Estimate& difference = pairs.front()->difference;
   return difference.low == difference.high ? text
@@ -264,9 +251,13 @@ std::string same_words(const Evidence& evidence, std::size_t group, const std::v
 }
 
 std::string open_pairs_words(const Evidence& evidence, std::size_t group, const std::vector<const Contrast*>& pairs) {
+  if (pairs.size() == 1) {
+    const Contrast& pair = *pairs.front();
+    return fmt::format("{} against {} is undecided ({})", name_words(evidence, group),
+                       name_words(evidence, other_than(group, pair)), open_words(evidence, pair));
+  }
   const std::string text =
       fmt::format("{} against {} is undecided", name_words(evidence, group), others_of(evidence, group, pairs));
-  if (pairs.size() == 1) return fmt::format("{} ({})", text, open_words(evidence, *pairs.front()));
   double most = 0;
   for (const Contrast* pair : pairs) most = std::max(most, pair->runs_to_decide);  // NaN does not count
   const std::string runs = runs_words(evidence, most);
@@ -282,9 +273,17 @@ std::string_view standing_words(const Evidence& evidence) {
 // "5 of the 10 other pairs differ (the better first): DE vs BA; ..."
 std::string other_pairs_words(const Evidence& evidence, const PairsOf& pairs) {
   if (pairs.others == 0) return "";
-  const std::string others = fmt::format("the {} other pair{}", pairs.others, pairs.others == 1 ? "" : "s");
-  if (pairs.others_decided.empty())
-    return pairs.others == 1 ? "The other pair does not differ." : fmt::format("None of {} differs.", others);
+  const bool is_one = pairs.others == 1;
+  if (pairs.others_undefined == pairs.others) {
+    return is_one ? "The other pair cannot be judged." : "None of the other pairs can be judged.";
+  }
+  const std::string others = fmt::format("the {} other pair{}", pairs.others, is_one ? "" : "s");
+  const std::string undefined =
+      pairs.others_undefined == 0 ? "" : fmt::format(" {} of them cannot be judged.", pairs.others_undefined);
+  if (pairs.others_decided.empty()) {
+    return (is_one ? "The other pair is not shown to differ." : fmt::format("None of {} is shown to differ.", others)) +
+           undefined;
+  }
   std::vector<std::string> names;
   for (const Contrast* pair : pairs.others_decided) {
     const std::size_t better = better_of(*pair);
@@ -292,8 +291,22 @@ std::string other_pairs_words(const Evidence& evidence, const PairsOf& pairs) {
         fmt::format("{} vs {}", name_words(evidence, better), name_words(evidence, other_than(better, *pair))));
   }
   const bool all = names.size() == pairs.others;
-  return fmt::format("{}{} differ{} (the better first): {}.", all ? "Also " : fmt::format("{} of ", names.size()),
-                     others, names.size() == 1 ? "s" : "", clauses(names));
+  return fmt::format("{}{} differ{} (the better first): {}.{}", all ? "Also " : fmt::format("{} of ", names.size()),
+                     others, names.size() == 1 ? "s" : "", clauses(names), undefined);
+}
+
+// "studentized bootstrap, corrected for 3 pairs; Fisher's exact test for groups of one value each"
+std::string decided_by(const Evidence& evidence) {
+  const auto is_of_constants = [&](const Contrast& contrast) { return are_constants(evidence, contrast); };
+  const auto constants = std::ranges::count_if(evidence.contrasts, is_of_constants);
+  std::string text;
+  if (constants < std::ssize(evidence.contrasts)) {
+    text = pair_test_words(evidence);
+    if (evidence.pairs > 1) text += fmt::format(", corrected for {} pairs", corrected_for(evidence));
+  }
+  if (constants == 0) return text;
+  return fmt::format("{}{} for groups of one value each", text.empty() ? "" : text + "; ",
+                     test_of_constants_words(evidence));
 }
 
 }  // namespace
@@ -316,7 +329,10 @@ std::vector<std::string> who_differs(const Evidence& evidence) {
   sentences.push_back(fmt::format("Differences: {}.", who_differs_words(evidence, with_best, of_others)));
   if (!same.empty()) sentences.push_back(fmt::format("The same within {}: {}.", margin_words(evidence), clauses(same)));
   if (!open.empty()) sentences.push_back(fmt::format("Undecided: {}.", clauses(open)));
-  if (!undefined.empty()) sentences.push_back(fmt::format("Not defined: {}.", undefined_words(evidence, undefined)));
+  if (!undefined.empty()) {
+    const auto name = [&](const Contrast& contrast) { return pair_words(evidence, contrast); };
+    sentences.push_back(fmt::format("Not defined: {}.", undefined_words(evidence, undefined, name)));
+  }
   return sentences;
 }
 
@@ -330,7 +346,11 @@ std::string in_short(const Evidence& evidence) {
   if (!pairs.behind.empty()) parts.push_back(lead_words(evidence, best, pairs.behind, "is worse"));
   if (!pairs.same.empty()) parts.push_back(same_words(evidence, best, pairs.same));
   if (!pairs.open.empty()) parts.push_back(open_pairs_words(evidence, best, pairs.open));
-  if (parts.empty()) parts.push_back(fmt::format("no pair with {} can be judged", name_words(evidence, best)));
+  if (!pairs.undefined.empty()) {
+    const auto name = [&](const Contrast& contrast) { return name_words(evidence, other_than(best, contrast)); };
+    parts.push_back(fmt::format("{} cannot be judged against {}", name_words(evidence, best),
+                                undefined_words(evidence, pairs.undefined, name)));
+  }
   const bool is_open = pairs.ahead.empty() && pairs.behind.empty() && !(pairs.same.empty() && pairs.open.empty());
   if (is_open && evidence.contrasts.size() > 1) {
     parts.insert(
@@ -342,8 +362,7 @@ std::string in_short(const Evidence& evidence) {
   std::string text = fmt::format("{}.", fmt::join(parts, "; "));
   if (const std::string others = other_pairs_words(evidence, pairs); !others.empty()) text += " " + others;
   if (evidence.constant) return text;
-  return fmt::format("{} Decided by: {}{}.", text, pair_test_words(evidence),
-                     evidence.pairs == 1 ? "" : fmt::format(", corrected for {} pairs", corrected_for(evidence)));
+  return fmt::format("{} Decided by: {}.", text, decided_by(evidence));
 }
 
 }  // namespace ikbench::report

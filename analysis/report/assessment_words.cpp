@@ -59,6 +59,12 @@ std::string margin_words(const Evidence& evidence) {
   return inference::margin_words(evidence.plan.margin, has_absolute_margin(evidence) ? evidence.plan.margin_cm : 0);
 }
 
+std::string margin_words(const Evidence& evidence, const Contrast& contrast) {
+  if (evidence.of_outcomes || !has_absolute_margin(evidence)) return margin_words(evidence);
+  const bool is_absolute = margin_of(evidence, contrast) == evidence.plan.margin_cm;
+  return inference::margin_words(is_absolute ? 0 : evidence.plan.margin, is_absolute ? evidence.plan.margin_cm : 0);
+}
+
 std::pair<double, double> interval_sizes(const Evidence& evidence, const Contrast& contrast) {
   const auto size = [&](double of) {
     return evidence.scale == ValueScale::log10 ? std::max(of, 1 / of) : std::abs(of);
@@ -69,7 +75,7 @@ std::pair<double, double> interval_sizes(const Evidence& evidence, const Contras
 std::string extent_words(const Evidence& evidence, const Contrast& contrast) {
   constexpr double most_in_percent = 10;  // times the smaller mean
   if (evidence.plan.margin == 0 && !has_absolute_margin(evidence)) return "";
-  const std::string margin = margin_words(evidence);
+  const std::string margin = margin_words(evidence, contrast);
   switch (contrast.extent) {
     case Extent::within:
       return "less than " + margin;
@@ -98,7 +104,7 @@ std::string verdict_words(const Evidence& evidence, const Contrast& contrast) {
     case Relation::second_better:
       return fmt::format("{} is better{}", evidence.groups[contrast.second].name, by);
     case Relation::equivalent:
-      return fmt::format("the same within {}", margin_words(evidence));
+      return fmt::format("the same within {}", margin_words(evidence, contrast));
     case Relation::undefined:
       return "not defined: " + contrast.undefined;
     default:
@@ -107,7 +113,8 @@ std::string verdict_words(const Evidence& evidence, const Contrast& contrast) {
 }
 
 std::string_view replicates_words(const Evidence& evidence) {
-  return evidence.plan.test == results::DecidingTest::friedman ? "blocks" : "observations per group";
+  const bool are_blocks = evidence.ranks_within_blocks() && evidence.ranks_decide();
+  return are_blocks || (evidence.of_outcomes && evidence.blocks > 0) ? "blocks" : "observations per group";
 }
 
 std::string runs_words(const Evidence& evidence, double runs_to_decide) {

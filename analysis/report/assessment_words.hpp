@@ -20,6 +20,8 @@ std::string pair_words(const inference::Evidence& evidence, const inference::Con
 
 // The words for a difference, which sentences, tables and JSON share.
 std::string margin_words(const inference::Evidence& evidence);  // "5 %", "5 % or 0.01 cm"
+// The larger one, which holds for the pair.
+std::string margin_words(const inference::Evidence& evidence, const inference::Contrast& contrast);
 // The limits of the interval of a difference without its sign; of a ratio how many times as much the larger is.
 std::pair<double, double> interval_sizes(const inference::Evidence& evidence, const inference::Contrast& contrast);
 // Of a pair that differs, against the margin: "more than 5 %", "less than 5 %", "3 % to 12 % (margin 5 %)". Empty where

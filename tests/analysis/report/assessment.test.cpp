@@ -203,8 +203,9 @@ TEST_CASE("a margin in cm is for what is in cm, and what is within either margin
     return verdict_words(found, found.contrasts[0]);
   };
   CHECK(verdict({}) == "A is better by more than 5 %");
-  CHECK(verdict({.margin_cm = 0.01}) == "A is better by less than 5 % or 0.01 cm");
-  CHECK(verdict({.margin_cm = 0.001}) == "A is better by more than 5 % or 0.001 cm");
+  CHECK(verdict({.margin_cm = 0.01}) == "A is better by less than 0.01 cm");  // 5 % of 0.001 cm is less
+  CHECK(verdict({.margin_cm = 0.001}) == "A is better by more than 0.001 cm");
+  CHECK(verdict({.margin_cm = 1e-5}) == "A is better by more than 5 %");
   CHECK(verdict({.margin = 0, .margin_cm = 0.01}) == "A is better by less than 0.01 cm");
   near.quantity = "time [s]";
   CHECK(verdict({.margin_cm = 0.01}) == "A is better by more than 5 %");
@@ -263,8 +264,9 @@ TEST_CASE("methods are said to agree only where no p that is shown is on the oth
         }
       }
       for (const TestResult& test : found.tests) {
-        if (!blocked || test.role == Role::assumption) continue;  // no test of all groups belongs to the bootstrap
-        disagree = disagree || (test.p < 0.05) != (deciding_test(found)->p < 0.05);
+        if (test.role == Role::assumption) continue;  // no test of all groups belongs to the bootstrap
+        const bool differ = blocked ? deciding_test(found)->p < 0.05 : std::ranges::any_of(found.contrasts, is_decided);
+        disagree = disagree || (test.p < 0.05) != differ;
       }
       CAPTURE(blocked, shift);
       if (says(found, agreed)) CHECK_FALSE(disagree);
@@ -323,7 +325,9 @@ TEST_CASE("sentences say what is known, of whom, and no more", "[assessment]") {
   };
   // Of reasons: the group by its name, not by its number.
   const Evidence infinite = of({{"plain", {1, 2, 3}}, {"odd", {1, 2, inf}}, {"other", {2, 3, 5}}});
-  CHECK(says(infinite, "Not defined: plain vs odd and odd vs other (odd has values that are not finite)."));
+  CHECK(says(infinite,
+             "Not defined: plain vs odd and odd vs other (odd has values that are not finite); --test kruskal_wallis "
+             "(in a study: test = \"kruskal_wallis\") would judge them."));
   CHECK(says(infinite, "One-way ANOVA: not defined, odd has values that are not finite"));
   CHECK(says(infinite, "Normality is not rejected for any group that can be tested"));
   CHECK_FALSE(says(infinite, "group 2"));
@@ -334,7 +338,9 @@ TEST_CASE("sentences say what is known, of whom, and no more", "[assessment]") {
   CHECK(sentences_of(single).size() == 2);  // and what the data are
   const Evidence mixed = of({{"A", {1}}, {"B", {2, 3}}, {"C", {3, 4}}});
   CHECK(says(mixed, "Not defined: A vs B and A vs C (A has a single value, so it has no spread)."));
-  CHECK(headlines_of(mixed).front().find("no pair with A can be judged") != std::string::npos);
+  CHECK(says(mixed,
+             "In short: A cannot be judged against B and C (A has a single value, so it has no spread). "
+             "The other pair is not shown to differ. Decided by: Games-Howell test, corrected for 3 pairs."));
   // A pair without the best is named where no other is; where a group has no variance, none is a multiple of it.
   const Evidence others = of({{"A", {1, 2, 3, 1, 2, 3}}, {"B", {2, 2, 2, 2, 2, 2}}, {"C", {3, 3, 3, 3, 3, 3}}});
   CHECK(says(others, "1 of the 3 pairs differs. None of them includes A: B is better than C: 2 vs 3, by 1,"));
@@ -342,6 +348,80 @@ TEST_CASE("sentences say what is known, of whom, and no more", "[assessment]") {
   // One pair is counted in no plural.
   CHECK(says(of({{"A", {1, 2, 3}}, {"B", {7, 8, 9}}}), "Differences: A is better than B"));
   CHECK(says(of({{"A", {1, 2, 3}}, {"B", {2, 3, 4}}}), "Differences: no difference is shown."));
+}
+
+TEST_CASE("a value of any size makes no test of means call its group the worse for certain", "[assessment]") {
+  const double huge = GENERATE(1e150, 1e200, 1e300, 1.7e308);
+  const auto test = GENERATE(DecidingTest::anova, DecidingTest::welch, DecidingTest::tamhane, DecidingTest::bootstrap);
+  const Evidence found = evidence(
+      Observations{.name = "x", .quantity = "x", .groups = {{"a", {0.5, huge, 1, 2}}, {"b", {0.1, 0.2, 5, 2}}}},
+      {.test = test});
+  CAPTURE(huge, name_of(test), found.contrasts[0].p);
+  CHECK_FALSE(is_decided(found.contrasts[0]));
+  CHECK_FALSE(says(found, "b has no variance"));
+  CHECK(std::abs(found.contrasts[0].g.value) < 1);  // a mean of huge / 4 has a standard error of the same size
+}
+
+TEST_CASE("the short answer names and counts the pairs that cannot be judged, and says what would", "[assessment]") {
+  const auto of = [](std::vector<Group> groups) {
+    return evidence(Observations{.name = "x", .quantity = "x", .groups = std::move(groups)}, {});
+  };
+  const Evidence four = of({{"A", {1, 1.5, 2, 1.2, 1.7}},
+                            {"B", {11, 11.5, 12, 11.2, 11.7}},
+                            {"C", {21, 21.5, 22, 21.2, 21.7}},
+                            {"D", {40}}});
+  CHECK(says(four,
+             "A cannot be judged against D (D has fewer than 3 values, of which the bootstrap learns too little). "
+             "1 of the 3 other pairs differs (the better first): B vs C. 2 of them cannot be judged."));
+  const Evidence three = of({{"A", {1, 2, 3}}, {"B", {11, 12, 14}}, {"C", {21, 22, 24}}});
+  CHECK(says(three,
+             "In short: A cannot be judged against B and C (too few values, or too few that are not equal, for the "
+             "bootstrap of 3 pairs; 4 different values a group are enough); --test tamhane (in a study: test = "
+             "\"tamhane\") would judge them. The other pair cannot be judged."));
+  // Neither differs here.
+  const Evidence alike = of({{"A", {1, 2, 3, 5}}, {"B", {2, 1, 3, 6}}, {"C", {3, 1, 2, 7}}});
+  CHECK(says(alike, "The other pair is not shown to differ."));
+  CHECK_FALSE(says(alike, "does not differ"));
+}
+
+TEST_CASE("it is said which test decided on groups of one value each", "[assessment]") {
+  const auto of = [](std::vector<double> third) {
+    return evidence(Observations{.name = "x",
+                                 .quantity = "x",
+                                 .groups = {{"A", {1, 1, 1, 1, 1, 1}}, {"B", {2, 2, 2, 2, 2, 2}}, {"C", third}}},
+                    {});
+  };
+  CHECK(says(of({3, 4, 5, 3.5, 4.5, 5.5}),
+             "Decided by: studentized bootstrap, corrected for 3 pairs; Fisher's exact test for groups of one value "
+             "each."));
+  CHECK_FALSE(says(of({3, 3, 3, 3, 3, 3}), "bootstrap"));
+}
+
+TEST_CASE("a method that finds the other one better disagrees, and so does a test of all groups", "[assessment]") {
+  // Four fifths of B are better than all of A, and one fifth is so much worse that the mean is, too.
+  Observations two{.name = "x", .quantity = "x", .groups = {{"A", {}}, {"B", {}}}};
+  for (int i = 0; i < 80; ++i) {
+    two.groups[0].values.push_back(1 + 0.001 * i);
+    two.groups[1].values.push_back((i % 5 == 0 ? 10 : 0.5) + 0.001 * i);
+  }
+  const Evidence found = evidence(two, {.test = DecidingTest::welch});
+  REQUIRE(found.contrasts[0].relation == Relation::first_better);
+  CHECK(says(found, "A is better than B (although the median and A12 favour the other)"));
+  CHECK(says(found, "Mann-Whitney (ranks) finds the other one better of A vs B (p = "));
+  CHECK_FALSE(says(found, "Tukey (pooled variance) finds the other"));
+  // The same beside a third group: the bootstrap has no test of all groups, so each is held against the pairs.
+  Observations many{.name = "x", .quantity = "x", .groups = {{"A", {}}, {"B", {}}, {"C", {}}}};
+  for (int i = 0; i < 12; ++i) {
+    many.groups[0].values.push_back(10 + i);
+    many.groups[1].values.push_back(i < 9 ? 10.5 + i : 1000 + i);
+    many.groups[2].values.push_back(9.5 + i);
+  }
+  many.groups[2].values.front() = 1;
+  const Evidence all = evidence(many, {});
+  const bool some_pair = std::ranges::any_of(all.contrasts, is_decided);
+  const bool by_ranks = all.test(kruskal_wallis_name)->p < 0.05, by_means = all.test(anova_name)->p < 0.05;
+  CAPTURE(some_pair, by_ranks, by_means);
+  CHECK(says(all, "of all groups together") == (some_pair != by_ranks || some_pair != by_means));
 }
 
 TEST_CASE("a variance is called dominating where it is larger than by chance alone", "[assessment]") {

@@ -94,6 +94,45 @@ TEST_CASE("within blocks outcomes have McNemar's test and Cochran's Q", "[outcom
   CHECK(says(assess(observed, {}), "McNemar's exact test decides"));
 }
 
+TEST_CASE("all of one group against none of the other: undecided, with the interval's method and what would decide",
+          "[outcomes]") {
+  const Observations observed = solved({{"A", outcomes(3, 3)}, {"B", outcomes(0, 3)}});
+  const Evidence found = evidence(observed, {});
+  CHECK(found.contrasts[0].p == Approx(0.1));     // 2 of 20 arrangements
+  CHECK(found.contrasts[0].runs_to_decide == 4);  // 2 of 70
+  const Assessment assessed = assess(observed, {});
+  CHECK(says(assessed, "Methods: every observation is 0 or 1, so shares are compared. Fisher's exact test decides"));
+  CHECK(says(assessed, "In short: A against B is undecided (p = 0.1; difference between "));
+  CHECK(says(assessed, "percentage points, which excludes zero by another method (Newcombe's score interval"));
+  CHECK(says(assessed, "about 4 observations per group would decide"));
+  CHECK(says(assessed,
+             "Caution: no pair can differ by this test. It takes at least 4 observations per group, and here are 3."));
+}
+
+TEST_CASE("within blocks an undecided pair of outcomes has the blocks that would decide", "[outcomes]") {
+  const auto blocks_for = [](std::vector<double> first, std::vector<double> second) {
+    Observations observed = solved({{"A", std::move(first)}, {"B", std::move(second)}});
+    for (std::size_t i = 0; i < observed.groups[0].values.size(); ++i) observed.blocks.push_back(std::to_string(i));
+    observed.block = "a target";
+    CHECK(says(assess(observed, {}), " blocks would decide"));
+    return evidence(observed, {}).contrasts[0].runs_to_decide;
+  };
+  CHECK(blocks_for({1, 1, 1, 1}, {0, 0, 0, 0}) == 6);  // 2 / 2^6 is below 0.05
+  // Half of the blocks tell, so twice as many at least. R, power.t.test of 0.5 with sd 0.57735, paired: 12.5.
+  CHECK(blocks_for({1, 1, 1, 1}, {0, 0, 1, 1}) == 13);
+}
+
+TEST_CASE("Cochran's test is held against the pairs", "[outcomes]") {
+  Observations observed = solved({{"A", {1, 1, 1, 1, 1, 1, 1, 1}}, {"B", outcomes(3, 8)}, {"C", outcomes(3, 8)}});
+  for (int block = 1; block <= 8; ++block) observed.blocks.push_back(std::to_string(block));
+  observed.block = "a target";
+  // By hand: 2 (3 (64 + 9 + 9) - 14^2) / (3 * 14 - (3 * 9 + 5)) = 10, p = exp(-5); pairs: 3 * 2 / 2^5.
+  CHECK(says(
+      assess(observed, {}),
+      "Where methods disagree: The test of all groups finds a difference (p = 0.00674), but no pair differs on its "
+      "own."));
+}
+
 TEST_CASE("within blocks every pair has a posterior for the better one", "[outcomes]") {
   Observations observed{.name = "e",
                         .quantity = "e",

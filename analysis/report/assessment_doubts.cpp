@@ -1,0 +1,72 @@
+#include "analysis/report/assessment_doubts.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+#include <vector>
+
+#include "analysis/report/assessment_words.hpp"
+#include "analysis/statistics/rounding.hpp"
+
+namespace ikbench::report {
+
+using namespace statistics;
+using namespace inference;
+
+namespace {
+
+// What says that the other of a pair is better than the one for which the deciding test is.
+struct Dissent {
+  bool mean = false, median = false, share = false;
+};
+
+Dissent dissent(const Evidence& evidence, const Contrast& contrast) {
+  const Description& first = evidence.groups[contrast.first].described;
+  const Description& second = evidence.groups[contrast.second].described;
+  const auto is_against = [&](double for_first) { return sign_of(for_first) == -contrast.ahead; };
+  const auto is_smaller_against = [&](double of_first, double of_second) {
+    const double difference = without_rounding(of_second - of_first, std::max(std::abs(of_first), std::abs(of_second)));
+    return is_against(evidence.better == Better::smaller ? difference : -difference);
+  };
+  return {.mean = is_smaller_against(first.mean, second.mean),
+          .median = is_smaller_against(first.median, second.median),
+          .share = is_against(contrast.superiority.value - 0.5)};
+}
+
+}  // namespace
+
+bool includes_none(const Evidence& evidence, const Contrast& contrast) {
+  return contrast.difference.low < no_difference(evidence) && contrast.difference.high > no_difference(evidence);
+}
+
+bool excludes_none(const Evidence& evidence, const Contrast& contrast) {
+  return contrast.difference.low > no_difference(evidence) || contrast.difference.high < no_difference(evidence);
+}
+
+bool mean_favours_other(const Evidence& evidence, const Contrast& contrast) { return dissent(evidence, contrast).mean; }
+
+std::string doubt_words(const Evidence& evidence, const Contrast& contrast) {
+  const std::string_view interval = evidence.scale == ValueScale::log10 ? "the interval of the ratio"
+                                    : evidence.of_outcomes              ? "the interval of the difference"
+                                                           : "the interval of the difference between means";
+  const std::string_view none = evidence.scale == ValueScale::log10 ? "1" : "zero";
+  if (contrast.relation == Relation::not_told_apart) {
+    return excludes_none(evidence, contrast) ? fmt::format("{} excludes {}", interval, none) : "";
+  }
+  if (!is_decided(contrast)) return "";
+  std::vector<std::string> doubts, measures;
+  if (includes_none(evidence, contrast)) doubts.push_back(fmt::format("{} includes {}", interval, none));
+  const Dissent found = dissent(evidence, contrast);
+  if (found.mean) measures.emplace_back("the mean");
+  if (found.median) measures.emplace_back("the median");
+  if (found.share) measures.emplace_back(evidence.blocks > 0 ? "the share of blocks" : "A12");
+  if (!measures.empty()) {
+    doubts.push_back(fmt::format("{} {} the other", listed(measures), measures.size() == 1 ? "favours" : "favour"));
+  }
+  return fmt::format("{}", fmt::join(doubts, " and "));
+}
+
+}  // namespace ikbench::report
