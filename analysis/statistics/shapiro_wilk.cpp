@@ -104,6 +104,11 @@ ShapiroWilk shapiro_wilk(std::span<const double> values) {
   }
   one_less_w *= (1 + product) / 2;
   test.W = 1 - one_less_w;
+  // Of three values p is then 0, whatever they are, which is rounding and no evidence.
+  if (n == fewest && (sorted[0] == sorted[1] || sorted[1] == sorted[2])) {
+    test.undefined = "two of three values are equal";
+    return test;
+  }
   test.p = upper_tail(one_less_w, n);
   return test;
 }
