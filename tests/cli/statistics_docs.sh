@@ -52,5 +52,40 @@ section "Several problems, several seeds" | sed -n '/^problem,seed,/,/^```/p' | 
 [ "$(wc -l <problems.csv)" = 16 ] || fail "the table of problems has $(wc -l <problems.csv) lines, expected a header and 15 rows"
 prints "Several problems, several seeds" 'ikbench stats problems.csv --wide --block problem --run seed --quantity error'
 
+# answers REQUEST ARGUMENTS...: what the table of refusals says of the request, from its first word on.
+section "What is refused, and why" >section.md
+answers() {
+  local answer
+  answer=$(awk -F' [|] ' -v request="| $1" '$1 == request { print $2 }' section.md | sed 's/^`//; s/` |$//')
+  [ -n "$answer" ] || fail "the table of refusals has no request: $1"
+  shift
+  refused "ikbench: $answer" stats "$@"
+}
+{
+  echo solver,run,point,error
+  for solver in A B; do for run in 1 2 3; do for point in 1 2; do echo "$solver,$run,$point,0.$run$point"; done; done; done
+} >all.csv
+with() { sed "$1" all.csv >results.csv; } # what differs
+with ''
+answers '`--value error`' results.csv --value error
+answers '`--value error --block point`' results.csv --value error --block point
+answers '`--value eror`' results.csv --value eror
+with '1s/point/problem/'
+answers 'the same with `problem` for `point`' results.csv --value error
+cut -d, -f1,2,4 all.csv >results.csv
+answers 'the same without the column `point`' results.csv --value error
+with '$p'
+answers '`--value error --run run`, where the last row is duplicated' results.csv --value error --run run
+with '2s/0.11/"0,1"/'
+answers 'a cell `0,1`' results.csv --value error --run run
+with 's/,/;/g'
+answers 'columns separated by semicolons' results.csv --value error
+published=results/published/slim2023/table-3.csv
+answers 'summaries and `--test kruskal_wallis`' --summaries $published --test kruskal_wallis
+answers 'summaries with `--control X`' --summaries $published --control X
+printf 'name,mean,sd,n\nA,1,0.1,5\nB,2,,5\n' >table.csv
+answers 'summaries without an `sd`' --summaries table.csv
+[ "$(grep -c '^| .* | `' section.md)" = 11 ] || fail "the table of refusals has rows that nothing checks"
+
 all=$(grep -c '^> ' "$docs")
 [ "$quoted" = "$all" ] || fail "$((all - quoted)) quoted lines are in sections of which this script knows no command"
