@@ -51,7 +51,7 @@ class Leader {
       // Whom no test can set apart from the first is not beaten, unless no one is tested at all.
       if (found.answer == Answer::better || (!any_tested && !found.undefined.empty())) continue;
       if (found.answer == Answer::worse) {
-        reversed += fmt::format("; but {} is better by the {}", name(other), found.test);
+        reversed += fmt::format("; but the test finds {} better", name(other));
         continue;
       }
       beside.push_back(other);

@@ -12,6 +12,7 @@
 #include "analysis/inference/judge.hpp"
 #include "analysis/inference/ranking.hpp"
 #include "analysis/inference/text.hpp"
+#include "analysis/report/assessment_words.hpp"
 #include "analysis/statistics/descriptive.hpp"
 
 namespace ikbench::report {
@@ -124,12 +125,12 @@ std::string overtaken(const Side& side, const Enforced& enforced, const Measure&
   if (first == enforced.sides.end() || is_first(side)) return "";
   const Judgement found = judge(enforced.*measure.tested, first->solver, side.solver);
   if (!std::isfinite(found.p)) return "";
-  return fmt::format(" ({} is now first, {}; {}, p = {})", first->solver,
+  return fmt::format(" ({} is now first, {}; {}, {})", first->solver,
                      found.answer == Answer::better  ? "which is better"
                      : found.answer == Answer::worse ? "though the test finds it worse"
                      : found.answer == Answer::same  ? "which is the same within the margin"
                                                      : "which is undecided",
-                     found.test, rounded_number(found.p, 2));
+                     found.test, p_words(found.p));
 }
 
 std::string placing_words(Placing of) { return fmt::format("{}{}", of.place, of.shared ? " (shared)" : ""); }

@@ -9,6 +9,7 @@
 #include "analysis/inference/deciding.hpp"
 #include "analysis/inference/design.hpp"
 #include "analysis/inference/text.hpp"
+#include "analysis/report/assessment_words.hpp"
 #include "analysis/report/provenance.hpp"
 #include "analysis/slim2023/published_numbers.hpp"
 
@@ -145,7 +146,7 @@ Against against(const Evidence& evidence, const std::string& solver, Should shou
   return result;
 }
 
-std::string in_brackets(double p) { return std::isfinite(p) ? fmt::format(" (p = {})", rounded_number(p, 3)) : ""; }
+std::string in_brackets(double p) { return std::isfinite(p) ? fmt::format(" ({})", p_words(p)) : ""; }
 
 std::string how_tested(const Evidence& here, const Evidence& printed) {
   const std::string_view test = pair_test_words(here), other = pair_test_words(printed);

@@ -216,11 +216,11 @@ std::optional<Claim> ranking(const Reported& reported, const ClaimEntry& entry) 
     const FoundOrder here = found_order(tested, printed);
     claim.verdict = verdict_on(here);
     claim.number = fmt::format("{} of {} pairs", here.pairs.better, here.pairs.all());
-    claim.evidence = fmt::format("Here: {} The {} finds {} of {} pairs in the printed order and {} in the reverse.",
+    claim.evidence = fmt::format("Here: {} Found by {}: {} of {} pairs in the printed order and {} in the reverse.",
                                  our_ranking(printed, metric), pair_test_words(tested), here.pairs.better,
                                  here.pairs.all(), here.pairs.worse);
   }
-  claim.evidence += fmt::format(" Printed: the {} finds {} of {} pairs.", pair_test_words(tested_print),
+  claim.evidence += fmt::format(" Printed, by {}: {} of {} pairs.", pair_test_words(tested_print),
                                 in_print.pairs.better, in_print.pairs.all());
   if (metric == Metric::seconds) {
     claim.evidence += " Times depend on the implementation: MATLAB there, C++ here.";
@@ -307,8 +307,8 @@ std::optional<Claim> differ(const Reported& reported, const ClaimEntry& entry) {
     const AnovaTable table = anova(study, metric).table;
     if (!std::isfinite(table.p)) return std::nullopt;
     here.push_back(is_significant(table.p, study.plan) ? Verdict::holds : Verdict::fails);
-    list += fmt::format("F({}, {}) = {}, p = {}", table.df_between, table.df_within, short_number(table.F),
-                        rounded_number(table.p, 2));
+    list +=
+        fmt::format("F({}, {}) = {}, {}", table.df_between, table.df_within, short_number(table.F), p_words(table.p));
   }
   Claim claim = begun(entry);
   claim.verdict = verdict_on(here);
