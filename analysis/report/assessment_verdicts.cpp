@@ -85,7 +85,7 @@ std::string effect_of(const Evidence& evidence, const Contrast& contrast, std::s
 }
 
 // ", ahead in 98 % of blocks", of the better one; empty where only summaries are known.
-std::string share_words(const Evidence& evidence, const Contrast& contrast) {
+std::string ahead_words(const Evidence& evidence, const Contrast& contrast) {
   const double share = contrast.superiority.value;
   if (!std::isfinite(share)) return "";
   return fmt::format(", ahead in {} of {}", percent(better_of(contrast) == contrast.first ? share : 1 - share),
@@ -97,7 +97,7 @@ std::string better_words(const Evidence& evidence, const Contrast& contrast) {
   const std::size_t winner = better_of(contrast);
   std::string text = fmt::format("{} is better than {}{}{}", name_words(evidence, winner),
                                  name_words(evidence, other_than(winner, contrast)),
-                                 effect_of(evidence, contrast, winner, ""), share_words(evidence, contrast));
+                                 effect_of(evidence, contrast, winner, ""), ahead_words(evidence, contrast));
   if (std::isfinite(contrast.p)) text = with_remark(std::move(text), p_words(contrast.p));
   const std::string doubt = doubt_words(evidence, contrast);
   return doubt.empty() ? text : fmt::format("{}, although {}", text, doubt);
@@ -234,7 +234,7 @@ std::string lead_words(const Evidence& evidence, std::size_t group, const std::v
                                 : evidence.scale == ValueScale::log10 ? "geometric mean "
                                                                       : "mean ";
   text += effect_of(evidence, best, group, kind);
-  if (evidence.ranks_decide()) text += share_words(evidence, best);
+  if (evidence.ranks_decide()) text += ahead_words(evidence, best);
   if (std::isnan(largest_p)) return text;
   const bool is_exact = pairs.size() == 1 || largest_p < 1e-300;
   return with_remark(std::move(text), is_exact ? p_words(largest_p) : "p at most " + at_most(largest_p));
