@@ -310,7 +310,9 @@ Evidence told(Evidence found) {
     for (double* value : {&of.mean, &of.median, &of.min, &of.max, &group.q1, &group.q3}) *value = std::pow(10, *value);
     for (Estimate* each : {&group.mean, &group.median}) *each = power_of_ten(*each);
   }
-  for (Contrast& contrast : found.contrasts) contrast.difference = power_of_ten(contrast.difference);
+  for (Contrast& contrast : found.contrasts) {
+    for (Estimate* each : {&contrast.difference, &contrast.shift}) *each = power_of_ten(*each);
+  }
   return found;
 }
 

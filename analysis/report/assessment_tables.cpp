@@ -150,7 +150,7 @@ Table contrasts_table(const Evidence& evidence) {
                           {"size", Align::left},
                           {"Hedges g"}}};
   if (evidence.blocks == 0) {
-    table.columns.push_back({"shift"});
+    table.columns.push_back({evidence.scale == ValueScale::log10 ? "shift, as a ratio" : "shift"});
     table.columns.push_back({level + " interval of the shift"});
   }
   const bool has_posteriors = std::ranges::any_of(

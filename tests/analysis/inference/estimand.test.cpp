@@ -146,6 +146,7 @@ TEST_CASE("typical values are compared as logarithms and told as geometric means
   CHECK(found.groups[0].described.std == Approx(1));  // of -3, -4 and -5
   const Contrast& pair = found.contrasts.at(0);
   CHECK(pair.difference.value == Approx(0.01));  // 1e-4 / 1e-2
+  CHECK(pair.shift.value == Approx(0.01));       // -2 is the median of the nine differences of logarithms
   // Student's t of 4 degrees of freedom at 0.975 is 2.7764451 (tables); the standard error is sqrt(2 / 3).
   const double reach = 2.7764451 * std::sqrt(2.0 / 3);
   CHECK(pair.difference.low == Approx(std::pow(10, -2 - reach)).epsilon(1e-6));
