@@ -25,8 +25,8 @@ struct EffectSize {
 // exact correction for small samples (J. Educational Statistics 6 (1981) 107). Not defined where a group has fewer than
 // two values, both have no spread, or a mean, a spread or g itself is not finite.
 double hedges_g(const GroupSummary& a, const GroupSummary& b);
-// The interval of a g of groups of so many values: the noncentral t of Student's test turned around (Steiger and Fouladi
-// 1997), limits times the same correction. About half a millisecond.
+// The interval of a g of groups of so many values: the noncentral t of Student's test turned around (Steiger and
+// Fouladi 1997), limits times the same correction. About half a millisecond.
 EffectSize hedges_g_interval(double g, int n_a, int n_b, double level);
 
 // P(a > b) - P(a < b) of a random pair: 1 where every value of a is above every value of b. Infinities have their
