@@ -102,9 +102,9 @@ set encoding utf8
 array character[126]
 do for [i = 33:126] { character[i] = sprintf("%c", i) }
 
-# Okabe and Ito's palette (2008), told apart by the colour-blind; markers tell the curves apart without colour, and
-# dashes those that would repeat a colour.
-colours = "#0072B2 #D55E00 #009E73 #CC79A7 #E69F00 #56B4E9 #000000"
+# A palette that the colour-blind can tell apart, and none of it too pale for white; markers tell the curves apart without
+# colour, and dashes those that would repeat a colour.
+colours = "#0E65B8 #FF2E1B #0DA170 #B56496 #789930 #3793CD #000000"
 markers = "7 5 9 11 13 4 2 6 8 10 12 1 3"
 dashes = "1 11 12 13 14"
 set dashtype 11 (5, 2)
