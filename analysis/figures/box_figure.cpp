@@ -144,6 +144,15 @@ Figure box_figure(const StudyResults& study, const BoxRequest& request) {
     boxes.push_back(box(sample.values, quantile_type(study.plan.quartiles)));
     all.insert(all.end(), sample.values.begin(), sample.values.end());
   }
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    const Box& b = boxes[i];
+    if (!b.drawable()) continue;
+    const auto words = [&](double value) { return value_words(request.metric, value); };
+    figure.told.push_back(
+        {.series = shortened(study.solvers[i], longest_label),
+         .words = {fmt::format("median {}, quartiles {} and {}, whiskers {} and {}", words(b.median), words(b.q1),
+                               words(b.q3), words(b.whisker_low), words(b.whisker_high))}});
+  }
   const std::string marks = marks_data(study, request.printed);
   if (!marks.empty()) {
     for (const Mark& mark : request.printed) {

@@ -10,6 +10,13 @@ namespace ikbench::figures {
 
 constexpr double two_columns_cm = 17.0;  // of a journal
 
+// What a reader who points at a series is told: of a curve a text for every marker that is drawn, of a box one.
+// `series` is the title of the curve, or the tick below the box.
+struct Told {
+  std::string series;
+  std::vector<std::string> words = {};
+};
+
 struct Figure {
   std::string name;       // stable, the files' name: "path"
   std::string caption;    // plain text
@@ -18,6 +25,7 @@ struct Figure {
   std::string settings = {};  // gnuplot commands before the plot; any foreign text through gnuplot_string
   std::string plot = {};      // the one plot or splot command, or those from "set multiplot" on; reads NAME.dat
   std::string data = {};      // the numbers as drawn; comment lines start with '#'
+  std::vector<Told> told = {};
 };
 
 struct RenderOptions {

@@ -30,6 +30,14 @@ std::string tick_label(std::string_view text) {
   return gnuplot_string(doubled);
 }
 
+std::string value_words(Metric metric, double value) {
+  const MetricInfo& info = info_of(metric);
+  const bool is_milliseconds = info.unit == "s" && std::abs(value) < 0.1;
+  const std::string number = short_number(is_milliseconds ? 1000 * value : value);
+  return info.unit.empty() || !std::isfinite(value) ? number
+                                                    : fmt::format("{} {}", number, is_milliseconds ? "ms" : info.unit);
+}
+
 std::string data_number(double value) { return std::isfinite(value) ? text_of(value) : "NaN"; }
 
 std::string with_notes(std::string caption, const StudyResults& study, Metric metric, const Axis& axis) {

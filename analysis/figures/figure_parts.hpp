@@ -20,6 +20,9 @@ constexpr std::size_t longest_label = 28;  // characters of a solver's label in 
 std::string capitalised(std::string_view text);
 std::string data_number(double value);  // as a data file has it
 
+// "0.0017 cm"; times in the unit that suits them.
+std::string value_words(inference::Metric metric, double value);
+
 std::string tick_label(std::string_view text);  // a label is a format to gnuplot: %% is %
 
 // Says what a reader of the picture must know.

@@ -194,6 +194,12 @@ Figure curves_figure(const StudyResults& study, Metric metric, const std::string
                       figure.name, band, band + 1, i + 1));
     }
     const std::string label = shortened(study.solvers[i], longest_label);
+    Told& told = figure.told.emplace_back(Told{.series = label});
+    for (std::size_t point = 0; point < curves.averages[i].size(); ++point) {
+      const double average = curves.averages[i][point];
+      if (!std::isfinite(average)) continue;
+      told.words.push_back(fmt::format("point {}: {}", point + 1, value_words(metric, average)));
+    }
     if (std::ranges::any_of(curves.averages[i], [](double value) { return std::isfinite(value); })) {
       lines.push_back(
           fmt::format("'{}.dat' index 0 using 1:(shown(${})) with linespoints ls {} pointinterval {} title {}",

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "analysis/figures/box_figure.hpp"
+#include "analysis/figures/overview_figure.hpp"
 #include "analysis/figures/study_figures.hpp"
 #include "analysis/report/study_tables.hpp"
 
@@ -17,6 +18,7 @@ StudyPieces study_pieces(const StudyResults& study) {
   for (const Metric metric : metrics) pieces.tables.push_back(anova_table(study, metric));
   if (study.solves.empty()) return pieces;
   if (std::optional<Figure> joints = joints_figure(study, "joints")) pieces.figures.push_back(std::move(*joints));
+  pieces.figures.push_back(overview_figure(study, {}));
   pieces.figures.push_back(path_figure(study, "path"));
   for (const Metric metric : metrics) {
     const std::string name(info_of(metric).slug);

@@ -1,6 +1,7 @@
 // The tables and figures of a study that no other is needed for.
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -15,10 +16,12 @@ struct StudyPieces {
   std::vector<figures::Figure> figures = {};
   std::string results = "results";  // the table that a terminal shows
   std::string path = "path";        // the figure that stands where nothing moves
+  // By the name of a piece, what its reader sees there, in a sentence; some may be empty.
+  std::map<std::string, std::string> seen = {};
 };
 
-// Of any study: the tables results, anova-METRIC and status; the figures path, METRIC, METRIC-boxes and joints-LETTER.
-// No figures where nothing was solved.
+// Of any study: the tables results, anova-METRIC and status; the figures overview, path, METRIC, METRIC-boxes and
+// joints. No figures where nothing was solved.
 StudyPieces study_pieces(const inference::StudyResults& study);
 
 }  // namespace ikbench::report

@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "analysis/figures/overview_figure.hpp"
 #include "analysis/figures/study_figures.hpp"
 #include "analysis/inference/text.hpp"
 #include "analysis/slim2023/circle_figures.hpp"
@@ -65,9 +66,27 @@ Figure printed_box_figure(const StudyResults& study, BoxRequest request) {
   return box_figure(study, request);
 }
 
+namespace {
+
+std::vector<OverviewMark> printed_means(const StudyResults& study) {
+  std::vector<OverviewMark> marks;
+  for (const PrintedRow& row : printed_table_3(study, Metric::position_error_cm)) {
+    const auto variation = printed_row(study, row.algorithm, Metric::variation_deg);
+    const auto seconds = printed_row(study, row.algorithm, Metric::seconds);
+    if (!variation || !seconds) continue;
+    marks.push_back({.solver = row.algorithm,
+                     .error_cm = row.summary.mean,
+                     .variation_deg = variation->summary.mean,
+                     .seconds = seconds->summary.mean});
+  }
+  return marks;
+}
+
+}  // namespace
+
 std::vector<Figure> paper_figures(const StudyResults& study) {
   if (study.solves.empty()) return {};
-  std::vector<Figure> figures{path_figure(study, "figure-5")};
+  std::vector<Figure> figures{overview_figure(study, printed_means(study)), path_figure(study, "figure-5")};
   for (const Metric metric : paper_metrics) {
     figures.push_back(curves_figure(study, metric, fmt::format("figure-{}", paper_numbers(metric).curves_figure)));
     if (metric == Metric::seconds) figures.back().caption += printed_ratios(study);

@@ -1,0 +1,124 @@
+#include "analysis/figures/overview_figure.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "analysis/figures/axis.hpp"
+#include "analysis/figures/figure_parts.hpp"
+#include "analysis/inference/text.hpp"
+#include "analysis/statistics/descriptive.hpp"
+#include "numerics/number.hpp"
+
+namespace ikbench::figures {
+
+using namespace numerics;
+using namespace statistics;
+using namespace inference;
+
+namespace {
+
+std::vector<OverviewMark> means_of(const StudyResults& study) {
+  const auto errors = samples(study, Metric::position_error_cm), variations = samples(study, Metric::variation_deg),
+             times = samples(study, Metric::seconds);
+  std::vector<OverviewMark> marks;
+  for (std::size_t i = 0; i < study.solvers.size(); ++i) {
+    marks.push_back({.solver = study.solvers[i],
+                     .error_cm = statistics::describe(errors[i].values).mean,
+                     .variation_deg = statistics::describe(variations[i].values).mean,
+                     .seconds = statistics::describe(times[i].values).median});
+  }
+  return marks;
+}
+
+// The printed means of the same solvers, in their order.
+std::vector<OverviewMark> beside(const std::vector<OverviewMark>& ours, const std::vector<OverviewMark>& printed) {
+  std::vector<OverviewMark> marks;
+  for (const OverviewMark& mark : ours) {
+    const auto found = std::ranges::find(printed, mark.solver, &OverviewMark::solver);
+    marks.push_back(found != printed.end() ? *found : OverviewMark{mark.solver, not_defined, not_defined, not_defined});
+  }
+  return marks;
+}
+
+// Lines of variation, error and size. The area is in proportion to the time, but for a smallest that can be seen.
+std::string disc_lines(const std::vector<OverviewMark>& marks, bool has_times) {
+  constexpr double largest_size = 1.6, smallest_size = 0.4;
+  double slowest = 0;
+  for (const OverviewMark& mark : marks) slowest = std::max(slowest, mark.seconds);
+  std::string lines;
+  for (const OverviewMark& mark : marks) {
+    const double size = has_times && slowest > 0 && mark.seconds >= 0
+                            ? std::max(smallest_size, largest_size * std::sqrt(mark.seconds / slowest))
+                            : largest_size / 2;
+    lines += fmt::format("{} {} {}\n", data_number(mark.variation_deg), data_number(mark.error_cm), data_number(size));
+  }
+  return lines;
+}
+
+}  // namespace
+
+Figure overview_figure(const StudyResults& study, const std::vector<OverviewMark>& printed) {
+  const std::vector<OverviewMark> ours = means_of(study);
+  const std::vector<OverviewMark> rings = beside(ours, printed);
+  const bool has_times = times_are_comparable(study);
+  Figure figure{.name = "overview",
+                .caption = fmt::format(
+                    "Mean error and variation of every solver. {}",
+                    has_times ? "Area: median time." : "Times are not comparable, so all discs have one size."),
+                .height_cm = 6.6};
+  std::vector<double> errors, variations;
+  for (const auto* marks : {&ours, &rings}) {
+    for (const OverviewMark& mark : *marks) {
+      errors.push_back(mark.error_cm);
+      if (std::isfinite(mark.variation_deg)) variations.push_back(mark.variation_deg);
+    }
+  }
+  const Axis axis = value_axis(errors, quantity(Metric::position_error_cm), Scale::logarithmic);
+  if (axis.shows_at_edge) figure.caption += " Values of zero are drawn at the lower edge.";
+  const double widest = variations.empty() ? 1 : std::max(1e-9, std::ranges::max(variations));
+  figure.settings =
+      axis.settings + fmt::format("set xlabel {}\nset xrange [0:{}]\n",
+                                  gnuplot_string("mean " + quantity(Metric::variation_deg)), text_of(1.12 * widest));
+  figure.data =
+      "# a line a solver: angles variation, position error, size; " + fmt::to_string(ours.size()) + " solvers\n";
+  figure.data += disc_lines(ours, has_times);
+  std::vector<std::string> clauses{"NaN notitle"}, labels;
+  const bool has_rings = !printed.empty();
+  if (has_rings) {
+    figure.caption += " Rings: as printed.";
+    figure.data += "\n\n# as printed\n" + disc_lines(rings, has_times) + "\n\n# from ours to the printed\n";
+    for (std::size_t i = 0; i < ours.size(); ++i) {
+      figure.data += fmt::format("{} {} {} {}\n", data_number(ours[i].variation_deg), data_number(ours[i].error_cm),
+                                 data_number(rings[i].variation_deg), data_number(rings[i].error_cm));
+    }
+    clauses.push_back(
+        "'overview.dat' index 2 using 1:(shown($2)):($3-$1):(shown($4)-shown($2)) with vectors nohead lw 0.7 lc rgb "
+        "'#808080' notitle");
+    labels.emplace_back("as printed");
+    clauses.push_back("keyentry with points pt 6 ps 0.8 lc rgb '#666666' title 'as printed'");
+  }
+  for (std::size_t i = 0; i < ours.size(); ++i) {
+    const std::string label = shortened(ours[i].solver, longest_label);
+    labels.push_back(ours[i].solver);
+    const auto points = [&](int index, int type) {
+      return fmt::format(
+          "'overview.dat' index {0} every ::{1}::{1} using 1:(shown($2)):3 with points ls {2} pt {3} ps variable",
+          index, i, i + 1, type);
+    };
+    if (has_rings) clauses.push_back(points(1, 6) + " lw 1.2 notitle");
+    clauses.push_back(fmt::format("{} title {}", points(0, 7), gnuplot_string(label)));
+    if (!std::isfinite(ours[i].error_cm) || !std::isfinite(ours[i].variation_deg)) continue;
+    figure.told.push_back({.series = label,
+                           .words = {fmt::format("error {}, variation {}, time {}",
+                                                 value_words(Metric::position_error_cm, ours[i].error_cm),
+                                                 value_words(Metric::variation_deg, ours[i].variation_deg),
+                                                 value_words(Metric::seconds, ours[i].seconds))}});
+  }
+  add_legend(figure, labels);
+  figure.plot = plot_command(clauses);
+  return figure;
+}
+
+}  // namespace ikbench::figures
