@@ -50,7 +50,10 @@ void show_tables(const Store& store, const Paper& paper) {
   }
   const StudyPieces pieces = paper.pieces({studies.front(), {studies.begin() + 1, studies.end()}});
   std::vector<std::string> names{pieces.results};
-  for (const SectionPlan& section : paper.sections.further) std::ranges::copy(section.names, std::back_inserter(names));
+  for (const SectionPlan& section : paper.sections.further) {
+    std::ranges::copy(section.names, std::back_inserter(names));
+    std::ranges::copy(section.folded, std::back_inserter(names));
+  }
   for (const std::string& name : names) {
     const auto table = std::ranges::find(pieces.tables, name, &Table::name);
     if (table == pieces.tables.end()) continue;

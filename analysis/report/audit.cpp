@@ -1,5 +1,8 @@
 #include "analysis/report/audit.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <array>
 
 namespace ikbench::report {
@@ -32,6 +35,24 @@ Table audit_table(const std::vector<AuditItem>& items) {
       "with something that it does not print; it may still be true. contradiction: two printed things cannot both be "
       "true.");
   return table;
+}
+
+std::string audit_sentence(const Table& audit) {
+  const auto column = std::ranges::find(audit.columns, "verdict", &Column::name) - audit.columns.begin();
+  std::string text = fmt::format("{} statements: ", audit.rows.size());
+  bool is_first = true;
+  for (const AuditVerdict verdict : {AuditVerdict::contradiction, AuditVerdict::misprint, AuditVerdict::unsupported,
+                                     AuditVerdict::rounding, AuditVerdict::consistent}) {
+    const auto is_it = [&](const std::vector<Cell>& row) {
+      const auto* words = std::get_if<std::string>(&row[static_cast<std::size_t>(column)]);
+      return words && *words == name_of(verdict);
+    };
+    const auto count = std::ranges::count_if(audit.rows, is_it);
+    if (count == 0) continue;
+    text += fmt::format("{}{} {}", is_first ? "" : ", ", name_of(verdict), count);
+    is_first = false;
+  }
+  return text + '.';
 }
 
 }  // namespace ikbench::report

@@ -27,5 +27,7 @@ struct AuditItem {
 
 // Named "audit".
 Table audit_table(const std::vector<AuditItem>& items);
+// "40 statements: contradiction 2, misprint 8, ...", of that table.
+std::string audit_sentence(const Table& audit);
 
 }  // namespace ikbench::report

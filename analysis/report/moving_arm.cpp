@@ -111,11 +111,7 @@ std::optional<std::string> moving_arm(const StudyEntry& entry, const StudyResult
     if (!run.is_null()) solvers.push_back(std::move(run));
   }
   if (solvers.empty()) return std::nullopt;
-  std::string text =
-      Json{{"arm", drawn(*arm)}, {"solvers", std::move(solvers)}}.dump(-1, ' ', false, Json::error_handler_t::replace);
-  for (std::size_t at = text.find('<'); at != std::string::npos; at = text.find('<', at))
-    text.replace(at, 1, "\\u003c");
-  return text;
+  return json_in_page({{"arm", drawn(*arm)}, {"solvers", std::move(solvers)}});
 }
 
 std::optional<std::string> drawing_library() {

@@ -33,7 +33,9 @@ struct PaperStudy {
 };
 
 struct Paper {
-  std::string name;  // as a study's `published` and results/published have it
+  std::string name;                 // as a study's `published` and results/published have it
+  std::string citation = {};        // a sentence with the DOI
+  std::string not_reproduced = {};  // a sentence
   // The first is the paper's own; "first-part" is a companion of it, and "mine-part" of a study "mine".
   std::vector<PaperStudy> studies = {};
   int repetitions = 0;  // with so many seeds the first is solved, for what a repetition would give

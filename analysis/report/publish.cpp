@@ -36,6 +36,15 @@ std::vector<std::string> failures_of(const std::vector<FigureOutcome>& outcomes)
   return warnings;
 }
 
+// What a reader may take along, of the files in the report's folder.
+std::vector<std::string> downloads_in(const std::filesystem::path& folder) {
+  std::vector<std::string> files;
+  for (const char* name : {"report.md", "store.sqlite", "solves.csv", "statistics.json"}) {
+    if (std::filesystem::is_regular_file(folder / name)) files.emplace_back(name);
+  }
+  return files;
+}
+
 std::string json_of(const std::vector<Assessment>& assessments) {
   std::vector<std::string> objects;
   for (const Assessment& assessment : assessments) objects.push_back(assessment.json);
@@ -71,9 +80,11 @@ Report publish(Publication publication, const std::filesystem::path& folder, con
                 .warnings = content.warnings};
   if (!content.answer.empty()) report.summary.insert(report.summary.begin(), content.answer);
   write_file(report.file, to_markdown(content));
+  if (!content.claims.empty()) write_file(folder / "verdict.md", verdict_markdown(content));
   write_file(report.page, to_html(content, {.figures = folder / "figures",
                                             .motion = motion,
-                                            .drawing_library = motion ? drawing_library() : std::nullopt}));
+                                            .drawing_library = motion ? drawing_library() : std::nullopt,
+                                            .downloads = downloads_in(folder)}));
   return report;
 }
 

@@ -147,6 +147,27 @@ std::vector<std::string> warnings_of(const StudyResults& study, const JudgedStud
   return warnings;
 }
 
+// Who is better, by how much, and at what cost: of a study that has no claims.
+std::string leaders_of(const JudgedStudy& study) {
+  std::string text = leaders_sentence(study, Metric::position_error_cm);
+  for (const Metric metric : {Metric::variation_deg, Metric::seconds}) {
+    if (!is_comparable(study, metric)) continue;
+    const std::string sentence = leader_sentence(study, metric, Estimand::mean);
+    if (!sentence.empty()) text += ' ' + sentence;
+  }
+  return text;
+}
+
+// What a reader sees in the pieces that any study has.
+void see(const JudgedStudy& study, const std::vector<Table>& tables, ReportContent& content) {
+  for (const Metric metric : reported_metrics()) {
+    if (study.solves.empty() || !is_comparable(study, metric)) continue;
+    content.seen.emplace(fmt::format("{}-boxes", info_of(metric).slug), leader_sentence(study, metric, Estimand::mean));
+  }
+  const auto audit = std::ranges::find(tables, "audit", &Table::name);
+  if (audit != tables.end()) content.seen.emplace("audit", audit_sentence(*audit));
+}
+
 }  // namespace
 
 Report write_report(const Store& store, const ReportRequest& request) {
@@ -185,12 +206,15 @@ Report write_report(const Store& store, const ReportRequest& request) {
   ReportContent content{.study = study.name,
                         .title = study.title.empty() ? study.name : study.title,
                         .answer = leaders_sentence(study, Metric::position_error_cm),
+                        .studied = studied(study, paper),
+                        .solvers = study.solvers,
                         .claims = paper.claims ? paper.claims(reported) : std::vector<Claim>(),
                         .summary = summary(reported, paper),
                         .warnings = warnings_of(study, reported.companions, request.papers),
                         .command = command_of(study, sessions),
                         .plan = paper.sections,
-                        .path = pieces.path};
+                        .path = pieces.path,
+                        .seen = pieces.seen};
   join(content.claims, request.shares);
   std::ranges::copy(plan_changes(entry, sessions, study.solves), std::back_inserter(content.warnings));
   if (study.plan.test == DecidingTest::friedman && !blocked_observations(study, Metric::position_error_cm)) {
@@ -212,6 +236,8 @@ Report write_report(const Store& store, const ReportRequest& request) {
     if (!assessment.warnings.empty()) continue;  // of flawed observations there is no headline
     std::ranges::copy(assessment.headlines, std::back_inserter(content.summary));
   }
+  if (content.claims.empty() && !study.solves.empty()) content.answer = leaders_of(study);
+  see(study, tables, content);
   const Table results = *std::ranges::find(tables, pieces.results, &Table::name);
   Report report = publish({.content = std::move(content),
                            .tables = std::move(tables),

@@ -13,21 +13,20 @@ namespace ikbench::report {
 namespace {
 
 const std::vector<SectionPlan>& circumstances() {
-  static const std::vector<SectionPlan> plans{{"Study", "", {"definition", "options", "analysis-plan"}},
-                                              {"Environment", "", {"environment"}},
-                                              {"Outcome of every solve", "", {"status"}}};
+  static const std::vector<SectionPlan> plans{{"Study", "", {}, {"definition", "options", "analysis-plan"}},
+                                              {"Environment", "", {}, {"environment"}},
+                                              {"Outcome of every solve", "", {}, {"status"}}};
   return plans;
 }
 
 // Of a study without a paper.
 std::vector<SectionPlan> results() {
-  std::vector<std::string> names{"results", "path"};
+  std::vector<std::string> names{"overview", "results", "path"};
   const std::vector<inference::Metric> metrics = inference::reported_metrics();
   for (const inference::Metric metric : metrics)
     names.push_back(fmt::format("{}-boxes", inference::info_of(metric).slug));
   for (const inference::Metric metric : metrics) names.emplace_back(inference::info_of(metric).slug);
-  names.emplace_back("joints");
-  return {{"Results", "", names}, {"Analysis of variance", "", {"anova-*"}}};
+  return {{"Results", "", names, {"joints"}}, {"Analysis of variance", "", {}, {"anova-*"}}};
 }
 
 SectionPlan convergence() {
@@ -36,16 +35,24 @@ SectionPlan convergence() {
       "How the error falls with the cost. The curves describe single solves; intervals and bands draw runs as a whole "
       "where each solve starts from the previous answer. Convergence and runtimes need traces, trace = "
       "\"best_error\" in the study. Costs and survival need a tolerance.",
+      {},
       {"statistics-convergence", "statistics-ecdf-*", "statistics-profile-*", "statistics-survival-*",
        "statistics-cost*"}};
 }
 
+// What belongs to a paper, whichever it is.
+const std::vector<SectionPlan>& of_any_paper() {
+  static const std::vector<SectionPlan> plans{
+      {"All interpretations", "", {"multiverse"}, {"multiverse-*"}},
+      {"Interpretations of what the paper leaves open", "What each choice would have given.", {}, {"readings*"}},
+      {"Audit of the printed numbers", "Whether the paper's printed numbers agree with each other.", {}, {"audit*"}}};
+  return plans;
+}
+
 const std::vector<SectionPlan>& last() {
   static const std::vector<SectionPlan> plans{
-      {"Audit of the printed numbers", "Whether the paper's printed numbers agree with each other.", {"audit*"}},
-      {"Interpretations of what the paper leaves open", "What each choice would have given.", {"readings*"}},
-      {"Joint limits", "The same study with all joint limits enforced, including the wrist's.", {"limits"}},
-      {"Baselines", "", {"baselines"}}};
+      {"Joint limits", "The same study with all joint limits enforced, including the wrist's.", {}, {"limits"}},
+      {"Baselines", "Other solvers on the same targets.", {}, {"baselines"}}};
   return plans;
 }
 
@@ -53,16 +60,31 @@ bool asks_for(std::string_view asked, std::string_view name) {
   return asked.ends_with('*') ? name.starts_with(asked.substr(0, asked.size() - 1)) : name == asked;
 }
 
-// Takes what the plan asks for out of the pieces.
-Section section(const SectionPlan& plan, std::vector<Piece>& pieces) {
-  Section result{.heading = plan.heading, .paragraph = plan.paragraph, .sentences = {}, .pieces = {}};
-  for (const std::string& asked : plan.names) {
+// Takes what is asked for out of the pieces.
+std::vector<Piece> taken(const std::vector<std::string>& names, std::vector<Piece>& pieces) {
+  std::vector<Piece> result;
+  for (const std::string& asked : names) {
     const auto others = std::stable_partition(pieces.begin(), pieces.end(),
                                               [&](const Piece& p) { return asks_for(asked, name_of(p)); });
-    std::move(pieces.begin(), others, std::back_inserter(result.pieces));
+    std::move(pieces.begin(), others, std::back_inserter(result));
     pieces.erase(pieces.begin(), others);
   }
   return result;
+}
+
+Section section(const SectionPlan& plan, std::vector<Piece>& pieces) {
+  return {.heading = plan.heading,
+          .paragraph = plan.paragraph,
+          .sentences = {},
+          .pieces = taken(plan.names, pieces),
+          .folded = taken(plan.folded, pieces)};
+}
+
+// Of "position error [cm]: A is better than B; against B, ..." what stands after the colon and before the semicolon.
+std::string first_clause(const std::string& headline) {
+  const std::size_t colon = headline.find(": "), begin = colon == std::string::npos ? 0 : colon + 2;
+  const std::size_t end = headline.find(';', begin);
+  return headline.substr(begin, end == std::string::npos ? end : end - begin);
 }
 
 }  // namespace
@@ -82,23 +104,32 @@ void arrange(std::vector<Piece> pieces, const std::vector<Assessment>& assessmen
   const auto fill = [&](const std::vector<SectionPlan>& plans, std::vector<Section>& sections) {
     for (const SectionPlan& plan : plans) {
       Section filled = section(plan, pieces);
-      if (!filled.pieces.empty()) sections.push_back(std::move(filled));
+      if (filled.pieces.empty() && !filled.folded.empty()) {  // what is seen in its first piece stands for it
+        const auto seen = content.seen.find(name_of(filled.folded.front()));
+        if (seen != content.seen.end()) content.seen[plan.heading] = seen->second;
+      }
+      if (!filled.pieces.empty() || !filled.folded.empty()) sections.push_back(std::move(filled));
     }
   };
   fill(circumstances(), content.circumstances);
   fill(content.plan.results.empty() ? results() : content.plan.results, content.results);
+  fill(content.plan.further, content.results);
+  fill(of_any_paper(), content.results);
+  const bool are_all = content.results.empty();  // of data alone they are what is to be seen
   for (const Assessment& assessment : assessments) {
     SectionPlan own{assessment.heading, "", {}};
-    for (const Table& table : assessment.tables) own.names.push_back(table.name);
-    for (const figures::Figure& figure : assessment.figures) own.names.push_back(figure.name);
+    std::vector<std::string>& names = are_all ? own.names : own.folded;
+    for (const Table& table : assessment.tables) names.push_back(table.name);
+    for (const figures::Figure& figure : assessment.figures) names.push_back(figure.name);
     Section& filled = content.results.emplace_back(section(own, pieces));
     filled.sentences = assessment.sentences;
+    if (!assessment.headlines.empty()) content.seen[assessment.heading] = first_clause(assessment.headlines.front());
   }
   fill({convergence()}, content.results);
-  fill(content.plan.further, content.results);
   fill(last(), content.results);
   if (pieces.empty()) return;
-  content.results.push_back({.heading = "Further", .paragraph = "", .sentences = {}, .pieces = std::move(pieces)});
+  content.results.push_back(
+      {.heading = "Further", .paragraph = "", .sentences = {}, .pieces = {}, .folded = std::move(pieces)});
 }
 
 }  // namespace ikbench::report

@@ -1,6 +1,7 @@
 // What a report says, in its order, whatever it is written in.
 #pragma once
 
+#include <map>
 #include <string>
 #include <variant>
 #include <vector>
@@ -21,19 +22,22 @@ std::string title_of(std::string name);  // figure-9-a is Figure 9 a
 using Piece = std::variant<Table, ReportFigure>;
 const std::string& name_of(const Piece& piece);
 
-// All texts are plain: the writers escape.
+// All texts are plain: the writers escape. The page shows the pieces, and folds the rest; a section without pieces is
+// folded whole, behind its heading.
 struct Section {
   std::string heading;
   std::string paragraph;               // may be empty
   std::vector<std::string> sentences;  // may be none
   std::vector<Piece> pieces;
+  std::vector<Piece> folded = {};
 };
 
 // A section and the pieces that it asks for: names in order; one that ends in * stands for all that begin so.
 struct SectionPlan {
   std::string heading;
   std::string paragraph;
-  std::vector<std::string> names;
+  std::vector<std::string> names;  // shown
+  std::vector<std::string> folded = {};
 };
 
 // Where the pieces of a paper stand: the results of its study, and what else belongs to it.
@@ -46,7 +50,9 @@ struct ReportContent {
   std::string study;
   std::string kind = "Report of the study";  // what stands before its name
   std::string title;
-  std::string answer = {};  // its first words; empty where there is none
+  std::string answer = {};                // its first words; empty where there is none
+  std::vector<std::string> studied = {};  // whose paper, what was run, what was not: sentences
+  std::vector<std::string> solvers = {};  // in the order of their colours
   std::vector<Claim> claims;
   std::vector<std::string> summary;
   std::vector<std::string> warnings;
@@ -55,10 +61,13 @@ struct ReportContent {
   std::vector<Section> results;
   ReportPlan plan = {};
   std::string path = "path";  // the figure that stands where nothing moves
+  // By the name of a piece, or the heading of a folded section, what its reader sees there, in a sentence.
+  std::map<std::string, std::string> seen = {};
 };
 
 // Puts every piece into the section that asks for it by name. A section of which nothing is there is left out; pieces
-// that no section asks for are in one at the end. Every assessment has a section of its own.
+// that no section asks for are in one at the end. Every assessment has a section of its own, folded where there is
+// anything else.
 void arrange(std::vector<Piece> pieces, const std::vector<Assessment>& assessments, ReportContent& content);
 
 }  // namespace ikbench::report

@@ -3,20 +3,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
-#include <kainjow/mustache.hpp>
 #include <string_view>
 #include <utility>
 
-#include "analysis/inference/text.hpp"
+#include "analysis/figures/dark.hpp"
 #include "analysis/report/encoding.hpp"
+#include "analysis/report/html_pieces.hpp"
 #include "numerics/embedded_file.hpp"
-#include "results/files.hpp"
 
 namespace ikbench::report {
 
-using namespace results;
-using namespace inference;
 using namespace figures;
 
 namespace {
@@ -33,204 +29,153 @@ constexpr std::string_view template_named(std::string_view name) {
 constexpr std::string_view report_html = template_named("report.html"), report_css = template_named("report.css"),
                            report_js = template_named("report.js"), moving_arm_js = template_named("moving_arm.js");
 
-using Data = kainjow::mustache::data;
-
-constexpr std::size_t largest_svg = 400'000;    // bytes; a larger one is shown as a link
-constexpr std::size_t largest_sum = 3'000'000;  // bytes of all figures together, for a report below 4 MB
-
-Data text(std::string_view plain) { return Data(one_line(plain)); }  // the template escapes
-
-Data list_of(const std::vector<std::string>& sentences) {
-  Data list(Data::type::list);
-  for (const std::string& sentence : sentences) list.push_back(text(sentence));
-  return list;
-}
+constexpr std::string_view at_a_glance = "overview";  // the figure beside the verdict
 
 // "Assumptions: equal variances do not hold" as its topic and the rest.
-Data topics_of(const std::vector<std::string>& sentences) {
+Data topics_data(const std::vector<std::string>& sentences) {
   Data list(Data::type::list);
   for (const std::string& sentence : sentences) {
     constexpr std::size_t longest_topic = 30;
     const std::size_t colon = sentence.find(": ");
     const std::size_t length = colon == std::string::npos || colon > longest_topic ? 0 : colon + 1;
     Data data;
-    data.set("topic", text(sentence.substr(0, length)));
-    data.set("rest", text(sentence.substr(length)));
+    data.set("topic", text_data(sentence.substr(0, length)));
+    data.set("rest", text_data(sentence.substr(length)));
     list.push_back(data);
   }
   return list;
 }
 
-// A name as an id and part of a link; names are ours, but a table of another's making stays harmless.
-std::string id_of(std::string_view name) {
-  std::string id;
-  for (const char c : name) {
-    const bool is_safe = (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '-';
-    id += is_safe ? c : '-';
-  }
-  return id;
+// "2 tables, 1 figure"
+std::string piece_counts(const std::vector<Piece>& pieces) {
+  const auto tables = std::ranges::count_if(pieces, [](const Piece& p) { return std::holds_alternative<Table>(p); });
+  const auto figures = static_cast<std::ptrdiff_t>(pieces.size()) - tables;
+  const auto several = [](std::ptrdiff_t count, std::string_view what) {
+    return count == 0 ? "" : fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+  };
+  return fmt::format("{}{}{}", several(tables, "table"), tables > 0 && figures > 0 ? ", " : "",
+                     several(figures, "figure"));
 }
 
-// What stands at the front of a cell and has a colour.
-std::string_view verdict_of(std::string_view cell) {
-  if (cell.starts_with("relative only: ")) cell.remove_prefix(15);
-  for (const std::string_view verdict : {"agrees", "close", "differs"}) {
-    if (cell.starts_with(verdict)) return verdict;
-  }
-  return "";
-}
+bool is_shown(const Section& section) { return !section.pieces.empty(); }
 
-Data cell_data(const Cell& cell, const Column& column) {
-  Data data;
-  const std::string shown = readable(cell);
-  data.set("text", text(shown));
-  data.set("right", column.align == Align::right);
-  constexpr std::size_t short_text = 16;  // such as a solver's label: not broken at its hyphens
-  data.set("short", column.align == Align::left && character_count(shown) <= short_text);
-  const bool is_text = std::holds_alternative<std::string>(cell) || std::holds_alternative<std::monostate>(cell);
-  if (!is_text) data.set("number", Data(computable(cell)));
-  if (column.name == "verdict" && !verdict_of(shown).empty()) data.set("verdict", Data(std::string(verdict_of(shown))));
-  return data;
-}
-
-// Where words may break: a_long_name.
-std::string spaced(std::string name) {
-  std::ranges::replace(name, '_', ' ');
-  return name;
-}
-
-Data table_data(const Table& table) {
-  Data data;
-  const std::vector<std::size_t> used = columns_in_use(table);
-  Data heads(Data::type::list), rows(Data::type::list);
-  for (const std::size_t c : used) {
-    Data head;
-    head.set("text", text(spaced(table.columns[c].name)));
-    head.set("right", table.columns[c].align == Align::right);
-    heads.push_back(head);
-  }
-  for (const auto& row : table.rows) {
-    Data cells(Data::type::list);
-    for (const std::size_t c : used) cells.push_back(cell_data(row[c], table.columns[c]));
-    Data cells_of_row;
-    cells_of_row.set("cells", cells);
-    rows.push_back(cells_of_row);
-  }
-  data.set("id", Data(id_of(table.name)));
-  data.set("name", text(table.name));
-  data.set("caption", text(table.caption));
-  data.set("heads", heads);
-  data.set("rows", rows);
-  data.set("notes", list_of(table.notes));
-  return data;
-}
-
-// The tables and figures of a page, and the ids that only one of them may have.
-class Pieces {
- public:
-  explicit Pieces(const HtmlExtras& extras) : extras_(extras) {}
-
-  Data data(const Piece& piece) {
-    Data result;
-    if (const auto* table = std::get_if<Table>(&piece)) {
-      result.set("table", table_data(*table));
-    } else {
-      result.set("figure", figure_data(std::get<ReportFigure>(piece)));
+// What is folded of a section that is shown has a heading of its own.
+Data items_data(const Section& section, HtmlPieces& pieces) {
+  Data items(Data::type::list);
+  for (const std::vector<Piece>* part : {&section.pieces, &section.folded}) {
+    for (const Piece& piece : *part) {
+      if (name_of(piece) == at_a_glance) continue;  // it is in the first lines
+      Data item = pieces.data(piece);
+      item.set("fold", is_shown(section) && part == &section.folded);
+      items.push_back(item);
     }
-    return result;
   }
+  return items;
+}
 
-  // The figure's SVG in base64. As the source of an image it runs no script, and its ids are its own.
-  std::optional<std::string> picture(const Figure& figure) {
-    const auto file = read_file(extras_.figures / (figure.name + ".svg"));
-    if (!file || file->size() > largest_svg) return std::nullopt;
-    std::string svg = base64(*file);
-    if (sum_ + svg.size() > largest_sum) return std::nullopt;
-    sum_ += svg.size();
-    return svg;
+Data section_data(const Section& section, const ReportContent& content, HtmlPieces& pieces) {
+  Data data;
+  data.set("id", Data("section-" + id_of(section.heading)));
+  data.set("heading", text_data(section.heading));
+  if (!section.paragraph.empty()) data.set("paragraph", text_data(section.paragraph));
+  if (!section.sentences.empty()) {
+    data.set("has_sentences", true);
+    data.set("sentences", topics_data(section.sentences));
   }
+  data.set("folded", !is_shown(section));
+  data.set("items", items_data(section, pieces));
+  if (!is_shown(section)) data.set("size", Data(piece_counts(section.folded)));
+  const auto seen = content.seen.find(section.heading);
+  if (seen != content.seen.end()) data.set("line", text_data(seen->second));
+  return data;
+}
 
- private:
-  Data figure_data(const ReportFigure& piece) {
-    Data data;
-    data.set("id", Data(id_of(piece.figure.name)));
-    data.set("name", text(piece.figure.name));
-    data.set("title", text(title_of(piece.figure.name)));
-    data.set("caption", text(piece.figure.caption));
-    data.set("wide", piece.figure.width_cm > 12);
-    data.set("drawn", piece.drawn);
-    const auto svg = piece.drawn ? picture(piece.figure) : std::nullopt;
-    if (svg) data.set("svg", Data(*svg));
-    data.set("left_out", piece.drawn && !svg);
-    return data;
-  }
-
-  const HtmlExtras& extras_;
-  std::size_t sum_ = 0;  // bytes of all pictures so far
-};
-
-// The piece of that name among the results and the circumstances; null where there is none.
-const Piece* piece_named(const ReportContent& content, std::string_view name) {
+// The arm moves after the last section that is shown; then comes everything else.
+Data sections_data(const ReportContent& content, HtmlPieces& pieces) {
+  const auto last = std::find_if(content.results.rbegin(), content.results.rend(), is_shown);
+  bool is_before = last != content.results.rend();
+  Data sections(Data::type::list);
   for (const std::vector<Section>* part : {&content.results, &content.circumstances}) {
     for (const Section& section : *part) {
-      const auto found =
-          std::ranges::find_if(section.pieces, [&](const Piece& piece) { return name_of(piece) == name; });
-      if (found != section.pieces.end()) return &*found;
+      Data data = section_data(section, content, pieces);
+      const bool is_last = is_before && &section == &*last;
+      data.set("first", is_before);
+      data.set("last", is_last);
+      is_before = is_before && !is_last;
+      sections.push_back(data);
     }
   }
-  return nullptr;
+  return sections;
 }
 
-// "in part" is the class in-part.
-std::string kind_of(Verdict verdict) {
-  std::string kind(name_of(verdict));
-  std::ranges::replace(kind, ' ', '-');
-  return kind;
-}
-
-Data claims_data(const ReportContent& content) {
+Data solvers_data(const std::vector<std::string>& solvers) {
   Data list(Data::type::list);
-  for (const Claim& claim : content.claims) {
+  for (std::size_t i = 0; i < solvers.size(); ++i) {
     Data data;
-    data.set("claim", text(claim.statement));
-    data.set("verdict", text(verdict_words(claim)));
-    data.set("kind", Data(kind_of(claim.verdict)));
-    if (claim.printed) {
-      data.set("printed", text(name_of(*claim.printed)));
-      data.set("printed_kind", Data(kind_of(*claim.printed)));
-    }
-    data.set("evidence", text(claim.evidence));
-    if (piece_named(content, claim.table)) {
-      data.set("table", Data(claim.table));
-      data.set("link", Data(title_of(claim.table)));
-    }
+    data.set("name", text_data(solvers[i]));
+    data.set("colour", Data(fmt::format("s{}", i % series_colours.size())));
     list.push_back(data);
   }
   return list;
+}
+
+// The colours of the figures, for what the page says of the same solvers.
+std::string series_css() {
+  std::string css, dark;
+  for (std::size_t i = 0; i < series_colours.size(); ++i) {
+    css += fmt::format(".s{} {{ --series: {}; }}\n", i, series_colours[i]);
+    dark += fmt::format(".s{} {{ --series: {}; }}\n", i, dark_series_colours[i]);
+  }
+  return css + "@media screen and (prefers-color-scheme: dark) {\n" + dark + "}\n";
+}
+
+// "5 warnings. Times are not comparable", of the first what stands in front of its reasons.
+std::string warnings_line(const std::vector<std::string>& warnings) {
+  if (warnings.size() == 1) return "Warning";
+  const std::string& first = warnings.front();
+  return fmt::format("{} warnings. {}", warnings.size(), first.substr(0, std::min(first.find(": "), first.find(". "))));
 }
 
 std::string source(std::string_view code) { return fmt::format("'sha256-{}'", sha256_in_base64(code)); }
 
+// What stands above the sections.
+void set_header(const ReportContent& content, HtmlPieces& pieces, Data& page) {
+  page.set("title", text_data(content.title));
+  page.set("study", text_data(content.study));
+  page.set("kind", text_data(content.kind));
+  page.set("has_studied", !content.studied.empty());
+  page.set("studied", list_data(content.studied));
+  const std::string answer = content.claims.empty() ? content.answer : tally(content.claims);
+  if (!answer.empty()) page.set("answer", text_data(answer));
+  std::vector<std::string> summary = content.summary;
+  if (!content.claims.empty() && !content.answer.empty()) summary.insert(summary.begin(), content.answer);
+  page.set("has_summary", !summary.empty());
+  page.set("summary", list_data(summary));
+  page.set("verdicts", verdicts_data(content));
+  if (const Piece* piece = piece_named(content, at_a_glance)) page.set("glance", pieces.data(*piece));
+  if (!content.warnings.empty()) {
+    page.set("has_warnings", true);
+    page.set("several", text_data(warnings_line(content.warnings)));
+    page.set("is_one", content.warnings.size() == 1);
+    page.set("warnings", list_data(content.warnings));
+  }
+  if (!content.command.empty()) page.set("command", text_data(content.command));
+  if (content.solvers.size() > 1) {
+    page.set("has_solvers", true);
+    page.set("solvers", solvers_data(content.solvers));
+  }
+}
+
 }  // namespace
 
 std::string to_html(const ReportContent& content, const HtmlExtras& extras) {
-  Pieces pieces(extras);
+  HtmlPieces pieces(content, extras.figures);
   Data page;
-  page.set("title", text(content.title));
-  page.set("study", text(content.study));
-  page.set("kind", text(content.kind));
-  if (!content.answer.empty()) page.set("answer", text(content.answer));
-  page.set("summary", list_of(content.summary));
-  if (!content.claims.empty()) {
-    page.set("has_claims", true);
-    page.set("claims", claims_data(content));
-    page.set("tally", Data(tally(content.claims)));
+  set_header(content, pieces, page);
+  if (!extras.downloads.empty()) {
+    page.set("has_downloads", true);
+    page.set("downloads", list_data(extras.downloads));
   }
-  if (!content.warnings.empty()) {
-    page.set("has_warnings", true);
-    page.set("warnings", list_of(content.warnings));
-  }
-  if (!content.command.empty()) page.set("command", text(content.command));
 
   std::string scripts = source(report_js);
   const bool moves = extras.motion && extras.drawing_library;
@@ -251,29 +196,16 @@ std::string to_html(const ReportContent& content, const HtmlExtras& extras) {
     scripts += ' ' + source(*extras.drawing_library) + ' ' + source(moving_arm_js);
   }
 
-  Data sections(Data::type::list);
-  for (const std::vector<Section>* part : {&content.results, &content.circumstances}) {
-    for (const Section& section : *part) {
-      Data data, items(Data::type::list);
-      for (const Piece& piece : section.pieces) items.push_back(pieces.data(piece));
-      data.set("id", Data("section-" + id_of(section.heading)));
-      data.set("heading", text(section.heading));
-      if (!section.paragraph.empty()) data.set("paragraph", text(section.paragraph));
-      if (!section.sentences.empty()) {
-        data.set("has_sentences", true);
-        data.set("sentences", topics_of(section.sentences));
-      }
-      data.set("items", items);
-      sections.push_back(data);
-    }
-  }
-  page.set("sections", sections);
-  page.set("style", Data(std::string(report_css)));
+  page.set("sections", sections_data(content, pieces));
+  page.set("has_shown", std::ranges::any_of(content.results, is_shown));
+  page.set("told", Data(json_in_page(pieces.told())));
+  const std::string style = series_css() + std::string(report_css);
+  page.set("style", Data(style));
   page.set("script", Data(std::string(report_js)));
   page.set("policy",
            Data(fmt::format("default-src 'none'; img-src data:; script-src {}; style-src {}; base-uri 'none'; "
                             "form-action 'none'",
-                            scripts, source(report_css))));
+                            scripts, source(style))));
   kainjow::mustache::mustache page_template{std::string(report_html)};
   return page_template.render(page);
 }

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "analysis/report/report_content.hpp"
 
@@ -13,6 +14,7 @@ struct HtmlExtras {
   std::filesystem::path figures;                    // folder of the drawn SVG files
   std::optional<std::string> motion = {};           // moving_arm(); without it there is no such view
   std::optional<std::string> drawing_library = {};  // without it the view says what it misses
+  std::vector<std::string> downloads = {};          // files beside the page, which it links to
 };
 
 std::string to_html(const ReportContent& content, const HtmlExtras& extras);

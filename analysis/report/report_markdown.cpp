@@ -35,8 +35,16 @@ std::string markdown(const ReportFigure& piece) {
 
 std::string markdown(const Table& table) { return to_markdown(table) + '\n'; }
 
+// "IK-BA 0.00168 cm, DE 0.253 cm." of more sentences.
+std::string first_sentence(const std::string& text) {
+  const std::size_t end = text.find(". ");
+  return end == std::string::npos ? text : text.substr(0, end + 1);
+}
+
+enum class Detail { whole, first_sentence };
+
 // A column that no claim fills is left out.
-Table table_of(const std::vector<Claim>& claims, std::string caption) {
+Table table_of(const std::vector<Claim>& claims, std::string caption, Detail detail) {
   Table table{.name = "claims",
               .caption = std::move(caption),
               .columns = {{"claim", Align::left},
@@ -48,16 +56,18 @@ Table table_of(const std::vector<Claim>& claims, std::string caption) {
   for (const Claim& claim : claims) {
     table.rows.push_back({claim.statement, verdict_words(claim),
                           claim.printed ? Cell(std::string(name_of(*claim.printed))) : Cell(), claim.number,
-                          claim.section, claim.evidence});
+                          claim.section, detail == Detail::whole ? claim.evidence : first_sentence(claim.evidence)});
   }
   return table;
 }
 
-std::string markdown(const std::vector<Claim>& claims) {
+std::string markdown(const std::vector<Claim>& claims, Detail detail) {
   std::string text;
   const std::vector<Claim> papers = claims_by(By::paper, claims), ours = claims_by(By::us, claims);
-  if (!papers.empty()) text += "## Verdict\n\n" + markdown(table_of(papers, tally(papers)));
-  if (!ours.empty()) text += "## What we asked besides\n\n" + markdown(table_of(ours, "Not claims of the paper."));
+  if (!papers.empty()) text += "## Verdict\n\n" + markdown(table_of(papers, tally(papers), detail));
+  if (!ours.empty()) {
+    text += "## What we asked besides\n\n" + markdown(table_of(ours, "Not claims of the paper.", detail));
+  }
   return text;
 }
 
@@ -67,8 +77,8 @@ std::string markdown(const std::vector<Section>& sections) {
     text += fmt::format("## {}\n\n", markdown_text(section.heading));
     if (!section.paragraph.empty()) text += markdown_text(section.paragraph) + "\n\n";
     if (!section.sentences.empty()) text += bullets(section.sentences);
-    for (const Piece& piece : section.pieces) {
-      text += std::visit([](const auto& shown) { return markdown(shown); }, piece);
+    for (const std::vector<Piece>* part : {&section.pieces, &section.folded}) {
+      for (const Piece& piece : *part) text += std::visit([](const auto& shown) { return markdown(shown); }, piece);
     }
   }
   return text;
@@ -79,9 +89,10 @@ std::string markdown(const std::vector<Section>& sections) {
 std::string to_markdown(const ReportContent& content) {
   std::string text = fmt::format("# {}\n\n", markdown_text(content.title));
   text += fmt::format("{} {}.\n\n", content.kind, markdown_text(content.study));
+  for (const std::string& sentence : content.studied) text += markdown_text(sentence) + "\n\n";
   if (!content.answer.empty()) text += markdown_text(content.answer) + "\n\n";
   if (!content.warnings.empty()) text += "## Warnings\n\n" + bullets(content.warnings);
-  text += markdown(content.claims) + "## Summary\n\n";
+  text += markdown(content.claims, Detail::whole) + "## Summary\n\n";
   text += bullets(content.summary);
   if (!content.command.empty()) {
     text += fmt::format("To repeat this:\n\n    {}\n\n", one_line(content.command));
@@ -90,6 +101,31 @@ std::string to_markdown(const ReportContent& content) {
       "`tables/` has every table as Markdown, CSV (all digits) and LaTeX. `figures/` has every figure as SVG, PDF and "
       "PNG, with its script and data.\n\n";
   return text + markdown(content.circumstances) + markdown(content.results);
+}
+
+std::string verdict_markdown(const ReportContent& content) {
+  std::string text = fmt::format("# {}\n\n", markdown_text(content.title));
+  for (const std::string& sentence : content.studied) text += markdown_text(sentence) + "\n\n";
+  text += markdown(content.claims, Detail::first_sentence);
+  for (const Section& section : content.results) {
+    if (section.pieces.empty()) continue;
+    text += fmt::format("## {}\n\n", markdown_text(section.heading));
+    if (!section.paragraph.empty()) text += markdown_text(section.paragraph) + "\n\n";
+    for (const Piece& piece : section.pieces) {
+      const auto seen = content.seen.find(name_of(piece));
+      if (seen != content.seen.end() && !seen->second.empty()) text += markdown_text(seen->second) + "\n\n";
+      if (auto table = std::get_if<Table>(&piece)) {
+        Table without_notes = *table;
+        without_notes.notes.clear();
+        text += markdown(without_notes);
+        continue;
+      }
+      const Figure& figure = std::get<ReportFigure>(piece).figure;
+      text += fmt::format("![{0}](figures/{1}.svg)\n\n**{2}.** {3}\n\n", markdown_text(title_of(figure.name)),
+                          figure.name, markdown_text(title_of(figure.name)), markdown_text(figure.caption));
+    }
+  }
+  return text;
 }
 
 }  // namespace ikbench::report

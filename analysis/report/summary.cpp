@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "analysis/figures/figure_parts.hpp"
+#include "analysis/inference/definition.hpp"
 #include "analysis/inference/text.hpp"
 #include "analysis/report/leaders.hpp"
 #include "analysis/statistics/descriptive.hpp"
@@ -101,6 +102,22 @@ std::vector<std::string> summary(const Reported& reported, const Paper& paper) {
   }
   sentences.push_back(wrong_claims_sentence(study));
   for (std::string& note : status_notes(study)) sentences.push_back(std::move(note));
+  std::erase(sentences, "");
+  return sentences;
+}
+
+std::vector<std::string> studied(const StudyResults& study, const Paper& paper) {
+  const Definition definition(study.definition);
+  const auto several = [](std::size_t count, std::string_view what) {
+    return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+  };
+  std::string run = fmt::format("Run here: {}, {} each, {}", several(study.solvers.size(), "solver"),
+                                several(static_cast<std::size_t>(study.runs), "run"),
+                                several(static_cast<std::size_t>(study.points), "point"));
+  if (const std::string kind = definition.text("/path/kind"); !kind.empty()) run += fmt::format(" (path: {})", kind);
+  if (const std::string robot = definition.text("/robot"); !robot.empty()) run += fmt::format(", arm {}", robot);
+  if (const double seed = definition.number("/seed"); std::isfinite(seed)) run += fmt::format(", seed {}", seed);
+  std::vector<std::string> sentences{paper.citation, run + '.', paper.not_reproduced};
   std::erase(sentences, "");
   return sentences;
 }

@@ -13,6 +13,9 @@ namespace ikbench::report {
 // Sentences, the most important first; plain text. What a paper says of a study stands between what every study says.
 std::vector<std::string> summary(const Reported& reported, const Paper& paper);
 
+// Whose paper, what was run, and what of the paper was not: a sentence each.
+std::vector<std::string> studied(const inference::StudyResults& study, const Paper& paper);
+
 // Of what a summary is made; empty where there is nothing to say.
 // The solvers that have a mean of the metric.
 std::vector<inference::Standing> standings(const inference::StudyResults& study, inference::Metric metric);

@@ -7,6 +7,10 @@
 #include <string_view>
 #include <utility>
 
+#include "analysis/inference/convergence.hpp"
+#include "analysis/report/leaders.hpp"
+#include "analysis/report/summary.hpp"
+#include "analysis/slim2023/agreement.hpp"
 #include "analysis/slim2023/audit.hpp"
 #include "analysis/slim2023/claims.hpp"
 #include "analysis/slim2023/multiverse.hpp"
@@ -33,11 +37,29 @@ bool is_of_companions(const std::string& piece) {
   return std::ranges::find(names, piece) != names.end();
 }
 
+std::map<std::string, std::string> seen(const Reported& reported) {
+  const JudgedStudy& study = reported.study;
+  std::map<std::string, std::string> sentences{
+      {"agreement", agreement_sentence(agreements(study, reported.repetitions))},
+      {"figure-6", closest_point_by_point(study)}};
+  for (const Metric metric : paper_metrics) {
+    const bool is_judged = is_comparable(study, metric);
+    const PaperNumbers& numbers = paper_numbers(metric);
+    sentences[fmt::format("figure-{}", numbers.box_figure)] =
+        is_judged ? leader_sentence(study, metric, results::Estimand::mean) : times_sentence(study);
+    if (metric != Metric::position_error_cm && is_judged) {
+      sentences[fmt::format("figure-{}", numbers.curves_figure)] = ranking_sentence(study, metric);
+    }
+  }
+  return sentences;
+}
+
 StudyPieces pieces(const Reported& reported) {
   StudyPieces all{.tables = paper_tables(reported.study, reported.repetitions),
                   .figures = paper_figures(reported.study),
                   .results = "table-3",
                   .path = "figure-5"};
+  if (!reported.study.solves.empty()) all.seen = seen(reported);
   for (const StudyResults& companion : reported.companions) {
     for (Table& table : paper_tables(companion)) {
       if (is_of_companions(table.name)) all.tables.push_back(std::move(table));
@@ -67,26 +89,36 @@ std::vector<Summaries> printed_summaries(const StudyResults& study) {
 }
 
 ReportPlan sections() {
-  return {.results = {{"Results",
-                       "",
-                       {"figure-5", "table-3", "agreement", "table-3-as-printed", "figure-6", "figure-7", "figure-8",
-                        "figure-9"}},
-                      {"Analysis of variance",
-                       "",
-                       {"figure-10", "figure-11", "figure-12", "table-4", "table-5", "table-6",
-                        "anova-from-printed-table-3"}}},
-          .further = {{"Computing time",
-                       "The paper's real-time test: how long a swarm of a given size takes to reach 0.1 cm.",
-                       {"table-7", "table-7-cost"}},
-                      {"Circle",
-                       "The paper's second arm, a Dobot Magician, on a circle.",
-                       {"table-8", "figure-14", "figure-15", "figure-16", "figure-17", "figure-18"}}}};
+  return {
+      .results = {{"Table 3",
+                   "What the solvers reached, beside the printed numbers.",
+                   {"overview", "table-3", "agreement"},
+                   {"table-3-as-printed"}},
+                  {"Figures 5 to 12",
+                   "",
+                   {"figure-5", "figure-6", "figure-7", "figure-8", "figure-9", "figure-10", "figure-11", "figure-12"}},
+                  {"Tables 4 to 6",
+                   "One-way analysis of variance of error, variation and time.",
+                   {},
+                   {"table-4", "table-5", "table-6", "anova-from-printed-table-3"}}},
+      .further = {{"Table 7: real time",
+                   "How long a swarm of a given size takes to come within 0.1 cm of the target.",
+                   {"table-7"},
+                   {"table-7-cost"}},
+                  {"Dobot Magician: Table 8, Figures 14 to 18",
+                   "The paper's second arm on a circle, computed; no real arm moved.",
+                   {"figure-14", "figure-15", "figure-16", "figure-17", "figure-18"},
+                   {"table-8"}}}};
 }
 
 }  // namespace
 
 Paper paper() {
   return {.name = this_paper,
+          .citation =
+              "Slim, Rokbani, Neji, Terres and Beyrouthy: Inverse Kinematic Solver Based on Bat Algorithm for "
+              "Robotic Arm Path Planning. Robotics 2023, 12(2), 38, doi:10.3390/robotics12020038.",
+          .not_reproduced = "Not repeated: the real Dobot Magician.",
           .studies = {{this_paper, {"seed", "runs"}},            // Sec. 5.2
                       {"slim2023-context", {"seed", "runs"}},    // beside it: a classical solver
                       {"slim2023-limits", {"seed", "runs"}},     // the same with the limits enforced

@@ -21,9 +21,10 @@ hostile=("</text></svg><script>$mark</script>" "\" onload=\"$mark" "\"><img src=
 } >hostile.toml
 succeeds run hostile.toml --out hostile
 succeeds run slim2023 "${small[@]}" --out plain
-for page in hostile/report.html plain/report.html; do
+succeeds reproduce --runs 2 --quick --out whole
+for page in hostile/report.html plain/report.html whole/report.html; do
   [ -s "$page" ] || fail "no $page"
-  [ "$(wc -c <"$page")" -lt 4000000 ] || fail "$page has $(wc -c <"$page") bytes"
+  [ "$(wc -c <"$page")" -lt 3000000 ] || fail "$page has $(wc -c <"$page") bytes"
 done
 
 # browse PAGE OPTIONS...: what the browser prints in $out and says in $err.
@@ -38,21 +39,23 @@ browse() {
   out=$(<"$work/.out") err=$(<"$work/.err")
 }
 
-# probe PAGE SCRIPT: a copy with one more script, which its policy is told of; what it finds is in $found.
+# probe PAGE SCRIPT OPTIONS...: a copy with one more script, which its policy is told of; what it finds is in $found. The
+# page is opened at $fragment, where one is set.
 probe() {
-  local hash
-  hash=$(printf "$(sha256sum <"$2" | cut -c 1-64 | sed 's/../\\x&/g')" | base64)
-  awk -v hash="'sha256-$hash'" -v file="$2" '
+  local hash page=$1 script=$2
+  shift 2
+  hash=$(printf "$(sha256sum <"$script" | cut -c 1-64 | sed 's/../\\x&/g')" | base64)
+  awk -v hash="'sha256-$hash'" -v file="$script" '
     /Content-Security-Policy/ { sub(/script-src /, "script-src " hash " ") }
     /^<\/body>/ {
       printf "<script>"
       while ((getline line < file) > 0) printf "%s\n", line
       printf "</script>\n"
     }
-    { print }' "$1" >"${1%.html}-probed.html"
-  browse "${1%.html}-probed.html" --dump-dom
+    { print }' "$page" >"${page%.html}-probed.html"
+  browse "${page%.html}-probed.html${fragment:-}" "$@" --dump-dom
   # What a graphics driver says of its speed is no fault of the page.
-  ! grep ':CONSOLE' "$work/.err" | grep -v 'GL Driver Message' || fail "$1: the console has the above"
+  ! grep ':CONSOLE' "$work/.err" | grep -v 'GL Driver Message' || fail "$page: the console has the above"
   found=$(sed -n 's/.*<meta name="found" content="\([^"]*\)".*/\1/p' "$work/.out")
 }
 
@@ -129,6 +132,138 @@ E2
 probe plain/report.html links.js
 [ "$found" = "0 0 0 true" ] || fail "ids twice, links to nowhere, images that are broken or have no words, fits: $found"
 
+# It is read in two minutes: what is shown has at most 3000 words and 12 screens, and its first lines at most 120 words beside
+# the claims, each of which is one line.
+cat >length.js <<'E2'
+const isShown = element => element.checkVisibility({ checkVisibilityCSS: true }) && element.getClientRects().length > 0;
+const texts = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
+let words = 0, first = 0;
+while (texts.nextNode()) {
+  const parent = texts.currentNode.parentElement;
+  if (['SCRIPT', 'STYLE'].includes(parent.tagName) || !isShown(parent)) continue;
+  const count = texts.currentNode.textContent.split(/\s+/).filter(word => word !== '').length;
+  words += count;
+  if (parent.closest('header') && !parent.closest('.claims')) first += count;
+}
+const claims = [...document.querySelectorAll('.claims li')].map(claim => claim.getBoundingClientRect());
+const meta = document.createElement('meta');
+meta.name = 'found';
+meta.content = [words, Math.ceil(document.documentElement.scrollHeight / 900), first, claims.length,
+  Math.round(Math.max(...claims.map(box => box.height))), Math.round(Math.max(...claims.map(box => box.bottom)))].join(' ');
+document.head.append(meta);
+E2
+probe whole/report.html length.js --window-size=1400,900
+echo "words, screens, words of the first lines, claims, height of a claim, end of the claims: $found"
+read -r words screens first claims height end <<<"$found"
+[ "$words" -le 3000 ] || fail "$words words are shown"
+[ "$screens" -le 12 ] || fail "the page has $screens screens"
+[ "$first" -le 120 ] || fail "the first lines have $first words"
+[ "$claims" -ge 8 ] || fail "$claims claims"
+[ "$height" -le 30 ] || fail "a claim is $height pixels high"
+[ "$end" -le 900 ] || fail "the claims end at $end pixels"
+
+# Every text can be read on its ground, in light and in dark (WCAG 2.1: 4.5; large and quiet parts 3).
+cat >contrast.js <<'E2'
+const canvas = document.createElement('canvas').getContext('2d', { willReadFrequently: true });
+const rgba = colour => {
+  canvas.clearRect(0, 0, 1, 1);
+  canvas.fillStyle = colour;
+  canvas.fillRect(0, 0, 1, 1);
+  return [...canvas.getImageData(0, 0, 1, 1).data];
+};
+const linear = c => (c / 255 <= 0.04045 ? c / 255 / 12.92 : ((c / 255 + 0.055) / 1.055) ** 2.4);
+const luminance = ([r, g, b]) => 0.2126 * linear(r) + 0.7152 * linear(g) + 0.0722 * linear(b);
+const contrast = (a, b) => (Math.max(a, b) + 0.05) / (Math.min(a, b) + 0.05);
+const groundOf = element => {
+  for (let at = element; at; at = at.parentElement) {
+    const colour = rgba(getComputedStyle(at).backgroundColor);
+    if (colour[3] === 255) return luminance(colour);
+  }
+  return 1;
+};
+for (const details of document.querySelectorAll('details')) details.open = true;
+let least = 21, worst = '', count = 0;
+const judge = (colour, element, what) => {
+  const value = contrast(luminance(rgba(colour)), groundOf(element));
+  ++count;
+  if (value < least) [least, worst] = [value, what];
+};
+for (const element of document.querySelectorAll('body *')) {
+  const own = [...element.childNodes].some(node => node.nodeType === 3 && node.textContent.trim() !== '');
+  if (own && element.checkVisibility()) judge(getComputedStyle(element).color, element, element.tagName + '.' + element.className);
+  if (element.className === 'swatch') judge(getComputedStyle(element).backgroundColor, element.parentElement, element.parentElement.textContent);
+}
+const meta = document.createElement('meta');
+meta.name = 'found';
+meta.content = [Math.floor(least * 100), count > 1000, luminance(rgba(getComputedStyle(document.body).backgroundColor)) > 0.5, worst.trim()].join(' ');
+document.head.append(meta);
+E2
+for scheme in 1 0; do
+  probe whole/report.html contrast.js --blink-settings=preferredColorScheme=$scheme --window-size=1400,900
+  echo "least contrast times 100, many texts, light: $found"
+  read -r least many light worst <<<"$found"
+  [ "$many $light" = "true $([ $scheme = 1 ] && echo true || echo false)" ] || fail "contrast: $found"
+  [ "$least" -ge 300 ] || fail "contrast $least / 100 of $worst"
+done
+
+# Solvers go everywhere at once, a figure tells its values to the keyboard, and the address keeps what was chosen.
+cat >choose.js <<'E2'
+const rows = () => [...document.querySelectorAll('#table-3 tbody tr')].filter(row => !row.hidden).length;
+const image = document.querySelector('#figure-6 img'), before = image.src;
+const words = [rows()];
+document.querySelector('#solvers input[value="PSO"]').click();
+words.push(rows(), image.src !== before, location.hash);
+const frame = document.querySelector('#figure-6 .frame');
+frame.focus();
+frame.dispatchEvent(new KeyboardEvent('keydown', { key: 'ArrowRight' }));
+words.push(frame.querySelector('.tip').textContent.replace(/[\d.e-]+ cm/, 'N cm').replaceAll(' ', '_'));
+const spots = new Set();
+for (let i = 0; i < 200; ++i) {
+  frame.dispatchEvent(new KeyboardEvent('keydown', { key: 'ArrowRight' }));
+  spots.add(frame.querySelector('.tip').textContent);
+}
+words.push(spots.size);
+document.querySelector('#solvers input[value="PSO"]').click();
+words.push(rows(), image.src === before, location.hash);
+const meta = document.createElement('meta');
+meta.name = 'found';
+meta.content = words.join(' ');
+document.head.append(meta);
+E2
+if command -v gnuplot >/dev/null; then
+  probe whole/report.html choose.js
+  [ "$found" = "18 15 true #&amp;off=PSO IK-BA,_point_1:_N_cm 100 18 true " ] || fail "choosing: $found"
+fi
+cat >kept.js <<'E2'
+const cells = [...document.querySelectorAll('#table-3 tbody tr')].filter(row => !row.hidden).map(row => Number(row.cells[2].dataset.value));
+const meta = document.createElement('meta');
+meta.name = 'found';
+meta.content = [cells.length, cells.every((x, i) => i === 0 || x <= cells[i - 1]), document.querySelector('#solvers input[value="DE"]').checked,
+  document.querySelector('#audit').closest('details').open].join(' ');
+document.head.append(meta);
+E2
+fragment='#audit&off=DE&sort=table-3.2.-1' probe whole/report.html kept.js
+[ "$found" = "15 true false true" ] || fail "what the address keeps: $found"
+
+# The keyboard comes to everything, and shows where it is; nothing is wider than a phone but what scrolls.
+cat >keys.js <<'E2'
+for (const details of document.querySelectorAll('details')) details.open = true;
+document.body.style.width = '390px';
+const wanted = [...document.querySelectorAll('a, button, input, select, summary, .scroll, .frame[tabindex], .command')].filter(element => element.checkVisibility());
+const missed = wanted.filter(element => {
+  element.focus();
+  return document.activeElement !== element || getComputedStyle(element).outlineStyle === 'none';
+});
+const wide = [...document.querySelectorAll('main *')].filter(element => element.checkVisibility() && !element.closest('.scroll, pre') &&
+  element.getBoundingClientRect().right > 391);
+const meta = document.createElement('meta');
+meta.name = 'found';
+meta.content = [wanted.length > 100, missed.length, wide.length, wide.slice(0, 3).map(element => element.outerHTML.slice(0, 60))].join(' ');
+document.head.append(meta);
+E2
+probe whole/report.html keys.js --window-size=500,900
+[[ $found == "true 0 0 "* ]] || fail "many, not reached, too wide: $found"
+
 # The arm moves: a point on, another solver, on its own.
 if grep -q 'id="motion-data"' plain/report.html; then
   cat >motion.js <<'E2'
@@ -183,15 +318,18 @@ E2
   [ "$found" = "$(<recorded)" ] || fail "outside the limits, by the page: $found; by the store: $(<recorded)"
 fi
 
-# It can be printed.
-browse plain/report.html --print-to-pdf="$work/plain.pdf"
-[ "$(head -c 5 plain.pdf)" = "%PDF-" ] || fail "cannot be printed"
+# It can be printed, on few pages.
+browse whole/report.html --print-to-pdf="$work/whole.pdf"
+[ "$(head -c 5 whole.pdf)" = "%PDF-" ] || fail "cannot be printed"
+pages=$(grep -a -c '/Type */Page$\|/Type /Page[^s]' whole.pdf)
+[ "$pages" -le 16 ] || fail "printed on $pages pages"
 
-# Pictures to be looked at, where a folder for them is named.
+# Pictures to be looked at, where a folder for them is named: a phone is a frame, since no window is that narrow.
 if [ -n "${IKBENCH_SCREENSHOTS:-}" ]; then
-  browse plain/report.html --window-size=1400,5000 --screenshot="$IKBENCH_SCREENSHOTS/light.png"
-  browse plain/report.html --window-size=1400,5000 --screenshot="$IKBENCH_SCREENSHOTS/dark.png" \
+  printf '<!DOCTYPE html><body style="margin:0"><iframe src="report.html" style="border:0;width:390px;height:5000px"></iframe>' >whole/phone.html
+  browse whole/report.html --window-size=1400,10000 --screenshot="$IKBENCH_SCREENSHOTS/light.png"
+  browse whole/report.html --window-size=1400,10000 --screenshot="$IKBENCH_SCREENSHOTS/dark.png" \
     --blink-settings=preferredColorScheme=0
-  browse plain/report.html --window-size=390,5000 --screenshot="$IKBENCH_SCREENSHOTS/phone.png"
-  cp plain.pdf "$IKBENCH_SCREENSHOTS/"
+  browse whole/phone.html --window-size=500,5000 --screenshot="$IKBENCH_SCREENSHOTS/phone.png"
+  cp whole.pdf "$IKBENCH_SCREENSHOTS/"
 fi

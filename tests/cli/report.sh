@@ -24,7 +24,7 @@ succeeds report copy/theirs.sqlite --no-figures
 cmp copy/tables/table-3.csv made/tables/table-3.csv || fail "the copy gives another Table 3"
 succeeds report copy/theirs.sqlite --no-figures --out elsewhere/deep
 [ -s elsewhere/deep/report.md ] || fail "no report in --out"
-[ "$(ls copy | sort | tr '\n' ' ')" = "figures report.html report.md statistics.json tables theirs.sqlite " ] || fail "copy/ has: $(ls copy)"
+[ "$(ls copy | sort | tr '\n' ' ')" = "figures report.html report.md statistics.json tables theirs.sqlite verdict.md " ] || fail "copy/ has: $(ls copy)"
 
 # By its bare name in the folder it is in.
 (cd copy && "$program" report theirs.sqlite --no-figures >/dev/null 2>&1) || fail "cannot report on a store in ."
@@ -69,7 +69,7 @@ has "$(<second/tables/results.csv)" "DLS" # it has no paper, and so no Table 3
 succeeds run slim2023 "${small[@]}" --set 'path.centre_cm=[1000,0,0]' --no-report --out far
 has "$err" "warning: point 1 is out of reach"
 succeeds report far/store.sqlite --no-figures
-has "$(head -n 12 far/report.md)" "3 of the 3 targets of a run are out of the arm's reach (the farthest is point "
+has "$(head -n 20 far/report.md)" "3 of the 3 targets of a run are out of the arm's reach (the farthest is point "
 has "$err" "warning: 3 of the 3 targets of a run are out of the arm's reach"
 
 # A store that may only be read, in a folder that may only be read, by somebody who is not root.

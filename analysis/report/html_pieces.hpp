@@ -1,0 +1,53 @@
+// Tables, figures and claims as the page's template takes them.
+#pragma once
+
+#include <filesystem>
+#include <kainjow/mustache.hpp>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "analysis/report/json.hpp"
+#include "analysis/report/report_content.hpp"
+
+namespace ikbench::report {
+
+using Data = kainjow::mustache::data;
+
+Data text_data(std::string_view plain);  // the template escapes
+Data list_data(const std::vector<std::string>& sentences);
+
+// A name as an id and part of a link; names are ours, but a table of another's making stays harmless.
+std::string id_of(std::string_view name);
+
+// The piece of that name among all sections; null where there is none.
+const Piece* piece_named(const ReportContent& content, std::string_view name);
+
+// The paper's claims, and apart what we asked besides: a list of lists, those that have something.
+Data verdicts_data(const ReportContent& content);
+
+// The tables and figures of a page. Together the pictures stay below a limit; those beyond it are links.
+class HtmlPieces {
+ public:
+  HtmlPieces(const ReportContent& content, std::filesystem::path figures)
+      : content_(content), figures_(std::move(figures)) {}
+
+  Data data(const Piece& piece);
+  // The figure's SVG in base64, in the colours of a dark ground too. As the source of an image it runs no script, and
+  // its ids are its own.
+  std::optional<std::string> picture(const figures::Figure& figure);
+  // By the id of a figure, what a reader who points at its series is told.
+  const Json& told() const { return told_; }
+
+ private:
+  Data figure_data(const ReportFigure& piece);
+
+  const ReportContent& content_;
+  std::filesystem::path figures_;
+  std::size_t sum_ = 0;  // bytes of all pictures so far
+  Json told_ = Json::object();
+};
+
+}  // namespace ikbench::report
