@@ -252,7 +252,7 @@ TEST_CASE("targets that no configuration reaches are told first", "[report]") {
         "shoulder; the reach is 82 cm). No solver can reach them, so those errors say nothing about the solvers.");
   const std::string text = text_of_file(three.file), page = text_of_file(three.page);
   CHECK(text.find("3 of the 20 targets") < text.find("## Summary"));
-  CHECK(page.find("3 of the 20 targets") < page.find("Summary in words"));
+  CHECK(page.find("3 of the 20 targets") < page.find(">Summary<"));
 
   const Report wrist =
       report_where("wrist", R"({"points": 1, "farthest_point": 7, "farthest_cm": 100, "reach_cm": 82})");
