@@ -86,6 +86,22 @@ TEST_CASE("a page has both verdicts of a claim, or the one that there is", "[rep
   CHECK(contains(text, "| b | fails |  |  |  | e |"));
 }
 
+TEST_CASE("a page tells the number of a claim, and what we asked besides apart", "[report]") {
+  ReportContent content{.study = "s", .title = "t"};
+  content.claims = {
+      {.statement = "ours", .verdict = Verdict::holds, .evidence = "e", .table = "", .by = By::us},
+      {.statement = "theirs", .verdict = Verdict::depends, .evidence = "e", .table = "", .section = "Fig. <6>"}};
+  content.claims.back().number = "11 of 20";
+  content.claims.back().depends_on = "bounds";
+  const std::string page = to_html(content, {});
+  CHECK(contains(page, "<span class=\"word depends\">depends on bounds</span>"));
+  CHECK(contains(page, "<span class=\"number\">11 of 20</span>"));
+  CHECK(contains(page, "Stated in: Fig. &lt;6&gt;. e"));
+  CHECK(page.find(">theirs<") < page.find("What we asked besides"));
+  CHECK(page.find("What we asked besides") < page.find(">ours<"));
+  CHECK(contains(page, "Of 1 claim, "));
+}
+
 TEST_CASE("the moving arm has the first run, in few digits, and no way out of its element", "[report]") {
   std::vector<SolveRecord> solves = synthetic::solves({.solvers = {"</script><b>", "DE"}, .runs = 2, .points = 3});
   const std::size_t joints = solves.front().answer_rad.size();
