@@ -27,10 +27,9 @@ std::string counted(Verdict verdict, std::ptrdiff_t count) {
   return fmt::format("{} {}", count, count == 1 ? one : several);
 }
 
-// "holds in 61 %, fails in 30 %, is undecided in 9 %"
+// "holds in 61 %, fails in 30 %"
 std::string answers_in(const ClaimShares& of) {
-  return fmt::format("holds in {}, fails in {}, is undecided in {}", share_words(of.holds), share_words(of.fails),
-                     share_words(of.undecided));
+  return fmt::format("holds in {}, fails in {}", share_words(of.holds), share_words(of.fails));
 }
 
 // Of the interpretations with that verdict; what holds in part counts as undecided.
@@ -40,8 +39,9 @@ double share_of(Verdict verdict, const ClaimShares& of) {
 
 void join(Claim& claim, const ClaimShares& of) {
   if (claim.verdict == Verdict::untested) return;
-  claim.evidence +=
-      ' ' + (of.sentence.empty() ? fmt::format("Over all interpretations it {}.", answers_in(of)) : of.sentence);
+  claim.evidence += ' ' + (of.sentence.empty() ? fmt::format("Over all interpretations it {}, is undecided in {}.",
+                                                             answers_in(of), share_words(of.undecided))
+                                               : of.sentence);
   if (share_of(claim.verdict, of) >= clear_share) return;
   claim.evidence = fmt::format("By our default: {}. {}", name_of(claim.verdict), claim.evidence);
   claim.verdict = Verdict::depends;
@@ -81,8 +81,8 @@ std::string tally(const std::vector<Claim>& claims) {
   }
   const auto is_printed = [](const Claim& claim) { return claim.printed.has_value(); };
   if (const auto printed = std::ranges::count_if(all, is_printed); printed > 0) {
-    text += fmt::format(". By the printed numbers, {} of {} hold",
-                        std::ranges::count(all, Verdict::holds, &Claim::printed), printed);
+    text +=
+        fmt::format(". As printed, {} of {} hold", std::ranges::count(all, Verdict::holds, &Claim::printed), printed);
   }
   return text + '.';
 }

@@ -41,7 +41,7 @@ std::string tally(const std::vector<Claim>& claims);
 struct ClaimShares {
   std::string id;
   double holds = 0, fails = 0, undecided = 0;
-  std::string decided_by = {};  // what its answer depends on most: "bounds"
+  std::string decided_by = {};  // what its answer depends on most: "bounds", "bounds, BA.best_of"
   std::string sentence = {};    // how
 };
 

@@ -18,7 +18,7 @@ using namespace figures;
 namespace {
 
 constexpr std::size_t largest_svg = 400'000;    // bytes; a larger one is shown as a link
-constexpr std::size_t largest_sum = 1'600'000;  // bytes of all figures together, for a page below 3 MB
+constexpr std::size_t largest_sum = 1'500'000;  // bytes of all figures together, for a page below 3 MB
 constexpr std::size_t most_page_rows = 60;      // of a table on the page; all are in its files
 
 // What stands at the front of a cell and has a colour.
@@ -27,6 +27,8 @@ std::string_view verdict_of(std::string_view cell) {
   for (const std::string_view verdict : {"agrees", "close", "differs"}) {
     if (cell.starts_with(verdict)) return verdict;
   }
+  if (cell.starts_with("as expected")) return "agrees";
+  if (cell.find("beyond the range") != std::string_view::npos) return "differs";
   return "";
 }
 
@@ -129,18 +131,6 @@ std::string id_of(std::string_view name) {
   return id;
 }
 
-const Piece* piece_named(const ReportContent& content, std::string_view name) {
-  for (const std::vector<Section>* part : {&content.results, &content.circumstances}) {
-    for (const Section& section : *part) {
-      for (const std::vector<Piece>* pieces : {&section.pieces, &section.folded}) {
-        const auto found = std::ranges::find_if(*pieces, [&](const Piece& piece) { return name_of(piece) == name; });
-        if (found != pieces->end()) return &*found;
-      }
-    }
-  }
-  return nullptr;
-}
-
 Data verdicts_data(const ReportContent& content) {
   Data lists(Data::type::list);
   for (const By by : {By::paper, By::us}) {
@@ -155,6 +145,12 @@ Data verdicts_data(const ReportContent& content) {
   return lists;
 }
 
+// A table and its figure may have one name; on the page, every id is there once.
+std::string HtmlPieces::id_of_figure(const std::string& name) const {
+  const Piece* const first = piece_named(content_, name);
+  return id_of(name) + (first != nullptr && std::holds_alternative<Table>(*first) ? "-figure" : "");
+}
+
 Data HtmlPieces::data(const Piece& piece) {
   Data result;
   const std::string& name = name_of(piece);
@@ -164,8 +160,7 @@ Data HtmlPieces::data(const Piece& piece) {
     result.set("figure", figure_data(std::get<ReportFigure>(piece)));
   }
   result.set("title", text_data(title_of(name)));
-  const auto seen = content_.seen.find(name);
-  if (seen != content_.seen.end() && !seen->second.empty()) result.set("seen", text_data(seen->second));
+  if (const std::string seen = seen_at(piece, content_); !seen.empty()) result.set("seen", text_data(seen));
   return result;
 }
 
@@ -180,7 +175,8 @@ std::optional<std::string> HtmlPieces::picture(const Figure& figure) {
 
 Data HtmlPieces::figure_data(const ReportFigure& piece) {
   Data data;
-  data.set("id", Data(id_of(piece.figure.name)));
+  const std::string id = id_of_figure(piece.figure.name);
+  data.set("id", Data(id));
   data.set("name", text_data(piece.figure.name));
   data.set("caption", text_data(piece.figure.caption));
   data.set("wide", piece.figure.width_cm > 12);
@@ -188,11 +184,11 @@ Data HtmlPieces::figure_data(const ReportFigure& piece) {
   const auto svg = piece.drawn ? picture(piece.figure) : std::nullopt;
   if (svg) data.set("svg", Data(*svg));
   data.set("left_out", piece.drawn && !svg);
-  Json& series = told_[id_of(piece.figure.name)] = Json::array();
+  Json& series = told_[id] = Json::array();
   for (const Told& told : piece.figure.told) {
     series.push_back({{"series", one_line(told.series)}, {"words", told.words}});
   }
-  if (!svg || series.empty()) told_.erase(id_of(piece.figure.name));
+  if (!svg || series.empty()) told_.erase(id);
   return data;
 }
 

@@ -22,9 +22,6 @@ Data list_data(const std::vector<std::string>& sentences);
 // A name as an id and part of a link; names are ours, but a table of another's making stays harmless.
 std::string id_of(std::string_view name);
 
-// The piece of that name among all sections; null where there is none.
-const Piece* piece_named(const ReportContent& content, std::string_view name);
-
 // The paper's claims, and apart what we asked besides: a list of lists, those that have something.
 Data verdicts_data(const ReportContent& content);
 
@@ -43,6 +40,7 @@ class HtmlPieces {
 
  private:
   Data figure_data(const ReportFigure& piece);
+  std::string id_of_figure(const std::string& name) const;
 
   const ReportContent& content_;
   std::filesystem::path figures_;

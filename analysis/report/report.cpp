@@ -27,6 +27,8 @@
 #include "analysis/report/provenance.hpp"
 #include "analysis/report/report_content.hpp"
 #include "analysis/report/summary.hpp"
+#include "results/export.hpp"
+#include "results/files.hpp"
 
 namespace ikbench::report {
 
@@ -159,11 +161,13 @@ std::string leaders_of(const JudgedStudy& study) {
 }
 
 // What a reader sees in the pieces that any study has.
-void see(const JudgedStudy& study, const std::vector<Table>& tables, ReportContent& content) {
+void see(const JudgedStudy& study, const std::vector<Table>& tables, std::span<const ClaimShares> shares,
+         ReportContent& content) {
   for (const Metric metric : reported_metrics()) {
     if (study.solves.empty() || !is_comparable(study, metric)) continue;
     content.seen.emplace(fmt::format("{}-boxes", info_of(metric).slug), leader_sentence(study, metric, Estimand::mean));
   }
+  if (!shares.empty()) content.seen.emplace("multiverse", shares.front().sentence);
   const auto audit = std::ranges::find(tables, "audit", &Table::name);
   if (audit != tables.end()) content.seen.emplace("audit", audit_sentence(*audit));
 }
@@ -237,7 +241,8 @@ Report write_report(const Store& store, const ReportRequest& request) {
     std::ranges::copy(assessment.headlines, std::back_inserter(content.summary));
   }
   if (content.claims.empty() && !study.solves.empty()) content.answer = leaders_of(study);
-  see(study, tables, content);
+  see(study, tables, request.shares, content);
+  write_file(request.folder / "solves.csv", to_csv(study.solves));
   const Table results = *std::ranges::find(tables, pieces.results, &Table::name);
   Report report = publish({.content = std::move(content),
                            .tables = std::move(tables),

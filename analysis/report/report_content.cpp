@@ -13,9 +13,13 @@ namespace ikbench::report {
 namespace {
 
 const std::vector<SectionPlan>& circumstances() {
-  static const std::vector<SectionPlan> plans{{"Study", "", {}, {"definition", "options", "analysis-plan"}},
-                                              {"Environment", "", {}, {"environment"}},
-                                              {"Outcome of every solve", "", {}, {"status"}}};
+  static const std::vector<SectionPlan> plans{
+      {"Study",
+       "What was solved, by which options, and how it is judged.",
+       {},
+       {"definition", "options", "analysis-plan"}},
+      {"Environment", "The machine, the compiler and the load.", {}, {"environment"}},
+      {"Outcome of every solve", "How the solves ended, and what was wrong with them.", {}, {"status"}}};
   return plans;
 }
 
@@ -43,8 +47,8 @@ SectionPlan convergence() {
 // What belongs to a paper, whichever it is.
 const std::vector<SectionPlan>& of_any_paper() {
   static const std::vector<SectionPlan> plans{
-      {"All interpretations", "", {"multiverse"}, {"multiverse-*"}},
-      {"Interpretations of what the paper leaves open", "What each choice would have given.", {}, {"readings*"}},
+      {"Multiverse: what the paper leaves open", "", {"multiverse"}, {"multiverse-*"}},
+      {"Interpretations one by one", "What each choice would have given.", {}, {"readings*"}},
       {"Audit of the printed numbers", "Whether the paper's printed numbers agree with each other.", {}, {"audit*"}}};
   return plans;
 }
@@ -98,6 +102,35 @@ std::string title_of(std::string name) {
 const std::string& name_of(const Piece& piece) {
   const auto* table = std::get_if<Table>(&piece);
   return table ? table->name : std::get<ReportFigure>(piece).figure.name;
+}
+
+const Piece* piece_named(const ReportContent& content, std::string_view name) {
+  for (const std::vector<Section>* part : {&content.results, &content.circumstances}) {
+    for (const Section& section : *part) {
+      for (const std::vector<Piece>* pieces : {&section.pieces, &section.folded}) {
+        const auto found = std::ranges::find_if(*pieces, [&](const Piece& piece) { return name_of(piece) == name; });
+        if (found != pieces->end()) return &*found;
+      }
+    }
+  }
+  return nullptr;
+}
+
+std::string seen_at(const Piece& piece, const ReportContent& content) {
+  const auto seen = content.seen.find(name_of(piece));
+  return seen != content.seen.end() && piece_named(content, name_of(piece)) == &piece ? seen->second : "";
+}
+
+std::string first_sentence(const std::string& text) {
+  const std::size_t end = text.find(". ");
+  return end == std::string::npos ? text : text.substr(0, end + 1);
+}
+
+std::vector<std::string> answers_of(const ReportContent& content) {
+  std::vector<std::string> answers{content.claims.empty() ? content.answer : tally(content.claims)};
+  if (const auto seen = content.seen.find("Verdict"); seen != content.seen.end()) answers.push_back(seen->second);
+  std::erase(answers, "");
+  return answers;
 }
 
 void arrange(std::vector<Piece> pieces, const std::vector<Assessment>& assessments, ReportContent& content) {

@@ -3,6 +3,7 @@
 
 #include <map>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -61,9 +62,22 @@ struct ReportContent {
   std::vector<Section> results;
   ReportPlan plan = {};
   std::string path = "path";  // the figure that stands where nothing moves
-  // By the name of a piece, or the heading of a folded section, what its reader sees there, in a sentence.
+  // By the name of a piece, or the heading of a section that is folded or has the verdict, what its reader sees there,
+  // in a sentence.
   std::map<std::string, std::string> seen = {};
 };
+
+// The piece of that name among all sections, a table before its figure; null where there is none.
+const Piece* piece_named(const ReportContent& content, std::string_view name);
+
+// What is seen in a piece of the content, of pieces of one name in the first; may be empty.
+std::string seen_at(const Piece& piece, const ReportContent& content);
+
+// "IK-BA 0.00168 cm, DE 0.253 cm." of more sentences.
+std::string first_sentence(const std::string& text);
+
+// The verdict's first sentences: of claims, how many hold and what else is seen there.
+std::vector<std::string> answers_of(const ReportContent& content);
 
 // Puts every piece into the section that asks for it by name. A section of which nothing is there is left out; pieces
 // that no section asks for are in one at the end. Every assessment has a section of its own, folded where there is

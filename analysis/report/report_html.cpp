@@ -77,7 +77,6 @@ Data section_data(const Section& section, const ReportContent& content, HtmlPiec
   Data data;
   data.set("id", Data("section-" + id_of(section.heading)));
   data.set("heading", text_data(section.heading));
-  if (!section.paragraph.empty()) data.set("paragraph", text_data(section.paragraph));
   if (!section.sentences.empty()) {
     data.set("has_sentences", true);
     data.set("sentences", topics_data(section.sentences));
@@ -86,7 +85,11 @@ Data section_data(const Section& section, const ReportContent& content, HtmlPiec
   data.set("items", items_data(section, pieces));
   if (!is_shown(section)) data.set("size", Data(piece_counts(section.folded)));
   const auto seen = content.seen.find(section.heading);
-  if (seen != content.seen.end()) data.set("line", text_data(seen->second));
+  const std::string line = seen != content.seen.end() ? seen->second : first_sentence(section.paragraph);
+  if (!is_shown(section) && !line.empty()) data.set("line", text_data(line));
+  if (!section.paragraph.empty() && (is_shown(section) || line != section.paragraph)) {
+    data.set("paragraph", text_data(section.paragraph));
+  }
   return data;
 }
 
@@ -145,8 +148,7 @@ void set_header(const ReportContent& content, HtmlPieces& pieces, Data& page) {
   page.set("kind", text_data(content.kind));
   page.set("has_studied", !content.studied.empty());
   page.set("studied", list_data(content.studied));
-  const std::string answer = content.claims.empty() ? content.answer : tally(content.claims);
-  if (!answer.empty()) page.set("answer", text_data(answer));
+  page.set("answers", list_data(answers_of(content)));
   std::vector<std::string> summary = content.summary;
   if (!content.claims.empty() && !content.answer.empty()) summary.insert(summary.begin(), content.answer);
   page.set("has_summary", !summary.empty());

@@ -1,6 +1,7 @@
 #include "analysis/report/report_markdown.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <utility>
 
@@ -35,12 +36,6 @@ std::string markdown(const ReportFigure& piece) {
 
 std::string markdown(const Table& table) { return to_markdown(table) + '\n'; }
 
-// "IK-BA 0.00168 cm, DE 0.253 cm." of more sentences.
-std::string first_sentence(const std::string& text) {
-  const std::size_t end = text.find(". ");
-  return end == std::string::npos ? text : text.substr(0, end + 1);
-}
-
 enum class Detail { whole, first_sentence };
 
 // A column that no claim fills is left out.
@@ -61,10 +56,13 @@ Table table_of(const std::vector<Claim>& claims, std::string caption, Detail det
   return table;
 }
 
-std::string markdown(const std::vector<Claim>& claims, Detail detail) {
+std::string verdict(const ReportContent& content, Detail detail) {
   std::string text;
-  const std::vector<Claim> papers = claims_by(By::paper, claims), ours = claims_by(By::us, claims);
-  if (!papers.empty()) text += "## Verdict\n\n" + markdown(table_of(papers, tally(papers), detail));
+  const std::vector<Claim> papers = claims_by(By::paper, content.claims), ours = claims_by(By::us, content.claims);
+  if (!papers.empty()) {
+    text +=
+        "## Verdict\n\n" + markdown(table_of(papers, fmt::format("{}", fmt::join(answers_of(content), " ")), detail));
+  }
   if (!ours.empty()) {
     text += "## What we asked besides\n\n" + markdown(table_of(ours, "Not claims of the paper.", detail));
   }
@@ -92,7 +90,7 @@ std::string to_markdown(const ReportContent& content) {
   for (const std::string& sentence : content.studied) text += markdown_text(sentence) + "\n\n";
   if (!content.answer.empty()) text += markdown_text(content.answer) + "\n\n";
   if (!content.warnings.empty()) text += "## Warnings\n\n" + bullets(content.warnings);
-  text += markdown(content.claims, Detail::whole) + "## Summary\n\n";
+  text += verdict(content, Detail::whole) + "## Summary\n\n";
   text += bullets(content.summary);
   if (!content.command.empty()) {
     text += fmt::format("To repeat this:\n\n    {}\n\n", one_line(content.command));
@@ -106,14 +104,13 @@ std::string to_markdown(const ReportContent& content) {
 std::string verdict_markdown(const ReportContent& content) {
   std::string text = fmt::format("# {}\n\n", markdown_text(content.title));
   for (const std::string& sentence : content.studied) text += markdown_text(sentence) + "\n\n";
-  text += markdown(content.claims, Detail::first_sentence);
+  text += verdict(content, Detail::first_sentence);
   for (const Section& section : content.results) {
     if (section.pieces.empty()) continue;
     text += fmt::format("## {}\n\n", markdown_text(section.heading));
     if (!section.paragraph.empty()) text += markdown_text(section.paragraph) + "\n\n";
     for (const Piece& piece : section.pieces) {
-      const auto seen = content.seen.find(name_of(piece));
-      if (seen != content.seen.end() && !seen->second.empty()) text += markdown_text(seen->second) + "\n\n";
+      if (const std::string seen = seen_at(piece, content); !seen.empty()) text += markdown_text(seen) + "\n\n";
       if (auto table = std::get_if<Table>(&piece)) {
         Table without_notes = *table;
         without_notes.notes.clear();

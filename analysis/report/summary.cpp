@@ -111,11 +111,11 @@ std::vector<std::string> studied(const StudyResults& study, const Paper& paper) 
   const auto several = [](std::size_t count, std::string_view what) {
     return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
   };
-  std::string run = fmt::format("Here: {}, {} each, {}", several(study.solvers.size(), "solver"),
+  std::string run = fmt::format("{}, {}, {}", several(study.solvers.size(), "solver"),
                                 several(static_cast<std::size_t>(study.runs), "run"),
                                 several(static_cast<std::size_t>(study.points), "point"));
   if (const std::string kind = definition.text("/path/kind"); !kind.empty()) run += fmt::format(" ({})", kind);
-  if (const std::string robot = definition.text("/robot"); !robot.empty()) run += fmt::format(", arm {}", robot);
+  if (const std::string robot = definition.text("/robot"); !robot.empty()) run += fmt::format(", {}", robot);
   if (const double seed = definition.number("/seed"); std::isfinite(seed)) run += fmt::format(", seed {}", seed);
   std::vector<std::string> sentences{paper.citation, run + '.', paper.not_reproduced};
   std::erase(sentences, "");

@@ -156,6 +156,12 @@ std::optional<Table> agreement_table(const StudyResults& study, std::span<const 
   return table;
 }
 
+std::string expected_sentence(const std::vector<Agreement>& agreements) {
+  if (agreements.empty()) return "";
+  return fmt::format("Of {} printed numbers, {} are as expected of a repetition.", agreements.size(),
+                     std::ranges::count(agreements, true, &Agreement::is_expected));
+}
+
 std::string agreement_sentence(const std::vector<Agreement>& agreements) {
   if (agreements.empty()) return "";
   std::string means;
@@ -164,10 +170,7 @@ std::string agreement_sentence(const std::vector<Agreement>& agreements) {
     means +=
         fmt::format("{}{} {} ({})", means.empty() ? "" : "; ", each.solver, info_of(each.metric).slug, words_of(each));
   }
-  return fmt::format(
-      "Of {} printed numbers of error and variation, {} are as expected of a repetition of our study. Means that are not: "
-      "{}.",
-      agreements.size(), std::ranges::count(agreements, true, &Agreement::is_expected), means.empty() ? "none" : means);
+  return fmt::format("{} Means that are not: {}.", expected_sentence(agreements), means.empty() ? "none" : means);
 }
 
 }  // namespace ikbench::slim2023

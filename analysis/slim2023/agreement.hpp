@@ -38,7 +38,10 @@ std::vector<Agreement> agreements(const inference::StudyResults& study,
 std::optional<report::Table> agreement_table(const inference::StudyResults& study,
                                              std::span<const report::ReadSolver> repetitions);
 
-// How many are as expected, and by how much the means that are not differ; empty where there are none.
+// How many are as expected of a repetition; empty where there are none.
+std::string expected_sentence(const std::vector<Agreement>& agreements);
+
+// That, and by how much the means that are not differ; empty where there are none.
 std::string agreement_sentence(const std::vector<Agreement>& agreements);
 
 }  // namespace ikbench::slim2023

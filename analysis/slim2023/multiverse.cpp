@@ -38,10 +38,20 @@ std::vector<MultiverseClaim> claims_in_universes() {
   return claims;
 }
 
+// The dimension that decides most, and those that decide nearly as much, in their order.
+std::vector<std::size_t> deciding_dimensions(const Multiverse& multiverse, const ClaimCounts& counts) {
+  constexpr double nearly = 0.8;
+  std::vector<std::size_t> result;
+  const std::size_t most = counts.deciding();
+  if (most == multiverse.dimensions.size()) return result;
+  for (std::size_t d = 0; d < multiverse.dimensions.size(); ++d) {
+    if (counts.difference(d) >= nearly * counts.difference(most)) result.push_back(d);
+  }
+  return result;
+}
+
 // "in 3 % where no solver is clamped, in 90 % where every solver is": the least share first.
-std::string deciding_words(const Multiverse& multiverse, const ClaimCounts& counts) {
-  const std::size_t dimension = counts.deciding();
-  if (dimension == multiverse.dimensions.size()) return "";
+std::string words_of_alternatives(const Multiverse& multiverse, const ClaimCounts& counts, std::size_t dimension) {
   struct Part {
     double share;
     std::string where;
@@ -57,21 +67,26 @@ std::string deciding_words(const Multiverse& multiverse, const ClaimCounts& coun
   for (const Part& part : parts) {
     words += fmt::format("{}in {} where {}", words.empty() ? "" : ", ", share_words(part.share), part.where);
   }
-  return fmt::format("{} decides most: {}", multiverse.dimensions[dimension].name, words);
+  return words;
 }
 
 ClaimShares shares_of(const Multiverse& multiverse, const ClaimCounts& counts) {
   const double all = counts.all.all(), holds = counts.all.holds / all, fails = counts.all.fails / all,
                undecided = counts.all.undecided / all;
-  const std::string deciding = deciding_words(multiverse, counts);
+  std::string names, words;
+  const std::vector<std::size_t> deciding = deciding_dimensions(multiverse, counts);
+  for (const std::size_t d : deciding) {
+    names += (names.empty() ? "" : ", ") + multiverse.dimensions[d].name;
+    words += (words.empty() ? "" : "; ") + words_of_alternatives(multiverse, counts, d);
+  }
+  if (!words.empty()) words = fmt::format("; {} decide{} most: {}", names, deciding.size() == 1 ? "s" : "", words);
   return {.id = counts.claim.id,
           .holds = holds,
           .fails = fails,
           .undecided = undecided,
-          .decided_by = deciding.empty() ? "" : multiverse.dimensions[counts.deciding()].name,
+          .decided_by = names,
           .sentence = fmt::format("{} in {} of the universes ({} fail, {} undecided){}.", counts.claim.words,
-                                  share_words(holds), share_words(fails), share_words(undecided),
-                                  deciding.empty() ? "" : "; " + deciding)};
+                                  share_words(holds), share_words(fails), share_words(undecided), words)};
 }
 
 Cell percent_cell(double part, double all) {

@@ -20,7 +20,7 @@ using namespace figures;
 
 namespace {
 
-constexpr std::size_t most_drawn = 400;
+constexpr std::size_t most_drawn = 150;
 
 // The universes of one choice of the study and one of the solver in which one choice of one rival is the best.
 struct BestRival {

@@ -39,9 +39,10 @@ bool is_of_companions(const std::string& piece) {
 
 std::map<std::string, std::string> seen(const Reported& reported) {
   const JudgedStudy& study = reported.study;
-  std::map<std::string, std::string> sentences{
-      {"agreement", agreement_sentence(agreements(study, reported.repetitions))},
-      {"figure-6", closest_point_by_point(study)}};
+  const std::vector<Agreement> agreed = agreements(study, reported.repetitions);
+  std::map<std::string, std::string> sentences{{"Verdict", expected_sentence(agreed)},
+                                               {"figure-6", closest_point_by_point(study)},
+                                               {"figure-9", limits_sentence(study)}};
   for (const Metric metric : paper_metrics) {
     const bool is_judged = is_comparable(study, metric);
     const PaperNumbers& numbers = paper_numbers(metric);
@@ -90,10 +91,7 @@ std::vector<Summaries> printed_summaries(const StudyResults& study) {
 
 ReportPlan sections() {
   return {
-      .results = {{"Table 3",
-                   "What the solvers reached, beside the printed numbers.",
-                   {"overview", "table-3", "agreement"},
-                   {"table-3-as-printed"}},
+      .results = {{"Table 3", "", {"overview", "table-3", "agreement"}, {"table-3-as-printed"}},
                   {"Figures 5 to 12",
                    "",
                    {"figure-5", "figure-6", "figure-7", "figure-8", "figure-9", "figure-10", "figure-11", "figure-12"}},
@@ -118,7 +116,7 @@ Paper paper() {
           .citation =
               "Slim, Rokbani, Neji, Terres and Beyrouthy: Inverse Kinematic Solver Based on Bat Algorithm for "
               "Robotic Arm Path Planning. Robotics 2023, 12(2), 38, doi:10.3390/robotics12020038.",
-          .not_reproduced = "Not repeated: the real Dobot Magician.",
+          .not_reproduced = "Not repeated: the real Dobot.",
           .studies = {{this_paper, {"seed", "runs"}},            // Sec. 5.2
                       {"slim2023-context", {"seed", "runs"}},    // beside it: a classical solver
                       {"slim2023-limits", {"seed", "runs"}},     // the same with the limits enforced

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# The report as a browser has it: opened from disk, its names are text, its tables sort, its arm is drawn, and nothing
-# goes wrong in silence. Skipped where there is no chromium (./setup --with-browser dev installs it).
+# The report as a browser has it: opened from disk, its names are text, it is short, its tables sort, its solvers go and
+# come, its arm is drawn, and nothing goes wrong in silence. Skipped where there is no chromium (./setup --with-browser dev
+# installs it). With IKBENCH_REPRODUCTION, the folder of a reproduction, the page in it is tried instead of a small one.
 source "$(dirname "$0")/common.sh"
 
 browser=
@@ -20,8 +21,13 @@ hostile=("</text></svg><script>$mark</script>" "\" onload=\"$mark" "\"><img src=
   done
 } >hostile.toml
 succeeds run hostile.toml --out hostile
-succeeds run slim2023 "${small[@]}" --out plain
-succeeds reproduce --runs 2 --quick --out whole
+# One in which the arm leaves its limits.
+succeeds run slim2023 --set runs=1 --set stop.iterations=20 --set population=10 --out plain
+if [ -n "${IKBENCH_REPRODUCTION:-}" ]; then
+  cp -r "$IKBENCH_REPRODUCTION" whole
+else
+  succeeds reproduce --runs 2 --readings 1 --repetitions 3 --out whole
+fi
 for page in hostile/report.html plain/report.html whole/report.html; do
   [ -s "$page" ] || fail "no $page"
   [ "$(wc -c <"$page")" -lt 3000000 ] || fail "$page has $(wc -c <"$page") bytes"
@@ -39,24 +45,38 @@ browse() {
   out=$(<"$work/.out") err=$(<"$work/.err")
 }
 
-# probe PAGE SCRIPT OPTIONS...: a copy with one more script, which its policy is told of; what it finds is in $found. The
-# page is opened at $fragment, where one is set.
+# probe PAGE SCRIPTS -- OPTIONS...: a copy of the page with one more script, of which its policy is told: each of the
+# SCRIPTS is the body of a function, and `found NAME` gives what NAME.js returned. Opened at $fragment, where one is set.
 probe() {
-  local hash page=$1 script=$2
-  shift 2
-  hash=$(printf "$(sha256sum <"$script" | cut -c 1-64 | sed 's/../\\x&/g')" | base64)
-  awk -v hash="'sha256-$hash'" -v file="$script" '
+  local page=$1 name hash
+  shift
+  : >.script
+  while [ $# -gt 0 ] && [ "$1" != -- ]; do
+    name=$1
+    printf "{ const meta = document.createElement('meta'); meta.name = 'found-%s';\nmeta.content = String((() => {\n%s\n})()); document.head.append(meta); }\n" \
+      "$name" "$(<"$name.js")" >>.script
+    shift
+  done
+  [ $# = 0 ] || shift
+  hash=$(printf "$({ echo; cat .script; } | sha256sum | cut -c 1-64 | sed 's/../\\x&/g')" | base64)
+  awk -v hash="'sha256-$hash'" '
     /Content-Security-Policy/ { sub(/script-src /, "script-src " hash " ") }
     /^<\/body>/ {
-      printf "<script>"
-      while ((getline line < file) > 0) printf "%s\n", line
+      print "<script>"
+      while ((getline line < ".script") > 0) print line
       printf "</script>\n"
     }
     { print }' "$page" >"${page%.html}-probed.html"
   browse "${page%.html}-probed.html${fragment:-}" "$@" --dump-dom
   # What a graphics driver says of its speed is no fault of the page.
   ! grep ':CONSOLE' "$work/.err" | grep -v 'GL Driver Message' || fail "$page: the console has the above"
-  found=$(sed -n 's/.*<meta name="found" content="\([^"]*\)".*/\1/p' "$work/.out")
+}
+found() {
+  sed -n "s/.*<meta name=\"found-$1\" content=\"\([^\"]*\)\".*/\1/p" "$work/.out"
+}
+# expect NAME WORDS WHAT: what NAME.js returned.
+expect() {
+  [ "$(found "$1")" = "$2" ] || fail "$3: $(found "$1"), expected $2"
 }
 
 # Names are text, in tables, figures and headings: no element of their making.
@@ -64,39 +84,37 @@ cat >names.js <<E2
 const cells = new Set([...document.querySelectorAll('#results td')].map(cell => cell.textContent));
 const mark = "$mark";
 const names = ['</text></svg><script>' + mark + '<\\/script>', '" onload="' + mark, '"><img src=x onerror=' + mark + '>', '{{{title}}} &amp; "'];
-const meta = document.createElement('meta');
-meta.name = 'found';
-meta.content = [names.filter(name => cells.has(name)).length, document.querySelectorAll('img:not(.picture), [onload], [onerror], h1 b').length,
+return [names.filter(name => cells.has(name)).length, document.querySelectorAll('img:not(.picture), [onload], [onerror], h1 b').length,
   document.querySelector('h1').textContent.length].join(' ');
-document.head.append(meta);
 E2
-probe hostile/report.html names.js
-[ "$found" = "4 0 12" ] || fail "names in the table, strange elements, letters of the title: $found, expected 4 0 12"
-browse hostile/report.html --dump-dom
+probe hostile/report.html names
+expect names "4 0 12" "names in the table, strange elements, letters of the title"
 has_no "$out" ' marked='
 
-# A figure that a reader opens by itself runs nothing either; a drawing that runs something would be seen.
+# A figure that a reader opens by itself runs nothing either; a drawing that runs something is seen.
 if command -v gnuplot >/dev/null; then
   grep -q 'onload' hostile/figures/error.svg || fail "the figure of the error shows no hostile name"
-  for figure in hostile/figures/error.svg hostile/figures/error-boxes.svg; do
-    browse "$figure" --dump-dom
-    has "$out" '<svg'
-    has_no "$out" ' marked='
-  done
   svg="<svg xmlns='http://www.w3.org/2000/svg'><script>$mark</script></svg>"
   printf '%s' "$svg" >drawing.svg
-  browse drawing.svg --dump-dom
-  has "$out" ' marked='
-  # In the page it is an image, and runs nothing.
-  awk -v svg="$(printf '%s' "$svg" | base64 -w 0)" '{ sub(/svg\+xml;base64,[^"]*/, "svg+xml;base64," svg); print }' plain/report.html >plain/drawing.html
-  has "$(<plain/drawing.html)" "$(printf '%s' "$svg" | base64 -w 0)"
-  browse plain/drawing.html --dump-dom
-  has_no "$out" ' marked='
+  cat >frames.html <<'E2'
+<!DOCTYPE html><iframe src="hostile/figures/error.svg"></iframe><iframe src="hostile/figures/error-boxes.svg"></iframe>
+<iframe src="drawing.svg"></iframe>
+<script>onload = () => { document.title = [...document.querySelectorAll('iframe')].map(frame => {
+  const root = frame.contentDocument.documentElement;
+  return root.tagName + (root.hasAttribute('marked') ? ' marked' : '');
+}).join(', '); };</script>
+E2
+  browse frames.html --allow-file-access-from-files --dump-dom
+  has "$out" '<title>svg, svg, svg marked</title>'
 fi
 
-# What is not of the page does not run, and the console says so: the check above can see something.
-sed 's|^</body>|<script>document.title = "run"</script></body>|' plain/report.html >plain/other.html
+# In the page a drawing is an image, and runs nothing; nor does what is not of the page, and the console says so: the
+# checks above can see something.
+awk -v svg="$(printf '%s' "${svg:-}" | base64 -w 0)" '
+  { sub(/svg\+xml;base64,[^"]*/, "svg+xml;base64," svg); sub(/^<\/body>/, "<script>document.title = \"run\"</script></body>"); print }' \
+  plain/report.html >plain/other.html
 browse plain/other.html --dump-dom
+has_no "$out" ' marked='
 has "$err" "CONSOLE"
 has_no "$out" "<title>run</title>"
 
@@ -110,27 +128,21 @@ head.querySelector('button').click();
 words.push(head.getAttribute('aria-sort'), ordered(values(), 1));
 head.querySelector('button').click();
 words.push(head.getAttribute('aria-sort'), ordered(values(), -1));
-const meta = document.createElement('meta');
-meta.name = 'found';
-meta.content = words.join(' ');
-document.head.append(meta);
+history.replaceState(null, '', '#');
+return words.join(' ');
 E2
-probe plain/report.html sort.js
-[ "$found" = "18 false ascending true descending true" ] || fail "sorting: $found"
 
-# Ids are there once, every link inside the page leads somewhere, and it is no wider than a phone.
+# Ids are there once, every link inside the page leads somewhere, every picture is there and has words, and what the page
+# offers to take along is there.
 cat >links.js <<'E2'
 const ids = [...document.querySelectorAll('[id]')].map(element => element.id);
 const links = [...document.querySelectorAll('a[href^="#"]')].filter(link => !document.getElementById(link.hash.slice(1)));
 const broken = [...document.images].filter(image => !image.complete || image.naturalWidth === 0 || image.alt.length < 10);
-const meta = document.createElement('meta');
-meta.name = 'found';
-meta.content = [ids.length - new Set(ids).size, links.length, broken.length,
+const files = new Set([...document.querySelectorAll('.downloads a')].map(link => link.textContent));
+return [ids.filter((id, i) => ids.indexOf(id) !== i).join(','), links.length, broken.length,
+  ['store.sqlite', 'solves.csv', 'statistics.json'].every(name => files.has(name)),
   document.documentElement.scrollWidth <= document.documentElement.clientWidth].join(' ');
-document.head.append(meta);
 E2
-probe plain/report.html links.js
-[ "$found" = "0 0 0 true" ] || fail "ids twice, links to nowhere, images that are broken or have no words, fits: $found"
 
 # It is read in two minutes: what is shown has at most 3000 words and 12 screens, and its first lines at most 120 words beside
 # the claims, each of which is one line.
@@ -146,21 +158,14 @@ while (texts.nextNode()) {
   if (parent.closest('header') && !parent.closest('.claims')) first += count;
 }
 const claims = [...document.querySelectorAll('.claims li')].map(claim => claim.getBoundingClientRect());
-const meta = document.createElement('meta');
-meta.name = 'found';
-meta.content = [words, Math.ceil(document.documentElement.scrollHeight / 900), first, claims.length,
-  Math.round(Math.max(...claims.map(box => box.height))), Math.round(Math.max(...claims.map(box => box.bottom)))].join(' ');
-document.head.append(meta);
+const cut = [...document.querySelectorAll('.claims :is(.claim, .word, .number)')].filter(part => part.scrollWidth > part.clientWidth);
+return [words, Math.ceil(document.documentElement.scrollHeight / 900), first, claims.length,
+  Math.round(Math.max(...claims.map(box => box.height))), Math.round(Math.max(...claims.map(box => box.bottom))), cut.length].join(' ');
 E2
-probe whole/report.html length.js --window-size=1400,900
-echo "words, screens, words of the first lines, claims, height of a claim, end of the claims: $found"
-read -r words screens first claims height end <<<"$found"
-[ "$words" -le 3000 ] || fail "$words words are shown"
-[ "$screens" -le 12 ] || fail "the page has $screens screens"
-[ "$first" -le 120 ] || fail "the first lines have $first words"
-[ "$claims" -ge 8 ] || fail "$claims claims"
-[ "$height" -le 30 ] || fail "a claim is $height pixels high"
-[ "$end" -le 900 ] || fail "the claims end at $end pixels"
+cat >accurate.js <<'E2'
+const claim = [...document.querySelectorAll('.claims summary')].find(each => each.textContent.startsWith('IK-BA is the most accurate'));
+return [...claim.children].map(part => part.textContent).join('|').replaceAll(/\d+ %/g, 'N %');
+E2
 
 # Every text can be read on its ground, in light and in dark (WCAG 2.1: 4.5; large and quiet parts 3).
 cat >contrast.js <<'E2'
@@ -193,18 +198,8 @@ for (const element of document.querySelectorAll('body *')) {
   if (own && element.checkVisibility()) judge(getComputedStyle(element).color, element, element.tagName + '.' + element.className);
   if (element.className === 'swatch') judge(getComputedStyle(element).backgroundColor, element.parentElement, element.parentElement.textContent);
 }
-const meta = document.createElement('meta');
-meta.name = 'found';
-meta.content = [Math.floor(least * 100), count > 1000, luminance(rgba(getComputedStyle(document.body).backgroundColor)) > 0.5, worst.trim()].join(' ');
-document.head.append(meta);
+return [Math.floor(least * 100), count > 1000, luminance(rgba(getComputedStyle(document.body).backgroundColor)) > 0.5, worst.trim()].join(' ');
 E2
-for scheme in 1 0; do
-  probe whole/report.html contrast.js --blink-settings=preferredColorScheme=$scheme --window-size=1400,900
-  echo "least contrast times 100, many texts, light: $found"
-  read -r least many light worst <<<"$found"
-  [ "$many $light" = "true $([ $scheme = 1 ] && echo true || echo false)" ] || fail "contrast: $found"
-  [ "$least" -ge 300 ] || fail "contrast $least / 100 of $worst"
-done
 
 # Solvers go everywhere at once, a figure tells its values to the keyboard, and the address keeps what was chosen.
 cat >choose.js <<'E2'
@@ -225,25 +220,13 @@ for (let i = 0; i < 200; ++i) {
 words.push(spots.size);
 document.querySelector('#solvers input[value="PSO"]').click();
 words.push(rows(), image.src === before, location.hash);
-const meta = document.createElement('meta');
-meta.name = 'found';
-meta.content = words.join(' ');
-document.head.append(meta);
+return words.join(' ');
 E2
-if command -v gnuplot >/dev/null; then
-  probe whole/report.html choose.js
-  [ "$found" = "18 15 true #&amp;off=PSO IK-BA,_point_1:_N_cm 100 18 true " ] || fail "choosing: $found"
-fi
 cat >kept.js <<'E2'
 const cells = [...document.querySelectorAll('#table-3 tbody tr')].filter(row => !row.hidden).map(row => Number(row.cells[2].dataset.value));
-const meta = document.createElement('meta');
-meta.name = 'found';
-meta.content = [cells.length, cells.every((x, i) => i === 0 || x <= cells[i - 1]), document.querySelector('#solvers input[value="DE"]').checked,
+return [cells.length, cells.every((x, i) => i === 0 || x <= cells[i - 1]), document.querySelector('#solvers input[value="DE"]').checked,
   document.querySelector('#audit').closest('details').open].join(' ');
-document.head.append(meta);
 E2
-fragment='#audit&off=DE&sort=table-3.2.-1' probe whole/report.html kept.js
-[ "$found" = "15 true false true" ] || fail "what the address keeps: $found"
 
 # The keyboard comes to everything, and shows where it is; nothing is wider than a phone but what scrolls.
 cat >keys.js <<'E2'
@@ -256,19 +239,45 @@ const missed = wanted.filter(element => {
 });
 const wide = [...document.querySelectorAll('main *')].filter(element => element.checkVisibility() && !element.closest('.scroll, pre') &&
   element.getBoundingClientRect().right > 391);
-const meta = document.createElement('meta');
-meta.name = 'found';
-meta.content = [wanted.length > 100, missed.length, wide.length, wide.slice(0, 3).map(element => element.outerHTML.slice(0, 60))].join(' ');
-document.head.append(meta);
+return [wanted.length > 100, missed.length, wide.length, wide.slice(0, 3).map(element => element.outerHTML.slice(0, 60))].join(' ');
 E2
-probe whole/report.html keys.js --window-size=500,900
-[[ $found == "true 0 0 "* ]] || fail "many, not reached, too wide: $found"
 
-# The arm moves: a point on, another solver, on its own.
+# On a light screen, from its first lines on.
+choosing=()
+! command -v gnuplot >/dev/null || choosing=(choose)
+probe whole/report.html length accurate sort "${choosing[@]}" contrast -- --blink-settings=preferredColorScheme=1 --window-size=1400,900
+echo "words, screens, words of the first lines, claims, height of a claim, end of the claims, texts cut in them: $(found length)"
+read -r words screens first claims height end cut <<<"$(found length)"
+[ "$words" -le 3000 ] || fail "$words words are shown"
+[ "$screens" -le 12 ] || fail "the page has $screens screens"
+[ "$first" -le 120 ] || fail "the first lines have $first words"
+[ "$claims" -ge 8 ] || fail "$claims claims"
+[ "$height" -le 30 ] || fail "a claim is $height pixels high"
+[ "$end" -le 900 ] || fail "the claims end at $end pixels"
+[ "$cut" -le 5 ] || fail "$cut texts of the claims are cut"
+[ -z "${IKBENCH_REPRODUCTION:-}" ] || expect accurate "IK-BA is the most accurate|depends on bounds, BA.best_of|holds|holds in N %, fails in N %" "the first claim"
+expect sort "18 false ascending true descending true" "sorting"
+[ ${#choosing[@]} = 0 ] ||
+  expect choose "18 15 true #&amp;off=PSO IK-BA,_point_1:_N_cm 100 18 true " "choosing"
+readable() {
+  read -r least many light worst <<<"$(found contrast)"
+  [ "$many $light" = "true $1" ] || fail "contrast: $(found contrast)"
+  [ "$least" -ge 300 ] || fail "contrast $least / 100 of $worst"
+}
+readable true
+
+# On a dark and narrow one, at an address.
+fragment='#audit&off=DE&sort=table-3.2.-1' probe whole/report.html kept links contrast keys -- \
+  --blink-settings=preferredColorScheme=0 --window-size=500,900
+expect kept "15 true false true" "what the address keeps"
+expect links " 0 0 true true" "ids twice, links to nowhere, images that are broken or have no words, downloads, fits"
+readable false
+[[ $(found keys) == "true 0 0 "* ]] || fail "many, not reached, too wide: $(found keys)"
+
+# The arm moves: a point on, another solver, on its own. It shows the joint limits violated at the points where the store
+# has them so, and nowhere else.
 if grep -q 'id="motion-data"' plain/report.html; then
   cat >motion.js <<'E2'
-const meta = document.createElement('meta');
-meta.name = 'found';
 const texts = () => [...document.querySelectorAll('.view p')].map(text => text.textContent.slice(0, 8)).join(' ');
 const forth = document.getElementById('forth');
 forth.click();
@@ -281,21 +290,9 @@ select.dispatchEvent(new Event('change'));
 words.push(document.querySelector('#stage canvas').getAttribute('aria-label'));
 document.getElementById('play').click();
 words.push(document.getElementById('play').textContent);
-meta.content = words.join('; ');
-document.head.append(meta);
+document.getElementById('play').click();
+return words.join('; ');
 E2
-  probe plain/report.html motion.js
-  [ "$found" = "2; false; Point 1: Point 1:; Point 2: Point 2:; The arm, moved by DE; Pause" ] || fail "the moving arm: $found"
-
-  # It shows the joint limits violated at the points where the store has them so, and nowhere else.
-  succeeds run slim2023 --set runs=1 --set stop.iterations=20 --set population=10 --no-figures --out violations
-  "$program" export violations/store.sqlite | awk -F, '
-    NR == 1 { for (i = 1; i <= NF; ++i) column[$i] = i; next }
-    { outside[$column["solver"]] = outside[$column["solver"]] ($column["limit_violation_deg"] > 0 ? 1 : 0)
-      if (!($column["solver"] in seen)) order[++solvers] = $column["solver"]
-      seen[$column["solver"]] = 1 }
-    END { for (i = 1; i <= solvers; ++i) printf "%s ", outside[order[i]] }' >recorded
-  grep -q 1 recorded || fail "no limit is violated: $(<recorded)"
   cat >limits.js <<'E2'
 const select = document.querySelector('.view select'), place = document.getElementById('place');
 let words = '';
@@ -309,13 +306,18 @@ for (const option of [...select.options]) {
   }
   words += ' ';
 }
-const meta = document.createElement('meta');
-meta.name = 'found';
-meta.content = words;
-document.head.append(meta);
+return words;
 E2
-  probe violations/report.html limits.js
-  [ "$found" = "$(<recorded)" ] || fail "outside the limits, by the page: $found; by the store: $(<recorded)"
+  "$program" export plain/store.sqlite | awk -F, '
+    NR == 1 { for (i = 1; i <= NF; ++i) column[$i] = i; next }
+    { outside[$column["solver"]] = outside[$column["solver"]] ($column["limit_violation_deg"] > 0 ? 1 : 0)
+      if (!($column["solver"] in seen)) order[++solvers] = $column["solver"]
+      seen[$column["solver"]] = 1 }
+    END { for (i = 1; i <= solvers; ++i) printf "%s ", outside[order[i]] }' >recorded
+  grep -q 1 recorded || fail "no limit is violated: $(<recorded)"
+  probe plain/report.html motion limits
+  expect motion "2; false; Point 1: Point 1:; Point 2: Point 2:; The arm, moved by DE; Pause" "the moving arm"
+  expect limits "$(<recorded)" "outside the limits, by the page"
 fi
 
 # It can be printed, on few pages.

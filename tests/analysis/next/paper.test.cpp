@@ -65,7 +65,7 @@ TEST_CASE("a second paper's claim, table and figure are in the report of its stu
   const auto files = files_in(folder.path() / "out");
   const std::string text = text_of_file(report.file), page = text_of_file(report.page);
   CHECK(report.warnings.empty());
-  CHECK(contains(text, "Of 1 claim, 1 holds. By the printed numbers, 1 of 1 hold."));
+  CHECK(contains(text, "Of 1 claim, 1 holds. As printed, 1 of 1 hold."));
   CHECK(contains(text, "| Alpha needs the fewest evaluations | holds | holds | "));
   CHECK(contains(text, "## What is printed\n\n**Table 1 as printed**"));
   CHECK(contains(page, "href=\"#table-1\""));

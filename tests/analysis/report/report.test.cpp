@@ -124,8 +124,8 @@ TEST_CASE("every link of a report leads to a file", "[report]") {
     ++links;
   }
   // Of figures PDF, SVG, script and data, but none of the one beside the verdict; of tables three files each; and the
-  // files report.md and statistics.json.
-  CHECK(links == (figures - 1) * 4 + tables * 3 + 2);
+  // files report.md, solves.csv and statistics.json.
+  CHECK(links == (figures - 1) * 4 + tables * 3 + 3);
 }
 
 TEST_CASE("a study with the same targets is shown as a baseline, one with others is not", "[report]") {
