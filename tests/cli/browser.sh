@@ -128,7 +128,6 @@ head.querySelector('button').click();
 words.push(head.getAttribute('aria-sort'), ordered(values(), 1));
 head.querySelector('button').click();
 words.push(head.getAttribute('aria-sort'), ordered(values(), -1));
-history.replaceState(null, '', '#');
 return words.join(' ');
 E2
 
@@ -245,7 +244,7 @@ E2
 # On a light screen, from its first lines on.
 choosing=()
 ! command -v gnuplot >/dev/null || choosing=(choose)
-probe whole/report.html length accurate sort "${choosing[@]}" contrast -- --blink-settings=preferredColorScheme=1 --window-size=1400,900
+probe whole/report.html length accurate "${choosing[@]}" sort contrast -- --blink-settings=preferredColorScheme=1 --window-size=1400,900
 echo "words, screens, words of the first lines, claims, height of a claim, end of the claims, texts cut in them: $(found length)"
 read -r words screens first claims height end cut <<<"$(found length)"
 [ "$words" -le 3000 ] || fail "$words words are shown"
