@@ -85,16 +85,15 @@ struct Arguments {
 };
 
 // Claims over the smaller set of interpretations, in its tables and its figure; false where it was cancelled.
-bool add_small_multiverse(WrittenReport& wanted, const Paper& paper, const Overrides& runs,
+bool add_small_multiverse(WrittenReport& wanted, const Paper& paper, const MultiversePlan& plan,
                           const SeriesArguments& arguments) {
-  const std::vector<Dimension> varied = within(Scope::small, dimensions(wanted.study));
-  auto report = judged_universes(paper, plan_multiverse(wanted.study, varied, 1, runs), arguments);
+  auto report = judged_universes(paper, plan, arguments);
   if (!report) return false;
   std::vector<std::string>& notes = report->tables.front().notes;
   for (const ClaimShares& claim : report->claims) notes.push_back(claim.sentence);
   notes.insert(notes.end(), report->sentences.begin(), report->sentences.end());
   notes.push_back(fmt::format("This is the small multiverse, of {} dimensions; `ikbench multiverse {}` varies more.",
-                              varied.size(), paper.name));
+                              plan.dimensions.size(), paper.name));
   for (Table& table : report->tables) wanted.tables.push_back(std::move(table));
   for (figures::Figure& figure : report->figures) wanted.figures.push_back(std::move(figure));
   wanted.shares = std::move(report->claims);
@@ -122,7 +121,9 @@ bool solve_besides(const Arguments& arguments, const Paper& paper, WrittenReport
     wanted.tables.push_back(answer.report->table);
     wanted.figures.push_back(answer.report->figure);
   }
-  return !paper.multiverse || add_small_multiverse(wanted, paper, runs, of("multiverse"));
+  if (!paper.multiverse) return true;
+  const std::vector<Dimension> varied = within(Scope::small, dimensions(first));
+  return add_small_multiverse(wanted, paper, plan_multiverse(first, varied, arguments.seeds, runs), of("multiverse"));
 }
 
 }  // namespace
@@ -140,7 +141,7 @@ void add_reproduce(CLI::App& app, Invocation& invocation) {
       ->capture_default_str();
   command
       ->add_option("--readings", arguments->seeds,
-                   "number of seeds for comparing the interpretations of the paper; 0: skip them and their multiverse")
+                   "number of seeds for the interpretations of the paper and their multiverse; 0: skip them")
       ->check(whole_number())
       ->check(CLI::Range(0, 1000))
       ->capture_default_str();

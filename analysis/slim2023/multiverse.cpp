@@ -94,11 +94,15 @@ Cell percent_cell(double part, double all) {
   return std::round(1000 * part / all) / 10 + 0.0;
 }
 
-// The largest difference between the shares of two seeds, in percentage points.
+// The largest difference between two seeds in one of the three shares, in percentage points.
 Cell seed_difference(const ClaimCounts& counts) {
   if (counts.seeds.size() < 2) return {};
-  const auto [least, most] = std::ranges::minmax(counts.seeds, {}, &UniverseCounts::holds);
-  return percent_cell(most.holds - least.holds, least.all());
+  double largest = 0;
+  for (const auto share : {&UniverseCounts::holds, &UniverseCounts::fails, &UniverseCounts::undecided}) {
+    const auto [least, most] = std::ranges::minmax(counts.seeds, {}, share);
+    largest = std::max(largest, most.*share - least.*share);
+  }
+  return percent_cell(largest, counts.seeds.front().all());
 }
 
 Table claims_table(const Multiverse& multiverse, const std::vector<ClaimCounts>& all, const AnalysisPlan& plan) {
@@ -131,7 +135,7 @@ Table claims_table(const Multiverse& multiverse, const std::vector<ClaimCounts>&
       count_words(multiverse.universes()), multiverse.studies.size(), plan.significance, multiverse.solvers.size()));
   table.notes.emplace_back(
       "deciding_dimension: between whose alternatives the share that holds differs most, with that difference. "
-      "between_seeds: largest difference between the shares of two seeds; each seed is a study of its own.");
+      "between_seeds: largest difference between two seeds in one of these shares; each seed is a study of its own.");
   const auto out_of_reach =
       std::ranges::count_if(multiverse.studies, [](const auto& study) { return study.out_of_reach > 0; });
   if (out_of_reach > 0) {
