@@ -12,7 +12,7 @@ few=(--dimensions bounds,IK-BA.f_max,BA.best_of)
 succeeds multiverse slim2023 "${small[@]}" "${few[@]}" --jobs 2 --out folder
 quiet
 has "$out" "IK-BA is the most accurate in"
-has "$out" "IK-BA moves the joints less because of it in 0 % of the universes (100 % fail, 0 % undecided)"
+has "$out" "Eq. 13 makes IK-BA move the joints less in 0 % of the universes (100 % fail, 0 % undecided)"
 for table in multiverse multiverse-alternatives; do
   for type in md csv tex; do [ -s "folder/tables/$table.$type" ] || fail "no $table.$type"; done
 done
@@ -39,6 +39,7 @@ refused 'is given twice' multiverse slim2023 --dimensions bounds,bounds
 refused '--seeds' multiverse slim2023 --seeds 0
 refused 'did you mean "slim2023"' multiverse slim2024
 refused 'seeds 1 to --seeds' multiverse slim2023 --set seed=77
+refused 'population is a dimension that varies' multiverse slim2023 --dimensions population --set population=20
 refused 'excludes' multiverse slim2023 --small --dimensions bounds
 sed -i '2s/,.*,/,-1,/' again/series.csv
 refused "series.csv:2: column position_error_cm, run 1: '-1', expected a number from 0, or Inf; the file was edited: remove this line" \

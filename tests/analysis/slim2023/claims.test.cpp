@@ -335,7 +335,7 @@ TEST_CASE("a circle is led to rounding error where its errors are of the order o
   CHECK(verdict(3e-12, 0) == Verdict::fails);
 }
 
-TEST_CASE("real time is judged by the slowest target, offline use by the mean of the larger swarms", "[claims]") {
+TEST_CASE("real time holds for every target or in part on average, offline use on average", "[claims]") {
   const StudyResults study = study_of(synthetic::solves({.runs = 2}));
   std::vector<SolveRecord> solves = synthetic::solves({.solvers = {"12 bats", "15 bats", "30 bats"}, .runs = 1});
   for (SolveRecord& solve : solves) solve.position_error_cm = 0.05;
@@ -354,6 +354,10 @@ TEST_CASE("real time is judged by the slowest target, offline use by the mean of
   CHECK(verdict("real_time") == Verdict::in_part);
   solves[4].cpu_seconds = 0.06;
   solves[4].evaluations *= 25;
+  CHECK(verdict("real_time") == Verdict::in_part);  // one slow solve
+  for (SolveRecord& solve : solves) {
+    if (solve.solver == "12 bats") solve.seconds = solve.cpu_seconds = 0.06;
+  }
   CHECK(verdict("real_time") == Verdict::fails);
   for (SolveRecord& solve : solves) {
     if (solve.solver == "30 bats") solve.seconds = solve.cpu_seconds = 0.06;
