@@ -21,7 +21,7 @@ std::string counted(Verdict verdict, std::ptrdiff_t count) {
        {"holds in part", "hold in part"},
        {"is undecided", "are undecided"},
        {"fails", "fail"},
-       {"depends on what the paper leaves open", "depend on what the paper leaves open"},
+       {"depends on the interpretation", "depend on the interpretation"},
        {"cannot be tested here", "cannot be tested here"}}};
   const auto& [one, several] = words[static_cast<std::size_t>(verdict)];
   return fmt::format("{} {}", count, count == 1 ? one : several);

@@ -158,8 +158,8 @@ std::optional<Table> agreement_table(const StudyResults& study, std::span<const 
 
 std::string expected_sentence(const std::vector<Agreement>& agreements) {
   if (agreements.empty()) return "";
-  return fmt::format("Of {} printed numbers, {} are as expected of a repetition.", agreements.size(),
-                     std::ranges::count(agreements, true, &Agreement::is_expected));
+  return fmt::format("{} of {} printed numbers are as expected of a repetition.",
+                     std::ranges::count(agreements, true, &Agreement::is_expected), agreements.size());
 }
 
 std::string agreement_sentence(const std::vector<Agreement>& agreements) {

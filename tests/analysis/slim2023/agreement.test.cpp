@@ -116,6 +116,6 @@ TEST_CASE("the table has our numbers beside the printed digits, and a word where
   const Table table_3_here = table_3(study_with(0.001), repetitions);
   CHECK(std::get<std::string>(table_3_here.rows[0].back()) == "as expected of a repetition");
   const std::string sentence = agreement_sentence(agreements(study_with(0.001), repetitions));
-  CHECK(sentence.starts_with("Of 10 printed numbers, 4 are as expected of a repetition"));
+  CHECK(sentence.starts_with("4 of 10 printed numbers are as expected of a repetition"));
   CHECK(agreement_sentence({}).empty());
 }

@@ -389,7 +389,7 @@ TEST_CASE("a claim whose own verdict is not clear over all interpretations depen
   CHECK(ba.evidence.starts_with("By our default: holds. "));
   CHECK(verdict_of(all, "real_arm") == Verdict::untested);
   CHECK(tally(all) != before);
-  CHECK(contains(tally(all), ", 2 depend on what the paper leaves open, "));
+  CHECK(contains(tally(all), ", 2 depend on the interpretation, "));
 }
 
 namespace {
