@@ -1,6 +1,7 @@
 // ikbench solve: one target from the command line.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <stdexcept>
@@ -94,6 +95,11 @@ std::string shown(const SolveRecord& record, const Study& study) {
                                                    study.search == Search::all_joints ? " (not sought)" : "")});
   rows.push_back({"variation [deg]", fmt::format("{:.4f}", record.variation_deg)});
   rows.push_back({"limit violation [deg]", fmt::format("{:.4f}", record.limit_violation_deg)});
+  const std::vector<DhLink>& links = arm.chain.links();
+  if (std::ranges::any_of(links, [](const DhLink& link) { return link.joint == Joint::slides; })) {
+    rows.push_back({"variation [cm]", fmt::format("{:.4f}", record.variation_m / centimetre)});
+    rows.push_back({"limit violation [cm]", fmt::format("{:.4f}", record.limit_violation_m / centimetre)});
+  }
   rows.push_back({"evaluations", std::to_string(record.evaluations)});
   rows.push_back({"iterations", std::to_string(record.iterations)});
   rows.push_back({"time [ms]", fmt::format("{:.4f}", record.seconds * 1e3)});

@@ -85,9 +85,10 @@ Task::Task(const Study& study, const Robot& arm) : study_(study), arm_(arm) {
 
 Problem Task::problem(const Configuration& start, int population) const {
   const int joints = arm().joints();
+  const JointLimits range = arm_.limits.around(start);
   return {.start = start.head(joints),
-          .lower = arm_.limits.lower.head(joints),
-          .upper = arm_.limits.upper.head(joints),
+          .lower = range.lower.head(joints),
+          .upper = range.upper.head(joints),
           .population = population,
           .iterations = study_.stop.iterations};
 }
@@ -214,7 +215,10 @@ SolveRecord SolveRunner::solve(Solver& solver, const Pose& target, const Configu
                      .repeats = repeats_,
                      .smallest_seconds = all.front().seconds,
                      .largest_seconds = all.back().seconds,
-                     .interruptions = interruptions};
+                     .interruptions = interruptions,
+                     .variation_m = verified.variation_m,
+                     .largest_move_m = verified.largest_move_m,
+                     .limit_violation_m = verified.limit_violation_m};
   for (const double error : solution.trace) record.trace_cm.push_back(error / centimetre);
   return record;
 }

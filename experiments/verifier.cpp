@@ -67,6 +67,20 @@ double largest(const Eigen::VectorXd& values) {
   return values.allFinite() ? std::max(0.0, values.maxCoeff()) : std::numeric_limits<double>::quiet_NaN();
 }
 
+// Radians and metres are apart.
+enum class Kind { turns, slides };
+
+// The values of the joints of one kind; the others' are 0.
+Eigen::VectorXd of_joints(const Robot& robot, Eigen::VectorXd values, Kind kind) {
+  for (Eigen::Index j = 0; j < values.size(); ++j) {
+    const bool slides = robot.chain.links()[static_cast<std::size_t>(j)].joint == Joint::slides;
+    if (slides != (kind == Kind::slides)) values[j] = 0;
+  }
+  return values;
+}
+
+double beyond_rounding(double violation) { return violation <= rounding ? 0 : violation; }
+
 Matrix pose_of(const Frame& frame) {
   Matrix pose = moved(frame.position.x(), frame.position.y(), frame.position.z());
   pose = product(product(pose, turned_about_z(frame.rpy.z())), turned_about_y(frame.rpy.y()));
@@ -107,15 +121,18 @@ Verification verify(const Robot& robot, const Pose& target, const Eigen::VectorX
   const Eigen::Matrix4d wanted = target.matrix();
   const Eigen::Matrix3d R = reached.topLeftCorner<3, 3>(), R_wanted = wanted.topLeftCorner<3, 3>();
   const Eigen::VectorXd move = answer - start;
-  Eigen::VectorXd outside(2 * answer.size());
-  outside << robot.limits.lower - answer, answer - robot.limits.upper;
-  const double limit_violation = largest(outside);
+  const Eigen::VectorXd outside =
+      answer.allFinite() ? (robot.limits.lower - answer).cwiseMax(answer - robot.limits.upper).cwiseMax(0) : answer;
+  const Eigen::VectorXd turned = of_joints(robot, move, Kind::turns), slid = of_joints(robot, move, Kind::slides);
   return {.reached = reached.topRightCorner<3, 1>(),
           .position_error = (reached - wanted).topRightCorner<3, 1>().norm(),
           .orientation_error = (R - R_wanted).norm() / R_wanted.norm(),
-          .variation = move.norm(),
-          .largest_move = largest(move.cwiseAbs()),
-          .limit_violation = limit_violation <= rounding ? 0 : limit_violation};
+          .variation = turned.norm(),
+          .variation_m = slid.norm(),
+          .largest_move = largest(turned.cwiseAbs()),
+          .largest_move_m = largest(slid.cwiseAbs()),
+          .limit_violation = beyond_rounding(largest(of_joints(robot, outside, Kind::turns))),
+          .limit_violation_m = beyond_rounding(largest(of_joints(robot, outside, Kind::slides)))};
 }
 
 Status judge(const Verification& verified, const Requirement& requirement) {
@@ -123,7 +140,8 @@ Status judge(const Verification& verified, const Requirement& requirement) {
   const bool claim_holds = std::abs(verified.position_error - requirement.claimed_error) <= rounding;  // not for NaN
   const bool turned_wrong = requirement.orientation_is_exact && verified.orientation_error > rounding;
   if (!claim_holds || turned_wrong) return Status::claimed_but_wrong;
-  if (verified.limit_violation > 0) return requirement.limits_are_enforced ? Status::refused : Status::limit_violated;
+  if (verified.limit_violation > 0 || verified.limit_violation_m > 0)
+    return requirement.limits_are_enforced ? Status::refused : Status::limit_violated;
   if (requirement.tolerance > 0 && verified.position_error > requirement.tolerance + rounding)
     return Status::tolerance_missed;
   return Status::ok;

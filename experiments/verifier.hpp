@@ -11,9 +11,10 @@ struct Verification {
   Eigen::Vector3d reached = Eigen::Vector3d::Zero();  // position of the tool [m]
   double position_error = 0;                          // [m], Eq. 1
   double orientation_error = 0;                       // ||R - Rd|| / ||Rd||, Eq. 3
-  double variation = 0;                               // [rad], Eq. 12, over all joints
-  double largest_move = 0;                            // [rad], of a single joint
-  double limit_violation = 0;                         // [rad], of the worst joint; 0 inside, and up to 1e-9
+  // Of the joints that turn [rad], and of those that slide [m]; never added.
+  double variation = 0, variation_m = 0;              // Eq. 12, over all joints
+  double largest_move = 0, largest_move_m = 0;        // of a single joint
+  double limit_violation = 0, limit_violation_m = 0;  // of the worst joint; 0 inside, and up to 1e-9
 };
 
 // Tool pose of a configuration by the verifier's own route.

@@ -2,6 +2,8 @@
 // them into the store (experiments/study_writer.cpp) visits this list.
 #pragma once
 
+#include <string>
+#include <string_view>
 #include <utility>
 
 #include "numerics/names.hpp"
@@ -10,12 +12,13 @@
 
 namespace ikbench::robots {
 
-// A link as a file has it, with its joint's limits: [rad], or [m] where it slides.
+// A link as a file has it, with its joint's limits: [rad], or [m] where it slides; infinite where it has none.
 struct LimitedLink {
   DhLink link;
   Eigen::Vector2d limits{-180 * numerics::degree, 180 * numerics::degree};
 };
 
+constexpr std::string_view no_limits = "none";
 constexpr std::pair<double, double> lengths_m{-100, 100}, angles_deg{-3600, 3600};
 
 template <class Io>
@@ -30,6 +33,9 @@ void list_fields(Io& io, LimitedLink& one) {
   io.number("alpha_deg", link.alpha, numerics::degree, angles_deg, "about x");
   if (link.joint == Joint::slides) {
     io.numbers("limits_m", one.limits, 1, 2, "from, to");
+  } else if (!one.limits.allFinite()) {
+    std::string none(no_limits);
+    io.text("limits_deg", none, "it turns without end");
   } else {
     io.numbers("limits_deg", one.limits, numerics::degree, 2, "from, to");
   }

@@ -1,6 +1,8 @@
 #include "robots/robot.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include "numerics/embedded_file.hpp"
@@ -22,6 +24,9 @@ Robot built_in(const EmbeddedFile& file) { return parse_robot(file.text, file.na
 
 LimitedLink read_link(TomlReader reader) {
   LimitedLink one;
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const bool is_endless = reader.table()["limits_deg"].value<std::string_view>() == no_limits;
+  if (is_endless) one.limits = {-infinity, infinity};
   list_fields(reader, one);
   reader.refuse_unknown_keys();
   const bool slides = one.link.joint == Joint::slides;
@@ -32,6 +37,7 @@ LimitedLink read_link(TomlReader reader) {
                                 "a joint that slides has no limits_m; expected them, such as limits_m = [0, 0.5]");
   }
   const double largest = slides ? lengths_m.second : angles_deg.second * degree;
+  if (is_endless) return one;
   if (!(one.limits[0] < one.limits[1]) || !(one.limits.cwiseAbs().maxCoeff() <= largest)) {
     reader.fail(
         key, *limits,
@@ -74,6 +80,16 @@ Frame read_frame(TomlReader& reader, const std::string& key) {
 
 double JointLimits::violation(const ConfigurationRef& q) const {
   return std::max({0.0, (lower - q).maxCoeff(), (q - upper).maxCoeff()});
+}
+
+JointLimits JointLimits::around(const ConfigurationRef& middle) const {
+  JointLimits range = *this;
+  for (Eigen::Index j = 0; j < lower.size(); ++j) {
+    if (std::isfinite(upper[j] - lower[j])) continue;
+    range.lower[j] = middle[j] - 180 * degree;
+    range.upper[j] = middle[j] + 180 * degree;
+  }
+  return range;
 }
 
 std::vector<Robot> all_robots() {

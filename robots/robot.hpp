@@ -11,10 +11,12 @@
 namespace ikbench::robots {
 
 struct JointLimits {
-  Configuration lower, upper;  // [rad], or [m] where a joint slides; Eq. 4
+  Configuration lower, upper;  // [rad], or [m] where a joint slides; Eq. 4; infinite where it turns without end
 
-  // How far the worst joint is outside [rad]; 0 inside.
+  // How far the worst joint is outside, in its unit; 0 inside.
   double violation(const ConfigurationRef& q) const;
+  // What to draw joints from: a joint that turns without end gets half a turn each way of its value in `middle`.
+  JointLimits around(const ConfigurationRef& middle) const;
 };
 
 struct Robot {

@@ -185,7 +185,7 @@ std::vector<SolverCounts> counts(const StudyResults& study) {
         ++count.solves;
         ++count.by_status[static_cast<std::size_t>(solve->status)];
         ++count.by_timing[static_cast<std::size_t>(solve->timing)];
-        if (solve->limit_violation_deg > 0) ++count.outside_limits;
+        if (solve->limit_violation_deg > 0 || solve->limit_violation_m > 0) ++count.outside_limits;
         count.worst_outside_deg = std::max(count.worst_outside_deg, solve->limit_violation_deg);
       }
     }

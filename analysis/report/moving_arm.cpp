@@ -37,7 +37,7 @@ Json rounded(const std::vector<double>& values) {
 Json joints_outside(const SolveRecord& solve, const Arm& arm) {
   constexpr double degree = std::numbers::pi / 180, rounding = 1e-9;
   Json list = Json::array();
-  if (!(solve.limit_violation_deg > 0)) return list;
+  if (!(solve.limit_violation_deg > 0 || solve.limit_violation_m > 0)) return list;
   for (std::size_t joint = 0; joint < solve.answer_rad.size(); ++joint) {
     const ArmLink& link = arm.links[joint];
     const double outside = std::max(link.lower - solve.answer_rad[joint], solve.answer_rad[joint] - link.upper);

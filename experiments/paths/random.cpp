@@ -25,9 +25,10 @@ class RandomTargets final : public PathKind {
 
   std::vector<Pose> poses(const Robot& arm, Random& random) const override {
     std::vector<Pose> poses;
-    Configuration q(arm.joints());
+    Configuration q = Configuration::Zero(arm.joints());
+    const JointLimits range = arm.limits.around(q);
     for (int i = 0; i < points_; ++i) {
-      for (Eigen::Index j = 0; j < q.size(); ++j) q[j] = random.uniform(arm.limits.lower[j], arm.limits.upper[j]);
+      for (Eigen::Index j = 0; j < q.size(); ++j) q[j] = random.uniform(range.lower[j], range.upper[j]);
       poses.push_back(arm.chain.forward(q));
     }
     return poses;

@@ -119,15 +119,16 @@ TEST_CASE("random targets are tool poses of configurations within the limits, on
     Random random(Key(1)), again(Key(1));
     const std::vector<Pose> poses = path_of({"kind=random", "points=200"})->poses(arm, random);
     REQUIRE(poses.size() == 200);
-    Configuration lowest = arm.limits.upper, highest = arm.limits.lower;
+    const JointLimits limits = arm.limits.around(Eigen::VectorXd::Zero(arm.joints()));
+    Configuration lowest = limits.upper, highest = limits.lower;
     for (const Pose& pose : poses) {
       Configuration q(arm.joints());
-      for (Eigen::Index j = 0; j < q.size(); ++j) q[j] = again.uniform(arm.limits.lower[j], arm.limits.upper[j]);
+      for (Eigen::Index j = 0; j < q.size(); ++j) q[j] = again.uniform(limits.lower[j], limits.upper[j]);
       CHECK(pose.matrix() == arm.chain.forward(q).matrix());
       lowest = lowest.cwiseMin(q);
       highest = highest.cwiseMax(q);
     }
-    const Configuration range = arm.limits.upper - arm.limits.lower;  // of which 200 draws leave little at either end
+    const Configuration range = limits.upper - limits.lower;  // of which 200 draws leave little at either end
     CHECK(((highest - lowest).array() > 0.9 * range.array()).all());
   }
 }

@@ -132,6 +132,28 @@ TEST_CASE("the variation is the norm of the joint moves over all joints, the lar
         Approx(0.4));  // a move down is a move
 }
 
+TEST_CASE("metres of joints that slide and radians of those that turn are never added", "[verifier]") {
+  const Robot arm = robot("stanford");  // its third joint slides, from 0.3048 to 1.27 m
+  const Eigen::VectorXd start = angles({0, 0, 0.5, 0, 0, 0});
+  const Verification verified = verify(arm, at(0, 0, 0), start, start + angles({0.3, 0, 0.8, 0, -0.4, 0}));
+  CHECK(verified.variation == Approx(0.5));
+  CHECK(verified.variation_m == Approx(0.8));
+  CHECK(verified.largest_move == Approx(0.4));
+  CHECK(verified.largest_move_m == Approx(0.8));
+  CHECK(verified.limit_violation == 0);
+  CHECK(verified.limit_violation_m == Approx(0.03));
+  CHECK(judge({.limit_violation_m = 0.03}, any) == Status::limit_violated);
+}
+
+TEST_CASE("a joint without limits violates none, however far it turns, unless it is not finite", "[verifier]") {
+  const Robot arm = robot("kinova_gen3");
+  Eigen::VectorXd q = Eigen::VectorXd::Zero(7);
+  q[0] = -1e4;
+  CHECK(verify(arm, at(0, 0, 0), q, q).limit_violation == 0);
+  q[0] = infinity;
+  CHECK_FALSE(std::isfinite(verify(arm, at(0, 0, 0), q, q).limit_violation));
+}
+
 TEST_CASE("the limit violation is that of the worst joint, on either side", "[verifier]") {
   const double degree = pi / 180;  // limits of the iiwa: 170, 120, 170, 120, 170, 120, 175 deg, Table 2
   const auto violation_deg = [&](std::initializer_list<double> degrees) {

@@ -9,9 +9,10 @@ namespace ikbench {
 
 class RandomConfigurations {
  public:
-  // Uniform within the limits.
-  Eigen::VectorXd operator()(const robots::JointLimits& limits) {
-    Eigen::VectorXd q(limits.lower.size());
+  // Uniform within the limits, and within half a turn each way where there are none.
+  Eigen::VectorXd operator()(const robots::JointLimits& all) {
+    Eigen::VectorXd q = Eigen::VectorXd::Zero(all.lower.size());
+    const robots::JointLimits limits = all.around(q);
     for (Eigen::Index j = 0; j < q.size(); ++j) q[j] = between(limits.lower[j], limits.upper[j]);
     return q;
   }
