@@ -28,11 +28,11 @@ double wrapped(double angle) { return std::remainder(angle, 2 * std::numbers::pi
 bool SphericalWrist::fits(const Chain& whole) {
   if (whole.joints() < 4) return false;
   const DhLink* last = &whole.links().back();
-  const DhLink &first = last[-2], &middle = last[-1], &third = last[0];
+  const DhLink &first = last[-2], &middle = last[-1];
   const auto near = [](double a, double b) { return std::abs(a - b) < 1e-12; };
   const bool turn = std::all_of(last - 2, last + 1, [](const DhLink& link) { return link.joint == Joint::turns; });
-  return turn && first.a == 0 && middle.a == 0 && middle.d == 0 && third.a == 0 && third.alpha == 0 &&
-         near(std::abs(first.alpha), std::numbers::pi / 2) && near(first.alpha, -middle.alpha);
+  return turn && first.a == 0 && middle.a == 0 && middle.d == 0 && near(std::abs(first.alpha), std::numbers::pi / 2) &&
+         near(first.alpha, -middle.alpha);
 }
 
 SphericalWrist::SphericalWrist(const Chain& whole) : arm_(arm_of(whole)) {
@@ -41,9 +41,12 @@ SphericalWrist::SphericalWrist(const Chain& whole) : arm_(arm_of(whole)) {
   offsets_ = {first.offset, middle.offset, third.offset};
   sense_ = first.alpha < 0 ? 1 : -1;
   tool_in_tool_ = whole.tool().position + Eigen::Vector3d(0, 0, third.d);
-  if (whole.tool().rpy.isZero(0)) return;
-  R_tool_last_ = whole.tool().pose().linear().transpose();
-  tool_in_tool_ = *R_tool_last_ * tool_in_tool_;
+  if (whole.tool().rpy.isZero(0) && third.alpha == 0 && third.a == 0) return;
+  // What is behind the last axis, as one frame: the tool turns with it as with a tool that is turned.
+  const Pose T_axis_tool =
+      Chain({{.a = third.a, .alpha = third.alpha, .d = third.d}}, {}, whole.tool()).forward(Eigen::VectorXd::Zero(1));
+  R_tool_last_ = T_axis_tool.linear().transpose();
+  tool_in_tool_ = *R_tool_last_ * T_axis_tool.translation();
 }
 
 Eigen::Vector3d SphericalWrist::centre(const Pose& T_base_tool) const {

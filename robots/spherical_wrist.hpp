@@ -11,8 +11,9 @@ namespace ikbench::robots {
 
 class SphericalWrist {
  public:
-  // Whether the last three twists are -90, 90, 0 degrees (or 90, -90, 0) with no lengths between the axes, and joints
-  // are left for the arm.
+  // Whether the last three axes meet in a point, each at right angles with the next: twists of -90 and 90 degrees (or
+  // 90 and -90) with no lengths between them; and joints are left for the arm. What is behind the last axis is the
+  // tool.
   static bool fits(const Chain& whole);
 
   // std::invalid_argument where it does not fit.

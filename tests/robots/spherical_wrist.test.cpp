@@ -66,6 +66,17 @@ TEST_CASE("position and orientation come back through a wrist of opposite sense,
   check_that_poses_come_back(opposite_sense());
 }
 
+TEST_CASE("whatever is behind the last axis, a wrist is spherical and reaches given poses", "[wrist]") {
+  // As Fetch has it: a length and a quarter turn to a tool whose z is not the axis about which it rolls.
+  std::vector<DhLink> links = robot("kuka_iiwa14").chain.links();
+  links[6].a = 0.03;
+  links[6].alpha = -pi / 2;
+  const Chain chain(links, {}, {{0.02, -0.01, 0.1}, {0.1, 0.2, 0.3}});
+  REQUIRE(SphericalWrist::fits(chain));
+  check_that_poses_come_back(chain);
+  check_that_poses_come_back(Chain(links));
+}
+
 TEST_CASE("one of the wrist's branches is where it came from, the other (t5 + pi, -t6, t7 + pi)", "[wrist]") {
   const Robot arm = robot("kuka_iiwa14");
   const SphericalWrist wrist(arm.chain);
