@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -20,6 +21,8 @@ namespace {
 
 // cos(pi/2) is 6e-17 in doubles; a quarter turn is meant to be exact.
 double exact_if_tiny(double value) { return std::abs(value) < 1e-15 ? 0.0 : value; }
+
+double length(double x, double y) { return std::sqrt(x * x + y * y); }
 
 KernelLink::Twist kind(double cosine, double sine) {
   if (cosine == 0) return sine > 0 ? KernelLink::quarter : KernelLink::minus_quarter;
@@ -185,17 +188,49 @@ void Chain::position_errors(const CandidatesRef& q, const Eigen::Vector3d& targe
   kernels().position_errors(chain, seen, q.data(), q.outerStride(), q.cols(), errors.data());
 }
 
+std::vector<double> Chain::points_on_axes() const {
+  std::vector<double> at(links_.size(), 0);  // where the table has its frames
+  if (!at.empty() && links_.front().joint == Joint::turns) at.front() = links_.front().d;
+  if (!all_turn_) return at;
+  constexpr int most_sweeps = 200;
+  for (int sweep = 0; sweep < most_sweeps; ++sweep) {
+    double moved = 0;
+    for (std::size_t j = 0; j < at.size(); ++j) {
+      const Seen next = after(j, j + 1 < at.size() ? at[j + 1] : 0);
+      double best = next.along;
+      if (j > 0) {
+        const double d = at[j - 1] - links_[j - 1].d;  // the one before, seen from this axis
+        const auto [cosine, sine] = twists_[j - 1];
+        const Seen before{cosine * d, length(links_[j - 1].a, sine * d)};
+        const double sum = before.beside + next.beside;
+        best = sum > 0 ? (before.along * next.beside + next.along * before.beside) / sum  // as light is reflected
+                       : std::clamp(at[j], std::min(before.along, next.along), std::max(before.along, next.along));
+      }
+      moved = std::max(moved, std::abs(best - at[j]));
+      at[j] = best;
+    }
+    if (moved < 1e-12) break;
+  }
+  return at;
+}
+
+Chain::Seen Chain::after(std::size_t joint, double along_next) const {
+  const DhLink& link = links_[joint];
+  const auto [cosine, sine] = twists_[joint];
+  Eigen::Vector3d next(0, 0, along_next);
+  if (all_turn_ && joint + 1 == links_.size()) next = tool_.position;
+  return {link.d + sine * next.y() + cosine * next.z(), length(link.a + next.x(), cosine * next.y() - sine * next.z())};
+}
+
 Chain::Ball Chain::reach() const {
-  Ball ball{Eigen::Vector3d::Zero(), tool_.position.norm()};
-  for (const DhLink& link : links_) {
-    if (link.joint == Joint::slides) ball.radius = std::numeric_limits<double>::infinity();
-    ball.radius += std::sqrt(link.a * link.a + link.d * link.d);
+  const std::vector<double> at = points_on_axes();
+  Ball ball{Eigen::Vector3d::Zero(), all_turn_ && !links_.empty() ? 0 : tool_.position.norm()};
+  for (std::size_t j = 0; j < links_.size(); ++j) {
+    if (links_[j].joint == Joint::slides) ball.radius = std::numeric_limits<double>::infinity();
+    const Seen next = after(j, j + 1 < links_.size() ? at[j + 1] : 0);
+    ball.radius += length(next.along - at[j], next.beside);
   }
-  if (!links_.empty() && links_.front().joint == Joint::turns) {
-    const DhLink& first = links_.front();  // its d lies along the first axis and moves nothing
-    ball.centre.z() = first.d;
-    ball.radius += std::abs(first.a) - std::sqrt(first.a * first.a + first.d * first.d);
-  }
+  if (!links_.empty()) ball.centre.z() = at.front();
   ball.centre = T_base_first_ * ball.centre;
   return ball;
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -61,8 +62,9 @@ class Chain {
   // Distance of each candidate's tool point to the target, Eq. 1; `errors` has one element a candidate. It is not a
   // finite number where a joint or the target is not, or an angle is 2^51 quarter turns (3.5e15 rad) or more.
   void position_errors(const CandidatesRef& q, const Eigen::Vector3d& target, Eigen::Ref<Eigen::VectorXd> errors) const;
-  // Every reachable tool point lies in this ball, about the shoulder: the first joint's axis at the first link's
-  // height. Infinite where a joint slides.
+  // Every reachable tool point lies in this ball, about the shoulder, which is a point of the first joint's axis: the
+  // sum of the lengths between points of the axes, which stay where they are on a link whatever the joints do.
+  // Infinite where a joint slides.
   struct Ball {
     Eigen::Vector3d centre;
     double radius;
@@ -80,6 +82,15 @@ class Chain {
   // null.
   template <class Visit>
   Pose follow(const ConfigurationRef& q, Visit&& visit) const;
+  // A point, seen from an axis: how far along and beside it.
+  struct Seen {
+    double along, beside;
+  };
+  // The tool, or the point on the next axis, seen from a joint's axis.
+  Seen after(std::size_t joint, double along_next) const;
+  // A point on each axis, from the frame of its joint, so that the sum of the lengths between them is small. Where axes
+  // are nearly parallel, the frames of the table are far away.
+  std::vector<double> points_on_axes() const;
   enum class Kind { all_turn, any };
   template <Kind kind, class Visit>
   Pose follow_kind(const ConfigurationRef& q, Visit& visit) const;
