@@ -27,8 +27,8 @@ namespace ikbench::numerics {
 // The `path` of nodes that come from an override; those of a file have none.
 constexpr std::string_view override_source = "--set";
 
-// The content of a file that is no larger than 10 MB; std::invalid_argument where it cannot be read.
-std::string text_of_file(const std::filesystem::path& file);
+// The content of a file; std::invalid_argument where it is larger than so many bytes or cannot be read.
+std::string text_of_file(const std::filesystem::path& file, std::uintmax_t largest = 10'000'000);
 
 // All of these: std::invalid_argument says where, as `source`:line:column, and what is wrong.
 toml::table parse_toml(std::string_view text, std::string_view source);

@@ -9,6 +9,7 @@
 #include "numerics/names.hpp"
 #include "numerics/toml_table.hpp"
 #include "robots/arm_fields.hpp"
+#include "robots/urdf.hpp"
 
 namespace ikbench::robots {
 
@@ -76,6 +77,13 @@ Frame read_frame(TomlReader& reader, const std::string& key) {
   return frame;
 }
 
+void refuse_name(const std::filesystem::path& file) {
+  if (file.stem().empty() || !TomlReader::is_plain(file.stem().string())) {
+    throw std::invalid_argument(
+        fmt::format("{}: the arm has the name of its file; expected {}", file.string(), TomlReader::plain));
+  }
+}
+
 }  // namespace
 
 double JointLimits::violation(const ConfigurationRef& q) const {
@@ -105,7 +113,7 @@ Robot robot(std::string_view name) {
   throw std::invalid_argument(unknown_name("robot", name, names));
 }
 
-bool is_arm_file(std::string_view name) { return name.ends_with(".toml"); }
+bool is_arm_file(std::string_view name) { return name.ends_with(".toml") || is_urdf_file(name); }
 
 Robot parse_robot(std::string_view text, const std::filesystem::path& file) {
   const toml::table table = parse_toml(text, file.string());
@@ -125,18 +133,19 @@ Robot parse_robot(std::string_view text, const std::filesystem::path& file) {
   Robot arm{file.stem().string(), "", "", Chain(std::move(chain), base, tool), std::move(limits)};
   list_fields(reader, arm);
   reader.refuse_unknown_keys();
-  if (arm.name.empty() || !TomlReader::is_plain(arm.name)) {
-    throw std::invalid_argument(
-        fmt::format("{}: the arm has the name of its file; expected {}", file.string(), TomlReader::plain));
-  }
+  refuse_name(file);
   return arm;
 }
 
-Robot load_robot(const std::filesystem::path& file) {
+Robot load_robot(const std::filesystem::path& file) { return load_robot(file, UrdfChoice{}); }
+
+Robot load_robot(const std::filesystem::path& file, const UrdfChoice& choice) {
   std::error_code error;
   if (!std::filesystem::is_regular_file(file, error)) {
     throw std::invalid_argument(fmt::format("there is no file {}", file.string()));
   }
+  constexpr std::uintmax_t largest_urdf = 16'000'000;
+  if (is_urdf_file(file.string())) return parse_urdf(text_of_file(file, largest_urdf), file, choice);
   return parse_robot(text_of_file(file), file);
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "robots/chain.hpp"
+#include "robots/description.hpp"
 
 namespace ikbench::robots {
 
@@ -25,6 +26,8 @@ struct Robot {
   std::string source;  // of the numbers
   Chain chain;
   JointLimits limits;
+  Description description = {};         // as a URDF file has it; empty: the chain says all
+  std::vector<std::string> notes = {};  // what was not taken from its file as it stands there
 
   int joints() const { return chain.joints(); }
 };
@@ -34,11 +37,13 @@ std::vector<Robot> all_robots();
 // One of them; std::invalid_argument names those there are.
 Robot robot(std::string_view name);
 
-// Whether a name is meant as a file, by its ending: .toml.
+// Whether a name is meant as a file, by its ending: .toml, or a URDF file (urdf.hpp).
 bool is_arm_file(std::string_view name);
-// Both: std::invalid_argument says where, what is wrong, and what is expected. The arm has the name of the file without
+// All: std::invalid_argument says where, what is wrong, and what is expected. The arm has the name of the file without
 // its ending.
 Robot parse_robot(std::string_view text, const std::filesystem::path& file);
+struct UrdfChoice;
+Robot load_robot(const std::filesystem::path& file, const UrdfChoice& choice);
 Robot load_robot(const std::filesystem::path& file);
 
 }  // namespace ikbench::robots

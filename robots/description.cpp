@@ -1,0 +1,188 @@
+#include "robots/description.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "numerics/functions.hpp"
+#include "numerics/random.hpp"
+#include "numerics/units.hpp"
+
+namespace ikbench::robots {
+
+using namespace numerics;
+
+namespace {
+
+using Motion = DescribedJoint::Motion;
+
+constexpr double all_but_parallel = 5e-10;  // [rad]: it moves a tool a metre away by less than what is allowed
+constexpr double tiny = 1e-12;              // [rad], [m]: rounding of what was computed, not of what a file prints
+
+double meant_length(double length) { return std::abs(length) < tiny ? 0 : length; }
+
+// The nearest multiple of 15 degrees, where it is that near.
+double meant_angle(double angle, double within) {
+  const double multiple = std::round(angle / (15 * degree)) * 15 * degree;
+  return std::abs(angle - multiple) < within ? multiple : angle;
+}
+
+Eigen::Matrix3d turned_about(const Eigen::Vector3d& axis, double angle) {
+  const auto [sine, cosine] = sin_cos(angle);
+  const double x = axis.x(), y = axis.y(), z = axis.z();
+  const Eigen::Matrix3d cross{{0, -z, y}, {z, 0, -x}, {-y, x, 0}};
+  return Eigen::Matrix3d::Identity() + sine * cross + (1 - cosine) * (cross * cross);  // Rodrigues
+}
+
+// An axis in space, with all joints at 0.
+struct Axis {
+  Eigen::Vector3d point, direction;
+  Motion motion;
+};
+
+// The first frame has its z along the first axis, and its origin there nearest the base.
+Pose first_frame(const Axis& first) {
+  const Eigen::Vector3d z = first.direction;
+  const Eigen::Vector3d across = std::abs(z.x()) < 0.9 ? Eigen::Vector3d::UnitX() : Eigen::Vector3d::UnitZ();
+  Pose frame = Pose::Identity();
+  frame.linear().col(0) = (across - z.dot(across) * z).normalized();
+  frame.linear().col(1) = z.cross(frame.linear().col(0));
+  frame.linear().col(2) = z;
+  frame.translation() = first.point - z.dot(first.point) * z;
+  return frame;
+}
+
+// The link from a frame, whose z is its joint's axis, to the axis of the next: along the common normal, which points
+// the way of the frame's x if it can.
+DhLink link_to(const Axis& next, const Pose& frame) {
+  const Eigen::Vector3d x = frame.linear().col(0), y = frame.linear().col(1), z = frame.linear().col(2);
+  const Eigen::Vector3d way = next.point - frame.translation(), cross = z.cross(next.direction);
+  const double sine = cross.norm(), cosine = z.dot(next.direction);
+  DhLink link;
+  Eigen::Vector3d normal;
+  if (sine < all_but_parallel) {
+    normal = way - z.dot(way) * z;
+    normal = normal.norm() < tiny ? x : normal.normalized();
+  } else {
+    normal = cross / sine;
+    link.d = meant_length(way.cross(next.direction).dot(cross) / (sine * sine));
+  }
+  if (normal.dot(x) < -tiny) normal = -normal;
+  link.a = meant_length(way.dot(normal));
+  link.offset = meant_angle(arc_tangent(normal.dot(y), normal.dot(x)), tiny);
+  link.alpha = meant_angle(arc_tangent(cross.dot(normal), cosine), tiny);
+  return link;
+}
+
+[[noreturn]] void refuse_parallel(const Description& description, const std::vector<DhLink>& links) {
+  std::vector<std::string> names;
+  for (const DescribedJoint& joint : description) {
+    if (joint.motion != Motion::none) names.push_back(joint.name);
+  }
+  const auto farthest = std::ranges::max_element(links, {}, [](const DhLink& link) { return std::abs(link.d); });
+  const auto at = static_cast<std::size_t>(farthest - links.begin());
+  throw std::invalid_argument(
+      fmt::format("the axes of joints \"{}\" and \"{}\" are parallel but for {:.2g} deg, which is too little for a "
+                  "common normal and too much for none; expected axes that are parallel, or a larger snap_deg",
+                  names[at], names[std::min(at + 1, names.size() - 1)],
+                  std::abs(std::remainder(links[at].alpha, 180 * degree)) / degree));
+}
+
+}  // namespace
+
+Frame frame_of(const Pose& pose) {
+  const Eigen::Matrix3d R = pose.linear();
+  const double level = std::sqrt(R(0, 0) * R(0, 0) + R(1, 0) * R(1, 0));  // 0 where x points up or down
+  Frame frame{pose.translation(), {0, arc_tangent(-R(2, 0), level), 0}};
+  if (level > tiny) {
+    frame.rpy[0] = arc_tangent(R(2, 1), R(2, 2));
+    frame.rpy[2] = arc_tangent(R(1, 0), R(0, 0));
+  } else {
+    frame.rpy[0] = arc_tangent(-R(1, 2), R(1, 1));
+  }
+  frame.position = frame.position.unaryExpr(&meant_length);
+  frame.rpy = frame.rpy.unaryExpr([](double angle) { return meant_angle(angle, tiny); });
+  return frame;
+}
+
+Pose pose_of(const Description& description, const ConfigurationRef& q) {
+  Pose pose = Pose::Identity();
+  Eigen::Index moving = 0;
+  for (const DescribedJoint& joint : description) {
+    pose = pose * joint.origin.pose();
+    if (joint.motion == Motion::turns) pose.linear() = (pose.linear() * turned_about(joint.axis, q[moving++])).eval();
+    if (joint.motion == Motion::slides) pose.translation() += q[moving++] * (pose.linear() * joint.axis);
+  }
+  return pose;
+}
+
+Chain chain_of(const Description& description) {
+  std::vector<Axis> axes;
+  Pose pose = Pose::Identity();
+  for (const DescribedJoint& joint : description) {
+    pose = pose * joint.origin.pose();
+    if (joint.motion != Motion::none) {
+      axes.push_back({pose.translation(), (pose.linear() * joint.axis).normalized(), joint.motion});
+    }
+  }
+  if (axes.empty() || axes.size() > most_joints) {
+    throw std::invalid_argument(
+        fmt::format("{} joints move between base and tip; expected 1 to {}", axes.size(), most_joints));
+  }
+  const Frame base = frame_of(first_frame(axes.front()));
+  Pose frame = base.pose();
+  std::vector<DhLink> links;
+  for (std::size_t i = 0; i < axes.size(); ++i) {
+    // Nothing is behind the last axis but the tool.
+    DhLink link = i + 1 < axes.size() ? link_to(axes[i + 1], frame) : DhLink{};
+    frame = frame * Chain({link}).forward(Eigen::VectorXd::Zero(1));
+    if (axes[i].motion == Motion::slides) link.joint = Joint::slides;
+    links.push_back(link);
+  }
+  Chain chain(links, base, frame_of(frame.inverse() * pose));
+
+  constexpr double allowed = 1e-9;  // [m], [rad]
+  Random random(Key(1).with("conversion"));
+  Configuration q(chain.joints());
+  for (int trial = 0; trial < 100; ++trial) {
+    for (double& joint : q) joint = random.uniform(-180 * degree, 180 * degree);
+    const double difference = (chain.forward(q).matrix() - pose_of(description, q).matrix()).cwiseAbs().maxCoeff();
+    if (!(difference < allowed)) refuse_parallel(description, links);
+  }
+  return chain;
+}
+
+int snap(Description& description, double within) {
+  int snapped = 0;
+  Eigen::Matrix3d R = Eigen::Matrix3d::Identity();  // from the last joint that moves
+  const DescribedJoint* last = nullptr;
+  for (DescribedJoint& joint : description) {
+    for (double& angle : joint.origin.rpy) {
+      const double meant = meant_angle(angle, within);
+      snapped += std::abs(meant - angle) > tiny ? 1 : 0;
+      angle = meant;
+    }
+    R = (R * rotation_from_rpy(joint.origin.rpy)).eval();
+    if (joint.motion == Motion::none) continue;
+    const auto set_axis = [&](const Eigen::Vector3d& meant) {
+      const double angle = (meant - joint.axis).norm();
+      if (angle >= within) return;
+      snapped += angle > tiny ? 1 : 0;
+      joint.axis = meant;
+    };
+    Eigen::Index largest = 0;
+    joint.axis.cwiseAbs().maxCoeff(&largest);
+    set_axis(Eigen::Vector3d::Unit(largest) * (joint.axis[largest] < 0 ? -1 : 1));
+    if (last != nullptr) {
+      const Eigen::Vector3d before = R.transpose() * last->axis;
+      set_axis((before.dot(joint.axis) < 0 ? -before : before).normalized());
+    }
+    last = &joint;
+    R.setIdentity();
+  }
+  return snapped;
+}
+
+}  // namespace ikbench::robots

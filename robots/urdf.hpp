@@ -1,0 +1,30 @@
+// Arms from URDF files (http://wiki.ros.org/urdf/XML): a chain of joints between two links of a tree.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "numerics/units.hpp"
+#include "robots/robot.hpp"
+
+namespace ikbench::robots {
+
+// What a URDF file leaves to whoever reads it.
+struct UrdfChoice {
+  enum class Limits { hard, soft };  // <limit>, or the tighter of it and <safety_controller>
+
+  std::string base;  // a link; empty: the root of the tree
+  std::string tip;   // a link; empty: the one with the most joints before it
+  Limits limits = Limits::hard;
+  double snap = 0.001 * numerics::degree;  // see snap() in description.hpp
+};
+
+// Whether a name is meant as one, by its ending: .urdf, or .xacro, which is refused with how to expand it.
+bool is_urdf_file(std::string_view name);
+
+// std::invalid_argument says where, what is wrong, and what is expected. The arm has the name of the file without its
+// ending.
+Robot parse_urdf(std::string_view text, const std::filesystem::path& file, const UrdfChoice& choice);
+
+}  // namespace ikbench::robots

@@ -1,0 +1,371 @@
+// Arms from URDF files: what is read, the traps of the format, and that the chain is the arm that the file describes.
+#include "robots/urdf.hpp"
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <numbers>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "numerics/toml_table.hpp"
+#include "robots/spherical_wrist.hpp"
+#include "tests/catch.hpp"
+#include "tests/mutator.hpp"
+#include "tests/robots/random_configuration.hpp"
+
+using namespace ikbench;
+using namespace ikbench::robots;
+using std::numbers::pi;
+
+namespace {
+
+Robot file(const std::string& name, const UrdfChoice& choice = {}) {
+  return load_robot("tests/data/urdf/" + name + ".urdf", choice);
+}
+
+// A chain of links l0, l1, ... with these joints between them: type and content of each.
+struct Given {
+  std::string type, content = "";
+};
+
+std::string urdf(const std::vector<Given>& joints) {
+  std::string text = "<robot name='r'><link name='l0'/>\n";
+  for (std::size_t i = 0; i < joints.size(); ++i) {
+    const std::string number = std::to_string(i), next = std::to_string(i + 1);
+    text += "<link name='l" + next + "'/><joint name='j" + next + "' type='" + joints[i].type + "'><parent link='l" +
+            number + "'/><child link='l" + next + "'/>" + joints[i].content + "</joint>\n";
+  }
+  return text + "</robot>\n";
+}
+
+const std::string limit = "<limit lower='-1' upper='2'/>", about_z = "<axis xyz='0 0 1'/>";
+const std::string to_tool = "<origin xyz='0.5 0 0'/>";
+
+Robot read(const std::string& text, const UrdfChoice& choice = {}) { return parse_urdf(text, "my_arm.urdf", choice); }
+Robot read(const std::vector<Given>& joints, const UrdfChoice& choice = {}) { return read(urdf(joints), choice); }
+
+// What is said of a file, or "" where it is an arm.
+std::string said_of(const std::string& text, const UrdfChoice& choice = {}) {
+  try {
+    read(text, choice);
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "";
+}
+
+// The largest difference of any element of the tool's pose over a thousand configurations.
+double difference(const Robot& arm, const Robot& other) {
+  RandomConfigurations random;
+  double largest = 0;
+  for (int trial = 0; trial < 1000; ++trial) {
+    const Eigen::VectorXd q = random(other.limits);
+    largest =
+        std::max(largest, (arm.chain.forward(q).matrix() - other.chain.forward(q).matrix()).cwiseAbs().maxCoeff());
+  }
+  return largest;
+}
+
+double difference(const Robot& arm) {
+  RandomConfigurations random;
+  double largest = 0;
+  for (int trial = 0; trial < 1000; ++trial) {
+    const Eigen::VectorXd q = random(arm.limits);
+    largest =
+        std::max(largest, (arm.chain.forward(q).matrix() - pose_of(arm.description, q).matrix()).cwiseAbs().maxCoeff());
+  }
+  return largest;
+}
+
+// An arm of up to nine joints of all kinds, of any origins and axes, some of them with round numbers.
+Description random_description(RandomConfigurations& random) {
+  const auto below = [&](int count) { return static_cast<int>(random.between(0, count)); };
+  const auto length = [&] { return below(2) == 0 ? 0 : random.between(-1, 1); };
+  const auto angle = [&] { return below(2) == 0 ? (below(5) - 2) * pi / 2 : random.between(-pi, pi); };
+  Description joints(static_cast<std::size_t>(1 + below(9)));
+  for (DescribedJoint& joint : joints) {
+    joint.motion = static_cast<DescribedJoint::Motion>(below(3));
+    joint.origin = {{length(), length(), length()}, {angle(), angle(), angle()}};
+    const Eigen::Vector3d axis(length(), length(), length());
+    joint.axis = below(2) == 0 || axis.isZero(0.01) ? Eigen::Vector3d::Unit(below(3)) : axis.normalized();
+  }
+  joints.front().motion = DescribedJoint::Motion::turns;
+  return joints;
+}
+
+}  // namespace
+
+// ---- the same arm ---------------------------------------------------------------------------------------------------
+
+TEST_CASE("an arm from a URDF file and the same arm of the library agree to 1e-9 m", "[urdf]") {
+  CHECK(difference(file("iiwa14"), robot("kuka_iiwa14")) < 1e-12);
+  CHECK(difference(file("panda"), robot("franka_panda")) < 1e-12);
+  CHECK(difference(file("ur5e"), robot("ur5e")) < 1e-9);
+  CHECK(difference(file("gen3"), robot("kinova_gen3")) < 1e-12);  // 1.5708 is a quarter turn
+  CHECK(difference(file("gen3", {.snap = 0}), robot("kinova_gen3")) > 1e-6);
+}
+
+TEST_CASE("the chain of a file has the pose of the product of its origins and axes", "[urdf]") {
+  for (const char* name : {"iiwa14", "panda", "ur5e", "gen3", "fetch", "ur5_calibrated"}) {
+    CAPTURE(name);
+    CHECK(difference(file(name)) < 1e-12);
+  }
+  CHECK(difference(file("gen3", {.snap = 0})) < 1e-9);
+  CHECK(difference(file("ur5e", {.snap = 0})) < 1e-9);
+}
+
+TEST_CASE("any description with any axes has a chain of the same poses", "[urdf]") {
+  RandomConfigurations random;
+  for (int trial = 0; trial < 500; ++trial) {
+    const Description description = random_description(random);
+    const Chain chain = chain_of(description);
+    Eigen::VectorXd q(chain.joints());
+    for (int i = 0; i < 10; ++i) {
+      for (double& joint : q) joint = random.between(-3, 3);
+      REQUIRE((chain.forward(q).matrix() - pose_of(description, q).matrix()).cwiseAbs().maxCoeff() < 1e-9);
+    }
+  }
+}
+
+TEST_CASE("joints are where a drawing by hand puts them", "[urdf]") {
+  // A quarter turn about z lifts a tool half a metre ahead to the side; about x, the default, it stays.
+  const auto at = [](const Robot& arm, double q) { return arm.chain.position(Eigen::VectorXd::Constant(1, q)); };
+  const Given tool{"fixed", to_tool};
+  CHECK((at(read({{"revolute", about_z + limit}, tool}), pi / 2) - Eigen::Vector3d(0, 0.5, 0)).norm() < 1e-15);
+  CHECK((at(read({{"revolute", limit}, tool}), pi / 2) - Eigen::Vector3d(0.5, 0, 0)).norm() < 1e-15);
+  // A slide along an axis that is not of length 1 goes by metres.
+  const Robot slide = read({{"prismatic", "<axis xyz='0 -3 0'/>" + limit}, tool});
+  CHECK((at(slide, 0.25) - Eigen::Vector3d(0.5, -0.25, 0)).norm() < 1e-15);
+  CHECK(slide.chain.links()[0].joint == Joint::slides);
+  // Roll, pitch and yaw are about fixed axes: Rz(yaw) Ry(pitch) Rx(roll).
+  const Robot turned = read({{"fixed", "<origin rpy='0.1 0.2 0.3'/>"}, {"revolute", about_z + limit}, tool});
+  CHECK((at(turned, 0) - 0.5 * rotation_from_rpy({0.1, 0.2, 0.3}).col(0)).norm() < 1e-15);
+}
+
+TEST_CASE("the name, the links, the limits and the joints of an arm are those of its file", "[urdf]") {
+  const Robot arm = file("fetch");
+  CHECK(arm.name == "fetch");
+  CHECK(arm.summary == "fetch from base_link to gripper_link");
+  CHECK(arm.source == "fetch.urdf");
+  REQUIRE(arm.joints() == 8);
+  REQUIRE(arm.description.size() == 9);
+  CHECK(arm.description[0].name == "torso_lift");
+  CHECK(arm.limits.upper[0] == 0.38615);
+  CHECK(std::isinf(arm.limits.upper[3]));
+  CHECK(SphericalWrist::fits(arm.chain));
+  CHECK(SphericalWrist::fits(file("iiwa14").chain));
+  CHECK_FALSE(SphericalWrist::fits(file("ur5e").chain));
+}
+
+// ---- the traps ------------------------------------------------------------------------------------------------------
+
+TEST_CASE("base and tip are links of the user's, or the root and the only deepest link", "[urdf][traps]") {
+  const std::string text = urdf({{"fixed"}, {"revolute", about_z + limit}, {"revolute", limit}, {"fixed", to_tool}});
+  CHECK(read(text).joints() == 2);
+  CHECK(read(text, {.base = "l1", .tip = "l2"}).joints() == 1);
+  CHECK(
+      said_of(text, {.base = "l9"}) ==
+      "my_arm.urdf:1: base is \"l9\", which is no link; did you mean \"l0\"?; there are \"l0\", \"l1\", \"l2\", \"l3\", "
+      "\"l4\"");
+  CHECK(said_of(text, {.base = "l3", .tip = "l1"}) == "my_arm.urdf:1: no joints lead from link \"l3\" to link \"l1\"");
+  CHECK(said_of(text, {.base = "l3", .tip = "l4"}) ==
+        "my_arm.urdf:1: 0 joints move between base and tip; expected 1 to 64");
+  std::string fingers = text;
+  fingers.insert(fingers.find("</robot>"),
+                 "<link name='f'/><joint name='jf' type='fixed'><parent link='l3'/><child link='f'/></joint>");
+  CHECK(said_of(fingers) == "my_arm.urdf:1: the links at the ends are \"l4\", \"f\"; expected tip, a link");
+  CHECK(read(fingers, {.tip = "f"}).joints() == 2);
+  std::string apart = text;
+  apart.insert(apart.find("</robot>"), "<link name='alone'/>");
+  CHECK(said_of(apart).find("there are 2 links that no joint leads to: \"alone\", \"l0\"; expected base") !=
+        std::string::npos);
+  CHECK(read(apart, {.tip = "l4"}).joints() == 2);
+}
+
+TEST_CASE("a link with two parents, a cycle or an end that is no link is told", "[urdf][traps]") {
+  const auto joint = [](const std::string& name, const std::string& parent, const std::string& child) {
+    return "<joint name='" + name + "' type='fixed'><parent link='" + parent + "'/><child link='" + child +
+           "'/></joint>\n";
+  };
+  const std::string links = "<robot name='r'><link name='a'/><link name='b'/><link name='c'/>\n";
+  CHECK(said_of(links + joint("x", "a", "c") + joint("y", "b", "c") + "</robot>") ==
+        "my_arm.urdf:3: link \"c\" is the child of two joints, \"x\" and \"y\"; expected a tree");
+  const std::string cycle = links + joint("x", "a", "b") + joint("y", "b", "c") + joint("z", "c", "a") + "</robot>";
+  CHECK(said_of(cycle) == "my_arm.urdf:1: the joints form a cycle; expected a tree");
+  const std::string loop = links + joint("x", "c", "b") + joint("y", "b", "c") + "</robot>";
+  CHECK(said_of(loop, {.base = "a", .tip = "c"}) ==
+        "my_arm.urdf:1: the joints before link \"c\" form a cycle; expected a tree");
+  CHECK(said_of(links + joint("x", "a", "d") + "</robot>") ==
+        "my_arm.urdf:2: the child of joint \"x\" is \"d\", which is no link");
+  CHECK(said_of(links + "<link name='a'/></robot>") == "my_arm.urdf:2: there are two links \"a\"");
+}
+
+TEST_CASE("joints that are not of the four kinds are refused by name, if they are on the way", "[urdf][traps]") {
+  for (const std::string type : {"floating", "planar", "ball"}) {
+    CHECK(said_of(urdf({{"revolute", limit}, {type}})) ==
+          "my_arm.urdf:3: joint \"j2\" is " + type + "; expected revolute, continuous, prismatic or fixed");
+    CHECK(read({{type}, {"revolute", limit}}, {.base = "l1"}).joints() == 1);
+  }
+  CHECK(said_of(urdf({{"revolute", limit + "<mimic joint='j0'/>"}})) ==
+        "my_arm.urdf:2: joint \"j1\" mimics another; expected joints that move by themselves");
+}
+
+TEST_CASE("an axis may have any length but none, except where the joint is fixed", "[urdf][traps]") {
+  const Robot arm = read({{"revolute", "<axis xyz='0 0 7'/>" + limit}, {"fixed", to_tool + "<axis xyz='0 0 0'/>"}});
+  CHECK(arm.description[0].axis == Eigen::Vector3d::UnitZ());
+  CHECK(said_of(urdf({{"revolute", limit + "<axis xyz='0 0 0'/>"}})) ==
+        "my_arm.urdf:2: the axis of joint \"j1\" has no direction; expected one such as 0 0 1");
+}
+
+TEST_CASE("limits are the hard ones, or the tighter of them and the soft ones", "[urdf][traps]") {
+  const Robot hard = file("iiwa14"), soft = file("iiwa14", {.limits = UrdfChoice::Limits::soft});
+  CHECK(hard.limits.upper[0] == 2.96706);
+  CHECK(soft.limits.upper[0] == Approx(168 * pi / 180).epsilon(1e-6));
+  CHECK(soft.limits.lower[6] == Approx(-173 * pi / 180).epsilon(1e-6));
+  const Robot wide = read({{"revolute", limit + "<safety_controller soft_lower_limit='-9' soft_upper_limit='1'/>"}},
+                          {.limits = UrdfChoice::Limits::soft});
+  CHECK(wide.limits.lower[0] == -1);
+  CHECK(wide.limits.upper[0] == 1);
+}
+
+TEST_CASE("a joint that turns without end has no limits, and is told where the file gives it some", "[urdf][traps]") {
+  const Robot arm = read({{"continuous", about_z + "<limit lower='-6.28' upper='6.28'/>"}, {"fixed", to_tool}});
+  CHECK(std::isinf(arm.limits.lower[0]));
+  CHECK(arm.notes == std::vector<std::string>{"joint \"j1\" is continuous: its limits are ignored"});
+  CHECK(file("fetch").notes.empty());  // a limit of effort is none of the angle
+  for (const std::string type : {"revolute", "prismatic"}) {
+    CHECK(said_of(urdf({{type}})) ==
+          "my_arm.urdf:2: joint \"j1\" is " + type + " and has no <limit>; expected one, or type continuous");
+  }
+  CHECK(said_of(urdf({{"revolute", "<limit effort='1'/>"}}))
+            .find("the limits of joint \"j1\" are 0 and 0; expected the "
+                  "lower and then the upper") != std::string::npos);
+  CHECK(said_of(urdf({{"revolute", "<limit lower='-1e5' upper='1e5'/>"}})).find("within +-62.8319") !=
+        std::string::npos);
+}
+
+TEST_CASE("angles that a file prints short are made whole, and by how much that moves the tool is told",
+          "[urdf][traps]") {
+  const Robot arm = file("gen3");
+  REQUIRE(arm.notes.size() == 1);
+  CHECK(arm.notes[0].starts_with("8 angles are snapped, which moves the tool by at most "));
+  CHECK(arm.notes[0].ends_with(" um"));
+  CHECK(file("gen3", {.snap = 0}).notes.empty());
+  const Robot iiwa = file("iiwa14", {.snap = 0});  // 14 decimals: nothing to do
+  CHECK(iiwa.notes.empty());
+  // What calibration found is no rounding.
+  CHECK(file("ur5_calibrated").description[3].origin.rpy == Eigen::Vector3d(0.0001, 0.00074, 0.01));
+  // Axes that are parallel but for the digits of two angles become parallel.
+  const std::vector<Given> bent{{"revolute", about_z + limit},
+                                {"fixed", "<origin xyz='0.4 0 0' rpy='0 0.34906585 0'/>"},
+                                {"revolute", "<origin rpy='0 -0.34906586 0'/>" + about_z + limit},
+                                {"fixed", to_tool}};
+  CHECK(read(bent).chain.links()[0].alpha == 0);
+  CHECK(said_of(urdf(bent), {.snap = 0})
+            .starts_with("my_arm.urdf:1: the axes of joints \"j1\" and \"j3\" are parallel but for "));
+}
+
+TEST_CASE("axes that are nearly parallel have a table of hundreds of metres, and an arm of its own lengths",
+          "[urdf][traps]") {
+  const Robot arm = file("ur5_calibrated");
+  double farthest = 0, own_lengths = 0;
+  for (const DhLink& link : arm.chain.links()) farthest = std::max(farthest, std::abs(link.d));
+  CHECK(farthest > 500);
+  CHECK(farthest < 1000);
+  for (std::size_t i = 2; i < arm.description.size(); ++i) own_lengths += arm.description[i].origin.position.norm();
+  const Chain::Ball ball = arm.chain.reach();
+  CHECK(ball.radius <= own_lengths + 1e-9);
+  CHECK(ball.radius > 0.9);
+  RandomConfigurations random;
+  for (int trial = 0; trial < 1000; ++trial) {
+    const Eigen::VectorXd q = random(arm.limits);
+    const Eigen::Vector3d expected = pose_of(arm.description, q).translation();
+    Eigen::VectorXd error(1);
+    arm.chain.position_errors(q, expected, error);
+    REQUIRE(error[0] < 1e-9);
+    REQUIRE((expected - ball.centre).norm() <= ball.radius + 1e-9);
+  }
+}
+
+TEST_CASE("axes that are antiparallel have a table as any", "[urdf][traps]") {
+  const Robot arm = read({{"revolute", about_z + limit},
+                          {"revolute", "<origin xyz='0.3 0.1 0.2' rpy='3.14159265358979 0 0'/>" + about_z + limit},
+                          {"revolute", "<origin xyz='0.3 0 0.2'/><axis xyz='0 0 -1'/>" + limit},
+                          {"fixed", to_tool}});
+  CHECK(difference(arm) < 1e-14);
+  CHECK(std::abs(arm.chain.links()[0].alpha) == Approx(pi));
+}
+
+TEST_CASE("a number is read whole, with a point in every locale, and is finite", "[urdf][traps]") {
+  for (const std::string bad : {"0.88a", "0,88", "", "nan", "inf", "1e400", "0x1p3", "1 2", "1e7"}) {
+    CAPTURE(bad);
+    CHECK(said_of(urdf({{"revolute", "<limit lower='-1' upper='" + bad + "'/>"}}))
+              .starts_with("my_arm.urdf:2: upper of <limit> is \"" + bad + "\"; expected a number"));
+  }
+  for (const std::string bad : {"0 0", "0 0 0 0", "0 0 x", "0;0;0"}) {
+    CHECK(said_of(urdf({{"revolute", "<origin xyz='" + bad + "'/>" + limit}}))
+              .starts_with("my_arm.urdf:2: xyz of <origin> is \"" + bad + "\"; expected 3 numbers"));
+  }
+  CHECK(read({{"revolute", "<origin xyz=' 1\t+2\n 3 '/>" + limit}}).description[0].origin.position ==
+        Eigen::Vector3d(1, 2, 3));
+}
+
+TEST_CASE("what is xacro is told with the command that expands it", "[urdf][traps]") {
+  CHECK(said_of("<robot name='r'>\n<xacro:include filename='a'/></robot>") ==
+        "my_arm.urdf:2: this is xacro; expand it first: xacro my_arm.urdf > my_arm_expanded.urdf");
+  CHECK(said_of(urdf({{"revolute", "<limit lower='${-pi}' upper='1'/>"}})).find("this is xacro") != std::string::npos);
+  CHECK_THROWS_WITH(parse_urdf("<robot/>", "ur.urdf.xacro", {}),
+                    "ur.urdf.xacro:1: this is xacro; expand it first: xacro ur.urdf.xacro > ur.urdf");
+  // An expanded file still declares the name space.
+  std::string expanded = urdf({{"revolute", limit}});
+  expanded.insert(expanded.find(" name"), " xmlns:xacro='http://www.ros.org/wiki/xacro'");
+  CHECK(read(expanded).joints() == 1);
+}
+
+TEST_CASE("a file that is no URDF, or too large, is refused with its place", "[urdf][mistakes]") {
+  CHECK(said_of("") == "my_arm.urdf:1: not XML: XML_ERROR_EMPTY_DOCUMENT");
+  CHECK(said_of("<robot>\n<link></robot>").starts_with("my_arm.urdf:2: not XML: "));
+  CHECK(said_of("<sdf/>") == "my_arm.urdf:1: expected a URDF file, whose outermost element is <robot>");
+  CHECK(said_of("<robot/>") == "my_arm.urdf:1: <robot> has no name");
+  CHECK(said_of("<robot name='r'/>") == "my_arm.urdf:1: the robot has no links");
+  CHECK(said_of("<robot name='a\nb'><link name='l'/></robot>").starts_with("my_arm.urdf:1:"));
+  CHECK(said_of("<robot name='r'><link name='" + std::string(300, 'a') + "'/></robot>")
+            .starts_with("my_arm.urdf:1: a name is not a text of at most 200 bytes"));
+  CHECK(said_of(urdf(std::vector<Given>(65, {"revolute", limit}))) ==
+        "my_arm.urdf:1: 65 joints move between base and tip; expected 1 to 64");
+  CHECK(read(std::vector<Given>(64, {"continuous", to_tool})).joints() == 64);
+  std::string many = "<robot name='r'>";
+  for (int i = 0; i <= 10'000; ++i) many += "<link name='" + std::to_string(i) + "'/>";
+  CHECK(said_of(many + "</robot>") == "my_arm.urdf:1: expected at most 10000 links");
+  std::string deep = "<robot name='r'>";
+  for (int i = 0; i < 100'000; ++i) deep += "<a>";
+  CHECK(said_of(deep) == "my_arm.urdf:1: not XML: XML_ELEMENT_DEPTH_EXCEEDED");
+  const auto large = std::filesystem::temp_directory_path() / "ikbench-large.urdf";
+  std::ofstream(large) << urdf({{"revolute", limit}}) << "<!-- " << std::string(16'000'000, 'x') << "-->";
+  CHECK_THROWS_AS(load_robot(large), std::invalid_argument);
+  std::filesystem::remove(large);
+}
+
+TEST_CASE("a URDF file with up to four random changes is an arm, or refused with its place", "[urdf][fuzz]") {
+  const std::string whole = numerics::text_of_file("tests/data/urdf/fetch.urdf");
+  Mutator mutator(2026);
+  int arms = 0;
+  for (int i = 0; i < 1000; ++i) {
+    const std::string text = mutator.mutated(whole);
+    try {
+      const Robot arm = read(text);
+      ++arms;
+      REQUIRE(arm.joints() <= most_joints);
+      REQUIRE((arm.limits.lower.array() < arm.limits.upper.array()).all());
+      REQUIRE(arm.chain.position(Eigen::VectorXd::Zero(arm.joints())).allFinite());
+    } catch (const std::invalid_argument& error) {
+      INFO(error.what());
+      REQUIRE(std::string(error.what()).starts_with("my_arm.urdf:"));
+      REQUIRE(std::string(error.what()).find('\n') == std::string::npos);
+    }
+  }
+  CHECK(arms > 50);
+  CHECK(arms < 950);
+}
