@@ -10,6 +10,7 @@
 #include "experiments/path.hpp"
 #include "results/analysis_plan.hpp"
 #include "robots/robot.hpp"
+#include "robots/urdf.hpp"
 #include "solvers/options.hpp"
 #include "solvers/solve.hpp"
 
@@ -48,6 +49,7 @@ struct Study {
   std::string published;              // the paper whose printed tables are set beside the results, or empty
   std::string robot = "kuka_iiwa14";  // a built-in arm, or a file
   std::shared_ptr<const robots::Robot> robot_of_file;  // what that file holds; null: the arm is built in
+  robots::UrdfChoice urdf;                             // of that file, if it is a URDF file
   Path path;
   Search search = Search::wrist;
   StudyBounds bounds = StudyBounds::per_solver;

@@ -26,6 +26,18 @@ inline void list_fields(Fields& io, solvers::StopRule& stop) {
             "maximum wall time of a solve; results then depend on the machine; 0: no maximum", InKey::in_text);
 }
 
+// The key has the chain and the limits that come of them.
+inline void list_fields(Fields& io, robots::UrdfChoice& urdf) {
+  using Which = robots::UrdfChoice::Limits;
+  io.text("base", urdf.base, "link from which the arm is read; \"\": the root", InKey::in_text);
+  io.text("tip", urdf.tip, "link to which it is read, the tool; \"\": the one with the most joints before it",
+          InKey::in_text);
+  io.choice("limits", urdf.limits, Choices<Which>{{"hard", Which::hard}, {"soft", Which::soft}},
+            "hard: the joints' <limit>; soft: the tighter of it and <safety_controller>", InKey::in_text);
+  io.number("snap_deg", urdf.snap, numerics::degree, {0, 1},
+            "angles this near a multiple of 15 deg, and axes this near parallel, are meant to be it", InKey::in_text);
+}
+
 constexpr std::pair<std::int64_t, std::int64_t> populations{1, 100'000};
 
 inline void list_fields(Fields& io, Study& study) {
@@ -33,7 +45,8 @@ inline void list_fields(Fields& io, Study& study) {
   io.text("title", study.title, "", InKey::no);
   io.text("published", study.published, "compare the results with the printed tables of this paper; \"\": none",
           InKey::no);
-  io.text("robot", study.robot, "a name from ikbench list robots, or a file beside the study such as \"my_arm.toml\"",
+  io.text("robot", study.robot,
+          "a name from ikbench list robots, or a file beside the study: \"my_arm.toml\", \"my_arm.urdf\"",
           InKey::in_text);
   io.choice(
       "search", study.search, Choices<Search>{{"wrist", Search::wrist}, {"all_joints", Search::all_joints}},

@@ -54,7 +54,7 @@ void override_one(toml::table& study, const std::string& text) {
   if (owner.empty() || field.empty()) {
     throw std::invalid_argument(fmt::format("--set {}: expected a name on both sides of the dot", text.substr(0, 100)));
   }
-  const std::vector<std::string> tables{"analysis", "path", "stop"};
+  const std::vector<std::string> tables{"analysis", "path", "stop", "urdf"};
   if (std::find(tables.begin(), tables.end(), owner) != tables.end()) {
     insert(subtable(study, owner), field, value);
     return;

@@ -168,6 +168,19 @@ void check_solvers(const TomlReader& reader, const Study& study) {
   }
 }
 
+UrdfChoice read_urdf(TomlReader reader, const Study& study) {
+  if (!is_urdf_file(study.robot)) {
+    throw std::invalid_argument(
+        fmt::format("{}[urdf] is about a URDF file, but robot is \"{}\"; expected one such as \"my_arm.urdf\"",
+                    reader.where(reader.table().source(), "urdf"), study.robot));
+  }
+  UrdfChoice choice;
+  TableReader fields(reader);
+  list_fields(fields, choice);
+  reader.refuse_unknown_keys();
+  return choice;
+}
+
 // The study's arm: a built-in one, or a file in the study's folder, and for --set in the current one.
 Robot read_arm(const TomlReader& reader, Study& study) {
   const toml::node* const node = reader.table().get("robot");
@@ -187,7 +200,7 @@ Robot read_arm(const TomlReader& reader, Study& study) {
     throw mistake(reader, node, "robot",
                   fmt::format("there is no file {}; expected one, or an arm of: ikbench list robots", file.string()));
   }
-  study.robot_of_file = std::make_shared<const Robot>(load_robot(file));
+  study.robot_of_file = std::make_shared<const Robot>(load_robot(file, study.urdf));
   return *study.robot_of_file;
 }
 
@@ -198,6 +211,7 @@ Study read_study(const toml::table& table, std::string_view source, PointsAsObse
   list_fields(fields, study);
   if (study.name.empty()) reader.fail("name", *table.get("name"), "a non-empty name");
   if (const toml::table* path = reader.subtable("path")) study.path = read_path(reader.nested(*path, "path."));
+  if (const toml::table* urdf = reader.subtable("urdf")) study.urdf = read_urdf(reader.nested(*urdf, "urdf."), study);
   if (const toml::table* stop = reader.subtable("stop")) {
     TomlReader stop_reader = reader.nested(*stop, "stop.");
     TableReader stop_fields(stop_reader);

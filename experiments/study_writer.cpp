@@ -145,6 +145,11 @@ nlohmann::ordered_json definition(const Study& study) {
   writer.out["analysis"] = json_of(study.analysis);
   list_fields(stop, fields.stop);
   writer.out["stop"] = stop.out;
+  if (is_urdf_file(study.robot)) {
+    JsonWriter urdf;
+    list_fields(urdf, fields.urdf);
+    writer.out["urdf"] = urdf.out;
+  }
   path.out["kind"] = fields.path->name();
   fields.path->list_fields(path);
   if (fields.path->is_drawn()) path.out["targets"] = "drawn";  // what `analysis` has to know of a kind of path
@@ -155,13 +160,17 @@ nlohmann::ordered_json definition(const Study& study) {
 // The arm as its file has it, so that whoever has the store can draw it.
 nlohmann::ordered_json arm_definition(const Robot& arm) {
   nlohmann::ordered_json json;
-  for (Eigen::Index joint = 0; joint < arm.joints(); ++joint) {
+  for (Eigen::Index j = 0; j < arm.joints(); ++j) {
     JsonWriter writer;
-    LimitedLink one{arm.chain.links()[static_cast<std::size_t>(joint)],
-                    {arm.limits.lower[joint], arm.limits.upper[joint]}};
+    LimitedLink one{arm.chain.links()[static_cast<std::size_t>(j)], {arm.limits.lower[j], arm.limits.upper[j]}};
     list_fields(writer, one);
     json["links"].push_back(std::move(writer.out));
   }
+  std::size_t joint = 0;
+  for (const DescribedJoint& described : arm.description) {
+    if (described.motion != DescribedJoint::Motion::none) json["links"][joint++]["name"] = described.name;
+  }
+  if (!arm.notes.empty()) json["notes"] = arm.notes;
   for (const auto& [key, frame] : {std::pair{"base", arm.chain.base()}, std::pair{"tool", arm.chain.tool()}}) {
     JsonWriter writer;
     Frame fields = frame;
@@ -225,6 +234,10 @@ std::string to_toml(const Study& study) {
   list_fields(writer, fields);
   writer.out += "\n[analysis]  # how the results are judged; it does not affect the solves\n";
   list_fields(writer, fields.analysis);
+  if (is_urdf_file(study.robot)) {
+    writer.out += "\n[urdf]\n";
+    list_fields(writer, fields.urdf);
+  }
   writer.out += "\n[stop]\n";
   list_fields(writer, fields.stop);
   writer.out += '\n' + to_toml(fields.path);

@@ -87,6 +87,28 @@ Matrix pose_of(const Frame& frame) {
   return product(pose, turned_about_x(frame.rpy.x()));
 }
 
+// Along or about the axis of a joint, Rodrigues' formula by elements.
+Matrix motion_of(const DescribedJoint& joint, double value) {
+  const double x = joint.axis.x(), y = joint.axis.y(), z = joint.axis.z();
+  if (joint.motion == DescribedJoint::Motion::slides) return moved(value * x, value * y, value * z);
+  const auto [s, c] = witnessed_sin_cos(value);
+  const double v = 1 - c;
+  return {{{x * x * v + c, x * y * v - z * s, x * z * v + y * s, 0},
+           {y * x * v + z * s, y * y * v + c, y * z * v - x * s, 0},
+           {z * x * v - y * s, z * y * v + x * s, z * z * v + c, 0},
+           {0, 0, 0, 1}}};
+}
+
+Eigen::Matrix4d as_eigen(const Matrix& pose) {
+  Eigen::Matrix4d result;
+  for (int row = 0; row < 4; ++row) {
+    for (int column = 0; column < 4; ++column) {
+      result(row, column) = pose[static_cast<std::size_t>(row)][static_cast<std::size_t>(column)];
+    }
+  }
+  return result;
+}
+
 // The pose of a link's end, from that of its beginning.
 Matrix past(const DhLink& link, double joint, const Matrix& pose) {
   const double angle = link.joint == Joint::slides ? link.offset : joint + link.offset;
@@ -105,19 +127,24 @@ Eigen::Matrix4d verified_pose(const Chain& arm, const Eigen::VectorXd& q) {
   Matrix pose = pose_of(arm.base());
   Eigen::Index joint = 0;
   for (const DhLink& link : arm.links()) pose = past(link, q[joint++], pose);
-  pose = product(pose, pose_of(arm.tool()));
-  Eigen::Matrix4d result;
-  for (int row = 0; row < 4; ++row) {
-    for (int column = 0; column < 4; ++column) {
-      result(row, column) = pose[static_cast<std::size_t>(row)][static_cast<std::size_t>(column)];
-    }
+  return as_eigen(product(pose, pose_of(arm.tool())));
+}
+
+Eigen::Matrix4d verified_pose(const Robot& arm, const Eigen::VectorXd& q) {
+  if (arm.description.empty()) return verified_pose(arm.chain, q);
+  Matrix pose = identity;
+  Eigen::Index moving = 0;
+  for (const DescribedJoint& joint : arm.description) {
+    pose = product(pose, pose_of(joint.origin));
+    if (joint.motion == DescribedJoint::Motion::none) continue;
+    pose = product(pose, motion_of(joint, q[moving++]));
   }
-  return result;
+  return as_eigen(pose);
 }
 
 Verification verify(const Robot& robot, const Pose& target, const Eigen::VectorXd& start,
                     const Eigen::VectorXd& answer) {
-  const Eigen::Matrix4d reached = verified_pose(robot.chain, answer);
+  const Eigen::Matrix4d reached = verified_pose(robot, answer);
   const Eigen::Matrix4d wanted = target.matrix();
   const Eigen::Matrix3d R = reached.topLeftCorner<3, 3>(), R_wanted = wanted.topLeftCorner<3, 3>();
   const Eigen::VectorXd move = answer - start;

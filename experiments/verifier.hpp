@@ -17,8 +17,10 @@ struct Verification {
   double limit_violation = 0, limit_violation_m = 0;  // of the worst joint; 0 inside, and up to 1e-9
 };
 
-// Tool pose of a configuration by the verifier's own route.
+// Tool pose of a configuration by the verifier's own route: that of the table, or of an arm from a URDF file that of
+// its origins and axes, so that what was made of them is verified too.
 Eigen::Matrix4d verified_pose(const robots::Chain& arm, const Eigen::VectorXd& q);
+Eigen::Matrix4d verified_pose(const robots::Robot& arm, const Eigen::VectorXd& q);
 
 // `answer` and `start` have all joints of the robot. A non-finite answer gives non-finite errors.
 Verification verify(const robots::Robot& robot, const robots::Pose& target, const Eigen::VectorXd& start,

@@ -355,6 +355,27 @@ TEST_CASE("a study's arm may be a file in the study's folder, and for --set in t
         }).starts_with(other + ":2:11: links.a_m is 500; expected a number from -100 to 100"));
 }
 
+TEST_CASE("a study's arm may be a URDF file, read as its table [urdf] says", "[study][arm]") {
+  const std::string robot = "robot=" + std::filesystem::absolute("tests/data/urdf/iiwa14.urdf").string();
+  const Study hard = read(solver_entry, {robot});
+  const Study soft = read(solver_entry, {robot, "urdf.limits=soft", "urdf.base=link_1", "urdf.tip=tool"});
+  CHECK(arm_of(hard).joints() == 7);
+  CHECK(arm_of(soft).joints() == 6);
+  CHECK(soft.urdf.limits == UrdfChoice::Limits::soft);
+  CHECK(keys_of(hard) != keys_of(soft));
+  const nlohmann::json json = nlohmann::json::parse(to_json(soft));
+  CHECK(json["arm"]["links"][0]["name"] == "A2");
+  CHECK(json["urdf"]["base"] == "link_1");
+  CHECK_FALSE(nlohmann::json::parse(to_json(read(solver_entry))).contains("urdf"));
+  CHECK(keys_of(parse_study(to_toml(soft), "again")) == keys_of(soft));
+  CHECK(said_of("[urdf]\ntip = \"tool0\"\n" + solver_entry) ==
+        "my.toml:1:1: [urdf] is about a URDF file, but robot is \"kuka_iiwa14\"; expected one such as \"my_arm.urdf\"");
+  CHECK(contains(said_of(solver_entry, {robot, "urdf.tip=tol"}),
+                 "tip is \"tol\", which is no link; did you mean \"tool\"?"));
+  CHECK(
+      contains(said_of(solver_entry, {robot, "urdf.snap_deg=2"}), "urdf.snap_deg is 2; expected a number from 0 to 1"));
+}
+
 TEST_CASE("a study says how it will be judged, by default Friedman's or Welch's test at 5 % over run means, no control",
           "[study][analysis]") {
   const Study study = read(solver_entry);

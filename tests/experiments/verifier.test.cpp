@@ -1,6 +1,8 @@
 // The verifier's own kinematics and judgement, by hand and against the chain's.
 #include "experiments/verifier.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -37,7 +39,7 @@ TEST_CASE("the verifier's forward kinematics agrees with the chain's to 1e-12", 
   for (const Robot& arm : all_robots()) {
     INFO(arm.name);
     double largest = 0;
-    for (int i = 0; i < 10'000; ++i) {
+    for (int i = 0; i < 2'000; ++i) {
       Eigen::VectorXd q(arm.chain.joints());
       for (double& joint : q) joint = angle(random);
       largest = std::max(largest, (verified_pose(arm.chain, q) - arm.chain.forward(q).matrix()).cwiseAbs().maxCoeff());
@@ -79,6 +81,28 @@ TEST_CASE("joints of any kind, bases and tools are in both forward kinematics", 
     Eigen::VectorXd error(1);
     chain.position_errors(q, target, error);
     REQUIRE(std::abs(error[0] - (verified.topRightCorner<3, 1>() - target).norm()) <= 1e-12);
+  }
+}
+
+TEST_CASE("an arm from a URDF file is verified by its origins and axes, not by the table made of them", "[verifier]") {
+  std::mt19937_64 random(15);
+  std::uniform_real_distribution<double> angle(-pi, pi);
+  for (const char* const name : {"fetch", "gen3", "iiwa14", "panda", "ur5_calibrated", "ur5e"}) {
+    CAPTURE(name);
+    Robot arm = load_robot(fmt::format("tests/data/urdf/{}.urdf", name));
+    Eigen::VectorXd q(arm.joints());
+    for (int i = 0; i < 1000; ++i) {
+      for (double& joint : q) joint = angle(random);
+      REQUIRE((verified_pose(arm, q) - arm.chain.forward(q).matrix()).cwiseAbs().maxCoeff() <= 1e-11);
+    }
+    // A table that is wrong by a tenth of a millimetre is a wrong claim.
+    const Pose target = arm.chain.forward(q);
+    Robot wrong = arm;
+    std::vector<DhLink> links = arm.chain.links();
+    links[2].a += 1e-4;
+    wrong.chain = Chain(links, arm.chain.base(), arm.chain.tool());
+    const double claimed = (wrong.chain.position(q) - target.translation()).norm();
+    CHECK(judge(verify(wrong, target, q, q), {.claimed_error = claimed}) == Status::claimed_but_wrong);
   }
 }
 
