@@ -161,6 +161,7 @@ class Tree {
 
   // The link with the most joints before it, from the base on.
   std::string deepest(const std::string& base) const {
+    root_of(base);  // refuses a cycle
     std::vector<std::string> level{base}, last;
     for (std::size_t depth = 0; !level.empty() && depth <= links_.size(); ++depth) {
       last = std::move(level);
