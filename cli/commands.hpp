@@ -22,6 +22,7 @@ void add_readings(CLI::App& app, Invocation& invocation);
 void add_multiverse(CLI::App& app, Invocation& invocation);
 void add_compare(CLI::App& app, Invocation& invocation);
 void add_list(CLI::App& app);
+void add_robot(CLI::App& app);
 void add_solve(CLI::App& app);
 void add_export(CLI::App& app);
 void add_fingerprint(CLI::App& app);

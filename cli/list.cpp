@@ -7,11 +7,11 @@
 
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
+#include "cli/robot.hpp"
 #include "experiments/study_reader.hpp"
 #include "experiments/study_writer.hpp"
 #include "numerics/instruction_set.hpp"
 #include "numerics/names.hpp"
-#include "numerics/units.hpp"
 #include "results/export.hpp"
 #include "solvers/registry.hpp"
 
@@ -48,32 +48,6 @@ std::string robot_list() {
   Rows rows{{"NAME", "JOINTS", "WHAT"}};
   for (const Robot& arm : all_robots()) rows.push_back({arm.name, std::to_string(arm.joints()), arm.summary});
   return aligned(rows);
-}
-
-std::string frame_text(std::string_view name, const Frame& frame) {
-  if (frame == Frame()) return "";
-  const Eigen::Vector3d &at = frame.position, rpy_deg = frame.rpy / degree;
-  return fmt::format("{} at ({:g}, {:g}, {:g}) m, roll pitch yaw ({:g}, {:g}, {:g}) deg\n", name, at.x(), at.y(),
-                     at.z(), rpy_deg.x(), rpy_deg.y(), rpy_deg.z());
-}
-
-std::string robot_details(const std::string& name) {
-  const Robot arm = is_arm_file(name) ? load_robot(name) : robot(name);
-  Rows rows{{"JOINT", "", "from", "to", "", "a [m]", "alpha [deg]", "d [m]", "offset [deg]"}};
-  for (int j = 0; j < arm.joints(); ++j) {
-    const DhLink& link = arm.chain.links()[static_cast<std::size_t>(j)];
-    const bool slides = link.joint == Joint::slides;
-    const double unit = slides ? 1 : degree;
-    const auto text = [](double number) { return fmt::format("{:g}", number); };
-    rows.push_back({std::to_string(j + 1),
-                    slides                         ? "slides"
-                    : link.joint == Joint::coupled ? "coupled"
-                                                   : "turns",
-                    text(arm.limits.lower[j] / unit), text(arm.limits.upper[j] / unit), slides ? "m" : "deg",
-                    text(link.a), text(link.alpha / degree), text(link.d), text(link.offset / degree)});
-  }
-  return fmt::format("{}: {}\nfrom {}\n\n{}{}{}", arm.name, arm.summary, arm.source,
-                     frame_text("base", arm.chain.base()), frame_text("tool", arm.chain.tool()), aligned(rows));
 }
 
 std::string study_list() {
@@ -131,7 +105,8 @@ std::string instruction_set_list(std::string_view name) {
 
 std::string listed(const std::string& kind, const std::string& name) {
   if (kind == "solvers") return name.empty() ? solver_list() : solver_details(name);
-  if (kind == "robots") return name.empty() ? robot_list() : robot_details(name);
+  if (kind == "robots")
+    return name.empty() ? robot_list() : robot_text(is_arm_file(name) ? load_robot(name) : robot(name));
   if (kind == "paths") return name.empty() ? path_list() : path_details(name);
   if (kind == "columns") return column_list(name);
   if (kind == "instruction-sets") return instruction_set_list(name);

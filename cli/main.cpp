@@ -47,6 +47,7 @@ int main(int argc, char** argv) {
   cli::add_multiverse(app, invocation);
   cli::add_compare(app, invocation);
   cli::add_list(app);
+  cli::add_robot(app);
   cli::add_solve(app);
   cli::add_export(app);
   cli::add_fingerprint(app);

@@ -40,33 +40,33 @@ struct SolveArguments {
 // The study that asks for just this; read as a file would be, so that the same ranges hold.
 Study study_of(const SolveArguments& arguments) {
   solver(arguments.solver);
-  const Robot arm = is_arm_file(arguments.robot) ? load_robot(arguments.robot) : robot(arguments.robot);
-  const int joints = arm.joints();
-  if (!arguments.start_deg.empty() && arguments.start_deg.size() != static_cast<std::size_t>(joints)) {
-    throw std::invalid_argument(fmt::format("--start-deg has {} angles; expected {}, one for each joint of {}",
-                                            arguments.start_deg.size(), joints, arguments.robot));
-  }
-  for (const double angle : arguments.start_deg) {
-    if (!(std::abs(angle) <= 1e6)) {
-      throw std::invalid_argument(fmt::format("--start-deg has {}; expected angles within +-1e6", angle));
-    }
-  }
   Study study{.name = "solve", .robot = arguments.robot};
   study.solvers = {{arguments.solver, arguments.solver, {}}};
-  study.initial.resize(static_cast<Eigen::Index>(arguments.start_deg.size()));
-  for (std::size_t j = 0; j < arguments.start_deg.size(); ++j) {
-    study.initial[static_cast<Eigen::Index>(j)] = arguments.start_deg[j] * degree;
-  }
-  const std::string search = !arguments.search.empty()         ? arguments.search
-                             : SphericalWrist::fits(arm.chain) ? "wrist"
-                                                               : "all_joints";
-  Overrides overrides{"search=" + search, fmt::format("seed={}", arguments.seed), "runs=1",
+  Overrides overrides{"search=all_joints", fmt::format("seed={}", arguments.seed), "runs=1",
                       fmt::format("stop.tolerance_cm={}", arguments.tolerance_cm)};
   for (const std::string& text : arguments.overrides) {
     const bool of_solver = text.find('.') == std::string::npos || text.find('.') > text.find('=');
     overrides.push_back(of_solver ? arguments.solver + "." + text : text);
   }
-  return parse_study(to_toml(study), "the command line", overrides);
+  constexpr std::string_view source = "the command line";
+  const Robot arm = arm_of(parse_study(to_toml(study), source, overrides));
+  const int joints = arm.joints();
+  if (!arguments.start_deg.empty() && arguments.start_deg.size() != static_cast<std::size_t>(joints)) {
+    throw std::invalid_argument(fmt::format("--start-deg has {} angles; expected {}, one for each joint of {}",
+                                            arguments.start_deg.size(), joints, arguments.robot));
+  }
+  study.initial.resize(static_cast<Eigen::Index>(arguments.start_deg.size()));
+  for (std::size_t j = 0; j < arguments.start_deg.size(); ++j) {
+    const double angle = arguments.start_deg[j];
+    if (!(std::abs(angle) <= 1e6)) {
+      throw std::invalid_argument(fmt::format("--start-deg has {}; expected angles within +-1e6", angle));
+    }
+    study.initial[static_cast<Eigen::Index>(j)] = angle * degree;
+  }
+  overrides.front() = "search=" + (!arguments.search.empty()         ? arguments.search
+                                   : SphericalWrist::fits(arm.chain) ? "wrist"
+                                                                     : "all_joints");
+  return parse_study(to_toml(study), source, overrides);
 }
 
 Pose target_of(const SolveArguments& arguments) {
@@ -121,7 +121,8 @@ void add_solve(CLI::App& app) {
   command->add_option("--tool", arguments->tool, "orientation of the tool: down, or as in the paper's Eq. 27")
       ->check(CLI::IsMember({"down", "eq27"}))
       ->capture_default_str();
-  command->add_option("--robot", arguments->robot, "a name from ikbench list robots, or a file such as my_arm.toml")
+  command
+      ->add_option("--robot", arguments->robot, "a name from ikbench list robots, or a file: my_arm.toml, my_arm.urdf")
       ->capture_default_str();
   command->add_option("--solver", arguments->solver, "see: ikbench list solvers")->capture_default_str();
   command

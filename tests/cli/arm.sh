@@ -12,7 +12,7 @@ block toml 2 >my_arm.toml
 [ -s my_study.toml ] && [ -s my_arm.toml ] || fail "the page has no example"
 
 # What the page shows is what is said.
-succeeds list robots my_arm.toml
+succeeds robot my_arm.toml
 block console 1 | sed -n '/^my_arm: /,/^$ ikbench solve/p' | sed '$d' | sed -e :a -e '/^\n*$/{$d;N;ba' -e '}' | diff - .out ||
   fail "the page shows another list of joints"
 succeeds $(block console 1 | sed -n 's/^$ ikbench solve /solve /p')
@@ -20,7 +20,7 @@ has "$out" "ok"
 has "$out" "joint 3"
 succeeds $(block console 1 | sed -n 's/^$ ikbench run /run /p') "${small[@]}" --out made
 [ "$(solves made/store.sqlite)" = 6 ] || fail "two runs of three points are 6 solves"
-"$program" export made/store.sqlite | grep -q ",my_arm," || fail "the solves do not name their arm"
+grep -q ",my_arm," <<<"$("$program" export made/store.sqlite)" || fail "the solves do not name their arm"
 grep -q 'id="motion-data"' made/report.html || fail "the page does not show the arm moving"
 
 # The file is the one beside the study, from wherever the program is called; a copy of the arm is the same arm.
@@ -42,3 +42,27 @@ sed -i 's/d_m = 0.40/d_m = 400/' my_arm.toml
 for command in "list robots my_arm.toml" "run my_study.toml" "solve --position-cm 30 20 25 --robot my_arm.toml"; do
   refused 'my_arm.toml:4:11: links.d_m is 400; expected a number from -100 to 100' $command
 done
+
+# An arm from a URDF file: shown, solved, run, and its mistakes.
+cp "$scripts/../data/urdf/fetch.urdf" "$scripts/../data/urdf/ur5e.urdf" "$scripts/../data/urdf/gen3.urdf" .
+succeeds robot fetch.urdf --at 0.1,0,0,0,90,0,0,0
+has "$out" "torso_lift"
+has "$out" "wrist: spherical"
+has "$out" "with the joints at (0.1 m, 0, 0, 0, 90, 0, 0, 0) deg, the tool is at (0.501"
+succeeds robot gen3.urdf --out picture
+has "$out" "angles are snapped, which moves the tool by at most"
+[ -s picture/robot.gp ] && [ -s picture/robot.dat ] || fail "there is no picture"
+succeeds robot ur5e
+has "$out" "reach: at most"
+sed 's/robot = .*/robot = "fetch.urdf"/' my_study.toml >urdf_study.toml
+succeeds run urdf_study.toml "${small[@]}" --set urdf.tip=wrist_roll_link --no-report --out described
+grep -q ",fetch," <<<"$("$program" export described/store.sqlite)" || fail "the solves do not name their arm"
+succeeds solve --robot ur5e.urdf --position-cm 30 20 25
+has "$out" "ok"
+refused 'tip is "griper_link", which is no link; did you mean "gripper_link"?' robot fetch.urdf --tip griper_link
+refused 'urdf.limits is "both"; expected one of "hard", "soft"' run urdf_study.toml --set urdf.limits=both
+refused '[urdf] is about a URDF file, but robot is "planar_2"' run urdf_study.toml --set robot=planar_2 --set urdf.tip=x
+refused 'there is no file none.urdf' robot none.urdf
+refused '--at has 2 values; expected 6' robot ur5e --at 1,2
+echo '<robot name="r"><xacro:include filename="x"/></robot>' >macro.urdf
+refused 'macro.urdf:1: this is xacro; expand it first: xacro macro.urdf > macro_expanded.urdf' robot macro.urdf

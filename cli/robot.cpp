@@ -1,0 +1,212 @@
+// ikbench robot: an arm of the library, of an arm file or of a URDF file, and where its tool is.
+#include "cli/robot.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <memory>
+#include <stdexcept>
+
+#include "analysis/figures/figure.hpp"
+#include "analysis/figures/figure_parts.hpp"
+#include "cli/commands.hpp"
+#include "cli/console.hpp"
+#include "numerics/units.hpp"
+#include "robots/spherical_wrist.hpp"
+#include "robots/urdf.hpp"
+
+namespace ikbench::cli {
+
+using namespace numerics;
+using namespace robots;
+using namespace figures;
+
+namespace {
+
+struct RobotArguments {
+  std::string robot, out, limits = "hard";
+  UrdfChoice urdf;
+  double snap_deg = 0.001;
+  std::vector<double> at;
+};
+
+std::string number(double value) { return fmt::format("{:g}", value == 0 ? 0.0 : value); }  // no -0
+
+std::string frame_text(const Frame& frame) {
+  const Eigen::Vector3d &at = frame.position, rpy_deg = frame.rpy / degree;
+  return fmt::format("at ({}, {}, {}) m, roll pitch yaw ({}, {}, {}) deg", number(at.x()), number(at.y()),
+                     number(at.z()), number(rpy_deg.x()), number(rpy_deg.y()), number(rpy_deg.z()));
+}
+
+std::string frame_line(std::string_view name, const Frame& frame) {
+  return frame == Frame() ? "" : fmt::format("{} {}\n", name, frame_text(frame));
+}
+
+bool slides(const Robot& arm, Eigen::Index joint) {
+  return arm.chain.links()[static_cast<std::size_t>(joint)].joint == Joint::slides;
+}
+
+std::string joint_table(const Robot& arm) {
+  std::vector<std::string> names;
+  for (const DescribedJoint& joint : arm.description) {
+    if (joint.motion != DescribedJoint::Motion::none) names.push_back(joint.name);
+  }
+  std::vector<std::vector<std::string>> rows{
+      {"JOINT", "", "from", "to", "", "a [m]", "alpha [deg]", "d [m]", "offset [deg]"}};
+  if (!names.empty()) rows.front().emplace_back("name");
+  for (Eigen::Index j = 0; j < arm.joints(); ++j) {
+    const DhLink& link = arm.chain.links()[static_cast<std::size_t>(j)];
+    const double unit = slides(arm, j) ? 1 : degree, lower = arm.limits.lower[j] / unit;
+    const bool is_endless = !std::isfinite(lower);
+    rows.push_back({std::to_string(j + 1),
+                    slides(arm, j)                 ? "slides"
+                    : link.joint == Joint::coupled ? "coupled"
+                                                   : "turns",
+                    is_endless ? "without" : number(lower), is_endless ? "end" : number(arm.limits.upper[j] / unit),
+                    is_endless       ? ""
+                    : slides(arm, j) ? "m"
+                                     : "deg",
+                    number(link.a), number(link.alpha / degree), number(link.d), number(link.offset / degree)});
+    if (!names.empty()) rows.back().push_back(names[static_cast<std::size_t>(j)]);
+  }
+  return aligned(rows);
+}
+
+std::string reach_text(const Robot& arm) {
+  const Chain::Ball ball = arm.chain.reach();
+  if (!std::isfinite(ball.radius)) return "reach: not known, because a joint slides";
+  return fmt::format("reach: at most {} m from ({}, {}, {}) m", number(ball.radius), number(ball.centre.x()),
+                     number(ball.centre.y()), number(ball.centre.z()));
+}
+
+Configuration joints_at(const Robot& arm, const std::vector<double>& at) {
+  if (at.empty()) {  // the nearest to zeros that the limits allow
+    return arm.limits.lower.cwiseMax(Eigen::VectorXd::Zero(arm.joints())).cwiseMin(arm.limits.upper);
+  }
+  if (at.size() != static_cast<std::size_t>(arm.joints())) {
+    throw std::invalid_argument(
+        fmt::format("--at has {} values; expected {}, one for each joint of {}", at.size(), arm.joints(), arm.name));
+  }
+  Configuration q(arm.joints());
+  for (Eigen::Index j = 0; j < q.size(); ++j) {
+    const double value = at[static_cast<std::size_t>(j)];
+    if (!(std::abs(value) <= 1e6)) {
+      throw std::invalid_argument(fmt::format("--at has {}; expected values within +-1e6", value));
+    }
+    q[j] = value * (slides(arm, j) ? 1 : degree);
+  }
+  return q;
+}
+
+std::string tool_text(const Robot& arm, const Configuration& q) {
+  std::vector<std::string> values;
+  for (Eigen::Index j = 0; j < q.size(); ++j) {
+    values.push_back(number(q[j] / (slides(arm, j) ? 1 : degree)) + (slides(arm, j) ? " m" : ""));
+  }
+  std::string text = fmt::format("with the joints at ({}) deg, the tool is {}", fmt::join(values, ", "),
+                                 frame_text(frame_of(arm.chain.forward(q))));
+  if (arm.limits.violation(q) > 0) text += "; a joint is outside its limits";
+  return text;
+}
+
+// From the base to the tool: the origins of a description's joints, or the ends of the table's steps along z and x.
+std::vector<Eigen::Vector3d> corners(const Robot& arm, const Configuration& q) {
+  std::vector<Eigen::Vector3d> points{Eigen::Vector3d::Zero()};
+  Description so_far;
+  for (const DescribedJoint& joint : arm.description) {
+    so_far.push_back(joint);
+    points.emplace_back(pose_of(so_far, q).translation());
+  }
+  if (!arm.description.empty()) return points;
+  std::vector<DhLink> links;
+  for (const DhLink& link : arm.chain.links()) {
+    links.push_back(link);
+    for (const double along_x : {0.0, link.a}) {
+      links.back().a = along_x;
+      points.emplace_back(Chain(links, arm.chain.base(), {}).position(q.head(static_cast<Eigen::Index>(links.size()))));
+    }
+  }
+  points.emplace_back(arm.chain.position(q));
+  return points;
+}
+
+Figure picture(const Robot& arm, const Configuration& q) {
+  Figure figure{.name = "robot",
+                .caption = fmt::format("{}: {}.", arm.name, tool_text(arm, q)),
+                .height_cm = 8.0,
+                .data = "# the arm from the base to the tool: x, y, z [cm]\n"};
+  std::array<std::vector<double>, 3> coordinates;
+  for (const Eigen::Vector3d& point : corners(arm, q)) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      coordinates[axis].push_back(point[static_cast<Eigen::Index>(axis)] / centimetre);
+      figure.data += data_number(coordinates[axis].back()) + (axis < 2 ? ' ' : '\n');
+    }
+  }
+  figure.settings = space_axes(coordinates);
+  figure.plot = "splot 'robot.dat' using 1:2:3 with linespoints lw 1.6 pt 7 ps 0.4 lc rgb '#FF2E1B' notitle";
+  return figure;
+}
+
+void draw(const Robot& arm, const Configuration& q, const std::filesystem::path& folder) {
+  for (const FigureOutcome& outcome : write_figures({picture(arm, q)}, folder, {.jobs = 1})) {
+    if (!outcome.error.empty()) say(fmt::format("warning: {} was not drawn: {}", outcome.name, outcome.error));
+  }
+  fmt::print("picture: {}\n", printable((folder / "robot.svg").string()));
+}
+
+}  // namespace
+
+std::string robot_text(const Robot& arm) {
+  std::string text = fmt::format("{}: {}\nfrom {}\n\n{}{}{}\n{}\nwrist: {}\n", arm.name, arm.summary, arm.source,
+                                 frame_line("base", arm.chain.base()), frame_line("tool", arm.chain.tool()),
+                                 joint_table(arm), reach_text(arm),
+                                 SphericalWrist::fits(arm.chain) ? "spherical; search = \"wrist\" or \"all_joints\""
+                                                                 : "not spherical; search = \"all_joints\"");
+  for (const std::string& note : arm.notes) text += fmt::format("note: {}\n", note);
+  return printable(text);
+}
+
+void add_robot(CLI::App& app) {
+  auto arguments = std::make_shared<RobotArguments>();
+  CLI::App* command = app.add_subcommand("robot", "Show an arm: its joints, limits, reach, wrist and tool");
+  command->add_option("ROBOT", arguments->robot, "a name from ikbench list robots, or a file: arm.toml, arm.urdf")
+      ->required();
+  command
+      ->add_option("--at", arguments->at,
+                   "values of all joints [deg], or [m] where one slides; default: zeros, or the nearest inside the "
+                   "limits")
+      ->delimiter(',');
+  command->add_option("--base", arguments->urdf.base,
+                      "link of a URDF file from which the arm is read; default: the root");
+  command->add_option("--tip", arguments->urdf.tip,
+                      "link of a URDF file to which the arm is read; default: the one with the most joints before it");
+  command->add_option("--limits", arguments->limits, "limits of a URDF file: hard, or soft where they are tighter")
+      ->check(CLI::IsMember({"hard", "soft"}))
+      ->capture_default_str();
+  command
+      ->add_option("--snap-deg", arguments->snap_deg,
+                   "angles of a URDF file this near a multiple of 15 deg, and axes this near parallel, are meant to be "
+                   "it; 0: none")
+      ->check(CLI::Range(0.0, 1.0))
+      ->capture_default_str();
+  command->add_option("--out", arguments->out, "also draw the arm into this folder: robot.svg, .pdf, .png");
+  command->footer(
+      "Examples:\n"
+      "  ikbench robot ur5e\n"
+      "  ikbench robot franka_panda --at 0,-45,0,-135,0,90,45 --out out/panda\n"
+      "  ikbench robot my_arm.urdf --base base_link --tip tool0 --limits soft");
+  command->callback([arguments] {
+    UrdfChoice choice = arguments->urdf;
+    choice.limits = arguments->limits == "soft" ? UrdfChoice::Limits::soft : UrdfChoice::Limits::hard;
+    choice.snap = arguments->snap_deg * degree;
+    const Robot arm = is_arm_file(arguments->robot) ? load_robot(arguments->robot, choice) : robot(arguments->robot);
+    const Configuration q = joints_at(arm, arguments->at);
+    fmt::print("{}{}\n", robot_text(arm), tool_text(arm, q));
+    if (!arguments->out.empty()) draw(arm, q, arguments->out);
+  });
+}
+
+}  // namespace ikbench::cli
