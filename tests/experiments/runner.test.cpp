@@ -10,7 +10,6 @@
 #include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
-#include <numbers>
 
 #include "experiments/environment.hpp"
 #include "experiments/orientation.hpp"
@@ -18,6 +17,7 @@
 #include "experiments/study_reader.hpp"
 #include "experiments/study_writer.hpp"
 #include "experiments/verifier.hpp"
+#include "numerics/units.hpp"
 #include "results/fingerprint.hpp"
 #include "results/published.hpp"
 #include "solvers/registry.hpp"
@@ -32,8 +32,6 @@ using namespace ikbench::results;
 using namespace ikbench::experiments;
 
 namespace {
-
-constexpr double degree = std::numbers::pi / 180;
 
 // A store in a folder that vanishes with the test.
 struct ScratchStore {
