@@ -355,7 +355,7 @@ TEST_CASE("a study's arm may be a file in the study's folder, and for --set in t
         }).starts_with(other + ":2:11: links.a_m is 500; expected a number from -100 to 100"));
 }
 
-TEST_CASE("a study's arm may be a URDF file, read as its table [urdf] says", "[study][arm]") {
+TEST_CASE("a study's arm may be a URDF file, read as its table urdf says", "[study][arm]") {
   const std::string robot = "robot=" + std::filesystem::absolute("tests/data/urdf/iiwa14.urdf").string();
   const Study hard = read(solver_entry, {robot});
   const Study soft = read(solver_entry, {robot, "urdf.limits=soft", "urdf.base=link_1", "urdf.tip=tool"});
