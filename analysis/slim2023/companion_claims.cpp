@@ -69,6 +69,7 @@ std::optional<Claim> real_time_of(const StudyResults& study, const ClaimEntry& e
                     short_number(row.undisturbed_ms.max));
   } else {
     claim.evidence = not_judged();
+    claim.number = times_not_judged;
   }
   claim.evidence += fmt::format(" Printed, in MATLAB on another machine: {}.", printed_real_time(printed));
   claim.printed = printed.max_ms < real_time_ms    ? Verdict::holds
@@ -97,6 +98,8 @@ std::optional<Claim> only_offline_of(const StudyResults& study, const ClaimEntry
     claim.verdict = verdict_on(here);
     claim.number = fmt::format("{} with {}", fmt::format("{} ms", short_number(rows.back().ours.time_ms.median)),
                                rows.back().ours.solver);
+  } else {
+    claim.number = times_not_judged;
   }
   claim.printed = verdict_on(in_print);
   claim.evidence =

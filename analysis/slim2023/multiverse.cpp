@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <stdexcept>
 
 #include "analysis/slim2023/claims.hpp"
@@ -38,7 +39,7 @@ std::vector<MultiverseClaim> claims_in_universes() {
   return claims;
 }
 
-// The dimension that decides most, and those that decide nearly as much, in their order.
+// The dimension that decides most, and those that decide nearly as much; the first decides most.
 std::vector<std::size_t> deciding_dimensions(const Multiverse& multiverse, const ClaimCounts& counts) {
   constexpr double nearly = 0.8;
   std::vector<std::size_t> result;
@@ -47,6 +48,7 @@ std::vector<std::size_t> deciding_dimensions(const Multiverse& multiverse, const
   for (std::size_t d = 0; d < multiverse.dimensions.size(); ++d) {
     if (counts.difference(d) >= nearly * counts.difference(most)) result.push_back(d);
   }
+  std::ranges::stable_sort(result, std::greater<>(), [&](std::size_t d) { return counts.difference(d); });
   return result;
 }
 

@@ -98,6 +98,7 @@ std::optional<Claim> compared(const Reported& reported, const ClaimEntry& entry,
     const std::string name = figures::capitalised(info_of(metric).name);
     if (found->contrasts.empty() && metric == Metric::seconds) {
       claim.evidence += fmt::format("{}: not judged, because {} (see the warnings). ", name, times_not_judged);
+      claim.number = times_not_judged;
     } else {
       ++comparable;
       claim.evidence += fmt::format("{}: {}. ", name, list_of(*found, entry.solver, metric));
@@ -118,7 +119,7 @@ std::optional<Claim> compared(const Reported& reported, const ClaimEntry& entry,
       printed_lists.empty() ? test.substr(test.empty() ? 0 : 1) : fmt::format("Printed: {}.{}", printed_lists, test);
   if (!in_print.empty()) claim.printed = verdict_on(in_print);
   if (here.size() > 1) {
-    claim.number = fmt::format("better in {} of {}", std::ranges::count(here, Verdict::holds), here.size());
+    claim.number = fmt::format("better in {} of {} means", std::ranges::count(here, Verdict::holds), here.size());
   }
   if (entry.study == "limits") claim.table = "limits";
   if (entry.study == "context") claim.table = "baselines";
@@ -214,6 +215,7 @@ std::optional<Claim> ranking(const Reported& reported, const ClaimEntry& entry) 
   claim.printed = verdict_on(in_print);
   if (!is_comparable(study, metric)) {
     claim.evidence = fmt::format("Here: not ranked, because {} (see the warnings).", times_not_judged);
+    claim.number = times_not_judged;
   } else {
     const Evidence& tested = study.evidence(metric);
     const FoundOrder here = found_order(tested, printed);
@@ -283,7 +285,8 @@ std::optional<Claim> compromise(const Reported& reported, const ClaimEntry& entr
   claim.verdict = verdict_on(ours.found);
   if (here.size() < entry.metrics.size() && claim.verdict == Verdict::holds) claim.verdict = Verdict::in_part;
   claim.printed = verdict_on(printed.found);
-  claim.number = fmt::format("ahead of {} of {}", ours.found.better, ours.found.all());
+  claim.number = fmt::format("ahead of {} of {}{}", ours.found.better, ours.found.all(),
+                             here.size() < entry.metrics.size() ? ", without times" : "");
   claim.evidence += fmt::format(
       "{} dominates {} of {} solvers, that is, it is better in one mean and worse in none; {} dominate it. Whom nobody "
       "dominates (the Pareto front): {}. Printed: it dominates {}; the front is {}.",
