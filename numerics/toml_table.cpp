@@ -25,7 +25,8 @@ std::string text_of_file(const std::filesystem::path& file, std::uintmax_t large
   std::error_code error;
   const std::uintmax_t size = std::filesystem::file_size(file, error);
   if (!error && size > largest) {
-    throw std::invalid_argument(fmt::format("{}: expected a file of at most {} MB", file.string(), largest / 1'000'000));
+    throw std::invalid_argument(
+        fmt::format("{}: expected a file of at most {} MB", file.string(), largest / 1'000'000));
   }
   std::ifstream in(file, std::ios::binary);
   std::ostringstream content;

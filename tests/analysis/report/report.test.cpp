@@ -294,7 +294,7 @@ TEST_CASE("what is said of times follows one state of them, in every part of a r
   CHECK(!contains(head, "computing time \\[s\\]: "));
   CHECK(contains(
       head,
-      "| undecided | holds in part |  | Table 3 | Here: not ranked, because times are not comparable (see the warnings)."));
+      "| undecided | holds in part | times are not comparable | Table 3 | Here: not ranked, because times are not comparable (see the warnings)."));
   CHECK(contains(head, "Computing time: not tested, because times are not comparable (see the warnings)."));
   CHECK(!contains(table("busy", "table-3"), "relative only: close"));
   CHECK(!contains(table("busy", "table-3"), "relative only: differs"));
