@@ -43,7 +43,7 @@ void join(Claim& claim, const ClaimShares& of) {
                                                              answers_in(of), share_words(of.undecided))
                                                : of.sentence);
   if (share_of(claim.verdict, of) >= clear_share) return;
-  claim.evidence = fmt::format("By our default: {}. {}", name_of(claim.verdict), claim.evidence);
+  claim.evidence = fmt::format("By our default: {}; {}", name_of(claim.verdict), claim.evidence);
   claim.verdict = Verdict::depends;
   claim.depends_on = of.decided_by.empty() ? "what the paper leaves open" : of.decided_by;
   claim.number = answers_in(of);

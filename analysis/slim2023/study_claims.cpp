@@ -234,7 +234,7 @@ std::optional<Claim> has_effect(const Reported& reported, const ClaimEntry& entr
   if (changed == 0) {
     claim.verdict = Verdict::fails;
     claim.evidence = fmt::format(
-        "All {} answers are the same to the last bit with f_max = 0: Eqs. 5, 7 and 13 have no effect, because Eq. 14 "
+        "All {} answers are the same to the last bit with f_max = 0: Equations 5, 7 and 13 have no effect, because Eq. 14 "
         "overwrites what Eq. 7 moved.",
         shared);
     return claim;

@@ -379,14 +379,14 @@ TEST_CASE("a claim whose own verdict is not clear over all interpretations depen
   CHECK(accurate.verdict == Verdict::depends);
   CHECK(verdict_words(accurate) == "depends on bounds");
   CHECK(accurate.number == "holds in 61 %, fails in 30 %");
-  CHECK(accurate.evidence.starts_with("By our default: holds. Position error: "));
+  CHECK(accurate.evidence.starts_with("By our default: holds; Position error: "));
   CHECK(accurate.evidence.ends_with(" It holds in 3 % where nobody is clamped, in 90 % where all are."));
   const Claim& variation = claim_of(all, "smallest_variation");
   CHECK(variation.verdict == Verdict::in_part);  // as before: what holds in part is undecided, and that is clear
   CHECK(contains(variation.evidence, "Over all interpretations it holds in 2 %, fails in 1 %, is undecided in 97 %."));
   const Claim& ba = claim_of(all, "better_than_ba");
   CHECK(verdict_words(ba) == "depends on population");  // clear, but not what the default says
-  CHECK(ba.evidence.starts_with("By our default: holds. "));
+  CHECK(ba.evidence.starts_with("By our default: holds; "));
   CHECK(verdict_of(all, "real_arm") == Verdict::untested);
   CHECK(tally(all) != before);
   CHECK(contains(tally(all), ", 2 depend on the interpretation, "));
