@@ -7,6 +7,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <thread>
 #include <utility>
 
@@ -41,12 +42,13 @@ std::string compared_with_reference(const Store& store, const std::string& name)
                                          : fmt::format("different from the reference {}", reference));
 }
 
-// The paper's own tables, before anything else is solved.
-void show_tables(const Store& store, const Paper& paper) {
+// The paper's own tables of its first `solved` studies, as soon as they are there; none of those already `shown`.
+void show_tables(const Store& store, const Paper& paper, std::size_t solved, std::set<std::string>& shown) {
   if (!paper.pieces) return;
   std::vector<inference::JudgedStudy> studies;
-  for (const PaperStudy& each : paper.studies) {
-    studies.emplace_back(inference::make_study(store.study(each.name), store.solves(each.name), store.sessions()));
+  for (std::size_t i = 0; i < solved; ++i) {
+    const std::string& name = paper.studies[i].name;
+    studies.emplace_back(inference::make_study(store.study(name), store.solves(name), store.sessions()));
   }
   const StudyPieces pieces = paper.pieces({studies.front(), {studies.begin() + 1, studies.end()}});
   std::vector<std::string> names{pieces.results};
@@ -56,7 +58,7 @@ void show_tables(const Store& store, const Paper& paper) {
   }
   for (const std::string& name : names) {
     const auto table = std::ranges::find(pieces.tables, name, &Table::name);
-    if (table == pieces.tables.end()) continue;
+    if (table == pieces.tables.end() || !shown.insert(name).second) continue;
     fmt::print("\n{}\n{}\n", printable(table->caption), aligned(readable_cells(*table)));
   }
   std::fflush(stdout);
@@ -166,15 +168,17 @@ void add_reproduce(CLI::App& app, Invocation& invocation) {
         arguments->run.out.empty() ? default_folder(first) : std::filesystem::path(arguments->run.out);
     const std::string seed = fmt::format("seed={}", arguments->seed), runs = fmt::format("runs={}", arguments->runs);
     const auto studies = studies_of(paper, {{"seed", seed}, {"runs", runs}});
-    for (const auto& [name, overrides] : studies) {
+    std::set<std::string> shown;
+    for (std::size_t i = 0; i < studies.size(); ++i) {
+      const auto& [name, overrides] = studies[i];
       if (run_and_tell(load_study(name, overrides), folder,
                        {.jobs = arguments->run.jobs, .command = invocation.command}) == Ended::stopped) {
         invocation.exit_code = 130;
         return;
       }
+      show_tables(Store(store_in(folder), Store::Mode::read), paper, i + 1, shown);
     }
     WrittenReport wanted{.study = first, .folder = folder, .arguments = arguments->report};
-    show_tables(Store(store_in(folder), Store::Mode::read), paper);
     if (!solve_besides(*arguments, paper, wanted)) {
       say("Stopped before the report. The solves are kept; run the same command again to continue.");
       invocation.exit_code = 130;
