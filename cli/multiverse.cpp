@@ -93,11 +93,7 @@ void tell_multiverse(const MultiverseReport& report, const MultiverseArguments& 
   fmt::print("\n{}\n", aligned(readable_cells(report.tables.front())));
   for (const std::string& note : report.tables.front().notes) fmt::print("{}\n", printable(note));
   for (const Table& table : report.tables) write_table(table, folder / "tables");
-  const auto outcomes =
-      write_figures(report.figures, folder / "figures", {.render = !arguments.without_figures, .jobs = 1});
-  for (const FigureOutcome& outcome : outcomes) {
-    if (!outcome.error.empty()) say(fmt::format("warning: {} was not drawn: {}", outcome.name, outcome.error));
-  }
+  draw(report.figures, folder / "figures", {.render = !arguments.without_figures, .jobs = 1});
   fmt::print(
       "Tables: {}\nFigure: {}\n", printable((folder / "tables").string()),
       printable((folder / "figures" / (arguments.without_figures ? "multiverse.gp" : "multiverse.png")).string()));
@@ -140,14 +136,7 @@ void add_multiverse(CLI::App& app, Invocation& invocation) {
       ->delimiter(',')
       ->allow_extra_args(false)
       ->excludes(small);
-  command->add_option("--seeds", arguments->seeds, "number of seeds, counted from 1; each is a study of its own")
-      ->check(whole_number())
-      ->check(CLI::Range(1, 1000))
-      ->capture_default_str();
-  command->add_option("--jobs", arguments->jobs, "number of series at once; the results do not depend on it")
-      ->check(whole_number())
-      ->check(CLI::Range(1, 1024))
-      ->capture_default_str();
+  add_series_options(*command, arguments->seeds, arguments->jobs);
   command->add_option("--set", arguments->overrides, "change a key in every universe: runs=5, path.points=10")
       ->allow_extra_args(false);
   command->add_option("--out", arguments->out,

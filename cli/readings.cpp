@@ -75,11 +75,7 @@ void write_and_tell(const ReadingsReport& report, const ReadingsArguments& argum
   if (arguments.out.empty()) return;
   const std::filesystem::path folder = arguments.out;
   write_table(report.table, folder / "tables");
-  const auto outcomes =
-      write_figures({report.figure}, folder / "figures", {.render = !arguments.without_figures, .jobs = 1});
-  for (const FigureOutcome& outcome : outcomes) {
-    if (!outcome.error.empty()) say(fmt::format("warning: {} was not drawn: {}", outcome.name, outcome.error));
-  }
+  draw({report.figure}, folder / "figures", {.render = !arguments.without_figures, .jobs = 1});
   fmt::print("Table: {}\nFigure: {}\n", printable((folder / "tables" / "readings.md").string()),
              printable((folder / "figures" / (arguments.without_figures ? "readings.gp" : "readings.png")).string()));
 }
@@ -108,14 +104,7 @@ void add_readings(CLI::App& app, Invocation& invocation) {
   command->add_option("--grid", arguments->grid, "try all combinations of these instead of one at a time")
       ->delimiter(',')
       ->allow_extra_args(false);
-  command->add_option("--seeds", arguments->seeds, "number of seeds, counted from 1")
-      ->check(whole_number())
-      ->check(CLI::Range(1, 1000))
-      ->capture_default_str();
-  command->add_option("--jobs", arguments->jobs, "number of series at once; the results do not depend on it")
-      ->check(whole_number())
-      ->check(CLI::Range(1, 1024))
-      ->capture_default_str();
+  add_series_options(*command, arguments->seeds, arguments->jobs);
   command
       ->add_option("--set", arguments->overrides,
                    "change a key in the default and in every interpretation: runs=5, population=20")

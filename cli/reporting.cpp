@@ -144,6 +144,13 @@ void write_and_announce(const Store& store, WrittenReport wanted) {
   fmt::print("Report: {}\n", printable(report.page.string()));
 }
 
+void draw(const std::vector<figures::Figure>& figures, const std::filesystem::path& folder,
+          const figures::RenderOptions& options) {
+  for (const figures::FigureOutcome& outcome : figures::write_figures(figures, folder, options)) {
+    if (!outcome.error.empty()) say(fmt::format("warning: {} was not drawn: {}", outcome.name, outcome.error));
+  }
+}
+
 StudyEntry chosen_study(const Store& store, const std::string& name) {
   if (!name.empty()) return store.study(name);
   std::vector<StudyEntry> studies = store.studies();

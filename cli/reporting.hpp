@@ -50,6 +50,10 @@ struct WrittenReport {
 // line, the path of report.html.
 void write_and_announce(const results::Store& store, WrittenReport wanted);
 
+// Writes figures into the folder, draws them, and warns of those that were not drawn.
+void draw(const std::vector<figures::Figure>& figures, const std::filesystem::path& folder,
+          const figures::RenderOptions& options);
+
 // The study of that name, or the first of the store where the name is empty.
 results::StudyEntry chosen_study(const results::Store& store, const std::string& name);
 

@@ -14,6 +14,7 @@
 #include "analysis/figures/figure_parts.hpp"
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
+#include "cli/reporting.hpp"
 #include "numerics/units.hpp"
 #include "robots/spherical_wrist.hpp"
 #include "robots/urdf.hpp"
@@ -150,10 +151,8 @@ Figure picture(const Robot& arm, const Configuration& q) {
   return figure;
 }
 
-void draw(const Robot& arm, const Configuration& q, const std::filesystem::path& folder) {
-  for (const FigureOutcome& outcome : write_figures({picture(arm, q)}, folder, {.jobs = 1})) {
-    if (!outcome.error.empty()) say(fmt::format("warning: {} was not drawn: {}", outcome.name, outcome.error));
-  }
+void draw_arm(const Robot& arm, const Configuration& q, const std::filesystem::path& folder) {
+  draw({picture(arm, q)}, folder, {.jobs = 1});
   fmt::print("picture: {}\n", printable((folder / "robot.svg").string()));
 }
 
@@ -205,7 +204,7 @@ void add_robot(CLI::App& app) {
     const Robot arm = is_arm_file(arguments->robot) ? load_robot(arguments->robot, choice) : robot(arguments->robot);
     const Configuration q = joints_at(arm, arguments->at);
     fmt::print("{}{}\n", robot_text(arm), tool_text(arm, q));
-    if (!arguments->out.empty()) draw(arm, q, arguments->out);
+    if (!arguments->out.empty()) draw_arm(arm, q, arguments->out);
   });
 }
 

@@ -6,6 +6,7 @@
 #include "analysis/inference/study.hpp"
 #include "analysis/statistics/quantile.hpp"
 #include "cli/console.hpp"
+#include "cli/reporting.hpp"
 
 namespace ikbench::cli {
 
@@ -26,6 +27,17 @@ RunMeans run_means(const Study& study, std::vector<SolveRecord> solves) {
 }
 
 }  // namespace
+
+void add_series_options(CLI::App& command, int& seeds, int& jobs) {
+  command.add_option("--seeds", seeds, "number of seeds, counted from 1; each is a study of its own")
+      ->check(whole_number())
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
+  command.add_option("--jobs", jobs, "number of series at once; the results do not depend on it")
+      ->check(whole_number())
+      ->check(CLI::Range(1, 1024))
+      ->capture_default_str();
+}
 
 std::vector<RunMeans> solved(const std::vector<Study>& series, const SeriesArguments& arguments) {
   SeriesMeans kept(arguments.folder.empty() ? arguments.folder : arguments.folder / "series.csv");

@@ -1,6 +1,7 @@
 // Solves the series that interpretations need, for `ikbench readings`, `multiverse` and `reproduce`.
 #pragma once
 
+#include <CLI/CLI.hpp>
 #include <atomic>
 #include <filesystem>
 #include <string>
@@ -16,6 +17,9 @@ struct SeriesArguments {
   int jobs = 1;
   const std::atomic<bool>* cancelled = nullptr;
 };
+
+// --seeds and --jobs; what the variables hold is the default.
+void add_series_options(CLI::App& command, int& seeds, int& jobs);
 
 // With progress. After Ctrl-C those before the first that is missing.
 std::vector<experiments::RunMeans> solved(const std::vector<experiments::Study>& series,

@@ -14,14 +14,4 @@ std::string count_words(double count) {
   return fmt::format("{:.0f}", count);
 }
 
-std::string choice_words(const Multiverse& multiverse, std::span<const Multiverse::Choice> chosen) {
-  std::string words;
-  for (const Multiverse::Choice& each : chosen) {
-    if (each.alternative == 0) continue;
-    words += words.empty() ? "" : ", ";
-    words += multiverse.dimensions[each.dimension].alternatives[each.alternative].set;
-  }
-  return words.empty() ? "the default" : words;
-}
-
 }  // namespace ikbench::slim2023

@@ -20,6 +20,17 @@ run_it() {
   out=$(<"$work/.out") err=$(<"$work/.err")
 }
 
+# stopped_after_a_second ARGUMENTS...: far too much to be done; exit code 130 after SIGINT, what it said in stopped.err.
+stopped_after_a_second() {
+  "$program" "$@" >stopped.out 2>stopped.err &
+  local process=$!
+  sleep 1
+  kill -INT $process || fail "it had ended before it could be stopped: $(<stopped.err)"
+  wait $process
+  code=$?
+  [ "$code" = 130 ] || fail "exit code $code after SIGINT, expected 130: $(<stopped.err)"
+}
+
 # succeeds ARGUMENTS...: exit code 0.
 succeeds() {
   run_it "$@"

@@ -47,12 +47,5 @@ refused "series.csv:2: column position_error_cm, run 1: '-1', expected a number 
 echo "edited" >folder/series.csv
 refused 'series.csv:1' multiverse slim2023 "${small[@]}" --dimensions bounds --out folder
 
-# Far too much to be done; stopped after a second.
-"$program" multiverse slim2023 --set runs=500 --jobs 1 --out long >stopped.out 2>stopped.err &
-process=$!
-sleep 1
-kill -INT $process || fail "it had ended before it could be stopped: $(<stopped.err)"
-wait $process
-code=$?
-[ "$code" = 130 ] || fail "exit code $code after SIGINT, expected 130: $(<stopped.err)"
+stopped_after_a_second multiverse slim2023 --set runs=500 --jobs 1 --out long
 has "$(<stopped.err)" "to continue: ikbench multiverse slim2023 --set runs=500 --jobs 1 --out long"

@@ -28,12 +28,5 @@ refused 'did you mean "slim2023"' readings slim2024
 refused '--set runs' readings slim2023 --set runs=0
 refused 'seeds 1 to --seeds' readings slim2023 --set seed=77
 
-# Far too much to be done; stopped after a second.
-"$program" readings slim2023 --set runs=5000 --set population=200 >stopped.out 2>stopped.err &
-process=$!
-sleep 1
-kill -INT $process || fail "it had ended before it could be stopped: $(<stopped.err)"
-wait $process
-code=$?
-[ "$code" = 130 ] || fail "exit code $code after SIGINT, expected 130: $(<stopped.err)"
+stopped_after_a_second readings slim2023 --set runs=5000 --set population=200
 has "$(<stopped.err)" "Stopped: "
