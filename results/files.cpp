@@ -2,11 +2,13 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <cstdio>
+#include <cstdlib>
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
@@ -52,18 +54,23 @@ std::error_code write_into(const fs::path& file, std::string_view text) {
   return descriptor < 0 ? last_error() : closed(descriptor, write_all(descriptor, text));
 }
 
+constexpr std::string_view half_mark = ".half-", scratch_mark = ".drawing-";
+
 // Whole or not at all. `former` is the file whose place it takes.
 std::error_code replace(const fs::path& file, std::string_view text, const struct stat* former) {
-  const fs::path half = file.string() + fmt::format(".half-{}", ::getpid());
+  const fs::path half = fmt::format("{}{}{}", file.string(), half_mark, ::getpid());
   std::error_code ignored;
   fs::remove(half, ignored);  // of a process that had our number
   const int descriptor = ::open(half.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, former == nullptr ? 0666 : 0600);
   if (descriptor < 0) return last_error();
+  ::flock(descriptor, LOCK_EX | LOCK_NB);
+  const int lock = ::fcntl(descriptor, F_DUPFD_CLOEXEC, 0);  // not litter until it has its name
   std::error_code error = write_all(descriptor, text);
   if (former != nullptr) pass_on(*former, descriptor);
   error = closed(descriptor, error);
   if (!error) fs::rename(half, file, error);
   if (error) fs::remove(half, ignored);
+  if (lock >= 0) ::close(lock);
   return error;
 }
 
@@ -115,6 +122,64 @@ std::optional<std::string> read_file(const fs::path& file) {
   std::ostringstream text;
   if (!stream || !(text << stream.rdbuf())) return std::nullopt;
   return text.str();
+}
+
+namespace {
+
+// The lock of what `path` names, which is no link; negative where another process has it, or it cannot be opened.
+int locked(const fs::path& path) {
+  const int descriptor = ::open(path.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
+  if (descriptor < 0 || ::flock(descriptor, LOCK_EX | LOCK_NB) == 0) return descriptor;
+  ::close(descriptor);
+  return -1;
+}
+
+bool is_litter(const fs::directory_entry& entry) {
+  const std::string name = entry.path().filename().string();
+  std::error_code error;
+  const fs::file_type type = entry.symlink_status(error).type();
+  if (type == fs::file_type::directory) return name.starts_with(scratch_mark);
+  const std::size_t mark = name.rfind(half_mark);
+  return type == fs::file_type::regular && mark != std::string::npos && mark + half_mark.size() < name.size() &&
+         name.find_first_not_of("0123456789", mark + half_mark.size()) == std::string::npos;
+}
+
+}  // namespace
+
+TemporaryFolder::TemporaryFolder(const fs::path& parent) {
+  std::error_code error;
+  fs::create_directories(parent, error);
+  // Another process may take the folder for litter between its creation and its lock.
+  for (int attempt = 0; lock_ < 0 && !error && attempt < 10; ++attempt) {
+    std::string name = (parent / fmt::format("{}XXXXXX", scratch_mark)).string();
+    if (::mkdtemp(name.data()) == nullptr) {
+      error = last_error();
+    } else {
+      path_ = name;
+      lock_ = locked(path_);
+    }
+  }
+  if (lock_ >= 0) return;
+  throw std::invalid_argument(fmt::format("cannot write into '{}': {}; choose a place that you can write to",
+                                          parent.string(), error ? error.message() : "no folder stays there"));
+}
+
+TemporaryFolder::~TemporaryFolder() {
+  std::error_code ignored;
+  fs::remove_all(path_, ignored);
+  ::close(lock_);
+}
+
+void remove_litter(const fs::path& folder) {
+  std::error_code error;
+  for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
+    if (!is_litter(*entry)) continue;
+    const int descriptor = locked(entry->path());
+    if (descriptor < 0) continue;
+    std::error_code ignored;
+    fs::remove_all(entry->path(), ignored);
+    ::close(descriptor);
+  }
 }
 
 }  // namespace ikbench::results

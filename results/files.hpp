@@ -16,4 +16,24 @@ void write_file(const std::filesystem::path& file, std::string_view text);
 // Empty if the file cannot be read.
 std::optional<std::string> read_file(const std::filesystem::path& file);
 
+// A new folder inside another, for work that is not finished; gone at the end. Nobody else's link or file is in it.
+class TemporaryFolder {
+ public:
+  // std::invalid_argument names the folder and the system's reason.
+  explicit TemporaryFolder(const std::filesystem::path& parent);
+  ~TemporaryFolder();
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+  int lock_ = -1;
+};
+
+// Removes the half-written files and scratch folders that killed processes left in a folder. Those of living processes
+// stay: they are locked.
+void remove_litter(const std::filesystem::path& folder);
+
 }  // namespace ikbench::results

@@ -1,7 +1,6 @@
 #include "analysis/figures/figure.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -26,25 +25,6 @@ using namespace results;
 namespace {
 
 constexpr std::array<std::string_view, 3> picture_types{"svg", "pdf", "png"};
-
-// A folder for half-drawn pictures, gone at the end.
-class Workshop {
- public:
-  explicit Workshop(std::filesystem::path folder) : folder_(std::move(folder)) {
-    std::filesystem::create_directories(folder_);
-  }
-  ~Workshop() {
-    std::error_code ignored;
-    std::filesystem::remove_all(folder_, ignored);
-  }
-  Workshop(const Workshop&) = delete;
-  Workshop& operator=(const Workshop&) = delete;
-
-  const std::filesystem::path& folder() const { return folder_; }
-
- private:
-  std::filesystem::path folder_;
-};
 
 // Of an earlier report; a link or a device in their place is not ours to remove.
 void remove_pictures(const std::string& name, const std::filesystem::path& folder) {
@@ -166,13 +146,13 @@ std::vector<FigureOutcome> write_figures(const std::vector<Figure>& figures, con
   }
   if (!options.render) return outcomes;
 
-  const Workshop workshop(folder / fmt::format(".drawing-{}", ::getpid()));
-  write_sources(workshop.folder());
+  const TemporaryFolder workshop(folder);
+  write_sources(workshop.path());
   std::atomic<std::size_t> next = 0;
   const auto work = [&] {
     for (std::size_t i = next++; i < figures.size(); i = next++) {
       try {
-        draw(figures[i], workshop.folder(), options.gnuplot);
+        draw(figures[i], workshop.path(), options.gnuplot);
         outcomes[i].rendered = true;
       } catch (const std::invalid_argument& error) {
         outcomes[i].error = error.what();

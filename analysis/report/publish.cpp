@@ -65,6 +65,7 @@ Report publish(Publication publication, const std::filesystem::path& folder, con
     std::ranges::copy(assessment.tables, std::back_inserter(tables));
     std::ranges::copy(assessment.figures, std::back_inserter(figures));
   }
+  for (const std::filesystem::path& place : {folder, folder / "tables", folder / "figures"}) remove_litter(place);
   for (const Table& table : tables) write_table(table, folder / "tables");
   if (!assessments.empty()) write_file(folder / "statistics.json", json_of(assessments));
   const std::vector<FigureOutcome> outcomes = write_figures(figures, folder / "figures", options);

@@ -1,0 +1,80 @@
+#include "results/files.hpp"
+
+#include <signal.h>
+
+#include <filesystem>
+
+#include "tests/analysis/folder.hpp"
+#include "tests/catch.hpp"
+#include "tests/results/processes.hpp"
+#include "tests/results/samples.hpp"
+
+namespace ikbench::results {
+namespace {
+
+namespace fs = std::filesystem;
+
+TEST_CASE("what killed processes left is removed, and nothing else", "[files]") {
+  const TestFolder folder;
+  const fs::path& place = folder.path();
+  const fs::path elsewhere = place / "elsewhere";
+  write_file(elsewhere / "kept.txt", "kept");
+  fs::create_directories(place / ".drawing-4711" / "deep");
+  write_file(place / ".drawing-4711" / "deep" / "figure.gp", "plot");
+  write_file(place / "table.md.half-4711", "| a");
+  write_file(place / "table.md.half-x", "a name of somebody's own");
+  write_file(place / "half-4711", "the same");
+  fs::create_directory_symlink(elsewhere, place / ".drawing-1");
+  fs::create_symlink(elsewhere / "kept.txt", place / "table.md.half-1");
+  const TemporaryFolder alive(place);
+
+  remove_litter(place);
+
+  CHECK_FALSE(fs::exists(place / ".drawing-4711"));
+  CHECK_FALSE(fs::exists(place / "table.md.half-4711"));
+  CHECK(fs::exists(place / "table.md.half-x"));
+  CHECK(fs::exists(place / "half-4711"));
+  CHECK(fs::exists(elsewhere / "kept.txt"));
+  CHECK(fs::is_symlink(place / ".drawing-1"));
+  CHECK(fs::is_symlink(place / "table.md.half-1"));
+  CHECK(fs::exists(alive.path()));
+}
+
+TEST_CASE("a scratch folder is litter as soon as its process is killed", "[files]") {
+  const TestFolder folder;
+  const pid_t child = in_a_process([&] {
+    const TemporaryFolder scratch(folder.path());
+    write_file(scratch.path() / "figure.gp", "plot");
+    return raise(SIGKILL) == 0;
+  });
+  CHECK(exit_code(child) == -1);
+  REQUIRE_FALSE(fs::is_empty(folder.path()));
+  remove_litter(folder.path());
+  CHECK(fs::is_empty(folder.path()));
+}
+
+TEST_CASE("litter in a folder that does not exist is none", "[files]") {
+  CHECK_NOTHROW(remove_litter(TestFolder().path() / "missing"));
+}
+
+TEST_CASE("a scratch folder is its owner's alone and gone at the end", "[files]") {
+  const TestFolder folder;
+  fs::path first;
+  {
+    const TemporaryFolder scratch(folder.path()), other(folder.path());
+    first = scratch.path();
+    CHECK(first != other.path());
+    CHECK(fs::status(first).permissions() == fs::perms::owner_all);
+    write_file(first / "figure.gp", "plot");
+  }
+  CHECK(fs::is_empty(folder.path()));
+}
+
+TEST_CASE("a scratch folder that cannot be made is reported with its place", "[files]") {
+  const TestFolder folder;
+  write_file(folder.path() / "file", "no folder");
+  CHECK_THROWS_WITH(TemporaryFolder(folder.path() / "file"), ContainsSubstring("/file'"));
+}
+
+}  // namespace
+}  // namespace ikbench::results
