@@ -74,6 +74,11 @@ std::vector<std::string> common_labels(const std::vector<Variant>& a, const std:
   return common;
 }
 
+void refuse_damaged(const Store& store, const std::string& study, const std::filesystem::path& file) {
+  const std::vector<std::string> damages = damages_of(store, study);
+  if (!damages.empty()) throw std::invalid_argument(fmt::format("'{}': {}", file.string(), fmt::join(damages, " ")));
+}
+
 // How to be sure, and by what.
 std::string rules(const MarginQuestion& question) {
   return fmt::format("margin {}; if nothing is worse, the probability of any \"worse\" is at most {}",
@@ -85,6 +90,7 @@ std::string rules(const MarginQuestion& question) {
 Asked labels_of_store(const CompareArguments& arguments, const std::filesystem::path& file, const std::string& name) {
   const Store store(file, Store::Mode::read);
   const StudyEntry study = chosen_study(store, name);
+  refuse_damaged(store, study.name, file);
   const std::vector<Variant> all = variants(store, study);
   return {.headline = fmt::format("B: {}, against A: {}, in study {}", arguments.b, arguments.a, study.name),
           .question = question_of(arguments, study),
@@ -96,6 +102,8 @@ Asked labels_of_store(const CompareArguments& arguments, const std::filesystem::
 Asked labels_of_stores(const CompareArguments& arguments) {
   const Store of_a = opened(arguments.a), of_b = opened(arguments.b);
   const StudyEntry first = chosen_study(of_a, arguments.study), second = partner(of_b, arguments, first);
+  refuse_damaged(of_a, first.name, arguments.a);
+  refuse_damaged(of_b, second.name, arguments.b);
   const std::vector<Variant> a = variants(of_a, first), b = variants(of_b, second);
   Asked asked{
       .headline = fmt::format("B: {} in {}, against A: {} in {}", second.name, arguments.b, first.name, arguments.a),

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <thread>
 
@@ -14,6 +15,7 @@
 #include "cli/console.hpp"
 #include "cli/plan_options.hpp"
 #include "experiments/environment.hpp"
+#include "experiments/recheck.hpp"
 #include "experiments/runner.hpp"
 #include "experiments/study_reader.hpp"
 #include "experiments/study_writer.hpp"
@@ -128,6 +130,10 @@ void add_run_options(CLI::App& command, RunArguments& arguments) {
 
 void write_and_announce(const Store& store, WrittenReport wanted) {
   const AnalysisPlan plan = plan_for(store.study(wanted.study), wanted.arguments);
+  std::vector<std::string> damages;
+  for (const StudyEntry& entry : store.studies()) {  // companions are in the report too
+    std::ranges::copy(damages_of(store, entry.name), std::back_inserter(damages));
+  }
   const Report report = write_report(store, {.study = wanted.study,
                                              .folder = wanted.folder,
                                              .plan = plan,
@@ -136,12 +142,24 @@ void write_and_announce(const Store& store, WrittenReport wanted) {
                                              .extra_tables = std::move(wanted.tables),
                                              .extra_figures = std::move(wanted.figures),
                                              .repetitions = std::move(wanted.repetitions),
-                                             .shares = std::move(wanted.shares)});
+                                             .shares = std::move(wanted.shares),
+                                             .damages = damages});
   fmt::print("\n{}\n", aligned(readable_cells(report.results)));
   for (const std::string& sentence : report.summary) fmt::print("{}\n", printable(sentence));
   for (const std::string& remark : wanted.remarks) fmt::print("{}\n", printable(remark));
   for (const std::string& warning : report.warnings) say("warning: " + warning);
   fmt::print("Report: {}\n", printable(report.page.string()));
+  if (damages.empty()) return;
+  std::fflush(stdout);
+  throw std::invalid_argument(
+      "the store has numbers that do not follow from its answers; the report names them first; solve the study again "
+      "into another folder");
+}
+
+std::vector<std::string> damages_of(const Store& store, const std::string& study) {
+  std::vector<std::string> sentences = damages(store.study(study), store.solves(study));
+  for (std::string& sentence : sentences) sentence = fmt::format("Study {}: {}", study, sentence);
+  return sentences;
 }
 
 void draw(const std::vector<figures::Figure>& figures, const std::filesystem::path& folder,

@@ -228,6 +228,7 @@ Report write_report(const Store& store, const ReportRequest& request) {
                     why_not_blocked(study)));
   }
   if (study.plan.unit == Unit::point) content.warnings.insert(content.warnings.begin(), capitalised(points_flaw) + '.');
+  content.warnings.insert(content.warnings.begin(), request.damages.begin(), request.damages.end());
   for (std::size_t i = 1; i < same_limits_too.size(); ++i)
     content.summary.push_back(baselines_sentence(same_limits_too[i]));
   std::ranges::move(cost_tables(study), std::back_inserter(tables));

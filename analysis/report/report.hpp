@@ -28,6 +28,7 @@ struct ReportRequest {
   std::vector<figures::Figure> extra_figures = {};  // likewise
   std::vector<ReadSolver> repetitions = {};         // of the study, with other seeds
   std::vector<ClaimShares> shares = {};             // of the paper's claims over all interpretations
+  std::vector<std::string> damages = {};            // of the store, sentences; the first warnings
 };
 
 // An unknown study, or a folder that cannot be written to, is std::invalid_argument. Tables are there even where

@@ -1,0 +1,152 @@
+#include "experiments/recheck.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <utility>
+
+#include "experiments/verifier.hpp"
+#include "numerics/units.hpp"
+
+namespace ikbench::experiments {
+
+using namespace numerics;
+using namespace robots;
+using namespace results;
+
+namespace {
+
+// As TOML has it, in a line. The store is anybody's: keys and texts are quoted, and nothing is deeper than an arm is.
+std::string toml_of(const nlohmann::json& json, int levels = 4) {
+  if (levels == 0) throw std::invalid_argument("an arm that is nested too deeply");
+  std::string text;
+  if (json.is_array()) {
+    for (const nlohmann::json& element : json) text += toml_of(element, levels - 1) + ", ";
+    return fmt::format("[{}]", text);
+  }
+  if (json.is_object()) {
+    for (const auto& [key, value] : json.items()) {
+      if (key != "name")
+        text +=
+            fmt::format("{}{} = {}", text.empty() ? "" : ", ", nlohmann::json(key).dump(), toml_of(value, levels - 1));
+    }
+    return fmt::format("{{{}}}", text);
+  }
+  return json.dump();
+}
+
+class Findings {
+ public:
+  void add(const char* column, const SolveRecord& solve, const std::string& what) {
+    Finding& finding = of_column_[column];
+    if (finding.solves++ == 0) {
+      finding.first = fmt::format("{}, run {}, point {}: {}", solve.solver, solve.run, solve.point, what);
+    }
+  }
+  // The same number but for rounding, or not a number twice.
+  void expect(const char* column, const SolveRecord& solve, double stored, double computed) {
+    const bool is_same = std::isfinite(computed) ? std::abs(stored - computed) <= 1e-9 * (1 + std::abs(computed))
+                                                 : !std::isfinite(stored);
+    if (!is_same) add(column, solve, fmt::format("{} is stored, {} follows from the answer", stored, computed));
+  }
+  void expect_at_least(const char* column, const SolveRecord& solve, double stored, double least) {
+    if (!(stored >= least) || !std::isfinite(stored))
+      add(column, solve, fmt::format("{} is stored, {} or more is possible", stored, least));
+  }
+
+  std::vector<std::string> sentences() const {
+    std::vector<std::string> all;
+    for (const auto& [column, finding] : of_column_)
+      all.push_back(fmt::format("Damaged: {} of {} solve{} (first: {}).", column, finding.solves,
+                                finding.solves == 1 ? "" : "s", finding.first));
+    return all;
+  }
+
+ private:
+  struct Finding {
+    std::int64_t solves = 0;
+    std::string first;
+  };
+  std::map<std::string, Finding> of_column_;
+};
+
+Eigen::VectorXd vector_of(const std::vector<double>& values) {
+  return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
+}
+
+Pose target_of(const SolveRecord& solve) {
+  Pose target = Pose::Identity();
+  target.translation() = vector_of(solve.target_position_m);
+  target.linear() = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(solve.target_rotation.data());
+  return target;
+}
+
+void look_at_counts(const SolveRecord& solve, Findings& found) {
+  found.expect_at_least("evaluations", solve, static_cast<double>(solve.evaluations), 0);
+  found.expect_at_least("iterations", solve, static_cast<double>(solve.iterations), 0);
+  found.expect_at_least("seconds", solve, solve.seconds, 0);
+  found.expect_at_least("cpu_seconds", solve, solve.cpu_seconds, 0);
+  if (std::isfinite(solve.smallest_seconds)) {  // older stores have none
+    found.expect_at_least("smallest_seconds", solve, solve.smallest_seconds, 0);
+    found.expect_at_least("largest_seconds", solve, solve.largest_seconds, solve.seconds);
+  }
+}
+
+void look_at_answer(const Robot& arm, const SolveRecord& solve, Findings& found) {
+  const auto joints = static_cast<std::size_t>(arm.joints());
+  if (solve.target_position_m.size() != 3 || solve.target_rotation.size() != 9 || solve.start_rad.size() != joints ||
+      solve.answer_rad.size() != joints) {
+    found.add("answer_rad", solve, fmt::format("not the sizes of an arm with {} joints", joints));
+    return;
+  }
+  const Verification computed = verify(arm, target_of(solve), vector_of(solve.start_rad), vector_of(solve.answer_rad));
+  found.expect("position_error_cm", solve, solve.position_error_cm, computed.position_error / centimetre);
+  found.expect("orientation_error", solve, solve.orientation_error, computed.orientation_error);
+  found.expect("variation_deg", solve, solve.variation_deg, computed.variation / degree);
+  found.expect("largest_move_deg", solve, solve.largest_move_deg, computed.largest_move / degree);
+  found.expect("limit_violation_deg", solve, solve.limit_violation_deg, computed.limit_violation / degree);
+  if (std::isfinite(solve.variation_m)) {  // older stores have none
+    found.expect("variation_m", solve, solve.variation_m, computed.variation_m);
+    found.expect("largest_move_m", solve, solve.largest_move_m, computed.largest_move_m);
+    found.expect("limit_violation_m", solve, solve.limit_violation_m, computed.limit_violation_m);
+  }
+}
+
+}  // namespace
+
+std::optional<Robot> stored_arm(const StudyEntry& entry) {
+  const auto definition = nlohmann::json::parse(entry.definition, nullptr, false);
+  if (!definition.is_object()) return std::nullopt;
+  try {
+    if (!definition.contains("arm")) return robot(definition.value("robot", ""));  // the first stores have its name
+    std::string text;
+    for (const char* part : {"links", "base", "tool"}) {
+      if (definition["arm"].contains(part)) text += fmt::format("{} = {}\n", part, toml_of(definition["arm"][part]));
+    }
+    return parse_robot(text, "stored.toml");
+  } catch (const std::invalid_argument&) {
+    return std::nullopt;
+  } catch (const nlohmann::json::exception&) {
+    return std::nullopt;
+  }
+}
+
+std::vector<std::string> damages(const StudyEntry& entry, const std::vector<SolveRecord>& solves) {
+  Findings found;
+  const std::optional<Robot> arm = stored_arm(entry);
+  for (const SolveRecord& solve : solves) {
+    look_at_counts(solve, found);
+    if (arm) look_at_answer(*arm, solve, found);
+  }
+  std::vector<std::string> sentences = found.sentences();
+  if (!arm && !solves.empty()) {
+    sentences.push_back("The arm in the definition cannot be read, so errors and moves were not computed again.");
+  }
+  return sentences;
+}
+
+}  // namespace ikbench::experiments

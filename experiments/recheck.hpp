@@ -1,0 +1,21 @@
+// Whether what a store says of its solves follows from what was asked and answered. Anybody may have written it.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "results/store.hpp"
+#include "robots/robot.hpp"
+
+namespace ikbench::experiments {
+
+// The arm as the definition of a stored study has it, to the rounding of its degrees; empty where it has none that can
+// be read.
+std::optional<robots::Robot> stored_arm(const results::StudyEntry& entry);
+
+// What does not fit, a sentence for each column, with the first solve of which it is so; none where all fits. Errors,
+// moves and violations are computed again from arm, target, start and answer; counts and times must be possible.
+std::vector<std::string> damages(const results::StudyEntry& entry, const std::vector<results::SolveRecord>& solves);
+
+}  // namespace ikbench::experiments

@@ -1,0 +1,95 @@
+// Whatever is changed in a store by others, and does not follow from its answers, is found.
+#include "experiments/recheck.hpp"
+
+#include <functional>
+#include <limits>
+
+#include "experiments/study_writer.hpp"
+#include "tests/catch.hpp"
+#include "tests/experiments/samples.hpp"
+
+using namespace ikbench;
+using namespace ikbench::results;
+using namespace ikbench::experiments;
+
+namespace {
+
+StudyEntry entry_of(const Study& study) { return {.name = study.name, .definition = to_json(study), .series = {}}; }
+
+Study study_with(const std::string& robot) {
+  Study study = small_study();
+  study.robot = robot;
+  study.path = path_of({"kind=random", "points=3"});
+  study.search = Search::all_joints;
+  study.initial = Eigen::VectorXd::Zero(arm_of(study).joints());
+  return study;
+}
+
+}  // namespace
+
+TEST_CASE("the solves of a study as they are made follow from their answers", "[recheck]") {
+  for (const char* robot : {"kuka_iiwa14", "dobot_magician", "stanford", "kinova_gen3", "abb_irb120"}) {
+    INFO(robot);
+    const Study study = study_with(robot);
+    CHECK(damages(entry_of(study), solves_of(study)).empty());
+  }
+}
+
+TEST_CASE("a changed number of a solve is damage, named by its column and the first solve", "[recheck]") {
+  const Study study = study_with("stanford");
+  const std::vector<SolveRecord> good = solves_of(study);
+  const std::vector<std::pair<std::string, std::function<void(SolveRecord&)>>> changes{
+      {"position_error_cm", [](SolveRecord& solve) { solve.position_error_cm = -1; }},
+      {"position_error_cm", [](SolveRecord& solve) { solve.position_error_cm = 1.0001 * solve.position_error_cm; }},
+      {"position_error_cm",
+       [](SolveRecord& solve) { solve.position_error_cm = std::numeric_limits<double>::quiet_NaN(); }},
+      {"position_error_cm", [](SolveRecord& solve) { solve.target_position_m[2] += 1e-6; }},
+      {"orientation_error", [](SolveRecord& solve) { solve.orientation_error = 0; }},
+      {"orientation_error", [](SolveRecord& solve) { solve.target_rotation[4] += 1e-6; }},
+      {"variation_deg", [](SolveRecord& solve) { solve.start_rad[0] += 1e-6; }},
+      {"variation_m", [](SolveRecord& solve) { solve.answer_rad[2] += 1e-6; }},
+      {"largest_move_deg", [](SolveRecord& solve) { solve.largest_move_deg = 0; }},
+      {"limit_violation_deg", [](SolveRecord& solve) { solve.limit_violation_deg = -3; }},
+      {"limit_violation_m", [](SolveRecord& solve) { solve.limit_violation_m += 0.1; }},
+      {"evaluations", [](SolveRecord& solve) { solve.evaluations = -1; }},
+      {"iterations", [](SolveRecord& solve) { solve.iterations = -7; }},
+      {"seconds", [](SolveRecord& solve) { solve.seconds = -1; }},
+      {"cpu_seconds", [](SolveRecord& solve) { solve.cpu_seconds = std::numeric_limits<double>::infinity(); }},
+      {"largest_seconds", [](SolveRecord& solve) { solve.largest_seconds = solve.seconds / 2; }},
+      {"answer_rad", [](SolveRecord& solve) { solve.answer_rad.pop_back(); }},
+      {"answer_rad", [](SolveRecord& solve) { solve.target_rotation.clear(); }}};
+  for (const auto& [column, change] : changes) {
+    std::vector<SolveRecord> solves = good;
+    change(solves[4]);
+    std::string said;
+    for (const std::string& sentence : damages(entry_of(study), solves)) said += sentence;
+    CHECK_THAT(said, ContainsSubstring("Damaged: " + column + " of 1 solve (first: " + solves[4].solver + ", run " +
+                                       std::to_string(solves[4].run) + ", point " + std::to_string(solves[4].point)));
+  }
+}
+
+TEST_CASE("numbers that an older store does not have are no damage", "[recheck]") {
+  const Study study = study_with("stanford");
+  std::vector<SolveRecord> solves = solves_of(study);
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  for (SolveRecord& solve : solves) {
+    solve.smallest_seconds = solve.largest_seconds = solve.variation_m = solve.largest_move_m = none;
+    solve.limit_violation_m = none;
+  }
+  CHECK(damages(entry_of(study), solves).empty());
+}
+
+TEST_CASE("an arm that cannot be read is said, and nothing else is made of it", "[recheck]") {
+  const Study study = study_with("stanford");
+  const std::vector<SolveRecord> solves = solves_of(study);
+  for (const char* definition :
+       {"", "[]", "{\"robot\": \"none\"}", "{\"arm\": 3}", "{\"arm\": {\"links\": [[[[[[1]]]]]]}}", "{\"robot\": 4}",
+        R"({"arm": {"links": [{"a = 1\n[links]\nb": 2}]}})"}) {
+    INFO(definition);
+    const StudyEntry entry{.name = "small", .definition = definition, .series = {}};
+    CHECK_FALSE(stored_arm(entry).has_value());
+    const std::vector<std::string> said = damages(entry, solves);
+    REQUIRE(said.size() == 1);
+    CHECK_THAT(said[0], ContainsSubstring("cannot be read"));
+  }
+}
