@@ -55,7 +55,7 @@ double budget_of(const StudyResults& study) {
 }
 
 // The differences leader - other of every pair that is compared, at every budget.
-class Differences {
+class RunDifferences {
  public:
   void add(const std::vector<SharesOfSolver>& solvers, std::size_t budget, std::size_t best) {
     for (const auto& [first, second] : compared_pairs(solvers.size(), best)) {
@@ -118,7 +118,7 @@ std::optional<Anytime> anytime(const StudyResults& study, const Clusters& cluste
   if (std::ranges::count_if(solvers, &SharesOfSolver::has_values) < 2) return std::nullopt;
 
   std::array<std::size_t, budget_parts.size()> leaders{};
-  Differences differences;
+  RunDifferences differences;
   for (std::size_t k = 0; k < budgets.size(); ++k) {
     for (std::size_t i = 0; i < solvers.size(); ++i) {
       if (!(solvers[i].shares[k] <= solvers[leaders[k]].shares[k]) && solvers[i].has_values) leaders[k] = i;
