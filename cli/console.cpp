@@ -19,6 +19,15 @@ namespace {
 
 std::atomic<bool> cancel_requested{false};
 static_assert(std::atomic<bool>::is_always_lock_free);
+std::string last_words;
+
+void handle_signals(void (*handler)(int)) {
+  struct sigaction action {};
+  action.sa_handler = handler;
+  action.sa_flags = static_cast<int>(SA_RESETHAND);
+  sigaction(SIGINT, &action, nullptr);
+  sigaction(SIGTERM, &action, nullptr);
+}
 
 // The one place that writes to standard error: where both go into one file, what was printed before comes before.
 void write_error(const std::string& text) {
@@ -90,17 +99,20 @@ std::string aligned(const std::vector<std::vector<std::string>>& rows) {
 }
 
 CancelOnSignal::CancelOnSignal() {
-  struct sigaction action {};
-  action.sa_handler = [](int) { cancel_requested = true; };
-  action.sa_flags = static_cast<int>(SA_RESETHAND);
-  sigaction(SIGINT, &action, nullptr);
-  sigaction(SIGTERM, &action, nullptr);
+  handle_signals([](int) { cancel_requested = true; });
 }
 
-CancelOnSignal::~CancelOnSignal() {
-  std::signal(SIGINT, SIG_DFL);
-  std::signal(SIGTERM, SIG_DFL);
+CancelOnSignal::~CancelOnSignal() { handle_signals(SIG_DFL); }
+
+EndOnSignal::EndOnSignal(std::string_view words) {
+  last_words = '\n' + printable(words) + '\n';
+  handle_signals([](int) {
+    static_cast<void>(!write(STDERR_FILENO, last_words.data(), last_words.size()));
+    _exit(130);
+  });
 }
+
+EndOnSignal::~EndOnSignal() { handle_signals(SIG_DFL); }
 
 const std::atomic<bool>& CancelOnSignal::requested() const { return cancel_requested; }
 

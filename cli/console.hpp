@@ -37,6 +37,15 @@ class CancelOnSignal {
   const std::atomic<bool>& requested() const;
 };
 
+// While it lives, Ctrl-C and SIGTERM end the program with these words, wherever it is; exit code 130.
+class EndOnSignal {
+ public:
+  explicit EndOnSignal(std::string_view words);
+  ~EndOnSignal();
+  EndOnSignal(const EndOnSignal&) = delete;
+  EndOnSignal& operator=(const EndOnSignal&) = delete;
+};
+
 // What to write of a progress, and when: on a terminal a bar that moves, in a log a line now and then.
 class ProgressText {
  public:
