@@ -18,7 +18,6 @@ void add_run(CLI::App& app, Invocation& invocation);
 void add_report(CLI::App& app);
 void add_stats(CLI::App& app, Invocation& invocation);
 void add_audit(CLI::App& app);
-void add_readings(CLI::App& app, Invocation& invocation);
 void add_multiverse(CLI::App& app, Invocation& invocation);
 void add_compare(CLI::App& app, Invocation& invocation);
 void add_list(CLI::App& app);

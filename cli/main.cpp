@@ -25,7 +25,6 @@ int main(int argc, char** argv) {
       "  ikbench stats my.csv --value error --group solver\n"
       "                                           the same statistics on your own data\n"
       "  ikbench audit slim2023                   whether the paper's printed numbers agree with each other\n"
-      "  ikbench readings slim2023                how each interpretation of the paper changes the results\n"
       "  ikbench multiverse slim2023              in how many of all interpretations each claim holds\n"
       "  ikbench compare old.sqlite new.sqlite    whether a variant of a solver is better, the same or worse\n"
       "  ikbench COMMAND --help                   more examples\n\n"
@@ -43,7 +42,6 @@ int main(int argc, char** argv) {
   cli::add_report(app);
   cli::add_stats(app, invocation);
   cli::add_audit(app);
-  cli::add_readings(app, invocation);
   cli::add_multiverse(app, invocation);
   cli::add_compare(app, invocation);
   cli::add_list(app);

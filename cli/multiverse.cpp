@@ -15,6 +15,7 @@
 
 namespace ikbench::cli {
 
+using namespace results;
 using namespace experiments;
 using namespace inference;
 using namespace figures;
@@ -27,32 +28,21 @@ struct MultiverseArguments {
   std::vector<std::string> dimensions;
   Overrides overrides;
   int seeds = 1, jobs = 1;
-  bool list = false, small = false, without_figures = false;
+  bool list = false, small = false, one_at_a_time = false, without_figures = false;
+
+  Combined combined() const { return one_at_a_time ? Combined::one_at_a_time : Combined::every; }
 };
 
-std::vector<Multiverse::Choice> as_data(const Chosen& chosen) {
-  std::vector<Multiverse::Choice> all;
-  for (const Choice& each : chosen) all.push_back({each.dimension, each.alternative});
-  return all;
-}
-
-Multiverse as_data(const MultiversePlan& plan, const std::vector<RunMeans>& means) {
-  Multiverse multiverse{.dimensions = {}, .solvers = plan.solvers, .studies = {}};
-  for (const Dimension& each : plan.dimensions) {
-    auto& dimension = multiverse.dimensions.emplace_back();
-    dimension = {.name = each.name, .section = each.section, .solver = each.solver, .alternatives = {}};
-    for (const Alternative& one : each.alternatives) dimension.alternatives.push_back({one.set, one.where});
-  }
+Multiverse with_values(const MultiversePlan& plan, const std::vector<RunMeans>& means) {
+  Multiverse multiverse{.dimensions = plan.dimensions, .solvers = plan.solvers, .studies = {}};
   for (const MultiversePlan::OfStudy& each : plan.studies) {
-    auto& study = multiverse.studies.emplace_back();
-    study.chosen = as_data(each.chosen);
-    study.weight = each.weight;
-    study.out_of_reach = each.out_of_reach;
+    multiverse.studies.push_back(
+        {.chosen = each.chosen, .weight = each.weight, .out_of_reach = each.out_of_reach, .solvers = {}});
     for (const std::vector<MultiversePlan::Own>& of_solver : each.solvers) {
-      auto& solver = study.solvers.emplace_back();
+      auto& solver = multiverse.studies.back().solvers.emplace_back();
       for (const MultiversePlan::Own& from : of_solver) {
         Multiverse::Own& own = solver.emplace_back();
-        own.chosen = as_data(from.chosen);
+        own.chosen = from.chosen;
         for (const std::size_t part : from.parts) {
           own.error_cm.push_back(means[part].error_cm);
           own.variation_deg.push_back(means[part].variation_deg);
@@ -64,9 +54,9 @@ Multiverse as_data(const MultiversePlan& plan, const std::vector<RunMeans>& mean
 }
 
 // Every dimension with its alternatives; those that vary by default are marked.
-std::string dimension_list(const std::string& study, const std::vector<Dimension>& all,
-                           const std::vector<Dimension>& varied) {
-  std::vector<std::vector<std::string>> rows{{"ALTERNATIVE", "NOTES", "IN", "MEANING"}};
+std::string dimension_list(const Study& study, const std::vector<Dimension>& all, const std::vector<Dimension>& varied,
+                           Combined combined) {
+  std::vector<std::vector<std::string>> rows{{"ALTERNATIVE", "NOTES", "IN", "WHERE"}};
   for (const Dimension& each : all) {
     for (const Alternative& one : each.alternatives) {
       const bool is_default = &one == &each.alternatives.front();
@@ -75,23 +65,27 @@ std::string dimension_list(const std::string& study, const std::vector<Dimension
                       : one.scope == Scope::small ? "small and default"
                       : one.scope == Scope::usual ? "default"
                                                   : "",
-                      one.sentence()});
+                      one.where});
     }
   }
   std::vector<std::string> labels;
-  for (const SolverEntry& entry : load_study(study).solvers) labels.push_back(entry.label);
-  const MultiverseSize size = size_of(varied, labels);
+  for (const SolverEntry& entry : study.solvers) labels.push_back(entry.label);
+  const MultiverseSize size = size_of(varied, labels, combined);
   return aligned(rows) +
          fmt::format("\n{} universes of {} dimensions: {} choices for the study, {} series for a seed\n",
                      size.universes, varied.size(), size.studies, size.series);
 }
 
-void tell_multiverse(const MultiverseReport& report, const MultiverseArguments& arguments,
-                     const std::filesystem::path& folder) {
+void tell(const Table& table) {
+  fmt::print("{}\n", aligned(readable_cells(table)));
+  for (const std::string& note : table.notes) fmt::print("{}\n", printable(note));
+}
+
+void tell(const MultiverseReport& report, const MultiverseArguments& arguments, const std::filesystem::path& folder) {
   for (const ClaimShares& claim : report.claims) fmt::print("{}\n", printable(claim.sentence));
   for (const std::string& sentence : report.sentences) fmt::print("{}\n", printable(sentence));
-  fmt::print("\n{}\n", aligned(readable_cells(report.tables.front())));
-  for (const std::string& note : report.tables.front().notes) fmt::print("{}\n", printable(note));
+  fmt::print("\n");
+  tell(report.tables.front());
   for (const Table& table : report.tables) write_table(table, folder / "tables");
   draw(report.figures, folder / "figures", {.render = !arguments.without_figures, .jobs = 1});
   fmt::print(
@@ -99,27 +93,38 @@ void tell_multiverse(const MultiverseReport& report, const MultiverseArguments& 
       printable((folder / "figures" / (arguments.without_figures ? "multiverse.gp" : "multiverse.png")).string()));
 }
 
-void solve_multiverse(const Paper& paper, const MultiverseArguments& arguments, const std::vector<Dimension>& varied,
-                      Invocation& invocation) {
+void solve_and_tell(const Paper& paper, const MultiverseArguments& arguments, const std::vector<Dimension>& varied,
+                    Invocation& invocation) {
   const std::string& study = paper.studies.front().name;
-  const CancelOnSignal signals;
-  const MultiversePlan plan = plan_multiverse(study, varied, arguments.seeds, arguments.overrides);
   const std::filesystem::path folder =
       arguments.out.empty() ? default_folder(study + "-multiverse") : std::filesystem::path(arguments.out);
-  const auto report = judged_universes(paper, plan, {"multiverse", folder, arguments.jobs, &signals.requested()});
-  if (report) return tell_multiverse(*report, arguments, folder);
-  say(fmt::format("Stopped. What is solved is in {}; to continue: {}", (folder / "series.csv").string(),
-                  invocation.command));
-  invocation.exit_code = 130;
+  const CancelOnSignal signals;
+  const auto solved = solved_multiverse(
+      study, varied, {.seeds = arguments.seeds, .overrides = arguments.overrides, .combined = arguments.combined()},
+      {"multiverse", folder, arguments.jobs, &signals.requested()});
+  if (!solved) {
+    say(fmt::format("Stopped. What is solved is in {}; to continue: {}", (folder / "series.csv").string(),
+                    invocation.command));
+    invocation.exit_code = 130;
+    return;
+  }
+  if (!arguments.one_at_a_time) return tell(paper.multiverse(solved->multiverse, solved->plan), arguments, folder);
+  const Table table = paper.one_at_a_time(solved->multiverse, solved->plan);
+  tell(table);
+  write_table(table, folder / "tables");
+  fmt::print("Table: {}\n", printable((folder / "tables" / (table.name + ".md")).string()));
 }
 
 }  // namespace
 
-std::optional<MultiverseReport> judged_universes(const Paper& paper, const MultiversePlan& plan,
-                                                 const SeriesArguments& arguments) {
+std::optional<SolvedMultiverse> solved_multiverse(const std::string& study, const std::vector<Dimension>& varied,
+                                                  MultiverseRequest request, const SeriesArguments& arguments) {
+  request.cancelled = arguments.cancelled;
+  const MultiversePlan plan = plan_multiverse(study, varied, request);
+  if (*arguments.cancelled) return std::nullopt;
   const std::vector<RunMeans> means = solved(plan.parts, arguments);
   if (means.size() < plan.parts.size()) return std::nullopt;
-  return paper.multiverse(as_data(plan, means), plan.parts.front().analysis);
+  return SolvedMultiverse{with_values(plan, means), plan.parts.front().analysis};
 }
 
 void add_multiverse(CLI::App& app, Invocation& invocation) {
@@ -136,6 +141,10 @@ void add_multiverse(CLI::App& app, Invocation& invocation) {
       ->delimiter(',')
       ->allow_extra_args(false)
       ->excludes(small);
+  command
+      ->add_flag("--one-at-a-time", arguments->one_at_a_time,
+                 "each alternative alone beside the defaults: what it changes; of all dimensions or of --dimensions")
+      ->excludes(small);
   add_series_options(*command, arguments->seeds, arguments->jobs);
   command->add_option("--set", arguments->overrides, "change a key in every universe: runs=5, path.points=10")
       ->allow_extra_args(false);
@@ -149,7 +158,8 @@ void add_multiverse(CLI::App& app, Invocation& invocation) {
       "  ikbench multiverse slim2023 --jobs 2\n"
       "  ikbench multiverse slim2023 --list\n"
       "  ikbench multiverse slim2023 --small --seeds 2 --out out/small\n"
-      "  ikbench multiverse slim2023 --dimensions bounds,population,wrist_branch\n\n"
+      "  ikbench multiverse slim2023 --dimensions bounds,population,wrist_branch\n"
+      "  ikbench multiverse slim2023 --one-at-a-time --seeds 3 --jobs 2\n\n"
       "A universe is one choice in every dimension. Each solver is solved once for each of its own choices; claims are\n"
       "counted over all combinations. After Ctrl-C the same command continues.");
   command->callback([arguments, &invocation] {
@@ -158,14 +168,15 @@ void add_multiverse(CLI::App& app, Invocation& invocation) {
     const std::vector<Dimension> all = dimensions(study);
     if (!paper.multiverse || all.empty())
       throw std::invalid_argument(fmt::format("the program has no multiverse of the paper {}", paper.name));
-    const std::vector<Dimension> varied = !arguments->dimensions.empty()
-                                              ? named(arguments->dimensions, all)
-                                              : within(arguments->small ? Scope::small : Scope::usual, all);
+    const Scope scope = arguments->small ? Scope::small : arguments->one_at_a_time ? Scope::none : Scope::usual;
+    const std::vector<Dimension> varied =
+        arguments->dimensions.empty() ? within(scope, all) : named(arguments->dimensions, all);
     if (arguments->list) {
-      fmt::print("{}", dimension_list(study, all, varied));
+      refuse_varied(arguments->overrides, varied);
+      fmt::print("{}", dimension_list(load_study(study, arguments->overrides), all, varied, arguments->combined()));
       return;
     }
-    solve_multiverse(paper, *arguments, varied, invocation);
+    solve_and_tell(paper, *arguments, varied, invocation);
   });
 }
 

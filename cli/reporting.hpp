@@ -8,7 +8,7 @@
 
 #include "analysis/figures/figure.hpp"
 #include "analysis/report/claims.hpp"
-#include "analysis/report/readings.hpp"
+#include "analysis/report/repetitions.hpp"
 #include "analysis/report/table.hpp"
 #include "experiments/runner.hpp"
 #include "results/store.hpp"
@@ -42,7 +42,7 @@ struct WrittenReport {
   std::vector<std::string> remarks = {};  // printed after the summary
   std::vector<report::Table> tables = {};
   std::vector<figures::Figure> figures = {};
-  std::vector<report::ReadSolver> repetitions = {};
+  std::vector<report::RepeatedSolver> repetitions = {};
   std::vector<report::ClaimShares> shares = {};
 };
 

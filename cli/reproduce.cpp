@@ -16,7 +16,6 @@
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
 #include "cli/multiverse.hpp"
-#include "cli/readings.hpp"
 #include "cli/reporting.hpp"
 #include "experiments/study_reader.hpp"
 #include "experiments/study_writer.hpp"
@@ -86,20 +85,27 @@ struct Arguments {
   ReportArguments report;
 };
 
-// Claims over the smaller set of interpretations, in its tables and its figure; false where it was cancelled.
-bool add_small_multiverse(WrittenReport& wanted, const Paper& paper, const MultiversePlan& plan,
-                          const SeriesArguments& arguments) {
-  auto report = judged_universes(paper, plan, arguments);
-  if (!report) return false;
-  std::vector<std::string>& notes = report->tables.front().notes;
-  for (const ClaimShares& claim : report->claims) notes.push_back(claim.sentence);
-  notes.insert(notes.end(), report->sentences.begin(), report->sentences.end());
+// Claims over the smaller set of interpretations, in its tables and its figure.
+void add_small_multiverse(WrittenReport& wanted, const Paper& paper, const SolvedMultiverse& solved) {
+  MultiverseReport report = paper.multiverse(solved.multiverse, solved.plan);
+  std::vector<std::string>& notes = report.tables.front().notes;
+  for (const ClaimShares& claim : report.claims) notes.push_back(claim.sentence);
+  notes.insert(notes.end(), report.sentences.begin(), report.sentences.end());
   notes.push_back(fmt::format("This is the small multiverse, of {} dimensions; `ikbench multiverse {}` varies more.",
-                              plan.dimensions.size(), paper.name));
-  for (Table& table : report->tables) wanted.tables.push_back(std::move(table));
-  for (figures::Figure& figure : report->figures) wanted.figures.push_back(std::move(figure));
-  wanted.shares = std::move(report->claims);
-  return true;
+                              solved.multiverse.dimensions.size(), paper.name));
+  for (Table& table : report.tables) wanted.tables.push_back(std::move(table));
+  for (figures::Figure& figure : report.figures) wanted.figures.push_back(std::move(figure));
+  wanted.shares = std::move(report.claims);
+}
+
+// The study with other seeds: the multiverse in which nothing varies.
+std::vector<RepeatedSolver> repeated(const inference::Multiverse& multiverse) {
+  std::vector<RepeatedSolver> solvers;
+  for (std::size_t s = 0; s < multiverse.solvers.size(); ++s) {
+    const inference::Multiverse::Own& own = multiverse.studies.front().solvers[s].front();
+    solvers.push_back({multiverse.solvers[s], own.error_cm, own.variation_deg});
+  }
+  return solvers;
 }
 
 // What needs more solves than the paper's studies: repetitions of the first and the interpretations. No time is
@@ -108,24 +114,28 @@ bool solve_besides(const Arguments& arguments, const Paper& paper, WrittenReport
   if (arguments.is_quick) return true;
   const int jobs = std::max(arguments.run.jobs, static_cast<int>(std::max(1u, std::thread::hardware_concurrency())));
   const std::string& first = paper.studies.front().name;
-  const Overrides runs{fmt::format("runs={}", arguments.runs)};
   const CancelOnSignal signals;
-  const auto of = [&](const char* title) { return SeriesArguments{title, wanted.folder, jobs, &signals.requested()}; };
+  const auto solve = [&](const char* title, const std::vector<Dimension>& varied, int seeds, Combined combined) {
+    return solved_multiverse(
+        first, varied, {.seeds = seeds, .overrides = {fmt::format("runs={}", arguments.runs)}, .combined = combined},
+        {title, wanted.folder, jobs, &signals.requested()});
+  };
   if (const int seeds = arguments.repetitions.value_or(paper.repetitions); seeds > 0) {
-    wanted.repetitions = repetitions(plan_readings(first, {Combination()}, seeds, runs), of("repetitions"));
-    if (wanted.repetitions.empty()) return false;
+    const auto solved = solve("repetitions", {}, seeds, Combined::every);
+    if (!solved) return false;
+    wanted.repetitions = repeated(solved->multiverse);
   }
-  if (arguments.seeds == 0) return true;
-  if (paper.readings) {
-    const ReadingsPlan plan = plan_readings(first, one_at_a_time(readings(first)), arguments.seeds, runs);
-    const Read answer = read(paper, plan, of("interpretations"));
-    if (!answer.is_complete) return false;
-    wanted.tables.push_back(answer.report->table);
-    wanted.figures.push_back(answer.report->figure);
+  if (arguments.seeds > 0 && paper.multiverse) {
+    const auto solved = solve("multiverse", within(Scope::small, dimensions(first)), arguments.seeds, Combined::every);
+    if (!solved) return false;
+    add_small_multiverse(wanted, paper, *solved);
   }
-  if (!paper.multiverse) return true;
-  const std::vector<Dimension> varied = within(Scope::small, dimensions(first));
-  return add_small_multiverse(wanted, paper, plan_multiverse(first, varied, arguments.seeds, runs), of("multiverse"));
+  if (arguments.seeds > 0 && paper.one_at_a_time) {
+    const auto solved = solve("interpretations", dimensions(first), 1, Combined::one_at_a_time);
+    if (!solved) return false;
+    wanted.tables.push_back(paper.one_at_a_time(solved->multiverse, solved->plan));
+  }
+  return true;
 }
 
 }  // namespace
@@ -142,8 +152,9 @@ void add_reproduce(CLI::App& app, Invocation& invocation) {
       ->check(CLI::Range(1, 1'000'000))
       ->capture_default_str();
   command
-      ->add_option("--readings", arguments->seeds,
-                   "number of seeds for the interpretations of the paper and their multiverse; 0: skip them")
+      ->add_option(
+          "--readings", arguments->seeds,
+          "number of seeds for the multiverse of the interpretations; one at a time they take one; 0: skip both")
       ->check(whole_number())
       ->check(CLI::Range(0, 1000))
       ->capture_default_str();
@@ -176,7 +187,9 @@ void add_reproduce(CLI::App& app, Invocation& invocation) {
         invocation.exit_code = 130;
         return;
       }
-      show_tables(Store(store_in(folder), Store::Mode::read), paper, i + 1, shown);
+      if (i == 0 || i + 1 == studies.size()) {
+        show_tables(Store(store_in(folder), Store::Mode::read), paper, i + 1, shown);
+      }
     }
     WrittenReport wanted{.study = first, .folder = folder, .arguments = arguments->report};
     if (!solve_besides(*arguments, paper, wanted)) {
@@ -184,6 +197,8 @@ void add_reproduce(CLI::App& app, Invocation& invocation) {
       invocation.exit_code = 130;
       return;
     }
+    const EndOnSignal signals(
+        "Stopped before the report was complete. All solves are kept; run the same command again to write it.");
     if (paper.audit) wanted.tables.push_back(audit_table(paper.audit()));
     const Store store(store_in(folder), Store::Mode::read);
     for (const auto& [name, overrides] : studies) {

@@ -1,4 +1,4 @@
-// Solves the series that interpretations need, for `ikbench readings`, `multiverse` and `reproduce`.
+// Solves the series that interpretations need, for `ikbench multiverse` and `reproduce`.
 #pragma once
 
 #include <CLI/CLI.hpp>

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <stdexcept>
 #include <utility>
 
@@ -14,6 +13,7 @@
 namespace ikbench::experiments {
 
 using namespace numerics;
+using namespace results;
 
 namespace {
 
@@ -111,12 +111,6 @@ Dimension read_dimension(TomlReader reader, const std::vector<std::string>& labe
 }
 
 }  // namespace
-
-std::string Alternative::sentence() const {
-  std::string text = where + '.';
-  text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
-  return text;
-}
 
 std::vector<Dimension> parse_dimensions(std::string_view text, std::string_view source,
                                         const std::vector<std::string>& labels) {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <stdexcept>
 #include <string_view>
 #include <utility>
@@ -10,6 +11,8 @@
 #include "experiments/series_key.hpp"
 
 namespace ikbench::experiments {
+
+using namespace results;
 
 namespace {
 
@@ -26,63 +29,91 @@ bool is_excepted(const Alternative& alternative, const std::vector<Dimension>& d
   });
 }
 
+void refuse_too_many(const std::vector<Dimension>& dimensions, std::string_view what, double count, double most) {
+  if (count <= most) return;
+  throw std::invalid_argument(fmt::format("{} dimensions make more than {:g} {}; choose fewer with --dimensions",
+                                          dimensions.size(), most, what));
+}
+
 // With its share where the alternatives of a dimension have equal parts of what was chosen before it.
 struct Branch {
   Chosen chosen = {};
   double weight = 1;
 };
 
-// Every choice in the dimensions of one owner (a solver, or "" for the study), beside those that are given. What is in
-// `given` is not repeated.
-std::vector<Branch> every_choice(const std::vector<Dimension>& dimensions, std::string_view owner,
-                                 const Chosen& given) {
-  std::vector<Branch> all{{}};
-  for (std::size_t d = 0; d < dimensions.size(); ++d) {
-    if (dimensions[d].solver != owner) continue;
-    std::vector<Branch> larger;
-    for (const Branch& branch : all) {
-      Chosen known = given;
-      known.insert(known.end(), branch.chosen.begin(), branch.chosen.end());
-      Chosen possible;
-      for (std::size_t a = 0; a < dimensions[d].alternatives.size(); ++a) {
-        if (!is_excepted(dimensions[d].alternatives[a], dimensions, known)) possible.push_back({d, a});
+// All choices that go together.
+struct Combinations {
+  const std::vector<Dimension>& dimensions;
+  Combined combined;
+
+  // In the dimensions of one owner (a solver, or "" for the study), beside those that are given, which are not
+  // repeated.
+  std::vector<Branch> of(std::string_view owner, const Chosen& given) const {
+    std::vector<Branch> all{{}};
+    for (std::size_t d = 0; d < dimensions.size(); ++d) {
+      if (dimensions[d].solver != owner) continue;
+      std::vector<Branch> larger;
+      for (const Branch& branch : all) {
+        const Chosen possible = alternatives(d, given, branch.chosen);
+        if (possible.size() < 2) {  // nothing to choose
+          larger.push_back(branch);
+          continue;
+        }
+        for (const Choice& each : possible) {
+          larger.push_back({branch.chosen, branch.weight / static_cast<double>(possible.size())});
+          larger.back().chosen.push_back(each);
+        }
+        refuse_too_many(dimensions, "choices", static_cast<double>(larger.size()), most_combinations);
       }
-      if (possible.size() < 2) possible.clear();  // nothing to choose
-      if (possible.empty()) larger.push_back(branch);
-      for (const Choice& each : possible) {
-        larger.push_back({branch.chosen, branch.weight / static_cast<double>(possible.size())});
-        larger.back().chosen.push_back(each);
-      }
+      all = std::move(larger);
     }
-    all = std::move(larger);
+    return all;
   }
-  return all;
-}
 
-void refuse_too_many(const std::vector<Dimension>& dimensions, std::string_view what, double count, double most) {
-  if (count <= most) return;
-  throw std::invalid_argument(
-      fmt::format("{} dimensions make up to {:.3g} {}; expected at most {:g}; choose fewer with "
-                  "--dimensions",
-                  dimensions.size(), count, what, most));
-}
-
-double every_choice_counted(const std::vector<Dimension>& dimensions, std::string_view owner) {
-  double count = 1;
-  for (const Dimension& each : dimensions) {
-    if (each.solver == owner) count *= static_cast<double>(each.alternatives.size());
+ private:
+  Chosen alternatives(std::size_t dimension, Chosen known, const Chosen& more) const {
+    known.insert(known.end(), more.begin(), more.end());
+    const bool has_departed = std::ranges::any_of(known, [](const Choice& each) { return each.alternative > 0; });
+    const std::vector<Alternative>& all = dimensions[dimension].alternatives;
+    Chosen possible;
+    for (std::size_t a = 0; a < all.size(); ++a) {
+      if (a > 0 && has_departed && combined == Combined::one_at_a_time) break;
+      if (!is_excepted(all[a], dimensions, known)) possible.push_back({dimension, a});
+    }
+    return possible;
   }
-  return count;
-}
+};
+
+// Series that something needs, each once.
+class SeriesList {
+ public:
+  // The place in `parts` of one solver of the study.
+  std::size_t add(const Study& study, std::size_t solver) {
+    const auto [found, is_new] = known_.try_emplace(series_key(study, study.solvers[solver]), parts.size());
+    if (is_new) {
+      parts.push_back(study);
+      parts.back().solvers = {study.solvers[solver]};
+    }
+    return found->second;
+  }
+  std::vector<Study> parts;
+
+ private:
+  std::map<std::string, std::size_t> known_;  // series key to place
+};
 
 // The defaults among them too: a solver's own may differ from what the study's choice would make of it.
 void add_overrides(Overrides& overrides, const std::vector<Dimension>& dimensions, const Chosen& chosen) {
   for (const Choice& each : chosen) overrides.push_back(alternative_of(dimensions, each).set);
 }
 
+}  // namespace
+
 void refuse_varied(const Overrides& overrides, const std::vector<Dimension>& dimensions) {
   for (const std::string& text : overrides) {
     const std::string key = text.substr(0, text.find('='));
+    if (key == "seed")
+      throw std::invalid_argument(fmt::format("--set {}: the multiverse uses the seeds 1 to --seeds", text));
     if (std::ranges::find(dimensions, key, &Dimension::name) == dimensions.end()) continue;
     throw std::invalid_argument(fmt::format(
         "--set {}: {} is a dimension that varies; leave this out, or choose other dimensions with --dimensions", text,
@@ -90,71 +121,55 @@ void refuse_varied(const Overrides& overrides, const std::vector<Dimension>& dim
   }
 }
 
-}  // namespace
-
-std::size_t SeriesList::add(const Study& study, std::size_t solver) {
-  const auto [found, is_new] = known_.try_emplace(series_key(study, study.solvers[solver]), parts.size());
-  if (is_new) {
-    parts.push_back(study);
-    parts.back().solvers = {study.solvers[solver]};
-  }
-  return found->second;
-}
-
-void refuse_seed(const Overrides& overrides) {
-  for (const std::string& text : overrides) {
-    if (!text.starts_with("seed=")) continue;
-    throw std::invalid_argument(fmt::format("--set {}: interpretations use the seeds 1 to --seeds", text));
-  }
-}
-
-MultiverseSize size_of(const std::vector<Dimension>& dimensions, const std::vector<std::string>& solvers) {
-  double bound = 0;
-  for (const std::string& solver : solvers) bound += every_choice_counted(dimensions, solver);
-  refuse_too_many(dimensions, "choices for the study", every_choice_counted(dimensions, ""), most_combinations);
-  refuse_too_many(dimensions, "series for a seed", every_choice_counted(dimensions, "") * bound, most_combinations);
+MultiverseSize size_of(const std::vector<Dimension>& dimensions, const std::vector<std::string>& solvers,
+                       Combined combined) {
+  const Combinations combinations{dimensions, combined};
   MultiverseSize size;
   double universes = 0;
-  for (const Branch& branch : every_choice(dimensions, "", {})) {
+  for (const Branch& branch : combinations.of("", {})) {
     double of_solvers = 1;
+    std::int64_t own_choices = 1;
     for (const std::string& solver : solvers) {
-      const std::size_t own = every_choice(dimensions, solver, branch.chosen).size();
+      const std::size_t own = combinations.of(solver, branch.chosen).size();
       size.series += static_cast<std::int64_t>(own);
       of_solvers *= static_cast<double>(own);
+      own_choices += static_cast<std::int64_t>(own) - 1;
     }
-    universes += of_solvers;
+    universes += combined == Combined::one_at_a_time ? static_cast<double>(own_choices) : of_solvers;
     ++size.studies;
+    refuse_too_many(dimensions, "series for a seed", static_cast<double>(size.series), most_combinations);
+    refuse_too_many(dimensions, "universes", universes, most_universes);
   }
-  refuse_too_many(dimensions, "universes", universes, most_universes);
   size.universes = static_cast<std::int64_t>(universes);
   return size;
 }
 
-MultiversePlan plan_multiverse(const std::string& name, const std::vector<Dimension>& dimensions, int seeds,
-                               const Overrides& overrides) {
-  refuse_seed(overrides);
-  refuse_varied(overrides, dimensions);
+MultiversePlan plan_multiverse(const std::string& name, const std::vector<Dimension>& dimensions,
+                               const MultiverseRequest& request) {
+  refuse_varied(request.overrides, dimensions);
   MultiversePlan plan{.dimensions = dimensions};
-  for (const SolverEntry& entry : load_study(name, overrides).solvers) plan.solvers.push_back(entry.label);
-  size_of(dimensions, plan.solvers);
+  for (const SolverEntry& entry : load_study(name, request.overrides).solvers) plan.solvers.push_back(entry.label);
+  size_of(dimensions, plan.solvers, request.combined);
+  const Combinations combinations{dimensions, request.combined};
   SeriesList needed;
-  for (const auto& [chosen, weight] : every_choice(dimensions, "", {})) {
+  for (const auto& [chosen, weight] : combinations.of("", {})) {
     MultiversePlan::OfStudy& of_study = plan.studies.emplace_back();
     of_study.chosen = chosen;
     of_study.weight = weight;
-    Overrides all = overrides;
+    Overrides all = request.overrides;
     add_overrides(all, dimensions, chosen);
     of_study.out_of_reach = static_cast<int>(unreachable(load_study(name, all)).size());
     for (std::size_t s = 0; s < plan.solvers.size(); ++s) {
       std::vector<MultiversePlan::Own>& of_solver = of_study.solvers.emplace_back();
-      for (const Branch& own : every_choice(dimensions, plan.solvers[s], chosen)) {
+      for (const Branch& own : combinations.of(plan.solvers[s], chosen)) {
         of_solver.push_back({.chosen = own.chosen, .parts = {}});
         Overrides of_own = all;
         add_overrides(of_own, dimensions, own.chosen);
-        of_own.emplace_back();
-        for (int seed = 1; seed <= seeds; ++seed) {
-          of_own.back() = fmt::format("seed={}", seed);
-          of_solver.back().parts.push_back(needed.add(load_study(name, of_own), s));
+        Study study = load_study(name, of_own);
+        for (int seed = 1; seed <= request.seeds; ++seed) {
+          if (request.cancelled != nullptr && *request.cancelled) return plan;
+          study.seed = static_cast<std::uint64_t>(seed);
+          of_solver.back().parts.push_back(needed.add(study, s));
         }
       }
     }

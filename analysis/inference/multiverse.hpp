@@ -11,23 +11,14 @@
 
 #include "analysis/inference/metrics.hpp"
 #include "results/analysis_plan.hpp"
+#include "results/dimension.hpp"
 
 namespace ikbench::inference {
 
 struct Multiverse {
-  struct Alternative {
-    std::string set;    // "bounds=clamp"
-    std::string where;  // "every solver is clamped"
-  };
-  struct Dimension {
-    std::string name;                       // "bounds"
-    std::string section;                    // of the paper's notes
-    std::string solver;                     // the label whose own it is; empty: the study's
-    std::vector<Alternative> alternatives;  // the first is the default
-  };
-  struct Choice {
-    std::size_t dimension = 0, alternative = 0;
-  };
+  using Alternative = results::Alternative;
+  using Dimension = results::Dimension;
+  using Choice = results::Choice;
   // One solver as one of its choices has it: by seed, a value a run.
   struct Own {
     std::vector<Choice> chosen;

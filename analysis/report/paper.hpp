@@ -13,7 +13,7 @@
 #include "analysis/report/audit.hpp"
 #include "analysis/report/claims.hpp"
 #include "analysis/report/multiverse.hpp"
-#include "analysis/report/readings.hpp"
+#include "analysis/report/repetitions.hpp"
 #include "analysis/report/report_content.hpp"
 #include "analysis/report/study_pieces.hpp"
 
@@ -23,7 +23,7 @@ namespace ikbench::report {
 struct Reported {
   const inference::JudgedStudy& study;
   inference::JudgedStudies companions = {};
-  std::span<const ReadSolver> repetitions = {};  // the study's run means with other seeds; none where not solved
+  std::span<const RepeatedSolver> repetitions = {};  // the study's run means with other seeds; none where not solved
 };
 
 // A built-in study that `ikbench reproduce` runs.
@@ -46,9 +46,9 @@ struct Paper {
   // What is printed and can be assessed by the same methods.
   std::function<std::vector<inference::Summaries>(const inference::StudyResults&)> printed = {};
   std::function<std::vector<AuditItem>()> audit = {};
-  // The first of the results is the default, by which the others are measured.
-  std::function<ReadingsReport(std::span<const ReadingResults>)> readings = {};
   std::function<MultiverseReport(const inference::Multiverse&, const results::AnalysisPlan&)> multiverse = {};
+  // Of the universes with at most one choice that is not the default.
+  std::function<Table(const inference::Multiverse&, const results::AnalysisPlan&)> one_at_a_time = {};
 };
 
 }  // namespace ikbench::report

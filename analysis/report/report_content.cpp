@@ -48,7 +48,6 @@ SectionPlan convergence() {
 const std::vector<SectionPlan>& of_any_paper() {
   static const std::vector<SectionPlan> plans{
       {"Multiverse: what the paper leaves open", "", {"multiverse"}, {"multiverse-*"}},
-      {"Interpretations one by one", "What each choice would have given.", {}, {"readings*"}},
       {"Audit of the printed numbers", "Whether the paper's printed numbers agree with each other.", {}, {"audit*"}}};
   return plans;
 }

@@ -52,7 +52,7 @@ std::vector<PrintedCells> printed_cells(std::string_view paper, Metric metric) {
   return rows;
 }
 
-std::vector<Description> descriptions(const ReadSolver& solver, Metric metric) {
+std::vector<Description> descriptions(const RepeatedSolver& solver, Metric metric) {
   std::vector<Description> seeds;
   for (const std::vector<double>& runs : metric == Metric::variation_deg ? solver.variation_deg : solver.error_cm) {
     seeds.push_back(describe(runs));
@@ -101,13 +101,13 @@ std::string words_of(const Agreement& agreement) {
                      rounded_number(agreement.expected.low, 2), rounded_number(agreement.expected.high, 2));
 }
 
-std::vector<Agreement> agreements(const StudyResults& study, std::span<const ReadSolver> repetitions) {
+std::vector<Agreement> agreements(const StudyResults& study, std::span<const RepeatedSolver> repetitions) {
   std::vector<Agreement> result;
   if (printed_table_3(study, Metric::position_error_cm).empty()) return result;
   for (const Metric metric : repeated_metrics) {
     const std::vector<Sample> all = samples(study, metric);
     for (const PrintedCells& row : printed_cells(study.published, metric)) {
-      const auto repeated = std::ranges::find(repetitions, row.solver, &ReadSolver::label);
+      const auto repeated = std::ranges::find(repetitions, row.solver, &RepeatedSolver::label);
       const Sample* const sample = sample_of(all, row.solver);
       if (repeated == repetitions.end() || sample == nullptr) continue;
       const std::vector<Description> seeds = descriptions(*repeated, metric);
@@ -132,7 +132,7 @@ std::vector<Agreement> agreements(const StudyResults& study, std::span<const Rea
   return result;
 }
 
-std::optional<Table> agreement_table(const StudyResults& study, std::span<const ReadSolver> repetitions) {
+std::optional<Table> agreement_table(const StudyResults& study, std::span<const RepeatedSolver> repetitions) {
   const std::vector<Agreement> all = agreements(study, repetitions);
   if (all.empty()) return std::nullopt;
   Table table{.name = "agreement",

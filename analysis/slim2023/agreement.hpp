@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "analysis/inference/study.hpp"
-#include "analysis/report/readings.hpp"
+#include "analysis/report/repetitions.hpp"
 #include "analysis/report/table.hpp"
 #include "analysis/statistics/bootstrap.hpp"
 
@@ -32,11 +32,11 @@ std::string words_of(const Agreement& agreement);
 // Of each printed number of the solvers that were repeated; `repetitions` are the run means of the study by seed. None
 // where there are no repetitions.
 std::vector<Agreement> agreements(const inference::StudyResults& study,
-                                  std::span<const report::ReadSolver> repetitions);
+                                  std::span<const report::RepeatedSolver> repetitions);
 
 // A block for each metric, all five statistics of a solver in a row; nothing where there are no repetitions.
 std::optional<report::Table> agreement_table(const inference::StudyResults& study,
-                                             std::span<const report::ReadSolver> repetitions);
+                                             std::span<const report::RepeatedSolver> repetitions);
 
 // How many are as expected of a repetition; empty where there are none.
 std::string expected_sentence(const std::vector<Agreement>& agreements);

@@ -22,23 +22,6 @@ namespace {
 
 constexpr const char* claimed_solver = "IK-BA";
 
-std::vector<MultiverseClaim> claims_in_universes() {
-  std::vector<MultiverseClaim> claims;
-  for (const ClaimEntry& entry : claim_entries(claim_tests())) {
-    for (const JudgedBy by : entry.universes) {
-      const bool is_typical = by == JudgedBy::typical;
-      claims.push_back({.id = entry.id + (is_typical ? "_typically" : ""),
-                        .words = entry.sentence + (is_typical ? " by geometric means" : ""),
-                        .solver = entry.solver,
-                        .rival = entry.against,
-                        .metric = entry.metrics.front(),
-                        .by = by,
-                        .effect_of = entry.dimension});
-    }
-  }
-  return claims;
-}
-
 // The dimension that decides most, and those that decide nearly as much; the first decides most.
 std::vector<std::size_t> deciding_dimensions(const Multiverse& multiverse, const ClaimCounts& counts) {
   constexpr double nearly = 0.8;
@@ -170,6 +153,23 @@ Table alternatives_table(const Multiverse& multiverse, const std::vector<ClaimCo
 }
 
 }  // namespace
+
+std::vector<MultiverseClaim> claims_in_universes() {
+  std::vector<MultiverseClaim> claims;
+  for (const ClaimEntry& entry : claim_entries(claim_tests())) {
+    for (const JudgedBy by : entry.universes) {
+      const bool is_typical = by == JudgedBy::typical;
+      claims.push_back({.id = entry.id + (is_typical ? "_typically" : ""),
+                        .words = entry.sentence + (is_typical ? " by geometric means" : ""),
+                        .solver = entry.solver,
+                        .rival = entry.against,
+                        .metric = entry.metrics.front(),
+                        .by = by,
+                        .effect_of = entry.dimension});
+    }
+  }
+  return claims;
+}
 
 MultiverseReport multiverse_report(std::string_view paper, const Multiverse& multiverse, const AnalysisPlan& plan) {
   if (multiverse.studies.empty() || multiverse.seeds() == 0) {

@@ -331,13 +331,17 @@ std::string best_sentence(const Multiverse& multiverse, const Support& support) 
                                     : fmt::format(", all with {}", fmt::join(shared, ", ")));
 }
 
+bool can_predict(const Multiverse& multiverse) {
+  const Multiverse::Own& usual = multiverse.studies.front().solvers.front().front();
+  return usual.error_cm.size() * usual.error_cm.front().size() >= fewest_predicting;
+}
+
 }  // namespace
 
 void add_printed(MultiverseReport& report, std::string_view paper, const Multiverse& multiverse) {
   const std::vector<PrintedSolver> printed = printed_solvers(paper, multiverse);
   const auto solvers = std::ranges::count_if(printed, [](const PrintedSolver& each) { return each.runs > 0; });
-  const Multiverse::Own& usual = multiverse.studies.front().solvers.front().front();
-  if (solvers == 0 || usual.error_cm.size() * usual.error_cm.front().size() < fewest_predicting) return;
+  if (solvers == 0 || !can_predict(multiverse)) return;
   KnownRanges ranges;
   ExplainedBy explained;
   for (const Multiverse::OfStudy& study : multiverse.studies) {
@@ -365,6 +369,22 @@ void add_printed(MultiverseReport& report, std::string_view paper, const Multive
   report.sentences.push_back(unexplained_sentence(multiverse, printed, support));
   report.tables.push_back(alternatives_support(multiverse, support, numbers));
   report.tables.push_back(numbers_support(multiverse, printed, support, ranges));
+}
+
+std::vector<std::vector<int>> explained_numbers(std::string_view paper, const std::vector<Multiverse>& universes) {
+  std::vector<std::vector<int>> counts;
+  if (!can_predict(universes.front())) return counts;
+  const std::vector<PrintedSolver> printed = printed_solvers(paper, universes.front());
+  KnownRanges ranges;
+  for (const Multiverse& universe : universes) {
+    auto& of_universe = counts.emplace_back();
+    for (std::size_t s = 0; s < printed.size(); ++s) {
+      const Multiverse::Own& own = universe.studies.front().solvers[s].front();
+      of_universe.push_back(
+          printed[s].runs == 0 ? 0 : count_of(explained_numbers(printed[s], ranges.of(own, printed[s].runs))));
+    }
+  }
+  return counts;
 }
 
 }  // namespace ikbench::slim2023

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string_view>
+#include <vector>
 
 #include "analysis/inference/multiverse.hpp"
 #include "analysis/report/multiverse.hpp"
@@ -12,5 +13,10 @@ namespace ikbench::slim2023 {
 // of studies of as many runs would have by that universe. Nothing is added where no
 // solver is printed or there are too few runs.
 void add_printed(report::MultiverseReport& report, std::string_view paper, const inference::Multiverse& multiverse);
+
+// How many of its printed numbers each solver's first choice explains, by universe, by solver; none where there are too
+// few runs. All have the same solvers.
+std::vector<std::vector<int>> explained_numbers(std::string_view paper,
+                                                const std::vector<inference::Multiverse>& universes);
 
 }  // namespace ikbench::slim2023

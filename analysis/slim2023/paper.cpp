@@ -14,11 +14,11 @@
 #include "analysis/slim2023/audit.hpp"
 #include "analysis/slim2023/claims.hpp"
 #include "analysis/slim2023/multiverse.hpp"
+#include "analysis/slim2023/one_at_a_time.hpp"
 #include "analysis/slim2023/paper_figures.hpp"
 #include "analysis/slim2023/paper_summary.hpp"
 #include "analysis/slim2023/paper_tables.hpp"
 #include "analysis/slim2023/published_numbers.hpp"
-#include "analysis/slim2023/readings.hpp"
 
 namespace ikbench::slim2023 {
 
@@ -131,9 +131,10 @@ Paper paper() {
           .summary = [](const Reported& of) { return paper_summary(of); },
           .printed = printed_summaries,
           .audit = [] { return audit(this_paper); },
-          .readings = [](std::span<const ReadingResults> results) { return readings_report(this_paper, results); },
           .multiverse = [](const Multiverse& multiverse,
-                           const AnalysisPlan& plan) { return multiverse_report(this_paper, multiverse, plan); }};
+                           const AnalysisPlan& plan) { return multiverse_report(this_paper, multiverse, plan); },
+          .one_at_a_time = [](const Multiverse& multiverse,
+                              const AnalysisPlan& plan) { return one_at_a_time(this_paper, multiverse, plan); }};
 }
 
 }  // namespace ikbench::slim2023

@@ -66,7 +66,7 @@ void add_printed_anova(Table& table, const std::optional<AnovaTable>& printed) {
 
 }  // namespace
 
-std::vector<Comparison> compare(const StudyResults& study, std::span<const ReadSolver> repetitions) {
+std::vector<Comparison> compare(const StudyResults& study, std::span<const RepeatedSolver> repetitions) {
   std::vector<Comparison> rows;
   for (const Metric metric : paper_metrics) {
     for (const Sample& sample : samples(study, metric)) {
@@ -100,7 +100,7 @@ std::optional<AnovaTable> comparable_printed_anova(const StudyResults& study, Me
   return study.plan.unit == Unit::run && ours == printed ? printed_anova(study.published, metric) : std::nullopt;
 }
 
-Table table_3(const StudyResults& study, std::span<const ReadSolver> repetitions) {
+Table table_3(const StudyResults& study, std::span<const RepeatedSolver> repetitions) {
   Table table = results_table(study, paper_metrics);
   table.name = "table-3";
   table.caption = "Table 3: position error, angles variation and computing time";
@@ -171,7 +171,7 @@ Table anova_from_printed_table_3(std::string_view paper) {
   return table;
 }
 
-std::vector<Table> paper_tables(const StudyResults& study, std::span<const ReadSolver> repetitions) {
+std::vector<Table> paper_tables(const StudyResults& study, std::span<const RepeatedSolver> repetitions) {
   const bool is_published = !printed_table_3(study, Metric::position_error_cm).empty();
   std::vector<Table> tables{table_3(study, repetitions)};
   if (std::optional<Table> table = agreement_table(study, repetitions)) tables.push_back(std::move(*table));

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "analysis/inference/study.hpp"
-#include "analysis/report/readings.hpp"
+#include "analysis/report/repetitions.hpp"
 #include "analysis/report/study_tables.hpp"
 #include "analysis/statistics/anova.hpp"
 #include "analysis/statistics/descriptive.hpp"
@@ -32,13 +32,13 @@ constexpr std::string_view time_reference = "IK-BA";
 
 // `repetitions` are the run means of the same study by seed; where there are none, only ratios are told.
 std::vector<Comparison> compare(const inference::StudyResults& study,
-                                std::span<const report::ReadSolver> repetitions = {});
+                                std::span<const report::RepeatedSolver> repetitions = {});
 
 // The printed ANOVA of that metric where it answers the same question: the same solvers, runs as observations.
 std::optional<statistics::AnovaTable> comparable_printed_anova(const inference::StudyResults& study,
                                                                inference::Metric metric);
 
-report::Table table_3(const inference::StudyResults& study, std::span<const report::ReadSolver> repetitions = {});
+report::Table table_3(const inference::StudyResults& study, std::span<const report::RepeatedSolver> repetitions = {});
 report::Table table_3_as_printed(std::string_view paper);
 report::Table printed_anova_table(const inference::StudyResults& study,
                                   inference::Metric metric);  // table-4, table-5, table-6
@@ -46,6 +46,6 @@ report::Table anova_from_printed_table_3(std::string_view paper);
 
 // Every table above that the study has, in the paper's order.
 std::vector<report::Table> paper_tables(const inference::StudyResults& study,
-                                        std::span<const report::ReadSolver> repetitions = {});
+                                        std::span<const report::RepeatedSolver> repetitions = {});
 
 }  // namespace ikbench::slim2023

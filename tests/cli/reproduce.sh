@@ -16,7 +16,7 @@ for words in "Smallest mean error (its worst cases): IK-BA" "Smallest typical er
   has "$out" "$words"
   has "$(grep -A 2 '>Summary<' paper/report.html)" "$words"
 done
-for table in table-3 table-4 table-5 table-6 table-7 table-8 limits audit readings baselines agreement; do
+for table in table-3 table-4 table-5 table-6 table-7 table-8 limits audit multiverse multiverse-one-at-a-time baselines agreement; do
   [ -s "paper/tables/$table.md" ] || fail "there is no table $table"
   has "$(<paper/report.html)" "id=\"$table\""
 done
@@ -42,5 +42,5 @@ has "$out" "(240 were already stored)"
 
 # In a hurry: neither repetitions nor interpretations, and the same numbers of the paper's studies.
 succeeds reproduce --runs 2 --jobs 2 --quick --no-figures --out quick
-[ ! -e quick/tables/agreement.md ] && [ ! -e quick/tables/readings.md ] || fail "--quick solved more than the studies"
+[ ! -e quick/tables/agreement.md ] && [ ! -e quick/tables/multiverse.md ] || fail "--quick solved more than the studies"
 [ "$(numbers quick/store.sqlite)" = "$(numbers paper/store.sqlite)" ] || fail "--quick gives other numbers"

@@ -30,8 +30,8 @@ StudyResults study_with(double error_cm) {
 
 // Seeds 1 to 50; of seed s two runs of (s - 0.5) and (s + 0.5) times so much: their mean is s times as much, and their
 // standard deviation sqrt(1/2) of it, whatever the seed.
-std::vector<ReadSolver> repetitions_of(double unit) {
-  ReadSolver solver{.label = "IK-BA", .error_cm = {}, .variation_deg = {}};
+std::vector<RepeatedSolver> repetitions_of(double unit) {
+  RepeatedSolver solver{.label = "IK-BA", .error_cm = {}, .variation_deg = {}};
   for (int seed = 1; seed <= 50; ++seed) {
     solver.error_cm.push_back({unit * (seed - 0.5), unit * (seed + 0.5)});
     solver.variation_deg.push_back({87, 88});
