@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <fstream>
 #include <mutex>
 #include <optional>
@@ -78,9 +79,7 @@ std::string line_of(const std::string& key, const RunMeans& means) {
   return fmt::format("{},{},{}\n", key, texts_of_numbers(means.error_cm), texts_of_numbers(means.variation_deg));
 }
 
-std::int64_t solves_of_series(const Study& study) {
-  return std::int64_t{study.runs} * static_cast<std::int64_t>(targets(study, 1).size());
-}
+std::int64_t solves_of_series(const Study& study) { return std::int64_t{study.runs} * study.path->points(); }
 
 }  // namespace
 
@@ -128,12 +127,13 @@ void SeriesMeans::keep(const std::string& key, RunMeans means) {
   if (!file_.empty()) {
     std::error_code error;
     if (file_.has_parent_path()) std::filesystem::create_directories(file_.parent_path(), error);
+    errno = 0;
     std::ofstream out(file_, std::ios::binary | std::ios::app);
     out.seekp(0, std::ios::end);
     out << (out.tellp() == 0 ? head_of_means : "") << line_of(key, means) << std::flush;
     if (!out) {
-      throw std::runtime_error(
-          fmt::format("cannot write {}; make it writable, make room, or choose another --out", file_.string()));
+      throw std::runtime_error(fmt::format("cannot write {}: {}; make it writable, make room, or choose another --out",
+                                           file_.string(), std::generic_category().message(errno)));
     }
   }
   known_[key] = std::move(means);
@@ -144,13 +144,14 @@ void SeriesMeans::sort() {
   if (file_.empty() || is_sorted_) return;
   std::filesystem::path sorted = file_;
   sorted += ".sorted";
+  errno = 0;
   std::ofstream out(sorted, std::ios::binary | std::ios::trunc);
   out << head_of_means;
   for (const auto& [key, means] : known_) out << line_of(key, means);
   out.close();
-  std::error_code error;
+  std::error_code error(errno, std::generic_category());
   if (out) std::filesystem::rename(sorted, file_, error);
-  if (!out || error) throw std::runtime_error(fmt::format("cannot write {}", file_.string()));
+  if (!out || error) throw std::runtime_error(fmt::format("cannot write {}: {}", file_.string(), error.message()));
   is_sorted_ = true;
 }
 
