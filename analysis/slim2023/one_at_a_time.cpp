@@ -214,7 +214,7 @@ Table one_at_a_time(std::string_view paper, const Multiverse& multiverse, const 
           "means twice as large. Rows for all algorithms have the root mean square. moved: change of log_ratio "
           "against the default. Algorithms without a row equal the default bit for bit. explained: of the "
           "algorithm's ten printed numbers, how many lie in the range that 95 % of studies of 20 runs would have "
-          "(Hill's A(n)). claims: what becomes of the claims that differ from the default. out_of_reach: number "
+          "(Hill's A(n)). claims: by default all, elsewhere those that become another. out_of_reach: number "
           "of targets that no configuration reaches.",
           multiverse.seeds(), multiverse.seeds() == 1 ? "" : "s"));
   return table;
