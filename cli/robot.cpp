@@ -147,7 +147,7 @@ Figure picture(const Robot& arm, const Configuration& q) {
     }
   }
   figure.settings = space_axes(coordinates);
-  figure.plot = "splot 'robot.dat' using 1:2:3 with linespoints lw 1.6 pt 7 ps 0.4 lc rgb '#FF2E1B' notitle";
+  figure.plot = "splot 'robot.dat' using 1:2:3 with linespoints lw 1.6 pt 7 ps 0.4 lc rgb word(colours, 2) notitle";
   return figure;
 }
 

@@ -29,10 +29,15 @@ std::string logarithmic_settings(const Drawn& of) {
   const int high = std::max(low + 1, static_cast<int>(std::ceil(std::log10(std::min(of.factor * of.largest, 1e300)))));
   if (of.room_for_least) low -= 1;
   const int decades_per_tick = 1 + (high - low - 1) / 7;
+  // The lower edge is where what is too small is drawn, and says so; the ticks are those of the decades above.
+  const std::string edge = !of.room_for_least
+                               ? ""
+                               : fmt::format("set ytics add ('{}' 1e{})\n",
+                                             of.least > 0 ? "≤" + rounded_number(of.factor * of.least, 2) : "0", low);
   return fmt::format(
       "set logscale y\nset format y '10^{{%T}}'\nset yrange [1e{0}:1e{1}]\nset ytics 1e{2}\nset mytics {3}\n"
-      "shown(y) = y > {5} ? y * {4} : (y <= {5} ? 1e{0} : NaN)\n",
-      low, high, decades_per_tick, decades_per_tick == 1 ? 10 : 1, text_of(of.factor), text_of(of.least));
+      "{6}shown(y) = y > {5} ? y * {4} : (y <= {5} ? 1e{0} : NaN)\n",
+      low, high, decades_per_tick, decades_per_tick == 1 ? 10 : 1, text_of(of.factor), text_of(of.least), edge);
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "analysis/figures/figure.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -12,6 +13,7 @@
 #include <system_error>
 #include <thread>
 
+#include "analysis/figures/dark.hpp"
 #include "analysis/figures/process.hpp"
 #include "analysis/inference/text.hpp"
 #include "numerics/number.hpp"
@@ -73,8 +75,8 @@ void draw(const Figure& figure, const std::filesystem::path& workshop, const std
 
 }  // namespace
 
-std::string_view figure_style() {
-  return R"(# The look of every figure in this folder. Change it here, then draw again: gnuplot NAME.gp
+std::string figure_style() {
+  std::string style = R"(# The look of every figure in this folder. Change it here, then draw again: gnuplot NAME.gp
 # A new report writes this file anew.
 set encoding utf8
 
@@ -84,7 +86,7 @@ do for [i = 33:126] { character[i] = sprintf("%c", i) }
 
 # A palette that the colour-blind can tell apart, and none of it too pale for white; markers tell the curves apart without
 # colour, and dashes those that would repeat a colour.
-colours = "#0E65B8 #FF2E1B #0DA170 #B56496 #789930 #3793CD #000000"
+colours = "COLOURS"
 markers = "7 5 9 11 13 4 2 6 8 10 12 1 3"
 dashes = "1 11 12 13 14"
 set dashtype 11 (5, 2)
@@ -114,6 +116,8 @@ pdf = sprintf("pdfcairo enhanced size %gcm,%gcm font 'Liberation Sans,8' fontsca
 png = sprintf("pngcairo enhanced size %d,%d font 'Liberation Sans,8' fontscale 3.125 linewidth 4 pointscale 3.5", \
   width_cm / 2.54 * 300, height_cm / 2.54 * 300)
 )";
+  constexpr std::string_view place = "COLOURS";
+  return style.replace(style.find(place), place.size(), fmt::format("{}", fmt::join(series_colours, " ")));
 }
 
 std::string script_of(const Figure& figure) {

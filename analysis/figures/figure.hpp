@@ -47,6 +47,6 @@ std::vector<FigureOutcome> write_figures(const std::vector<Figure>& figures, con
 
 // The complete script of a figure, and the style that all scripts load.
 std::string script_of(const Figure& figure);
-std::string_view figure_style();
+std::string figure_style();
 
 }  // namespace ikbench::figures

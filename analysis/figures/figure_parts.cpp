@@ -140,8 +140,8 @@ std::string space_axes(const std::array<std::vector<double>, 3>& coordinates_cm)
                             text_of(centre[axis] - half), text_of(centre[axis] + half), text_of(step));
   }
   return settings +
-         "set xlabel 'x [cm]' offset -1, 0.3\nset ylabel 'y [cm]'\nset zlabel 'z [cm]' rotate parallel\n"
-         "set view 62, 32, 1.1\nset view equal xyz\nset xyplane relative 0\nset border 127 lw 0.5 lc rgb '#AAAAAA'\n"
+         "set xlabel 'x [cm]' offset -1, 0.3\nset ylabel 'y [cm]'\nset zlabel 'z [cm]' rotate parallel offset 1, 0\n"
+         "set view 62, 32, 1\nset view equal xyz\nset xyplane relative 0\nset border 127 lw 0.5 lc rgb '#AAAAAA'\n"
          "set tics textcolor rgb '#000000'\nset grid xtics ytics ztics\n";
 }
 

@@ -64,7 +64,7 @@ Figure overview_figure(const StudyResults& study, const std::vector<OverviewMark
   const std::vector<OverviewMark> rings = beside(ours, printed);
   const bool has_times = times_are_comparable(study);
   Figure figure{
-      .name = "overview", .caption = has_times ? "Area: median time." : "Times are not comparable.", .height_cm = 6.6};
+      .name = "overview", .caption = has_times ? "Area: median time." : "Without times.", .height_cm = 6.6};
   std::vector<double> errors, variations;
   for (const auto* marks : {&ours, &rings}) {
     for (const OverviewMark& mark : *marks) {
@@ -84,7 +84,7 @@ Figure overview_figure(const StudyResults& study, const std::vector<OverviewMark
   std::vector<std::string> clauses{"NaN notitle"}, labels;
   const bool has_rings = !printed.empty();
   if (has_rings) {
-    figure.caption += " Rings: as printed.";
+    figure.caption += " Rings: printed.";
     figure.data += "\n\n# as printed\n" + disc_lines(rings, has_times) + "\n\n# from ours to the printed\n";
     for (std::size_t i = 0; i < ours.size(); ++i) {
       figure.data += fmt::format("{} {} {} {}\n", data_number(ours[i].variation_deg), data_number(ours[i].error_cm),

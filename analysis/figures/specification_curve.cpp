@@ -19,8 +19,9 @@ using namespace inference;
 namespace {
 
 constexpr double curve_rows = 13;  // height of the curve, in rows of the choices below it
-constexpr double row_height_cm = 0.3;
-constexpr std::size_t longest_choice = 44;
+constexpr double row_height_cm = 0.34;
+constexpr std::size_t longest_choice = 60;
+constexpr double label_width = 0.0066;  // of a letter, by the figure's; gnuplot's own guess for SVG is twice that
 
 // Where a log10 ratio is drawn above the rows.
 struct CurveAxis {
@@ -50,6 +51,9 @@ std::vector<std::string> curve_ticks(const CurveAxis& axis) {
   return ticks;
 }
 
+// Where the whole interval is: below 1, above, or on both sides.
+int side_of(const SpecificationCurve::Universe& universe) { return universe.high < 0 ? -1 : universe.low > 0 ? 1 : 0; }
+
 // As it stands, where labels are enhanced text.
 std::string literal_label(std::string_view text) {
   constexpr std::string_view meaningful = "_^{}@&~\\";
@@ -68,6 +72,7 @@ Figure specification_curve(const SpecificationCurve& curve) {
   std::vector<std::string> ticks = curve_ticks(axis);
   std::vector<double> places;
   double place = 0;
+  std::size_t longest = 8;  // characters
   std::string lines;
   for (const SpecificationCurve::Group& group : curve.groups) {
     place -= 0.45;
@@ -75,7 +80,9 @@ Figure specification_curve(const SpecificationCurve& curve) {
                          text_of(place - 0.27));
     for (const std::string& row : group.rows) {
       places.push_back(place -= 1);
-      ticks.push_back(fmt::format("{} {}", literal_label(row_label(row, longest_choice)), text_of(place)));
+      const std::string label = row_label(row, longest_choice);
+      longest = std::max(longest, character_count(label));
+      ticks.push_back(fmt::format("{} {}", literal_label(label), text_of(place)));
     }
   }
   Figure figure{.name = curve.name,
@@ -83,10 +90,12 @@ Figure specification_curve(const SpecificationCurve& curve) {
                 .width_cm = two_columns_cm,
                 .height_cm = 1.6 + row_height_cm * (curve_rows - place)};
   figure.settings = fmt::format(
-      "unset key\nset bars 0\nset xrange [0:100]\nset yrange [{}:{}]\nset xlabel 'universes, sorted [%]'\nset ytics enhanced font ',7' "
-      "({})\nset grid noytics noxtics\nset label {} at graph 0.01, first {} left font ',7'\n{}",
-      text_of(place - 0.6), text_of(curve_rows + 0.6), fmt::join(ticks, ", "), gnuplot_string(curve.quantity),
-      text_of(curve_rows - 0.2), lines);
+      "set key at screen 0.03, 0.9 left top vertical maxcols 1\nset lmargin at screen {}\nset rmargin at screen 0.97\n"
+      "side(low, high) = high < 0 ? -1 : low > 0 ? 1 : 0\nset xrange [0:100]\nset yrange [{}:{}]\n"
+      "set xlabel 'universes, sorted [%]'\nset ytics enhanced font ',7' ({})\nset grid noytics noxtics\n"
+      "set label {} at graph 0.01, first {} left font ',7'\n{}",
+      text_of(0.03 + label_width * static_cast<double>(longest)), text_of(place - 0.6), text_of(curve_rows + 0.6),
+      fmt::join(ticks, ", "), gnuplot_string(curve.quantity), text_of(curve_rows - 0.2), lines);
   figure.settings += fmt::format("set arrow from graph 0, first {0} to graph 1, first {0} nohead back ls 101 lw 0.8\n",
                                  text_of(axis.at(0)));
   figure.data = "# share of universes before it [%], log10 of the ratio, its interval, their places in the picture\n";
@@ -100,20 +109,31 @@ Figure specification_curve(const SpecificationCurve& curve) {
         fmt::format("{} {} {} {} {} {} {}\n", text_of(x_of(i)), data_number(each.estimate), data_number(each.low),
                     data_number(each.high), shown(each.estimate), shown(each.low), shown(each.high));
   }
-  figure.data += "\n\n# share of universes before it [%], row of a choice, 1 where the ratio is below 1\n";
+  figure.data +=
+      "\n\n# share of universes before it [%], row of a choice; -1: the interval is below 1, 1: above, 0: neither\n";
   for (std::size_t i = 0; i < curve.universes.size(); ++i) {
     for (const std::size_t row : curve.universes[i].rows) {
-      figure.data +=
-          fmt::format("{} {} {}\n", text_of(x_of(i)), text_of(places.at(row)), curve.universes[i].estimate < 0 ? 1 : 0);
+      figure.data += fmt::format("{} {} {}\n", text_of(x_of(i)), text_of(places.at(row)), side_of(curve.universes[i]));
     }
   }
   const std::string file = fmt::format("'{}.dat'", curve.name);
-  figure.plot =
-      plot_command({fmt::format("{} index 0 using 1:5:6:7 with yerrorbars pt 7 ps 0.01 lw 0.6 lc rgb '#BBBBBB'", file),
-                    fmt::format("{} index 0 using 1:($2 < 0 ? $5 : NaN) with points ls 1 pt 7 ps 0.22", file),
-                    fmt::format("{} index 0 using 1:($2 < 0 ? NaN : $5) with points ls 2 pt 7 ps 0.22", file),
-                    fmt::format("{} index 1 using 1:($3 == 1 ? $2 : NaN) with points ls 1 pt 7 ps 0.14", file),
-                    fmt::format("{} index 1 using 1:($3 == 1 ? NaN : $2) with points ls 2 pt 7 ps 0.14", file)});
+  std::vector<std::string> clauses;
+  const auto add = [&](int side, std::string_view colour, std::string_view title) {
+    const std::string is_its = fmt::format("(side($3, $4) == {})", side);
+    clauses.push_back(
+        fmt::format("{} index 0 using 1:({} ? $6 : NaN):(0):($7 - $6) with vectors nohead lw 0.5 lc rgb {} notitle",
+                    file, is_its, colour));
+    clauses.push_back(fmt::format("{} index 0 using 1:({} ? $5 : NaN) with points pt 7 ps 0.3 lc rgb {} notitle", file,
+                                  is_its, colour));
+    clauses.push_back(fmt::format("{} index 1 using 1:($3 == {} ? $2 : NaN) with points pt 7 ps 0.25 lc rgb {} notitle",
+                                  file, side, colour));
+    clauses.push_back(
+        fmt::format("keyentry with points pt 7 ps 0.6 lc rgb {} title {}", colour, gnuplot_string(title)));
+  };
+  add(-1, "word(colours, 1)", curve.below);
+  add(1, "word(colours, 2)", curve.above);
+  add(0, "'#999999'", "undecided");
+  figure.plot = plot_command(clauses);
   return figure;
 }
 

@@ -20,7 +20,8 @@ struct SpecificationCurve {
     std::vector<std::string> rows;  // its alternatives
   };
   std::string name, caption;
-  std::string quantity;  // "IK-BA's mean error / best rival's"
+  std::string quantity;      // "IK-BA's mean error / best rival's"
+  std::string below, above;  // what it means that an interval is below 1, and above
   std::vector<Group> groups;
   std::vector<Universe> universes;  // sorted by estimate
 };

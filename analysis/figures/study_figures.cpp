@@ -98,7 +98,7 @@ Figure path_figure(const StudyResults& study, const std::string& name) {
   if (corners.empty()) figure.data += "NaN NaN NaN\n";
   if (!corners.empty()) {
     labels.emplace_back(fmt::format("arm at point {}", solves.begin()->first));
-    add(fmt::format("index 2 using 1:2:3 with linespoints lw 1.6 pt 7 ps 0.4 lc rgb '#FF2E1B' title '{}'",
+    add(fmt::format("index 2 using 1:2:3 with linespoints lw 1.6 pt 7 ps 0.4 lc rgb word(colours, 2) title '{}'",
                     labels.back()));
   }
   if (is_path) {
@@ -106,10 +106,11 @@ Figure path_figure(const StudyResults& study, const std::string& name) {
     add(fmt::format("index {} using 1:2:3 with lines lw 0.7 lc rgb '#888888' title 'path'", helix.empty() ? 0 : 1));
   }
   add("index 0 using 1:2:3 with points pt 7 ps 0.35 lc rgb '#000000' title 'target'");
-  add("index 0 using 4:5:6 with points pt 6 ps 0.8 lw 0.8 lc rgb '#0E65B8' title 'reached'");
+  add("index 0 using 4:5:6 with points pt 6 ps 0.8 lw 0.8 lc rgb word(colours, 1) title 'reached'");
   if (is_path) add("index 0 using 1:2:3:('start') every ::0::0 with labels right offset -0.9,0.4 notitle");
   figure.settings = space_axes(coordinates);
   add_legend(figure, labels);
+  figure.settings += "set key at screen 0.5, 0.99 top center horizontal maxrows 2\n";  // below, gnuplot cuts it
   figure.plot = plot_command(clauses, "splot");
   return figure;
 }
@@ -305,7 +306,7 @@ std::optional<Figure> joints_figure(const StudyResults& study, const std::string
     figure.caption += fmt::format(" Only the first {} of {} solvers are shown.", most_panels, all);
   const double bottom = 1.9 / figure.height_cm, top = 1 - 0.6 / figure.height_cm, gap = 1.2 / figure.height_cm;
   figure.plot =
-      fmt::format("set multiplot layout {}, {} rowsfirst margins 0.07, 0.99, {}, {} spacing 0.06, {}\nset key\n", rows,
+      fmt::format("set multiplot layout {}, {} rowsfirst margins 0.1, 0.99, {}, {} spacing 0.06, {}\nset key\n", rows,
                   columns, text_of(bottom), text_of(top), text_of(gap));
   for (std::size_t i = 0; i < panels.size(); ++i) {
     figure.plot += fmt::format("set xlabel '{}'\nset ylabel '{}'\n", i + columns < panels.size() ? "" : "point",

@@ -12,7 +12,7 @@
 namespace ikbench::inference {
 
 // A row of the table, by its place. Those that some code says something particular of have a name.
-enum class Metric : std::size_t { position_error_cm, variation_deg, seconds, evaluations };
+enum class Metric : std::size_t { position_error_cm, variation_deg, seconds, evaluations, solved };
 
 // count: how often a solver does something, which is a fact where it is constant. time: compared only where times are
 // comparable. share: of what can fail, so that never having failed is no proof.

@@ -123,7 +123,7 @@ Figure circle_joints_figure(const StudyResults& study) {
     labels.push_back(fmt::format("joint {}", joint));
     const bool is_fourth = has_fourth && joint == joints;  // on the line of joint 1
     clauses.push_back(fmt::format("'{}.dat' index 0 using 1:{} with {} ls {}{} title '{}'", figure.name, joint + 1,
-                                  is_fourth ? "points" : "linespoints", joint, is_fourth ? " ps 0.9" : "",
+                                  is_fourth ? "points" : "linespoints", joint, is_fourth ? " pt 8 ps 0.8" : "",
                                   labels.back()));
   }
   std::erase_if(all, [](double angle) { return !std::isfinite(angle); });

@@ -93,7 +93,7 @@ std::string circle_data(const StudyResults& study) {
 std::string points_clauses(const std::string& target, const std::string& reached) {
   return fmt::format(
       "'' index 0 using {} with points pt 7 ps 0.35 lc rgb '#000000' title 'target', \\\n"
-      "  '' index 0 using {} with points pt 6 ps 0.9 lw 0.9 lc rgb '#0E65B8' title 'reached'",
+      "  '' index 0 using {} with points pt 6 ps 0.9 lw 0.9 lc rgb word(colours, 1) title 'reached'",
       target, reached);
 }
 

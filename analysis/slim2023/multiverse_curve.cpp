@@ -104,7 +104,7 @@ CurveRows rows_of_curve(const Multiverse& multiverse, std::size_t solver) {
     auto& group = rows.groups.emplace_back();
     group.name = dimension.name;
     for (std::size_t a = 0; a < dimension.alternatives.size(); ++a) {
-      group.rows.push_back(dimension.alternatives[a].set);
+      group.rows.push_back(dimension.alternatives[a].where);
       rows.of_choice[{d, a}] = row++;
     }
   }
@@ -146,6 +146,8 @@ Figure error_curve(const Multiverse& multiverse, const std::string& label) {
   const CurveRows rows = rows_of_curve(multiverse, solver);
   SpecificationCurve curve{.name = "multiverse",
                            .quantity = fmt::format("mean error of {} / of its best rival", label),
+                           .below = label + " is more accurate",
+                           .above = "its best rival is",
                            .groups = rows.groups};
   const auto count = static_cast<std::size_t>(std::min(universes, static_cast<double>(most_drawn)));
   double before = 0;
@@ -156,10 +158,10 @@ Figure error_curve(const Multiverse& multiverse, const std::string& label) {
     curve.universes.push_back(drawn(multiverse, *at, solver, rows));
   }
   curve.caption = fmt::format(
-      "Specification curve: mean error of {} divided by that of its best rival, in {} of {} universes, sorted by it and "
-      "drawn evenly by their weight. Below the line at 1 (blue) {} is the more accurate. Grey: 95 % intervals. Dots below: the "
-      "choices that a universe is made of, those of the rivals left out.",
-      label, count, count_words(universes), label);
+      "Specification curve: mean error of {} divided by that of its best rival, with 95 % intervals, in {} of {} "
+      "universes, sorted by it and drawn evenly by their weight. Dots below: the choices that a universe is made of, "
+      "without those of the rivals.",
+      label, count, count_words(universes));
   return specification_curve(curve);
 }
 

@@ -211,12 +211,14 @@ TEST_CASE("a logarithmic axis shows zero at its lower edge, a decade below the r
   const Axis axis = value_axis(std::vector<double>{0, 0.02, 3}, "x [cm]", Scale::logarithmic);
   CHECK(axis.shows_at_edge);
   CHECK(contains(axis.settings, "set yrange [1e-3:1e1]"));
+  CHECK(contains(axis.settings, "set ytics add ('0' 1e-3)"));
 }
 
 TEST_CASE("on a logarithmic axis rounding is at the lower edge, unless all is rounding", "[figure]") {
   const Axis axis = value_axis(std::vector<double>{1e-13, 1e-3, 3}, "x [cm]", Scale::logarithmic, 1e-7);
   CHECK(axis.shows_at_edge);
   CHECK(contains(axis.settings, "set yrange [1e-4:1e1]"));
+  CHECK(contains(axis.settings, "set ytics add ('≤1e-07' 1e-4)"));
   CHECK(contains(axis.settings, "shown(y) = y > 1e-07 ? y * 1 : (y <= 1e-07 ? 1e-4 : NaN)"));
   const Axis of_rounding = value_axis(std::vector<double>{1e-15, 3e-14}, "x [cm]", Scale::logarithmic, 1e-7);
   CHECK(!of_rounding.shows_at_edge);
