@@ -88,6 +88,7 @@ Dimension read_dimension(TomlReader reader, const std::vector<std::string>& labe
                          const std::vector<Dimension>& earlier) {
   Dimension one;
   reader.text("section", one.section, "");
+  reader.text("open", one.open, "");
   for (const toml::table* table : tables_of(reader, "alternatives", most_alternatives)) {
     one.alternatives.push_back(
         read_alternative(reader.nested(*table, "dimensions.alternatives."), one.alternatives.empty()));
@@ -107,6 +108,7 @@ Dimension read_dimension(TomlReader reader, const std::vector<std::string>& labe
     }
   }
   reader.refuse_unknown_keys();
+  if (one.open.empty()) one.open = one.name;
   return one;
 }
 

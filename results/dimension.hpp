@@ -22,6 +22,7 @@ struct Dimension {
   std::string section;                    // of the paper's notes
   std::string solver;                     // the label whose own it is; empty: the study's
   std::vector<Alternative> alternatives;  // the first is the default
+  std::string open = {};                  // what is open, in words: "who obeys limits"; else as the name
 };
 
 // An alternative by its place, in a dimension by its place.

@@ -22,7 +22,7 @@ std::string counted(Verdict verdict, std::ptrdiff_t count) {
        {"is undecided", "are undecided"},
        {"fails", "fail"},
        {"depends on the interpretation", "depend on the interpretation"},
-       {"cannot be tested here", "cannot be tested here"}}};
+       {"cannot be tested", "cannot be tested"}}};
   const auto& [one, several] = words[static_cast<std::size_t>(verdict)];
   return fmt::format("{} {}", count, count == 1 ? one : several);
 }
@@ -45,7 +45,8 @@ void join(Claim& claim, const ClaimShares& of) {
   if (share_of(claim.verdict, of) >= clear_share) return;
   claim.evidence = fmt::format("By our default: {}; {}", name_of(claim.verdict), claim.evidence);
   claim.verdict = Verdict::depends;
-  claim.depends_on = of.decided_by.empty() ? "what the paper leaves open" : of.decided_by;
+  claim.depends_on = of.decided_by;
+  if (claim.depends_on.empty()) claim.depends_on.emplace_back("what is left open");
   claim.number = answers_in(of);
 }
 
@@ -59,7 +60,9 @@ std::string_view name_of(Verdict verdict) {
 
 std::string verdict_words(const Claim& claim) {
   const std::string name(name_of(claim.verdict));
-  return claim.depends_on.empty() ? name : fmt::format("{} on {}", name, claim.depends_on);
+  if (claim.depends_on.empty()) return name;
+  const std::size_t more = claim.depends_on.size() - 1;
+  return fmt::format("{} on {}{}", name, claim.depends_on.front(), more == 0 ? "" : fmt::format(" (+{})", more));
 }
 
 std::vector<Claim> claims_by(By by, const std::vector<Claim>& claims) {

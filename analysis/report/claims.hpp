@@ -24,12 +24,12 @@ struct Claim {
   std::string id = {};                  // "most_accurate"; by it other results are joined
   std::string section = {};             // of the paper
   By by = By::paper;
-  std::string decides = {};     // what would decide it, a sentence
-  std::string number = {};      // the one that says most, short: "0.0017 against 0.21 cm"
-  std::string depends_on = {};  // where it depends: "bounds"
+  std::string decides = {};                  // what would decide it, a sentence
+  std::string number = {};                   // the one that says most, short: "0.0017 against 0.21 cm"
+  std::vector<std::string> depends_on = {};  // where it depends: "who obeys limits", the first the most
 };
 
-// "depends on bounds"
+// "depends on who obeys limits (+2)"
 std::string verdict_words(const Claim& claim);
 
 std::vector<Claim> claims_by(By by, const std::vector<Claim>& claims);
@@ -41,8 +41,9 @@ std::string tally(const std::vector<Claim>& claims);
 struct ClaimShares {
   std::string id;
   double holds = 0, fails = 0, undecided = 0;
-  std::string decided_by = {};  // what its answer depends on most: "bounds", "bounds, BA.best_of"
-  std::string sentence = {};    // how
+  std::vector<std::string> decided_by = {};  // what its answer depends on most: "who obeys limits"
+  std::string sentence = {};                 // how
+  std::string of = {};                       // how many interpretations: "576"
 };
 
 // The verdict on a claim that depends has not as much as that.

@@ -35,8 +35,8 @@ std::vector<std::size_t> deciding_dimensions(const Multiverse& multiverse, const
   return result;
 }
 
-// "in 3 % where no solver is clamped, in 90 % where every solver is": the least share first.
-std::string words_of_alternatives(const Multiverse& multiverse, const ClaimCounts& counts, std::size_t dimension) {
+// "who obeys limits (3 % where no solver is clamped, 90 % where every solver is)": the least share first.
+std::string words_of_dimension(const Multiverse& multiverse, const ClaimCounts& counts, std::size_t dimension) {
   struct Part {
     double share;
     std::string where;
@@ -50,28 +50,30 @@ std::string words_of_alternatives(const Multiverse& multiverse, const ClaimCount
   std::ranges::stable_sort(parts, {}, &Part::share);
   std::string words;
   for (const Part& part : parts) {
-    words += fmt::format("{}in {} where {}", words.empty() ? "" : ", ", share_words(part.share), part.where);
+    words += fmt::format("{}{} where {}", words.empty() ? "" : ", ", share_words(part.share), part.where);
   }
-  return words;
+  return fmt::format("{} ({})", multiverse.dimensions[dimension].open, words);
 }
 
 ClaimShares shares_of(const Multiverse& multiverse, const ClaimCounts& counts) {
   const double all = counts.all.all(), holds = counts.all.holds / all, fails = counts.all.fails / all,
                undecided = counts.all.undecided / all;
-  std::string names, words;
+  std::vector<std::string> names;
+  std::string words;
   const std::vector<std::size_t> deciding = deciding_dimensions(multiverse, counts);
   for (const std::size_t d : deciding) {
-    names += (names.empty() ? "" : ", ") + multiverse.dimensions[d].name;
-    words += (words.empty() ? "" : "; ") + words_of_alternatives(multiverse, counts, d);
+    names.push_back(multiverse.dimensions[d].open);
+    words += (words.empty() ? " It depends most on " : "; on ") + words_of_dimension(multiverse, counts, d);
   }
-  if (!words.empty()) words = fmt::format("; {} decide{} most: {}", names, deciding.size() == 1 ? "s" : "", words);
+  if (!words.empty()) words += '.';
   return {.id = counts.claim.id,
           .holds = holds,
           .fails = fails,
           .undecided = undecided,
           .decided_by = names,
-          .sentence = fmt::format("{} in {} of the universes ({} fail, {} undecided){}.", counts.claim.words,
-                                  share_words(holds), share_words(fails), share_words(undecided), words)};
+          .sentence = fmt::format("{} in {} of the universes ({} fail, {} undecided).{}", counts.claim.words,
+                                  share_words(holds), share_words(fails), share_words(undecided), words),
+          .of = count_words(multiverse.universes())};
 }
 
 Cell percent_cell(double part, double all) {
@@ -108,7 +110,7 @@ Table claims_table(const Multiverse& multiverse, const std::vector<ClaimCounts>&
     const bool is_decided = deciding < multiverse.dimensions.size();
     table.rows.push_back(
         {counts.claim.words, percent_cell(counts.all.holds, weight), percent_cell(counts.all.fails, weight),
-         percent_cell(counts.all.undecided, weight), is_decided ? Cell(multiverse.dimensions[deciding].name) : Cell(),
+         percent_cell(counts.all.undecided, weight), is_decided ? Cell(multiverse.dimensions[deciding].open) : Cell(),
          is_decided ? percent_cell(counts.difference(deciding), 1) : Cell(), seed_difference(counts), counts.claim.id});
   }
   table.notes.push_back(fmt::format(

@@ -72,6 +72,8 @@ TEST_CASE("the first alternative of every dimension is the default, and every ot
   };
   for (const Dimension& dimension : dimensions("slim2023")) {
     CHECK(dimension.section.starts_with("2."));
+    CHECK(dimension.open != dimension.name);
+    CHECK(dimension.open.size() <= 40);  // it is part of a line
     for (const Alternative& each : dimension.alternatives) {
       CAPTURE(each.set);
       const bool is_default = &each == &dimension.alternatives.front();

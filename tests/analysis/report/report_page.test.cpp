@@ -50,7 +50,7 @@ TEST_CASE("a figure is an image within the page, whose bytes are those of its fi
 
 TEST_CASE("pieces come in the order of their sections, and none is lost", "[report]") {
   ReportContent content;
-  content.plan = {.results = {{"Results", "", {"figure-5", "table-3"}, {"figure-9-*"}}},
+  content.plan = {.results = {{"Results", "", {"figure-5", "unknown|table-3|status"}, {"figure-9-*"}}},
                   .further = {{"Computing time", "", {"table-7"}}}};
   std::vector<Piece> pieces;
   for (const char* name : {"unheard-of", "table-7", "status", "table-3"}) pieces.emplace_back(Table{name, "caption"});
@@ -92,9 +92,9 @@ TEST_CASE("a page tells the number of a claim, and what we asked besides apart",
       {.statement = "ours", .verdict = Verdict::holds, .evidence = "e", .table = "", .by = By::us},
       {.statement = "theirs", .verdict = Verdict::depends, .evidence = "e", .table = "", .section = "Fig. <6>"}};
   content.claims.back().number = "11 of 20";
-  content.claims.back().depends_on = "bounds";
+  content.claims.back().depends_on = {"who <obeys>"};
   const std::string page = to_html(content, {});
-  CHECK(contains(page, "<span class=\"word depends\">depends on bounds</span>"));
+  CHECK(contains(page, "<span class=\"word depends\">depends on who &lt;obeys&gt;</span>"));
   CHECK(contains(page, "<span class=\"number\">11 of 20</span>"));
   CHECK(contains(page, "Stated in: Fig. &lt;6&gt;. e"));
   CHECK(page.find(">theirs<") < page.find("What we asked besides"));

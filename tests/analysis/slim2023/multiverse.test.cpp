@@ -50,8 +50,8 @@ double half_unit_of(const std::string& solver, const std::string& metric, const 
 Multiverse near_the_print() {
   const auto alternative = [](const std::string& set) { return Multiverse::Alternative{set, "it is " + set}; };
   Multiverse multiverse{
-      .dimensions = {{"x", "2.1", "", {alternative("x=0"), alternative("x=1")}},
-                     {"y", "2.1", "", {alternative("y=0"), alternative("y=1")}},
+      .dimensions = {{"x", "2.1", "", {alternative("x=0"), alternative("x=1")}, "how x is"},
+                     {"y", "2.1", "", {alternative("y=0"), alternative("y=1")}, "how y is"},
                      {"IK-BA.k", "2.2", "IK-BA", {alternative("IK-BA.k=0"), alternative("IK-BA.k=1")}},
                      {"BA.k", "2.3", "BA", {alternative("BA.k=0"), alternative("BA.k=1"), alternative("BA.k=2")}}},
       .solvers = {"IK-BA", "BA", "DE"},
