@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 #include "analysis/figures/dark.hpp"
 #include "analysis/inference/text.hpp"
@@ -21,14 +22,36 @@ constexpr std::size_t largest_svg = 400'000;    // bytes; a larger one is shown 
 constexpr std::size_t largest_sum = 1'500'000;  // bytes of all figures together, for a page below 3 MB
 constexpr std::size_t most_page_rows = 60;      // of a table on the page; all are in its files
 
+constexpr std::string_view colour_of(Beside::Nearness nearness) {
+  constexpr std::array<std::string_view, 4> colours{"", "agrees", "close", "differs"};
+  return colours[static_cast<std::size_t>(nearness)];
+}
+
+// How cells with two numbers are read; empty where there are none.
+std::string legend_of(const Table& table) {
+  bool has_any = false, has_colours = false;
+  for (const std::vector<Cell>& row : table.rows) {
+    for (const Cell& cell : row) {
+      const auto* const beside = std::get_if<Beside>(&cell);
+      has_any = has_any || beside != nullptr;
+      has_colours = has_colours || (beside != nullptr && beside->nearness != Beside::Nearness::unknown);
+    }
+  }
+  if (!has_any) return "";
+  return std::string("Large: ours. Small: as printed.") +
+         (has_colours
+              ? " Green: the printed number is where 95 % of our repetitions are. Yellow: outside, but near. Red: far."
+              : "");
+}
+
 // What stands at the front of a cell and has a colour.
 std::string_view verdict_of(std::string_view cell) {
   if (cell.starts_with("relative only: ")) cell.remove_prefix(15);
   for (const std::string_view verdict : {"agrees", "close", "differs"}) {
     if (cell.starts_with(verdict)) return verdict;
   }
-  if (cell.starts_with("as expected")) return "agrees";
-  if (cell.find("beyond the range") != std::string_view::npos) return "differs";
+  if (cell.starts_with("in our range")) return "agrees";
+  if (cell.find("outside our range") != std::string_view::npos) return "differs";
   return "";
 }
 
@@ -39,6 +62,14 @@ Data cell_data(const Cell& cell, const Column& column) {
   data.set("right", column.align == Align::right);
   constexpr std::size_t short_text = 16;  // such as a solver's label: not broken at its hyphens
   data.set("short", column.align == Align::left && character_count(shown) <= short_text);
+  if (const auto* beside = std::get_if<Beside>(&cell)) {
+    data.set("text", text_data(short_number(beside->ours)));
+    data.set("number", Data(computable(Cell(beside->ours))));
+    data.set("printed", text_data(beside->printed));
+    data.set("nearness", Data(std::string(colour_of(beside->nearness))));
+    data.set("words", text_data(beside->words));
+    return data;
+  }
   const bool is_text = std::holds_alternative<std::string>(cell) || std::holds_alternative<std::monostate>(cell);
   if (!is_text) data.set("number", Data(computable(cell)));
   if (column.name == "verdict" && !verdict_of(shown).empty()) data.set("verdict", Data(std::string(verdict_of(shown))));
@@ -72,6 +103,7 @@ Data table_data(const Table& table) {
   data.set("id", Data(id_of(table.name)));
   data.set("name", text_data(table.name));
   data.set("caption", text_data(table.caption));
+  if (const std::string legend = legend_of(table); !legend.empty()) data.set("legend", Data(legend));
   data.set("heads", heads);
   data.set("rows", rows);
   data.set("size", Data(fmt::format("{} row{}", table.rows.size(), table.rows.size() == 1 ? "" : "s")));
@@ -184,6 +216,7 @@ Data HtmlPieces::figure_data(const ReportFigure& piece) {
   const auto svg = piece.drawn ? picture(piece.figure) : std::nullopt;
   if (svg) data.set("svg", Data(*svg));
   data.set("left_out", piece.drawn && !svg);
+  left_out_ += piece.drawn && !svg ? 1 : 0;
   Json& series = told_[id] = Json::array();
   for (const Told& told : piece.figure.told) {
     series.push_back({{"series", one_line(told.series)}, {"words", told.words}});

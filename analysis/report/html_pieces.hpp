@@ -37,6 +37,7 @@ class HtmlPieces {
   std::optional<std::string> picture(const figures::Figure& figure);
   // By the id of a figure, what a reader who points at its series is told.
   const Json& told() const { return told_; }
+  int left_out() const { return left_out_; }  // pictures beyond the limit so far
 
  private:
   Data figure_data(const ReportFigure& piece);
@@ -45,6 +46,7 @@ class HtmlPieces {
   const ReportContent& content_;
   std::filesystem::path figures_;
   std::size_t sum_ = 0;  // bytes of all pictures so far
+  int left_out_ = 0;
   Json told_ = Json::object();
 };
 

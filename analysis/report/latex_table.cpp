@@ -122,7 +122,8 @@ std::string breakable(std::string_view text) {
 }
 
 bool is_words(const Cell& cell, const std::string& text) {
-  return std::holds_alternative<std::string>(cell) || text.empty() || text == "not defined";
+  return std::holds_alternative<std::string>(cell) || std::holds_alternative<Beside>(cell) || text.empty() ||
+         text == "not defined";
 }
 
 double cell_width(const Cell& cell) {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <vector>
 
+#include "analysis/figures/figure_parts.hpp"
 #include "analysis/inference/estimand.hpp"
 #include "analysis/inference/judge.hpp"
 #include "analysis/inference/text.hpp"
@@ -22,6 +23,7 @@ namespace {
 std::string first_by_words(const StudyResults& study, Metric metric, Estimand estimand) {
   if (estimand == Estimand::reliability) return fmt::format("Most often {}", within_words(study, metric));
   const std::string_view slug = info_of(metric).slug;
+  if (info_of(metric).kind == Kind::count) return fmt::format("Fewest {}", slug);
   if (info_of(metric).kind == Kind::time) return fmt::format("Shortest {} {}", average_name(metric), slug);
   return fmt::format("Smallest {} {}{}", name_of(estimand), slug,
                      estimand == Estimand::mean ? " (its worst cases)" : "");
@@ -33,7 +35,16 @@ class Leader {
   Leader(const Evidence& evidence, Metric metric, Estimand estimand)
       : evidence_(evidence),
         is_median_(estimand == Estimand::mean && info_of(metric).kind == Kind::time),
-        unit_(estimand == Estimand::reliability ? "" : info_of(metric).unit) {}
+        metric_(metric) {}
+
+  // The first, where it is found better than every other; else empty.
+  std::string alone() const {
+    const std::vector<std::size_t> order = order_of_groups();
+    const auto is_beaten = [&](std::size_t other) {
+      return other == order[0] || against(order[0], other).answer == Answer::better;
+    };
+    return order.size() > 1 && std::ranges::all_of(order, is_beaten) ? name(order[0]) : "";
+  }
 
   std::string words() const {
     const std::vector<std::size_t> order = order_of_groups();
@@ -84,7 +95,7 @@ class Leader {
   std::string name(std::size_t group) const { return name_words(evidence_, group); }
   std::string value(std::size_t group) const {
     if (evidence_.better == Better::larger) return percent(average(group));
-    return fmt::format("{} {}", rounded_number(average(group), 3), unit_);
+    return figures::value_words(metric_, average(group));
   }
 
   // "IK-BA or DE (0.0017 cm and 0.0018 cm; undecided, p = 0.4", without the bracket at the end.
@@ -109,7 +120,7 @@ class Leader {
 
   const Evidence& evidence_;
   bool is_median_;
-  std::string_view unit_;
+  Metric metric_;
 };
 
 }  // namespace
@@ -126,6 +137,33 @@ std::string leaders_sentence(const JudgedStudy& study, Metric metric) {
   }
   std::erase(sentences, "");
   return fmt::format("{}", fmt::join(sentences, " "));
+}
+
+std::vector<std::string> own_verdict(const JudgedStudy& study) {
+  std::vector<std::string> sentences, alone;
+  for (const Metric metric : reported_metrics()) {
+    if (!is_comparable(study, metric)) continue;
+    const std::vector<Estimand> all = estimands_of(study, metric);
+    for (const Estimand estimand : metric == Metric::position_error_cm ? all : std::vector{all.front()}) {
+      std::string sentence = leader_sentence(study, metric, estimand);
+      if (sentence.empty()) continue;
+      sentences.push_back(std::move(sentence));
+      alone.push_back(Leader(study.evidence(metric, estimand), metric, estimand).alone());
+    }
+  }
+  std::string counted;
+  for (auto each = alone.begin(); each != alone.end(); ++each) {
+    if (each->empty() || std::find(alone.begin(), each, *each) != each) continue;  // counted before
+    counted += fmt::format("{}{} in {}", counted.empty() ? "" : ", ", *each, std::ranges::count(alone, *each));
+  }
+  if (study.solvers.size() > 1 && !sentences.empty()) {
+    sentences.insert(
+        sentences.begin(),
+        counted.empty()
+            ? fmt::format("No solver is found better than every other in any of {} comparisons.", alone.size())
+            : fmt::format("Of {} comparisons, better than every other: {}.", alone.size(), counted));
+  }
+  return sentences;
 }
 
 }  // namespace ikbench::report

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "analysis/inference/judged_study.hpp"
 
@@ -12,5 +13,8 @@ namespace ikbench::report {
 std::string leader_sentence(const inference::JudgedStudy& study, inference::Metric metric, results::Estimand estimand);
 // One for each of estimands_of(study, metric).
 std::string leaders_sentence(const inference::JudgedStudy& study, inference::Metric metric);
+// Who is better, by how much, and at what cost: in how many comparisons a solver is better than every other, then a
+// sentence for each.
+std::vector<std::string> own_verdict(const inference::JudgedStudy& study);
 
 }  // namespace ikbench::report

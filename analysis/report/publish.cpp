@@ -79,7 +79,7 @@ Report publish(Publication publication, const std::filesystem::path& folder, con
                 .file = folder / "report.md",
                 .summary = content.summary,
                 .warnings = content.warnings};
-  if (!content.answer.empty()) report.summary.insert(report.summary.begin(), content.answer);
+  report.summary.insert(report.summary.begin(), content.answer.begin(), content.answer.end());
   write_file(report.file, to_markdown(content));
   if (!content.claims.empty()) write_file(folder / "verdict.md", verdict_markdown(content));
   write_file(report.page, to_html(content, {.figures = folder / "figures",

@@ -137,27 +137,30 @@ std::vector<std::string> warnings_of(const StudyResults& study, const JudgedStud
     warnings.push_back(
         fmt::format("{}: only {} of {} solves are stored", one_line(count.solver), count.solves, count.expected));
   }
-  for (const std::string& note : {timing_note(study), load_warning(study)}) {
-    if (!note.empty()) warnings.push_back(note);
-  }
+  std::vector<std::string> notes;                // each of a kind of its own: "Times are not comparable"
+  std::vector<std::vector<std::string>> others;  // of each note, the companions that have one of the kind too
+  const auto note_on = [&](const std::string& note, const std::string& companion) {
+    if (note.empty()) return;
+    const std::string kind = note.substr(0, std::min(note.find(": "), note.find(". ")));
+    const auto same = std::ranges::find_if(notes, [&](const std::string& other) { return other.starts_with(kind); });
+    if (same != notes.end()) {
+      others[static_cast<std::size_t>(same - notes.begin())].push_back(companion);
+      return;
+    }
+    notes.push_back(companion.empty() ? note : fmt::format("{} ({})", note, companion));
+    others.emplace_back();
+  };
+  for (const std::string& note : {timing_note(study), load_warning(study)}) note_on(note, "");
   for (const StudyResults& companion : companions) {
-    for (const std::string& warning :
-         {out_of_reach_warning(companion), timing_note(companion), load_warning(companion)}) {
-      if (!warning.empty()) warnings.push_back(fmt::format("{}: {}", companion.name, warning));
+    for (const std::string& note : {out_of_reach_warning(companion), timing_note(companion), load_warning(companion)}) {
+      note_on(note, companion.name);
     }
   }
-  return warnings;
-}
-
-// Who is better, by how much, and at what cost: of a study that has no claims.
-std::string leaders_of(const JudgedStudy& study) {
-  std::string text = leaders_sentence(study, Metric::position_error_cm);
-  for (const Metric metric : {Metric::variation_deg, Metric::seconds}) {
-    if (!is_comparable(study, metric)) continue;
-    const std::string sentence = leader_sentence(study, metric, Estimand::mean);
-    if (!sentence.empty()) text += ' ' + sentence;
+  for (std::size_t i = 0; i < notes.size(); ++i) {
+    warnings.push_back(others[i].empty() ? notes[i]
+                                         : fmt::format("{} So it is in {}.", notes[i], fmt::join(others[i], ", ")));
   }
-  return text;
+  return warnings;
 }
 
 // What a reader sees in the pieces that any study has.
@@ -167,7 +170,10 @@ void see(const JudgedStudy& study, const std::vector<Table>& tables, std::span<c
     if (study.solves.empty() || !is_comparable(study, metric)) continue;
     content.seen.emplace(fmt::format("{}-boxes", info_of(metric).slug), leader_sentence(study, metric, Estimand::mean));
   }
-  if (!shares.empty()) content.seen.emplace("multiverse", shares.front().sentence);
+  if (!shares.empty()) {
+    content.seen.emplace("multiverse", shares.front().sentence);
+    content.seen["Verdict"] += fmt::format(" Percentages: of {} interpretations.", shares.front().of);
+  }
   const auto audit = std::ranges::find(tables, "audit", &Table::name);
   if (audit != tables.end()) content.seen.emplace("audit", audit_sentence(*audit));
 }
@@ -209,7 +215,7 @@ Report write_report(const Store& store, const ReportRequest& request) {
 
   ReportContent content{.study = study.name,
                         .title = study.title.empty() ? study.name : study.title,
-                        .answer = leaders_sentence(study, Metric::position_error_cm),
+                        .answer = {leaders_sentence(study, Metric::position_error_cm)},
                         .studied = studied(study, paper),
                         .solvers = study.solvers,
                         .claims = paper.claims ? paper.claims(reported) : std::vector<Claim>(),
@@ -241,7 +247,8 @@ Report write_report(const Store& store, const ReportRequest& request) {
     if (!assessment.warnings.empty()) continue;  // of flawed observations there is no headline
     std::ranges::copy(assessment.headlines, std::back_inserter(content.summary));
   }
-  if (content.claims.empty() && !study.solves.empty()) content.answer = leaders_of(study);
+  if (content.claims.empty() && !study.solves.empty()) content.answer = own_verdict(study);
+  std::erase(content.answer, "");
   see(study, tables, request.shares, content);
   write_file(request.folder / "solves.csv", to_csv(study.solves));
   const Table results = *std::ranges::find(tables, pieces.results, &Table::name);

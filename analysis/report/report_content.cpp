@@ -67,10 +67,15 @@ bool asks_for(std::string_view asked, std::string_view name) {
 std::vector<Piece> taken(const std::vector<std::string>& names, std::vector<Piece>& pieces) {
   std::vector<Piece> result;
   for (const std::string& asked : names) {
+    const std::size_t bar = asked.find('|');
+    const std::string first = asked.substr(0, bar);
     const auto others = std::stable_partition(pieces.begin(), pieces.end(),
-                                              [&](const Piece& p) { return asks_for(asked, name_of(p)); });
+                                              [&](const Piece& p) { return asks_for(first, name_of(p)); });
+    const bool is_there = others != pieces.begin();
     std::move(pieces.begin(), others, std::back_inserter(result));
     pieces.erase(pieces.begin(), others);
+    if (is_there || bar == std::string::npos) continue;
+    std::ranges::move(taken({asked.substr(bar + 1)}, pieces), std::back_inserter(result));
   }
   return result;
 }
@@ -121,12 +126,16 @@ std::string seen_at(const Piece& piece, const ReportContent& content) {
 }
 
 std::string first_sentence(const std::string& text) {
-  const std::size_t end = text.find(". ");
-  return end == std::string::npos ? text : text.substr(0, end + 1);
+  for (std::size_t end = text.find(". "); end < text.size(); end = text.find(". ", end + 1)) {
+    if (end + 2 < text.size() && std::isupper(static_cast<unsigned char>(text[end + 2])) != 0)
+      return text.substr(0, end + 1);
+  }
+  return text;
 }
 
 std::vector<std::string> answers_of(const ReportContent& content) {
-  std::vector<std::string> answers{content.claims.empty() ? content.answer : tally(content.claims)};
+  if (content.claims.empty()) return content.answer;
+  std::vector<std::string> answers{tally(content.claims)};
   if (const auto seen = content.seen.find("Verdict"); seen != content.seen.end()) answers.push_back(seen->second);
   std::erase(answers, "");
   return answers;

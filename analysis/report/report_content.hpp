@@ -33,7 +33,8 @@ struct Section {
   std::vector<Piece> folded = {};
 };
 
-// A section and the pieces that it asks for: names in order; one that ends in * stands for all that begin so.
+// A section and the pieces that it asks for: names in order; one that ends in * stands for all that begin so, and of
+// "a|b" the first that is there.
 struct SectionPlan {
   std::string heading;
   std::string paragraph;
@@ -51,7 +52,7 @@ struct ReportContent {
   std::string study;
   std::string kind = "Report of the study";  // what stands before its name
   std::string title;
-  std::string answer = {};                // its first words; empty where there is none
+  std::vector<std::string> answer = {};   // its first sentences; may be none
   std::vector<std::string> studied = {};  // whose paper, what was run, what was not: sentences
   std::vector<std::string> solvers = {};  // in the order of their colours
   std::vector<Claim> claims;
@@ -73,10 +74,10 @@ const Piece* piece_named(const ReportContent& content, std::string_view name);
 // What is seen in a piece of the content, of pieces of one name in the first; may be empty.
 std::string seen_at(const Piece& piece, const ReportContent& content);
 
-// "IK-BA 0.00168 cm, DE 0.253 cm." of more sentences.
+// "IK-BA 0.00168 cm, see Eq. 4." of more sentences: the next begins with a capital.
 std::string first_sentence(const std::string& text);
 
-// The verdict's first sentences: of claims, how many hold and what else is seen there.
+// The verdict's first sentences: of claims, how many hold and what else is seen there; else the answer.
 std::vector<std::string> answers_of(const ReportContent& content);
 
 // Puts every piece into the section that asks for it by name. A section of which nothing is there is left out; pieces

@@ -35,7 +35,7 @@ constexpr std::string_view at_a_glance = "overview";  // the figure beside the v
 Data topics_data(const std::vector<std::string>& sentences) {
   Data list(Data::type::list);
   for (const std::string& sentence : sentences) {
-    constexpr std::size_t longest_topic = 30;
+    constexpr std::size_t longest_topic = 45;
     const std::size_t colon = sentence.find(": ");
     const std::size_t length = colon == std::string::npos || colon > longest_topic ? 0 : colon + 1;
     Data data;
@@ -132,11 +132,11 @@ std::string series_css() {
   return css + "@media screen and (prefers-color-scheme: dark) {\n" + dark + "}\n";
 }
 
-// "5 warnings. Times are not comparable", of the first what stands in front of its reasons.
+// "5 warnings: Times are not comparable", of the first what stands in front of its reasons.
 std::string warnings_line(const std::vector<std::string>& warnings) {
-  if (warnings.size() == 1) return "Warning";
   const std::string& first = warnings.front();
-  return fmt::format("{} warnings. {}", warnings.size(), first.substr(0, std::min(first.find(": "), first.find(". "))));
+  return fmt::format("{}: {}", warnings.size() == 1 ? "Warning" : fmt::format("{} warnings", warnings.size()),
+                     first.substr(0, std::min(first.find(": "), first.find(". "))));
 }
 
 std::string source(std::string_view code) { return fmt::format("'sha256-{}'", sha256_in_base64(code)); }
@@ -148,9 +148,14 @@ void set_header(const ReportContent& content, HtmlPieces& pieces, Data& page) {
   page.set("kind", text_data(content.kind));
   page.set("has_studied", !content.studied.empty());
   page.set("studied", list_data(content.studied));
-  page.set("answers", list_data(answers_of(content)));
+  if (content.claims.empty()) {
+    page.set("has_own", !content.answer.empty());
+    page.set("own", topics_data(content.answer));
+  } else {
+    page.set("answers", list_data(answers_of(content)));
+  }
   std::vector<std::string> summary = content.summary;
-  if (!content.claims.empty() && !content.answer.empty()) summary.insert(summary.begin(), content.answer);
+  if (!content.claims.empty()) summary.insert(summary.begin(), content.answer.begin(), content.answer.end());
   page.set("has_summary", !summary.empty());
   page.set("summary", list_data(summary));
   page.set("verdicts", verdicts_data(content));
@@ -158,7 +163,6 @@ void set_header(const ReportContent& content, HtmlPieces& pieces, Data& page) {
   if (!content.warnings.empty()) {
     page.set("has_warnings", true);
     page.set("several", text_data(warnings_line(content.warnings)));
-    page.set("is_one", content.warnings.size() == 1);
     page.set("warnings", list_data(content.warnings));
   }
   if (!content.command.empty()) page.set("command", text_data(content.command));
@@ -199,6 +203,7 @@ std::string to_html(const ReportContent& content, const HtmlExtras& extras) {
   }
 
   page.set("sections", sections_data(content, pieces));
+  if (pieces.left_out() > 0) page.set("beside", Data(fmt::to_string(pieces.left_out())));
   page.set("has_shown", std::ranges::any_of(content.results, is_shown));
   page.set("told", Data(json_in_page(pieces.told())));
   const std::string style = series_css() + std::string(report_css);

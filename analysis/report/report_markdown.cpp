@@ -88,7 +88,7 @@ std::string to_markdown(const ReportContent& content) {
   std::string text = fmt::format("# {}\n\n", markdown_text(content.title));
   text += fmt::format("{} {}.\n\n", content.kind, markdown_text(content.study));
   for (const std::string& sentence : content.studied) text += markdown_text(sentence) + "\n\n";
-  if (!content.answer.empty()) text += markdown_text(content.answer) + "\n\n";
+  if (!content.answer.empty()) text += markdown_text(fmt::format("{}", fmt::join(content.answer, " "))) + "\n\n";
   if (!content.warnings.empty()) text += "## Warnings\n\n" + bullets(content.warnings);
   text += verdict(content, Detail::whole) + "## Summary\n\n";
   text += bullets(content.summary);

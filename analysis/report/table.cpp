@@ -28,6 +28,12 @@ struct Overloaded : Visitors... {
 template <class... Visitors>
 Overloaded(Visitors...) -> Overloaded<Visitors...>;  // clang++ 14 wants the guide spelled out
 
+template <class Kind>
+bool has_any(const Table& table, std::size_t column) {
+  return std::ranges::any_of(
+      table.rows, [column](const std::vector<Cell>& row) { return std::holds_alternative<Kind>(row[column]); });
+}
+
 }  // namespace
 
 std::string readable(const Cell& cell) {
@@ -43,6 +49,10 @@ std::string readable(const Cell& cell) {
           },
           [](Range range) {
             return fmt::format("{} to {}", rounded_number(range.low, 3), rounded_number(range.high, 3));
+          },
+          [](const Beside& beside) {
+            return fmt::format("{} (printed {}{}{})", short_number(beside.ours), beside.printed,
+                               beside.words.empty() ? "" : ": ", beside.words);
           }},
       cell);
 }
@@ -53,7 +63,8 @@ std::string computable(const Cell& cell) {
                  [](std::int64_t count) { return fmt::to_string(count); },
                  [](double value) { return std::isfinite(value) ? text_of(value) : std::string(); },
                  [](PValue p) { return std::isfinite(p.value) ? text_of(p.value) : std::string(); },
-                 [](Range range) { return fmt::format("{} to {}", text_of(range.low), text_of(range.high)); }},
+                 [](Range range) { return fmt::format("{} to {}", text_of(range.low), text_of(range.high)); },
+                 [](const Beside& beside) { return computable(Cell(beside.ours)); }},
       cell);
 }
 
@@ -95,20 +106,21 @@ std::string to_markdown(const Table& table) {
 
 std::string to_csv(const Table& table) {
   CsvTable csv;
-  std::vector<bool> has_ranges;
+  std::vector<bool> is_two;  // of one column, two in the file
   for (std::size_t c = 0; c < table.columns.size(); ++c) {
-    has_ranges.push_back(std::ranges::any_of(
-        table.rows, [c](const std::vector<Cell>& row) { return std::holds_alternative<Range>(row[c]); }));
+    const bool has_ranges = has_any<Range>(table, c);
+    is_two.push_back(has_ranges || has_any<Beside>(table, c));
     const std::string& name = table.columns[c].name;
-    csv.header.push_back(has_ranges[c] ? name + " low" : name);
-    if (has_ranges[c]) csv.header.push_back(name + " high");
+    csv.header.push_back(has_ranges ? name + " low" : name);
+    if (is_two[c]) csv.header.push_back(name + (has_ranges ? " high" : " printed"));
   }
   for (const auto& row : table.rows) {
     std::vector<std::string>& cells = csv.rows.emplace_back();
     for (std::size_t c = 0; c < row.size(); ++c) {
       const Range* range = std::get_if<Range>(&row[c]);
+      const Beside* beside = std::get_if<Beside>(&row[c]);
       cells.push_back(range ? text_of(range->low) : computable(row[c]));
-      if (has_ranges[c]) cells.push_back(range ? text_of(range->high) : "");
+      if (is_two[c]) cells.push_back(range ? text_of(range->high) : beside ? beside->printed : "");
     }
   }
   return to_csv(csv);

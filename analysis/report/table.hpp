@@ -20,9 +20,19 @@ struct Range {
   double high;
 };
 
+// Our number beside a printed one: read as "0.73 (printed 0.4075: 1.8 times, outside our range 0.6872 to 0.7583)"; in
+// CSV its column is two, the second "... printed".
+struct Beside {
+  enum class Nearness { unknown, within, near, far };
+  double ours;
+  std::string printed;                    // its digits
+  Nearness nearness = Nearness::unknown;  // which a page shows as a colour
+  std::string words = {};                 // what there is to say of it; may be empty
+};
+
 // A double that is not finite, and a p-value that is not, show as "not defined" (an empty field in CSV).
 // std::monostate: there is nothing to say, an empty cell.
-using Cell = std::variant<std::monostate, std::string, std::int64_t, double, PValue, Range>;
+using Cell = std::variant<std::monostate, std::string, std::int64_t, double, PValue, Range, Beside>;
 
 enum class Align { left, right };
 

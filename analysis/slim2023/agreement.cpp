@@ -65,10 +65,22 @@ const Sample* sample_of(const std::vector<Sample>& all, const std::string& solve
   return found == all.end() || found->values.empty() ? nullptr : &*found;
 }
 
-// "0.73 (printed 0.4075: 1.8 times, beyond the range 0.62 to 0.83)"
+constexpr double near = 1.5;  // times as much or as little
+
 Cell cell_of(const Agreement& agreement) {
-  return fmt::format("{} (printed {}{})", short_number(agreement.ours), agreement.printed,
-                     agreement.is_expected ? "" : ": " + words_of(agreement));
+  Beside cell{.ours = agreement.ours, .printed = agreement.printed, .nearness = Beside::Nearness::within};
+  if (agreement.is_expected) return cell;
+  const bool is_near = std::isfinite(agreement.ratio) && agreement.ratio < near && agreement.ratio > 1 / near;
+  cell.nearness = is_near ? Beside::Nearness::near : Beside::Nearness::far;
+  cell.words = words_of(agreement);
+  return cell;
+}
+
+// With as many digits after the point as a printed number.
+std::string like(std::string_view printed, double value) {
+  const std::size_t e = std::min(printed.find_first_of("eE"), printed.size()), point = printed.find('.');
+  const std::size_t decimals = point < e ? e - point - 1 : 0;
+  return e < printed.size() ? fmt::format("{:.{}e}", value, decimals) : fmt::format("{:.{}f}", value, decimals);
 }
 
 // Only how a time stands to IK-BA's can be compared.
@@ -83,9 +95,9 @@ void add_times(Table& table, const StudyResults& study) {
     if (sample == nullptr || printed.algorithm == time_reference) continue;
     const Description ours = describe(sample->values);
     const auto times = [](double our_ratio, double printed_ratio) -> Cell {
-      return fmt::format("{} x (printed {} x)", short_number(our_ratio), short_number(printed_ratio));
+      return Beside{.ours = our_ratio, .printed = short_number(printed_ratio)};
     };
-    table.rows.push_back({fmt::format("time by {}'s", time_reference), printed.algorithm,
+    table.rows.push_back({printed.algorithm, fmt::format("time by {}'s", time_reference),
                           times(ours.mean / own.mean, printed.summary.mean / printed_reference->summary.mean),
                           times(ours.median / own.median, printed.median / printed_reference->median), Cell(), Cell(),
                           Cell()});
@@ -95,10 +107,10 @@ void add_times(Table& table, const StudyResults& study) {
 }  // namespace
 
 std::string words_of(const Agreement& agreement) {
-  if (agreement.is_expected) return "as expected of a repetition";
-  return fmt::format("{}beyond the range {} to {}",
+  if (agreement.is_expected) return "in our range";
+  return fmt::format("{}outside our range {} to {}",
                      std::isfinite(agreement.ratio) ? rounded_number(agreement.ratio, 2) + " times, " : "",
-                     rounded_number(agreement.expected.low, 2), rounded_number(agreement.expected.high, 2));
+                     like(agreement.printed, agreement.expected.low), like(agreement.printed, agreement.expected.high));
 }
 
 std::vector<Agreement> agreements(const StudyResults& study, std::span<const RepeatedSolver> repetitions) {
@@ -137,29 +149,24 @@ std::optional<Table> agreement_table(const StudyResults& study, std::span<const 
   if (all.empty()) return std::nullopt;
   Table table{.name = "agreement",
               .caption = "Table 3, our numbers beside the printed ones",
-              .columns = {{"metric", Align::left}, {"algorithm", Align::left}}};
-  for (const auto& [name, field] : printed_statistics) table.columns.push_back({name, Align::left});
+              .columns = {{"algorithm", Align::left}, {"metric", Align::left}}};
+  for (const auto& [name, field] : printed_statistics) table.columns.push_back({name});
   for (std::size_t i = 0; i < all.size(); ++i) {
     if (i % printed_statistics.size() == 0) {
-      table.rows.push_back({std::string(name_of(all[i].metric)), all[i].solver});
+      const MetricInfo& metric = info_of(all[i].metric);
+      table.rows.push_back({all[i].solver, fmt::format("{} [{}]", metric.slug, metric.unit)});
     }
     table.rows.back().push_back(cell_of(all[i]));
   }
   add_times(table, study);
   table.notes.push_back(agreement_sentence(all));
   table.notes.push_back(fmt::format(
-      "The printed digits are the paper's. Where there is no word, the printed number is as expected of a repetition: it "
-      "lies within the 95 % predictive range of that statistic for one more study like ours, from {} seeds (their order "
-      "statistics). Elsewhere there is our number divided by the printed one, and the range. Computing times are ratios "
-      "to those of {}.",
-      repetitions.front().error_cm.size(), time_reference));
+      "The printed digits are the paper's. Our range holds that statistic in 95 % of studies like ours: it is the "
+      "predictive range of one more of them, by order statistics of {} seeds. Where the printed number lies outside, "
+      "there is our number divided by the printed one, and the range; near is less than {} times as much or as little. "
+      "Computing times are ratios to those of {}.",
+      repetitions.front().error_cm.size(), near, time_reference));
   return table;
-}
-
-std::string expected_sentence(const std::vector<Agreement>& agreements) {
-  if (agreements.empty()) return "";
-  return fmt::format("{} of {} printed numbers are as expected of a repetition.",
-                     std::ranges::count(agreements, true, &Agreement::is_expected), agreements.size());
 }
 
 std::string agreement_sentence(const std::vector<Agreement>& agreements) {
@@ -170,7 +177,9 @@ std::string agreement_sentence(const std::vector<Agreement>& agreements) {
     means +=
         fmt::format("{}{} {} ({})", means.empty() ? "" : "; ", each.solver, info_of(each.metric).slug, words_of(each));
   }
-  return fmt::format("{} Means that are not: {}.", expected_sentence(agreements), means.empty() ? "none" : means);
+  return fmt::format(
+      "{} of {} printed errors and variations lie where 95 % of our repetitions do. Means that do not: {}.",
+      std::ranges::count(agreements, true, &Agreement::is_expected), agreements.size(), means.empty() ? "none" : means);
 }
 
 }  // namespace ikbench::slim2023

@@ -26,7 +26,7 @@ struct Agreement {
   bool is_expected = false;  // what may have been rounded to the printed digits lies within the range
 };
 
-// "as expected of a repetition", "1.8 times, beyond the range 0.62 to 0.83"
+// "in our range", "1.8 times, outside our range 0.6213 to 0.8254"
 std::string words_of(const Agreement& agreement);
 
 // Of each printed number of the solvers that were repeated; `repetitions` are the run means of the study by seed. None
@@ -38,10 +38,7 @@ std::vector<Agreement> agreements(const inference::StudyResults& study,
 std::optional<report::Table> agreement_table(const inference::StudyResults& study,
                                              std::span<const report::RepeatedSolver> repetitions);
 
-// How many are as expected of a repetition; empty where there are none.
-std::string expected_sentence(const std::vector<Agreement>& agreements);
-
-// That, and by how much the means that are not differ; empty where there are none.
+// How many are in our range, and by how much the means that are not differ; empty where there are none.
 std::string agreement_sentence(const std::vector<Agreement>& agreements);
 
 }  // namespace ikbench::slim2023

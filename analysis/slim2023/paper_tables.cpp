@@ -117,7 +117,7 @@ Table table_3(const StudyResults& study, std::span<const RepeatedSolver> repetit
       "Verdict: {} Computing times are compared relative to {}: our t / t_{} divided by the printed t / t_{}.",
       repetitions.empty()
           ? "close if our mean divided by the printed one is within 0.5 to 2; otherwise differs. "
-            "(`ikbench reproduce` says which numbers are as expected of a repetition.)"
+            "(`ikbench reproduce` says which numbers repetitions of the study would give.)"
           : "whether the printed mean lies within the 95 % predictive range of our studies (table agreement).",
       time_reference, time_reference, time_reference);
   table.notes.push_back(std::move(note));

@@ -15,10 +15,12 @@
 #include "analysis/slim2023/published_numbers.hpp"
 #include "analysis/statistics/descriptive.hpp"
 #include "analysis/statistics/effect_size.hpp"
+#include "numerics/number.hpp"
 #include "results/published.hpp"
 
 namespace ikbench::slim2023 {
 
+using namespace numerics;
 using namespace results;
 using namespace statistics;
 using namespace inference;
@@ -191,23 +193,19 @@ namespace {
 
 std::vector<Cell> table_7_row(const TimeAssessment& row, const std::vector<PrintedTime>& printed, double tolerance) {
   const bool is_judged = row.solves > 0 && std::isfinite(tolerance);
-  std::vector<Cell> cells{row.solver,
-                          std::int64_t{row.solves},
+  std::vector<Cell> cells{row.solver, std::int64_t{row.solves},
                           std::isfinite(tolerance) ? Cell(std::int64_t{row.never_reached}) : Cell(),
-                          row.time_ms.mean,
-                          row.time_ms.median,
-                          row.time_ms.std,
-                          row.time_ms.max,
-                          row.time_ms.min,
-                          row.iterations_median,
-                          row.evaluations_median,
                           is_judged ? static_cast<double>(row.in_time) / row.solves : not_defined};
   const auto same = std::ranges::find(printed, row.solver, label_of);
-  if (same == printed.end()) {
-    cells.resize(cells.size() + 5);
-  } else {
-    cells.insert(cells.end(), {same->mean_ms, same->median_ms, same->std_ms, same->max_ms, same->min_ms});
-  }
+  const auto beside = [&](double ours, double PrintedTime::*theirs) {
+    return same == printed.end() ? Cell(ours) : Cell(Beside{.ours = ours, .printed = text_of(*same.*theirs)});
+  };
+  cells.push_back(beside(row.time_ms.mean, &PrintedTime::mean_ms));
+  cells.push_back(beside(row.time_ms.median, &PrintedTime::median_ms));
+  cells.push_back(beside(row.time_ms.std, &PrintedTime::std_ms));
+  cells.push_back(beside(row.time_ms.max, &PrintedTime::max_ms));
+  cells.push_back(beside(row.time_ms.min, &PrintedTime::min_ms));
+  cells.insert(cells.end(), {row.iterations_median, row.evaluations_median});
   return cells;
 }
 
@@ -316,19 +314,14 @@ std::optional<Table> table_7(const StudyResults& study) {
               .columns = {{"configuration", Align::left},
                           {"solves"},
                           {"never_reached"},
+                          {"share_in_time"},
                           {"mean_ms"},
                           {"median_ms"},
                           {"std_ms"},
                           {"max_ms"},
                           {"min_ms"},
                           {"iterations_median"},
-                          {"evaluations_median"},
-                          {"share_in_time"},
-                          {"paper_mean_ms"},
-                          {"paper_median_ms"},
-                          {"paper_std_ms"},
-                          {"paper_max_ms"},
-                          {"paper_min_ms"}}};
+                          {"evaluations_median"}}};
   for (const TimeAssessment& row : rows) table.rows.push_back(table_7_row(row, printed, tolerance));
   table.notes = table_7_notes(study, rows, printed);
   return table;

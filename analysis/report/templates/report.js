@@ -185,6 +185,18 @@
     });
   }
 
+  // On paper nothing can be unfolded: what is before everything else is open there, but for the long summary.
+  const end = document.getElementById('rest');
+  const isBefore = details => !end || (details.compareDocumentPosition(end) & Node.DOCUMENT_POSITION_FOLLOWING) !== 0;
+  let unfolded = [];
+  addEventListener('beforeprint', () => {
+    unfolded = all('main details:not([open], .summary, .again)').filter(isBefore);
+    for (const details of unfolded) details.open = true;
+  });
+  addEventListener('afterprint', () => {
+    for (const details of unfolded) details.open = false;
+  });
+
   // On a narrow screen the contents would push the verdict off it.
   if (!matchMedia('(min-width: 75rem)').matches) document.getElementById('contents').open = false;
 

@@ -1,6 +1,8 @@
 // Mean, typical value and reliability of the same solves: by hand, and where each has another winner.
 #include "analysis/inference/estimand.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <limits>
 #include <map>
@@ -183,6 +185,20 @@ TEST_CASE("where each estimand has another winner, the first sentence names the 
   CHECK(sentence.starts_with("Smallest mean error (its worst cases): A (0.0202 cm; next B 0.505 cm, p = "));
   CHECK(contains(sentence, ". Smallest typical error: B (0.00101 cm; next A 0.0202 cm, p = "));
   CHECK(contains(sentence, ". Most often within 0.01 cm: C (80 %; next B 50 %, p = "));
+}
+
+TEST_CASE("the verdict of a study without a paper counts who is better than every other, then says each",
+          "[estimand]") {
+  const std::vector<std::string> lines = own_verdict(study_of(three_winners()));
+  REQUIRE(lines.size() >= 4);
+  CAPTURE(lines.front());
+  CHECK(lines.front().starts_with(fmt::format("Of {} comparisons, ", lines.size() - 1)));
+  CHECK(lines.front().ends_with(": A in 1, B in 1, C in 1."));
+  CHECK(lines[1].starts_with("Smallest mean error (its worst cases): A ("));
+  CHECK(lines.back().starts_with("Fewest evaluations: "));
+  const auto undecided = own_verdict(study_of({{"A", {1}}, {"A", {2}}, {"B", {1}}, {"B", {2}}}));
+  CHECK(undecided.front().starts_with("No solver is found better than every other in any of "));
+  CHECK(own_verdict(study_of({{"A", {1}}, {"A", {2}}})).front().starts_with("Smallest mean error"));
 }
 
 TEST_CASE("those that the test does not separate from the first share its place", "[estimand]") {

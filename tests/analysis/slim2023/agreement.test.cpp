@@ -88,17 +88,17 @@ TEST_CASE("a printed number is as expected inside the range of repetitions, up t
   CHECK(mean.expected.low == Approx(1.275e-4));
   CHECK(mean.expected.high == Approx(49.725e-4));
   CHECK(mean.is_expected);
-  CHECK(words_of(mean) == "as expected of a repetition");
+  CHECK(words_of(mean) == "in our range");
   // All standard deviations are 7.07e-5: printed 1.7824e-4 is beyond.
   const Agreement& std = of(wide, Metric::position_error_cm, "std");
   CHECK(!std.is_expected);
-  CHECK(words_of(std) == "7.9 times, beyond the range 7.1e-05 to 7.1e-05");  // ours sqrt(2) x 0.001
+  CHECK(words_of(std) == "7.9 times, outside our range 7.0711e-05 to 7.0711e-05");  // ours sqrt(2) x 0.001
 
   // A range from 0.00194 on: printed 0.0019 may have been 0.00195, and from 0.0022 on it may not.
   CHECK(of(agreements(study_with(0.001), repetitions_of(0.00194 / 1.275)), Metric::position_error_cm, "mean")
             .is_expected);
   const auto beyond = agreements(study_with(0.001), repetitions_of(0.0022 / 1.275));
-  CHECK(words_of(of(beyond, Metric::position_error_cm, "mean")) == "1.1 times, beyond the range 0.0022 to 0.086");
+  CHECK(words_of(of(beyond, Metric::position_error_cm, "mean")) == "1.1 times, outside our range 0.0022 to 0.0858");
 }
 
 TEST_CASE("the table has our numbers beside the printed digits, and a word where they do not agree", "[agreement]") {
@@ -106,16 +106,18 @@ TEST_CASE("the table has our numbers beside the printed digits, and a word where
   const auto table = agreement_table(study_with(0.001), repetitions);
   REQUIRE(table);
   REQUIRE(table->rows.size() == 2);  // error and variation of IK-BA, whose time is the reference
-  CHECK(std::get<std::string>(table->rows[0][2]) == "0.002 (printed 0.0019)");
-  CHECK(std::get<std::string>(table->rows[0][4]) ==
-        "0.00141 (printed 1.7824e-4: 7.9 times, beyond the range 7.1e-05 to 7.1e-05)");
-  CHECK(std::get<std::string>(table->rows[1][5]).find("(printed 101.8740: ") != std::string::npos);
+  CHECK(readable(table->rows[0][2]) == "0.002 (printed 0.0019)");
+  CHECK(readable(table->rows[0][4]) ==
+        "0.00141 (printed 1.7824e-4: 7.9 times, outside our range 7.0711e-05 to 7.0711e-05)");
+  CHECK(readable(table->rows[1][5]).find("(printed 101.8740: ") != std::string::npos);
+  CHECK(std::get<Beside>(table->rows[0][2]).nearness == Beside::Nearness::within);
+  CHECK(std::get<Beside>(table->rows[0][4]).nearness == Beside::Nearness::far);
   CHECK(!agreement_table(study_with(0.001), {}));
   CHECK(agreements(make_study("own", synthetic::solves({.solvers = {"IK-BA"}})), repetitions).empty());
 
   const Table table_3_here = table_3(study_with(0.001), repetitions);
-  CHECK(std::get<std::string>(table_3_here.rows[0].back()) == "as expected of a repetition");
+  CHECK(std::get<std::string>(table_3_here.rows[0].back()) == "in our range");
   const std::string sentence = agreement_sentence(agreements(study_with(0.001), repetitions));
-  CHECK(sentence.starts_with("4 of 10 printed numbers are as expected of a repetition"));
+  CHECK(sentence.starts_with("4 of 10 printed errors and variations lie where 95 % of our repetitions do"));
   CHECK(agreement_sentence({}).empty());
 }
