@@ -38,17 +38,6 @@ Pose Frame::pose() const {
   return pose;
 }
 
-Eigen::Matrix3d rotation_from_rpy(const Eigen::Vector3d& rpy) {
-  const auto [sr, cr] = sin_cos(rpy[0]);
-  const auto [sp, cp] = sin_cos(rpy[1]);
-  const auto [sy, cy] = sin_cos(rpy[2]);
-  Eigen::Matrix3d R;                                             // Rz(yaw) Ry(pitch) Rx(roll)
-  R << cy * cp, cy * sp * sr - sy * cr, cy * sp * cr + sy * sr,  //
-      sy * cp, sy * sp * sr + cy * cr, sy * sp * cr - cy * sr,   //
-      -sp, cp * sr, cp * cr;
-  return R;
-}
-
 Chain::Chain(std::vector<DhLink> links, Frame base, Frame tool)
     : links_(std::move(links)),
       base_(std::move(base)),
@@ -150,42 +139,79 @@ Pose Chain::follow_kind(const ConfigurationRef& q, Visit& visit) const {
 
 Pose Chain::forward(const ConfigurationRef& q) const {
   const auto nothing = [](int, const Eigen::Matrix3d&, const Eigen::Vector3d&, const Eigen::Vector3d*) {};
-  Pose T = follow(q, nothing);
+  return whole(follow(q, nothing));
+}
+
+Pose Chain::whole(Pose T) const {
   if (tool_is_turned_) T.linear() = (T.linear() * T_last_tool_.linear()).eval();
   if (has_base_) T = T_base_first_ * T;
   return T;
 }
 
 Eigen::Vector3d Chain::position_jacobian(const ConfigurationRef& q, Eigen::Ref<Eigen::Matrix3Xd> jacobian) const {
+  Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, most_joints> axes(3, joints());
+  const Eigen::Vector3d tool = follow_motions(q, jacobian, axes).translation();
+  return has_base_ ? T_base_first_ * tool : tool;
+}
+
+Pose Chain::pose_jacobian(const ConfigurationRef& q, Eigen::Ref<Matrix6Xd> jacobian) const {
+  return whole(follow_motions(q, jacobian.topRows<3>(), jacobian.bottomRows<3>()));
+}
+
+Pose Chain::follow_motions(const ConfigurationRef& q, Eigen::Ref<Eigen::Matrix3Xd> motions,
+                           Eigen::Ref<Eigen::Matrix3Xd> axes) const {
   Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, most_joints> origins(3, joints());
   const auto column = [&](int j, const Eigen::Matrix3d& R, const Eigen::Vector3d& p, const Eigen::Vector3d* coupled) {
-    jacobian.col(j) = R.col(2);
+    axes.col(j) = R.col(2);
     origins.col(j) = p;
-    if (coupled != nullptr) jacobian.col(j) = coupled->z() * R.col(0) - coupled->x() * R.col(2);
+    if (coupled != nullptr) motions.col(j) = coupled->z() * R.col(0) - coupled->x() * R.col(2);
   };
-  const Eigen::Vector3d tool = follow(q, column).translation();
+  const Pose T = follow(q, column);
   for (int j = 0; j < joints(); ++j) {
-    if (!all_turn_ && links_[static_cast<std::size_t>(j)].joint != Joint::turns) continue;
-    const Eigen::Vector3d axis = jacobian.col(j);
-    jacobian.col(j) = axis.cross(tool - origins.col(j));
+    const Joint joint = links_[static_cast<std::size_t>(j)].joint;
+    const Eigen::Vector3d axis = axes.col(j);
+    if (joint == Joint::turns) motions.col(j) = axis.cross(T.translation() - origins.col(j));
+    if (joint == Joint::slides) motions.col(j) = axis;
+    if (joint != Joint::turns) axes.col(j).setZero();
+    if (!has_base_) continue;
+    motions.col(j) = (T_base_first_.linear() * motions.col(j)).eval();
+    axes.col(j) = (T_base_first_.linear() * axes.col(j)).eval();
   }
-  if (!has_base_) return tool;
-  jacobian = (T_base_first_.linear() * jacobian).eval();
-  return T_base_first_ * tool;
+  return T;
 }
 
 void Chain::position_errors(const CandidatesRef& q, const Eigen::Vector3d& target,
                             Eigen::Ref<Eigen::VectorXd> errors) const {
-  if (q.rows() != joints() || errors.size() != q.cols()) {
-    throw std::invalid_argument(fmt::format("{} candidates with {} joints and {} errors for an arm with {} joints",
-                                            q.cols(), q.rows(), errors.size(), joints()));
-  }
-  const Eigen::Vector3d& tip = tool_.position;
-  const KernelChain chain{kernel_links_.data(), joints(), {tip.x(), tip.y(), tip.z()}, all_turn_};
+  check_sizes(q, errors);
   Eigen::Vector3d of_first;
   if (has_base_) of_first = T_first_base_ * target;
   const double* const seen = has_base_ ? of_first.data() : target.data();
-  kernels().position_errors(chain, seen, q.data(), q.outerStride(), q.cols(), errors.data());
+  kernels().position_errors(kernel_chain(), seen, q.data(), q.outerStride(), q.cols(), errors.data());
+}
+
+void Chain::pose_errors(const CandidatesRef& q, const Pose& target, double rotation_weight,
+                        Eigen::Ref<Eigen::VectorXd> errors) const {
+  check_sizes(q, errors);
+  const Pose seen = T_first_base_ * target;
+  const auto copy = [](const Eigen::Vector3d& from, double* to) { std::copy(from.begin(), from.end(), to); };
+  KernelPose goal;
+  copy(seen.translation(), goal.target);
+  copy(rotation_weight * seen.linear().col(0), goal.target_axes.x);
+  copy(rotation_weight * seen.linear().col(1), goal.target_axes.y);
+  copy(rotation_weight * T_last_tool_.linear().col(0), goal.tool_axes.x);
+  copy(rotation_weight * T_last_tool_.linear().col(1), goal.tool_axes.y);
+  kernels().pose_errors(kernel_chain(), goal, q.data(), q.outerStride(), q.cols(), errors.data());
+}
+
+void Chain::check_sizes(const CandidatesRef& q, const Eigen::Ref<Eigen::VectorXd>& errors) const {
+  if (q.rows() == joints() && errors.size() == q.cols()) return;
+  throw std::invalid_argument(fmt::format("{} candidates with {} joints and {} errors for an arm with {} joints",
+                                          q.cols(), q.rows(), errors.size(), joints()));
+}
+
+KernelChain Chain::kernel_chain() const {
+  const Eigen::Vector3d& tip = tool_.position;
+  return {kernel_links_.data(), joints(), {tip.x(), tip.y(), tip.z()}, all_turn_};
 }
 
 std::vector<double> Chain::points_on_axes() const {

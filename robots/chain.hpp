@@ -8,10 +8,12 @@
 #include <vector>
 
 #include "robots/kernels.hpp"
+#include "robots/rotation.hpp"
 
 namespace ikbench::robots {
 
 using Pose = Eigen::Isometry3d;
+using Matrix6Xd = Eigen::Matrix<double, 6, Eigen::Dynamic>;
 
 // Candidates as columns, joint-contiguous: row j holds joint j of every candidate.
 using Candidates = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
@@ -38,8 +40,6 @@ struct Frame {
   bool operator==(const Frame&) const = default;
 };
 
-Eigen::Matrix3d rotation_from_rpy(const Eigen::Vector3d& rpy);
-
 class Chain {
  public:
   // `base` is the frame of the first joint, `tool` that of the tool in the frame of the last link.
@@ -59,9 +59,17 @@ class Chain {
   Eigen::Vector3d position(const ConfigurationRef& q) const { return forward(q).translation(); }
   // The tool's position, and d position / d q into `jacobian`, 3 x joints.
   Eigen::Vector3d position_jacobian(const ConfigurationRef& q, Eigen::Ref<Eigen::Matrix3Xd> jacobian) const;
+  // The tool's pose; and how position [m] and orientation [rad] move with the joints, in the axes of the base, into the
+  // upper and the lower three rows of `jacobian`, 6 x joints: the geometric Jacobian.
+  Pose pose_jacobian(const ConfigurationRef& q, Eigen::Ref<Matrix6Xd> jacobian) const;
   // Distance of each candidate's tool point to the target, Eq. 1; `errors` has one element a candidate. It is not a
   // finite number where a joint or the target is not, or an angle is 2^51 quarter turns (3.5e15 rad) or more.
   void position_errors(const CandidatesRef& q, const Eigen::Vector3d& target, Eigen::Ref<Eigen::VectorXd> errors) const;
+  // How far each candidate's tool is from a pose: the root mean square [m] of the distances of three points of the
+  // tool, its own and those `rotation_weight` [m] along its x and y axes, from where the pose has them. It is smooth
+  // but where it is 0, which is at the pose alone. Where it is not finite: as above.
+  void pose_errors(const CandidatesRef& q, const Pose& target, double rotation_weight,
+                   Eigen::Ref<Eigen::VectorXd> errors) const;
   // Every reachable tool point lies in this ball, about the shoulder, which is a point of the first joint's axis: the
   // sum of the lengths between points of the axes, which stay where they are on a link whatever the joints do.
   // Infinite where a joint slides.
@@ -82,6 +90,13 @@ class Chain {
   // null.
   template <class Visit>
   Pose follow(const ConfigurationRef& q, Visit&& visit) const;
+  // From the pose that `follow` gives to that of the tool in the frame of the base.
+  Pose whole(Pose T_first_last) const;
+  // `follow`, and how each joint moves the tool's point and about which axis it turns it, in the axes of the base.
+  Pose follow_motions(const ConfigurationRef& q, Eigen::Ref<Eigen::Matrix3Xd> motions,
+                      Eigen::Ref<Eigen::Matrix3Xd> axes) const;
+  void check_sizes(const CandidatesRef& q, const Eigen::Ref<Eigen::VectorXd>& errors) const;
+  KernelChain kernel_chain() const;
   // A point, seen from an axis: how far along and beside it.
   struct Seen {
     double along, beside;

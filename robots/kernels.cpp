@@ -11,11 +11,55 @@ using namespace numerics;
 // The chains whose joints all turn, and those with others among them.
 enum class Kind { all_turn, any };
 
+struct KernelPoint {
+  const double* target;
+};
+
+template <class Goal>
+constexpr bool is_pose = false;
+template <>
+constexpr bool is_pose<KernelPose> = true;
+
+struct Vector {
+  Reals x, y, z;
+};
+
+IKBENCH_LANES Vector vector(const double* from) { return {all(from[0]), all(from[1]), all(from[2])}; }
+IKBENCH_LANES Vector difference(const Vector& a, const double* b) { return {a.x - b[0], a.y - b[1], a.z - b[2]}; }
+IKBENCH_LANES Vector sum(const Vector& a, const Vector& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+IKBENCH_LANES Reals squared(const Vector& v) { return fused(v.x, v.x, fused(v.y, v.y, v.z * v.z)); }
+
+IKBENCH_LANES void twist(Vector& v, const KernelLink& link) {
+  const Reals y_before = v.y;
+  if (link.twist == KernelLink::quarter) {
+    v.y = -v.z;
+    v.z = y_before;
+  } else if (link.twist == KernelLink::minus_quarter) {
+    v.y = v.z;
+    v.z = -y_before;
+  } else if (link.twist == KernelLink::general) {
+    v.y = fused_less(all(link.cosine), v.y, all(link.sine) * v.z);
+    v.z = fused(all(link.sine), y_before, all(link.cosine) * v.z);
+  }
+}
+
+IKBENCH_LANES void turn(Vector& v, const SinCosLanes& of) {
+  const Reals x_before = v.x;
+  v.x = fused_less(of.cosine, v.x, of.sine * v.y);
+  v.y = fused(of.sine, x_before, of.cosine * v.y);
+}
+
 // `load` gives joint j of the candidates in the lanes.
-template <Kind kind, class Load>
-IKBENCH_LANES Reals distance(const KernelChain& chain, const double* target, Load load) {
-  // One point, carried from the tip to the base: a plane rotation a joint instead of a matrix product.
-  Reals x = all(chain.tip[0]), y = all(chain.tip[1]), z = all(chain.tip[2]);
+template <Kind kind, class Goal, class Load>
+IKBENCH_LANES Reals distance(const KernelChain& chain, const Goal& goal, Load load) {
+  // One point, carried from the tip to the base: a plane rotation a joint instead of a matrix product. For a pose, two
+  // axes beside it.
+  Vector at = vector(chain.tip);
+  [[maybe_unused]] Vector along_x{}, along_y{};
+  if constexpr (is_pose<Goal>) {
+    along_x = vector(goal.tool_axes.x);
+    along_y = vector(goal.tool_axes.y);
+  }
   Bits too_far{};
   [[maybe_unused]] Reals run_x = all(0), run_z = all(0);  // of coupled links in a row, whose sum is added to the point
 #pragma GCC unroll 1
@@ -23,21 +67,15 @@ IKBENCH_LANES Reals distance(const KernelChain& chain, const double* target, Loa
     const KernelLink& link = chain.links[j];
     if constexpr (kind == Kind::any) {
       if (link.joint != Joint::coupled || link.twist != KernelLink::none) {
-        x = run_x + x;
-        z = run_z + z;
+        at.x = run_x + at.x;
+        at.z = run_z + at.z;
         run_x = run_z = all(0);
       }
     }
-    const Reals y_before = y;
-    if (link.twist == KernelLink::quarter) {
-      y = -z;
-      z = y_before;
-    } else if (link.twist == KernelLink::minus_quarter) {
-      y = z;
-      z = -y_before;
-    } else if (link.twist == KernelLink::general) {
-      y = fused_less(all(link.cosine), y, all(link.sine) * z);
-      z = fused(all(link.sine), y_before, all(link.cosine) * z);
+    twist(at, link);
+    if constexpr (is_pose<Goal>) {
+      twist(along_x, link);
+      twist(along_y, link);
     }
     if constexpr (kind == Kind::any) {
       if (link.joint == Joint::coupled) {
@@ -48,57 +86,78 @@ IKBENCH_LANES Reals distance(const KernelChain& chain, const double* target, Loa
         continue;
       }
     }
-    if (link.a != 0) x = x + link.a;
-    if (link.d != 0) z = z + link.d;
+    if (link.a != 0) at.x = at.x + link.a;
+    if (link.d != 0) at.z = at.z + link.d;
     Reals angle = link.offset != 0 ? load(j) + link.offset : load(j);
     if constexpr (kind == Kind::any) {
       if (link.joint == Joint::slides) {
-        z = z + load(j);
+        at.z = at.z + load(j);
         angle = all(link.offset);
       }
     }
-    if (!link.turns) {
+    if (!is_pose<Goal> && !link.turns) {
       too_far |= turned_too_far(bits(nearest_turn(angle)));  // no way to go, but refused like any other
       continue;
     }
     const auto [of, turns] = sin_cos(angle);
     too_far |= turned_too_far(turns);
-    const Reals x_before = x;
-    x = fused_less(of.cosine, x, of.sine * y);
-    y = fused(of.sine, x_before, of.cosine * y);
+    turn(at, of);
+    if constexpr (is_pose<Goal>) {
+      turn(along_x, of);
+      turn(along_y, of);
+    }
   }
   if constexpr (kind == Kind::any) {
-    x = run_x + x;
-    z = run_z + z;
+    at.x = run_x + at.x;
+    at.z = run_z + at.z;
   }
-  const Reals dx = x - target[0], dy = y - target[1], dz = z - target[2];
-  // Eq. 1; without fused multiply-add as it was for the Dobot, whose solves in older stores have these bits.
-  const Reals squared = kind == Kind::any ? dx * dx + dy * dy + dz * dz : fused(dx, dx, fused(dy, dy, dz * dz));
-  return reals(bits(root(squared)) | angle_refused(too_far));  // all ones are NaN
+  const Vector off = difference(at, goal.target);
+  Reals square;
+  if constexpr (is_pose<Goal>) {
+    const Vector off_x = sum(off, difference(along_x, goal.target_axes.x)),
+                 off_y = sum(off, difference(along_y, goal.target_axes.y));
+    square = (squared(off) + squared(off_x) + squared(off_y)) * (1.0 / 3);
+  } else if constexpr (kind == Kind::any) {
+    // Without fused multiply-add as it was for the Dobot, whose solves in older stores have these bits.
+    square = off.x * off.x + off.y * off.y + off.z * off.z;
+  } else {
+    square = squared(off);  // Eq. 1
+  }
+  return reals(bits(root(square)) | angle_refused(too_far));  // all ones are NaN
 }
 
-template <Kind kind>
-IKBENCH_LANES void position_errors_of(const KernelChain& chain, const double* target, const double* q, ptrdiff_t row,
-                                      ptrdiff_t count, double* errors) {
+template <Kind kind, class Goal>
+IKBENCH_LANES void errors_of(const KernelChain& chain, const Goal& goal, const double* q, ptrdiff_t row,
+                             ptrdiff_t count, double* errors) {
   for_lanes(count, [&](ptrdiff_t i, auto some) IKBENCH_INLINE {
     const auto joint = [&](int j) IKBENCH_INLINE { return some.load(q + j * row + i); };
-    some.store(errors + i, distance<kind>(chain, target, joint));
+    some.store(errors + i, distance<kind>(chain, goal, joint));
   });
 }
 
 void position_errors(const KernelChain& chain, const double* target, const double* q, ptrdiff_t row, ptrdiff_t count,
                      double* errors) {
+  const KernelPoint goal{target};
   if (chain.all_turn) {
-    position_errors_of<Kind::all_turn>(chain, target, q, row, count, errors);
+    errors_of<Kind::all_turn>(chain, goal, q, row, count, errors);
   } else {
-    position_errors_of<Kind::any>(chain, target, q, row, count, errors);
+    errors_of<Kind::any>(chain, goal, q, row, count, errors);
+  }
+}
+
+void pose_errors(const KernelChain& chain, const KernelPose& goal, const double* q, ptrdiff_t row, ptrdiff_t count,
+                 double* errors) {
+  if (chain.all_turn) {
+    errors_of<Kind::all_turn>(chain, goal, q, row, count, errors);
+  } else {
+    errors_of<Kind::any>(chain, goal, q, row, count, errors);
   }
 }
 
 }  // namespace
 
 namespace IKBENCH_KERNELS {
-Kernels kernels() { return {&position_errors}; }
+Kernels kernels() { return {&position_errors, &pose_errors}; }
 }  // namespace IKBENCH_KERNELS
 
 }  // namespace ikbench::robots

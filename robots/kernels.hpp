@@ -1,5 +1,5 @@
-// What is computed in lanes for an arm: the position errors of many candidates. One function for each instruction set,
-// compiled from kernels.cpp; their bits are the same.
+// What is computed in lanes for an arm: the position errors of many candidates, or their errors of a pose. One function
+// of each for each instruction set, compiled from kernels.cpp; their bits are the same.
 #pragma once
 
 #include <stddef.h>
@@ -37,11 +37,25 @@ struct KernelChain {
   bool all_turn = true;
 };
 
+// Two axes of a frame, each as long as a radian weighs [m].
+struct KernelAxes {
+  double x[3], y[3];
+};
+
+// A pose to reach, in the frame of the first link, and the tool's axes in that of the last.
+struct KernelPose {
+  double target[3];
+  KernelAxes target_axes, tool_axes;
+};
+
 struct Kernels {
   // Distance to the target of `count` candidates; joint j of candidate i is q[j * row + i]. Not a finite number where
   // an angle is infinite, NaN or 2^51 quarter turns or more.
   void (*position_errors)(const KernelChain& chain, const double* target, const double* q, ptrdiff_t row,
                           ptrdiff_t count, double* errors);
+  // The same for poses: the root mean square of the distances of the tool's point and the ends of its two axes.
+  void (*pose_errors)(const KernelChain& chain, const KernelPose& goal, const double* q, ptrdiff_t row, ptrdiff_t count,
+                      double* errors);
 };
 
 namespace portable {

@@ -37,7 +37,8 @@ class DampedLeastSquares final : public Solver {
 
   void start(const Problem& problem, Objective& objective, Random&) override {
     problem_ = problem;
-    jacobian_.resize(3, problem.joints());
+    jacobian_.resize(objective.rows(), problem.joints());
+    trial_jacobian_.resize(objective.rows(), problem.joints());
     step_.resize(problem.joints());
     candidate_ = problem.start;
     keep_inside(options_.bounds, problem_, candidate_);
@@ -56,19 +57,15 @@ class DampedLeastSquares final : public Solver {
       begin(objective);
       return;
     }
-    // (J^T J + mu I)^-1 J^T e = J^T (J J^T + mu I)^-1 e, and the second is 3 x 3 for any number of joints.
-    const Eigen::Matrix3d damped = jacobian_.lazyProduct(jacobian_.transpose()) + mu_ * Eigen::Matrix3d::Identity();
-    step_.noalias() = jacobian_.transpose() * damped.ldlt().solve(to_go_);
-    candidate_ = q_ + step_;
+    const double predicted = objective.rows() == 3 ? propose<3>() : propose<6>();
     keep_inside(options_.bounds, problem_, candidate_);
-    const double error = objective.error(candidate_);
-    failures_ = error < 0.99 * error_ ? 0 : failures_ + 1;
-    if (error < error_) {
-      const double predicted = mu_ * step_.squaredNorm() + (jacobian_ * step_).dot(to_go_);
-      const double gain = (error_ * error_ - error * error) / predicted;
+    const double merit = evaluate(objective);
+    failures_ = merit < 0.99 * merit_ ? 0 : failures_ + 1;
+    if (merit < merit_) {
+      const double gain = (merit_ * merit_ - merit * merit) / predicted;
       mu_ *= std::max(1.0 / 3, 1 - power(2 * gain - 1, 3));
       growth_ = 2;
-      arrive(error, objective);
+      arrive(merit, objective);
     } else {
       mu_ *= growth_;
       growth_ *= 2;
@@ -80,25 +77,60 @@ class DampedLeastSquares final : public Solver {
  private:
   // A new descent from the candidate.
   void begin(Objective& objective) {
-    arrive(objective.error(candidate_), objective);
-    mu_ = options_.damping * jacobian_.colwise().squaredNorm().maxCoeff();
+    arrive(evaluate(objective), objective);
+    mu_ = options_.damping * (objective.rows() == 3 ? largest_diagonal<3>() : largest_diagonal<6>());
     growth_ = 2;
     failures_ = 0;
   }
 
-  void arrive(double error, Objective& objective) {
+  // What the descent reduces, at the candidate: the norm of the residual that it linearizes. Of a position that is the
+  // error. Of a pose it is not, and to follow the slope of one and judge by the other would refuse good steps: so there
+  // the residual is evaluated too, and the error only decides which candidate is the best.
+  double evaluate(Objective& objective) {
+    const double error = objective.error(candidate_);
+    best_.improve(candidate_, error);
+    if (objective.rows() == 3) return error;
+    trial_to_go_ = objective.linearize(candidate_, trial_jacobian_);
+    return trial_to_go_.norm();
+  }
+
+  void arrive(double merit, Objective& objective) {
     q_ = candidate_;
-    error_ = error;
-    best_.improve(q_, error_);
-    to_go_ = objective.position_jacobian(q_, jacobian_);
+    merit_ = merit;
+    if (objective.rows() == 3) {
+      to_go_ = objective.linearize(q_, jacobian_);
+    } else {
+      to_go_ = trial_to_go_;
+      jacobian_.swap(trial_jacobian_);
+    }
+  }
+
+  // The rows are known when these are compiled, so that sums over them are in one order.
+
+  // The next candidate; returns how much the square of the merit falls if the residual is linear.
+  template <int rows>
+  double propose() {
+    const auto J = jacobian_.topRows<rows>();
+    const auto to_go = to_go_.head<rows>();
+    // (J^T J + mu I)^-1 J^T e = J^T (J J^T + mu I)^-1 e, and the second has as many rows for any number of joints.
+    using Square = Eigen::Matrix<double, rows, rows>;
+    const Square damped = J.lazyProduct(J.transpose()) + mu_ * Square::Identity();
+    step_.noalias() = J.transpose() * damped.ldlt().solve(to_go);
+    candidate_ = q_ + step_;
+    return mu_ * step_.squaredNorm() + (J * step_).dot(to_go);
+  }
+
+  template <int rows>
+  double largest_diagonal() const {
+    return jacobian_.topRows<rows>().colwise().squaredNorm().maxCoeff();
   }
 
   Options options_;
   Problem problem_;
   Configuration q_, candidate_, step_;
-  Eigen::Matrix3Xd jacobian_;
-  Eigen::Vector3d to_go_;  // target - position [m]
-  double error_ = 0, mu_ = 0, growth_ = 2;
+  Eigen::MatrixXd jacobian_, trial_jacobian_;
+  Residual to_go_, trial_to_go_;
+  double merit_ = 0, mu_ = 0, growth_ = 2;
   int failures_ = 0;
   Best best_;
 };

@@ -1,4 +1,4 @@
-// The only door to an evaluation: the position error of candidates (Eq. 1), and the count of them.
+// The only door to an evaluation: how far candidates are from the goal, and the count of them.
 #pragma once
 
 #include <algorithm>
@@ -8,18 +8,42 @@
 
 namespace ikbench::solvers {
 
+// What is asked of the tool: a position, or a whole pose.
+struct Goal {
+  Goal(const Eigen::Vector3d& position) { target.translation() = position; }
+  Goal(const robots::Pose& pose, double weight) : target(pose), rotation_weight(weight) {}
+
+  robots::Pose target = robots::Pose::Identity();
+  double rotation_weight = 0;  // [m] that a radian weighs; 0: the position alone is asked for
+
+  bool is_pose() const { return rotation_weight > 0; }
+};
+
+// How far the tool is from a pose.
+struct Deviation {
+  double position = 0;  // [m]
+  double angle = 0;     // [rad], 0 to pi
+};
+
+// The residual of a goal: 3 or 6 numbers, not on the heap.
+using Residual = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 6, 1>;
+
 class Objective {
  public:
-  Objective(const robots::Chain& arm, Eigen::Vector3d target) : arm_(arm), target_(std::move(target)) {}
+  Objective(const robots::Chain& arm, Goal goal) : arm_(arm), goal_(std::move(goal)) {}
   virtual ~Objective() = default;
 
-  // Position error [m] of every candidate (a column of q) into `errors`; counts one evaluation a candidate.
+  const Goal& goal() const { return goal_; }
+
+  // The error [m] of every candidate (a column of q) into `errors`: the position error (Eq. 1), or of a pose the root
+  // mean square of the distances of three points of the tool (Chain::pose_errors). Smooth, and 0 only at the goal.
+  // Counts one evaluation a candidate.
   void errors(const robots::CandidatesRef& q, Eigen::Ref<Eigen::VectorXd> errors) {
     evaluations_ += q.cols();
     evaluate(q, errors);
   }
 
-  // Position error [m] of one candidate; counts one evaluation.
+  // The same of one candidate; counts one evaluation.
   double error(const robots::ConfigurationRef& q) {
     using AsCandidate = Eigen::Map<const robots::Candidates, 0, Eigen::OuterStride<>>;
     Eigen::Matrix<double, 1, 1> error;
@@ -48,30 +72,51 @@ class Objective {
     }
   }
 
-  // The way still to go, target - position [m], and the position's Jacobian (3 x joints) into `jacobian`; counts one
-  // evaluation.
-  Eigen::Vector3d position_jacobian(const robots::ConfigurationRef& q, Eigen::Ref<Eigen::Matrix3Xd> jacobian) {
+  // Rows of a residual: 3 for a position, 6 for a pose.
+  int rows() const { return goal_.is_pose() ? 6 : 3; }
+  // The way still to go: target - position [m] and, for a pose, rotation_weight times the rotation vector that is left
+  // [m], in the axes of the base; its slope by the joints, the geometric Jacobian in the same units, into `jacobian`,
+  // rows() x joints. J dq = residual is Newton's step. The norm of a pose's residual is another one than its error.
+  // Counts one evaluation.
+  Residual linearize(const robots::ConfigurationRef& q, Eigen::Ref<Eigen::MatrixXd> jacobian) {
     ++evaluations_;
     return evaluate_linear(q, jacobian);
+  }
+
+  // Of a configuration from the goal's pose, whatever is asked for. It is for judging an answer, and does not count.
+  Deviation deviation(const robots::ConfigurationRef& q) const {
+    const robots::Pose reached = arm_.forward(q);
+    return {.position = (goal_.target.translation() - reached.translation()).norm(),
+            .angle = robots::rotation_vector(goal_.target.linear() * reached.linear().transpose()).norm()};
   }
 
   std::int64_t evaluations() const { return evaluations_; }
 
  protected:
   // With 1 candidate to look ahead at most, one_by_one is that loop as it is written.
-  Objective(const robots::Chain& arm, Eigen::Vector3d target, Eigen::Index furthest_ahead)
-      : arm_(arm), target_(std::move(target)), look_ahead_(furthest_ahead), furthest_ahead_(furthest_ahead) {}
+  Objective(const robots::Chain& arm, Goal goal, Eigen::Index furthest_ahead)
+      : arm_(arm), goal_(std::move(goal)), look_ahead_(furthest_ahead), furthest_ahead_(furthest_ahead) {}
 
   virtual void evaluate(const robots::CandidatesRef& q, Eigen::Ref<Eigen::VectorXd> errors) {
-    arm_.position_errors(q, target_, errors);
+    if (goal_.is_pose()) {
+      arm_.pose_errors(q, goal_.target, goal_.rotation_weight, errors);
+    } else {
+      arm_.position_errors(q, goal_.target.translation(), errors);
+    }
   }
-  virtual Eigen::Vector3d evaluate_linear(const robots::ConfigurationRef& q, Eigen::Ref<Eigen::Matrix3Xd> jacobian) {
-    return target_ - arm_.position_jacobian(q, jacobian);
+  virtual Residual evaluate_linear(const robots::ConfigurationRef& q, Eigen::Ref<Eigen::MatrixXd> jacobian) {
+    if (!goal_.is_pose()) return goal_.target.translation() - arm_.position_jacobian(q, jacobian.topRows<3>());
+    const robots::Pose reached = arm_.pose_jacobian(q, jacobian.topRows<6>());
+    jacobian.bottomRows<3>() *= goal_.rotation_weight;
+    Residual residual(6);
+    residual << goal_.target.translation() - reached.translation(),
+        goal_.rotation_weight * robots::rotation_vector(goal_.target.linear() * reached.linear().transpose());
+    return residual;
   }
 
  private:
   const robots::Chain& arm_;
-  Eigen::Vector3d target_;
+  Goal goal_;
   Eigen::Index look_ahead_ = 64, furthest_ahead_ = 64;  // candidates
   std::int64_t evaluations_ = 0;
 };

@@ -153,6 +153,57 @@ TEST_CASE("the Jacobian of an arm of any kind is what central differences say", 
   }
 }
 
+TEST_CASE("the lower rows of a pose's Jacobian turn the tool as central differences say, the upper are the position's",
+          "[joints]") {
+  Dice dice;
+  const double h = 1e-5;
+  for (int trial = 0; trial < 500; ++trial) {
+    const Chain chain = random_chain(dice);
+    const Eigen::VectorXd q = random_joints(chain, dice);
+    Matrix6Xd jacobian(6, chain.joints());
+    Eigen::Matrix3Xd of_position(3, chain.joints());
+    REQUIRE(chain.pose_jacobian(q, jacobian).matrix() == chain.forward(q).matrix());
+    chain.position_jacobian(q, of_position);
+    REQUIRE(jacobian.topRows<3>() == of_position);
+    for (int j = 0; j < chain.joints(); ++j) {
+      const Eigen::VectorXd step = h * Eigen::VectorXd::Unit(chain.joints(), j);
+      const Eigen::Matrix3d turned = chain.forward(q + step).linear() * chain.forward(q - step).linear().transpose();
+      REQUIRE((jacobian.col(j).tail<3>() - rotation_vector(turned) / (2 * h)).norm() < 1e-9);
+    }
+  }
+}
+
+TEST_CASE("the error of a pose is the root mean square of how far three points of the tool are off", "[joints]") {
+  Dice dice;
+  for (int trial = 0; trial < 3000; ++trial) {
+    const Chain chain = random_chain(dice);
+    const double weight = dice.between(0.01, 2);
+    Candidates q(chain.joints(), 3);
+    for (int i = 0; i < 3; ++i) q.col(i) = random_joints(chain, dice);
+    const Pose target = random_chain(dice).base().pose();
+    Eigen::VectorXd errors(3);
+    chain.pose_errors(q, target, weight, errors);
+    for (int i = 0; i < 3; ++i) {
+      const LongMatrix reached = reference_pose(chain, q.col(i));
+      long double squares = 0;
+      for (int point = 0; point < 3; ++point) {  // the tool's, and those along its x and y
+        for (std::size_t row = 0; row < 3; ++row) {
+          const auto at = static_cast<Eigen::Index>(row);
+          long double off = reached[row][3] - static_cast<long double>(target(at, 3));
+          if (point > 0) {
+            const auto axis = static_cast<std::size_t>(point - 1);
+            off += weight * (reached[row][axis] - static_cast<long double>(target(at, point - 1)));
+          }
+          squares += off * off;
+        }
+      }
+      REQUIRE(std::abs(errors[i] - static_cast<double>(std::sqrt(squares / 3))) < 1e-13);
+    }
+    chain.pose_errors(q, chain.forward(q.col(1)), weight, errors);
+    REQUIRE(errors[1] < 1e-13);  // the pose itself
+  }
+}
+
 TEST_CASE("no arm of any kind leaves its ball of reach", "[joints]") {
   Dice dice;
   for (int trial = 0; trial < 3000; ++trial) {

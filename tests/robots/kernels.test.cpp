@@ -79,6 +79,15 @@ struct Arm {
 
 Eigen::Vector3d random_target(Dice& dice) { return {dice.between(-1, 1), dice.between(-1, 1), dice.between(-1, 1)}; }
 
+KernelPose random_pose(Dice& dice) {
+  KernelPose pose;
+  for (double* const numbers :
+       {pose.target, pose.target_axes.x, pose.target_axes.y, pose.tool_axes.x, pose.tool_axes.y}) {
+    for (int i = 0; i < 3; ++i) numbers[i] = dice.between(-1, 1);
+  }
+  return pose;
+}
+
 // The errors of `count` candidates from column `from` on, in rows of `row`, are those of the portable kernels and
 // nothing before or behind them is written.
 void check_errors(const Arm& arm, Dice& dice, ptrdiff_t count, ptrdiff_t row, ptrdiff_t from, Guarded::Page page) {
@@ -87,22 +96,31 @@ void check_errors(const Arm& arm, Dice& dice, ptrdiff_t count, ptrdiff_t row, pt
   // As few numbers as there may be: the last row ends with the last candidate.
   Guarded q(static_cast<std::size_t>((joints - 1) * row + from + count), page);
   for (std::size_t i = 0; i < q.size(); ++i) q[i] = dice.between(-7, 7);
-  const Eigen::Vector3d target = random_target(dice);
-  std::vector<double> expected(static_cast<std::size_t>(count));
+  const KernelPose goal = random_pose(dice);
   const KernelChain chain = arm.chain();
-  robots::kernels(InstructionSet::portable)
-      .position_errors(chain, target.data(), q.data() + from, row, count, expected.data());
-  for (const InstructionSet set : instruction_sets()) {
-    CAPTURE(name_of(set));
-    constexpr double untouched = -1;
-    const std::size_t before = page == Guarded::Page::after ? 5 : 0, behind = page == Guarded::Page::after ? 0 : 5;
-    Guarded errors(expected.size() + before + behind, page);
-    std::fill_n(errors.data(), errors.size(), untouched);
-    robots::kernels(set).position_errors(chain, target.data(), q.data() + from, row, count, errors.data() + before);
-    REQUIRE(same_bits(errors.data() + before, expected.data(), expected.size()));
-    for (std::size_t i = 0; i < before; ++i) REQUIRE(errors[i] == untouched);
-    for (std::size_t i = errors.size() - behind; i < errors.size(); ++i) REQUIRE(errors[i] == untouched);
-  }
+  const auto position_errors = [&](InstructionSet set, double* errors) {
+    robots::kernels(set).position_errors(chain, goal.target, q.data() + from, row, count, errors);
+  };
+  const auto pose_errors = [&](InstructionSet set, double* errors) {
+    robots::kernels(set).pose_errors(chain, goal, q.data() + from, row, count, errors);
+  };
+  const auto check = [&](const auto& errors_by) {
+    std::vector<double> expected(static_cast<std::size_t>(count));
+    errors_by(InstructionSet::portable, expected.data());
+    for (const InstructionSet set : instruction_sets()) {
+      CAPTURE(name_of(set));
+      constexpr double untouched = -1;
+      const std::size_t before = page == Guarded::Page::after ? 5 : 0, behind = page == Guarded::Page::after ? 0 : 5;
+      Guarded errors(expected.size() + before + behind, page);
+      std::fill_n(errors.data(), errors.size(), untouched);
+      errors_by(set, errors.data() + before);
+      REQUIRE(same_bits(errors.data() + before, expected.data(), expected.size()));
+      for (std::size_t i = 0; i < before; ++i) REQUIRE(errors[i] == untouched);
+      for (std::size_t i = errors.size() - behind; i < errors.size(); ++i) REQUIRE(errors[i] == untouched);
+    }
+  };
+  check(position_errors);
+  check(pose_errors);
 }
 
 // The environment variable as it was, afterwards too.
@@ -147,6 +165,7 @@ TEST_CASE("no candidates at all are read and written by no instruction set", "[k
   const double target[3]{};
   for (const InstructionSet set : instruction_sets()) {
     robots::kernels(set).position_errors(arm.chain(), target, nullptr, 0, 0, nullptr);
+    robots::kernels(set).pose_errors(arm.chain(), random_pose(dice), nullptr, 0, 0, nullptr);
     numerics::kernels(set).sines_and_cosines(nullptr, 0, nullptr, nullptr);
   }
 }
@@ -260,6 +279,8 @@ TEST_CASE("an angle that is none spoils its own candidate, in whatever joint, an
         Eigen::VectorXd by_chain(count);  // in which the last joint moves nothing
         Chain(iiwa).position_errors(q, target, by_chain);
         CHECK_FALSE(std::isfinite(by_chain[static_cast<Eigen::Index>(victim)]));
+        robots::kernels(set).pose_errors(arm.chain(), random_pose(dice), q.data(), count, count, errors.data());
+        for (std::size_t i = 0; i < errors.size(); ++i) CHECK(std::isfinite(errors[i]) == (i != victim));
       }
     }
   }

@@ -14,10 +14,9 @@ namespace ikbench {
 // Logs every candidate, one by one. Its errors are the real ones, or those of `script` in turn and then infinity.
 class RecordingObjective final : public solvers::Objective {
  public:
-  RecordingObjective(const robots::Chain& chain, const Eigen::Vector3d& target)
-      : solvers::Objective(chain, target, 1) {}
+  RecordingObjective(const robots::Chain& chain, const solvers::Goal& goal) : solvers::Objective(chain, goal, 1) {}
   RecordingObjective(const robots::Chain& chain, std::vector<double> script)
-      : solvers::Objective(chain, Eigen::Vector3d::Zero(), 1), scripted_(true), script_(std::move(script)) {}
+      : solvers::Objective(chain, Eigen::Vector3d(0, 0, 0), 1), scripted_(true), script_(std::move(script)) {}
 
   std::vector<Eigen::VectorXd> candidates;
   std::vector<double> given;  // the error of each
@@ -33,7 +32,7 @@ class RecordingObjective final : public solvers::Objective {
       given.push_back(errors[i]);
     }
   }
-  Eigen::Vector3d evaluate_linear(const robots::ConfigurationRef& q, Eigen::Ref<Eigen::Matrix3Xd> jacobian) override {
+  solvers::Residual evaluate_linear(const robots::ConfigurationRef& q, Eigen::Ref<Eigen::MatrixXd> jacobian) override {
     linearized.push_back(q);
     return solvers::Objective::evaluate_linear(q, jacobian);
   }
@@ -45,14 +44,14 @@ class RecordingObjective final : public solvers::Objective {
 // Looks no further ahead than the candidate at hand, as the pseudo-codes do.
 class OneAheadObjective final : public solvers::Objective {
  public:
-  OneAheadObjective(const robots::Chain& chain, const Eigen::Vector3d& target) : solvers::Objective(chain, target, 1) {}
+  OneAheadObjective(const robots::Chain& chain, const solvers::Goal& goal) : solvers::Objective(chain, goal, 1) {}
 };
 
 // Gives `value` instead of the error of every `period`-th candidate.
 class SpoiltObjective final : public solvers::Objective {
  public:
-  SpoiltObjective(const robots::Chain& chain, const Eigen::Vector3d& target, double value, int period)
-      : solvers::Objective(chain, target), value_(value), period_(period) {}
+  SpoiltObjective(const robots::Chain& chain, const solvers::Goal& goal, double value, int period)
+      : solvers::Objective(chain, goal), value_(value), period_(period) {}
 
  private:
   void evaluate(const robots::CandidatesRef& q, Eigen::Ref<Eigen::VectorXd> errors) override {
@@ -61,11 +60,11 @@ class SpoiltObjective final : public solvers::Objective {
       if (++turn_ % period_ == 0) error = value_;
     }
   }
-  Eigen::Vector3d evaluate_linear(const robots::ConfigurationRef& q, Eigen::Ref<Eigen::Matrix3Xd> jacobian) override {
-    const Eigen::Vector3d to_go = solvers::Objective::evaluate_linear(q, jacobian);
+  solvers::Residual evaluate_linear(const robots::ConfigurationRef& q, Eigen::Ref<Eigen::MatrixXd> jacobian) override {
+    const solvers::Residual to_go = solvers::Objective::evaluate_linear(q, jacobian);
     if (++turn_ % period_ != 0) return to_go;
     jacobian.setConstant(value_);
-    return Eigen::Vector3d::Constant(value_);
+    return solvers::Residual::Constant(to_go.size(), value_);
   }
 
   double value_;
