@@ -27,6 +27,19 @@ void measure(benchmark::State& state, const Reach& reach, int candidates) {
 
 void ours(benchmark::State& state) { measure(state, flange_reach(), batch); }
 
+void ours_pose(benchmark::State& state) {
+  const Reach reach = flange_reach();
+  const Candidates q = drawn_candidates(reach.problem, batch);
+  const Pose target = reach.chain.forward(q.col(0));
+  Eigen::VectorXd errors(batch);
+  for (auto _ : state) {
+    reach.chain.pose_errors(q, target, 0.5, errors);
+    benchmark::DoNotOptimize(errors.data());
+    benchmark::ClobberMemory();
+  }
+  count_candidates(state, batch, reach.chain.joints());
+}
+
 void one_at_a_time(benchmark::State& state) {
   const Reach reach = flange_reach();
   const Candidates q = drawn_candidates(reach.problem, batch);
@@ -97,6 +110,7 @@ void growth_with_population(benchmark::State& state) {
 }
 
 BENCHMARK(ours)->Name("forward_kinematics/ours");
+BENCHMARK(ours_pose)->Name("forward_kinematics/ours_pose");
 BENCHMARK(one_at_a_time)->Name("forward_kinematics/one_at_a_time");
 BENCHMARK(closed_form)->Name("forward_kinematics/closed_form");
 BENCHMARK(eigen_products)->Name("forward_kinematics/eigen_products");

@@ -181,6 +181,7 @@ std::vector<Goal> goals() {
        },
        {ba + "to_tolerance"},
        "%"},
+      ratio("G15", "pose error / position error, batch of 50", always_at_most(1.8), fk + "ours_pose", fk + "ours"),
       growth("time per candidate and joint, largest / smallest for 4 to 32 joints", fk + "joints/"),
       growth("time per candidate and joint, largest / smallest for 50 to 5000 candidates", fk + "population/")};
   goals.insert(goals.end(), others.begin(), others.end());
