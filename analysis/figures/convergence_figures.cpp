@@ -173,11 +173,11 @@ std::string problem(const StudyResults& study) {
 }
 
 std::optional<Figure> profile_figure(const StudyResults& study, const Clusters& clusters, ProfileOf of) {
-  const double tolerance = tolerance_cm(study);
+  const Tolerance within = tolerance(study);
   const Cost cost = of == ProfileOf::seconds ? Cost::seconds : Cost::evaluations;
   const Profile profile = performance_profile(study, [&](const SolveRecord& solve) {
     if (of == ProfileOf::error) return std::max(final_error_cm(solve), info_of(Metric::position_error_cm).rounding);
-    return reaches(solve, tolerance) ? total_cost(solve, cost) : censored;
+    return reaches(solve, within) ? total_cost(solve, cost) : censored;
   });
   const auto compared = std::ranges::count_if(profile.ratios, [](const auto& ratios) { return !ratios.empty(); });
   if (compared < 2) return std::nullopt;
@@ -197,9 +197,7 @@ std::optional<Figure> profile_figure(const StudyResults& study, const Clusters& 
   figure.caption = fmt::format(
       "Performance profiles (Dolan and Moré, 2002): share of {} problems in which a solver's {}{} is at most this many "
       "times the smallest of all solvers.{}",
-      profile.problems, words,
-      of == ProfileOf::error ? "" : fmt::format(" until the position error is {} cm", rounded_number(tolerance, 3)),
-      problem(study));
+      profile.problems, words, of == ProfileOf::error ? "" : " until " + inference::words(within), problem(study));
   if (of == ProfileOf::error) {
     figure.caption += fmt::format(" An error up to {} cm is rounding and counts as that.",
                                   info_of(Metric::position_error_cm).rounding);
@@ -243,9 +241,9 @@ Figure survival_figure(const StudyResults& study, const Clusters& clusters) {
   }
   Figure figure{.name = "statistics-survival-evaluations"};
   figure.caption = fmt::format(
-      "Share of the solves whose position error is not yet {} cm (Kaplan and Meier). A solve that does not come to it "
+      "Share of the solves that are not there yet, where {} (Kaplan and Meier). A solve that does not come to it "
       "is given up at what it spent; a curve ends with the longest solve.{}",
-      rounded_number(tolerance_cm(study), 3), bands(study, clusters));
+      inference::words(tolerance(study)), bands(study, clusters));
   draw_shares(figure, study, shares);
   return figure;
 }

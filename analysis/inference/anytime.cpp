@@ -19,12 +19,12 @@ namespace {
 
 // What of a solver is to be reached: each value the evaluations that it took.
 ClusteredValues evaluations_to_reach(const Solves& solves, const StudyResults& study, const Clusters& clusters) {
-  const double tolerance = tolerance_cm(study);
+  const Tolerance within = tolerance(study);
   ClusteredValues result;
   for (const SolveRecord* solve : solves) {
     std::vector<double> costs;
-    if (std::isfinite(tolerance)) {
-      costs.push_back(reaches(*solve, tolerance) ? total_cost(*solve, Cost::evaluations) : censored);
+    if (std::isfinite(within.cm)) {
+      costs.push_back(reaches(*solve, within) ? total_cost(*solve, Cost::evaluations) : censored);
     } else if (has_trace(*solve)) {
       costs = costs_to_targets(*solve, target_errors_cm(study), Cost::evaluations);
     }

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <functional>
 #include <map>
+#include <numbers>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -21,7 +22,7 @@ using namespace statistics;
 
 namespace {
 
-constexpr double verifier_rounding_cm = 1e-7;
+constexpr double verifier_rounding_cm = 1e-7, verifier_rounding_rad = 1e-9;
 constexpr double largest_target_cm = 10;
 constexpr double smallest_target_cm = 1e-8;
 constexpr std::size_t target_count = 51;  // as COCO has
@@ -86,8 +87,24 @@ std::vector<Solves> traced_by_solver(const StudyResults& study) {
 
 double final_error_cm(const SolveRecord& solve) { return or_censored(solve.position_error_cm); }
 
-bool reaches(const SolveRecord& solve, double tolerance_cm) {
-  return final_error_cm(solve) <= tolerance_cm + verifier_rounding_cm;
+Tolerance tolerance(const StudyResults& study) {
+  Tolerance found{.cm = tolerance_cm(study)};
+  if (const double angle = Definition(study.definition).number("/stop/tolerance_deg"); angle > 0) found.deg = angle;
+  return found;
+}
+
+std::string words(const Tolerance& tolerance) {
+  const std::string position = fmt::format("the position error is {} cm", rounded_number(tolerance.cm, 3));
+  if (!std::isfinite(tolerance.deg)) return position;
+  return fmt::format("{} and the tool {} deg from its orientation", position, rounded_number(tolerance.deg, 3));
+}
+
+bool reaches(const SolveRecord& solve, const Tolerance& tolerance) {
+  if (!(final_error_cm(solve) <= tolerance.cm + verifier_rounding_cm)) return false;
+  // Of two rotations ||R - Rd|| is sqrt(8) sin(angle / 2), and ||Rd|| is sqrt(3).
+  const double degree = std::numbers::pi / 180;
+  return !(tolerance.deg < 180) ||
+         solve.orientation_error <= std::sqrt(8.0 / 3) * std::sin(tolerance.deg * degree / 2) + verifier_rounding_rad;
 }
 
 std::vector<double> costs_to_targets(const SolveRecord& solve, std::span<const double> targets_cm, Cost cost) {
@@ -141,12 +158,12 @@ std::vector<double> target_errors_cm(const StudyResults& study) {
 }
 
 std::vector<std::vector<CensoredCost>> censored_costs(const StudyResults& study, Cost cost) {
-  const double tolerance = tolerance_cm(study);
+  const Tolerance within = tolerance(study);
   std::vector<std::vector<CensoredCost>> costs;
   for (const Solves& solves : solves_by_solver(study)) {
     auto& of_solver = costs.emplace_back();
     for (const SolveRecord* solve : solves) {
-      of_solver.push_back({.spent = total_cost(*solve, cost), .reached = reaches(*solve, tolerance)});
+      of_solver.push_back({.spent = total_cost(*solve, cost), .reached = reaches(*solve, within)});
     }
   }
   return costs;

@@ -36,8 +36,17 @@ std::vector<Solves> traced_by_solver(const StudyResults& study);  // those alone
 
 // The error as the verifier has it [cm]; censored where it is not finite.
 double final_error_cm(const results::SolveRecord& solve);
-// Whether the verifier's error is within the tolerance, but for rounding.
-bool reaches(const results::SolveRecord& solve, double tolerance_cm);
+
+// Where a solve of the study ends: tolerance_cm, and where poses are searched the angle too.
+struct Tolerance {
+  double cm = statistics::not_defined;
+  double deg = std::numeric_limits<double>::infinity();
+};
+Tolerance tolerance(const StudyResults& study);
+// "the position error is 0.1 cm" and, of poses, "and the tool 0.5 deg from its orientation".
+std::string words(const Tolerance& tolerance);
+// Whether the verifier's errors are within the tolerance, but for rounding.
+bool reaches(const results::SolveRecord& solve, const Tolerance& tolerance);
 
 // What the solve had cost when its best error first was at or below each target; targets descend. A solve whose answer
 // is not finite, refused or not as good as claimed reaches none: its trace is the solver's own word.

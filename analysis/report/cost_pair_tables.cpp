@@ -52,8 +52,8 @@ std::string answer_at(const std::vector<AtBudget>& standings, const std::vector<
 Table cost_pair_table(const StudyResults& study, Cost cost, const Clusters& clusters) {
   const bool in_seconds = cost == Cost::seconds;
   Table table{.name = in_seconds ? "statistics-cost-seconds-pairs" : "statistics-cost-pairs",
-              .caption = fmt::format("Which of two solvers spends fewer {} until the position error is {} cm",
-                                     in_seconds ? "seconds" : "evaluations", rounded_number(tolerance_cm(study), 3)),
+              .caption = fmt::format("Which of two solvers spends fewer {} until {}",
+                                     in_seconds ? "seconds" : "evaluations", words(tolerance(study))),
               .columns = {{"first", Align::left},
                           {"second", Align::left},
                           {"spends less", Align::left},
@@ -86,11 +86,10 @@ Table cost_pair_table(const StudyResults& study, Cost cost, const Clusters& clus
 std::optional<Table> anytime_table(const StudyResults& study, const Clusters& clusters) {
   const std::optional<Anytime> found = anytime(study, clusters);
   if (!found) return std::nullopt;
-  const double tolerance = tolerance_cm(study);
+  const Tolerance within = tolerance(study);
   Table table{.name = "statistics-cost-anytime",
-              .caption = std::isfinite(tolerance)
-                             ? fmt::format("Share of solves that reach {} cm within a part of the budget",
-                                           rounded_number(tolerance, 3))
+              .caption = std::isfinite(within.cm)
+                             ? fmt::format("Share of solves in which {} within a part of the budget", words(within))
                              : "Share of solves and target errors that are reached within a part of the budget",
               .columns = {{"part of budget"},
                           {"evaluations"},

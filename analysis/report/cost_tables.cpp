@@ -29,11 +29,12 @@ using Groups = std::vector<std::vector<CensoredCost>>;
 
 // One trial a target, however often it was solved.
 Proportion share_reached(const Solves& solves, const std::vector<std::size_t>& targets, const StudyResults& study) {
+  const Tolerance within = tolerance(study);
   std::map<std::size_t, Successes> counts;
   for (const SolveRecord* solve : solves) {
     Successes& count = counts[targets[static_cast<std::size_t>(solve - study.solves.data())]];
     ++count.trials;
-    if (reaches(*solve, tolerance_cm(study))) ++count.successes;
+    if (reaches(*solve, within)) ++count.successes;
   }
   double shares = 0;
   for (const auto& [target, count] : counts) shares += static_cast<double>(count.successes) / count.trials;
@@ -43,11 +44,12 @@ Proportion share_reached(const Solves& solves, const std::vector<std::size_t>& t
 
 // The complete runs, and those among them in which every point came to the tolerance.
 Successes runs_reached(const Solves& solves, const StudyResults& study) {
+  const Tolerance within = tolerance(study);
   std::map<int, Successes> runs;
   for (const SolveRecord* solve : solves) {
     Successes& run = runs[solve->run];
     ++run.trials;
-    if (reaches(*solve, tolerance_cm(study))) ++run.successes;
+    if (reaches(*solve, within)) ++run.successes;
   }
   Successes result;
   for (const auto& [number, run] : runs) {
@@ -120,9 +122,8 @@ std::string cost_interval_note(const Clusters& clusters) {
 Table cost_table(const StudyResults& study, Cost cost, const Clusters& clusters) {
   const bool in_seconds = cost == Cost::seconds;
   const std::string_view unit = in_seconds ? "seconds" : "evaluations";
-  const std::string tolerance = rounded_number(tolerance_cm(study), 3);
   Table table{.name = in_seconds ? "statistics-cost-seconds" : "statistics-cost",
-              .caption = fmt::format("Cost [{}] until the position error is {} cm", unit, tolerance),
+              .caption = fmt::format("Cost [{}] until {}", unit, words(tolerance(study))),
               .columns = {{"solver", Align::left},
                           {"solves"},
                           {"reached"},
@@ -163,10 +164,10 @@ Table cost_table(const StudyResults& study, Cost cost, const Clusters& clusters)
     if (!reason.empty()) undefined.push_back(fmt::format("{}: {}", study.solvers[i], reason));
   }
   table.notes.push_back(
-      fmt::format("A solve reaches the tolerance if the verifier's error is at most {} cm, inside the joint limits or "
+      fmt::format("A solve reaches the tolerance where, by the verifier, {} or less, inside the joint limits or "
                   "not. ert: cost of all solves divided by the number of successful ones. sp1: mean cost of the "
                   "successful solves divided by their share.",
-                  tolerance));
+                  words(tolerance(study))));
   table.notes.push_back(
       fmt::format("The Kaplan-Meier curve assumes that unsuccessful solves would have continued as the others did. "
                   "median: the first cost at which half have reached the tolerance, not defined if they never do. "

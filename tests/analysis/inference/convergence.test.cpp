@@ -168,6 +168,25 @@ TEST_CASE("the axis of evaluations goes from the cheapest first iteration to the
   CHECK(evaluations_axis({{}, {}}).empty());
 }
 
+TEST_CASE("a solve of a pose is there where position and orientation both are", "[convergence]") {
+  StudyResults study;
+  study.definition = R"({"stop": {"tolerance_cm": 0.5, "tolerance_deg": 2}})";
+  CHECK(words(tolerance(study)) == "the position error is 0.5 cm and the tool 2 deg from its orientation");
+  SolveRecord solve;
+  const auto is_there = [&](double position_cm, double angle_deg) {
+    solve.position_error_cm = position_cm;
+    solve.orientation_error = std::sqrt(8.0 / 3) * std::sin(angle_deg * std::acos(-1.0) / 360);  // ||R - Rd|| / ||Rd||
+    return reaches(solve, tolerance(study));
+  };
+  CHECK(is_there(0.5, 2));
+  CHECK_FALSE(is_there(0.50001, 2));
+  CHECK_FALSE(is_there(0.5, 2.00001));
+  CHECK_FALSE(is_there(0, 180));
+  study.definition = with_tolerance;  // of a position alone
+  CHECK(words(tolerance(study)) == "the position error is 0.5 cm");
+  CHECK(is_there(0.5, 180));
+}
+
 TEST_CASE("target errors go down to the tolerance of the study, or below what was reached", "[convergence]") {
   StudyResults study = two_solvers({0.02, 3}, {not_a_number, 7});
   std::vector<double> targets = target_errors_cm(study);
