@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 
 #include "cli/commands.hpp"
@@ -34,6 +35,7 @@ struct SolveArguments {
   std::vector<double> position_cm, rpy_deg, start_deg;
   Overrides overrides;
   double tolerance_cm = 0.01;
+  std::optional<double> tolerance_deg;
   std::int64_t seed = 1;
 };
 
@@ -63,9 +65,15 @@ Study study_of(const SolveArguments& arguments) {
     }
     study.initial[static_cast<Eigen::Index>(j)] = angle * degree;
   }
-  overrides.front() = "search=" + (!arguments.search.empty()         ? arguments.search
-                                   : SphericalWrist::fits(arm.chain) ? "wrist"
-                                                                     : "all_joints");
+  const std::string search = !arguments.search.empty()         ? arguments.search
+                             : SphericalWrist::fits(arm.chain) ? "wrist"
+                             : !arguments.rpy_deg.empty()      ? "pose"
+                                                               : "all_joints";
+  overrides.front() = "search=" + search;
+  if (arguments.tolerance_deg || (search == "pose" && arguments.tolerance_cm > 0)) {
+    constexpr double by_default = 0.01;
+    overrides.push_back(fmt::format("stop.tolerance_deg={}", arguments.tolerance_deg.value_or(by_default)));
+  }
   return parse_study(to_toml(study), source, overrides);
 }
 
@@ -93,6 +101,9 @@ std::string shown(const SolveRecord& record, const Study& study) {
   rows.push_back({"position error [cm]", fmt::format("{:.6g}", record.position_error_cm)});
   rows.push_back({"orientation error", fmt::format("{:.6g}{}", record.orientation_error,
                                                    study.search == Search::all_joints ? " (not sought)" : "")});
+  // Of two rotations ||R - Rd|| is sqrt(8) sin(angle / 2), and ||Rd|| is sqrt(3).
+  const double sine = std::min(1.0, record.orientation_error * std::sqrt(3.0 / 8));
+  rows.push_back({"orientation error [deg]", fmt::format("{:.6g}", 2 * std::asin(sine) / degree)});
   rows.push_back({"variation [deg]", fmt::format("{:.4f}", record.variation_deg)});
   rows.push_back({"limit violation [deg]", fmt::format("{:.4f}", record.limit_violation_deg)});
   const std::vector<DhLink>& links = arm.chain.links();
@@ -126,9 +137,11 @@ void add_solve(CLI::App& app) {
       ->capture_default_str();
   command->add_option("--solver", arguments->solver, "see: ikbench list solvers")->capture_default_str();
   command
-      ->add_option("--search", arguments->search,
-                   "wrist or all_joints; default: wrist if the arm has a spherical wrist")
-      ->check(CLI::IsMember({"wrist", "all_joints"}));
+      ->add_option(
+          "--search", arguments->search,
+          "wrist, all_joints or pose; default: wrist if the arm has a spherical wrist, else pose with --rpy-deg "
+          "and all_joints, for the position alone, without")
+      ->check(CLI::IsMember({"wrist", "all_joints", "pose"}));
   command
       ->add_option("--start-deg", arguments->start_deg,
                    "start angles of all joints [deg]; default: zeros, or the nearest inside the limits")
@@ -141,6 +154,10 @@ void add_solve(CLI::App& app) {
       ->add_option("--tolerance-cm", arguments->tolerance_cm,
                    "stop at this position error [cm]; a larger error has status tolerance_missed; 0: no tolerance")
       ->capture_default_str();
+  command->add_option(
+      "--tolerance-deg", arguments->tolerance_deg,
+      "with --search pose: the tool is also turned no further than this from the target [deg]; default: "
+      "0.01");
   command->add_option("--seed", arguments->seed, "seed of the random numbers")
       ->check(whole_number())
       ->capture_default_str();
@@ -148,7 +165,8 @@ void add_solve(CLI::App& app) {
       "Examples:\n"
       "  ikbench solve --position-cm 60 20 10\n"
       "  ikbench solve --position-cm 60,20,10 --solver ik_bat --set bounds=clamp --set stop.iterations=1000\n"
-      "  ikbench solve --robot planar_2 --position-cm 50 50 0");
+      "  ikbench solve --robot planar_2 --position-cm 50 50 0\n"
+      "  ikbench solve --robot ur5e --position-cm 40 20 30 --rpy-deg 180 0 90");
   command->callback([arguments] {
     Study study = study_of(*arguments);
     const Pose target = target_of(*arguments);

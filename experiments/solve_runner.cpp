@@ -83,6 +83,11 @@ Task::Task(const Study& study, const Robot& arm) : study_(study), arm_(arm) {
   if (study.search == Search::wrist) wrist_.emplace(arm.chain);
 }
 
+Goal Task::goal(const Pose& target) const {
+  if (study_.search == Search::pose) return {target, study_.rotation_weight};
+  return wrist_ ? wrist_->centre(target) : Eigen::Vector3d(target.translation());
+}
+
 Problem Task::problem(const Configuration& start, int population) const {
   const int joints = arm().joints();
   const JointLimits range = arm_.limits.around(start);
@@ -180,8 +185,11 @@ SolveRecord SolveRunner::solve(Solver& solver, const Pose& target, const Configu
   Verification verified = verify(arm_, target, start, answer);
   const Status status = solution.stopped == Stopped::not_finite
                             ? Status::not_finite
-                            : judge(verified, {.claimed_error = solution.best.error,
+                            : judge(verified, {.claimed_error = solution.position_error,
+                                               .claimed_pose_error = solution.best.error,
+                                               .rotation_weight = task_.goal(target).rotation_weight,
                                                .tolerance = study_.stop.tolerance,
+                                               .angle_tolerance = study_.stop.angle_tolerance,
                                                .orientation_is_exact = study_.search == Search::wrist,
                                                .limits_are_enforced = study_.limits == Limits::enforced});
   if (status == Status::refused) {  // the arm stays where it was, and that is what is recorded
@@ -200,7 +208,7 @@ SolveRecord SolveRunner::solve(Solver& solver, const Pose& target, const Configu
                      .answer_rad = to_vector(answer),
                      .reached_position_m = to_vector(verified.reached),
                      .position_error_cm = verified.position_error / centimetre,
-                     .claimed_error_cm = solution.best.error / centimetre,
+                     .claimed_error_cm = solution.position_error / centimetre,
                      .orientation_error = verified.orientation_error,
                      .variation_deg = verified.variation / degree,
                      .largest_move_deg = verified.largest_move / degree,

@@ -19,9 +19,7 @@ class Task {
   Task(const Study& study, const robots::Robot& arm);
 
   const robots::Chain& arm() const { return wrist_ ? wrist_->arm() : arm_.chain; }
-  Eigen::Vector3d goal(const robots::Pose& target) const {
-    return wrist_ ? wrist_->centre(target) : target.translation();
-  }
+  solvers::Goal goal(const robots::Pose& target) const;
   solvers::Problem problem(const robots::Configuration& start, int population) const;
   // All joints of the answer: those searched, and the wrist's by the closed form.
   robots::Configuration completed(const robots::Configuration& found, const robots::Pose& target,

@@ -20,6 +20,10 @@ inline void list_fields(Fields& io, solvers::StopRule& stop) {
   io.whole("iterations", stop.iterations, {0, 1'000'000'000}, "maximum number of iterations", InKey::in_text);
   io.number("tolerance_cm", stop.tolerance, numerics::centimetre, {0, 1e6},
             "a solve stops at this position error; 0: no tolerance", InKey::in_text);
+  io.number(
+      "tolerance_deg", stop.angle_tolerance, numerics::degree, {0, 180},
+      "with search = \"pose\": a solve stops where the tool is also turned no further than this from its target; 0: "
+      "no tolerance");
   io.whole("evaluations", stop.evaluations, {0, no_limit}, "maximum number of evaluations; 0: no maximum",
            InKey::in_text);
   io.number("seconds", stop.seconds, 1, {0, 1e6},
@@ -49,9 +53,15 @@ inline void list_fields(Fields& io, Study& study) {
           "a name from ikbench list robots, or a file beside the study: \"my_arm.toml\", \"my_arm.urdf\"",
           InKey::in_text);
   io.choice(
-      "search", study.search, Choices<Search>{{"wrist", Search::wrist}, {"all_joints", Search::all_joints}},
-      "wrist: search the joints before the spherical wrist and solve the wrist in closed form; all_joints: position only",
+      "search", study.search,
+      Choices<Search>{{"wrist", Search::wrist}, {"all_joints", Search::all_joints}, {"pose", Search::pose}},
+      "wrist: search the joints before the spherical wrist and solve the wrist in closed form; all_joints: search all "
+      "joints for the position alone; pose: search all joints for position and orientation",
       InKey::in_text);
+  io.number(
+      "rotation_weight_m", study.rotation_weight, 1, {0.001, 10},
+      "with search = \"pose\": the error that solvers reduce is the root mean square distance of three points of the "
+      "tool, its own and those this far along its x and y axes");
   io.choice(
       "bounds", study.bounds,
       Choices<StudyBounds>{

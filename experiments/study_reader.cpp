@@ -168,6 +168,32 @@ void check_solvers(const TomlReader& reader, const Study& study) {
   }
 }
 
+// What only a search for poses has.
+void check_search(const TomlReader& reader, const Study& study) {
+  const toml::table& table = reader.table();
+  const double position = study.stop.tolerance / centimetre, angle = study.stop.angle_tolerance / degree;
+  if (study.search == Search::pose) {
+    if ((position > 0) == (angle > 0)) return;
+    const std::string_view given = position > 0 ? "tolerance_cm" : "tolerance_deg";
+    throw mistake(
+        reader, table["stop"][given].node(), "stop." + std::string(given),
+        fmt::format("stop.tolerance_cm is {:g} and stop.tolerance_deg is {:g}; search = \"pose\" expects both, "
+                    "or neither",
+                    position, angle));
+  }
+  if (angle > 0) {
+    throw mistake(
+        reader, table["stop"]["tolerance_deg"].node(), "stop.tolerance_deg",
+        "stop.tolerance_deg is about the orientation, which is not searched; expected search = \"pose\" or no "
+        "stop.tolerance_deg");
+  }
+  if (study.rotation_weight != Study{}.rotation_weight) {
+    throw mistake(reader, table.get("rotation_weight_m"), "rotation_weight_m",
+                  "rotation_weight_m weighs the orientation, which is not searched; expected search = \"pose\" or no "
+                  "rotation_weight_m");
+  }
+}
+
 UrdfChoice read_urdf(TomlReader reader, const Study& study) {
   if (!is_urdf_file(study.robot)) {
     throw std::invalid_argument(
@@ -256,9 +282,11 @@ Study read_study(const toml::table& table, std::string_view source, PointsAsObse
                          outside, arm.name));
   }
   if (study.search == Search::wrist && !SphericalWrist::fits(arm.chain)) {
-    throw at("search",
-             fmt::format("search is \"wrist\", but {} has no spherical wrist; expected \"all_joints\"", arm.name));
+    throw at("search", fmt::format("search is \"wrist\", but {} has no spherical wrist; expected \"all_joints\" or "
+                                   "\"pose\"",
+                                   arm.name));
   }
+  check_search(reader, study);
   return study;
 }
 

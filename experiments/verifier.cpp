@@ -81,6 +81,20 @@ Eigen::VectorXd of_joints(const Robot& robot, Eigen::VectorXd values, Kind kind)
 
 double beyond_rounding(double violation) { return violation <= rounding ? 0 : violation; }
 
+// Of two rotations, whose difference has the norm sqrt(8) sin(angle / 2).
+double angle_between(const Eigen::Matrix3d& a, const Eigen::Matrix3d& b) {
+  const double sine = (a - b).norm() / std::sqrt(8.0);
+  return 2 * arc_tangent(sine, std::sqrt(std::max(0.0, 1 - sine * sine)));
+}
+
+// The root mean square distance of three points of the tool: its own, and those `weight` along its x and y.
+double pose_error(const Verification& verified, double weight) {
+  const Eigen::Vector3d off = verified.off.col(3);
+  const double squares = off.squaredNorm() + (off + weight * verified.off.col(0)).squaredNorm() +
+                         (off + weight * verified.off.col(1)).squaredNorm();
+  return std::sqrt(squares / 3);
+}
+
 Matrix pose_of(const Frame& frame) {
   Matrix pose = moved(frame.position.x(), frame.position.y(), frame.position.z());
   pose = product(product(pose, turned_about_z(frame.rpy.z())), turned_about_y(frame.rpy.y()));
@@ -154,6 +168,8 @@ Verification verify(const Robot& robot, const Pose& target, const Eigen::VectorX
   return {.reached = reached.topRightCorner<3, 1>(),
           .position_error = (reached - wanted).topRightCorner<3, 1>().norm(),
           .orientation_error = (R - R_wanted).norm() / R_wanted.norm(),
+          .angle = angle_between(R, R_wanted),
+          .off = (reached - wanted).topRows<3>(),
           .variation = turned.norm(),
           .variation_m = slid.norm(),
           .largest_move = largest(turned.cwiseAbs()),
@@ -165,11 +181,16 @@ Verification verify(const Robot& robot, const Pose& target, const Eigen::VectorX
 Status judge(const Verification& verified, const Requirement& requirement) {
   if (!std::isfinite(verified.position_error) || !std::isfinite(verified.orientation_error)) return Status::not_finite;
   const bool claim_holds = std::abs(verified.position_error - requirement.claimed_error) <= rounding;  // not for NaN
+  const bool pose_claim_holds =
+      requirement.rotation_weight == 0 ||
+      std::abs(pose_error(verified, requirement.rotation_weight) - requirement.claimed_pose_error) <= rounding;
   const bool turned_wrong = requirement.orientation_is_exact && verified.orientation_error > rounding;
-  if (!claim_holds || turned_wrong) return Status::claimed_but_wrong;
+  if (!claim_holds || !pose_claim_holds || turned_wrong) return Status::claimed_but_wrong;
   if (verified.limit_violation > 0 || verified.limit_violation_m > 0)
     return requirement.limits_are_enforced ? Status::refused : Status::limit_violated;
   if (requirement.tolerance > 0 && verified.position_error > requirement.tolerance + rounding)
+    return Status::tolerance_missed;
+  if (requirement.angle_tolerance > 0 && verified.angle > requirement.angle_tolerance + rounding)
     return Status::tolerance_missed;
   return Status::ok;
 }

@@ -11,6 +11,9 @@ struct Verification {
   Eigen::Vector3d reached = Eigen::Vector3d::Zero();  // position of the tool [m]
   double position_error = 0;                          // [m], Eq. 1
   double orientation_error = 0;                       // ||R - Rd|| / ||Rd||, Eq. 3
+  double angle = 0;                                   // between R and Rd [rad], 0 to pi
+  // By how much the tool is off: its x, y and z axes, as unit vectors, and its point [m].
+  Eigen::Matrix<double, 3, 4> off = Eigen::Matrix<double, 3, 4>::Zero();
   // Of the joints that turn [rad], and of those that slide [m]; never added.
   double variation = 0, variation_m = 0;              // Eq. 12, over all joints
   double largest_move = 0, largest_move_m = 0;        // of a single joint
@@ -29,7 +32,10 @@ Verification verify(const robots::Robot& robot, const robots::Pose& target, cons
 // What is asked of an answer besides being a finite configuration.
 struct Requirement {
   double claimed_error = 0;           // [m], as the solver reports it
+  double claimed_pose_error = 0;      // [m], of three points of the tool: as solvers::Objective has it
+  double rotation_weight = 0;         // [m]; 0: the position alone was searched, and there is no such claim
   double tolerance = 0;               // [m]; 0: none
+  double angle_tolerance = 0;         // [rad]; 0: none
   bool orientation_is_exact = false;  // the closed form of the wrist sets it
   bool limits_are_enforced = false;   // otherwise a violation is only recorded
 };

@@ -11,7 +11,8 @@ namespace ikbench::solvers {
 // A solve ends at the first that is reached. 0 means: no such rule, except for iterations.
 struct StopRule {
   int iterations = 200;
-  double tolerance = 0;          // [m] position error, reached when the best error is <= tolerance
+  double tolerance = 0;          // [m] of the position; for a pose reached where the angle's is too
+  double angle_tolerance = 0;    // [rad] of the orientation of a pose
   std::int64_t evaluations = 0;  // checked after each iteration
   double seconds = 0;            // wall time, checked after each iteration
 };
@@ -25,6 +26,7 @@ struct Solution {
   std::int64_t iterations = 0;
   std::int64_t evaluations = 0;
   Stopped stopped = Stopped::iterations;
+  double position_error = 0;  // [m] of the best; where a position is searched, its error
   std::vector<double> trace;  // best error [m] after each iteration, where asked for
 };
 

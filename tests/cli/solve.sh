@@ -25,6 +25,18 @@ down=$(grep '^joint' .out)
 succeeds solve --position-cm 50,10,40 --tool down
 [ "$(wc -l <<<"$down")" = 7 ] || fail "seven joints expected: $down"
 
+# A UR5e has no spherical wrist: with an orientation its pose is searched, and both errors are told.
+succeeds solve --robot ur5e --position-cm 40 20 30 --rpy-deg 180 0 90 --tolerance-cm 1e-6 --tolerance-deg 1e-6
+[ "$(value status)" = ok ] || fail "pose: $out"
+awk -v e="$(value 'position error \[cm\]')" 'BEGIN { exit !(e < 2e-6) }' || fail "position: $out"
+awk -v e="$(value 'orientation error \[deg\]')" 'BEGIN { exit !(e < 2e-6) }' || fail "angle: $out"
+succeeds solve --robot ur5e --position-cm 40 20 30
+[[ $(value 'orientation error') == *"(not sought)" ]] || fail "the position alone: $out"
+refused 'about the orientation, which is not searched' solve --robot ur5e --position-cm 40 20 30 --tolerance-deg 1
+refused 'expects both, or neither' solve --robot ur5e --position-cm 40 20 30 --search pose --tolerance-cm 0 --tolerance-deg 1
+succeeds solve --search pose --position-cm 50 10 40 --tolerance-cm 0
+[ "$(grep -c '^joint' .out)" = 7 ] || fail "the iiwa has seven joints: $out"
+
 # Every solver; the same seed, the same answer, and another with another.
 for solver in $("$program" list solvers | tail -n +2 | cut -d' ' -f1); do
   succeeds solve --position-cm 60 20 30 --solver "$solver" --set stop.iterations=5

@@ -83,16 +83,19 @@ TEST_CASE("an unreachable target is named by its place on the path, with distanc
   CHECK(found[0].reach == Approx(0.82));
 }
 
-TEST_CASE("searching all joints, the tool counts, with the wrist's length added to the reach", "[reachability]") {
+TEST_CASE("searching all joints, for a position or a pose, the tool counts, with the wrist's length added to the reach",
+          "[reachability]") {
   Pose inside = Pose::Identity(), outside = Pose::Identity();
   inside.translation() << 0.945, 0, 0.36;  // 42 + 40 + 12.6 = 94.6 cm
   outside.translation() << 0.947, 0, 0.36;
   Study study = with_path(path_through({inside, outside}));
-  study.search = Search::all_joints;
-  const std::vector<Unreachable> found = unreachable(study);
-  REQUIRE(found.size() == 1);
-  CHECK(found[0].point == 2);
-  CHECK(found[0].reach == Approx(0.946));
+  for (const Search search : {Search::all_joints, Search::pose}) {
+    study.search = search;
+    const std::vector<Unreachable> found = unreachable(study);
+    REQUIRE(found.size() == 1);
+    CHECK(found[0].point == 2);
+    CHECK(found[0].reach == Approx(0.946));
+  }
 }
 
 TEST_CASE("two links of half a metre reach one metre and no further", "[reachability]") {

@@ -619,7 +619,7 @@ TEST_CASE("IK-BA draws the Dobot's circle with the angles of Table 8, to errors 
 // ---- answers, judged ----------------------------------------------------------------------------------------------
 
 TEST_CASE("the verified error of every solver is the one it claims", "[runner][solvers]") {
-  for (const Search search : {Search::wrist, Search::all_joints}) {
+  for (const Search search : {Search::wrist, Search::all_joints, Search::pose}) {
     Study study = study_of_every_solver();
     study.search = search;
     for (const SolveRecord& record : solves_of(study)) {
@@ -644,6 +644,33 @@ TEST_CASE("the verified error of every solver is the one it claims on the planar
       CHECK((record.status == Status::ok || record.status == Status::limit_violated));
     }
   }
+}
+
+TEST_CASE("every solver searches poses of an arm without a spherical wrist, and damped least squares finds most",
+          "[runner][solvers][pose]") {
+  Study study = study_of_every_solver();
+  study.robot = "ur5e";
+  study.search = Search::pose;
+  study.path = path_of({"kind=random", "points=10"});
+  study.initial = Eigen::VectorXd::Zero(6);
+  study.start = Start::initial;
+  study.stop = {.iterations = 400, .tolerance = 1e-4, .angle_tolerance = 0.1 * degree, .evaluations = 4000};
+  const Robot arm = robot("ur5e");
+  std::map<std::string, int> within;
+  for (const SolveRecord& record : solves_of(study)) {
+    CAPTURE(record.solver, record.run, record.point);
+    CHECK((record.status == Status::ok || record.status == Status::tolerance_missed ||
+           record.status == Status::limit_violated));
+    CHECK(record.position_error_cm == Approx(record.claimed_error_cm).margin(1e-10).epsilon(0));
+    // ||R - Rd|| is sqrt(8) sin(angle / 2), and ||Rd|| sqrt(3).
+    const double angle = 2 * std::asin(std::min(1.0, record.orientation_error * std::sqrt(3.0 / 8)));
+    const bool is_within = record.position_error_cm <= 1e-2 + 1e-7 && angle <= 0.1 * degree + 1e-9;
+    CHECK((record.stop_reason == StopReason::tolerance) == is_within);
+    if (record.status != Status::limit_violated) CHECK((record.status == Status::ok) == is_within);
+    within[record.solver] += is_within ? 1 : 0;
+  }
+  CHECK(within["damped_least_squares"] >= 15);  // of 20
+  CHECK(within["random_search"] == 0);
 }
 
 TEST_CASE("the columns of a record are what the verifier says of its answer", "[runner]") {

@@ -205,6 +205,16 @@ TEST_CASE("everything that decides numbers decides the series", "[series]") {
          study.path = path_of({"kind=random", "points=4"});
          study.seed = 2;
        })},
+      {"pose", changed([](Study& study) { study.search = Search::pose; })},
+      {"weight of a turn", changed([](Study& study) {
+         study.search = Search::pose;
+         study.rotation_weight = 0.5;
+       })},
+      {"tolerance of the angle", changed([](Study& study) {
+         study.search = Search::pose;
+         study.stop.tolerance = 1e-3;
+         study.stop.angle_tolerance = 1e-3;
+       })},
       {"robot", changed([](Study& study) {
          study.robot = "planar_2";
          study.search = Search::all_joints;

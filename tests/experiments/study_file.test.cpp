@@ -462,10 +462,10 @@ TEST_CASE("a value of another type is shown with its place and what was expected
        {"runs = true\n" + solver_entry, "my.toml:1:8: ", {"runs is true", "a whole number"}},
        {"runs = [3]\n" + solver_entry, "my.toml:1:8: ", {"runs is [ 3 ]", "a whole number"}},
        {"runs = 1979-05-27\n" + solver_entry, "my.toml:1:8: ", {"runs is 1979-05-27", "a whole number"}},
-       {"search = 3\n" + solver_entry, "my.toml:1:10: ", {"search is 3", "one of \"wrist\", \"all_joints\""}},
+       {"search = 3\n" + solver_entry, "my.toml:1:10: ", {"search is 3", "one of \"wrist\", \"all_joints\", \"pose\""}},
        {"search = \"wirst\"\n" + solver_entry,
         "my.toml:1:10: ",
-        {"search is \"wirst\"", "one of \"wrist\", \"all_joints\""}},
+        {"search is \"wirst\"", "one of \"wrist\", \"all_joints\", \"pose\""}},
        {"initial_deg = 3\n" + solver_entry, "my.toml:1:15: ", {"initial_deg is 3", "a list of numbers"}},
        {"initial_deg = [1, 2, \"x\"]\n" + solver_entry,
         "my.toml:1:22: ",
@@ -628,7 +628,7 @@ TEST_CASE("a label stands once in a study", "[study][mistakes]") {
 TEST_CASE("what fields ask of each other is checked where one of them stands", "[study][mistakes]") {
   check({{"robot = \"planar_2\"\nsearch = \"wrist\"\n" + solver_entry,
           "my.toml:2:10: ",
-          {"search is \"wrist\"", "planar_2 has no spherical wrist", "expected \"all_joints\""}},
+          {"search is \"wrist\"", "planar_2 has no spherical wrist", "expected \"all_joints\" or \"pose\""}},
          {"robot = \"planar_2\"\n" + solver_entry, "my.toml:1:1: ", {"search is \"wrist\"", "expected \"all_joints\""}},
          {"initial_deg = [0, 0]\n" + solver_entry,
           "my.toml:1:15: ",
@@ -636,6 +636,31 @@ TEST_CASE("what fields ask of each other is checked where one of them stands", "
          {planar + "initial_deg = [0, 0, 0]\n" + solver_entry,
           "my.toml:3:15: ",
           {"has 3 angles", "expected 2, one for each joint of planar_2"}}});
+}
+
+TEST_CASE("what a search for poses asks for, and what only it has", "[study][mistakes]") {
+  const std::string pose = "robot = \"ur5e\"\nsearch = \"pose\"\n";
+  const auto stop = [](const std::string& fields) { return "[stop]\n" + fields + solver_entry; };
+  check({{pose + stop("tolerance_cm = 0.01\n"),
+          "my.toml:4:16: ",
+          {"stop.tolerance_cm is 0.01 and stop.tolerance_deg is 0", "expects both, or neither"}},
+         {pose + stop("tolerance_deg = 0.5\n"),
+          "my.toml:4:17: ",
+          {"stop.tolerance_cm is 0 and stop.tolerance_deg is 0.5", "expects both, or neither"}},
+         {pose + stop("tolerance_cm = 1\ntolerance_deg = 181\n"), "my.toml:5:17: ", {"stop.tolerance_deg is 181"}},
+         {stop("tolerance_deg = 0.5\n"),
+          "my.toml:2:17: ",
+          {"about the orientation, which is not searched", "expected search = \"pose\""}},
+         {"rotation_weight_m = 0.1\n" + solver_entry,
+          "my.toml:1:21: ",
+          {"weighs the orientation, which is not searched", "expected search = \"pose\""}},
+         {pose + "rotation_weight_m = 0\n" + solver_entry, "my.toml:3:21: ", {"rotation_weight_m is 0"}}});
+  const Study study = read(pose + "rotation_weight_m = 0.1\n" + stop("tolerance_cm = 0.01\ntolerance_deg = 0.5\n"));
+  CHECK(study.search == Search::pose);
+  CHECK(study.rotation_weight == 0.1);
+  CHECK(study.stop.angle_tolerance == Approx(0.5 * degree));
+  CHECK(read(to_toml(study)).stop.angle_tolerance == study.stop.angle_tolerance);
+  CHECK(read(pose + solver_entry).stop.angle_tolerance == 0);
 }
 
 TEST_CASE("a pose is a place and a rotation", "[study][mistakes]") {

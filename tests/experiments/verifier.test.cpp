@@ -249,6 +249,50 @@ TEST_CASE("an orientation that the closed form should have met and did not is a 
   CHECK(judge({.orientation_error = 0.5e-9}, {.orientation_is_exact = true}) == Status::ok);
 }
 
+TEST_CASE("the angle between a target and the tool is that by which the one is turned from the other", "[verifier]") {
+  const Robot arm = robot("ur5e");
+  const Eigen::VectorXd q = angles({0.1, -0.2, 0.3, -0.4, 0.5, -0.6});
+  for (const double angle : {0.0, 1e-9, 1e-3, 0.5, pi / 2, 3.0, pi}) {
+    Pose target = arm.chain.forward(q);
+    target.rotate(Eigen::AngleAxisd(angle, Eigen::Vector3d(1, 2, -3).normalized()));
+    const double rounding = angle < 3 ? 4e-15 : 3e-8;  // the sine of half of it is flat at half a turn
+    CHECK(std::abs(verify(arm, target, q, q).angle - angle) <= rounding);
+  }
+}
+
+TEST_CASE("an angle beyond its tolerance is a missed tolerance, whatever the position", "[verifier]") {
+  const Verification turned{.angle = 0.01};
+  CHECK(judge(turned, {.tolerance = 1, .angle_tolerance = 0.009}) == Status::tolerance_missed);
+  CHECK(judge(turned, {.tolerance = 1, .angle_tolerance = 0.01}) == Status::ok);
+  CHECK(judge(turned, {.tolerance = 1}) == Status::ok);
+  const Verification both{.position_error = 2, .angle = 0.01};
+  CHECK(judge(both, {.claimed_error = 2, .tolerance = 1, .angle_tolerance = 1}) == Status::tolerance_missed);
+}
+
+TEST_CASE("what is claimed of a pose has to hold of its position and of its orientation", "[verifier]") {
+  const Robot arm = robot("ur5e");
+  const Eigen::VectorXd q = angles({0.1, -0.2, 0.3, -0.4, 0.5, -0.6});
+  Pose target = arm.chain.forward(q);
+  target.rotate(Eigen::AngleAxisd(0.2, Eigen::Vector3d::UnitZ()));
+  target.translation() += Eigen::Vector3d(0.03, 0, 0.04);
+  const Verification verified = verify(arm, target, q, q);
+  Eigen::VectorXd error(1);
+  arm.chain.pose_errors(q, target, 0.3, error);
+  const Requirement honest{.claimed_error = 0.05, .claimed_pose_error = error[0], .rotation_weight = 0.3};
+  CHECK(judge(verified, honest) == Status::ok);
+  Requirement wrong = honest;
+  wrong.claimed_pose_error += 1e-8;
+  CHECK(judge(verified, wrong) == Status::claimed_but_wrong);
+  wrong.claimed_pose_error = not_a_number;
+  CHECK(judge(verified, wrong) == Status::claimed_but_wrong);
+  wrong = honest;
+  wrong.claimed_error = 0.04;
+  CHECK(judge(verified, wrong) == Status::claimed_but_wrong);
+  wrong = honest;
+  wrong.rotation_weight = 0.2;
+  CHECK(judge(verified, wrong) == Status::claimed_but_wrong);
+}
+
 TEST_CASE("of several wrongs the most severe is told", "[verifier]") {
   Verification verified{.position_error = 1, .limit_violation = 1};
   Requirement requirement{.claimed_error = 1, .tolerance = 0.1};

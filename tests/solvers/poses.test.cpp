@@ -1,0 +1,220 @@
+// Whole poses as goals: what the objective says of them, how solves stop, and that every solver keeps its contract.
+#include <Eigen/LU>
+#include <cmath>
+
+#include "numerics/units.hpp"
+#include "tests/catch.hpp"
+#include "tests/numerics/reference.hpp"
+#include "tests/solvers/allocations.hpp"
+#include "tests/solvers/objectives.hpp"
+
+using namespace ikbench;
+using namespace ikbench::numerics;
+using namespace ikbench::robots;
+using namespace ikbench::solvers;
+
+namespace {
+
+constexpr double weight = 0.5;
+
+struct PoseTask {
+  Robot arm;
+  Goal goal;
+  Problem problem;
+};
+
+// A pose that the arm can reach, from the middle of its limits.
+PoseTask pose_task(std::string_view name, std::uint64_t seed = 1, int population = 50) {
+  const Robot arm = robot(name);
+  Random random{Key(seed)};
+  const JointLimits range = arm.limits.around(Eigen::VectorXd::Zero(arm.joints()));
+  Eigen::VectorXd q(arm.joints());
+  for (Eigen::Index j = 0; j < q.size(); ++j) q[j] = random.uniform(range.lower[j], range.upper[j]);
+  return {arm,
+          {arm.chain.forward(q), weight},
+          {.start = (range.lower + range.upper) / 2,
+           .lower = range.lower,
+           .upper = range.upper,
+           .population = population,
+           .iterations = 50}};
+}
+
+Goal moved(const Goal& goal, const Eigen::Vector3d& by, double angle, const Eigen::Vector3d& axis) {
+  Pose target = goal.target;
+  target.translation() += by;
+  target.linear() = Eigen::AngleAxisd(angle, axis) * target.linear();
+  return {target, goal.rotation_weight};
+}
+
+}  // namespace
+
+TEST_CASE("a pose's error is its distance where it is turned right, and grows with the weight of a turn", "[pose]") {
+  const PoseTask task = pose_task("ur5e");
+  const Eigen::VectorXd q = task.problem.start;
+  const Goal here{task.arm.chain.forward(q), weight};
+  const auto error = [&](const Goal& goal) { return Objective(task.arm.chain, goal).error(q); };
+  const Eigen::Vector3d z = here.target.linear().col(2), x = here.target.linear().col(0);
+  CHECK(error(here) < 1e-15);
+  CHECK(error(moved(here, {0.03, 0, 0.04}, 0, z)) == Approx(0.05));
+  // Half a turn about the tool's z: two of the three points are twice the weight away; about x, one of them.
+  CHECK(error(moved(here, {0, 0, 0}, std::numbers::pi, z)) == Approx(weight * std::sqrt(8.0 / 3)));
+  CHECK(error(moved(here, {0, 0, 0}, std::numbers::pi, x)) == Approx(weight * std::sqrt(4.0 / 3)));
+  Objective objective(task.arm.chain, moved(here, {0.03, 0, 0.04}, 0.2, x));
+  CHECK(objective.deviation(q).position == Approx(0.05));
+  CHECK(objective.deviation(q).angle == Approx(0.2));
+  CHECK(objective.evaluations() == 0);
+}
+
+TEST_CASE("a pose's residual is the way and the weighted turn that are left, and its Jacobian is Newton's", "[pose]") {
+  for (const char* const name : {"ur5e", "stanford", "kuka_iiwa14", "franka_panda"}) {
+    CAPTURE(name);
+    const PoseTask task = pose_task(name);
+    Eigen::VectorXd q = task.problem.start.array() + 0.2;
+    const Goal here{task.arm.chain.forward(q), weight};
+    const Eigen::Vector3d axis = Eigen::Vector3d(1, -2, 0.5).normalized(), by(0.01, -0.02, 0.03);
+    Objective objective(task.arm.chain, moved(here, by, 0.3, axis));
+    Eigen::MatrixXd jacobian(objective.rows(), q.size());
+    REQUIRE(objective.rows() == 6);
+    const Residual residual = objective.linearize(q, jacobian);
+    CHECK((residual.head<3>() - by).norm() < 1e-15);
+    CHECK((residual.tail<3>() - weight * 0.3 * axis).norm() < 1e-15);
+    CHECK(objective.evaluations() == 1);
+    Matrix6Xd geometric(6, q.size());
+    task.arm.chain.pose_jacobian(q, geometric);
+    CHECK(jacobian.topRows<3>() == geometric.topRows<3>());
+    CHECK((jacobian.bottomRows<3>() - weight * geometric.bottomRows<3>()).norm() < 1e-15);
+    // Newton's steps towards a pose that is near converge quadratically.
+    Objective near(task.arm.chain, moved(here, 0.1 * by, 0.03, axis));
+    for (int step = 0; step < 5; ++step) {
+      const Eigen::VectorXd to_go = near.linearize(q, jacobian);
+      q += jacobian.completeOrthogonalDecomposition().solve(to_go);
+    }
+    CHECK(near.linearize(q, jacobian).norm() < 1e-14);
+    CHECK(near.error(q) < 1e-14);
+  }
+}
+
+TEST_CASE("every solver's best is honest about a pose and never worsens, and its steps take no memory", "[pose]") {
+  for (const SolverInfo& info : all_solvers()) {
+    for (const char* const name : {"ur5e", "stanford"}) {
+      CAPTURE(info.name, name);
+      const PoseTask task = pose_task(name);
+      Objective objective(task.arm.chain, task.goal), judge(task.arm.chain, task.goal);
+      Random random{Key(1)};
+      const auto solver = info.make({});
+      double before = 1e9;
+      long taken = 0;
+      solver->start(task.problem, objective, random);
+      for (int iteration = 0; iteration < 40; ++iteration) {
+        REQUIRE(solver->best().error == judge.error(solver->best().q));
+        REQUIRE(solver->best().error <= before);
+        before = solver->best().error;
+        const long allocated = allocations();
+        solver->step(objective, random);
+        taken += allocations() - allocated;
+      }
+      CHECK(taken == 0);
+    }
+  }
+}
+
+TEST_CASE("every solver gives the same answer to a pose, however far ahead it evaluates", "[pose]") {
+  for (const SolverInfo& info : all_solvers()) {
+    CAPTURE(info.name);
+    const PoseTask task = pose_task("ur5e", 3);
+    Objective ahead(task.arm.chain, task.goal);
+    OneAheadObjective one(task.arm.chain, task.goal);
+    Random first{Key(1)}, second{Key(1)};
+    const Solution a = solve(*info.make({}), task.problem, ahead, first, {.iterations = 30});
+    const Solution b = solve(*info.make({}), task.problem, one, second, {.iterations = 30});
+    CHECK(a.best.q == b.best.q);
+    CHECK(a.best.error == b.best.error);
+    CHECK(a.evaluations == b.evaluations);
+  }
+}
+
+TEST_CASE("a solve of a pose stops where position and angle are both within their tolerances, and not before",
+          "[pose][solve]") {
+  const PoseTask task = pose_task("ur5e");
+  const StopRule both{.iterations = 400, .tolerance = 1e-3, .angle_tolerance = 1 * degree};
+  for (const char* const name : {"damped_least_squares", "ik_bat"}) {
+    CAPTURE(name);
+    Objective objective(task.arm.chain, task.goal);
+    Random random{Key(1)};
+    const Solution solution = solve(*solver(name).make({}), task.problem, objective, random, both);
+    const Deviation left = objective.deviation(solution.best.q);
+    const bool is_near = left.position <= both.tolerance && left.angle <= both.angle_tolerance;
+    CHECK((solution.stopped == Stopped::tolerance) == is_near);
+    CHECK(solution.position_error == left.position);
+    if (name == std::string("damped_least_squares")) REQUIRE(is_near);
+    if (!is_near) continue;
+    // One iteration less and it is not there.
+    Objective again(task.arm.chain, task.goal);
+    Random same{Key(1)};
+    const StopRule before{.iterations = static_cast<int>(solution.iterations) - 1};
+    const Deviation earlier = again.deviation(solve(*solver(name).make({}), task.problem, again, same, before).best.q);
+    CHECK((earlier.position > both.tolerance || earlier.angle > both.angle_tolerance));
+    CHECK(again.evaluations() < objective.evaluations());
+  }
+}
+
+TEST_CASE("no pose within both tolerances has a larger error than those that are looked at", "[pose][solve]") {
+  // A solver that stands still at a configuration: it stops where the deviation says so, whatever direction it is in.
+  class Still final : public Solver {
+   public:
+    void start(const Problem& problem, Objective& objective, Random&) override {
+      best_ = {problem.start};
+      best_.improve(problem.start, objective.error(problem.start));
+    }
+    void step(Objective&, Random&) override {}
+    const Best& best() const override { return best_; }
+
+   private:
+    Best best_;
+  };
+  const PoseTask task = pose_task("ur5e");
+  const Goal here{task.arm.chain.forward(task.problem.start), 2};
+  Dice dice;
+  for (int trial = 0; trial < 2000; ++trial) {
+    const auto direction = [&] {
+      const Eigen::Vector3d any(dice.between(-1, 1), dice.between(-1, 1), dice.between(-1, 1));
+      return Eigen::Vector3d(any.normalized());
+    };
+    const double far = dice.between(0.5, 1.5), turned = dice.between(0.5, 1.5), angle = dice.between(0.001, 2);
+    Objective objective(task.arm.chain, moved(here, 0.01 * far * direction(), turned * angle, direction()));
+    Still still;
+    Random random{Key(1)};
+    const StopRule stop{.iterations = 1, .tolerance = 0.01, .angle_tolerance = angle};
+    const Solution solution = solve(still, task.problem, objective, random, stop);
+    REQUIRE((solution.stopped == Stopped::tolerance) == (far <= 1 && turned <= 1));
+  }
+}
+
+TEST_CASE("a damped step towards a pose reduces the norm of the residual that it linearizes", "[pose][dls]") {
+  PoseTask task = pose_task("ur5e");
+  task.problem.start.setConstant(0.4);
+  const Goal here{task.arm.chain.forward(task.problem.start), weight};
+  task.goal = moved(here, {0.05, -0.04, 0.03}, 0.5, Eigen::Vector3d(1, -2, 0.5).normalized());
+  RecordingObjective objective(task.arm.chain, task.goal);
+  Random random{Key(1)};
+  const auto descent = solver("damped_least_squares").make({{"damping", "0.1"}});
+  descent->start(task.problem, objective, random);
+  Eigen::VectorXd q = objective.candidates.front();
+  Objective by_hand(task.arm.chain, task.goal);
+  Eigen::MatrixXd J(6, 6), ignored(6, 6);
+  double mu = 0;
+  for (int iteration = 0; iteration < 5; ++iteration) {
+    const Eigen::VectorXd e = by_hand.linearize(q, J);
+    const Eigen::MatrixXd A = J.transpose() * J;
+    if (iteration == 0) mu = 0.1 * A.diagonal().maxCoeff();
+    const Eigen::VectorXd h = (A + mu * Eigen::MatrixXd::Identity(6, 6)).inverse() * J.transpose() * e;
+    descent->step(objective, random);
+    const Eigen::VectorXd candidate = (q + h).cwiseMax(task.problem.lower).cwiseMin(task.problem.upper);
+    REQUIRE((objective.candidates.back() - candidate).norm() < 1e-12);
+    const double norm = by_hand.linearize(candidate, ignored).norm();
+    REQUIRE(norm < e.norm());
+    const double gain = (e.squaredNorm() - norm * norm) / h.dot(mu * h + J.transpose() * e);
+    mu *= std::max(1.0 / 3, 1 - std::pow(2 * gain - 1, 3));
+    q = candidate;
+  }
+}
