@@ -63,6 +63,8 @@ StopReason recorded(Stopped stopped) {
       return StopReason::evaluations;
     case Stopped::time:
       return StopReason::time;
+    case Stopped::finished:
+      return StopReason::finished;
     case Stopped::not_finite:
       break;
   }

@@ -10,8 +10,8 @@
 
 namespace ikbench::results {
 
-// Why a solve ended.
-enum class StopReason { iterations, tolerance, evaluations, time, not_finite };
+// Why a solve ended; finished: by the solver itself.
+enum class StopReason { iterations, tolerance, evaluations, time, not_finite, finished };
 
 // What the verifier says of an answer; the first that applies, in the order of severity
 // not_finite, claimed_but_wrong, refused, limit_violated, tolerance_missed, ok. Where a study enforces the joint
@@ -21,8 +21,8 @@ enum class Status { ok, tolerance_missed, limit_violated, refused, claimed_but_w
 // Under what circumstances the times were taken; only `clean` times are comparable.
 enum class Timing { clean, parallel, debug_build };
 
-constexpr std::array<std::string_view, 5> stop_reason_names{"iterations", "tolerance", "evaluations", "time",
-                                                            "not_finite"};
+constexpr std::array<std::string_view, 6> stop_reason_names{"iterations", "tolerance",  "evaluations",
+                                                            "time",       "not_finite", "finished"};
 constexpr std::array<std::string_view, 6> status_names{"ok",      "tolerance_missed",  "limit_violated",
                                                        "refused", "claimed_but_wrong", "not_finite"};
 constexpr std::array<std::string_view, 3> timing_names{"clean", "parallel", "debug_build"};

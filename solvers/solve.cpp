@@ -61,6 +61,8 @@ Solution solve(Solver& solver, const Problem& problem, Objective& objective, Ran
       solution.stopped = Stopped::not_finite;
     } else if (tolerance.is_reached(solver.best())) {
       solution.stopped = Stopped::tolerance;
+    } else if (solver.finished()) {
+      solution.stopped = Stopped::finished;
     } else if (solution.iterations >= stop.iterations) {
       solution.stopped = Stopped::iterations;
     } else if (stop.evaluations > 0 && objective.evaluations() >= stop.evaluations) {

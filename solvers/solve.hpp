@@ -17,7 +17,8 @@ struct StopRule {
   double seconds = 0;            // wall time, checked after each iteration
 };
 
-enum class Stopped { iterations, tolerance, evaluations, time, not_finite };
+// finished: by the solver itself.
+enum class Stopped { iterations, tolerance, evaluations, time, not_finite, finished };
 
 enum class Trace { none, best_error };
 

@@ -1,4 +1,4 @@
-// What a solver is: start, step, best. No loop, clock, stop rule, log or counter inside; `solve` (solve.hpp) owns
+// What a solver is: start, step, best, and perhaps finished. No loop, clock, stop rule, log or counter inside; `solve` (solve.hpp) owns
 // those.
 #pragma once
 
@@ -46,6 +46,8 @@ class Solver {
   virtual void step(Objective& objective, numerics::Random& random) = 0;
   // The best so far; its error never grows and is exactly what the objective says of its q.
   virtual const Best& best() const = 0;
+  // Whether a further step changes nothing: for solvers that end by themselves.
+  virtual bool finished() const { return false; }
 };
 
 }  // namespace ikbench::solvers

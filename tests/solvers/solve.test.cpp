@@ -55,6 +55,38 @@ TEST_CASE("a solve stops when its time is over", "[solve]") {
   CHECK(solution.iterations > 0);
 }
 
+TEST_CASE("a solve stops where its solver has finished, unless it is within the tolerance", "[solve]") {
+  // It evaluates the start, in every step anew, and has had enough after three.
+  struct Finishing final : Solver {
+    void start(const Problem& problem, Objective& objective, Random&) override {
+      best_ = {problem.start, objective.error(problem.start)};
+    }
+    void step(Objective& objective, Random&) override {
+      objective.error(best_.q);
+      ++steps_;
+    }
+    const Best& best() const override { return best_; }
+    bool finished() const override { return steps_ == 3; }
+    int steps_ = 0;
+    Best best_;
+  };
+  const Task task = iiwa_task();
+  const auto solved = [&](const StopRule& stop) {
+    Objective objective(task.chain, task.target);
+    Random random{Key(1)};
+    Finishing solver;
+    return solve(solver, task.problem, objective, random, stop, Trace::best_error);
+  };
+  const Solution solution = solved({.iterations = 10});
+  CHECK(solution.stopped == Stopped::finished);
+  CHECK(solution.iterations == 3);
+  CHECK(solution.evaluations == 4);
+  CHECK(solution.trace.size() == 3);
+  CHECK(solved({.iterations = 3}).stopped == Stopped::finished);
+  CHECK(solved({.iterations = 2}).stopped == Stopped::iterations);
+  CHECK(solved({.iterations = 10, .tolerance = 10}).stopped == Stopped::tolerance);
+}
+
 TEST_CASE("the trace has the best error after each iteration and never grows", "[solve]") {
   const Solution solution = solved({.iterations = 40}, Trace::best_error);
   REQUIRE(solution.trace.size() == 40);
