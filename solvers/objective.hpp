@@ -33,6 +33,7 @@ class Objective {
   Objective(const robots::Chain& arm, Goal goal) : arm_(arm), goal_(std::move(goal)) {}
   virtual ~Objective() = default;
 
+  const robots::Chain& arm() const { return arm_; }
   const Goal& goal() const { return goal_; }
 
   // The error [m] of every candidate (a column of q) into `errors`: the position error (Eq. 1), or of a pose the root
