@@ -46,12 +46,16 @@ Study study_of(const SolveArguments& arguments) {
   study.solvers = {{arguments.solver, arguments.solver, {}}};
   Overrides overrides{"search=all_joints", fmt::format("seed={}", arguments.seed), "runs=1",
                       fmt::format("stop.tolerance_cm={}", arguments.tolerance_cm)};
+  Overrides of_arm{"search=all_joints"};
   for (const std::string& text : arguments.overrides) {
     const bool of_solver = text.find('.') == std::string::npos || text.find('.') > text.find('=');
     overrides.push_back(of_solver ? arguments.solver + "." + text : text);
+    if (!of_solver) of_arm.push_back(text);
   }
   constexpr std::string_view source = "the command line";
-  const Robot arm = arm_of(parse_study(to_toml(study), source, overrides));
+  Study any_solver{.name = "solve", .robot = arguments.robot};  // the arm may be none for the one that is asked for
+  any_solver.solvers = {{"any", "random_search", {}}};
+  const Robot arm = arm_of(parse_study(to_toml(any_solver), source, of_arm));
   const int joints = arm.joints();
   if (!arguments.start_deg.empty() && arguments.start_deg.size() != static_cast<std::size_t>(joints)) {
     throw std::invalid_argument(fmt::format("--start-deg has {} angles; expected {}, one for each joint of {}",
@@ -65,7 +69,9 @@ Study study_of(const SolveArguments& arguments) {
     }
     study.initial[static_cast<Eigen::Index>(j)] = angle * degree;
   }
+  const bool needs_pose = !solver(arguments.solver).why_not(arm.chain, Asked::position).empty();
   const std::string search = !arguments.search.empty()         ? arguments.search
+                             : needs_pose                      ? "pose"
                              : SphericalWrist::fits(arm.chain) ? "wrist"
                              : !arguments.rpy_deg.empty()      ? "pose"
                                                                : "all_joints";
@@ -139,8 +145,8 @@ void add_solve(CLI::App& app) {
   command
       ->add_option(
           "--search", arguments->search,
-          "wrist, all_joints or pose; default: wrist if the arm has a spherical wrist, else pose with --rpy-deg "
-          "and all_joints, for the position alone, without")
+          "wrist, all_joints or pose; default: pose for a solver of poses alone, wrist if the arm has a spherical wrist, "
+          "else pose with --rpy-deg and all_joints, for the position alone, without")
       ->check(CLI::IsMember({"wrist", "all_joints", "pose"}));
   command
       ->add_option("--start-deg", arguments->start_deg,

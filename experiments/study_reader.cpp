@@ -144,7 +144,7 @@ std::invalid_argument mistake(const TomlReader& reader, const toml::node* node, 
 }
 
 // What the fields of a solver and those of the study ask of each other.
-void check_solvers(const TomlReader& reader, const Study& study) {
+void check_solvers(const TomlReader& reader, const Study& study, const Robot& arm) {
   const toml::table& table = reader.table();
   const bool is_enforced = study.limits == Limits::enforced;
   constexpr std::string_view not_enforced =
@@ -154,6 +154,10 @@ void check_solvers(const TomlReader& reader, const Study& study) {
   for (std::size_t i = 0; i < study.solvers.size(); ++i) {
     const SolverEntry& entry = study.solvers[i];
     const auto own = table["solvers"][i];
+    const Asked asked = study.search == Search::pose ? Asked::pose : Asked::position;
+    if (const std::string why = solver(entry.solver).why_not(arm.chain, asked); !why.empty()) {
+      throw mistake(reader, own["solver"].node(), entry.label + ".solver", why);
+    }
     const int population = effective_population(study, entry);
     if (const int least = solver(entry.solver).least_population; population < least) {
       const std::string message =
@@ -273,7 +277,7 @@ Study read_study(const toml::table& table, std::string_view source, PointsAsObse
   if (study.trace == Trace::best_error && study.stop.iterations > 1'000'000) {
     throw at("trace", "a trace has at most 1 000 000 iterations; expected stop.iterations of at most that");
   }
-  check_solvers(reader, study);
+  check_solvers(reader, study, arm);
   if (const double outside = arm.limits.violation(study.initial) / degree;
       study.limits == Limits::enforced && outside > 0) {
     throw at("initial_deg",

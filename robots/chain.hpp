@@ -29,6 +29,8 @@ struct DhLink {
   double d = 0;       // [m] along z
   double offset = 0;  // [rad] added to the joint's angle
   Joint joint = Joint::turns;
+
+  bool operator==(const DhLink&) const = default;
 };
 
 // A frame in another one: at `position`, turned by Rz(yaw) Ry(pitch) Rx(roll).
@@ -51,6 +53,9 @@ class Chain {
   const std::vector<DhLink>& links() const { return links_; }
   const Frame& base() const { return base_; }
   const Frame& tool() const { return tool_; }
+  bool operator==(const Chain& other) const {
+    return links_ == other.links_ && base_ == other.base_ && tool_ == other.tool_;
+  }
 
   int joints() const { return static_cast<int>(links_.size()); }
   // T_base_tool: the product of the link transforms, Eqs. 18 and 26.

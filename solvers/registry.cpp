@@ -20,6 +20,12 @@ std::vector<SolverInfo> all_solvers() {
   };
 }
 
+std::vector<SolverInfo> solvers_for(const robots::Chain& arm, Asked asked) {
+  std::vector<SolverInfo> some = all_solvers();
+  std::erase_if(some, [&](const SolverInfo& info) { return !info.why_not(arm, asked).empty(); });
+  return some;
+}
+
 SolverInfo solver(std::string_view name) {
   std::vector<std::string> names;
   for (SolverInfo& info : all_solvers()) {

@@ -11,11 +11,16 @@
 
 namespace ikbench::solvers {
 
+// What a study asks solvers for: the tool's position, or its pose.
+enum class Asked { position, pose };
+
 struct SolverInfo {
   std::string name;
   std::string summary;
   std::string source;        // the publication it comes from
   int least_population = 1;  // candidates that it cannot do without
+  // Why it cannot solve for an arm, one sentence; empty where it can.
+  std::function<std::string(const robots::Chain& arm, Asked asked)> why_not;
   // The defaults, or with `settings` applied (std::invalid_argument as OptionList::set says).
   std::function<Settings(const Settings& settings)> options;
   std::function<std::unique_ptr<Solver>(const Settings& settings)> make;
@@ -23,10 +28,13 @@ struct SolverInfo {
 };
 
 std::vector<SolverInfo> all_solvers();
+// Those that can solve for this arm.
+std::vector<SolverInfo> solvers_for(const robots::Chain& arm, Asked asked);
 // std::invalid_argument names those there are.
 SolverInfo solver(std::string_view name);
 
-// For a solver's file: its class has a nested Options with `void list(OptionList&)` and a constructor from it.
+// For a solver's file: its class has a nested Options with `void list(OptionList&)` and a constructor from it; and a
+// static why_not, as SolverInfo has it, where there are arms that it cannot solve for.
 template <class S>
 SolverInfo solver_info(std::string name, std::string summary, std::string source, int least_population = 1) {
   using Options = typename S::Options;
@@ -41,6 +49,10 @@ SolverInfo solver_info(std::string name, std::string summary, std::string source
           .summary = std::move(summary),
           .source = std::move(source),
           .least_population = least_population,
+          .why_not = []([[maybe_unused]] const robots::Chain& arm, [[maybe_unused]] Asked asked) -> std::string {
+            if constexpr (requires { S::why_not(arm, asked); }) return S::why_not(arm, asked);
+            return {};
+          },
           .options =
               [configured](const Settings& settings) {
                 Options options = configured(settings);

@@ -31,7 +31,7 @@ void count(benchmark::State& state, const SolverInfo& info) {
 }
 
 void register_solvers() {
-  for (const SolverInfo& info : all_solvers()) {
+  for (const SolverInfo& info : solvers_for(wrist_reach().chain, Asked::position)) {
     benchmark::RegisterBenchmark(("allocations/" + info.name).c_str(), count, info)
         ->Iterations(1)
         ->Unit(benchmark::kMillisecond);

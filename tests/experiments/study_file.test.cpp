@@ -625,6 +625,16 @@ TEST_CASE("a label stands once in a study", "[study][mistakes]") {
   CHECK(read(solver_entry + solver_entry + "label = \"IK-BA again\"\n").solvers.size() == 2);
 }
 
+TEST_CASE("a solver that cannot solve for the study's arm is refused with the reason", "[study][mistakes]") {
+  const std::string closed_form = "[[solvers]]\nsolver = \"closed_form\"\n";
+  check(
+      {{"search = \"pose\"\n" + closed_form,
+        "my.toml:3:10: ",
+        {"closed_form needs an arm with six joints that turn and a spherical wrist, but this one has 7 joints, not six"}},
+       {"robot = \"puma560\"\n" + closed_form, "my.toml:3:10: ", {"solves for a pose", "search = \"pose\""}}});
+  CHECK(read("robot = \"puma560\"\nsearch = \"pose\"\n" + closed_form).solvers.size() == 1);
+}
+
 TEST_CASE("what fields ask of each other is checked where one of them stands", "[study][mistakes]") {
   check({{"robot = \"planar_2\"\nsearch = \"wrist\"\n" + solver_entry,
           "my.toml:2:10: ",

@@ -19,6 +19,8 @@ namespace {
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
+std::vector<SolverInfo> solvers_of_positions() { return solvers_for(iiwa_task().chain, Asked::position); }
+
 // The defaults; each choice; each number alone at both of its ends; all numbers at their low and their high ends.
 std::vector<Settings> corners(const SolverInfo& info) {
   std::vector<Settings> corners{{}};
@@ -102,7 +104,7 @@ TEST_CASE("an option given its default's text is the default", "[contract]") {
 }
 
 TEST_CASE("best never worsens and is exactly as good as it says, in every corner of the options", "[contract]") {
-  for (const SolverInfo& info : all_solvers()) {
+  for (const SolverInfo& info : solvers_of_positions()) {
     for (const Settings& settings : corners(info)) {
       CAPTURE(info.name, text(settings));
       const Task task = iiwa_task();
@@ -113,7 +115,7 @@ TEST_CASE("best never worsens and is exactly as good as it says, in every corner
 }
 
 TEST_CASE("best stays honest where some errors are not numbers", "[contract]") {
-  for (const SolverInfo& info : all_solvers()) {
+  for (const SolverInfo& info : solvers_of_positions()) {
     for (const Settings& settings : corners(info)) {
       for (const double value : {not_a_number, infinity}) {
         CAPTURE(info.name, text(settings), value);
@@ -126,7 +128,7 @@ TEST_CASE("best stays honest where some errors are not numbers", "[contract]") {
 }
 
 TEST_CASE("a solve in which no error is a number ends as not finite", "[contract]") {
-  for (const SolverInfo& info : all_solvers()) {
+  for (const SolverInfo& info : solvers_of_positions()) {
     for (const Settings& settings : corners(info)) {
       CAPTURE(info.name, text(settings));
       const Task task = iiwa_task();
@@ -139,7 +141,7 @@ TEST_CASE("a solve in which no error is a number ends as not finite", "[contract
 }
 
 TEST_CASE("the same key gives the same answer, also from a solver used before", "[contract]") {
-  for (const SolverInfo& info : all_solvers()) {
+  for (const SolverInfo& info : solvers_of_positions()) {
     for (const Settings& settings : corners(info)) {
       CAPTURE(info.name, text(settings));
       const Task task = iiwa_task(), other = snake_task(3, 6);
@@ -156,7 +158,7 @@ TEST_CASE("the same key gives the same answer, also from a solver used before", 
 }
 
 TEST_CASE("looking ahead changes no bit, in every corner of the options", "[contract]") {
-  for (const SolverInfo& info : all_solvers()) {
+  for (const SolverInfo& info : solvers_of_positions()) {
     for (const Settings& settings : corners(info)) {
       for (const int population : {10, 37}) {
         CAPTURE(info.name, text(settings), population);
@@ -174,7 +176,7 @@ TEST_CASE("looking ahead changes no bit, in every corner of the options", "[cont
 }
 
 TEST_CASE("different keys give different draws", "[contract]") {
-  for (const SolverInfo& info : all_solvers()) {
+  for (const SolverInfo& info : solvers_of_positions()) {
     CAPTURE(info.name);
     Task task = iiwa_task();
     task.target = {0, 0, 5};  // beyond the stretched arm: solvers that draw only when they are stuck are stuck
@@ -187,7 +189,7 @@ TEST_CASE("different keys give different draws", "[contract]") {
 }
 
 TEST_CASE("every candidate goes through the objective, which counts it", "[contract]") {
-  for (const SolverInfo& info : all_solvers()) {
+  for (const SolverInfo& info : solvers_of_positions()) {
     for (const Settings& settings : corners(info)) {
       CAPTURE(info.name, text(settings));
       const Task task = iiwa_task();
@@ -204,7 +206,7 @@ TEST_CASE("every candidate goes through the objective, which counts it", "[contr
 }
 
 TEST_CASE("with bounds = clamp no candidate is outside the limits", "[contract]") {
-  for (const SolverInfo& info : all_solvers()) {
+  for (const SolverInfo& info : solvers_of_positions()) {
     if (!has_choice(info, "bounds", "clamp")) continue;
     for (Settings settings : corners(info)) {
       settings["bounds"] = "clamp";
@@ -222,7 +224,7 @@ TEST_CASE("with bounds = clamp no candidate is outside the limits", "[contract]"
 }
 
 TEST_CASE("solvers without a choice of bounds stay inside the limits", "[contract]") {
-  for (const SolverInfo& info : all_solvers()) {
+  for (const SolverInfo& info : solvers_of_positions()) {
     if (info.options({}).contains("bounds")) continue;
     CAPTURE(info.name);
     const Task task = iiwa_task();
@@ -235,7 +237,7 @@ TEST_CASE("solvers without a choice of bounds stay inside the limits", "[contrac
 }
 
 TEST_CASE("a small population works or is refused in a sentence", "[contract]") {
-  for (const SolverInfo& info : all_solvers()) {
+  for (const SolverInfo& info : solvers_of_positions()) {
     for (const Settings& settings : corners(info)) {
       for (int population = 1; population <= 7; ++population) {
         CAPTURE(info.name, text(settings), population);
@@ -254,7 +256,7 @@ TEST_CASE("a small population works or is refused in a sentence", "[contract]") 
 }
 
 TEST_CASE("a population of 100000 is started and takes a step", "[contract][large]") {
-  for (const SolverInfo& info : all_solvers()) {
+  for (const SolverInfo& info : solvers_of_positions()) {
     CAPTURE(info.name);
     // BA adds the mean loudness up anew for each bat that accepts: a square of the population, with sanitizers 18 s.
     const Task task = iiwa_task(info.name == "bat" ? 20'000 : 100'000);
@@ -267,7 +269,7 @@ TEST_CASE("a population of 100000 is started and takes a step", "[contract][larg
 }
 
 TEST_CASE("one joint, two, twenty and sixty-four are searched alike", "[contract]") {
-  for (const SolverInfo& info : all_solvers()) {
+  for (const SolverInfo& info : solvers_of_positions()) {
     for (const int joints : {1, 2, 20, most_joints}) {
       CAPTURE(info.name, joints);
       const Task task = snake_task(joints);
@@ -278,7 +280,7 @@ TEST_CASE("one joint, two, twenty and sixty-four are searched alike", "[contract
 }
 
 TEST_CASE("a solve may start at the limits, or where a joint is locked", "[contract]") {
-  for (const SolverInfo& info : all_solvers()) {
+  for (const SolverInfo& info : solvers_of_positions()) {
     CAPTURE(info.name);
     Task task = iiwa_task();
     task.problem.start = task.problem.upper;
@@ -290,7 +292,7 @@ TEST_CASE("a solve may start at the limits, or where a joint is locked", "[contr
 }
 
 TEST_CASE("an iteration takes no memory from the heap", "[contract]") {
-  for (const SolverInfo& info : all_solvers()) {
+  for (const SolverInfo& info : solvers_of_positions()) {
     for (const Settings& settings : corners(info)) {
       for (const int joints : {4, 20}) {
         CAPTURE(info.name, text(settings), joints);
@@ -309,7 +311,7 @@ TEST_CASE("an iteration takes no memory from the heap", "[contract]") {
 }
 
 TEST_CASE("a second solve of the same size takes no memory from the heap", "[contract]") {
-  for (const SolverInfo& info : all_solvers()) {
+  for (const SolverInfo& info : solvers_of_positions()) {
     for (const Settings& settings : corners(info)) {
       for (const int joints : {1, 4, most_joints}) {
         CAPTURE(info.name, text(settings), joints);
@@ -363,7 +365,7 @@ TEST_CASE("every solver but the floor beats random search on the iiwa", "[contra
     return sum / 10;
   };
   const double floor = mean_error(solver("random_search"));
-  for (const SolverInfo& info : all_solvers()) {
+  for (const SolverInfo& info : solvers_of_positions()) {
     CAPTURE(info.name);
     if (info.name != "random_search") CHECK(mean_error(info) < floor);
   }
