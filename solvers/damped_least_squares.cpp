@@ -138,7 +138,8 @@ class DampedLeastSquares final : public Solver {
 }  // namespace
 
 SolverInfo damped_least_squares() {
-  return solver_info<DampedLeastSquares>("damped_least_squares", "damped least squares with random restarts",
+  return solver_info<DampedLeastSquares>("damped_least_squares",
+                                         "damped least squares (Levenberg-Marquardt) with random restarts",
                                          "Wampler 1986; Madsen, Nielsen and Tingleff 2004, Algorithm 3.16");
 }
 
