@@ -541,7 +541,7 @@ TEST_CASE("where limits are enforced no solver takes any joint of the arm outsid
 }
 
 TEST_CASE("a refused answer leaves the arm where it was, and the record tells of that", "[runner]") {
-  Study study = studies().front();  // with the wrist's limits, some of its points are out of reach for some arms
+  Study study = load_study("slim2023");  // with the wrist's limits, some of its points are out of reach for some arms
   study.limits = Limits::enforced;
   study.solvers = {{"BA", "bat", {}}, {"DE", "differential_evolution", {}}};
   study.stop.iterations = 20;
@@ -768,7 +768,7 @@ TEST_CASE("an error above the tolerance is tolerance_missed, one below ends the 
 
 TEST_CASE("the analytic wrist does not know its own limits, and the record says so", "[runner][paper]") {
   // paper-notes 2.4: many answers leave the limits; none of them may be ok.
-  Study study = studies().front();
+  Study study = load_study("slim2023");
   study.solvers = {{"BA", "bat", {}}};
   study.stop.iterations = 5;
   study.runs = 3;
