@@ -127,6 +127,7 @@ SolveRunner::SolveRunner(const Study& study, const SolverEntry& entry, const Rob
       entry_(entry),
       arm_(arm),
       task_(study, arm),
+      reach_(task_.arm().reach()),
       info_(solver(entry.solver)),
       options_(effective_options(study, entry)),
       series_{.key = series_key(study, entry),
@@ -161,6 +162,10 @@ std::vector<SolveRunner::Timed> SolveRunner::repeated(Solver& solver, const Pose
   std::vector<Timed> all;
   for (int i = 0; i < repeats_; ++i) all.push_back(timed(solver, given));
   return all;
+}
+
+double SolveRunner::beyond_reach(const Pose& target) const {
+  return std::max(0.0, (task_.goal(target) - reach_.centre).norm() - reach_.radius);
 }
 
 void SolveRunner::warm_up(Solver& solver, const Pose& target, const Configuration& start) const {
@@ -228,7 +233,11 @@ SolveRecord SolveRunner::solve(Solver& solver, const Pose& target, const Configu
                      .interruptions = interruptions,
                      .variation_m = verified.variation_m,
                      .largest_move_m = verified.largest_move_m,
-                     .limit_violation_m = verified.limit_violation_m};
+                     .limit_violation_m = verified.limit_violation_m,
+                     .unavoidable_error_cm = beyond_reach(target) / centimetre,
+                     .limit_margin = verified.limit_margin,
+                     .smallest_singular_value = verified.smallest_singular_value,
+                     .manipulability = verified.manipulability};
   for (const double error : solution.trace) record.trace_cm.push_back(error / centimetre);
   return record;
 }

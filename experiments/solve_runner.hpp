@@ -64,11 +64,13 @@ class SolveRunner {
   Posed posed(const robots::Pose& target, const robots::Configuration& start, int run, int point) const;
   Timed timed(solvers::Solver& solver, const Posed& given) const;
   std::vector<Timed> repeated(solvers::Solver& solver, const Posed& given) const;
+  double beyond_reach(const robots::Pose& target) const;  // [m]; 0 within
 
   const Study& study_;
   const SolverEntry& entry_;
   const robots::Robot& arm_;
   Task task_;
+  robots::Chain::Ball reach_;  // of the joints that are searched
   solvers::SolverInfo info_;
   solvers::Settings options_;
   results::Series series_;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "experiments/singular_values.hpp"
 #include "numerics/functions.hpp"
 
 namespace ikbench::experiments {
@@ -135,6 +136,18 @@ Matrix past(const DhLink& link, double joint, const Matrix& pose) {
   return product(end, turned_about_x(link.alpha));
 }
 
+double limit_margin(const JointLimits& limits, const Eigen::VectorXd& answer) {
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  if (!answer.allFinite()) return none;
+  double margin = none;
+  for (Eigen::Index j = 0; j < answer.size(); ++j) {
+    const double range = limits.upper[j] - limits.lower[j];
+    const double of_joint = std::min(answer[j] - limits.lower[j], limits.upper[j] - answer[j]) / range;
+    if (range > 0 && std::isfinite(range)) margin = std::fmin(margin, of_joint);
+  }
+  return margin;
+}
+
 }  // namespace
 
 Eigen::Matrix4d verified_pose(const Chain& arm, const Eigen::VectorXd& q) {
@@ -164,6 +177,8 @@ Verification verify(const Robot& robot, const Pose& target, const Eigen::VectorX
   const Eigen::VectorXd move = answer - start;
   const Eigen::VectorXd outside =
       answer.allFinite() ? (robot.limits.lower - answer).cwiseMax(answer - robot.limits.upper).cwiseMax(0) : answer;
+  const Eigen::VectorXd singular =
+      singular_values(robot, answer, [&](const Eigen::VectorXd& q) { return verified_pose(robot, q); });
   const Eigen::VectorXd turned = of_joints(robot, move, Kind::turns), slid = of_joints(robot, move, Kind::slides);
   return {.reached = reached.topRightCorner<3, 1>(),
           .position_error = (reached - wanted).topRightCorner<3, 1>().norm(),
@@ -175,7 +190,10 @@ Verification verify(const Robot& robot, const Pose& target, const Eigen::VectorX
           .largest_move = largest(turned.cwiseAbs()),
           .largest_move_m = largest(slid.cwiseAbs()),
           .limit_violation = beyond_rounding(largest(of_joints(robot, outside, Kind::turns))),
-          .limit_violation_m = beyond_rounding(largest(of_joints(robot, outside, Kind::slides)))};
+          .limit_violation_m = beyond_rounding(largest(of_joints(robot, outside, Kind::slides))),
+          .limit_margin = limit_margin(robot.limits, answer),
+          .smallest_singular_value = singular.minCoeff(),
+          .manipulability = singular.prod()};
 }
 
 Status judge(const Verification& verified, const Requirement& requirement) {

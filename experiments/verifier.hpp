@@ -18,6 +18,11 @@ struct Verification {
   double variation = 0, variation_m = 0;              // Eq. 12, over all joints
   double largest_move = 0, largest_move_m = 0;        // of a single joint
   double limit_violation = 0, limit_violation_m = 0;  // of the worst joint; 0 inside, and up to 1e-9
+  // From the nearest limit of all joints, as a share of that joint's range: 0.5 in the middle of each, negative
+  // outside; NaN for an arm without limits.
+  double limit_margin = 0;
+  // Of the geometric Jacobian's singular values (singular_values.hpp): the smallest, and the product of all.
+  double smallest_singular_value = 0, manipulability = 0;
 };
 
 // Tool pose of a configuration by the verifier's own route: that of the table, or of an arm from a URDF file that of
