@@ -5,6 +5,7 @@
 #include <memory>
 #include <stdexcept>
 
+#include "analysis/inference/metrics.hpp"
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
 #include "cli/robot.hpp"
@@ -91,6 +92,21 @@ std::string column_list(std::string_view name) {
   return aligned(rows);
 }
 
+std::string metric_list(std::string_view name) {
+  using namespace inference;
+  Rows rows{{"METRIC", "UNIT", "BETTER", "OF", "WHAT"}};
+  std::vector<std::string> names;
+  for (const Metric metric : all_metrics()) {
+    const MetricInfo& info = info_of(metric);
+    names.emplace_back(info.column);
+    if (!name.empty() && info.column != name) continue;
+    rows.push_back({names.back(), std::string(info.unit), info.better == Better::larger ? "larger" : "smaller",
+                    is_of_run(metric) ? "run" : "solve", std::string(info.name)});
+  }
+  if (rows.size() == 1) throw std::invalid_argument(unknown_name("metric", name, names));
+  return aligned(rows);
+}
+
 std::string instruction_set_list(std::string_view name) {
   Rows rows{{"NAME", "IN USE"}};
   std::vector<std::string> names;
@@ -109,6 +125,7 @@ std::string listed(const std::string& kind, const std::string& name) {
     return name.empty() ? robot_list() : robot_text(is_arm_file(name) ? load_robot(name) : robot(name));
   if (kind == "paths") return name.empty() ? path_list() : path_details(name);
   if (kind == "columns") return column_list(name);
+  if (kind == "metrics") return metric_list(name);
   if (kind == "instruction-sets") return instruction_set_list(name);
   return name.empty() ? study_list() : to_toml(load_study(name, {}, PointsAsObservations::forced));
 }
@@ -121,10 +138,10 @@ void add_list(CLI::App& app) {
   };
   auto arguments = std::make_shared<Arguments>();
   CLI::App* command =
-      app.add_subcommand("list", "List solvers, robots, studies, kinds of path, result columns or instruction sets");
-  command->add_option("KIND", arguments->kind, "solvers, robots, studies, paths, columns or instruction-sets")
+      app.add_subcommand("list", "List solvers, robots, studies, kinds of path, result columns, metrics or instruction sets");
+  command->add_option("KIND", arguments->kind, "solvers, robots, studies, paths, columns, metrics or instruction-sets")
       ->required()
-      ->check(CLI::IsMember({"solvers", "robots", "studies", "paths", "columns", "instruction-sets"}));
+      ->check(CLI::IsMember({"solvers", "robots", "studies", "paths", "columns", "metrics", "instruction-sets"}));
   command->add_option("NAME", arguments->name,
                       "show this one in full; a study or a path is printed as TOML, ready to edit");
   command->footer(

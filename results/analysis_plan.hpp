@@ -51,6 +51,7 @@ struct AnalysisPlan {
   Unit unit = Unit::run;
   std::vector<Estimand> estimands{Estimand::mean, Estimand::typical, Estimand::reliability};  // in this order
   double within_cm = 0.01;  // distance of reliability in a study without a tolerance; 0.1 mm, an arm's repeatability
+  double jump_deg = 30;     // a joint that moves farther between two points of a path has jumped
 };
 
 }  // namespace ikbench::results

@@ -165,7 +165,9 @@ Figure box_figure(const StudyResults& study, const BoxRequest& request) {
       fmt::format("{}: box plots over the {}. Quartiles: Hyndman-Fan type {}. Whiskers: last value within 1.5 box "
                   "heights.{}",
                   capitalised(axis.quantity),
-                  study.plan.unit == Unit::run ? fmt::format("run {}s", average_name(request.metric)) : "points",
+                  study.plan.unit == Unit::point ? "points"
+                  : is_of_run(request.metric)    ? "runs"
+                                                 : fmt::format("run {}s", average_name(request.metric)),
                   study.plan.quartiles, marks.empty() ? "" : printed_note(request)),
       study, request.metric, axis);
   if (boxes.size() > 8) figure.width_cm = two_columns_cm;

@@ -162,7 +162,7 @@ std::string problem(const StudyResults& study) {
   const Definition definition(study.definition);
   const std::string start = definition.text("/start");
   std::string words = " A problem is one target in one run";
-  if (start == "initial" || study.points == 1) words += ", from the same start for all solvers.";
+  if (definition.starts_anew() || study.points == 1) words += ", from the same start for all solvers.";
   if (start == "previous" && study.points > 1) {
     words += "; after the first, each solver starts where its previous answer left the arm.";
   }

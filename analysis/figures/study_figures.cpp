@@ -141,7 +141,7 @@ Curves curves_of(const StudyResults& study, Metric metric) {
     if (!curves.has_bands) break;
     std::map<int, std::vector<double>> values;
     for (const SolveRecord& solve : study.solves) {
-      if (solve.solver == solver) values[solve.point].push_back(value_of(solve, metric));
+      if (solve.solver == solver) values[solve.point].push_back(value_of(study, solve, metric));
     }
     for (int point = 1; point <= study.points; ++point) {
       const std::vector<double> ranked = ranked_values(values[point]);

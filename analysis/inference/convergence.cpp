@@ -73,9 +73,7 @@ std::vector<Solves> solves_by_solver(const StudyResults& study) {
   return result;
 }
 
-bool is_chained(const StudyResults& study) {
-  return study.points > 1 && Definition(study.definition).text("/start") != "initial";
-}
+bool is_chained(const StudyResults& study) { return study.points > 1 && !Definition(study.definition).starts_anew(); }
 
 bool has_trace(const SolveRecord& solve) { return !solve.trace_cm.empty() || solve.iterations == 0; }
 

@@ -10,7 +10,7 @@
 namespace ikbench::inference {
 
 // Parts of a definition on which no solve depends: how it is judged, and which targets were found to be out of reach.
-constexpr std::array<std::string_view, 3> decide_no_solve{"analysis", "out_of_reach", "repeats"};
+constexpr std::array<std::string_view, 4> decide_no_solve{"analysis", "deadline_ms", "out_of_reach", "repeats"};
 
 // Values are named by JSON pointers: "/path/kind".
 class Definition {
@@ -24,6 +24,9 @@ class Definition {
 
   // Whether the targets were drawn anew for every run; older stores have the kind of path alone.
   bool draws_targets() const { return text("/path/targets") == "drawn" || text("/path/kind") == "random"; }
+
+  // Whether each solve has a start of its own, the same for all solvers, and not the answer before it.
+  bool starts_anew() const { return !text("/start").empty() && text("/start") != "previous"; }
 
  private:
   nlohmann::json json_;

@@ -55,7 +55,7 @@ bool were_given_the_same(const StudyResults& study, Blocks blocks) {
 
 Blocks blocks_of(const StudyResults& study) {
   const Definition definition(study.definition);
-  const bool starts_anew = definition.text("/start") == "initial";
+  const bool starts_anew = definition.starts_anew();
   if (definition.draws_targets()) return starts_anew ? Blocks::drawn_targets : Blocks::runs;
   if (definition.text("/path/kind").empty()) return Blocks::none;
   return starts_anew || study.points == 1 ? Blocks::path_targets : Blocks::none;
@@ -123,9 +123,9 @@ void fill_blocks(Observations& result, const StudyResults& study, const std::vec
     const auto solves = solves_of(study, solver);
     Group group{.name = solver};
     for (const Block& block : blocks) {
-      std::vector<double> values;
-      for (const Place& place : block.places) values.push_back(quantity.value(*solves.at(place)));
-      group.values.push_back(quantity.of(values));
+      std::vector<const SolveRecord*> run;
+      for (const Place& place : block.places) run.push_back(solves.at(place));
+      group.values.push_back(quantity.value(run));
     }
     result.groups.push_back(std::move(group));
   }
@@ -138,9 +138,10 @@ void fill_blocks(Observations& result, const StudyResults& study, const std::vec
 
 // Whether the worst cases decide a mean, the solves alone show.
 void add_decades(Observations& result, const StudyResults& study, Metric metric, Estimand estimand) {
+  if (is_of_run(metric)) return;
   std::map<std::string_view, std::vector<double>> values;
   for (const SolveRecord& solve : study.solves) {
-    const double value = value_of(solve, metric), least = info_of(metric).rounding;
+    const double value = value_of(study, solve, metric), least = info_of(metric).rounding;
     values[solve.solver].push_back(value < least ? least : value);
   }
   for (Group& group : result.groups) {
@@ -197,7 +198,7 @@ Observations observations(const StudyResults& study, Metric metric, Estimand est
   result.replicate = replicate_of(study, unit, quantity.average);
   if (unit == Unit::point) result.flaw = points_flaw;
   if (unit == Unit::run) result.notes.push_back(why_not_blocked(study));
-  for (Sample& sample : samples(study, quantity.value, quantity.of)) {
+  for (Sample& sample : samples(study, quantity.value)) {
     if (sample.incomplete_runs > 0) {
       result.notes.push_back(fmt::format("{}: {} of its runs lack points and give no observation.", sample.solver,
                                          sample.incomplete_runs));

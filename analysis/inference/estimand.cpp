@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "analysis/inference/definition.hpp"
 #include "analysis/inference/text.hpp"
 
 namespace ikbench::inference {
@@ -15,27 +14,26 @@ using namespace statistics;
 
 namespace {
 
-Quantity mean_quantity(Metric metric) {
+Quantity mean_quantity(const StudyResults& study, Metric metric) {
   const MetricInfo& info = info_of(metric);
   return {.name = std::string(info.slug),
           .text = quantity(metric),
           .better = info.better,
-          .average = std::string(average_name(metric)),
-          .of = average_of(metric),
-          .value = [metric](const SolveRecord& solve) { return value_of(solve, metric); }};
+          .average = is_of_run(metric) ? "value" : std::string(average_name(metric)),
+          .value = [&study, metric](Run run) { return value_of(study, run, metric); }};
 }
 
-Quantity typical_quantity(Metric metric) {
+Quantity typical_quantity(const StudyResults& study, Metric metric) {
   const MetricInfo& info = info_of(metric);
   Quantity result{.name = fmt::format("{}-typical", info.slug),
                   .text = fmt::format("typical {}", quantity(metric)),
                   .better = info.better,
                   .scale = ValueScale::log10,
                   .average = "geometric mean"};
-  result.value = [metric, least = info.rounding](const SolveRecord& solve) {
-    const double value = value_of(solve, metric);
+  result.value = averaged([&study, metric, least = info.rounding](const SolveRecord& solve) {
+    const double value = value_of(study, solve, metric);
     return std::log10(value < least ? least : value);
-  };
+  });
   if (info.rounding > 0) {
     result.notes.push_back(fmt::format("A value below {0} {1} counts as {0} {1}, because below that it is rounding.",
                                        rounded_number(info.rounding, 3), info.unit));
@@ -49,9 +47,10 @@ Quantity reliability_quantity(const StudyResults& study, Metric metric) {
                   .text = fmt::format("share of solves {}", within_words(study, metric)),
                   .better = Better::larger,
                   .average = "share"};
-  result.value = [metric, most = distance_of(study, metric) + info.rounding](const SolveRecord& solve) {
-    return solve.status != Status::refused && value_of(solve, metric) <= most ? 1.0 : 0.0;
-  };
+  result.value =
+      averaged([&study, metric, most = distance_of(study, metric) + info.rounding](const SolveRecord& solve) {
+        return solve.status != Status::refused && value_of(study, solve, metric) <= most ? 1.0 : 0.0;
+      });
   result.notes.emplace_back("An answer that was refused or is not finite is not within.");
   return result;
 }
@@ -63,8 +62,7 @@ double distance_of(const StudyResults& study, Metric metric) {
     const double tolerance = tolerance_cm(study);
     return std::isfinite(tolerance) ? tolerance : study.plan.within_cm;
   }
-  const double deadline = metric == Metric::seconds ? Definition(study.definition).number("/stop/seconds") : 0;
-  return deadline > 0 ? deadline : not_defined;
+  return metric == Metric::seconds ? deadline_seconds(study) : not_defined;
 }
 
 std::string within_words(const StudyResults& study, Metric metric) {
@@ -82,11 +80,11 @@ std::vector<Estimand> estimands_of(const StudyResults& study, Metric metric) {
 Quantity quantity_of(const StudyResults& study, Metric metric, Estimand estimand) {
   switch (estimand) {
     case Estimand::typical:
-      return typical_quantity(metric);
+      return typical_quantity(study, metric);
     case Estimand::reliability:
       return reliability_quantity(study, metric);
     default:
-      return mean_quantity(metric);
+      return mean_quantity(study, metric);
   }
 }
 

@@ -17,8 +17,7 @@ struct Quantity {
   Better better = Better::smaller;
   ValueScale scale = ValueScale::plain;
   std::string average = "mean";         // what an observation is of its solves, in words
-  Average of = statistics::mean;        // and as a function
-  ValueOf value = {};                   // of which observations are averages
+  OfRun value = {};                     // and as a function
   std::vector<std::string> notes = {};  // what counts as what
 };
 
@@ -26,9 +25,9 @@ struct Quantity {
 // computing time, whose average is the median, the reliability too where the study has a deadline.
 std::vector<results::Estimand> estimands_of(const StudyResults& study, Metric metric);
 
-// mean: the average of the value (average_of). typical: its logarithm to base 10, where a value up to the metric's
-// rounding counts as that. reliability: 1 within the distance, else 0, also where the answer was refused or is not
-// finite.
+// `study` outlives the result. mean: the average of the value (average_of), or what a run has as a whole. typical: its
+// logarithm to base 10, where a value up to the metric's rounding counts as that. reliability: 1 within the distance,
+// else 0, also where the answer was refused or is not finite.
 Quantity quantity_of(const StudyResults& study, Metric metric, results::Estimand estimand);
 
 // The distance of reliability, in the metric's unit: the study's tolerance, or the plan's within_cm where it has none;

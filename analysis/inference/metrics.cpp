@@ -4,6 +4,10 @@
 
 #include <algorithm>
 #include <array>
+#include <vector>
+
+#include "analysis/inference/run_metrics.hpp"
+#include "analysis/inference/study.hpp"
 
 namespace ikbench::inference {
 
@@ -12,12 +16,26 @@ using namespace results;
 namespace {
 
 constexpr std::array infos{
-#define METRIC(column, slug, name, unit, better, kind, rounding, shown, value) \
-  MetricInfo{column,   slug,           name,                                   \
-             unit,     Better::better, Kind::kind,                             \
-             rounding, Shown::shown,   [](const SolveRecord& solve) -> double { return value; }},
+#define METRIC(column, slug, name, unit, better, kind, rounding, shown, value)                                     \
+  MetricInfo{column,                                                                                               \
+             slug,                                                                                                 \
+             name,                                                                                                 \
+             unit,                                                                                                 \
+             Better::better,                                                                                       \
+             Kind::kind,                                                                                           \
+             rounding,                                                                                             \
+             Shown::shown,                                                                                         \
+             [](const SolveRecord& solve, [[maybe_unused]] const StudyResults& study) -> double { return value; }, \
+             nullptr},
+#define RUN_METRIC(column, slug, name, unit, better, kind, rounding, shown, value) \
+  MetricInfo{column,         slug,                                                 \
+             name,           unit,                                                 \
+             Better::better, Kind::kind,                                           \
+             rounding,       Shown::shown,                                         \
+             nullptr,        [](Run run, [[maybe_unused]] const StudyResults& study) -> double { return value; }},
 #include "analysis/inference/metrics.inc"
 #undef METRIC
+#undef RUN_METRIC
 };
 
 constexpr const MetricInfo& row(Metric metric) { return infos.at(static_cast<std::size_t>(metric)); }
@@ -26,9 +44,10 @@ static_assert(row(Metric::variation_deg).column == "variation_deg");
 static_assert(row(Metric::seconds).column == "seconds");
 static_assert(row(Metric::evaluations).column == "evaluations");
 
-std::vector<Metric> all_metrics() {
-  std::vector<Metric> metrics;
-  for (std::size_t i = 0; i < infos.size(); ++i) metrics.push_back(Metric{i});
+// Those of the table that are shown in one of the ways.
+std::vector<Metric> metrics_shown(std::initializer_list<Shown> ways) {
+  std::vector<Metric> metrics = all_metrics();
+  std::erase_if(metrics, [&](Metric metric) { return std::ranges::find(ways, row(metric).shown) == ways.end(); });
   return metrics;
 }
 
@@ -43,16 +62,31 @@ std::string quantity(Metric metric) {
   return info.unit.empty() ? std::string(info.name) : fmt::format("{} [{}]", info.name, info.unit);
 }
 
-double value_of(const SolveRecord& solve, Metric metric) { return row(metric).value(solve); }
+bool is_of_run(Metric metric) { return row(metric).of_run != nullptr; }
 
-std::vector<Metric> reported_metrics() {
-  std::vector<Metric> metrics = all_metrics();
-  std::erase_if(metrics, [](Metric metric) { return row(metric).shown == Shown::in_comparisons; });
+double value_of(const StudyResults& study, const SolveRecord& solve, Metric metric) {
+  if (!is_of_run(metric)) return row(metric).value(solve, study);
+  const SolveRecord* const alone = &solve;
+  return row(metric).of_run(Run(&alone, 1), study);
+}
+
+double value_of(const StudyResults& study, Run run, Metric metric) {
+  if (is_of_run(metric)) return row(metric).of_run(run, study);
+  std::vector<double> values;
+  for (const SolveRecord* solve : run) values.push_back(row(metric).value(*solve, study));
+  return average_of(metric)(values);
+}
+
+std::vector<Metric> all_metrics() {
+  std::vector<Metric> metrics;
+  for (std::size_t i = 0; i < infos.size(); ++i) metrics.push_back(Metric{i});
   return metrics;
 }
 
+std::vector<Metric> reported_metrics() { return metrics_shown({Shown::everywhere}); }
+
 std::vector<Metric> compared_metrics() {
-  std::vector<Metric> metrics = all_metrics();
+  std::vector<Metric> metrics = metrics_shown({Shown::everywhere, Shown::in_comparisons});
   std::ranges::stable_sort(metrics, {}, [](Metric metric) { return row(metric).kind; });
   return metrics;
 }

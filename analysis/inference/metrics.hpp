@@ -1,7 +1,8 @@
-// What is judged of a solve: the table of metrics.inc.
+// What is judged of a solve, or of a run as a whole: the table of metrics.inc.
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,7 +19,14 @@ enum class Metric : std::size_t { position_error_cm, variation_deg, seconds, eva
 // comparable. share: of what can fail, so that never having failed is no proof.
 enum class Kind { number, count, time, share };
 
-enum class Shown { everywhere, in_comparisons };  // in_comparisons: by `ikbench compare` alone
+// everywhere: in every report and comparison. in_comparisons: by `ikbench compare` alone. The others in reports of
+// studies without a paper, where they differ from run to run (analysis/inference/shown_metrics.hpp), and in comparisons
+// that name them: where_it_tells like those shown everywhere, in_tables as numbers alone.
+enum class Shown { everywhere, in_comparisons, where_it_tells, in_tables };
+
+struct StudyResults;
+// The solves of a run, or of what else is one observation, in the order of their points.
+using Run = std::span<const results::SolveRecord* const>;
 
 struct MetricInfo {
   std::string_view column;  // its name in the record, in tables and on the command line
@@ -29,18 +37,24 @@ struct MetricInfo {
   Kind kind;
   double rounding;  // up to here a value is none
   Shown shown;
-  double (*value)(const results::SolveRecord& solve);
+  double (*value)(const results::SolveRecord& solve, const StudyResults& study);  // null: it is of a run alone
+  double (*of_run)(Run run, const StudyResults& study);  // null: a run has the average of its solves' values
 };
 
 // std::out_of_range for what is no row.
 const MetricInfo& info_of(Metric metric);
 std::string_view name_of(Metric metric);  // the column's name
 std::string quantity(Metric metric);      // "position error [cm]"
-double value_of(const results::SolveRecord& solve, Metric metric);
+bool is_of_run(Metric metric);            // alone: a single solve has no value
+// Of a solve, and of what is one observation. Not defined where the metric has no meaning in the study.
+double value_of(const StudyResults& study, const results::SolveRecord& solve, Metric metric);
+double value_of(const StudyResults& study, Run run, Metric metric);
 
 // In the order of the table.
+std::vector<Metric> all_metrics();
+// Of every report, whatever the study.
 std::vector<Metric> reported_metrics();
-// Of `ikbench compare`: first what every machine gives alike, then times, then shares.
+// Of `ikbench compare` where none is named: first what every machine gives alike, then times, then shares.
 std::vector<Metric> compared_metrics();
 
 }  // namespace ikbench::inference

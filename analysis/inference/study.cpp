@@ -84,13 +84,22 @@ void check_and_count(StudyResults& study) {
   }
 }
 
-// The solves of one solver, by run.
+// The solves of one solver, by run, in the order of their points.
 std::map<int, std::vector<const SolveRecord*>> runs_of(const StudyResults& study, const std::string& solver) {
   std::map<int, std::vector<const SolveRecord*>> runs;
   for (const SolveRecord& solve : study.solves) {
     if (solve.solver == solver) runs[solve.run].push_back(&solve);
   }
+  for (auto& [number, run] : runs) std::ranges::sort(run, {}, &SolveRecord::point);
   return runs;
+}
+
+TaskFacts task_of(const Definition& definition) {
+  TaskFacts facts{.is_path = !definition.draws_targets(), .orientation = definition.text("/search") != "all_joints"};
+  for (std::size_t joint = 0; joint < most_joints; ++joint) {
+    if (definition.text(fmt::format("/arm/links/{}/joint", joint)) == "slides") facts.slides.insert(joint);
+  }
+  return facts;
 }
 
 bool complete(const std::vector<const SolveRecord*>& run, const StudyResults& study) {
@@ -110,6 +119,7 @@ StudyResults make_study(const StudyEntry& entry, std::vector<SolveRecord> solves
                      .solves = std::move(solves)};
   study.title = Definition(entry.definition).text("/title");
   study.published = Definition(entry.definition).text("/published");
+  study.task = task_of(Definition(entry.definition));
   if (definition.is_object() && definition.contains("departures") && definition["departures"].is_array()) {
     for (const auto& departure : definition["departures"]) {
       if (departure.is_string()) study.departures.push_back(departure.get<std::string>());
@@ -142,22 +152,33 @@ double tolerance_cm(const StudyResults& study) {
   return tolerance > 0 ? tolerance : not_defined;
 }
 
-std::vector<Sample> samples(const StudyResults& study, Metric metric) {
-  return samples(
-      study, [metric](const SolveRecord& solve) { return value_of(solve, metric); }, average_of(metric));
+double deadline_seconds(const StudyResults& study) {
+  const Definition definition(study.definition);
+  const double deadline = definition.number("/deadline_ms") / 1000, stop = definition.number("/stop/seconds");
+  return deadline > 0 ? deadline : stop > 0 ? stop : not_defined;
 }
 
-std::vector<Sample> samples(const StudyResults& study, const ValueOf& value_of, Average average) {
+std::vector<Sample> samples(const StudyResults& study, Metric metric) {
+  return samples(study, [&](Run run) { return value_of(study, run, metric); });
+}
+
+OfRun averaged(ValueOf value_of, Average average) {
+  return [value_of = std::move(value_of), average](Run run) {
+    std::vector<double> values;
+    for (const SolveRecord* solve : run) values.push_back(value_of(*solve));
+    return average(values);
+  };
+}
+
+std::vector<Sample> samples(const StudyResults& study, const OfRun& value_of) {
   std::vector<Sample> result;
   for (const std::string& solver : study.solvers) {
     Sample sample{.solver = solver};
     for (const auto& [number, run] : runs_of(study, solver)) {
-      std::vector<double> values;
-      for (const SolveRecord* solve : run) values.push_back(value_of(*solve));
       if (study.plan.unit == Unit::point) {
-        sample.values.insert(sample.values.end(), values.begin(), values.end());
+        for (const SolveRecord* const& solve : run) sample.values.push_back(value_of(Run(&solve, 1)));
       } else if (complete(run, study)) {
-        sample.values.push_back(average(values));
+        sample.values.push_back(value_of(run));
       } else {
         ++sample.incomplete_runs;
       }

@@ -20,6 +20,13 @@
 
 namespace ikbench::inference {
 
+// What metrics ask of a study's definition, read once.
+struct TaskFacts {
+  bool is_path = true;                // the targets of a run follow each other, and are not drawn one by one
+  bool orientation = true;            // is searched for, and not the position alone
+  std::set<std::size_t> slides = {};  // the joints that slide, from 0
+};
+
 struct StudyResults {
   std::string name;
   std::string title = {};
@@ -32,6 +39,7 @@ struct StudyResults {
   std::set<std::string> cpus = {};                  // of the sessions in which it was solved, as far as these say
   double stolen_seconds = statistics::not_defined;  // processor time that its sessions' hosts kept from their machines
   std::string definition = {};  // JSON, as the store has it (analysis/inference/definition.hpp); empty where none
+  TaskFacts task = {};          // of it
   std::vector<results::SolveRecord> solves = {};
 };
 
@@ -46,6 +54,8 @@ StudyResults make_study(std::string name, std::vector<results::SolveRecord> solv
 bool enforces_limits(const StudyResults& study);
 // The position error at which a solve ends; not defined where the study has none.
 double tolerance_cm(const StudyResults& study);
+// By which a solve is in time: the study's deadline_ms, or else the wall time at which it ends; not defined without.
+double deadline_seconds(const StudyResults& study);
 
 // The observations of one solver, by the unit of the plan. A run of which points are missing gives no run mean; it is
 // counted instead.
@@ -56,10 +66,13 @@ struct Sample {
 };
 
 std::vector<Sample> samples(const StudyResults& study, Metric metric);
-// The same of anything else that a solve has, and of any average of a run's points.
+// The same of anything else that solves have.
+using OfRun = std::function<double(Run)>;
+std::vector<Sample> samples(const StudyResults& study, const OfRun& value_of);
 using ValueOf = std::function<double(const results::SolveRecord&)>;
 using Average = double (*)(std::span<const double>);
-std::vector<Sample> samples(const StudyResults& study, const ValueOf& value_of, Average average = statistics::mean);
+// The average of a value of the solves.
+OfRun averaged(ValueOf value_of, Average average = statistics::mean);
 // What stands for several values of a metric: their mean; of times their median, which one interruption of the program
 // hardly changes.
 Average average_of(Metric metric);

@@ -173,24 +173,32 @@ std::string sentence_of(const VariantDesign& design, int points) {
       design.a.size(), design.b.size(), observation);
 }
 
-std::vector<double> values_of(const std::vector<Observed>& observed, Metric metric) {
+std::vector<double> values_of(const StudyResults& study, const std::vector<Observed>& observed, Metric metric) {
   std::vector<double> result;
   for (const Observed& one : observed) {
+    if (is_of_run(metric)) {
+      result.push_back(value_of(study, one.solves, metric));
+      continue;
+    }
     std::vector<double> values;
-    for (const SolveRecord* solve : one.solves) values.push_back(value_of(*solve, metric));
+    for (const SolveRecord* solve : one.solves) values.push_back(value_of(study, *solve, metric));
     result.push_back(mean(values));
   }
   return result;
 }
 
-bool has_same_bits(const VariantDesign& design, Metric metric) {
-  const auto is_same = [&](const SolveRecord* a, const SolveRecord* b) {
-    const double one = value_of(*a, metric), other = value_of(*b, metric);
+bool has_same_bits(const StudyResults& study, const VariantDesign& design, Metric metric) {
+  const auto is_same_value = [](double one, double other) {
     return std::bit_cast<std::uint64_t>(one) == std::bit_cast<std::uint64_t>(other) ||
            (std::isnan(one) && std::isnan(other));
   };
+  const auto is_same = [&](const SolveRecord* a, const SolveRecord* b) {
+    return is_same_value(value_of(study, *a, metric), value_of(study, *b, metric));
+  };
   return std::ranges::equal(design.a, design.b, [&](const Observed& a, const Observed& b) {
-    return a.name == b.name && std::ranges::equal(a.solves, b.solves, is_same);
+    return a.name == b.name &&
+           (is_of_run(metric) ? is_same_value(value_of(study, a.solves, metric), value_of(study, b.solves, metric))
+                              : std::ranges::equal(a.solves, b.solves, is_same));
   });
 }
 

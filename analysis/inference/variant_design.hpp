@@ -30,8 +30,9 @@ VariantDesign variant_design(const Variant& a, const Variant& b);
 // Whether observations are compared in pairs, and why, in a sentence.
 std::string sentence_of(const VariantDesign& design, int points);
 
-std::vector<double> values_of(const std::vector<Observed>& observed, Metric metric);
-// Whether every solve has the same value in both.
-bool has_same_bits(const VariantDesign& design, Metric metric);
+// `study`: of either side; metrics ask what both have alike.
+std::vector<double> values_of(const StudyResults& study, const std::vector<Observed>& observed, Metric metric);
+// Whether every solve, or every run of what is of runs alone, has the same value in both.
+bool has_same_bits(const StudyResults& study, const VariantDesign& design, Metric metric);
 
 }  // namespace ikbench::inference

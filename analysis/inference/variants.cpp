@@ -22,8 +22,8 @@ namespace {
 
 // In the order in which they were asked for, once each.
 std::vector<Metric> chosen(std::span<const std::string> names) {
-  const std::vector<Metric> all = compared_metrics();
-  if (names.empty()) return all;
+  if (names.empty()) return compared_metrics();
+  const std::vector<Metric> all = all_metrics();
   const auto column = [](Metric metric) { return name_of(metric); };
   std::vector<Metric> result;
   for (const std::string& name : names) {
@@ -68,14 +68,14 @@ VariantComparison examined(const VariantPair& pair, const std::vector<Metric>& a
                                .design = sentence_of(design, a.study.points)};
   const std::string why_not_timed = why_times_differ(a, b);
   for (const Metric metric : asked) {
-    const std::vector<double> of_a = values_of(design.a, metric), of_b = values_of(design.b, metric);
+    const std::vector<double> of_a = values_of(a.study, design.a, metric), of_b = values_of(a.study, design.b, metric);
     const bool is_refused = info_of(metric).kind == Kind::time && !why_not_timed.empty();
     comparison.metrics.push_back(compare_metric({.metric = metric,
                                                  .a = of_a,
                                                  .b = of_b,
                                                  .observation = is_of_targets ? "target" : "run",
                                                  .paired = comparison.paired,
-                                                 .same_bits = has_same_bits(design, metric),
+                                                 .same_bits = has_same_bits(a.study, design, metric),
                                                  .tests = static_cast<int>(tests),
                                                  .not_compared = is_refused ? "see below" : ""},
                                                 question));

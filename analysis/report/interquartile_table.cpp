@@ -22,7 +22,7 @@ namespace {
 Stratum complete_runs(const StudyResults& study, const std::string& solver, Metric metric) {
   std::map<int, Cluster> runs;
   for (const SolveRecord& solve : study.solves) {
-    if (solve.solver == solver) runs[solve.run].push_back(value_of(solve, metric));
+    if (solve.solver == solver) runs[solve.run].push_back(value_of(study, solve, metric));
   }
   Stratum complete;
   for (auto& [run, values] : runs) {

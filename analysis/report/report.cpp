@@ -16,6 +16,7 @@
 #include "analysis/inference/definition.hpp"
 #include "analysis/inference/design.hpp"
 #include "analysis/inference/estimand.hpp"
+#include "analysis/inference/shown_metrics.hpp"
 #include "analysis/inference/text.hpp"
 #include "analysis/inference/times.hpp"
 #include "analysis/report/assessment.hpp"
@@ -98,9 +99,9 @@ std::vector<Assessment> printed_assessments(const StudyResults& study, const Pap
 std::vector<Assessment> assessments_of(const JudgedStudy& study, const Paper& paper) {
   if (study.solves.empty()) return {};
   std::vector<Assessment> result;
-  for (const Metric metric : reported_metrics()) {
+  for (const Metric metric : shown_metrics(study).judged) {
     for (const Estimand estimand : estimands_of(study, metric)) result.push_back(assess(study, metric, estimand));
-    if (is_comparable(study, metric)) result.back().tables.push_back(interquartile_table(study, metric));
+    if (is_comparable(study, metric) && !is_of_run(metric)) result.back().tables.push_back(interquartile_table(study, metric));
   }
   std::ranges::move(printed_assessments(study, paper), std::back_inserter(result));
   return result;
@@ -166,7 +167,7 @@ std::vector<std::string> warnings_of(const StudyResults& study, const JudgedStud
 // What a reader sees in the pieces that any study has.
 void see(const JudgedStudy& study, const std::vector<Table>& tables, std::span<const ClaimShares> shares,
          ReportContent& content) {
-  for (const Metric metric : reported_metrics()) {
+  for (const Metric metric : shown_metrics(study).judged) {
     if (study.solves.empty() || !is_comparable(study, metric)) continue;
     content.seen.emplace(fmt::format("{}-boxes", info_of(metric).slug), leader_sentence(study, metric, Estimand::mean));
   }

@@ -25,8 +25,8 @@ const std::vector<SectionPlan>& circumstances() {
 
 // Of a study without a paper.
 std::vector<SectionPlan> results() {
-  std::vector<std::string> names{"overview", "results", "path"};
-  const std::vector<inference::Metric> metrics = inference::reported_metrics();
+  std::vector<std::string> names{"overview", "results", "solved", "times", "further", "path"};
+  const std::vector<inference::Metric> metrics = inference::all_metrics();
   for (const inference::Metric metric : metrics)
     names.push_back(fmt::format("{}-boxes", inference::info_of(metric).slug));
   for (const inference::Metric metric : metrics) names.emplace_back(inference::info_of(metric).slug);

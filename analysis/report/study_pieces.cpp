@@ -5,6 +5,7 @@
 #include "analysis/figures/box_figure.hpp"
 #include "analysis/figures/overview_figure.hpp"
 #include "analysis/figures/study_figures.hpp"
+#include "analysis/inference/shown_metrics.hpp"
 #include "analysis/report/study_tables.hpp"
 
 namespace ikbench::report {
@@ -13,16 +14,19 @@ using namespace inference;
 using namespace figures;
 
 StudyPieces study_pieces(const StudyResults& study) {
-  const std::vector<Metric> metrics = reported_metrics();
-  StudyPieces pieces{.tables = {results_table(study, metrics), status_table(study)}};
-  for (const Metric metric : metrics) pieces.tables.push_back(anova_table(study, metric));
+  const ShownMetrics metrics = shown_metrics(study);
+  StudyPieces pieces{
+      .tables = {results_table(study, metrics.judged), solved_table(study), times_table(study), status_table(study)}};
+  if (!metrics.listed.empty()) pieces.tables.push_back(further_table(study, metrics.listed));
+  if (!metrics.left_out.empty()) pieces.tables.front().notes.push_back(metrics.left_out);
+  for (const Metric metric : metrics.judged) pieces.tables.push_back(anova_table(study, metric));
   if (study.solves.empty()) return pieces;
   if (std::optional<Figure> joints = joints_figure(study, "joints")) pieces.figures.push_back(std::move(*joints));
   pieces.figures.push_back(overview_figure(study, {}));
   pieces.figures.push_back(path_figure(study, "path"));
-  for (const Metric metric : metrics) {
+  for (const Metric metric : metrics.judged) {
     const std::string name(info_of(metric).slug);
-    pieces.figures.push_back(curves_figure(study, metric, name));
+    if (!is_of_run(metric)) pieces.figures.push_back(curves_figure(study, metric, name));
     pieces.figures.push_back(box_figure(study, {.name = name + "-boxes", .metric = metric}));
   }
   return pieces;

@@ -3,11 +3,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
+#include <set>
 #include <utility>
 
+#include "analysis/inference/clusters.hpp"
+#include "analysis/inference/text.hpp"
 #include "analysis/inference/times.hpp"
 #include "analysis/statistics/descriptive.hpp"
+#include "analysis/statistics/proportion.hpp"
+#include "analysis/statistics/quantile.hpp"
 
 namespace ikbench::report {
 
@@ -23,9 +29,14 @@ std::string_view unit_note(Unit unit, std::span<const Metric> metrics) {
            "are too optimistic.";
   }
   const auto is_time = [](Metric metric) { return info_of(metric).kind == Kind::time; };
+  if (std::ranges::all_of(metrics, is_of_run)) return "One observation is a run.";
   if (std::ranges::none_of(metrics, is_time)) return "One observation is the mean of a run over its points.";
   if (std::ranges::all_of(metrics, is_time)) return "One observation is the median of a run over its points.";
-  return "One observation is the mean of a run over its points; of times it is the median.";
+  if (std::ranges::none_of(metrics, is_of_run)) {
+    return "One observation is the mean of a run over its points; of times it is the median.";
+  }
+  return "One observation is the mean of a run over its points; of times it is the median; a length of a path, its jumps "
+         "and the like are of the whole run.";
 }
 
 void add_notes(Table& table, const StudyResults& study, std::span<const Metric> metrics) {
@@ -64,6 +75,20 @@ Table results_table(const StudyResults& study, std::span<const Metric> metrics) 
   }
   add_notes(table, study, metrics);
   add_timing_notes(table, study);
+  return table;
+}
+
+Table further_table(const StudyResults& study, std::span<const Metric> metrics) {
+  Table table{.name = "further", .caption = "Further means over the runs", .columns = {{"algorithm", Align::left}}};
+  for (const std::string& solver : study.solvers) table.rows.push_back({solver});
+  for (const Metric metric : metrics) {
+    table.columns.push_back({std::string(name_of(metric))});
+    std::size_t row = 0;
+    for (const Sample& sample : samples(study, metric)) {
+      table.rows[row++].emplace_back(average_in(statistics::describe(sample.values), metric));
+    }
+    table.notes.push_back(fmt::format("{}: {}.", name_of(metric), info_of(metric).name));
+  }
   return table;
 }
 
@@ -108,6 +133,72 @@ Table anova_table(const StudyResults& study, Metric metric) {
   table.notes.insert(table.notes.end(), ours.left_out.begin(), ours.left_out.end());
   add_notes(table, study, std::span(&metric, 1));
   if (!is_judged) table.notes.push_back(timing_note(study) + " So our F and p are left out.");
+  return table;
+}
+
+Table solved_table(const StudyResults& study) {
+  const double level = 1 - study.plan.significance;
+  const Trials trials = trials_of(study);
+  Table table{
+      .name = "solved",
+      .caption = "Share of solves with the status ok",
+      .columns = {
+          {"algorithm", Align::left}, {"solves"}, {"solved"}, {"share"}, {fmt::format("{} interval", percent(level))}}};
+  const std::vector<std::size_t> targets = target_numbers(study);
+  for (const SolverCounts& solver : counts(study)) {
+    std::set<std::size_t> own_targets;
+    for (std::size_t i = 0; i < targets.size(); ++i) {
+      if (study.solves[i].solver == solver.solver) own_targets.insert(targets[i]);
+    }
+    const auto independent = trials == Trials::runs      ? solver.complete_runs + solver.incomplete_runs
+                             : trials == Trials::targets ? static_cast<int>(own_targets.size())
+                                                         : solver.solves;
+    const int solved = solver.of(Status::ok);
+    const Proportion share = wilson_of_mean(static_cast<double>(solved) / solver.solves, independent, level);
+    table.rows.push_back({solver.solver, count(solver.solves), count(solved), share.estimate,
+                          std::isfinite(share.low) ? Cell(Range{share.low, share.high}) : Cell()});
+  }
+  table.notes.push_back(
+      "Solved is an answer that the verifier finds inside the joint limits and within all tolerances of the study.");
+  if (trials != Trials::solves) {
+    table.notes.push_back(
+        fmt::format("The interval counts {} as trials, because solves of one {} depend on each other.",
+                    trials == Trials::runs ? "runs" : "targets", trials == Trials::runs ? "run" : "target"));
+  }
+  table.notes.emplace_back("Interval: Wilson's.");
+  return table;
+}
+
+Table times_table(const StudyResults& study) {
+  constexpr double ms_per_second = 1000;
+  const double deadline = deadline_seconds(study);
+  Table table{
+      .name = "times",
+      .caption = "Computing times of all solves",
+      .columns = {
+          {"algorithm", Align::left}, {"median_ms"}, {"p95_ms"}, {"p99_ms"}, {"longest_ms"}, {"over_deadline"}}};
+  for (const std::string& solver : study.solvers) {
+    std::vector<double> seconds;
+    for (const SolveRecord& solve : study.solves) {
+      if (solve.solver == solver) seconds.push_back(solve.seconds);
+    }
+    const std::vector<double> ranked = ranked_values(seconds);
+    std::vector<Cell> row{solver};
+    for (const double p : {0.5, 0.95, 0.99, 1.0}) {
+      row.emplace_back(ms_per_second * quantile(ranked, p, quantile_type(study.plan.quartiles)));
+    }
+    const auto late = std::ranges::count_if(seconds, [&](double time) { return !(time <= deadline); });
+    row.push_back(std::isfinite(deadline) && !seconds.empty()
+                      ? Cell(static_cast<double>(late) / static_cast<double>(seconds.size()))
+                      : Cell());
+    table.rows.push_back(std::move(row));
+  }
+  table.notes.emplace_back("p95 and p99: 95 % and 99 % of the solves took no longer.");
+  if (std::isfinite(deadline)) {
+    table.notes.push_back(fmt::format("over_deadline: share of solves that took longer than {} ms.",
+                                      rounded_number(ms_per_second * deadline, 6)));
+  }
+  add_timing_notes(table, study);
   return table;
 }
 

@@ -50,7 +50,7 @@ TEST_CASE("the plan is what the study's definition says, in its units", "[analys
   const AnalysisPlan plan = plan_of(entry_with(
       R"({"test": "kruskal_wallis", "adjustment": "bonferroni", "control": "IK-BA", "significance": 0.01,
           "margin_percent": 20, "margin_cm": 0.01, "power": 0.9, "quartiles": 7, "unit": "point",
-          "estimands": ["typical", "mean"], "within_cm": 0.02})"));
+          "estimands": ["typical", "mean"], "within_cm": 0.02, "jump_deg": 12})"));
   CHECK(plan.test == DecidingTest::kruskal_wallis);
   CHECK(plan.adjustment == Adjustment::bonferroni);
   CHECK(plan.control == "IK-BA");
@@ -62,6 +62,7 @@ TEST_CASE("the plan is what the study's definition says, in its units", "[analys
   CHECK(plan.unit == Unit::point);
   CHECK(plan.estimands == std::vector{Estimand::mean, Estimand::typical});
   CHECK(plan.within_cm == 0.02);
+  CHECK(plan.jump_deg == 12);
 }
 
 TEST_CASE("a store without a plan, or with one that is nonsense, is judged by the defaults", "[analysis_plan]") {
@@ -72,7 +73,7 @@ TEST_CASE("a store without a plan, or with one that is nonsense, is judged by th
        {"null", "3", "[]", "\"welch\"", "{}", R"({"test": "t", "adjustment": 3, "unit": null})",
         R"({"significance": 0, "margin_percent": -1, "margin_cm": -1, "power": 1, "quartiles": 10})",
         R"({"significance": "0.01", "margin_percent": 1e308, "power": [], "quartiles": 7.5})",
-        R"({"estimands": [], "within_cm": -1})", R"({"estimands": ["mean", "mode"], "within_cm": "far"})",
+        R"({"estimands": [], "within_cm": -1, "jump_deg": -1})", R"({"estimands": ["mean", "mode"], "within_cm": "far"})",
         R"({"estimands": "mean"})", R"({"estimands": ["mean", "mean", null]})",
         R"({"significance": 1e400, "quartiles": 18446744073709551615})", R"({"control": "nobody", "quartiles": -3})"}) {
     CAPTURE(nonsense);
@@ -94,7 +95,7 @@ TEST_CASE("a plan that was there before the first solve is said to be so", "[ana
       std::vector<std::string>{
           "The methods were fixed in the study before its first solve in this store (test by_design, adjustment holm, "
           "control none, significance 0.01, margin_percent 5, margin_cm 0, power 0.8, quartiles 5, unit run, "
-          "estimands mean + typical + reliability, within_cm 0.01)."});
+          "estimands mean + typical + reliability, within_cm 0.01, jump_deg 30)."});
   CHECK(plan_changes(entry_with(plan), sessions_with({plan, plan}), solves_by_session({3, 2})).empty());
   CHECK(plan_notes(entry_with(plan), {}, {})
             .at(0)
@@ -126,7 +127,7 @@ TEST_CASE("solves of a version that recorded no plan are counted", "[analysis_pl
 TEST_CASE("the table of the plan has every field with its value and meaning", "[analysis_plan]") {
   const Table table = plan_table(entry_with("{}"), AnalysisPlan{.margin = 0.1}, {"a note"});
   CHECK(table.name == "analysis-plan");
-  REQUIRE(table.rows.size() == 11);  // the fields of AnalysisPlan
+  REQUIRE(table.rows.size() == 12);  // the fields of AnalysisPlan
   CHECK(readable(table.rows[4][0]) == "margin_percent");
   CHECK(readable(table.rows[4][1]) == "10");
   for (const auto& row : table.rows) CHECK(!readable(row[2]).empty());

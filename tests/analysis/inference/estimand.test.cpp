@@ -25,16 +25,16 @@ namespace {
 constexpr Metric error = Metric::position_error_cm;
 constexpr double never = std::numeric_limits<double>::quiet_NaN();
 
-struct Run {
+struct GivenRun {
   std::string solver;
   std::vector<double> errors_cm;  // of its points
 };
 
-JudgedStudy study_of(const std::vector<Run>& runs, const std::string& more = "") {
+JudgedStudy study_of(const std::vector<GivenRun>& runs, const std::string& more = "") {
   std::vector<SolveRecord> solves;
   std::vector<Series> series;
   std::map<std::string, int> count;
-  for (const Run& run : runs) {
+  for (const GivenRun& run : runs) {
     if (++count[run.solver] == 1) series.push_back({.label = run.solver});
     for (std::size_t point = 0; point < run.errors_cm.size(); ++point) {
       SolveRecord solve{.solver = run.solver, .run = count[run.solver], .point = static_cast<int>(point) + 1};
@@ -61,8 +61,8 @@ std::string text_of(const Assessment& assessment) {
 }
 
 // Twenty runs of each: A never fails and is never exact, B is exact or lost, C is near eight times of ten.
-std::vector<Run> three_winners() {
-  std::vector<Run> runs;
+std::vector<GivenRun> three_winners() {
+  std::vector<GivenRun> runs;
   for (int run = 1; run <= 20; ++run) {
     const double f = 1 + 0.001 * run;
     runs.push_back({"A", std::vector<double>(10, 0.02 * f)});
@@ -104,7 +104,7 @@ TEST_CASE("an observation is the mean, the mean of logarithms or the share withi
 }
 
 TEST_CASE("the distance of reliability is the study's tolerance, or else what its plan says", "[estimand]") {
-  const std::vector<Run> runs{{"A", {0.01, 0.05, 0.2}}};
+  const std::vector<GivenRun> runs{{"A", {0.01, 0.05, 0.2}}};
   CHECK(values(study_of(runs), Estimand::reliability).front() == Approx(1 / 3.0));
   CHECK(values(study_of(runs, R"(, "analysis": {"within_cm": 0.1})"), Estimand::reliability).front() ==
         Approx(2 / 3.0));
@@ -125,7 +125,7 @@ TEST_CASE("an answer that was refused or is not finite is within no distance, an
 TEST_CASE("error has all the plan's estimands, time its reliability with a deadline alone, other metrics the mean",
           "[estimand]") {
   using All = std::vector<Estimand>;
-  const std::vector<Run> runs{{"A", {1, 2}}};
+  const std::vector<GivenRun> runs{{"A", {1, 2}}};
   const JudgedStudy study = study_of(runs);
   CHECK(estimands_of(study, error) == All{Estimand::mean, Estimand::typical, Estimand::reliability});
   CHECK(estimands_of(study, Metric::seconds) == All{Estimand::mean});
@@ -163,7 +163,7 @@ TEST_CASE("typical values are compared as logarithms and told as geometric means
 }
 
 TEST_CASE("typical values are the same where their ratio is within the margin", "[estimand]") {
-  std::vector<Run> runs;
+  std::vector<GivenRun> runs;
   for (int run = 0; run < 40; ++run) {
     const double f = run % 2 == 0 ? 0.99 : 1 / 0.99;
     runs.push_back({"A", {1e-5 * f}});
@@ -202,7 +202,7 @@ TEST_CASE("the verdict of a study without a paper counts who is better than ever
 }
 
 TEST_CASE("those that the test does not separate from the first share its place", "[estimand]") {
-  const auto sentence_of = [](const std::vector<Run>& runs) {
+  const auto sentence_of = [](const std::vector<GivenRun>& runs) {
     return leaders_sentence(study_of(runs, R"(, "analysis": {"test": "welch", "estimands": ["mean"]})"), error);
   };
   const std::string label = "Smallest mean error (its worst cases): ";
@@ -213,8 +213,10 @@ TEST_CASE("those that the test does not separate from the first share its place"
   CHECK(sentence_of({{"A", {1}}, {"B", {2}}}) == label + "A (1 cm; next B 2 cm, not tested).");  // a run each
   CHECK(sentence_of({{"A", {1}}, {"A", {2}}}) == label + "A (1.5 cm).");
   CHECK(sentence_of({{"A", {never}}}).empty());
-  const auto same = [](const char* solver, double value) { return std::vector<Run>(5, Run{solver, {value}}); };
-  std::vector<Run> runs = same("A", 1), others = same("B", 1);
+  const auto same = [](const char* solver, double value) {
+    return std::vector<GivenRun>(5, GivenRun{solver, {value}});
+  };
+  std::vector<GivenRun> runs = same("A", 1), others = same("B", 1);
   runs.insert(runs.end(), others.begin(), others.end());
   CHECK(sentence_of(runs) == label + "A and B (1 cm and 1 cm; the same within 5 %).");
 }
@@ -225,7 +227,7 @@ TEST_CASE("points as observations have a first and no test", "[estimand]") {
 }
 
 TEST_CASE("the caution about decades looks at the solves and not at the means of runs", "[estimand]") {
-  std::vector<Run> runs;
+  std::vector<GivenRun> runs;
   for (int run = 0; run < 10; ++run) {
     runs.push_back({"A", {1e-6, 1e-4, 1e-2, 1 + 0.01 * run}});  // the means are alike
     runs.push_back({"B", {0.1, 0.2, 0.3, 0.4 + 0.01 * run}});

@@ -59,8 +59,8 @@ TEST_CASE("the pairs of a comparison are the blocks of a report", "[variants]") 
     const auto reported = blocked_observations(both, Metric::position_error_cm);
     REQUIRE(reported);
     const Metric error = Metric::position_error_cm;
-    CHECK(values_of(design.a, error) == reported->groups[0].values);
-    CHECK(values_of(design.b, error) == reported->groups[1].values);
+    CHECK(values_of(both, design.a, error) == reported->groups[0].values);
+    CHECK(values_of(both, design.b, error) == reported->groups[1].values);
   }
 }
 

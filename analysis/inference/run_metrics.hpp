@@ -1,0 +1,28 @@
+// The metrics that are more than a column of the record (metrics.inc): angles made of matrix norms, and what is said of
+// a run as a whole. All are not defined where they have no meaning in the study.
+#pragma once
+
+#include "analysis/inference/metrics.hpp"
+
+namespace ikbench::inference {
+
+// The angle of the rotation from the target to the answer: ||R - Rd|| = 2 sqrt 2 sin(angle / 2) and ||Rd|| = sqrt 3.
+// Not defined where the study searches for positions alone.
+double orientation_error_deg(const results::SolveRecord& solve, const StudyResults& study);
+
+// Mean, over the targets that are beyond the arm's reach, of the position error less its least possible value.
+double excess_error_cm(Run run);
+
+// How the arm follows a path: from the first answer of a run to the last, without the move to the first point. Only
+// where each solve starts from the answer before it, and the targets are a path rather than drawn one by one.
+// Joints that turn and joints that slide are apart; only path_length_m is of those that slide.
+double path_length_deg(Run run, const StudyResults& study);  // sum of the variations
+double path_length_m(Run run, const StudyResults& study);
+double largest_jump_deg(Run run, const StudyResults& study);  // of a single joint
+double jumps(Run run, const StudyResults& study);  // moves in which a joint turns by more than the plan's jump_deg
+// Mean of ||q_k+1 - 2 q_k + q_k-1|| over the inner points: 0 for angles that change evenly.
+double second_difference_deg(Run run, const StudyResults& study);
+// ||q_end - q_begin|| where the last target is the first one again, to 1e-9.
+double return_deg(Run run, const StudyResults& study);
+
+}  // namespace ikbench::inference

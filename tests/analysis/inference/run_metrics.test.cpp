@@ -1,0 +1,233 @@
+// What is said of a run as a whole, of turned answers and of targets beyond the reach, by hand; and which metrics a
+// report shows.
+#include "analysis/inference/run_metrics.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "analysis/inference/design.hpp"
+#include "analysis/inference/shown_metrics.hpp"
+#include "analysis/inference/variant_design.hpp"
+#include "analysis/report/study_tables.hpp"
+#include "tests/analysis/synthetic.hpp"
+#include "tests/catch.hpp"
+
+using namespace ikbench;
+using namespace ikbench::results;
+using namespace ikbench::statistics;
+using namespace ikbench::inference;
+
+namespace {
+
+constexpr double degree = std::numbers::pi / 180;
+
+// A run of one solver that goes through these angles [deg] of two joints, the first start being zeros.
+std::vector<SolveRecord> run_through(const std::vector<std::vector<double>>& answers_deg, int run = 1,
+                                     const std::string& solver = "A") {
+  std::vector<SolveRecord> solves;
+  std::vector<double> at(answers_deg.front().size(), 0);
+  for (const std::vector<double>& answer : answers_deg) {
+    SolveRecord solve{.solver = solver, .run = run, .point = static_cast<int>(solves.size()) + 1};
+    solve.start_rad = at;
+    double sum = 0;
+    for (std::size_t joint = 0; joint < answer.size(); ++joint) {
+      solve.answer_rad.push_back(answer[joint] * degree);
+      const double move = std::abs(answer[joint] * degree - at[joint]) / degree;
+      sum += move * move;
+      solve.largest_move_deg = std::max(solve.largest_move_deg, move);
+    }
+    solve.variation_deg = std::sqrt(sum);
+    solve.target_position_m = {0.1 * solve.point, 0, 0};
+    solve.target_rotation = {1, 0, 0, 0, 1, 0, 0, 0, 1};
+    at = solve.answer_rad;
+    solves.push_back(solve);
+  }
+  return solves;
+}
+
+StudyResults study_of(std::vector<SolveRecord> solves, const std::string& definition = "{}") {
+  StudyEntry entry{.name = "s", .definition = definition, .series = {}};
+  return make_study(entry, std::move(solves));
+}
+
+Metric metric(std::string_view column) {
+  const std::vector<Metric> all = all_metrics();
+  return *std::ranges::find(all, column, [](Metric metric) { return name_of(metric); });
+}
+
+double only_value(const StudyResults& study, std::string_view column) {
+  const std::vector<Sample> all = samples(study, metric(column));
+  REQUIRE(all.size() == 1);
+  REQUIRE(all[0].values.size() == 1);
+  return all[0].values[0];
+}
+
+const std::vector<std::vector<double>> corner{{10, 0}, {13, 4}, {13, 44}, {10, 0}};
+
+}  // namespace
+
+TEST_CASE("the path of the joints is measured from the first answer on", "[run_metrics]") {
+  // Moves of 5, 40 and sqrt(9 + 1936) deg; that to the first point, 10 deg, is none of the path.
+  const StudyResults study = study_of(run_through(corner));
+  CHECK(only_value(study, "path_length_deg") == Approx(45 + std::sqrt(9 + 44 * 44)));
+  CHECK(only_value(study, "largest_jump_deg") == Approx(44));
+  CHECK(only_value(study, "jumps") == 2);  // beyond 30 deg
+  CHECK(only_value(study_of(run_through(corner), R"({"analysis": {"jump_deg": 42}})"), "jumps") == 1);
+  // (13, 44) - 2 (13, 4) + (10, 0) = (-3, 36), and (10, 0) - 2 (13, 44) + (13, 4) = (-3, -84).
+  CHECK(only_value(study, "second_difference_deg") == Approx((std::hypot(3, 36) + std::hypot(3, 84)) / 2));
+  CHECK(only_value(study_of(run_through({{0, 0}, {1, 2}, {2, 4}, {3, 6}})), "second_difference_deg") ==
+        Approx(0).margin(1e-12));
+}
+
+TEST_CASE("a closed path has a return, and any other has none", "[run_metrics]") {
+  std::vector<SolveRecord> solves = run_through({{10, 0}, {40, 40}, {13, 4}});
+  CHECK(std::isnan(only_value(study_of(solves), "return_deg")));
+  solves.back().target_position_m = {0.1 + 1e-12, 0, 0};
+  CHECK(only_value(study_of(solves), "return_deg") == Approx(5));
+  solves.back().target_rotation = {0, -1, 0, 1, 0, 0, 0, 0, 1};  // there, but turned
+  CHECK(std::isnan(only_value(study_of(solves), "return_deg")));
+}
+
+TEST_CASE("joints that slide are apart from those that turn", "[run_metrics]") {
+  std::vector<SolveRecord> solves = run_through({{10, 0}, {13, 400}, {10, 0}});
+  solves.back().target_position_m = solves.front().target_position_m;
+  for (SolveRecord& solve : solves) solve.variation_m = 0.25;
+  const StudyResults study = study_of(solves, R"({"arm": {"links": [{"joint": "turns"}, {"joint": "slides"}]}})");
+  CHECK(only_value(study, "second_difference_deg") == Approx(6));
+  CHECK(only_value(study, "return_deg") == Approx(0).margin(1e-12));
+  CHECK(only_value(study, "path_length_m") == 0.5);
+}
+
+TEST_CASE("what is no path has no jumps: drawn targets, solves with starts of their own, missing answers",
+          "[run_metrics]") {
+  const std::vector<std::string> columns{"path_length_deg",  "path_length_m",         "jumps",
+                                         "largest_jump_deg", "second_difference_deg", "return_deg"};
+  std::vector<SolveRecord> anew = run_through(corner);
+  for (SolveRecord& solve : anew) solve.start_rad = {0, 0};
+  std::vector<SolveRecord> without = run_through(corner);
+  for (SolveRecord& solve : without) solve.answer_rad = solve.start_rad = {};
+  std::vector<SolveRecord> not_finite = run_through(corner);
+  not_finite[1].answer_rad[0] = not_defined;
+  for (const std::string& column : columns) {
+    CAPTURE(column);
+    CHECK(std::isnan(only_value(study_of(run_through(corner), R"({"path": {"kind": "random"}})"), column)));
+    CHECK(std::isnan(only_value(study_of(anew), column)));
+    CHECK(std::isnan(only_value(study_of(without), column)));
+    CHECK(std::isnan(only_value(study_of(not_finite), column)));
+    CHECK(std::isnan(only_value(study_of(run_through({{1, 2}})), column)));
+  }
+}
+
+TEST_CASE("the order of the records does not matter to a run", "[run_metrics]") {
+  std::vector<SolveRecord> solves = run_through(corner);
+  std::ranges::reverse(solves);
+  CHECK(only_value(study_of(solves), "jumps") == 2);
+}
+
+TEST_CASE("the angle of an orientation error is that of the rotation", "[run_metrics]") {
+  // ||R - I||_F of a turn by t about an axis is 2 sqrt 2 sin(t / 2), and ||I||_F is sqrt 3.
+  for (const double angle : {1e-9, 0.001, 1.0, 60.0, 90.0, 179.0, 180.0}) {
+    std::vector<SolveRecord> solves = run_through({{1, 2}});
+    solves[0].orientation_error = 2 * std::sqrt(2.0) * std::sin(angle * degree / 2) / std::sqrt(3.0);
+    CHECK(only_value(study_of(solves), "orientation_error_deg") == Approx(angle).epsilon(1e-6));
+    CHECK(std::isnan(only_value(study_of(solves, R"({"search": "all_joints"})"), "orientation_error_deg")));
+  }
+}
+
+TEST_CASE("the excess is the error beyond the unavoidable, of targets beyond the reach alone", "[run_metrics]") {
+  std::vector<SolveRecord> solves = run_through(corner);
+  for (SolveRecord& solve : solves) solve.position_error_cm = 7;
+  CHECK(std::isnan(only_value(study_of(solves), "excess_error_cm")));
+  solves[1].unavoidable_error_cm = 5;
+  solves[2].unavoidable_error_cm = 6;
+  CHECK(only_value(study_of(solves), "excess_error_cm") == 1.5);
+}
+
+TEST_CASE("observations and comparisons have the numbers of whole runs", "[run_metrics]") {
+  std::vector<SolveRecord> solves = run_through(corner);
+  std::ranges::copy(run_through({{10, 0}, {13, 4}}, 2), std::back_inserter(solves));  // two points are missing
+  std::ranges::copy(run_through({{10, 0}, {13, 4}, {16, 8}, {19, 12}}, 3), std::back_inserter(solves));
+  const StudyResults study = study_of(solves, R"({"points": 4, "runs": 3, "path": {"kind": "line"}})");
+  const Observations jumps = observations(study, metric("jumps"));
+  CHECK(jumps.groups[0].values == std::vector<double>{2, 0});
+  CHECK(jumps.replicate == "the value of a run over its 4 points");
+  const VariantDesign design{
+      .a = {{"run 1", {&study.solves[0], &study.solves[1], &study.solves[2], &study.solves[3]}}}};
+  CHECK(values_of(study, design.a, metric("jumps")) == std::vector<double>{2});
+}
+
+TEST_CASE("a report shows what differs between runs, and names what it leaves out", "[run_metrics]") {
+  std::vector<SolveRecord> solves = run_through(corner);
+  std::ranges::copy(run_through({{10, 0}, {13, 4}, {16, 8}, {19, 12}}, 2), std::back_inserter(solves));
+  for (SolveRecord& solve : solves) {
+    solve.manipulability = 0.25;
+    solve.limit_margin = 0.1 * solve.run;
+    solve.orientation_error = 1e-12 * solve.run;  // rounding: the closed form of the wrist
+  }
+  const StudyResults study = study_of(solves);
+  const ShownMetrics shown = shown_metrics(study);
+  const auto has = [](const std::vector<Metric>& metrics, std::string_view column) {
+    return std::ranges::find(metrics, metric(column)) != metrics.end();
+  };
+  CHECK(has(shown.judged, "position_error_cm"));
+  CHECK(has(shown.judged, "jumps"));
+  CHECK(has(shown.listed, "limit_margin"));
+  CHECK_FALSE(has(shown.judged, "limit_margin"));
+  CHECK_FALSE(has(shown.judged, "orientation_error_deg"));
+  CHECK_FALSE(has(shown.listed, "manipulability"));
+  CHECK(
+      shown.left_out ==
+      "Left out: orientation error, slides variation, slide path length, smallest singular value of the Jacobian, product "
+      "of the Jacobian's singular values (always the same); position error beyond the unavoidable, distance of the angles "
+      "after a closed path (no meaning in this study).");
+  StudyResults of_paper = study;
+  of_paper.published = "slim2023";
+  CHECK(shown_metrics(of_paper).judged == reported_metrics());
+  CHECK(shown_metrics(of_paper).listed.empty());
+  CHECK(shown_metrics(of_paper).left_out.empty());
+}
+
+TEST_CASE("solved solves are counted with Wilson's interval, by what is independent", "[run_metrics]") {
+  std::vector<SolveRecord> solves;
+  for (int run = 1; run <= 10; ++run) {
+    for (int point = 1; point <= 2; ++point) {
+      SolveRecord solve{.solver = "A", .run = run, .point = point};
+      solve.target_position_m = {0.01 * run, 0.01 * point, 0};
+      solve.status = run <= 8 ? Status::ok : Status::tolerance_missed;
+      solves.push_back(solve);
+    }
+  }
+  // Wilson's score interval of 16 of 20 and of 8 of 10, by its formula: centre p + z^2/2n, reach z sqrt(p q/n +
+  // z^2/4n^2).
+  const auto row = [&](const char* definition) {
+    return report::solved_table(study_of(solves, definition)).rows.at(0);
+  };
+  const auto of_targets = row(R"({"start": "middle", "path": {"kind": "random"}})");
+  CHECK(std::get<double>(of_targets[3]) == 0.8);
+  CHECK(std::get<report::Range>(of_targets[4]).low == Approx(0.583982568).epsilon(1e-8));
+  CHECK(std::get<report::Range>(of_targets[4]).high == Approx(0.919342337).epsilon(1e-8));
+  const auto of_runs = row(R"({"start": "previous", "path": {"kind": "random"}})");
+  CHECK(std::get<report::Range>(of_runs[4]).low == Approx(0.490162472).epsilon(1e-8));
+  CHECK(std::get<report::Range>(of_runs[4]).high == Approx(0.943317849).epsilon(1e-8));
+}
+
+TEST_CASE("times are told by quantiles, the longest, and the share over the deadline", "[run_metrics]") {
+  std::vector<SolveRecord> solves;
+  for (int run = 1; run <= 100; ++run) {
+    SolveRecord solve{.solver = "A", .run = run, .point = 1};
+    solve.seconds = 0.001 * run;
+    solves.push_back(solve);
+  }
+  const auto times = [&](const char* definition) {
+    return report::times_table(study_of(solves, definition)).rows.at(0);
+  };
+  const auto row = times(R"({"deadline_ms": 90})");
+  CHECK(std::get<double>(row[1]) == Approx(50.5));
+  CHECK(std::get<double>(row[2]) == Approx(95.5));  // Hyndman and Fan's type 5: 0.95 * 100 + 0.5 = 95.5th
+  CHECK(std::get<double>(row[3]) == Approx(99.5));
+  CHECK(std::get<double>(row[4]) == Approx(100));
+  CHECK(std::get<double>(row[5]) == Approx(0.1));  // 91 to 100 ms
+  CHECK(std::holds_alternative<std::monostate>(times("{}")[5]));
+  CHECK(std::get<double>(times(R"({"stop": {"seconds": 0.05}})")[5]) == Approx(0.5));
+}
