@@ -2,6 +2,7 @@
 // and one line of paths.inc (docs/adding-anything.md).
 #pragma once
 
+#include <filesystem>
 #include <memory>
 #include <string_view>
 #include <vector>
@@ -22,11 +23,17 @@ class PathKind {
   virtual std::string_view name() const = 0;     // NAME, as study files have it
   virtual std::string_view summary() const = 0;  // in `ikbench list paths`
   virtual void list_fields(Fields& io) = 0;
+  // Reads what the fields name of files, in the study's folder. std::invalid_argument: what is wrong and expected.
+  virtual void load(const std::filesystem::path&) {}
+  // std::invalid_argument where the fields do not fit each other, or the arm has no such targets.
+  virtual void check(const robots::Robot&) const {}
   // Whether the targets are drawn anew for every run; else every run has the same.
   virtual bool is_drawn() const = 0;
   virtual int points() const = 0;
   // So many as points(). `random` is of the run, and for what is drawn alone.
   virtual std::vector<robots::Pose> poses(const robots::Robot& arm, numerics::Random& random) const = 0;
+  // The configurations of which poses() makes its targets by the same draws; none where it makes them of none.
+  virtual std::vector<robots::Configuration> solutions(const robots::Robot&, numerics::Random&) const { return {}; }
 };
 
 // A path of some kind, as a value: a copy is another path.

@@ -55,7 +55,7 @@ struct Plan {
 // every solve starts.
 void move_on(Chained& chain, const SolveRecord& record, Start start) {
   ++chain.next_point;
-  if (start == Start::initial || record.status == Status::not_finite) return;
+  if (start != Start::previous || record.status == Status::not_finite) return;
   chain.configuration =
       Eigen::Map<const Eigen::VectorXd>(record.answer_rad.data(), static_cast<Eigen::Index>(record.answer_rad.size()));
 }
@@ -98,10 +98,14 @@ void solve_rest(Plan& plan, int jobs, const std::atomic<bool>* cancelled, Record
     if (chain.next_point > plan.points) return;
     const std::unique_ptr<Solver> solver = chain.solve_runner->make_solver();
     const std::vector<Pose> poses = targets(plan.study, chain.run);
-    chain.solve_runner->warm_up(*solver, poses[static_cast<std::size_t>(chain.next_point - 1)], chain.configuration);
+    const std::vector<Configuration> own_starts = starts(plan.study, chain.run);
+    const auto start = [&]() -> const Configuration& {
+      return own_starts.empty() ? chain.configuration : own_starts[static_cast<std::size_t>(chain.next_point - 1)];
+    };
+    chain.solve_runner->warm_up(*solver, poses[static_cast<std::size_t>(chain.next_point - 1)], start());
     while (chain.next_point <= plan.points && !is_over()) {
       SolveRecord record = chain.solve_runner->solve(*solver, poses[static_cast<std::size_t>(chain.next_point - 1)],
-                                                     chain.configuration, chain.run, chain.next_point);
+                                                     start(), chain.run, chain.next_point);
       if (jobs > 1 && record.timing == Timing::clean) record.timing = Timing::parallel;
       move_on(chain, record, plan.study.start);
       record_queue.hand_in(std::move(record));

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -69,10 +70,11 @@ FieldList fields_of(Struct fields) {
 std::string targets_text(const Study& study) {
   std::string text;
   if (study.path->is_drawn()) {
-    text += study.path->name();
-    for (const auto& [name, value] : texts_of([&](Fields& io) { Path(study.path)->list_fields(io); })) {
-      text += ' ' + value;
-    }
+    const auto fields_of_path = [](Path path) { return [path](Fields& io) mutable { path->list_fields(io); }; };
+    const std::vector<Path> kinds = paths();
+    const Path& defaults = *std::ranges::find(kinds, study.path->name(), [](const Path& kind) { return kind->name(); });
+    text += fmt::format("{} {}", study.path->name(), study.path->points());
+    text += said_by_name(fields_of_path(study.path), fields_of_path(defaults));
   } else {
     for (const Pose& target : targets(study, 1)) text += exact(target.matrix().reshaped());
   }

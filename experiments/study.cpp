@@ -1,5 +1,6 @@
 #include "experiments/study.hpp"
 
+#include <algorithm>
 #include <optional>
 
 #include "robots/spherical_wrist.hpp"
@@ -10,6 +11,14 @@ namespace ikbench::experiments {
 using namespace numerics;
 using namespace robots;
 using namespace solvers;
+
+namespace {
+
+Key key_of_targets(const Study& study, int run) {
+  return Key(study.seed).with("targets").with(static_cast<std::uint64_t>(run));
+}
+
+}  // namespace
 
 Robot arm_of(const Study& study) { return study.robot_of_file ? *study.robot_of_file : robot(study.robot); }
 
@@ -29,8 +38,30 @@ int effective_population(const Study& study, const SolverEntry& entry) {
 }
 
 std::vector<Pose> targets(const Study& study, int run) {
-  Random random(Key(study.seed).with("targets").with(static_cast<std::uint64_t>(run)));
+  Random random(key_of_targets(study, run));
   return study.path->poses(arm_of(study), random);
+}
+
+std::vector<Configuration> starts(const Study& study, int run) {
+  if (study.start == Start::previous || study.start == Start::initial) return {};
+  const Robot arm = arm_of(study);
+  const Configuration zeros = Configuration::Zero(arm.joints());
+  const JointLimits range = arm.limits.around(zeros);
+  Random random(Key(study.seed).with("starts").with(static_cast<std::uint64_t>(run))),
+      of_targets(key_of_targets(study, run));
+  std::vector<Configuration> all(static_cast<std::size_t>(study.path->points()), (range.lower + range.upper) / 2);
+  if (study.start == Start::near) all = study.path->solutions(arm, of_targets);
+  for (Configuration& start : all) {
+    for (Eigen::Index j = 0; j < start.size(); ++j) {
+      const bool slides = arm.chain.links()[static_cast<std::size_t>(j)].joint == Joint::slides;
+      if (study.start == Start::random) start[j] = random.uniform(range.lower[j], range.upper[j]);
+      if (study.start == Start::near && !slides) {
+        const double moved = start[j] + random.uniform(-study.near, study.near);
+        start[j] = std::clamp(moved, range.lower[j], range.upper[j]);
+      }
+    }
+  }
+  return all;
 }
 
 std::string why_no_blocks(const Study& study) {

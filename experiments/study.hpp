@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "experiments/path.hpp"
+#include "numerics/units.hpp"
 #include "results/analysis_plan.hpp"
 #include "robots/robot.hpp"
 #include "robots/urdf.hpp"
@@ -34,8 +35,9 @@ enum class StudyBounds { per_solver, initial, clamp };
 // wrist, and an answer outside is refused: the arm stays where it was.
 enum class Limits { recorded, enforced };
 
-// Where the solves of a run begin: where the answer before left the arm, or each at the initial configuration.
-enum class Start { previous, initial };
+// Where the solves of a run begin: where the answer before left the arm, or each at the initial configuration, in the
+// middle of the limits, at a configuration drawn from seed, run and point, or near the one that the target was made of.
+enum class Start { previous, initial, middle, random, near };
 
 struct SolverEntry {
   std::string label;          // unique within the study; its name in tables and figures
@@ -60,11 +62,13 @@ struct Study {
   WristBranch wrist_branch = WristBranch::nearest;
   Limits limits = Limits::recorded;
   Start start = Start::previous;
-  Eigen::VectorXd initial;  // [rad], all joints; where the arm is before the first point of a run
+  double near = 5 * numerics::degree;  // [rad] of Start::near: the farthest that a joint is from the solution
+  Eigen::VectorXd initial;             // [rad], all joints; where the arm is before the first point of a run
   int population = 50;
   solvers::StopRule stop;
   int runs = 20;
-  int repeats = 5;  // of a solve, to time it; decides no number but times (runner.hpp)
+  double deadline = 0;  // [s] of a solve, by which its time is judged; 0: none. It ends no solve
+  int repeats = 5;      // of a solve, to time it; decides no number but times (runner.hpp)
   std::uint64_t seed = 1;
   solvers::Trace trace = solvers::Trace::none;
   std::vector<SolverEntry> solvers;
@@ -82,6 +86,9 @@ int effective_population(const Study& study, const SolverEntry& entry);
 // Where the tool has to go in a run, the same for all solvers. Only random targets differ from run to run; those of
 // one with more points begin with those of one with fewer.
 std::vector<robots::Pose> targets(const Study& study, int run);
+
+// Where each solve of a run starts, the same for all solvers; none for Start::previous and Start::initial.
+std::vector<robots::Configuration> starts(const Study& study, int run);
 
 // Why no two solvers of the study were given the same problem, so that there are no blocks to compare them in; empty
 // where there are: targets drawn anew in every run are the same for all solvers, and so is each target of a path whose

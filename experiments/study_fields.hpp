@@ -78,8 +78,16 @@ inline void list_fields(Fields& io, Study& study) {
       "limits", study.limits, Choices<Limits>{{"recorded", Limits::recorded}, {"enforced", Limits::enforced}},
       "recorded: answers outside the joint limits are kept and reported; enforced: candidates are clamped, the wrist "
       "takes a branch inside the limits, and an answer outside is refused, so the arm stays where it was");
-  io.choice("start", study.start, Choices<Start>{{"previous", Start::previous}, {"initial", Start::initial}},
-            "a solve starts where the previous one left the arm, or always at initial_deg");
+  io.choice("start", study.start,
+            Choices<Start>{{"previous", Start::previous},
+                           {"initial", Start::initial},
+                           {"middle", Start::middle},
+                           {"random", Start::random},
+                           {"near", Start::near}},
+            "a solve starts where the previous one left the arm, at initial_deg, in the middle of the joint limits, at "
+            "random within them, or near a solution of a random target");
+  io.number("near_deg", study.near, numerics::degree, {0, 360},
+            "with start = \"near\": largest distance of each joint that turns from that solution");
   io.numbers("initial_deg", study.initial, numerics::degree, 0, "configuration before the first point of a run",
              InKey::in_text);
   io.whole("population", study.population, populations,
@@ -89,6 +97,8 @@ inline void list_fields(Fields& io, Study& study) {
       "repeats", study.repeats, {1, 1000},
       "how often each solve is timed; its time is the median. 1 with --jobs above 1, stop.seconds or a debug build",
       InKey::no);
+  io.number("deadline_ms", study.deadline, 1e-3, {0, 1e6},
+            "report the share of solves that take longer than this; it stops none; 0: no deadline", InKey::no);
   io.whole("seed", study.seed, {0, no_limit}, "seed of all random numbers", InKey::in_text);
   io.choice("trace", study.trace,
             Choices<solvers::Trace>{{"none", solvers::Trace::none}, {"best_error", solvers::Trace::best_error}},

@@ -32,6 +32,20 @@ constexpr EmbeddedFile study_files[]{
 
 std::string source_of(const EmbeddedFile& file) { return fmt::format("built-in study {}", file.stem()); }
 
+// What is wrong with the value of a key, or with its absence.
+std::invalid_argument mistake(const TomlReader& reader, const toml::node* node, std::string_view key,
+                              std::string_view message) {
+  return std::invalid_argument(reader.where(node == nullptr ? reader.table().source() : node->source(), key) +
+                               std::string(message));
+}
+
+// Where a file that a key names is: beside the study, or of --set in the current folder.
+std::filesystem::path folder_of(const TomlReader& reader, std::string_view key) {
+  const toml::node* const node = reader.table().get(key);
+  const std::string where = reader.where(node == nullptr ? reader.table().source() : node->source(), key);
+  return where.starts_with(override_source) ? std::filesystem::path() : reader.source().parent_path();
+}
+
 Path read_path(TomlReader reader) {
   const std::vector<Path> kinds = paths();
   Choices<std::size_t> names;
@@ -42,6 +56,11 @@ Path read_path(TomlReader reader) {
   TableReader fields(reader);
   path->list_fields(fields);
   reader.refuse_unknown_keys();
+  try {
+    path->load(folder_of(reader, "file"));
+  } catch (const std::invalid_argument& error) {
+    throw mistake(reader, reader.table().get("file"), "file", error.what());
+  }
   return path;
 }
 
@@ -136,13 +155,6 @@ AnalysisPlan read_analysis(TomlReader reader, const Study& study, PointsAsObserv
   return plan;
 }
 
-// What is wrong with the value of a key, or with its absence.
-std::invalid_argument mistake(const TomlReader& reader, const toml::node* node, std::string_view key,
-                              std::string_view message) {
-  return std::invalid_argument(reader.where(node == nullptr ? reader.table().source() : node->source(), key) +
-                               std::string(message));
-}
-
 // What the fields of a solver and those of the study ask of each other.
 void check_solvers(const TomlReader& reader, const Study& study, const Robot& arm) {
   const toml::table& table = reader.table();
@@ -198,6 +210,21 @@ void check_search(const TomlReader& reader, const Study& study) {
   }
 }
 
+// What the path, the arm and the start ask of each other.
+void check_targets(const TomlReader& reader, const Study& study, const Robot& arm) {
+  try {
+    study.path->check(arm);
+  } catch (const std::invalid_argument& error) {
+    throw mistake(reader, reader.table().get("path"), "path", error.what());
+  }
+  Random random(Key(0));
+  if (study.start == Start::near && study.path->solutions(arm, random).empty()) {
+    throw mistake(reader, reader.table().get("start"), "start",
+                  "start is \"near\", but the path's targets are not made of configurations; expected path.kind = "
+                  "\"random\" with targets that the arm can reach, or another start");
+  }
+}
+
 UrdfChoice read_urdf(TomlReader reader, const Study& study) {
   if (!is_urdf_file(study.robot)) {
     throw std::invalid_argument(
@@ -221,10 +248,7 @@ Robot read_arm(const TomlReader& reader, Study& study) {
       throw mistake(reader, node, "robot", error.what());
     }
   }
-  const std::string where = reader.where(node == nullptr ? reader.table().source() : node->source(), "robot");
-  const bool is_override = where.starts_with(override_source);
-  const std::filesystem::path folder = is_override ? std::filesystem::path() : reader.source().parent_path();
-  const std::filesystem::path file = folder / study.robot;
+  const std::filesystem::path file = folder_of(reader, "robot") / study.robot;
   std::error_code error;
   if (!std::filesystem::is_regular_file(file, error)) {
     throw mistake(reader, node, "robot",
@@ -270,6 +294,7 @@ Study read_study(const toml::table& table, std::string_view source, PointsAsObse
     throw at("initial_deg", fmt::format("initial_deg has {} angles; expected {}, one for each joint of {}",
                                         study.initial.size(), arm.joints(), arm.name));
   }
+  check_targets(reader, study, arm);
   constexpr double most_solves = 1e8;
   if (static_cast<double>(study.solvers.size()) * study.runs * study.path->points() > most_solves) {
     throw at("runs", "solvers, runs and points make more than 100 000 000 solves; expected fewer");

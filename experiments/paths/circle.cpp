@@ -1,4 +1,5 @@
-// A level circle: Slim et al. 2023, Sec. 6.
+// A level circle: Slim et al. 2023, Sec. 6. The tool may turn on the way, about the vertical.
+#include <algorithm>
 #include <numbers>
 
 #include "experiments/orientation.hpp"
@@ -24,19 +25,27 @@ class Circle final : public PathKind {
     io.numbers("centre_cm", centre_, centimetre, 3, "x, y, z of the centre");
     io.number("radius_cm", radius_, centimetre, {0, 1e6}, "");
     io.whole("points", points_, point_counts,
-             "point k = 0 ... n - 1 is the centre + radius (cos t, sin t, 0) with t = 360 k/n deg");
+             "point k = 0 ... n - 1 is the centre + radius (cos t, sin t, 0) with t = 360 deg times its fraction");
+    list_spacing(io, spacing_);
     list_tool(io, tool_);
+    io.number("tool_turns_deg", tool_turns_, degree, {-1e5, 1e5},
+              "how far the tool turns about the vertical on the way around");
   }
 
   bool is_drawn() const override { return false; }
   int points() const override { return points_; }
 
   std::vector<Pose> poses(const Robot&, Random&) const override {
+    const int intervals = spacing_ == Spacing::k_over_n ? points_ : std::max(points_ - 1, 1);
     std::vector<Pose> poses;
     for (int k = 0; k < points_; ++k) {
-      const auto [sine, cosine] = sin_cos(2 * std::numbers::pi * (static_cast<double>(k) / points_));
+      const double fraction = static_cast<double>(k) / intervals;
+      const auto [sine, cosine] = sin_cos(2 * std::numbers::pi * fraction);
       Pose pose = Pose::Identity();
       pose.linear() = rotation(tool_);
+      if (tool_turns_ != 0) {
+        pose.linear() = rotation_from_rpy({0, 0, tool_turns_ * fraction}) * rotation(tool_);
+      }
       pose.translation() = centre_ + Eigen::Vector3d(radius_ * cosine, radius_ * sine, 0);
       poses.push_back(pose);
     }
@@ -47,7 +56,9 @@ class Circle final : public PathKind {
   Eigen::Vector3d centre_{0.16, 0.16, 0.0};
   double radius_ = 0.07;
   int points_ = 20;
+  Spacing spacing_ = Spacing::k_over_n;
   Tool tool_ = Tool::down;
+  double tool_turns_ = 0;
 };
 
 }  // namespace

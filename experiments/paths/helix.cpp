@@ -16,8 +16,6 @@ namespace {
 
 // sin_cos: (x, y) = centre + radius (sin t, cos t); cos_sin: centre + radius (cos t, sin t).
 enum class Phase { sin_cos, cos_sin };
-// Point k of n, k = 0 ... n - 1, lies at the fraction k/n or k/(n - 1) of the path.
-enum class Spacing { k_over_n, k_over_n_minus_1 };
 
 class Helix final : public PathKind {
  public:
@@ -35,9 +33,7 @@ class Helix final : public PathKind {
     io.whole("points", points_, point_counts, "");
     io.choice("phase", phase_, Choices<Phase>{{"sin_cos", Phase::sin_cos}, {"cos_sin", Phase::cos_sin}},
               "(x, y) relative to the centre: radius (sin t, cos t) or radius (cos t, sin t)");
-    io.choice("spacing", spacing_,
-              Choices<Spacing>{{"k_over_n", Spacing::k_over_n}, {"k_over_n_minus_1", Spacing::k_over_n_minus_1}},
-              "point k = 0 ... n - 1 lies at this fraction of the path");
+    list_spacing(io, spacing_);
     list_tool(io, tool_);
   }
 

@@ -1,5 +1,14 @@
-// Targets drawn anew for every run, of configurations so that the arm can reach them: Slim et al. 2023, Table 7.
+// Targets drawn anew for every run: Slim et al. 2023, Table 7. All but those of `unreachable` are made of
+// configurations, so that the arm can reach them.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <stdexcept>
+
 #include "experiments/path.hpp"
+#include "experiments/singular_values.hpp"
 
 namespace ikbench::experiments {
 
@@ -8,16 +17,114 @@ using namespace robots;
 
 namespace {
 
+enum class Set { anywhere, near_limits, near_singular, edge, unreachable };
+
+JointLimits range_of(const Robot& arm) { return arm.limits.around(Configuration::Zero(arm.joints())); }
+
+Configuration drawn_within(const JointLimits& range, Random& random) {
+  Configuration q = range.lower;
+  for (Eigen::Index j = 0; j < q.size(); ++j) q[j] = random.uniform(range.lower[j], range.upper[j]);
+  return q;
+}
+
+// Each joint that has limits within 5 % of its range of one of them.
+Configuration drawn_near_limits(const Robot& arm, Random& random) {
+  constexpr double margin = 0.05;
+  Configuration q = drawn_within(range_of(arm), random);
+  for (Eigen::Index j = 0; j < q.size(); ++j) {
+    const double lower = arm.limits.lower[j], upper = arm.limits.upper[j], inside = margin * (upper - lower);
+    if (!std::isfinite(inside)) continue;
+    q[j] = random.uniform() < 0.5 ? random.uniform(lower, lower + inside) : random.uniform(upper - inside, upper);
+  }
+  return q;
+}
+
+// What makes a configuration a target of a set: a score that is high enough for the arm.
+struct Demand {
+  std::function<double(const Configuration&)> score;
+  double enough;
+};
+
+// Of configurations that are the same for every study of the arm.
+std::vector<double> sampled_scores(const Robot& arm, const std::function<double(const Configuration&)>& score) {
+  constexpr int samples = 1000;
+  Random random(Key(0).with("samples of an arm"));
+  std::vector<double> scores;
+  for (int i = 0; i < samples; ++i) scores.push_back(score(drawn_within(range_of(arm), random)));
+  std::ranges::sort(scores);
+  return scores;
+}
+
+// The smallest singular value is below the first percentile.
+Demand near_singular(const Robot& arm) {
+  const auto score = [&arm](const Configuration& q) {
+    return -singular_values(arm, q, [&](const Eigen::VectorXd& at) {
+              return arm.chain.forward(at).matrix();
+            }).minCoeff();
+  };
+  const std::vector<double> scores = sampled_scores(arm, score);
+  return {score, scores[scores.size() * 99 / 100]};
+}
+
+// The tool is farther from the shoulder than 95 % of the largest distance.
+Demand at_edge(const Robot& arm) {
+  constexpr double share = 0.95;
+  const auto score = [&arm, shoulder = arm.chain.reach().centre](const Configuration& q) {
+    return (arm.chain.position(q) - shoulder).norm();
+  };
+  return {score, share * sampled_scores(arm, score).back()};
+}
+
+// The first that is good enough, or the best of very many.
+Configuration drawn_to_meet(const Demand& demand, const Robot& arm, Random& random) {
+  constexpr int most_draws = 20'000;
+  Configuration best = drawn_within(range_of(arm), random);
+  double score = demand.score(best);
+  for (int i = 1; i < most_draws && score < demand.enough; ++i) {
+    const Configuration q = drawn_within(range_of(arm), random);
+    if (const double other = demand.score(q); other > score) {
+      best = q;
+      score = other;
+    }
+  }
+  return best;
+}
+
 class RandomTargets final : public PathKind {
  public:
   std::unique_ptr<PathKind> copy() const override { return std::make_unique<RandomTargets>(*this); }
 
   std::string_view name() const override { return "random"; }
-  std::string_view summary() const override { return "random poses that the arm can reach"; }
+  std::string_view summary() const override { return "random poses that the arm can reach, or cannot"; }
 
   void list_fields(Fields& io) override {
     io.whole("points", points_, point_counts,
-             "each is the tool's pose at joint angles drawn uniformly within the limits from seed and run");
+             "each is the tool's pose at joint angles drawn uniformly within the limits from seed and run",
+             InKey::in_text);
+    io.choice(
+        "set", set_,
+        Choices<Set>{{"anywhere", Set::anywhere},
+                     {"near_limits", Set::near_limits},
+                     {"near_singular", Set::near_singular},
+                     {"edge", Set::edge},
+                     {"unreachable", Set::unreachable}},
+        "which of them. near_limits: each joint within 5 % of a limit; near_singular: the smallest singular value "
+        "below its first percentile; edge: beyond 95 % of the reach; unreachable: moved beyond the reach");
+    io.number("beyond_percent", beyond_, 0.01, {0.01, 1000},
+              "of unreachable ones: how far beyond, as a share of the reach");
+  }
+
+  void check(const Robot& arm) const override {
+    if (set_ == Set::unreachable && !std::isfinite(arm.chain.reach().radius)) {
+      throw std::invalid_argument(
+          fmt::format("path.set is \"unreachable\", but the reach of {} is not known, because a joint slides; expected "
+                      "another set",
+                      arm.name));
+    }
+    if (set_ == Set::near_limits && !(arm.limits.upper - arm.limits.lower).array().isFinite().any()) {
+      throw std::invalid_argument(
+          fmt::format("path.set is \"near_limits\", but no joint of {} has limits; expected another set", arm.name));
+    }
   }
 
   bool is_drawn() const override { return true; }
@@ -25,17 +132,40 @@ class RandomTargets final : public PathKind {
 
   std::vector<Pose> poses(const Robot& arm, Random& random) const override {
     std::vector<Pose> poses;
-    Configuration q = Configuration::Zero(arm.joints());
-    const JointLimits range = arm.limits.around(q);
-    for (int i = 0; i < points_; ++i) {
-      for (Eigen::Index j = 0; j < q.size(); ++j) q[j] = random.uniform(range.lower[j], range.upper[j]);
+    for (const Configuration& q : drawn(arm, random)) {
       poses.push_back(arm.chain.forward(q));
+      if (set_ != Set::unreachable) continue;
+      const Chain::Ball ball = arm.chain.reach();
+      Eigen::Vector3d direction = poses.back().translation() - ball.centre;
+      direction = direction.norm() > 0 ? Eigen::Vector3d(direction / direction.norm()) : Eigen::Vector3d(1, 0, 0);
+      poses.back().translation() = ball.centre + direction * (ball.radius * (1 + beyond_));
     }
     return poses;
   }
 
+  std::vector<Configuration> solutions(const Robot& arm, Random& random) const override {
+    return set_ == Set::unreachable ? std::vector<Configuration>() : drawn(arm, random);
+  }
+
  private:
+  std::vector<Configuration> drawn(const Robot& arm, Random& random) const {
+    const Demand demand = set_ == Set::near_singular ? near_singular(arm) : set_ == Set::edge ? at_edge(arm) : Demand{};
+    std::vector<Configuration> drawn;
+    for (int i = 0; i < points_; ++i) {
+      if (set_ == Set::near_limits) {
+        drawn.push_back(drawn_near_limits(arm, random));
+      } else if (demand.score) {
+        drawn.push_back(drawn_to_meet(demand, arm, random));
+      } else {
+        drawn.push_back(drawn_within(range_of(arm), random));
+      }
+    }
+    return drawn;
+  }
+
   int points_ = 20;
+  Set set_ = Set::anywhere;
+  double beyond_ = 0.1;
 };
 
 }  // namespace

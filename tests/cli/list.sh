@@ -2,7 +2,7 @@
 # Everything that can be named is listed, and everything listed can be looked at.
 source "$(dirname "$0")/common.sh"
 
-for kind in solvers robots studies paths columns instruction-sets; do
+for kind in solvers robots studies paths columns metrics instruction-sets; do
   succeeds list $kind
   [ -z "$err" ] || fail "list $kind wrote to the standard error: $err"
   quiet
@@ -60,7 +60,7 @@ done
 
 # Keys come with their meaning, a solver's own population too.
 succeeds list studies slim2023-time
-for line in "start = 'initial'  # previous | initial: a solve starts" "limits = 'recorded'  # recorded | enforced: " \
+for line in "start = 'initial'  # previous | initial | middle | random | near: a solve starts" "limits = 'recorded'  # recorded | enforced: " \
   "kind = 'random'  # helix | circle | random | poses" "population = 12  # overrides the population of the study"; do
   has "$out" $'\n'"$line"
 done

@@ -17,7 +17,7 @@ namespace {
 
 constexpr double degree = std::numbers::pi / 180;
 
-// Two runs of the example's solver along the example's line, with the example's arm.
+// Two runs of the example's solver along the example's stroke, with the example's arm.
 Study study_with(const Overrides& overrides) {
   const ScratchFolder folder;
   std::filesystem::copy_file("tests/examples/robots/arms/long_and_short.toml", folder.path / "long_and_short.toml");
@@ -28,7 +28,7 @@ search = "all_joints"
 runs = 2
 population = 20
 stop.iterations = 200
-path = { kind = "line", from_cm = [60, -30, 0], to_cm = [60, 30, 0], points = 4 }
+path = { kind = "stroke", from_cm = [60, -30, 0], to_cm = [60, 30, 0], points = 4 }
 solvers = [{ label = "climber", solver = "hill_climb" }]
 )");
   return load_study(file.string(), overrides);

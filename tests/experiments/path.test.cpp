@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <numbers>
 #include <set>
 
@@ -27,13 +28,23 @@ bool same_poses(const std::vector<Pose>& a, const std::vector<Pose>& b) {
   return std::ranges::equal(a, b, [](const Pose& x, const Pose& y) { return x.matrix() == y.matrix(); });
 }
 
-// Sets the number of points of any path.
+// Sets the number of points of any path; of one that comes from a file, in a file of so many poses.
 class PointsSetter final : public Fields {
  public:
   explicit PointsSetter(int count) : count_(count) {}
 
+  void set(Path& path) {
+    path->list_fields(*this);
+    if (!file_.empty()) path->load(folder_.path);
+  }
+
  private:
-  void on_text(Name, std::string&) override {}
+  void on_text(Name, std::string& field) override {
+    field = file_ = "path.csv";
+    std::ofstream out(folder_.path / file_);
+    out << "x_m,y_m,z_m\n";
+    for (int i = 0; i < count_; ++i) out << "0.5,0,0." << i << '\n';
+  }
   void on_choice(Name, std::size_t&, const std::vector<std::string>&) override {}
   void on_whole(Name name, std::int64_t& field, std::pair<std::int64_t, std::int64_t>) override {
     if (name.key == "points") field = count_;
@@ -45,14 +56,15 @@ class PointsSetter final : public Fields {
   }
 
   int count_;
+  ScratchFolder folder_;
+  std::string file_;
 };
 
 // Of every kind one with so many points.
 std::vector<Path> with_points(int count) {
   std::vector<Path> all = paths();
   for (Path& path : all) {
-    PointsSetter setter(count);
-    path->list_fields(setter);
+    PointsSetter(count).set(path);
   }
   return all;
 }
@@ -178,8 +190,7 @@ TEST_CASE("a copy of a path is another path", "[path]") {
   for (const Path& path : with_points(3)) {
     INFO(path->name());
     Path copy = path;
-    PointsSetter setter(7);
-    copy->list_fields(setter);
+    PointsSetter(7).set(copy);
     CHECK(copy->name() == path->name());
     CHECK(copy->points() == 7);
     CHECK(path->points() == 3);

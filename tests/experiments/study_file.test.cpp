@@ -123,6 +123,8 @@ TEST_CASE("a study in which nothing is as by default comes back the same", "[stu
   study.wrist_branch = WristBranch::negative;
   study.limits = Limits::enforced;
   study.start = Start::initial;
+  study.near = 0.25;
+  study.deadline = 0.015;
   study.initial = Eigen::Vector3d(10, -20.5, 1.0 / 3) * (std::numbers::pi / 180);
   study.population = 7;
   study.stop = {.iterations = 13, .tolerance = 0.001, .evaluations = 9'000'000'000'000, .seconds = 0.25};
@@ -165,9 +167,16 @@ TEST_CASE("a study in which nothing is as by default comes back the same", "[stu
 }
 
 TEST_CASE("a path of any kind comes back as it was", "[study]") {
-  const std::vector<Path> all{path_of({"points=3"}), path_of({"kind=circle", "radius_cm=7.3", "points=9", "tool=eq27"}),
-                              path_of({"kind=random", "points=7"}), path_through({Pose::Identity()})};
-  CHECK(all.size() == paths().size());
+  const std::vector<Path> all{path_of({"points=3"}),
+                              path_of({"kind=circle", "radius_cm=7.3", "points=9", "tool=eq27"}),
+                              path_of({"kind=random", "points=7", "set=edge", "beyond_percent=20"}),
+                              path_through({Pose::Identity()}),
+                              path_of({"kind=line", "from_cm=[1, 2, 3]"}),
+                              path_of({"kind=polyline", "corners_cm=[1, 2, 3, 4, 5, 6]"}),
+                              path_of({"kind=rectangle", "plane=xz", "width_cm=7"}),
+                              path_of({"kind=lissajous", "second_cycles=3", "phase_deg=30"}),
+                              path_of({"kind=spiral", "rise_cm=-5", "turns=0.5"})};
+  CHECK(all.size() + 1 == paths().size());  // poses of a CSV file: pose_csv.test.cpp
   for (const Path& path : all) {
     Study study = small_study();
     study.path = path;
@@ -391,7 +400,8 @@ TEST_CASE("a study says how it will be judged, by default Friedman's or Welch's 
                        {"quartiles", 5},
                        {"unit", "run"},
                        {"estimands", {"mean", "typical", "reliability"}},
-                       {"within_cm", 0.01}});
+                       {"within_cm", 0.01},
+                       {"jump_deg", 30.0}});
   for (const Study& built_in : studies()) {
     INFO(built_in.name);
     CHECK(to_json(built_in.analysis) == to_json(AnalysisPlan{}));
@@ -476,9 +486,9 @@ TEST_CASE("a value of another type is shown with its place and what was expected
        {"[path]\ncentre_cm = [1, 2]\n" + solver_entry,
         "my.toml:2:13: ",
         {"path.centre_cm is [ 1, 2 ]", "a list of 3 numbers"}},
-       {"[path]\nkind = \"spiral\"\n" + solver_entry,
+       {"[path]\nkind = \"zigzag\"\n" + solver_entry,
         "my.toml:2:8: ",
-        {"path.kind is \"spiral\"", "\"helix\", \"circle\", \"random\", \"poses\""}},
+        {"path.kind is \"zigzag\"", "\"helix\", \"circle\", \"random\", \"poses\""}},
        {solver_entry + "options = 3\n", "my.toml:3:11: ", {"options is 3", "expected a table"}},
        {solver_entry + "options = { alpha = true }\n",
         "my.toml:3:21: ",

@@ -1,4 +1,4 @@
-// A straight line: the example of docs/adding-anything.md.
+// A straight stroke: the example of docs/adding-anything.md.
 #include <algorithm>
 
 #include "experiments/orientation.hpp"
@@ -12,12 +12,12 @@ using namespace robots;
 
 namespace {
 
-class Line final : public PathKind {
+class Stroke final : public PathKind {
  public:
-  std::unique_ptr<PathKind> copy() const override { return std::make_unique<Line>(*this); }
+  std::unique_ptr<PathKind> copy() const override { return std::make_unique<Stroke>(*this); }
 
-  std::string_view name() const override { return "line"; }
-  std::string_view summary() const override { return "a straight line from one point to another"; }
+  std::string_view name() const override { return "stroke"; }
+  std::string_view summary() const override { return "a straight stroke from one point to another"; }
 
   // Each field once: key with its unit, member, range, meaning. The defaults are the initialisers.
   void list_fields(Fields& io) override {
@@ -50,6 +50,6 @@ class Line final : public PathKind {
 
 }  // namespace
 
-std::unique_ptr<PathKind> line_path() { return std::make_unique<Line>(); }
+std::unique_ptr<PathKind> stroke_path() { return std::make_unique<Stroke>(); }
 
 }  // namespace ikbench::experiments

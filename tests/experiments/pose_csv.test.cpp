@@ -1,0 +1,191 @@
+// Poses from CSV files: by hand, and whatever a file may hold.
+#include "experiments/pose_csv.hpp"
+
+#include <cmath>
+#include <fstream>
+#include <numbers>
+#include <random>
+#include <stdexcept>
+
+#include "experiments/study_writer.hpp"
+#include "tests/catch.hpp"
+#include "tests/experiments/samples.hpp"
+#include "tests/mutator.hpp"
+
+using namespace ikbench;
+using namespace ikbench::robots;
+using namespace ikbench::experiments;
+
+namespace {
+
+const Eigen::Matrix3d down = Eigen::Vector3d(-1, 1, -1).asDiagonal();
+
+std::vector<Pose> read(const std::string& text) { return poses_from_csv(text, "path.csv"); }
+
+std::string refusal(const std::string& text) {
+  try {
+    read(text);
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "";
+}
+
+constexpr const char* quaternions = "x_cm,y_cm,z_cm,qw,qx,qy,qz\n60,0,35,1,0,0,0\n60,-2.5,35,0.7071,0,0,0.7071\n";
+
+void write(const std::filesystem::path& file, const std::string& text) {
+  std::ofstream(file, std::ios::binary) << text;
+}
+
+std::string study_text(const std::string& file) {
+  return "[path]\nkind = \"csv\"\nfile = \"" + file + "\"\n[[solvers]]\nsolver = \"bat\"\n";
+}
+
+}  // namespace
+
+TEST_CASE("positions have the unit of their column, and quaternions are made exact", "[csv]") {
+  const std::vector<Pose> poses = read(quaternions);
+  REQUIRE(poses.size() == 2);
+  CHECK((poses[1].translation() - Eigen::Vector3d(0.6, -0.025, 0.35)).norm() < 1e-15);
+  CHECK(poses[0].linear() == Eigen::Matrix3d::Identity());
+  Eigen::Matrix3d quarter_turn;
+  quarter_turn << 0, -1, 0, 1, 0, 0, 0, 0, 1;
+  CHECK((poses[1].linear() - quarter_turn).norm() < 1e-15);
+  CHECK((read("z_mm,x_m,y_cm\n350,0.6,-2.5\n")[0].translation() - Eigen::Vector3d(0.6, -0.025, 0.35)).norm() < 1e-15);
+}
+
+TEST_CASE("roll, pitch and yaw turn about x, then y, then z", "[csv]") {
+  const double half_pi = std::numbers::pi / 2;
+  // Rz(90) Ry(0) Rx(90): x to y, y to z, z to x.
+  Eigen::Matrix3d expected;
+  expected << 0, 0, 1, 1, 0, 0, 0, 1, 0;
+  const Eigen::Matrix3d in_degrees = read("x_m,y_m,z_m,roll_deg,pitch_deg,yaw_deg\n0,0,0,90,0,90\n")[0].linear();
+  CHECK((in_degrees - expected).norm() < 1e-15);
+  const std::string text = "x_m,y_m,z_m,roll_rad,pitch_rad,yaw_rad\n0,0,0," + std::to_string(half_pi) + ",0," +
+                           std::to_string(half_pi) + "\n";
+  CHECK((read(text)[0].linear() - expected).norm() < 1e-6);
+}
+
+TEST_CASE("a matrix is read row by row, and made a rotation", "[csv]") {
+  const std::string head = "x_m,y_m,z_m,r11,r12,r13,r21,r22,r23,r31,r32,r33\n";
+  CHECK(read(head + "0,0,0,0,-1,0,1,0,0,0,0,1\n")[0].linear() ==
+        (Eigen::Matrix3d() << 0, -1, 0, 1, 0, 0, 0, 0, 1).finished());
+  const Eigen::Matrix3d R = read(head + "0,0,0,0.866,-0.5,0,0.5,0.866,0,0,0,1\n")[0].linear();
+  CHECK(R.isUnitary(1e-15));
+  CHECK(R(0, 0) == Approx(std::sqrt(0.75)).epsilon(1e-3));
+  CHECK_THAT(refusal(head + "0,0,0,1,0,0,0,1,0,0,0,-1\n"),
+             ContainsSubstring("path.csv:2: r11 ... r33 are no rotation matrix"));
+  CHECK_THAT(refusal(head + "0,0,0,1,0.1,0,0,1,0,0,0,1\n"),
+             ContainsSubstring("path.csv:2: r11 ... r33 are no rotation matrix"));
+}
+
+TEST_CASE("without a rotation the tool points straight down", "[csv]") {
+  CHECK(read("x_m,y_m,z_m\n1,2,3\n")[0].linear() == down);
+}
+
+TEST_CASE("byte-order mark, carriage returns, blanks, quotes and empty lines change nothing", "[csv]") {
+  const std::vector<Pose> plain = read("x_m,y_m,z_m\n1,2,3\n4,5,6\n");
+  for (const std::string text :
+       {"\xEF\xBB\xBFx_m,y_m,z_m\n1,2,3\n4,5,6", "x_m,y_m,z_m\r\n1,2,3\r\n4,5,6\r\n",
+        "\n x_m , y_m,z_m\n\n1, 2,\t3\n\n4,5,6\n\n", "\"x_m\",\"y_m\",\"z_m\"\n\"1\",\"2\",\"3\"\n4,5,6\n"}) {
+    CAPTURE(text);
+    const std::vector<Pose> poses = read(text);
+    REQUIRE(poses.size() == plain.size());
+    for (std::size_t i = 0; i < poses.size(); ++i) CHECK(poses[i].matrix() == plain[i].matrix());
+  }
+}
+
+TEST_CASE("every mistake is told with its line, its column and what was expected", "[csv]") {
+  const std::vector<std::pair<std::string, std::string>> mistakes{
+      {"", "path.csv:0: the file is empty"},
+      {"x_m,y_m,z_m\n", "path.csv:1: there is no pose"},
+      {"1,2,3\n4,5,6\n", "path.csv:1: column 1 is \"1\"; expected x, y and z with _m, _cm or _mm"},
+      {"x,y,z\n1,2,3\n", "path.csv:1: column 1 is \"x\"; expected x, y and z with _m, _cm or _mm, such as x_cm"},
+      {"x_m;y_m;z_m\n1;2;3\n", "path.csv:1: column 1 is \"x_m;y_m;z_m\""},
+      {"x_m,y_m\n1,2\n", "path.csv:1: the column for z is missing"},
+      {"x_m,y_m,z_m,qw,qx,qz\n", "path.csv:1: the column for qy is missing"},
+      {"x_m,x_cm,y_m,z_m\n", "path.csv:1: there are two columns for x"},
+      {"x_m,y_m,z_m,time\n1,2,3,4\n", "path.csv:1: column 4 is \"time\""},
+      {"qw,qx,qy,qz\n1,0,0,0\n", "path.csv:1: there is no position"},
+      {"x_m,y_m,z_m,qw,qx,qy,qz,roll_deg,pitch_deg,yaw_deg\n", "path.csv:1: there are several kinds of rotation"},
+      {"x_m,y_m,z_m\n1,2,3\n\n1,2\n", "path.csv:4: there are 2 cells; expected 3"},
+      {"x_m,y_m,z_m\n1,2,3,4\n", "path.csv:2: there are 4 cells; expected 3"},
+      {"x_m,y_m,z_m\n1,nan,3\n", "path.csv:2: column 2 (y_m) is \"nan\"; expected a number from -1e6 to 1e6"},
+      {"x_m,y_m,z_m\n1,2,inf\n", "path.csv:2: column 3 (z_m) is \"inf\""},
+      {"x_m,y_m,z_m\n1,2,1e300\n", "path.csv:2: column 3 (z_m) is \"1e300\""},
+      {"x_m,y_m,z_m\n1,,3\n", "path.csv:2: column 2 (y_m) is \"\""},
+      {"x_m,y_m,z_m\n1,\"2\"\"\",3\n", "path.csv:2: column 2 (y_m)"},
+      {"x_m,y_m,z_m\n1,\x01,3\n", "path.csv:2: column 2 (y_m) is bytes that are no text"},
+      {"x_m,y_m,z_m,qw,qx,qy,qz\n1,2,3,1,1,0,0\n", "path.csv:2: the quaternion has the length 1.41421; expected 1"},
+      {"x_m,y_m,z_m,qw,qx,qy,qz\n1,2,3,0,0,0,0\n", "path.csv:2: the quaternion has the length 0; expected 1"},
+      {"a,b,c,d,e,f,g,h,i,j,k,l,m,n\n", "path.csv:1: there are more than 12 columns"},
+  };
+  for (const auto& [text, expected] : mistakes) {
+    CAPTURE(text);
+    CHECK_THAT(refusal(text), ContainsSubstring(expected));
+  }
+  std::string long_file = "x_m,y_m,z_m\n";
+  for (int i = 0; i < 100'000; ++i) long_file += "1,2,3\n";
+  CHECK(read(long_file).size() == 100'000);
+  CHECK_THAT(refusal(long_file + "1,2,3\n"), ContainsSubstring("path.csv:100002: expected at most 100000 poses"));
+}
+
+TEST_CASE("random changes and random bytes are read, or refused with their line", "[csv][fuzz]") {
+  Mutator mutator(5);
+  int was_read = 0;
+  for (int i = 0; i < 3000; ++i) {
+    const std::string message = refusal(mutator.mutated(quaternions));
+    if (!message.empty()) CHECK(message.starts_with("path.csv:"));
+    was_read += message.empty() ? 1 : 0;
+  }
+  CHECK(was_read > 30);
+  std::mt19937 random(6);
+  for (int i = 0; i < 300; ++i) {
+    std::string bytes(random() % 400, '\0');
+    for (char& byte : bytes) byte = static_cast<char>(random());
+    CHECK_THAT(refusal(bytes), ContainsSubstring("path.csv:"));
+  }
+}
+
+TEST_CASE("a study's CSV file is beside it, and what it holds decides the series, not its name", "[csv][series]") {
+  const ScratchFolder folder;
+  write(folder.path / "a.csv", quaternions);
+  write(folder.path / "b.csv", quaternions);
+  write(folder.path / "other.csv", "x_m,y_m,z_m\n0.5,0,0.4\n");
+  const auto key = [&](const std::string& file) {
+    write(folder.path / "study.toml", study_text(file));
+    const Study study = load_study((folder.path / "study.toml").string());
+    return configuration_key(study, study.solvers[0]);
+  };
+  CHECK(key("a.csv") == key("b.csv"));
+  CHECK(key("a.csv") != key("other.csv"));
+  key("other.csv");
+  const Study written = load_study((folder.path / "study.toml").string());
+  CHECK(written.path->points() == 1);
+  write(folder.path / "study.toml", to_toml(written));
+  CHECK(to_toml(load_study((folder.path / "study.toml").string())) == to_toml(written));
+}
+
+TEST_CASE("a CSV file that is missing, elsewhere or too large is refused", "[csv]") {
+  const ScratchFolder folder;
+  std::filesystem::create_directory(folder.path / "study");
+  write(folder.path / "outside.csv", quaternions);
+  write(folder.path / "study/large.csv", std::string(16'000'001, ' '));
+  write(folder.path / "study/bad.csv", "x_m,y_m,z_m\n1,two,3\n");
+  const auto said = [&](const std::string& file) -> std::string {
+    write(folder.path / "study/my.toml", study_text(file));
+    try {
+      load_study((folder.path / "study/my.toml").string());
+    } catch (const std::invalid_argument& error) {
+      return error.what();
+    }
+    return "";
+  };
+  CHECK_THAT(said("none.csv"), ContainsSubstring("my.toml:3:8: there is no file ") && ContainsSubstring("none.csv"));
+  for (const std::string file : {"", "../outside.csv", "/etc/hostname", "a/../../outside.csv"}) {
+    CHECK_THAT(said(file), ContainsSubstring("my.toml:3:8: path.file is ") &&
+                               ContainsSubstring("expected a CSV file in the study's folder"));
+  }
+  CHECK_THAT(said("large.csv"), ContainsSubstring("expected a file of at most 16 MB"));
+  CHECK_THAT(said("bad.csv"), ContainsSubstring("bad.csv:2: column 2 (y_m) is \"two\""));
+}

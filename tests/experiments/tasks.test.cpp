@@ -1,0 +1,275 @@
+// Kinds of path beside the paper's, sets of random targets and where solves start: by hand, and by what they promise.
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "experiments/path.hpp"
+#include "experiments/singular_values.hpp"
+#include "experiments/verifier.hpp"
+#include "tests/catch.hpp"
+#include "tests/experiments/samples.hpp"
+
+using namespace ikbench;
+using namespace ikbench::numerics;
+using namespace ikbench::robots;
+using namespace ikbench::results;
+using namespace ikbench::experiments;
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+std::vector<Eigen::Vector3d> points_of(const std::vector<std::string>& settings) {
+  std::vector<Eigen::Vector3d> points;
+  for (const Pose& pose : poses_of(path_of(settings))) points.emplace_back(pose.translation());
+  return points;
+}
+
+void check_points(const std::vector<Eigen::Vector3d>& found, const std::vector<Eigen::Vector3d>& expected) {
+  REQUIRE(found.size() == expected.size());
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    CAPTURE(i, found[i].transpose(), expected[i].transpose());
+    CHECK((found[i] - expected[i]).norm() < 1e-15);
+  }
+}
+
+Study study_with(const std::string& robot, const std::string& text) {
+  return parse_study(
+      "robot = \"" + robot + "\"\nsearch = \"all_joints\"\n" + text + "\n[[solvers]]\nsolver = \"bat\"\n", "my.toml");
+}
+
+std::string refusal(const std::string& robot, const std::string& text) {
+  try {
+    study_with(robot, text);
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "";
+}
+
+Study random_targets(const std::string& robot, const std::string& set, int points = 50) {
+  return study_with(robot, "[path]\nkind = \"random\"\nset = \"" + set + "\"\npoints = " + std::to_string(points));
+}
+
+std::vector<Configuration> solutions_of(const Study& study, int run = 1) {
+  Random random(Key(study.seed).with("targets").with(static_cast<std::uint64_t>(run)));
+  return study.path->solutions(arm_of(study), random);
+}
+
+}  // namespace
+
+TEST_CASE("a line has both its ends, and even steps", "[path]") {
+  check_points(points_of({"kind=line", "from_cm=[10, 20, 30]", "to_cm=[50, 20, -10]", "points=5"}),
+               {{0.1, 0.2, 0.3}, {0.2, 0.2, 0.2}, {0.3, 0.2, 0.1}, {0.4, 0.2, 0}, {0.5, 0.2, -0.1}});
+  check_points(points_of({"kind=line", "from_cm=[10, 20, 30]", "points=1"}), {{0.1, 0.2, 0.3}});
+}
+
+TEST_CASE("the points of a polyline are evenly spaced along its length", "[path]") {
+  // 30 cm along x and 10 along y: at 0, 10, 20, 30 and 40 cm.
+  check_points(points_of({"kind=polyline", "corners_cm=[0, 0, 0, 30, 0, 0, 30, 10, 0]", "points=5"}),
+               {{0, 0, 0}, {0.1, 0, 0}, {0.2, 0, 0}, {0.3, 0, 0}, {0.3, 0.1, 0}});
+  // Corners that are one place.
+  check_points(points_of({"kind=polyline", "corners_cm=[10, 0, 0, 10, 0, 0]", "points=2"}), {{0.1, 0, 0}, {0.1, 0, 0}});
+}
+
+TEST_CASE("a polyline needs two corners of three numbers", "[path]") {
+  for (const std::string corners : {"[]", "[1, 2, 3]", "[1, 2, 3, 4]", "[1, 2, 3, 4, 5, 6, 7]"}) {
+    CHECK_THAT(refusal("planar_3", "[path]\nkind = \"polyline\"\ncorners_cm = " + corners),
+               ContainsSubstring("my.toml:3:1: path.corners_cm has ") &&
+                   ContainsSubstring("expected x, y, z of two corners or more"));
+  }
+}
+
+TEST_CASE("a rectangle goes once around, and ends at its first corner", "[path]") {
+  // 20 cm along y and 10 along z: 60 cm around, a point every 10 cm.
+  check_points(points_of({"kind=rectangle", "centre_cm=[50, 0, 40]", "width_cm=20", "height_cm=10", "points=7"}),
+               {{0.5, -0.1, 0.35},
+                {0.5, 0, 0.35},
+                {0.5, 0.1, 0.35},
+                {0.5, 0.1, 0.45},
+                {0.5, 0, 0.45},
+                {0.5, -0.1, 0.45},
+                {0.5, -0.1, 0.35}});
+  const auto level = points_of({"kind=rectangle", "plane=xy", "points=9"});
+  CHECK(level.front() == level.back());
+  CHECK(std::ranges::all_of(level, [](const Eigen::Vector3d& point) { return point.z() == 0.4; }));
+}
+
+TEST_CASE("a figure of eight crosses its centre and ends where it begins", "[path]") {
+  // (15 sin t, 10 sin 2t) cm at t = 0, 45, 90 ... deg.
+  const double half = 0.15 * std::sqrt(0.5);
+  check_points(points_of({"kind=lissajous", "points=9"}), {{0.5, 0, 0.4},
+                                                           {0.5, half, 0.5},
+                                                           {0.5, 0.15, 0.4},
+                                                           {0.5, half, 0.3},
+                                                           {0.5, 0, 0.4},
+                                                           {0.5, -half, 0.5},
+                                                           {0.5, -0.15, 0.4},
+                                                           {0.5, -half, 0.3},
+                                                           {0.5, 0, 0.4}});
+}
+
+TEST_CASE("radius, angle and rise of a spiral grow evenly", "[path]") {
+  check_points(
+      points_of({"kind=spiral", "centre_cm=[0, 0, 10]", "to_radius_cm=40", "turns=1", "rise_cm=20", "points=5"}),
+      {{0, 0, 0.1}, {0, 0.1, 0.15}, {-0.2, 0, 0.2}, {0, -0.3, 0.25}, {0.4, 0, 0.3}});
+}
+
+TEST_CASE("the tool of a circle turns about the vertical", "[path]") {
+  const std::vector<Pose> poses =
+      poses_of(path_of({"kind=circle", "tool_turns_deg=180", "points=3", "spacing=k_over_n_minus_1"}));
+  CHECK((poses[0].translation() - poses[2].translation()).norm() < 1e-15);
+  Eigen::Matrix3d half_way;  // down is diag(-1, 1, -1); x becomes y and y becomes -x
+  half_way << 0, -1, 0, -1, 0, 0, 0, 0, -1;
+  CHECK((poses[1].linear() - half_way).norm() < 1e-15);
+  Eigen::Matrix3d end = Eigen::Vector3d(1, -1, -1).asDiagonal();
+  CHECK((poses[2].linear() - end).norm() < 1e-15);
+}
+
+// ---- sets of random targets ---------------------------------------------------------------------------------------
+
+TEST_CASE("near limits, each joint is within 5 % of its range of one, on both sides", "[path][targets]") {
+  const Study study = random_targets("ur5e", "near_limits", 200);
+  const JointLimits limits = arm_of(study).limits;
+  int at_lower = 0;
+  const std::vector<Configuration> all = solutions_of(study);
+  for (const Configuration& q : all) {
+    const Eigen::ArrayXd share = (q - limits.lower).array() / (limits.upper - limits.lower).array();
+    CHECK(((share >= 0) && (share <= 1)).all());
+    CHECK(((share < 0.05) || (share > 0.95)).all());
+    at_lower += static_cast<int>((share < 0.5).count());
+  }
+  CHECK(std::abs(at_lower - 600) < 100);  // of 1200 fair throws: 5.7 standard deviations
+}
+
+TEST_CASE("near singular, the smallest singular value is below that of 99 of 100 random configurations",
+          "[path][targets]") {
+  const Study near = random_targets("franka_panda", "near_singular", 20),
+              anywhere = random_targets("franka_panda", "anywhere", 500);
+  const Robot arm = arm_of(near);
+  const auto smallest = [&](const Configuration& q) {
+    return verify(arm, arm.chain.forward(q), q, q).smallest_singular_value;
+  };
+  double largest_near = 0;
+  for (const Configuration& q : solutions_of(near)) largest_near = std::max(largest_near, smallest(q));
+  const auto below = std::ranges::count_if(solutions_of(anywhere),
+                                           [&](const Configuration& q) { return smallest(q) <= largest_near; });
+  CHECK(below <= 20);  // of 500 at 1 %: 5 expected, more than 20 with a probability below 1e-6
+}
+
+TEST_CASE("at the edge the tool is beyond 95 % of the largest distance", "[path][targets]") {
+  const Study edge = random_targets("ur5e", "edge", 30), anywhere = random_targets("ur5e", "anywhere", 300);
+  const Eigen::Vector3d shoulder = arm_of(edge).chain.reach().centre;
+  const auto distance = [&](const Pose& pose) { return (pose.translation() - shoulder).norm(); };
+  double least = 1e9, most = 0;
+  for (const Pose& pose : targets(edge, 1)) least = std::min(least, distance(pose));
+  for (const Pose& pose : targets(anywhere, 1)) most = std::max(most, distance(pose));
+  CHECK(least >= 0.94 * most);
+}
+
+TEST_CASE("unreachable targets are beyond the reach by the share that is asked for", "[path][targets]") {
+  const Study study = study_with("ur5e", "[path]\nkind = \"random\"\nset = \"unreachable\"\nbeyond_percent = 25");
+  const Chain::Ball ball = arm_of(study).chain.reach();
+  for (const Pose& pose : targets(study, 1)) {
+    CHECK((pose.translation() - ball.centre).norm() == Approx(1.25 * ball.radius).epsilon(1e-12));
+  }
+  const SolveRecord solve = solve_once(study, study.solvers[0], targets(study, 1)[0]);
+  CHECK(solve.unavoidable_error_cm == Approx(25 * ball.radius).epsilon(1e-12));
+  CHECK(solve.position_error_cm >= solve.unavoidable_error_cm);
+}
+
+TEST_CASE("a set that an arm does not have is refused", "[path][targets]") {
+  CHECK_THAT(refusal("stanford", "[path]\nkind = \"random\"\nset = \"unreachable\""),
+             ContainsSubstring("my.toml:3:1: path.set is \"unreachable\", but the reach of stanford is not known"));
+  const ScratchFolder folder;
+  const std::string arm = (folder.path / "endless.toml").string();
+  write_text(arm, "summary = \"s\"\nsource = \"s\"\nlinks = [{ a_m = 0.5, limits_deg = \"none\" }]\n");
+  CHECK_THAT(refusal(arm, "[path]\nkind = \"random\"\nset = \"near_limits\""),
+             ContainsSubstring("no joint of endless has limits"));
+  CHECK(refusal("stanford", "[path]\nkind = \"random\"\nset = \"edge\"").empty());
+}
+
+TEST_CASE("every set is made of its solutions, the same again, and more of them begin with fewer", "[path][targets]") {
+  for (const std::string set : {"anywhere", "near_limits", "near_singular", "edge"}) {
+    CAPTURE(set);
+    const Study fewer = random_targets("ur5e", set, 3), more = random_targets("ur5e", set, 5);
+    const std::vector<Pose> poses = targets(fewer, 2);
+    const std::vector<Configuration> solutions = solutions_of(more, 2);
+    for (std::size_t i = 0; i < poses.size(); ++i) {
+      CHECK(poses[i].matrix() == arm_of(fewer).chain.forward(solutions[i]).matrix());
+      CHECK(poses[i].matrix() == targets(more, 2)[i].matrix());
+    }
+    CHECK(targets(fewer, 1)[0].matrix() != poses[0].matrix());
+  }
+}
+
+// ---- starts -------------------------------------------------------------------------------------------------------
+
+TEST_CASE("solves start in the middle of the limits, or at zero where a joint turns without end", "[starts]") {
+  const Study study = study_with("kinova_gen3", "start = \"middle\"\n[path]\nkind = \"random\"\npoints = 2");
+  const Robot arm = arm_of(study);
+  for (const Configuration& start : starts(study, 1)) {
+    for (Eigen::Index j = 0; j < start.size(); ++j) {
+      const double lower = arm.limits.lower[j], upper = arm.limits.upper[j];
+      CHECK(start[j] == (std::isfinite(lower) ? (lower + upper) / 2 : 0));
+    }
+  }
+  CHECK(starts(study, 1).size() == 2);
+}
+
+TEST_CASE("random starts are within the limits, of their own for every run and point", "[starts]") {
+  const Study study = study_with("ur5e", "start = \"random\"\n[path]\nkind = \"line\"\npoints = 50");
+  const Robot arm = arm_of(study);
+  const std::vector<Configuration> first = starts(study, 1), again = starts(study, 1), second = starts(study, 2);
+  CHECK(first == again);
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    CHECK(arm.limits.violation(first[i]) == 0);
+    CHECK(first[i] != second[i]);
+    if (i > 0) CHECK(first[i] != first[i - 1]);
+  }
+}
+
+TEST_CASE("near starts are as far from the solution as near_deg allows, and inside the limits", "[starts]") {
+  const Study study = study_with(
+      "stanford", "start = \"near\"\nnear_deg = 2\n[path]\nkind = \"random\"\nset = \"near_limits\"\npoints = 100");
+  const std::vector<Configuration> near = starts(study, 3), solutions = solutions_of(study, 3);
+  double farthest = 0;
+  for (std::size_t i = 0; i < near.size(); ++i) {
+    const Configuration away = (near[i] - solutions[i]).cwiseAbs();
+    farthest = std::max(farthest, away.maxCoeff());
+    CHECK(away[2] == 0);  // it slides
+    CHECK(arm_of(study).limits.violation(near[i]) == 0);
+  }
+  CHECK(farthest <= 2 * pi / 180);
+  CHECK(farthest > 1.9 * pi / 180);
+}
+
+TEST_CASE("near starts need targets that are made of configurations", "[starts]") {
+  for (const std::string path : {"kind = \"line\"", "kind = \"random\"\nset = \"unreachable\""}) {
+    CHECK_THAT(
+        refusal("ur5e", "start = \"near\"\n[path]\n" + path),
+        ContainsSubstring("my.toml:3:9: start is \"near\", but the path's targets are not made of configurations"));
+  }
+}
+
+TEST_CASE("every solver starts where the study says, run after run and from a store that has some", "[starts]") {
+  for (const std::string start : {"middle", "random", "near"}) {
+    CAPTURE(start);
+    Study study = study_with(
+        "ur5e", "start = \"" + start +
+                    "\"\npopulation = 4\nruns = 2\n[stop]\niterations = 3\n[path]\nkind = \"random\"\npoints = 3");
+    study.solvers.push_back({"other", "particle_swarm", {}});
+    for (const SolveRecord& solve : solves_of(study)) {
+      const Configuration expected = starts(study, solve.run)[static_cast<std::size_t>(solve.point - 1)];
+      CHECK(std::ranges::equal(solve.start_rad, expected));
+    }
+    const ScratchFolder folder;
+    Store store(folder.path / "store.sqlite", Store::Mode::write);
+    const std::vector<SolveRecord> whole = solves_of(study);
+    study.runs = 1;
+    run(study, store, {});
+    study.runs = 2;
+    run(study, store, {});
+    CHECK(same_numbers(store.solves(study.name), whole));
+  }
+}
