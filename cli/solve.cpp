@@ -69,7 +69,7 @@ Study study_of(const SolveArguments& arguments) {
     }
     study.initial[static_cast<Eigen::Index>(j)] = angle * degree;
   }
-  const bool needs_pose = !solver(arguments.solver).why_not(arm.chain, Asked::position).empty();
+  const bool needs_pose = !solver(arguments.solver).why_not(arm.chain, solvers::Asked::position).empty();
   const std::string search = !arguments.search.empty()         ? arguments.search
                              : needs_pose                      ? "pose"
                              : SphericalWrist::fits(arm.chain) ? "wrist"

@@ -33,11 +33,11 @@ constexpr std::array<std::string_view, 3> position_names{"x", "y", "z"}, rpy_nam
 constexpr std::array<std::string_view, 4> quaternion_names{"qw", "qx", "qy", "qz"};
 constexpr std::array<std::string_view, 9> matrix_names{"r11", "r12", "r13", "r21", "r22", "r23", "r31", "r32", "r33"};
 
-using Unit = std::pair<std::string_view, double>;  // how a column's name ends, and what it means
-using Units = std::span<const Unit>;
-constexpr std::array length_units{Unit{"_m", 1}, Unit{"_cm", centimetre}, Unit{"_mm", 1e-3}};
-constexpr std::array angle_units{Unit{"_deg", degree}, Unit{"_rad", 1}};
-constexpr std::array no_unit{Unit{"", 1}};
+using EndOfName = std::pair<std::string_view, double>;  // how a column's name ends, and what it means
+using Units = std::span<const EndOfName>;
+constexpr std::array length_units{EndOfName{"_m", 1}, EndOfName{"_cm", centimetre}, EndOfName{"_mm", 1e-3}};
+constexpr std::array angle_units{EndOfName{"_deg", degree}, EndOfName{"_rad", 1}};
+constexpr std::array no_unit{EndOfName{"", 1}};
 
 struct Column {
   std::size_t place;

@@ -165,7 +165,7 @@ std::vector<SolveRunner::Timed> SolveRunner::repeated(Solver& solver, const Pose
 }
 
 double SolveRunner::beyond_reach(const Pose& target) const {
-  return std::max(0.0, (task_.goal(target) - reach_.centre).norm() - reach_.radius);
+  return std::max(0.0, (task_.goal(target).target.translation() - reach_.centre).norm() - reach_.radius);
 }
 
 void SolveRunner::warm_up(Solver& solver, const Pose& target, const Configuration& start) const {

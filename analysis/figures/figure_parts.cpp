@@ -91,7 +91,8 @@ std::string plot_command(const std::vector<std::string>& clauses, std::string_vi
 std::vector<double> averages_by_point(const StudyResults& study, const std::string& solver, Metric metric) {
   std::vector<std::vector<double>> values(static_cast<std::size_t>(study.points));
   for (const SolveRecord& solve : study.solves) {
-    if (solve.solver == solver) values[static_cast<std::size_t>(solve.point) - 1].push_back(value_of(study, solve, metric));
+    if (solve.solver == solver)
+      values[static_cast<std::size_t>(solve.point) - 1].push_back(value_of(study, solve, metric));
   }
   std::vector<double> averages;
   for (const auto& at_point : values) averages.push_back(average_of(metric)(at_point));

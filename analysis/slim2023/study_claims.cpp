@@ -161,7 +161,8 @@ std::vector<double> second_differences_deg(const StudyResults& study, const std:
 
 // The largest move of a joint from one point to the next, averaged over each complete run [deg].
 std::vector<double> largest_moves_deg(const StudyResults& study, const std::string& solver) {
-  for (const Sample& sample : samples(study, averaged([](const SolveRecord& solve) { return solve.largest_move_deg; }))) {
+  for (const Sample& sample :
+       samples(study, averaged([](const SolveRecord& solve) { return solve.largest_move_deg; }))) {
     if (sample.solver == solver) return sample.values;
   }
   return {};

@@ -10,9 +10,9 @@ using namespace robots;
 
 namespace {
 
-class Line final : public PathKind {
+class StraightLine final : public PathKind {
  public:
-  std::unique_ptr<PathKind> copy() const override { return std::make_unique<Line>(*this); }
+  std::unique_ptr<PathKind> copy() const override { return std::make_unique<StraightLine>(*this); }
 
   std::string_view name() const override { return "line"; }
   std::string_view summary() const override { return "a straight line from one point to another"; }
@@ -40,6 +40,6 @@ class Line final : public PathKind {
 
 }  // namespace
 
-std::unique_ptr<PathKind> line_path() { return std::make_unique<Line>(); }
+std::unique_ptr<PathKind> line_path() { return std::make_unique<StraightLine>(); }
 
 }  // namespace ikbench::experiments

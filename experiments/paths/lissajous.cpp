@@ -30,7 +30,7 @@ class Lissajous final : public PathKind {
     list_plane(io, plane_);
     io.whole(
         "points", points_, point_counts,
-        "point k = 0 ... n - 1 is centre + (width/2 sin(first_cycles t + phase), height/2 sin(second_cycles t)) with "
+        "point k = 0 ... n - 1 is centre + (width/2 sine(first_cycles t + phase), height/2 sine(second_cycles t)) with "
         "t = 360 k/(n - 1) deg");
     list_tool(io, tool_);
   }

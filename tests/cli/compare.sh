@@ -197,7 +197,7 @@ refused 'A: unknown label "none" (there are: IK-BA, BA' compare $base $again --l
 refused 'A and B are both the label BA' compare BA BA --store $base
 refused '--label needs two stores' compare BA DE --store $base --label PSO
 refused 'no label in common (A: IK-BA, BA' compare $base drawn/store.sqlite
-refused 'unknown metric "speed" (there are: position_error_cm, variation_deg, evaluations, seconds, solved)' \
+refused 'unknown metric "speed" (there are: position_error_cm, variation_deg, seconds, evaluations, solved, ' \
   compare $base $again --metric speed
 refused '--margin: 5 is not a share from 0 % to 99 %; expected for example 5% or 0.05' compare $base $again --margin 5
 refused '--margin: -1% is not a share' compare $base $again --margin=-1%

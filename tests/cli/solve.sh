@@ -39,10 +39,12 @@ succeeds solve --search pose --position-cm 50 10 40 --tolerance-cm 0
 
 # Every solver; the same seed, the same answer, and another with another.
 for solver in $("$program" list solvers | tail -n +2 | cut -d' ' -f1); do
-  succeeds solve --position-cm 60 20 30 --solver "$solver" --set stop.iterations=5
+  arm=kuka_iiwa14
+  [ "$solver" = closed_form ] && arm=abb_irb120  # for six joints
+  succeeds solve --robot $arm --position-cm 40 20 30 --solver "$solver" --set stop.iterations=5
   [ "$(value solver)" = "$solver" ] || fail "$solver: $out"
   first=$(grep -v '^time' .out)
-  succeeds solve --position-cm 60 20 30 --solver "$solver" --set stop.iterations=5
+  succeeds solve --robot $arm --position-cm 40 20 30 --solver "$solver" --set stop.iterations=5
   [ "$(grep -v '^time' .out)" = "$first" ] || fail "$solver: another answer with the same seed"
 done
 succeeds solve --position-cm 60 20 30 --solver ik_bat --seed 1
