@@ -96,7 +96,34 @@ void look_at_counts(const SolveRecord& solve, Findings& found) {
   }
 }
 
-void look_at_answer(const Robot& arm, const SolveRecord& solve, Findings& found) {
+// What the definition asks of every answer; the error of a whole pose is claimed, but not stored.
+Requirement requirement_of(const nlohmann::json& definition) {
+  const auto number = [&](const char* pointer) {
+    const nlohmann::json::json_pointer at(pointer);
+    return definition.contains(at) && definition[at].is_number() ? definition[at].get<double>() : 0.0;
+  };
+  const auto is = [&](const char* key, const char* value) {
+    return definition.contains(key) && definition[key] == value;
+  };
+  return {.tolerance = number("/stop/tolerance_cm") * centimetre,
+          .angle_tolerance = number("/stop/tolerance_deg") * degree,
+          .orientation_is_exact = is("search", "wrist"),
+          .limits_are_enforced = is("limits", "enforced")};
+}
+
+void look_at_status(const SolveRecord& solve, const Verification& computed, Requirement requirement, Findings& found) {
+  requirement.claimed_error = solve.claimed_error_cm * centimetre;
+  const bool stays = requirement.limits_are_enforced && solve.answer_rad == solve.start_rad;
+  // Refused answers and claims about whole poses are not in the store.
+  if ((solve.status == Status::refused && stays) || solve.status == Status::claimed_but_wrong) return;
+  const Status follows =
+      solve.stop_reason == StopReason::not_finite ? Status::not_finite : judge(computed, requirement);
+  if (solve.status == follows) return;
+  found.add("status", solve,
+            fmt::format("{} is stored, {} follows from the answer", name_of(solve.status), name_of(follows)));
+}
+
+void look_at_answer(const Robot& arm, const SolveRecord& solve, const Requirement& requirement, Findings& found) {
   const auto joints = static_cast<std::size_t>(arm.joints());
   if (solve.target_position_m.size() != 3 || solve.target_rotation.size() != 9 || solve.start_rad.size() != joints ||
       solve.answer_rad.size() != joints) {
@@ -109,10 +136,16 @@ void look_at_answer(const Robot& arm, const SolveRecord& solve, Findings& found)
   found.expect("variation_deg", solve, solve.variation_deg, computed.variation / degree);
   found.expect("largest_move_deg", solve, solve.largest_move_deg, computed.largest_move / degree);
   found.expect("limit_violation_deg", solve, solve.limit_violation_deg, computed.limit_violation / degree);
+  look_at_status(solve, computed, requirement, found);
   if (std::isfinite(solve.variation_m)) {  // older stores have none
     found.expect("variation_m", solve, solve.variation_m, computed.variation_m);
     found.expect("largest_move_m", solve, solve.largest_move_m, computed.largest_move_m);
     found.expect("limit_violation_m", solve, solve.limit_violation_m, computed.limit_violation_m);
+  }
+  if (std::isfinite(solve.manipulability)) {  // nor these
+    found.expect("limit_margin", solve, solve.limit_margin, computed.limit_margin);
+    found.expect("smallest_singular_value", solve, solve.smallest_singular_value, computed.smallest_singular_value);
+    found.expect("manipulability", solve, solve.manipulability, computed.manipulability);
   }
 }
 
@@ -138,9 +171,10 @@ std::optional<Robot> stored_arm(const StudyEntry& entry) {
 std::vector<std::string> damages(const StudyEntry& entry, const std::vector<SolveRecord>& solves) {
   Findings found;
   const std::optional<Robot> arm = stored_arm(entry);
+  const Requirement requirement = requirement_of(nlohmann::json::parse(entry.definition, nullptr, false));
   for (const SolveRecord& solve : solves) {
     look_at_counts(solve, found);
-    if (arm) look_at_answer(*arm, solve, found);
+    if (arm) look_at_answer(*arm, solve, requirement, found);
   }
   std::vector<std::string> sentences = found.sentences();
   if (!arm && !solves.empty()) {

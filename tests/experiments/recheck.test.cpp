@@ -51,6 +51,9 @@ TEST_CASE("a changed number of a solve is damage, named by its column and the fi
       {"largest_move_deg", [](SolveRecord& solve) { solve.largest_move_deg = 0; }},
       {"limit_violation_deg", [](SolveRecord& solve) { solve.limit_violation_deg = -3; }},
       {"limit_violation_m", [](SolveRecord& solve) { solve.limit_violation_m += 0.1; }},
+      {"status", [](SolveRecord& solve) { solve.status = solve.status == Status::ok ? Status::refused : Status::ok; }},
+      {"limit_margin", [](SolveRecord& solve) { solve.limit_margin = 1; }},
+      {"manipulability", [](SolveRecord& solve) { solve.manipulability = 2; }},
       {"evaluations", [](SolveRecord& solve) { solve.evaluations = -1; }},
       {"iterations", [](SolveRecord& solve) { solve.iterations = -7; }},
       {"seconds", [](SolveRecord& solve) { solve.seconds = -1; }},
@@ -73,6 +76,7 @@ TEST_CASE("numbers that an older store does not have are no damage", "[recheck]"
   std::vector<SolveRecord> solves = solves_of(study);
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
   for (SolveRecord& solve : solves) {
+    solve.limit_margin = solve.smallest_singular_value = solve.manipulability = none;
     solve.smallest_seconds = solve.largest_seconds = solve.variation_m = solve.largest_move_m = none;
     solve.limit_violation_m = none;
   }
