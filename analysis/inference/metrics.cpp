@@ -43,6 +43,7 @@ static_assert(row(Metric::position_error_cm).column == "position_error_cm");
 static_assert(row(Metric::variation_deg).column == "variation_deg");
 static_assert(row(Metric::seconds).column == "seconds");
 static_assert(row(Metric::evaluations).column == "evaluations");
+static_assert(row(Metric::solved).column == "solved");
 
 // Those of the table that are shown in one of the ways.
 std::vector<Metric> metrics_shown(std::initializer_list<Shown> ways) {

@@ -76,6 +76,16 @@ bool are_outcomes(const Observations& observations) {
   return zeros && ones;
 }
 
+Proportion solve_rate(const StudyResults& study, std::string_view solver, double level) {
+  Successes count;
+  for (const results::SolveRecord& solve : study.solves) {
+    if (solve.solver != solver) continue;
+    ++count.trials;
+    if (solve.status == results::Status::ok) ++count.successes;
+  }
+  return wilson(count, level);
+}
+
 void compare_outcomes(Evidence& evidence, std::span<const std::vector<double>> values) {
   for (std::size_t i = 0; i < values.size(); ++i) {
     const Proportion share = wilson(successes_of(values[i]), 1 - evidence.plan.significance);

@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "analysis/inference/evidence.hpp"
+#include "analysis/inference/study.hpp"
+#include "analysis/statistics/proportion.hpp"
 
 namespace ikbench::inference {
 
@@ -14,6 +16,9 @@ constexpr std::string_view cochran_name = "Cochran's Q test";
 
 // Whether every value is 0 or 1, and both occur. What the quantity is decides, and no test.
 bool are_outcomes(const Observations& observations);
+
+// The share of the solves of a solver that have status ok, with Wilson's interval.
+statistics::Proportion solve_rate(const StudyResults& study, std::string_view solver, double level);
 
 // Shares with Wilson's intervals; each pair by Fisher's exact test or, within blocks, McNemar's, corrected as planned,
 // with Newcombe's interval of the difference, which holds for the whole family by Bonferroni; within blocks, Cochran's

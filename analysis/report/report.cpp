@@ -77,8 +77,13 @@ bool has_another_solver(const StudyResults& other, const StudyResults& study) {
 // The paper of the study; one that says nothing where it has none.
 const Paper& paper_of(const StudyResults& study, std::span<const Paper> papers) {
   static const Paper none;
-  const auto found = std::ranges::find(papers, study.published, &Paper::name);
-  return study.published.empty() || found == papers.end() ? none : *found;
+  const auto is_of = [&](const Paper& paper) {
+    if (!study.published.empty() || !paper.citation.empty()) return paper.name == study.published;
+    // Studies that are read together, but were never printed.
+    return std::ranges::find(paper.studies, study.name, &PaperStudy::name) != paper.studies.end();
+  };
+  const auto found = std::ranges::find_if(papers, is_of);
+  return found == papers.end() ? none : *found;
 }
 
 // What a study's own tables say of themselves where points are the observations.
@@ -101,7 +106,8 @@ std::vector<Assessment> assessments_of(const JudgedStudy& study, const Paper& pa
   std::vector<Assessment> result;
   for (const Metric metric : shown_metrics(study).judged) {
     for (const Estimand estimand : estimands_of(study, metric)) result.push_back(assess(study, metric, estimand));
-    if (is_comparable(study, metric) && !is_of_run(metric)) result.back().tables.push_back(interquartile_table(study, metric));
+    if (is_comparable(study, metric) && !is_of_run(metric))
+      result.back().tables.push_back(interquartile_table(study, metric));
   }
   std::ranges::move(printed_assessments(study, paper), std::back_inserter(result));
   return result;

@@ -26,7 +26,7 @@ struct ReportRequest {
   std::span<const Paper> papers = {};               // of which the study's, if it is there, has its say
   std::vector<Table> extra_tables = {};             // written and shown with the others (report_content.cpp says where)
   std::vector<figures::Figure> extra_figures = {};  // likewise
-  std::vector<RepeatedSolver> repetitions = {};         // of the study, with other seeds
+  std::vector<RepeatedSolver> repetitions = {};     // of the study, with other seeds
   std::vector<ClaimShares> shares = {};             // of the paper's claims over all interpretations
   std::vector<std::string> damages = {};            // of the store, sentences; the first warnings
 };

@@ -1,0 +1,104 @@
+#include "analysis/beeson2015/solve_rates.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "analysis/figures/rates_figure.hpp"
+#include "analysis/inference/outcomes.hpp"
+#include "results/published.hpp"
+
+namespace ikbench::beeson2015 {
+
+using namespace results;
+using namespace inference;
+using namespace report;
+using namespace statistics;
+
+namespace {
+
+constexpr std::string_view kdl = "KDL", kdl_rr = "KDL-RR";
+constexpr double level = 0.99;  // of our intervals
+
+// Our arms, as the table calls them.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 5> arms{{{"abb_irb120", "ABB IRB120"},
+                                                                             {"franka_panda", "Franka Emika Panda"},
+                                                                             {"baxter_left", "Baxter arm"},
+                                                                             {"kinova_jaco2", "Jaco2"},
+                                                                             {"kuka_iiwa14", "KUKA LBR iiwa 14 R820"}}};
+
+Cell percentage(double share) { return std::isfinite(share) ? Cell(100 * share) : Cell(); }
+
+Range percentages(const Proportion& of) { return {100 * of.low, 100 * of.high}; }
+
+}  // namespace
+
+std::vector<ArmRates> solve_rates(const Reported& reported) {
+  const CsvTable printed = published::table("beeson2015", "solve-rates");
+  const auto share = [&](std::size_t row, std::string_view column) { return printed.number(row, column) / 100; };
+  std::vector<std::reference_wrapper<const JudgedStudy>> studies{reported.study};
+  studies.insert(studies.end(), reported.companions.begin(), reported.companions.end());
+
+  std::vector<ArmRates> rates;
+  for (const JudgedStudy& study : studies) {
+    if (study.solves.empty()) continue;
+    const auto arm = std::ranges::find(arms, study.solves.front().robot, &decltype(arms)::value_type::first);
+    if (arm == arms.end()) continue;
+    for (std::size_t row = 0; row < printed.rows.size(); ++row) {
+      if (printed.rows[row][printed.column("arm")] != arm->second) continue;
+      ArmRates& one = rates.emplace_back();
+      one.arm = arm->second;
+      one.kdl = {share(row, "kdl_percent"), solve_rate(study, kdl, level)};
+      one.kdl_rr = {share(row, "kdl_rr_percent"), solve_rate(study, kdl_rr, level)};
+      one.trac_ik = share(row, "trac_ik_percent");
+      const bool has_both = std::ranges::count(study.solvers, kdl) + std::ranges::count(study.solvers, kdl_rr) == 2;
+      if (has_both) one.restarts = judge(study.evidence(Metric::solved), kdl_rr, kdl);
+    }
+  }
+  return rates;
+}
+
+bool agrees(const Rate& rate) { return rate.ours.low <= rate.printed && rate.printed <= rate.ours.high; }
+
+Table solve_rates_table(const std::vector<ArmRates>& arms) {
+  Table table{.name = "solve-rates",
+              .caption = "Solved poses [%], as printed and here, with 99 % intervals",
+              .columns = {{"arm", Align::left},
+                          {"KDL, printed"},
+                          {"KDL, here"},
+                          {"interval"},
+                          {"KDL-RR, printed"},
+                          {"KDL-RR, here"},
+                          {"interval of KDL-RR"},
+                          {"TRAC-IK, printed"}},
+              .notes = {"Printed: as many iterations as fit into 5 ms on the authors' machine. Here: 200 iterations."}};
+  for (const ArmRates& one : arms) {
+    table.rows.push_back({one.arm, percentage(one.kdl.printed), percentage(one.kdl.ours.estimate),
+                          percentages(one.kdl.ours), percentage(one.kdl_rr.printed),
+                          percentage(one.kdl_rr.ours.estimate), percentages(one.kdl_rr.ours), percentage(one.trac_ik)});
+  }
+  return table;
+}
+
+figures::Figure solve_rates_figure(const std::vector<ArmRates>& arms) {
+  std::vector<std::string> rows;
+  figures::RateSeries kdl_here{.name = "KDL", .colour = 1, .shares = {}},
+      kdl_printed{.name = "KDL, printed", .colour = 1, .is_ring = true, .shares = {}},
+      rr_here{.name = "KDL-RR", .colour = 2, .shares = {}},
+      rr_printed{.name = "KDL-RR, printed", .colour = 2, .is_ring = true, .shares = {}};
+  for (const ArmRates& one : arms) {
+    rows.push_back(one.arm);
+    kdl_here.shares.push_back(one.kdl.ours);
+    kdl_printed.shares.push_back({.estimate = one.kdl.printed, .undefined = {}});
+    rr_here.shares.push_back(one.kdl_rr.ours);
+    rr_printed.shares.push_back({.estimate = one.kdl_rr.printed, .undefined = {}});
+  }
+  return figures::rates_figure(rows, {kdl_here, kdl_printed, rr_here, rr_printed},
+                               {.name = "solve-rates-figure",
+                                .quantity = "solved poses",
+                                .caption = "Solved poses, with 99 % intervals. RR: with random restarts."});
+}
+
+}  // namespace ikbench::beeson2015
