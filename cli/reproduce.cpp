@@ -131,7 +131,8 @@ bool solve_besides(const Arguments& arguments, const Paper& paper, WrittenReport
     add_small_multiverse(wanted, paper, *solved);
   }
   if (arguments.seeds > 0 && paper.one_at_a_time) {
-    const auto solved = solve("interpretations", dimensions(first), 1, Combined::one_at_a_time);
+    // Those of the default set; the command has them all.
+    const auto solved = solve("interpretations", within(Scope::usual, dimensions(first)), 1, Combined::one_at_a_time);
     if (!solved) return false;
     wanted.tables.push_back(paper.one_at_a_time(solved->multiverse, solved->plan));
   }
