@@ -63,8 +63,26 @@ case "$first $second" in
   *) fail "one of two goes on, and the other is refused; exit codes $first and $second: $(<.first-err) $err" ;;
 esac
 
-# A reader that does not end keeps the log from being folded in.
 command -v python3 >/dev/null || exit 0
+
+# Numbers that somebody changed are told first, and end a report and a comparison with 1.
+mkdir changed
+cp shared/store.sqlite changed/
+python3 - <<'PYTHON'
+import sqlite3
+
+store = sqlite3.connect("changed/store.sqlite")
+store.execute("update solves set position_error_cm=-1 where solver='BA'")
+store.commit()
+PYTHON
+run_it report changed/store.sqlite --no-figures
+[ "$code" = 1 ] || fail "a changed store: exit code $code"
+has "$err" "numbers that do not follow from its answers"
+has "$(sed '/^## Warnings/q' changed/report.md)" "Believe nothing here"
+has "$(grep -A2 '^## Warnings' changed/report.md)" "Damaged: position_error_cm of 100 solves (first: BA, run 1, point 1: -1 is stored"
+refused "Damaged: position_error_cm" compare IK-BA BA --store changed/store.sqlite
+
+# A reader that does not end keeps the log from being folded in.
 begin read
 python3 - <<'PYTHON' &
 import os, sqlite3, time
