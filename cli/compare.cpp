@@ -208,7 +208,9 @@ void add_compare(CLI::App& app, Invocation& invocation) {
       ->add_option("--label", arguments->labels,
                    "with two stores: compare only this label; repeat for more; default: all that both stores have")
       ->allow_extra_args(false);
-  command->add_option("--metric", arguments->metrics, metric_names() + ", which are the default, or another of ikbench list metrics; repeat for more")
+  command
+      ->add_option("--metric", arguments->metrics,
+                   metric_names() + ", which are the default, or another of ikbench list metrics; repeat for more")
       ->allow_extra_args(false);
   const CLI::Option *margin = add_margin_option(*command, arguments->plan.margin),
                     *margin_cm = add_margin_cm_option(*command, arguments->plan.margin_cm),

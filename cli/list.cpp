@@ -137,8 +137,8 @@ void add_list(CLI::App& app) {
     std::string kind, name;
   };
   auto arguments = std::make_shared<Arguments>();
-  CLI::App* command =
-      app.add_subcommand("list", "List solvers, robots, studies, kinds of path, result columns, metrics or instruction sets");
+  CLI::App* command = app.add_subcommand(
+      "list", "List solvers, robots, studies, kinds of path, result columns, metrics or instruction sets");
   command->add_option("KIND", arguments->kind, "solvers, robots, studies, paths, columns, metrics or instruction-sets")
       ->required()
       ->check(CLI::IsMember({"solvers", "robots", "studies", "paths", "columns", "metrics", "instruction-sets"}));

@@ -159,11 +159,11 @@ void draw_arm(const Robot& arm, const Configuration& q, const std::filesystem::p
 }  // namespace
 
 std::string robot_text(const Robot& arm) {
-  std::string text = fmt::format("{}: {}\nfrom {}\n\n{}{}{}\n{}\nwrist: {}\n", arm.name, arm.summary, arm.source,
-                                 frame_line("base", arm.chain.base()), frame_line("tool", arm.chain.tool()),
-                                 joint_table(arm), reach_text(arm),
-                                 SphericalWrist::fits(arm.chain) ? "spherical; search = \"wrist\", \"all_joints\" or \"pose\""
-                                                                 : "not spherical; search = \"all_joints\" or \"pose\"");
+  std::string text = fmt::format(
+      "{}: {}\nfrom {}\n\n{}{}{}\n{}\nwrist: {}\n", arm.name, arm.summary, arm.source,
+      frame_line("base", arm.chain.base()), frame_line("tool", arm.chain.tool()), joint_table(arm), reach_text(arm),
+      SphericalWrist::fits(arm.chain) ? "spherical; search = \"wrist\", \"all_joints\" or \"pose\""
+                                      : "not spherical; search = \"all_joints\" or \"pose\"");
   for (const std::string& note : arm.notes) text += fmt::format("note: {}\n", note);
   return printable(text);
 }

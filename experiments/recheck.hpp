@@ -14,9 +14,9 @@ namespace ikbench::experiments {
 // be read.
 std::optional<robots::Robot> stored_arm(const results::StudyEntry& entry);
 
-// What does not fit, a sentence for each column, with the first solve of which it is so; none where all fits. Errors,
-// moves, violations and the status are computed again from arm, target, start and answer; counts and times must be
-// possible.
+// What does not fit of the errors, moves, limits, counts and times, a sentence for each column, with the first solve of
+// which it is so; none where all fits. Errors, moves, violations and the status are computed again from arm, target,
+// start and answer; counts and times must be possible.
 std::vector<std::string> damages(const results::StudyEntry& entry, const std::vector<results::SolveRecord>& solves);
 
 }  // namespace ikbench::experiments

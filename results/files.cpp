@@ -130,7 +130,9 @@ namespace {
 int locked(const fs::path& path) {
   const int descriptor = ::open(path.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
   if (descriptor < 0 || ::flock(descriptor, LOCK_EX | LOCK_NB) == 0) return descriptor;
+  const int why = errno;
   ::close(descriptor);
+  errno = why;
   return -1;
 }
 
@@ -157,6 +159,7 @@ TemporaryFolder::TemporaryFolder(const fs::path& parent) {
     } else {
       path_ = name;
       lock_ = locked(path_);
+      if (lock_ < 0 && errno != EWOULDBLOCK && errno != ENOENT) return;  // a file system without locks
     }
   }
   if (lock_ >= 0) return;
@@ -167,7 +170,7 @@ TemporaryFolder::TemporaryFolder(const fs::path& parent) {
 TemporaryFolder::~TemporaryFolder() {
   std::error_code ignored;
   fs::remove_all(path_, ignored);
-  ::close(lock_);
+  if (lock_ >= 0) ::close(lock_);
 }
 
 void remove_litter(const fs::path& folder) {

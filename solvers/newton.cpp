@@ -5,7 +5,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "solvers/bounds.hpp"
 #include "solvers/registry.hpp"
 
 namespace ikbench::solvers {

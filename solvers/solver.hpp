@@ -1,5 +1,5 @@
-// What a solver is: start, step, best, and perhaps finished. No loop, clock, stop rule, log or counter inside; `solve` (solve.hpp) owns
-// those.
+// What a solver is: start, step, best, and perhaps finished. No loop, clock, stop rule, log or counter inside; `solve`
+// (solve.hpp) owns those.
 #pragma once
 
 #include <limits>

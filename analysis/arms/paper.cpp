@@ -28,7 +28,7 @@ Rates rates(const Reported& reported) {
   for (const std::string& solver : reported.study.solvers) {
     rates.solvers.push_back({.name = solver, .colour = static_cast<int>(rates.solvers.size()) + 1, .shares = {}});
   }
-  JudgedStudies studies{reported.study};
+  std::vector<std::reference_wrapper<const JudgedStudy>> studies{reported.study};
   studies.insert(studies.end(), reported.companions.begin(), reported.companions.end());
   for (const JudgedStudy& study : studies) {
     if (study.solves.empty()) continue;
@@ -68,7 +68,7 @@ StudyPieces pieces(const Reported& reported) {
       found.arms, found.solvers,
       {.name = "arms-figure",
        .quantity = "solved poses",
-       .caption = "Solved poses of 100 reachable ones an arm, with 95 % intervals, all solvers with one budget."}));
+       .caption = "Solved poses, the same of an arm for all solvers, with 95 % intervals and one budget."}));
   all.results = "arms";
   return all;
 }

@@ -35,17 +35,20 @@ std::string_view known_reason(std::string_view arm) {
 Claim rate_claim(const ArmRates& one) {
   const auto& [estimate, low, high, undefined] = one.kdl.ours;
   const bool holds = agrees(one.kdl);
-  return {.statement = fmt::format("KDL solves {:.2f} % on the {}", 100 * one.kdl.printed, one.arm),
-          .verdict = !undefined.empty() ? Verdict::untested
-                     : holds            ? Verdict::holds
-                                        : Verdict::fails,
-          .evidence = fmt::format("Here {:.1f} % are solved in 200 iterations (99 % interval {:.1f} to {:.1f} %).{}",
-                                  100 * estimate, 100 * low, 100 * high, holds ? "" : known_reason(one.arm)),
-          .table = "solve-rates",
-          .id = fmt::format("rate-{}", one.arm),
-          .section = of_readme,
-          .decides = "The printed share is inside the 99 % interval of ours.",
-          .number = fmt::format("{:.1f} against {:.2f} %", 100 * estimate, 100 * one.kdl.printed)};
+  return {
+      .statement = fmt::format("KDL solves {:.2f} % on the {}", 100 * one.kdl.printed, one.arm),
+      .verdict = !undefined.empty() ? Verdict::untested
+                 : holds            ? Verdict::holds
+                                    : Verdict::fails,
+      .evidence = !undefined.empty()
+                      ? "Not solved here."
+                      : fmt::format("Here {:.1f} % are solved in 200 iterations (99 % interval {:.1f} to {:.1f} %).{}",
+                                    100 * estimate, 100 * low, 100 * high, holds ? "" : known_reason(one.arm)),
+      .table = "solve-rates",
+      .id = fmt::format("rate-{}", one.arm),
+      .section = of_readme,
+      .decides = "The printed share is inside the 99 % interval of ours.",
+      .number = fmt::format("{:.1f} against {:.2f} %", 100 * estimate, 100 * one.kdl.printed)};
 }
 
 Claim restarts_claim(const std::vector<ArmRates>& arms) {

@@ -17,7 +17,8 @@ constexpr std::string_view cochran_name = "Cochran's Q test";
 // Whether every value is 0 or 1, and both occur. What the quantity is decides, and no test.
 bool are_outcomes(const Observations& observations);
 
-// The share of the solves of a solver that have status ok, with Wilson's interval.
+// The share of the solves of a solver that have status ok, with Wilson's interval, which is for independent solves,
+// such as one a run.
 statistics::Proportion solve_rate(const StudyResults& study, std::string_view solver, double level);
 
 // Shares with Wilson's intervals; each pair by Fisher's exact test or, within blocks, McNemar's, corrected as planned,

@@ -22,6 +22,7 @@ bool is_followed(Run run, const StudyResults& study) {
     const SolveRecord &before = *run[k - 1], &solve = *run[k];
     if (solve.point != before.point + 1 || solve.start_rad != before.answer_rad) return false;
     if (solve.answer_rad.empty() || solve.answer_rad.size() != solve.start_rad.size()) return false;
+    if (!std::isfinite(solve.largest_move_deg)) return false;
   }
   return true;
 }

@@ -118,6 +118,9 @@ StudyResults make_study(const StudyEntry& entry, std::vector<SolveRecord> solves
                      .definition = entry.definition,
                      .solves = std::move(solves)};
   study.title = Definition(entry.definition).text("/title");
+  if (Definition(entry.definition).text("/search") == "pose") {  // traces of poses are of another error than positions
+    for (SolveRecord& solve : study.solves) solve.trace_cm.clear();
+  }
   study.published = Definition(entry.definition).text("/published");
   study.task = task_of(Definition(entry.definition));
   if (definition.is_object() && definition.contains("departures") && definition["departures"].is_array()) {

@@ -257,7 +257,7 @@ Report write_report(const Store& store, const ReportRequest& request) {
   if (content.claims.empty() && !study.solves.empty()) content.answer = own_verdict(study);
   std::erase(content.answer, "");
   if (!request.damages.empty()) {
-    content.answer = "Believe nothing here: the store has numbers that do not follow from its answers.";
+    content.answer = {"Believe nothing here: the store has numbers that do not follow from its answers."};
   }
   see(study, tables, request.shares, content);
   write_file(request.folder / "solves.csv", to_csv(study.solves));

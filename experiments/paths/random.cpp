@@ -109,7 +109,7 @@ class RandomTargets final : public PathKind {
                      {"edge", Set::edge},
                      {"unreachable", Set::unreachable}},
         "which of them. near_limits: each joint within 5 % of a limit; near_singular: the smallest singular value "
-        "below its first percentile; edge: beyond 95 % of the reach; unreachable: moved beyond the reach");
+        "below its first percentile; edge: farther from the shoulder than 95 % of the largest distance of 1000 random configurations; unreachable: moved beyond the reach");
     io.number("beyond_percent", beyond_, 0.01, {0.01, 1000},
               "of unreachable ones: how far beyond, as a share of the reach");
   }

@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <limits>
+#include <memory>
 
 #include "experiments/study_writer.hpp"
 #include "tests/catch.hpp"
@@ -35,6 +36,15 @@ TEST_CASE("the solves of a study as they are made follow from their answers", "[
   }
 }
 
+TEST_CASE("an arm from a URDF file, verified by its origins and axes, is checked by its table", "[recheck]") {
+  for (const char* file : {"tests/data/urdf/ur5_calibrated.urdf", "tests/data/urdf/ur5e.urdf"}) {
+    Study study = study_with("ur5");
+    study.robot_of_file = std::make_shared<const robots::Robot>(robots::load_robot(file));
+    study.robot = file;
+    for (const std::string& damage : damages(entry_of(study), solves_of(study))) FAIL_CHECK(damage);
+  }
+}
+
 TEST_CASE("a changed number of a solve is damage, named by its column and the first solve", "[recheck]") {
   const Study study = study_with("stanford");
   const std::vector<SolveRecord> good = solves_of(study);
@@ -52,6 +62,10 @@ TEST_CASE("a changed number of a solve is damage, named by its column and the fi
       {"limit_violation_deg", [](SolveRecord& solve) { solve.limit_violation_deg = -3; }},
       {"limit_violation_m", [](SolveRecord& solve) { solve.limit_violation_m += 0.1; }},
       {"status", [](SolveRecord& solve) { solve.status = solve.status == Status::ok ? Status::refused : Status::ok; }},
+      {"unavoidable_error_cm", [](SolveRecord& solve) { solve.unavoidable_error_cm = 500; }},
+      {"reached_position_m", [](SolveRecord& solve) { solve.reached_position_m[1] += 1; }},
+      {"smallest_seconds", [](SolveRecord& solve) { solve.smallest_seconds = 99; }},
+      {"repeats", [](SolveRecord& solve) { solve.repeats = -1; }},
       {"limit_margin", [](SolveRecord& solve) { solve.limit_margin = 1; }},
       {"manipulability", [](SolveRecord& solve) { solve.manipulability = 2; }},
       {"evaluations", [](SolveRecord& solve) { solve.evaluations = -1; }},

@@ -73,9 +73,10 @@ TEST_CASE("a store without a plan, or with one that is nonsense, is judged by th
        {"null", "3", "[]", "\"welch\"", "{}", R"({"test": "t", "adjustment": 3, "unit": null})",
         R"({"significance": 0, "margin_percent": -1, "margin_cm": -1, "power": 1, "quartiles": 10})",
         R"({"significance": "0.01", "margin_percent": 1e308, "power": [], "quartiles": 7.5})",
-        R"({"estimands": [], "within_cm": -1, "jump_deg": -1})", R"({"estimands": ["mean", "mode"], "within_cm": "far"})",
-        R"({"estimands": "mean"})", R"({"estimands": ["mean", "mean", null]})",
-        R"({"significance": 1e400, "quartiles": 18446744073709551615})", R"({"control": "nobody", "quartiles": -3})"}) {
+        R"({"estimands": [], "within_cm": -1, "jump_deg": -1})",
+        R"({"estimands": ["mean", "mode"], "within_cm": "far"})", R"({"estimands": "mean"})",
+        R"({"estimands": ["mean", "mean", null]})", R"({"significance": 1e400, "quartiles": 18446744073709551615})",
+        R"({"control": "nobody", "quartiles": -3})"}) {
     CAPTURE(nonsense);
     CHECK(is_default(plan_of(entry_with(nonsense))));
   }
