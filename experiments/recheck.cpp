@@ -128,28 +128,41 @@ void look_at_status(const SolveRecord& solve, const Verification& computed, Requ
             fmt::format("{} is stored, {} follows from the answer", name_of(solve.status), name_of(follows)));
 }
 
-// How far the target is beyond the reach of what is searched [m].
-double beyond_reach(const Chain& arm, const Pose& target, bool searches_before_wrist) {
-  const bool has_wrist = searches_before_wrist && SphericalWrist::fits(arm);
-  const Chain::Ball reach = has_wrist ? SphericalWrist(arm).arm().reach() : arm.reach();
-  const Eigen::Vector3d goal = has_wrist ? SphericalWrist(arm).centre(target) : Eigen::Vector3d(target.translation());
-  return std::max(0.0, (goal - reach.centre).norm() - reach.radius);
-}
+// The arm, what was asked of its answers, and the reach of what was searched: the same for all solves of a study.
+struct Checked {
+  Checked(const Robot& of, const Requirement& asked) : arm(of), requirement(asked) {
+    if (requirement.orientation_is_exact && SphericalWrist::fits(arm.chain)) wrist.emplace(arm.chain);
+    reach = wrist ? wrist->arm().reach() : arm.chain.reach();
+  }
 
-void look_at_answer(const Robot& arm, const SolveRecord& solve, const Requirement& requirement, Findings& found) {
+  // How far the target is beyond the reach [m].
+  double beyond_reach(const Pose& target) const {
+    const Eigen::Vector3d goal = wrist ? wrist->centre(target) : Eigen::Vector3d(target.translation());
+    return std::max(0.0, (goal - reach.centre).norm() - reach.radius);
+  }
+
+  const Robot& arm;
+  const Requirement& requirement;
+  std::optional<SphericalWrist> wrist = {};
+  Chain::Ball reach = {};
+};
+
+void look_at_answer(const Checked& checked, const SolveRecord& solve, Findings& found) {
+  const Robot& arm = checked.arm;
   const auto joints = static_cast<std::size_t>(arm.joints());
   if (solve.target_position_m.size() != 3 || solve.target_rotation.size() != 9 || solve.start_rad.size() != joints ||
       solve.answer_rad.size() != joints) {
     found.add("answer_rad", solve, fmt::format("not the sizes of an arm with {} joints", joints));
     return;
   }
-  const Verification computed = verify(arm, target_of(solve), vector_of(solve.start_rad), vector_of(solve.answer_rad));
+  const Pose target = target_of(solve);
+  const Verification computed = verify(arm, target, vector_of(solve.start_rad), vector_of(solve.answer_rad));
   found.expect("position_error_cm", solve, solve.position_error_cm, computed.position_error / centimetre, 1e-7);
   found.expect("orientation_error", solve, solve.orientation_error, computed.orientation_error);
   found.expect("variation_deg", solve, solve.variation_deg, computed.variation / degree);
   found.expect("largest_move_deg", solve, solve.largest_move_deg, computed.largest_move / degree);
   found.expect("limit_violation_deg", solve, solve.limit_violation_deg, computed.limit_violation / degree);
-  look_at_status(solve, computed, requirement, found);
+  look_at_status(solve, computed, checked.requirement, found);
   const bool is_reached_stored = solve.reached_position_m.size() == 3;
   if (!is_reached_stored) found.add("reached_position_m", solve, "not three numbers");
   for (Eigen::Index i = 0; is_reached_stored && i < 3; ++i) {
@@ -162,8 +175,8 @@ void look_at_answer(const Robot& arm, const SolveRecord& solve, const Requiremen
     found.expect("limit_violation_m", solve, solve.limit_violation_m, computed.limit_violation_m);
   }
   if (std::isfinite(solve.manipulability)) {  // nor these
-    found.expect("unavoidable_error_cm", solve, solve.unavoidable_error_cm,
-                 beyond_reach(arm.chain, target_of(solve), requirement.orientation_is_exact) / centimetre, 1e-6);
+    found.expect("unavoidable_error_cm", solve, solve.unavoidable_error_cm, checked.beyond_reach(target) / centimetre,
+                 1e-6);
     found.expect("limit_margin", solve, solve.limit_margin, computed.limit_margin);
     found.expect("smallest_singular_value", solve, solve.smallest_singular_value, computed.smallest_singular_value);
     found.expect("manipulability", solve, solve.manipulability, computed.manipulability);
@@ -194,9 +207,10 @@ std::vector<std::string> damages(const StudyEntry& entry, const std::vector<Solv
   const std::optional<Robot> arm = stored_arm(entry);
   const auto definition = nlohmann::json::parse(entry.definition, nullptr, false);
   const Requirement requirement = requirement_of(definition);
+  const std::optional<Checked> checked = arm ? std::optional<Checked>(std::in_place, *arm, requirement) : std::nullopt;
   for (const SolveRecord& solve : solves) {
     look_at_counts(solve, found);
-    if (arm) look_at_answer(*arm, solve, requirement, found);
+    if (checked) look_at_answer(*checked, solve, found);
   }
   std::vector<std::string> sentences = found.sentences();
   // The table of a calibrated arm may be longer than arm files allow: then only what needs no arm is looked at.
