@@ -1,31 +1,14 @@
-// A folder of its own for one test, gone at its end.
+// What a test finds in a folder.
 #pragma once
-
-#include <stdlib.h>
 
 #include <filesystem>
 #include <set>
 #include <string>
 
 #include "results/files.hpp"
+#include "tests/scratch_folder.hpp"
 
 namespace ikbench {
-
-class TestFolder {
- public:
-  TestFolder() {
-    std::string name = (std::filesystem::temp_directory_path() / "ikbench-test-XXXXXX").string();
-    folder_ = ::mkdtemp(name.data());
-  }
-  ~TestFolder() { std::filesystem::remove_all(folder_); }
-  TestFolder(const TestFolder&) = delete;
-  TestFolder& operator=(const TestFolder&) = delete;
-
-  const std::filesystem::path& path() const { return folder_; }
-
- private:
-  std::filesystem::path folder_;
-};
 
 inline std::string text_of_file(const std::filesystem::path& file) { return results::read_file(file).value_or(""); }
 

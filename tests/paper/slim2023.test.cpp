@@ -2,7 +2,6 @@
 // readings of docs/paper-notes.md put each solver: they hold for the default seed and for the mean over seeds 1 to 5.
 #include <algorithm>
 #include <array>
-#include <filesystem>
 #include <map>
 #include <vector>
 
@@ -10,6 +9,7 @@
 #include "experiments/runner.hpp"
 #include "experiments/study_reader.hpp"
 #include "tests/catch.hpp"
+#include "tests/scratch_folder.hpp"
 
 using namespace ikbench;
 using namespace ikbench::numerics;
@@ -34,17 +34,11 @@ const std::map<std::string, Range> variations_deg{{"IK-BA", {25, 115}}, {"BA", {
 
 // The study with that seed and no repeats, which decide times alone, solved into a store that is gone afterwards.
 StudyResults solved(int seed) {
-  const std::filesystem::path folder =
-      std::filesystem::temp_directory_path() / ("ikbench-paper-" + std::to_string(getpid()));
-  std::filesystem::remove_all(folder);
+  const ScratchFolder folder;
   const Study study = load_study("slim2023", {"seed=" + std::to_string(seed), "repeats=1"});
-  StudyResults results = [&] {
-    Store store(folder / "store.sqlite", Store::Mode::write);
-    run(study, store, {.jobs = 1});
-    return make_study(store.study(study.name), store.solves(study.name));
-  }();
-  std::filesystem::remove_all(folder);
-  return results;
+  Store store(folder.path / "store.sqlite", Store::Mode::write);
+  run(study, store, {.jobs = 1});
+  return make_study(store.study(study.name), store.solves(study.name));
 }
 
 void check_means(const std::map<std::string, double>& means, const std::map<std::string, Range>& ranges) {

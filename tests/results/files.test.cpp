@@ -4,7 +4,6 @@
 
 #include <filesystem>
 
-#include "tests/analysis/folder.hpp"
 #include "tests/catch.hpp"
 #include "tests/results/processes.hpp"
 #include "tests/results/samples.hpp"
@@ -15,8 +14,8 @@ namespace {
 namespace fs = std::filesystem;
 
 TEST_CASE("what killed processes left is removed, and nothing else", "[files]") {
-  const TestFolder folder;
-  const fs::path& place = folder.path();
+  const ScratchFolder folder;
+  const fs::path& place = folder.path;
   const fs::path elsewhere = place / "elsewhere";
   write_file(elsewhere / "kept.txt", "kept");
   fs::create_directories(place / ".drawing-4711" / "deep");
@@ -41,39 +40,39 @@ TEST_CASE("what killed processes left is removed, and nothing else", "[files]") 
 }
 
 TEST_CASE("a scratch folder is litter as soon as its process is killed", "[files]") {
-  const TestFolder folder;
+  const ScratchFolder folder;
   const pid_t child = in_a_process([&] {
-    const TemporaryFolder scratch(folder.path());
+    const TemporaryFolder scratch(folder.path);
     write_file(scratch.path() / "figure.gp", "plot");
     return raise(SIGKILL) == 0;
   });
   CHECK(exit_code(child) == -1);
-  REQUIRE_FALSE(fs::is_empty(folder.path()));
-  remove_litter(folder.path());
-  CHECK(fs::is_empty(folder.path()));
+  REQUIRE_FALSE(fs::is_empty(folder.path));
+  remove_litter(folder.path);
+  CHECK(fs::is_empty(folder.path));
 }
 
 TEST_CASE("litter in a folder that does not exist is none", "[files]") {
-  CHECK_NOTHROW(remove_litter(TestFolder().path() / "missing"));
+  CHECK_NOTHROW(remove_litter(ScratchFolder().path / "missing"));
 }
 
 TEST_CASE("a scratch folder is its owner's alone and gone at the end", "[files]") {
-  const TestFolder folder;
+  const ScratchFolder folder;
   fs::path first;
   {
-    const TemporaryFolder scratch(folder.path()), other(folder.path());
+    const TemporaryFolder scratch(folder.path), other(folder.path);
     first = scratch.path();
     CHECK(first != other.path());
     CHECK(fs::status(first).permissions() == fs::perms::owner_all);
     write_file(first / "figure.gp", "plot");
   }
-  CHECK(fs::is_empty(folder.path()));
+  CHECK(fs::is_empty(folder.path));
 }
 
 TEST_CASE("a scratch folder that cannot be made is reported with its place", "[files]") {
-  const TestFolder folder;
-  write_file(folder.path() / "file", "no folder");
-  CHECK_THROWS_WITH(TemporaryFolder(folder.path() / "file"), ContainsSubstring("/file'"));
+  const ScratchFolder folder;
+  write_file(folder.path / "file", "no folder");
+  CHECK_THROWS_WITH(TemporaryFolder(folder.path / "file"), ContainsSubstring("/file'"));
 }
 
 }  // namespace

@@ -1,8 +1,7 @@
-// Folders that vanish with the test, and records to put into stores.
+// Texts of files, and records to put into stores.
 #pragma once
 
 #include <fmt/format.h>
-#include <stdlib.h>
 
 #include <algorithm>
 #include <bit>
@@ -10,7 +9,6 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <stdexcept>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -18,24 +16,9 @@
 #include "results/record.hpp"
 #include "results/store.hpp"
 #include "tests/catch.hpp"
+#include "tests/scratch_folder.hpp"
 
 namespace ikbench {
-
-struct ScratchFolder {
-  std::filesystem::path path;
-
-  ScratchFolder() {
-    std::string name = (std::filesystem::temp_directory_path() / "ikbench-XXXXXX").string();
-    if (!mkdtemp(name.data())) throw std::runtime_error("no scratch folder");
-    path = name;
-  }
-  ~ScratchFolder() {
-    std::error_code error;
-    std::filesystem::remove_all(path, error);
-  }
-  ScratchFolder(const ScratchFolder&) = delete;
-  ScratchFolder& operator=(const ScratchFolder&) = delete;
-};
 
 inline std::string text_in(const std::filesystem::path& file) {
   std::ifstream in(file, std::ios::binary);

@@ -10,6 +10,7 @@
 #include "robots/robot.hpp"
 #include "tests/catch.hpp"
 #include "tests/mutator.hpp"
+#include "tests/scratch_folder.hpp"
 
 using namespace ikbench;
 using namespace ikbench::robots;
@@ -151,12 +152,12 @@ TEST_CASE("an arm file is a file of at most 10 MB, with a plain name", "[arm][mi
   CHECK_THROWS_WITH(load_robot("/dev/zero"), "there is no file /dev/zero");
   CHECK_THROWS_AS(parse_robot("links = [{}]", "a\nb.toml"), std::invalid_argument);
   CHECK_THROWS_AS(parse_robot("links = [{}]", std::string(300, 'a') + ".toml"), std::invalid_argument);
-  const auto file = std::filesystem::temp_directory_path() / "ikbench-large-arm.toml";
+  const ScratchFolder folder;
+  const auto file = folder.path / "large-arm.toml";
   std::ofstream(file) << scara << "# " << std::string(10'000'000, 'x');
   CHECK_THROWS_AS(load_robot(file), std::invalid_argument);
   std::ofstream(file) << scara;
-  CHECK(load_robot(file).name == "ikbench-large-arm");
-  std::filesystem::remove(file);
+  CHECK(load_robot(file).name == "large-arm");
 }
 
 TEST_CASE("an arm file with up to four random changes is an arm, or refused with its place", "[arm][fuzz]") {

@@ -14,6 +14,7 @@
 #include "tests/catch.hpp"
 #include "tests/mutator.hpp"
 #include "tests/robots/random_configuration.hpp"
+#include "tests/scratch_folder.hpp"
 
 using namespace ikbench;
 using namespace ikbench::robots;
@@ -342,10 +343,10 @@ TEST_CASE("a file that is no URDF, or too large, is refused with its place", "[u
   std::string deep = "<robot name='r'>";
   for (int i = 0; i < 100'000; ++i) deep += "<a>";
   CHECK(said_of(deep) == "my_arm.urdf:1: not XML: XML_ELEMENT_DEPTH_EXCEEDED");
-  const auto large = std::filesystem::temp_directory_path() / "ikbench-large.urdf";
+  const ScratchFolder folder;
+  const auto large = folder.path / "large.urdf";
   std::ofstream(large) << urdf({{"revolute", limit}}) << "<!-- " << std::string(16'000'000, 'x') << "-->";
   CHECK_THROWS_AS(load_robot(large), std::invalid_argument);
-  std::filesystem::remove(large);
 }
 
 TEST_CASE("a URDF file with up to four random changes is an arm, or refused with its place", "[urdf][fuzz]") {

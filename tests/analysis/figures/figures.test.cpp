@@ -65,41 +65,41 @@ TEST_CASE("the figures of the paper have stable names, in the paper's order", "[
 }
 
 TEST_CASE("every figure is drawn as SVG, PDF and PNG, without a screen", "[figure]") {
-  const TestFolder folder;
+  const ScratchFolder folder;
   const auto figures = figures_of(synthetic::solves({.runs = 3}));
-  for (const FigureOutcome& outcome : write_figures(figures, folder.path() / "figures", {})) {
+  for (const FigureOutcome& outcome : write_figures(figures, folder.path / "figures", {})) {
     CAPTURE(outcome.name, outcome.error);
     CHECK(outcome.rendered);
     for (const char* type : {".svg", ".pdf", ".png", ".gp", ".dat"}) {
-      CHECK(std::filesystem::file_size(folder.path() / "figures" / (outcome.name + type)) > 0);
+      CHECK(std::filesystem::file_size(folder.path / "figures" / (outcome.name + type)) > 0);
     }
   }
-  CHECK(files_in(folder.path()).size() == 5 * figures.size() + 1);  // and style.gp; nothing half-drawn
+  CHECK(files_in(folder.path).size() == 5 * figures.size() + 1);  // and style.gp; nothing half-drawn
 }
 
 TEST_CASE("a user can restyle a figure and draw it again with gnuplot alone", "[figure]") {
-  const TestFolder folder;
-  write_figures(figures_of(synthetic::solves({.runs = 2})), folder.path(), {.render = false});
-  CHECK(!std::filesystem::exists(folder.path() / "figure-6.png"));
-  CHECK(run_process({"gnuplot", "figure-6.gp"}, folder.path()).succeeded);
-  CHECK(std::filesystem::exists(folder.path() / "figure-6.png"));
+  const ScratchFolder folder;
+  write_figures(figures_of(synthetic::solves({.runs = 2})), folder.path, {.render = false});
+  CHECK(!std::filesystem::exists(folder.path / "figure-6.png"));
+  CHECK(run_process({"gnuplot", "figure-6.gp"}, folder.path).succeeded);
+  CHECK(std::filesystem::exists(folder.path / "figure-6.png"));
 }
 
 TEST_CASE("no text of a study breaks a script, runs a command or leaves the folder", "[figure]") {
-  const TestFolder folder;
+  const ScratchFolder folder;
   const auto figures = figures_of(synthetic::solves({.solvers = hostile_labels, .runs = 2, .points = 3}));
-  for (const FigureOutcome& outcome : write_figures(figures, folder.path() / "figures", {})) {
+  for (const FigureOutcome& outcome : write_figures(figures, folder.path / "figures", {})) {
     CAPTURE(outcome.name, outcome.error);
     CHECK(outcome.rendered);
   }
-  for (const std::string& file : files_in(folder.path())) {
+  for (const std::string& file : files_in(folder.path)) {
     CAPTURE(file);
     CHECK(file.starts_with("figures/"));
     CHECK((file == "figures/style.gp" || file.starts_with("figures/figure-") || file.starts_with("figures/overview.")));
     CHECK(!contains(file, "pwned"));
   }
   for (const char* name : {"figure-6.svg", "figure-10.svg"}) {
-    const std::string svg = text_of_file(folder.path() / "figures" / name);
+    const std::string svg = text_of_file(folder.path / "figures" / name);
     CHECK(!contains(svg, "<script"));
     for (const char* shown :
          {"&lt;script>alert(1)&lt;/script>", "`touch pwned`", "$(touch pwned)", "'; system('touch pwned'); '",
@@ -118,8 +118,8 @@ TEST_CASE("every shape of study has its figures", "[figure]") {
                                          {.solvers = std::vector<std::string>(12, "s"), .runs = 2, .points = 300}}));
   synthetic::Shape distinct = shape;
   for (std::size_t i = 0; i < distinct.solvers.size(); ++i) distinct.solvers[i] += std::to_string(i);
-  const TestFolder folder;
-  for (const FigureOutcome& outcome : write_figures(figures_of(synthetic::solves(distinct)), folder.path(), {})) {
+  const ScratchFolder folder;
+  for (const FigureOutcome& outcome : write_figures(figures_of(synthetic::solves(distinct)), folder.path, {})) {
     CAPTURE(outcome.name, outcome.error);
     CHECK(outcome.rendered);
   }
@@ -140,8 +140,8 @@ TEST_CASE("figures are drawn where values are zero, not finite, or all the same"
                  "Values up to 1e-07, which are rounding, are drawn at the lower edge."));
   CHECK(contains(named(figures, "figure-7").settings, "no finite values"));
   CHECK(contains(named(figures, "figure-10").settings, "3 not\\nfinite"));
-  const TestFolder folder;
-  for (const FigureOutcome& outcome : write_figures(figures, folder.path(), {})) {
+  const ScratchFolder folder;
+  for (const FigureOutcome& outcome : write_figures(figures, folder.path, {})) {
     CAPTURE(outcome.name, outcome.error);
     CHECK(outcome.rendered);
   }
@@ -179,19 +179,19 @@ TEST_CASE("the data file of a box plot has the numbers of the box", "[figure]") 
 }
 
 TEST_CASE("where gnuplot is missing or fails there is its message, the scripts, and no stale picture", "[figure]") {
-  const TestFolder folder;
+  const ScratchFolder folder;
   const Figure good{
       .name = "figure-x", .caption = "x", .settings = "", .plot = "plot 'figure-x.dat'", .data = "1 1\n2 2\n"};
-  REQUIRE(write_figures({good}, folder.path(), {})[0].rendered);
+  REQUIRE(write_figures({good}, folder.path, {})[0].rendered);
 
-  const auto missing = write_figures({good}, folder.path(), {.gnuplot = "no-such-gnuplot"});
+  const auto missing = write_figures({good}, folder.path, {.gnuplot = "no-such-gnuplot"});
   CHECK(!missing[0].rendered);
   CHECK(contains(missing[0].error, "cannot start no-such-gnuplot: No such file or directory"));
-  CHECK(files_in(folder.path()) == std::set<std::string>{"figure-x.dat", "figure-x.gp", "style.gp"});
+  CHECK(files_in(folder.path) == std::set<std::string>{"figure-x.dat", "figure-x.gp", "style.gp"});
 
   Figure bad = good;
   bad.plot = "plot nonsense(";
-  const auto failed = write_figures({bad}, folder.path(), {});
+  const auto failed = write_figures({bad}, folder.path, {});
   CHECK(!failed[0].rendered);
   CHECK(contains(failed[0].error, "plot nonsense("));
   CHECK(contains(failed[0].error, "line"));

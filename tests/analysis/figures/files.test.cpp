@@ -41,12 +41,12 @@ std::string complaint(const fs::path& file) {
 }  // namespace
 
 TEST_CASE("a file that is written anew keeps its permissions, and a new one has the usual", "[files]") {
-  const TestFolder folder;
-  write_file(folder.path() / "usual", "");
-  std::ofstream(folder.path() / "by-stream") << "";
-  CHECK(mode_of(folder.path() / "usual") == mode_of(folder.path() / "by-stream"));
+  const ScratchFolder folder;
+  write_file(folder.path / "usual", "");
+  std::ofstream(folder.path / "by-stream") << "";
+  CHECK(mode_of(folder.path / "usual") == mode_of(folder.path / "by-stream"));
   for (const fs::perms mode : {fs::perms{0600}, fs::perms{0640}, fs::perms{0777}}) {
-    const fs::path file = folder.path() / "file";
+    const fs::path file = folder.path / "file";
     write_file(file, "old");
     fs::permissions(file, mode);
     write_file(file, "new");
@@ -56,71 +56,71 @@ TEST_CASE("a file that is written anew keeps its permissions, and a new one has 
 }
 
 TEST_CASE("a link is followed, also to a file that is not there yet", "[files]") {
-  const TestFolder folder;
-  fs::create_directory(folder.path() / "far");
-  const fs::path target = folder.path() / "far" / "target", link = folder.path() / "link";
+  const ScratchFolder folder;
+  fs::create_directory(folder.path / "far");
+  const fs::path target = folder.path / "far" / "target", link = folder.path / "link";
   fs::create_symlink("far/target", link);
-  fs::create_symlink("link", folder.path() / "link-to-link");
+  fs::create_symlink("link", folder.path / "link-to-link");
   for (const std::string text : {"first", "second"}) {
-    write_file(folder.path() / "link-to-link", text);
-    CHECK(fs::read_symlink(folder.path() / "link-to-link") == "link");
+    write_file(folder.path / "link-to-link", text);
+    CHECK(fs::read_symlink(folder.path / "link-to-link") == "link");
     CHECK(fs::read_symlink(link) == "far/target");
     CHECK(text_of_file(target) == text);
     fs::permissions(target, fs::perms{0600});
   }
   CHECK(mode_of(target) == fs::perms{0600});
-  CHECK(files_in(folder.path()) == std::set<std::string>{"far/target"});  // links are told as what they lead to
+  CHECK(files_in(folder.path) == std::set<std::string>{"far/target"});  // links are told as what they lead to
 }
 
 TEST_CASE("a link that leads nowhere is an error, and stays", "[files]") {
-  const TestFolder folder;
-  fs::create_symlink("loop", folder.path() / "loop");
-  CHECK(complaint(folder.path() / "loop") != "");
-  CHECK(fs::read_symlink(folder.path() / "loop") == "loop");
+  const ScratchFolder folder;
+  fs::create_symlink("loop", folder.path / "loop");
+  CHECK(complaint(folder.path / "loop") != "");
+  CHECK(fs::read_symlink(folder.path / "loop") == "loop");
 }
 
 TEST_CASE("a pipe is written into", "[files]") {
-  const TestFolder folder;
-  const fs::path pipe = folder.path() / "pipe";
+  const ScratchFolder folder;
+  const fs::path pipe = folder.path / "pipe";
   REQUIRE(::mkfifo(pipe.c_str(), 0600) == 0);
   const std::string text(200'000, 'x');  // more than a pipe holds
   auto reader = std::async(std::launch::async, [&] { return text_of_file(pipe); });
   write_file(pipe, text);
   CHECK(reader.get() == text);
   CHECK(fs::is_fifo(pipe));
-  CHECK(files_in(folder.path()) == std::set<std::string>{"pipe"});
+  CHECK(files_in(folder.path) == std::set<std::string>{"pipe"});
 }
 
 TEST_CASE("a device is written into, and one that takes nothing is an error", "[files]") {
-  const TestFolder folder;
-  const fs::path null = folder.path() / "null", full = folder.path() / "full";
+  const ScratchFolder folder;
+  const fs::path null = folder.path / "null", full = folder.path / "full";
   if (!make_device(null, 3) || !make_device(full, 7)) return;  // only root may
-  fs::create_symlink("null", folder.path() / "link");
+  fs::create_symlink("null", folder.path / "link");
   const std::string said = complaint(full);
   CHECK(said.find("cannot write '" + full.string() + "': ") == 0);
   CHECK(fs::is_character_file(full));
   if (said.find("No space left on device") == std::string::npos) return;  // a folder where devices are dead
   CHECK(complaint(null) == "");
-  CHECK(complaint(folder.path() / "link") == "");
+  CHECK(complaint(folder.path / "link") == "");
   CHECK(fs::is_character_file(null));
-  CHECK(fs::is_symlink(folder.path() / "link"));
+  CHECK(fs::is_symlink(folder.path / "link"));
 }
 
 TEST_CASE("a picture is written through a link and keeps its permissions", "[files][figure]") {
-  const TestFolder folder;
-  const fs::path svg = folder.path() / "f.svg", png = folder.path() / "f.png";
+  const ScratchFolder folder;
+  const fs::path svg = folder.path / "f.svg", png = folder.path / "f.png";
   write_file(svg, "old");
   fs::permissions(svg, fs::perms{0600});
-  fs::create_directory(folder.path() / "far");
+  fs::create_directory(folder.path / "far");
   fs::create_symlink("far/f.png", png);
   const Figure figure{.name = "f", .caption = "f", .settings = "", .plot = "plot 'f.dat'", .data = "1 1\n2 2\n"};
-  REQUIRE(write_figures({figure}, folder.path(), {})[0].rendered);
+  REQUIRE(write_figures({figure}, folder.path, {})[0].rendered);
   CHECK(mode_of(svg) == fs::perms{0600});
   CHECK(text_of_file(svg) != "old");
   CHECK(fs::is_symlink(png));
-  CHECK(text_of_file(folder.path() / "far" / "f.png").starts_with("\x89PNG"));
+  CHECK(text_of_file(folder.path / "far" / "f.png").starts_with("\x89PNG"));
 
-  write_figures({figure}, folder.path(), {.render = false});
+  write_figures({figure}, folder.path, {.render = false});
   CHECK(!fs::exists(svg));
   CHECK(fs::is_symlink(png));
 }

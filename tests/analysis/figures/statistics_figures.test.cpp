@@ -68,11 +68,11 @@ Figure demsar(double critical_difference, double significance) {  // Demsar 2006
 }
 
 void check_drawn(const Figure& figure) {
-  const TestFolder folder;
-  const FigureOutcome outcome = write_figures({figure}, folder.path(), {}).front();
+  const ScratchFolder folder;
+  const FigureOutcome outcome = write_figures({figure}, folder.path, {}).front();
   CAPTURE(outcome.name, outcome.error, figure.data);
   CHECK(outcome.rendered);
-  CHECK(files_in(folder.path()).size() == 6);  // style.gp, script, data, three pictures: no name ran as a command
+  CHECK(files_in(folder.path).size() == 6);  // style.gp, script, data, three pictures: no name ran as a command
 }
 
 }  // namespace
@@ -262,10 +262,10 @@ TEST_CASE("figures of a statistical analysis are drawn whatever the names and nu
 }
 
 TEST_CASE("names stand in the figures of an analysis as they are", "[figure]") {
-  const TestFolder folder;
+  const ScratchFolder folder;
   const Figure figure = raincloud(groups_named(hostile_names, numbers(8)));
-  REQUIRE(write_figures({figure}, folder.path(), {}).front().rendered);
-  const std::string svg = text_of_file(folder.path() / "rain.svg");
+  REQUIRE(write_figures({figure}, folder.path, {}).front().rendered);
+  const std::string svg = text_of_file(folder.path / "rain.svg");
   for (const char* shown :
        {"&lt;b>bold&lt;/b>", "`touch pwned`", "$(touch pwned)", "two lines", "%d {x}^2_y", "größe Δ", "(empty)"}) {
     CAPTURE(shown);

@@ -71,13 +71,13 @@ const Figure& named(const std::vector<Figure>& figures, const std::string& name)
 bool contains(const std::string& text, const std::string& words) { return text.find(words) != std::string::npos; }
 
 bool all_drawn(const std::vector<Figure>& figures) {
-  const TestFolder folder;
-  const auto outcomes = write_figures(figures, folder.path() / "figures", {});
+  const ScratchFolder folder;
+  const auto outcomes = write_figures(figures, folder.path / "figures", {});
   for (const FigureOutcome& outcome : outcomes) {
     CAPTURE(outcome.name, outcome.error);
     CHECK(outcome.rendered);
   }
-  for (const std::string& file : files_in(folder.path())) CHECK(file.starts_with("figures/"));
+  for (const std::string& file : files_in(folder.path)) CHECK(file.starts_with("figures/"));
   return std::ranges::all_of(outcomes, &FigureOutcome::rendered);
 }
 

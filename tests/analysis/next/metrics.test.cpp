@@ -50,11 +50,11 @@ bool contains(const std::string& text, const std::string& words) { return text.f
 
 TEST_CASE("a metric is a line of the table: tables, figures, statistics, the page and the comparison have it",
           "[metrics]") {
-  const TestFolder folder;
-  Store store(folder.path() / "store.db", Store::Mode::write);
+  const ScratchFolder folder;
+  Store store(folder.path / "store.db", Store::Mode::write);
   save(store, "mine");
   save(store, "beside");
-  const std::filesystem::path out = folder.path() / "report";
+  const std::filesystem::path out = folder.path / "report";
   write_report(store, {.study = "mine", .folder = out, .figures = {.render = false}});
 
   const auto statistics = nlohmann::json::parse(text_of_file(out / "statistics.json"));
@@ -79,8 +79,8 @@ TEST_CASE("a metric is a line of the table: tables, figures, statistics, the pag
 }
 
 TEST_CASE("the direction of a metric is that of its line", "[metrics]") {
-  const TestFolder folder;
-  Store store(folder.path() / "store.db", Store::Mode::write);
+  const ScratchFolder folder;
+  Store store(folder.path / "store.db", Store::Mode::write);
   save(store, "mine");
   const StudyResults study = make_study(store.study("mine"), store.solves("mine"));
   const std::vector<Metric> all = reported_metrics();

@@ -56,13 +56,13 @@ void has_nothing_of_slim2023(const std::set<std::string>& files, const std::stri
 }  // namespace
 
 TEST_CASE("a second paper's claim, table and figure are in the report of its study, and no other paper's", "[report]") {
-  const TestFolder folder;
-  Store store(folder.path() / "store.db", Store::Mode::write);
+  const ScratchFolder folder;
+  Store store(folder.path / "store.db", Store::Mode::write);
   save(store, "mine", "tiny");
   const Report report = write_report(
       store,
-      {.study = "mine", .folder = folder.path() / "out", .figures = {.render = false}, .papers = analysis::papers()});
-  const auto files = files_in(folder.path() / "out");
+      {.study = "mine", .folder = folder.path / "out", .figures = {.render = false}, .papers = analysis::papers()});
+  const auto files = files_in(folder.path / "out");
   const std::string text = text_of_file(report.file), page = text_of_file(report.page);
   CHECK(report.warnings.empty());
   CHECK(contains(text, "Of 1 claim, 1 holds. As printed, 1 of 1 hold."));
@@ -76,13 +76,13 @@ TEST_CASE("a second paper's claim, table and figure are in the report of its stu
 }
 
 TEST_CASE("a study without a paper has its results, status, statistics and figures under plain names", "[report]") {
-  const TestFolder folder;
-  Store store(folder.path() / "store.db", Store::Mode::write);
+  const ScratchFolder folder;
+  Store store(folder.path / "store.db", Store::Mode::write);
   save(store, "mine", "");
   const Report report = write_report(
       store,
-      {.study = "mine", .folder = folder.path() / "out", .figures = {.render = false}, .papers = analysis::papers()});
-  const auto files = files_in(folder.path() / "out");
+      {.study = "mine", .folder = folder.path / "out", .figures = {.render = false}, .papers = analysis::papers()});
+  const auto files = files_in(folder.path / "out");
   const std::string text = text_of_file(report.file);
   CHECK(report.warnings.empty());
   CHECK(report.results.name == "results");
@@ -104,12 +104,12 @@ TEST_CASE("a study without a paper has its results, status, statistics and figur
 }
 
 TEST_CASE("a study of a paper that is not there is told so", "[report]") {
-  const TestFolder folder;
-  Store store(folder.path() / "store.db", Store::Mode::write);
+  const ScratchFolder folder;
+  Store store(folder.path / "store.db", Store::Mode::write);
   save(store, "mine", "nobody1999");
   const std::vector<Paper> papers{tiny::paper()};
   const Report report = write_report(
-      store, {.study = "mine", .folder = folder.path() / "out", .figures = {.render = false}, .papers = papers});
+      store, {.study = "mine", .folder = folder.path / "out", .figures = {.render = false}, .papers = papers});
   REQUIRE(report.warnings.size() == 1);
   CHECK(report.warnings[0] == "no published tables of 'nobody1999'; known papers: tiny");
 }

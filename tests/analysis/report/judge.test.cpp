@@ -78,11 +78,11 @@ struct Significance {
 };
 
 Told told_at(const Significance& at) {
-  const TestFolder folder;
-  Store store(folder.path() / "store.db", Store::Mode::write);
+  const ScratchFolder folder;
+  Store store(folder.path / "store.db", Store::Mode::write);
   save(store, "own", at.study, "recorded");
   save(store, "own-limits", at.companion, "enforced");
-  const std::filesystem::path out = folder.path() / "report";
+  const std::filesystem::path out = folder.path / "report";
   ReportRequest request{.study = "own", .folder = out, .figures = {.render = false}, .papers = analysis::papers()};
   if (at.given) request.plan = AnalysisPlan{.significance = *at.given, .margin = 0};
   write_report(store, request);
@@ -111,7 +111,7 @@ std::string verdict_of(const Told& told, const std::string& claim) {
 }
 
 constexpr std::array<const char*, 3> judged_claims{"IK-BA is the most accurate", "moves the joints least",
-                                                   "Limits enforced: IK-BA is the most accurate"};
+                                                   "With all limits enforced, IK-BA is the most accurate"};
 
 }  // namespace
 

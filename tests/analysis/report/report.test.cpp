@@ -66,15 +66,15 @@ std::vector<std::string> summary_of(const StudyResults& study) {
 }  // namespace
 
 TEST_CASE("a report has its tables, figures and report.md", "[report]") {
-  const TestFolder folder;
-  Store store(folder.path() / "store.db", Store::Mode::write);
+  const ScratchFolder folder;
+  Store store(folder.path / "store.db", Store::Mode::write);
   save(store, {});
-  const Report report = written_report(store, {.study = "slim2023", .folder = folder.path() / "out"});
-  CHECK(report.file == folder.path() / "out" / "report.md");
-  CHECK(report.page == folder.path() / "out" / "report.html");
+  const Report report = written_report(store, {.study = "slim2023", .folder = folder.path / "out"});
+  CHECK(report.file == folder.path / "out" / "report.md");
+  CHECK(report.page == folder.path / "out" / "report.html");
   CHECK(std::filesystem::file_size(report.page) < 3'000'000);
   CHECK(report.warnings.empty());
-  const auto files = files_in(folder.path() / "out");
+  const auto files = files_in(folder.path / "out");
   for (const char* name : {"definition", "options", "analysis-plan", "environment", "status", "table-3", "table-4",
                            "table-5", "table-6", "anova-from-printed-table-3"}) {
     for (const char* type : {".md", ".csv", ".tex"}) CHECK(files.contains("tables/" + std::string(name) + type));
@@ -93,34 +93,34 @@ TEST_CASE("a report has its tables, figures and report.md", "[report]") {
 }
 
 TEST_CASE("every link of a report leads to a file", "[report]") {
-  const TestFolder folder;
-  Store store(folder.path() / "store.db", Store::Mode::write);
+  const ScratchFolder folder;
+  Store store(folder.path / "store.db", Store::Mode::write);
   save(store, {.shape = {.runs = 2}});
-  const std::string text = text_of_file(written_report(store, {.study = "slim2023", .folder = folder.path()}).file);
+  const std::string text = text_of_file(written_report(store, {.study = "slim2023", .folder = folder.path}).file);
   int links = 0;
   for (std::size_t at = text.find("](figures/"); at != std::string::npos; at = text.find("](figures/", at + 1)) {
     const std::string target = text.substr(at + 2, text.find(')', at) - at - 2);
     CAPTURE(target);
-    CHECK(std::filesystem::exists(folder.path() / target));
+    CHECK(std::filesystem::exists(folder.path / target));
     ++links;
   }
   int figures = 0, tables = 0;
-  for (const auto& file : std::filesystem::directory_iterator(folder.path() / "figures")) {
+  for (const auto& file : std::filesystem::directory_iterator(folder.path / "figures")) {
     figures += file.path().extension() == ".dat" ? 1 : 0;
   }
-  for (const auto& file : std::filesystem::directory_iterator(folder.path() / "tables")) {
+  for (const auto& file : std::filesystem::directory_iterator(folder.path / "tables")) {
     tables += file.path().extension() == ".csv" ? 1 : 0;
   }
   CHECK(figures > 13);          // the paper's, and those of the statistics
   CHECK(links == figures * 5);  // each as picture, SVG, PDF, script and data
 
-  const std::string page = text_of_file(folder.path() / "report.html");
+  const std::string page = text_of_file(folder.path / "report.html");
   links = 0;
   for (std::size_t at = page.find("href=\""); at != std::string::npos; at = page.find("href=\"", at + 1)) {
     const std::string target = page.substr(at + 6, page.find('"', at + 6) - at - 6);
     if (target.starts_with('#')) continue;
     CAPTURE(target);
-    CHECK(std::filesystem::exists(folder.path() / target));
+    CHECK(std::filesystem::exists(folder.path / target));
     ++links;
   }
   // Of figures PDF, SVG, script and data, but none of the one beside the verdict; of tables three files each; and the
@@ -129,8 +129,8 @@ TEST_CASE("every link of a report leads to a file", "[report]") {
 }
 
 TEST_CASE("a study with the same targets is shown as a baseline, one with others is not", "[report]") {
-  const TestFolder folder;
-  Store store(folder.path() / "store.db", Store::Mode::write);
+  const ScratchFolder folder;
+  Store store(folder.path / "store.db", Store::Mode::write);
   save(store, {.shape = {.runs = 2}});
   save(store, {.name = "context", .definition = R"({"runs": 2})", .shape = {.solvers = {"random search"}, .runs = 2}});
   save(
@@ -140,40 +140,40 @@ TEST_CASE("a study with the same targets is shown as a baseline, one with others
                .definition = R"({"runs": 2, "limits": "enforced"})",
                .shape = {.solvers = {"not beside the others"}, .runs = 2}});
   const Report report =
-      written_report(store, {.study = "slim2023", .folder = folder.path() / "out", .figures = {.render = false}});
+      written_report(store, {.study = "slim2023", .folder = folder.path / "out", .figures = {.render = false}});
   CHECK(contains(text_of_file(report.file), "## Baselines"));
   CHECK(!contains(text_of_file(report.file), "not beside the others"));
-  const std::string csv = text_of_file(folder.path() / "out/tables/baselines.csv");
+  const std::string csv = text_of_file(folder.path / "out/tables/baselines.csv");
   CHECK(contains(csv, "\ncontext,random search,2,0,"));
   CHECK(contains(csv, "\nslim2023,MO-PSO,2,0,"));
   CHECK(!contains(csv, "elsewhere"));
 }
 
 TEST_CASE("without gnuplot the tables are written and the report says what is missing", "[report]") {
-  const TestFolder folder;
-  Store store(folder.path() / "store.db", Store::Mode::write);
+  const ScratchFolder folder;
+  Store store(folder.path / "store.db", Store::Mode::write);
   save(store, {.shape = {.runs = 20}});
   const Report report = written_report(
-      store, {.study = "slim2023", .folder = folder.path() / "out", .figures = {.gnuplot = "no-such-gnuplot"}});
+      store, {.study = "slim2023", .folder = folder.path / "out", .figures = {.gnuplot = "no-such-gnuplot"}});
   REQUIRE(report.warnings.size() == 1);  // one for all figures
   CHECK(contains(report.warnings[0], "cannot start no-such-gnuplot"));
   CHECK(contains(report.warnings[0], "figure-12"));
-  CHECK(std::filesystem::exists(folder.path() / "out/tables/table-3.csv"));
+  CHECK(std::filesystem::exists(folder.path / "out/tables/table-3.csv"));
   const std::string text = text_of_file(report.file);
   CHECK(contains(text, "## Warnings"));
   CHECK(!contains(text, "!["));
 }
 
 TEST_CASE("names of a study and its solvers show as text in the report", "[report]") {
-  const TestFolder folder;
-  Store store(folder.path() / "store.db", Store::Mode::write);
+  const ScratchFolder folder;
+  Store store(folder.path / "store.db", Store::Mode::write);
   const std::string name = "<script>alert(1)</script>`|\n# x";
   save(store, {.name = name,
                .definition = R"({"runs": 2, "title": "<script>\n# x"})",
                .shape = {.solvers = {"<b>`|\n\n# y", "![](x)"}, .runs = 2, .points = 2},
                .command = "ikbench '\n# z'"});
-  const Report report = written_report(store, {.study = name, .folder = folder.path() / "out"});
-  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder.path() / "out")) {
+  const Report report = written_report(store, {.study = name, .folder = folder.path / "out"});
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder.path / "out")) {
     if (entry.path().extension() != ".md") continue;
     const std::string text = text_of_file(entry.path());
     CAPTURE(entry.path());
@@ -193,10 +193,10 @@ TEST_CASE("names of a study and its solvers show as text in the report", "[repor
 }
 
 TEST_CASE("a study of which nothing is solved has a report that says so", "[report]") {
-  const TestFolder folder;
-  Store store(folder.path() / "store.db", Store::Mode::write);
+  const ScratchFolder folder;
+  Store store(folder.path / "store.db", Store::Mode::write);
   save(store, {.shape = {.runs = 0}});
-  const Report report = written_report(store, {.study = "slim2023", .folder = folder.path()});
+  const Report report = written_report(store, {.study = "slim2023", .folder = folder.path});
   CHECK(contains(text_of_file(report.file), "This study has no solves yet."));
   CHECK(report.warnings.size() == 6);  // each solver: 0 of 400
 }
@@ -237,12 +237,12 @@ TEST_CASE("the summary writes solvers that are the same to the bit as equal, and
 }
 
 TEST_CASE("targets that no configuration reaches are told first", "[report]") {
-  const TestFolder folder;
+  const ScratchFolder folder;
   const auto report_where = [&](const std::string& search, const std::string& out_of_reach) {
-    Store store(folder.path() / (search + ".db"), Store::Mode::write);
+    Store store(folder.path / (search + ".db"), Store::Mode::write);
     save(store, {.definition = R"({"runs": 20, "points": 20, "search": ")" + search + R"(", "out_of_reach": )" +
                                out_of_reach + "}"});
-    return written_report(store, {.study = "slim2023", .folder = folder.path() / search, .figures = {.render = false}});
+    return written_report(store, {.study = "slim2023", .folder = folder.path / search, .figures = {.render = false}});
   };
   const Report three =
       report_where("all_joints", R"({"points": 3, "farthest_point": 7, "farthest_cm": 1012.345, "reach_cm": 82})");
@@ -263,15 +263,15 @@ TEST_CASE("targets that no configuration reaches are told first", "[report]") {
 }
 
 TEST_CASE("what is said of times follows one state of them, in every part of a report", "[report]") {
-  const TestFolder folder;
-  Store store(folder.path() / "store.db", Store::Mode::write);
+  const ScratchFolder folder;
+  Store store(folder.path / "store.db", Store::Mode::write);
   const auto report_of = [&](double slowdown, const std::string& name) {
     save(store, {.name = name, .definition = R"({"runs": 20, "published": "slim2023"})", .slowdown = slowdown});
-    written_report(store, {.study = name, .folder = folder.path() / name, .figures = {.render = false}});
-    return text_of_file(folder.path() / name / "report.md");
+    written_report(store, {.study = name, .folder = folder.path / name, .figures = {.render = false}});
+    return text_of_file(folder.path / name / "report.md");
   };
   const auto table = [&](const std::string& name, const std::string& which) {
-    return text_of_file(folder.path() / name / "tables" / (which + ".md"));
+    return text_of_file(folder.path / name / "tables" / (which + ".md"));
   };
   const std::string clean = report_of(1, "clean");
   CHECK(!contains(clean, "not comparable"));
@@ -320,14 +320,14 @@ std::size_t times_said(const std::string& text, const std::string& words) {
 
 TEST_CASE("times that are not comparable have no verdict anywhere in a report", "[report]") {
   const Unit unit = GENERATE(Unit::run, Unit::point);
-  const TestFolder folder;
-  Store store(folder.path() / "store.db", Store::Mode::write);
+  const ScratchFolder folder;
+  Store store(folder.path / "store.db", Store::Mode::write);
   save(store, {.slowdown = 2});
   written_report(
       store,
-      {.study = "slim2023", .folder = folder.path(), .plan = AnalysisPlan{.unit = unit}, .figures = {.render = false}});
-  const std::string text = text_of_file(folder.path() / "report.md");
-  const std::string page = text_of_file(folder.path() / "report.html");
+      {.study = "slim2023", .folder = folder.path, .plan = AnalysisPlan{.unit = unit}, .figures = {.render = false}});
+  const std::string text = text_of_file(folder.path / "report.md");
+  const std::string page = text_of_file(folder.path / "report.html");
   const std::string in_text = section_of(text, "## Statistics: computing time \\[s\\]\n", "\n## ");
   const std::string in_page = section_of(page, ">Statistics: computing time [s]</h2>", "<h2");
   for (const std::string& section : {in_text, in_page}) {
@@ -344,7 +344,7 @@ TEST_CASE("times that are not comparable have no verdict anywhere in a report", 
       CHECK(!contains(section, verdict));
     }
   }
-  const auto files = files_in(folder.path());
+  const auto files = files_in(folder.path);
   CHECK(files.contains("tables/statistics-time-groups.csv"));
   for (const char* part : {"tests", "contrasts"}) {
     CHECK(!files.contains("tables/statistics-time-" + std::string(part) + ".csv"));
@@ -362,13 +362,13 @@ TEST_CASE("times that are not comparable have no verdict anywhere in a report", 
       CHECK(!contains(whole, verdict));
     }
   }
-  const CsvTable table_6 = parse_csv(text_of_file(folder.path() / "tables/table-6.csv"), "table-6.csv");
+  const CsvTable table_6 = parse_csv(text_of_file(folder.path / "tables/table-6.csv"), "table-6.csv");
   for (const auto& row : table_6.rows) {
     CHECK(row[table_6.column("F")].empty());
     CHECK(row[table_6.column("p")].empty());
   }
-  CHECK(contains(text_of_file(folder.path() / "tables/table-6.md"), "Times are not comparable"));
-  const auto statistics = nlohmann::json::parse(text_of_file(folder.path() / "statistics.json"));
+  CHECK(contains(text_of_file(folder.path / "tables/table-6.md"), "Times are not comparable"));
+  const auto statistics = nlohmann::json::parse(text_of_file(folder.path / "statistics.json"));
   for (const auto& assessment : statistics) {
     if (assessment["quantity"] != "computing time [s]") continue;
     CHECK(assessment["tests"].empty());
@@ -402,51 +402,51 @@ TEST_CASE("a difference in variation that may be chance is said to be one", "[re
 }
 
 TEST_CASE("points as observations are flagged at the top, in the tables and in the plan", "[report][analysis]") {
-  const TestFolder folder;
-  Store store(folder.path() / "store.db", Store::Mode::write);
+  const ScratchFolder folder;
+  Store store(folder.path / "store.db", Store::Mode::write);
   save(store, {.shape = {.runs = 20}});
   save(store, {.name = "context", .definition = R"({"runs": 20})", .shape = {.solvers = {"random search"}}});
   const Report report = written_report(store, {.study = "slim2023",
-                                               .folder = folder.path() / "out",
+                                               .folder = folder.path / "out",
                                                .plan = AnalysisPlan{.quartiles = 7, .unit = Unit::point},
                                                .figures = {.render = false}});
   REQUIRE(!report.warnings.empty());
   CHECK(report.warnings[0] ==
         "Points of one run depend on each other; used as observations because --force was given.");
   const auto table = [&](const std::string& name) {
-    return text_of_file(folder.path() / "out/tables" / (name + ".md"));
+    return text_of_file(folder.path / "out/tables" / (name + ".md"));
   };
   CHECK(contains(table("baselines"), "--force was given"));
   CHECK(contains(table("table-4"), "p-values and standard deviations are too optimistic"));
   CHECK(contains(table("analysis-plan"), "Set on the command line after the data were collected, not by the study: "));
   CHECK(contains(table("analysis-plan"), "quartiles 5 -&gt; 7, unit run -&gt; point"));
-  CHECK(contains(text_of_file(folder.path() / "out/tables/baselines.csv"), "slim2023,IK-BA,400,"));  // 20 x 20
+  CHECK(contains(text_of_file(folder.path / "out/tables/baselines.csv"), "slim2023,IK-BA,400,"));  // 20 x 20
 }
 
 TEST_CASE("without a word on the command line the study's plan decides", "[report][analysis]") {
-  const TestFolder folder;
-  Store store(folder.path() / "store.db", Store::Mode::write);
+  const ScratchFolder folder;
+  Store store(folder.path / "store.db", Store::Mode::write);
   save(store, {.definition = R"({"runs": 20, "analysis": {"quartiles": 7, "unit": "point"}})"});
   const Report report =
-      written_report(store, {.study = "slim2023", .folder = folder.path(), .figures = {.render = false}});
+      written_report(store, {.study = "slim2023", .folder = folder.path, .figures = {.render = false}});
   CHECK(contains(report.warnings.at(0), "Points of one run depend on each other"));
-  CHECK(contains(text_of_file(folder.path() / "tables/analysis-plan.csv"), "\nquartiles,7,"));
-  CHECK(!contains(text_of_file(folder.path() / "tables/analysis-plan.md"), "Set on the command line"));
+  CHECK(contains(text_of_file(folder.path / "tables/analysis-plan.csv"), "\nquartiles,7,"));
+  CHECK(!contains(text_of_file(folder.path / "tables/analysis-plan.md"), "Set on the command line"));
 }
 
 TEST_CASE("an unknown study is refused by name", "[report]") {
-  const TestFolder folder;
-  Store store(folder.path() / "store.db", Store::Mode::write);
-  CHECK_THROWS_AS(written_report(store, {.study = "nothing", .folder = folder.path()}), std::invalid_argument);
+  const ScratchFolder folder;
+  Store store(folder.path / "store.db", Store::Mode::write);
+  CHECK_THROWS_AS(written_report(store, {.study = "nothing", .folder = folder.path}), std::invalid_argument);
 }
 
 TEST_CASE("a file that cannot be written is an error that names it, and nothing is left of it", "[report]") {
-  const TestFolder folder;
-  write_file(folder.path() / "file", "text");
-  CHECK(text_of_file(folder.path() / "file") == "text");
-  CHECK_THROWS_AS(write_file(folder.path() / "file" / "below", "x"), std::invalid_argument);
-  std::filesystem::create_directory(folder.path() / "taken");
-  write_file(folder.path() / "taken" / "x", "");
-  CHECK_THROWS_AS(write_file(folder.path() / "taken", "x"), std::invalid_argument);
-  CHECK(files_in(folder.path()) == std::set<std::string>{"file", "taken/x"});
+  const ScratchFolder folder;
+  write_file(folder.path / "file", "text");
+  CHECK(text_of_file(folder.path / "file") == "text");
+  CHECK_THROWS_AS(write_file(folder.path / "file" / "below", "x"), std::invalid_argument);
+  std::filesystem::create_directory(folder.path / "taken");
+  write_file(folder.path / "taken" / "x", "");
+  CHECK_THROWS_AS(write_file(folder.path / "taken", "x"), std::invalid_argument);
+  CHECK(files_in(folder.path) == std::set<std::string>{"file", "taken/x"});
 }

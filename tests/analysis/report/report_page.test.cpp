@@ -36,12 +36,12 @@ TEST_CASE("bytes and digests are written in base64 as RFC 4648 and FIPS 180-4 ha
 }
 
 TEST_CASE("a figure is an image within the page, whose bytes are those of its file", "[report]") {
-  const TestFolder folder;
+  const ScratchFolder folder;
   const std::string svg = "<svg onload='alert(1)'><script>alert(2)</script><text>\"></text></svg>";
-  std::ofstream(folder.path() / "figure-6.svg") << svg;
+  std::ofstream(folder.path / "figure-6.svg") << svg;
   ReportContent content;
   arrange({ReportFigure{{"figure-6", "of <b> and \" onload=\"alert(3)"}, true}}, {}, content);
-  const std::string page = to_html(content, {.figures = folder.path()});
+  const std::string page = to_html(content, {.figures = folder.path});
   CHECK(contains(page, "src=\"data:image/svg+xml;base64," + base64(svg) + "\">"));
   CHECK(contains(page, "of &lt;b&gt; and &quot; onload=&quot;alert(3)\" src="));
   CHECK(contains(page, "img-src data:"));
@@ -193,15 +193,15 @@ TEST_CASE("the moving arm has the joint limits violated where the store has them
 }
 
 TEST_CASE("a page says why it has no moving arm, and a picture too large for it is a link", "[report]") {
-  const TestFolder folder;
+  const ScratchFolder folder;
   {
-    std::ofstream stream(folder.path() / "figure-6.svg");
+    std::ofstream stream(folder.path / "figure-6.svg");
     stream << "<svg><path d='" << std::string(500'000, ' ') << "'/></svg>";
   }
   ReportContent content{.study = "{{{x}}}", .title = "<i>&"};
   content.plan.results = {{"Results", "", {"figure-6"}}};
   arrange({ReportFigure{{"figure-6", "caption"}, true}}, {}, content);
-  const std::string page = to_html(content, {.figures = folder.path(), .motion = "{}"});
+  const std::string page = to_html(content, {.figures = folder.path, .motion = "{}"});
   CHECK(contains(page, "libjs-three"));
   CHECK(contains(page, "<a href=\"figures/figure-6.svg\">figures/figure-6.svg</a>"));
   CHECK(contains(page, "<h1>&lt;i&gt;&amp;</h1>"));

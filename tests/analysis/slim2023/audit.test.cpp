@@ -149,9 +149,9 @@ TEST_CASE("the audit's table has a row an item, in three forms", "[audit]") {
   const Table table = audit_table(audit("slim2023"));
   CHECK(table.name == "audit");
   CHECK(table.rows.size() == audit("slim2023").size());
-  const TestFolder folder;
-  write_table(table, folder.path());
-  CHECK(files_in(folder.path()) == std::set<std::string>{"audit.csv", "audit.md", "audit.tex"});
+  const ScratchFolder folder;
+  write_table(table, folder.path);
+  CHECK(files_in(folder.path) == std::set<std::string>{"audit.csv", "audit.md", "audit.tex"});
 }
 
 TEST_CASE("a paper that is not published has no audit", "[audit]") {

@@ -35,12 +35,12 @@ std::vector<std::string> names_of(const std::vector<Figure>& figures) {
 }
 
 void check_drawn(const std::vector<Figure>& figures) {
-  const TestFolder folder;
-  for (const FigureOutcome& outcome : write_figures(figures, folder.path() / "figures", {})) {
+  const ScratchFolder folder;
+  for (const FigureOutcome& outcome : write_figures(figures, folder.path / "figures", {})) {
     CAPTURE(outcome.name, outcome.error);
     CHECK(outcome.rendered);
   }
-  for (const std::string& file : files_in(folder.path())) {
+  for (const std::string& file : files_in(folder.path)) {
     CAPTURE(file);
     CHECK((file == "figures/style.gp" || file.starts_with("figures/figure-")));
   }
