@@ -72,7 +72,7 @@ std::string dimension_list(const Study& study, const std::vector<Dimension>& all
   for (const SolverEntry& entry : study.solvers) labels.push_back(entry.label);
   const MultiverseSize size = size_of(varied, labels, combined);
   return aligned(rows) +
-         fmt::format("\n{} universes of {} dimensions: {} choices for the study, {} series for a seed\n",
+         fmt::format("\n{} interpretations of {} dimensions: {} choices for the study, {} series for a seed\n",
                      size.universes, varied.size(), size.studies, size.series);
 }
 
@@ -146,7 +146,7 @@ void add_multiverse(CLI::App& app, Invocation& invocation) {
                  "each alternative alone beside the defaults: what it changes; of all dimensions or of --dimensions")
       ->excludes(small);
   add_series_options(*command, arguments->seeds, arguments->jobs);
-  command->add_option("--set", arguments->overrides, "change a key in every universe: runs=5, path.points=10")
+  command->add_option("--set", arguments->overrides, "change a key in every interpretation: runs=5, path.points=10")
       ->allow_extra_args(false);
   command->add_option("--out", arguments->out,
                       "folder for tables, figures and series.csv, which keeps what is solved; default: "
@@ -160,7 +160,7 @@ void add_multiverse(CLI::App& app, Invocation& invocation) {
       "  ikbench multiverse slim2023 --small --seeds 2 --out out/small\n"
       "  ikbench multiverse slim2023 --dimensions bounds,population,wrist_branch\n"
       "  ikbench multiverse slim2023 --one-at-a-time --seeds 3 --jobs 2\n\n"
-      "A universe is one choice in every dimension. Each solver is solved once for each of its own choices; claims are\n"
+      "An interpretation is one choice in every dimension. Each solver is solved once for each of its own choices; claims are\n"
       "counted over all combinations. After Ctrl-C the same command continues.");
   command->callback([arguments, &invocation] {
     const Paper& paper = analysis::paper(arguments->paper);

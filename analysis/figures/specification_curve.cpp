@@ -92,13 +92,13 @@ Figure specification_curve(const SpecificationCurve& curve) {
   figure.settings = fmt::format(
       "set key at screen 0.03, 0.9 left top vertical maxcols 1\nset lmargin at screen {}\nset rmargin at screen 0.97\n"
       "side(low, high) = high < 0 ? -1 : low > 0 ? 1 : 0\nset xrange [0:100]\nset yrange [{}:{}]\n"
-      "set xlabel 'universes, sorted [%]'\nset ytics enhanced font ',7' ({})\nset grid noytics noxtics\n"
+      "set xlabel 'interpretations, sorted [%]'\nset ytics enhanced font ',7' ({})\nset grid noytics noxtics\n"
       "set label {} at graph 0.01, first {} left font ',7'\n{}",
       text_of(0.03 + label_width * static_cast<double>(longest)), text_of(place - 0.6), text_of(curve_rows + 0.6),
       fmt::join(ticks, ", "), gnuplot_string(curve.quantity), text_of(curve_rows - 0.2), lines);
   figure.settings += fmt::format("set arrow from graph 0, first {0} to graph 1, first {0} nohead back ls 101 lw 0.8\n",
                                  text_of(axis.at(0)));
-  figure.data = "# share of universes before it [%], log10 of the ratio, its interval, their places in the picture\n";
+  figure.data = "# share of interpretations before it [%], log10 of the ratio, its interval, their places in the picture\n";
   const auto x_of = [&](std::size_t i) {
     return 100 * (static_cast<double>(i) + 0.5) / static_cast<double>(curve.universes.size());
   };
@@ -110,7 +110,7 @@ Figure specification_curve(const SpecificationCurve& curve) {
                     data_number(each.high), shown(each.estimate), shown(each.low), shown(each.high));
   }
   figure.data +=
-      "\n\n# share of universes before it [%], row of a choice; -1: the interval is below 1, 1: above, 0: neither\n";
+      "\n\n# share of interpretations before it [%], row of a choice; -1: the interval is below 1, 1: above, 0: neither\n";
   for (std::size_t i = 0; i < curve.universes.size(); ++i) {
     for (const std::size_t row : curve.universes[i].rows) {
       figure.data += fmt::format("{} {} {}\n", text_of(x_of(i)), text_of(places.at(row)), side_of(curve.universes[i]));

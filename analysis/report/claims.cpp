@@ -62,7 +62,7 @@ std::string verdict_words(const Claim& claim) {
   const std::string name(name_of(claim.verdict));
   if (claim.depends_on.empty()) return name;
   const std::size_t more = claim.depends_on.size() - 1;
-  return fmt::format("{} on {}{}", name, claim.depends_on.front(), more == 0 ? "" : fmt::format(" (+{})", more));
+  return fmt::format("{} on {}{}", name, claim.depends_on.front(), more == 0 ? "" : fmt::format(" and {} more", more));
 }
 
 std::vector<Claim> claims_by(By by, const std::vector<Claim>& claims) {

@@ -71,7 +71,7 @@ ClaimShares shares_of(const Multiverse& multiverse, const ClaimCounts& counts) {
           .fails = fails,
           .undecided = undecided,
           .decided_by = names,
-          .sentence = fmt::format("{} in {} of the universes ({} fail, {} undecided).{}", counts.claim.words,
+          .sentence = fmt::format("{} in {} of the interpretations ({} fail, {} undecided).{}", counts.claim.words,
                                   share_words(holds), share_words(fails), share_words(undecided), words),
           .of = count_words(multiverse.universes())};
 }
@@ -94,7 +94,7 @@ Cell seed_difference(const ClaimCounts& counts) {
 
 Table claims_table(const Multiverse& multiverse, const std::vector<ClaimCounts>& all, const AnalysisPlan& plan) {
   Table table{.name = "multiverse",
-              .caption = "The paper's claims in every universe of what the paper leaves open",
+              .caption = "The paper's claims in every interpretation of what the paper leaves open",
               .columns = {{"claim", Align::left},
                           {"holds_percent"},
                           {"fails_percent"},
@@ -114,8 +114,8 @@ Table claims_table(const Multiverse& multiverse, const std::vector<ClaimCounts>&
          is_decided ? percent_cell(counts.difference(deciding), 1) : Cell(), seed_difference(counts), counts.claim.id});
   }
   table.notes.push_back(fmt::format(
-      "{} universes: {} choices for the study, each with every combination of the solvers' own. All are counted. The "
-      "alternatives of the study weigh alike, given what was chosen before them, and so do the universes of a choice for "
+      "{} interpretations: {} choices for the study, each with every combination of the solvers' own. All are counted. The "
+      "alternatives of the study weigh alike, given what was chosen before them, and so do the interpretations of a choice for "
       "the study. A claim holds where its solver is found better than each rival, and fails where a rival is found "
       "better: by Games and Howell's test of the run means at {}, for {} solvers. It stands in for the test of the study's "
       "plan because it needs two solvers at a time, so that pairs can be counted.",
@@ -134,7 +134,7 @@ Table claims_table(const Multiverse& multiverse, const std::vector<ClaimCounts>&
 
 Table alternatives_table(const Multiverse& multiverse, const std::vector<ClaimCounts>& all) {
   Table table{.name = "multiverse-alternatives",
-              .caption = "Share of the universes with each alternative in which a claim holds, in percent",
+              .caption = "Share of the interpretations with each alternative in which a claim holds, in percent",
               .columns = {{"alternative", Align::left}, {"notes", Align::left}, {"default", Align::left}}};
   for (const ClaimCounts& counts : all) {
     if (counts.all.all() > 0) table.columns.push_back({counts.claim.id});

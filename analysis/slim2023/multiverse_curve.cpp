@@ -159,7 +159,7 @@ Figure error_curve(const Multiverse& multiverse, const std::string& label) {
   }
   curve.caption = fmt::format(
       "Specification curve: mean error of {} divided by that of its best rival, with 95 % intervals, in {} of {} "
-      "universes, sorted by it and drawn evenly by their weight. Dots below: the choices that a universe is made of, "
+      "interpretations, sorted by it and drawn evenly by their weight. Dots below: the choices of each, "
       "without those of the rivals.",
       label, count, count_words(universes));
   return specification_curve(curve);

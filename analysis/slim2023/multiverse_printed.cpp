@@ -244,15 +244,15 @@ class SupportCount {
 Cell rounded_percent(double share) { return std::round(1000 * share) / 10 + 0.0; }
 
 Table alternatives_support(const Multiverse& multiverse, const Support& support, int printed) {
-  Table table{
-      .name = "multiverse-support",
-      .caption = fmt::format("How many of the {} printed numbers of error and variation universes explain", printed),
-      .columns = {{"alternative", Align::left},
-                  {"notes", Align::left},
-                  {"default", Align::left},
-                  {"explained_on_average"},
-                  {"explained_at_most"},
-                  {"of_the_best_percent"}}};
+  Table table{.name = "multiverse-support",
+              .caption = fmt::format(
+                  "How many of the {} printed numbers of error and variation interpretations explain", printed),
+              .columns = {{"alternative", Align::left},
+                          {"notes", Align::left},
+                          {"default", Align::left},
+                          {"explained_on_average"},
+                          {"explained_at_most"},
+                          {"of_the_best_percent"}}};
   for (std::size_t d = 0; d < multiverse.dimensions.size(); ++d) {
     const Multiverse::Dimension& dimension = multiverse.dimensions[d];
     for (std::size_t a = 0; a < dimension.alternatives.size(); ++a) {
@@ -263,24 +263,25 @@ Table alternatives_support(const Multiverse& multiverse, const Support& support,
   }
   table.notes.emplace_back(
       "A number is explained where it lies, but for its rounding, in the range that 95 % of studies of 20 runs would "
-      "have (Hill's A(n)). Of the right universe about 5 % of the numbers would lie outside. of_the_best: share of the "
-      "universes that explain the most.");
+      "have (Hill's A(n)). Of the right interpretation about 5 % of the numbers would lie outside. of_the_best: share of the "
+      "interpretations that explain the most.");
   return table;
 }
 
 // What of the printed numbers is explained, a row each.
 Table numbers_support(const Multiverse& multiverse, const std::vector<PrintedSolver>& printed, const Support& support,
                       KnownRanges& ranges) {
-  Table table{.name = "multiverse-printed",
-              .caption = "Each printed number: whether the default explains it, and which share of the universes does",
-              .columns = {{"algorithm", Align::left},
-                          {"metric", Align::left},
-                          {"statistic", Align::left},
-                          {"printed"},
-                          {"default_range"},
-                          {"default", Align::left},
-                          {"universes_percent"},
-                          {"of_the_best_percent"}}};
+  Table table{
+      .name = "multiverse-printed",
+      .caption = "Each printed number: whether the default explains it, and which share of the interpretations does",
+      .columns = {{"algorithm", Align::left},
+                  {"metric", Align::left},
+                  {"statistic", Align::left},
+                  {"printed"},
+                  {"default_range"},
+                  {"default", Align::left},
+                  {"interpretations_percent"},
+                  {"of_the_best_percent"}}};
   for (std::size_t s = 0; s < printed.size(); ++s) {
     if (printed[s].runs == 0) continue;
     const Ranges of_default = ranges.of(multiverse.studies.front().solvers[s].front(), printed[s].runs);
@@ -310,10 +311,10 @@ std::string unexplained_sentence(const Multiverse& multiverse, const std::vector
       if (support.share_of[s][i] == 0) none.push_back(number_words(multiverse, s, i));
     }
   }
-  if (none.empty()) return "Each printed number is explained by some universe.";
+  if (none.empty()) return "Each printed number is explained by some interpretation.";
   constexpr std::size_t most_named = 10;
   const std::size_t named = std::min(none.size(), most_named);
-  return fmt::format("No universe explains {}{}.",
+  return fmt::format("No interpretation explains {}{}.",
                      fmt::join(none.begin(), none.begin() + static_cast<int>(named), ", "),
                      named < none.size() ? fmt::format(" and {} more", none.size() - named) : "");
 }
@@ -326,7 +327,7 @@ std::string best_sentence(const Multiverse& multiverse, const Support& support) 
       if (support.in_best[d][a] == support.best) shared.push_back(multiverse.dimensions[d].alternatives[a].set);
     }
   }
-  return fmt::format("The best explain {}: {} universes{}.", support.most, count_words(support.best),
+  return fmt::format("The best explain {}: {} interpretations{}.", support.most, count_words(support.best),
                      shared.empty() ? std::string(" that share no alternative")
                                     : fmt::format(", all with {}", fmt::join(shared, ", ")));
 }
@@ -363,7 +364,7 @@ void add_printed(MultiverseReport& report, std::string_view paper, const Multive
   const int numbers = static_cast<int>(solvers) * static_cast<int>(numbers_of_solver);
   report.sentences.push_back(fmt::format(
       "Of the {} printed numbers of error and variation the default explains {} (they lie in the 95 % range "
-      "of a study of 20 runs); {} of the universes explain more.",
+      "of a study of 20 runs); {} of the interpretations explain more.",
       numbers, by_default, share_words(more / (more + rest))));
   report.sentences.push_back(best_sentence(multiverse, support));
   report.sentences.push_back(unexplained_sentence(multiverse, printed, support));

@@ -102,10 +102,10 @@ std::optional<Claim> compared(const Reported& reported, const ClaimEntry& entry,
     } else {
       ++comparable;
       claim.evidence += fmt::format("{}: {}. ", name, list_of(*found, entry.solver, metric));
-      claim.number = metric == Metric::seconds ? fmt::format("{} against {} ms", short_number(1000 * ours.own_mean),
-                                                             short_number(1000 * ours.nearest_mean))
-                                               : fmt::format("{} against {}", short_number(ours.own_mean),
-                                                             with_unit(ours.nearest_mean, metric));
+      claim.number = metric == Metric::seconds ? fmt::format("{} ms, {} {}", short_number(1000 * ours.own_mean),
+                                                             ours.nearest, short_number(1000 * ours.nearest_mean))
+                                               : fmt::format("{}, {} {}", with_unit(ours.own_mean, metric),
+                                                             ours.nearest, short_number(ours.nearest_mean));
       test = how_tested(*found, *found);
     }
     if (printed.empty()) continue;

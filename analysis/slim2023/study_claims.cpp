@@ -126,8 +126,8 @@ std::optional<Claim> least_spread(const Reported& reported, const ClaimEntry& en
   Claim claim = begun(entry);
   claim.verdict = verdict_on(found_of(here, study.plan));
   claim.printed = verdict_on(found_of(printed, study.plan));
-  claim.number = fmt::format("{} against {} cm", short_number(own.ours.std),
-                             short_number(std::ranges::min(here, {}, &Spread::others).others));
+  const Spread& nearest = std::ranges::min(here, {}, &Spread::others);
+  claim.number = fmt::format("{} cm, {} {}", short_number(own.ours.std), nearest.other, short_number(nearest.others));
   claim.evidence = fmt::format(
       "Standard deviation of the run means: {}. Printed: {}. p-values: Brown-Forsythe test of each pair, printed: "
       "Bartlett's; after Holm.",
@@ -192,7 +192,8 @@ std::optional<Claim> smoothest(const Reported& reported, const ClaimEntry& entry
                     short_number(ours.own_mean), ours.nearest, short_number(ours.nearest_mean), ours.found.better,
                     ours.found.all(), ours.found.worse);
     if (claim.number.empty()) {
-      claim.number = fmt::format("{} against {} deg", short_number(ours.own_mean), short_number(ours.nearest_mean));
+      claim.number =
+          fmt::format("{} deg, {} {}", short_number(ours.own_mean), ours.nearest, short_number(ours.nearest_mean));
     }
   }
   claim.verdict = verdict_on(verdicts);

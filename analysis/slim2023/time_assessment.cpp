@@ -54,7 +54,7 @@ std::string verdict(const std::vector<TimeAssessment>& rows, double tolerance,
   for (const TimeAssessment& row : rows) {
     solves += row.solves;
     in_time += row.in_time;
-    if (row.solves > 0 && (worst == nullptr || !(row.undisturbed_ms.max <= worst->undisturbed_ms.max))) worst = &row;
+    if (row.solves > 0 && (worst == nullptr || !(row.time_ms.max <= worst->time_ms.max))) worst = &row;
   }
   if (worst == nullptr) return "Real time: there are no solves yet.";
   std::string text = fmt::format(
@@ -66,8 +66,7 @@ std::string verdict(const std::vector<TimeAssessment>& rows, double tolerance,
                                             return fmt::format("{} {} of {}", row.solver, row.in_time, row.solves);
                                           }));
   return text + fmt::format("; the longest solve took {} ms ({}). Printed times, in MATLAB on another machine: {}.",
-                            rounded_number(worst->undisturbed_ms.max, 3), worst->solver,
-                            printed_real_time(printed.front()));
+                            rounded_number(worst->time_ms.max, 3), worst->solver, printed_real_time(printed.front()));
 }
 
 // Nothing where the solver has no solves.
@@ -148,32 +147,29 @@ std::string scaling_verdict(const StudyResults& study, const std::vector<TimeAss
 
 }  // namespace
 
-std::vector<TimeAssessment> assess_times(const StudyResults& study) {
+std::vector<TimeAssessment> assess_times(const StudyResults& measured) {
+  const StudyResults study = at_median_speed(measured);
   const double tolerance = tolerance_cm(study);
-  const StudyResults undisturbed = at_median_speed(study);
   std::vector<TimeAssessment> rows;
   for (const std::string& solver : study.solvers) {
     TimeAssessment row{.solver = solver};
-    std::vector<double> times, times_undisturbed, times_reached, iterations, iterations_reached, evaluations;
-    for (std::size_t i = 0; i < study.solves.size(); ++i) {
-      const SolveRecord& solve = study.solves[i];
+    std::vector<double> times, times_reached, iterations, iterations_reached, evaluations;
+    for (const SolveRecord& solve : study.solves) {
       if (solve.solver != solver) continue;
-      const double time_ms = ms_in_s * solve.seconds, undisturbed_ms = ms_in_s * undisturbed.solves[i].seconds;
+      const double time_ms = ms_in_s * solve.seconds;
       times.push_back(time_ms);
-      times_undisturbed.push_back(undisturbed_ms);
       iterations.push_back(static_cast<double>(solve.iterations));
       evaluations.push_back(static_cast<double>(solve.evaluations));
       if (solve.position_error_cm <= tolerance + verifier_rounding_cm) {
-        times_reached.push_back(undisturbed_ms);
+        times_reached.push_back(time_ms);
         iterations_reached.push_back(static_cast<double>(solve.iterations));
-        if (undisturbed_ms < real_time_ms) ++row.in_time;
+        if (time_ms < real_time_ms) ++row.in_time;
       } else {
         ++row.never_reached;  // an answer that is not finite too
       }
     }
     row.solves = static_cast<int>(times.size());
     row.time_ms = describe(times);
-    row.undisturbed_ms = describe(times_undisturbed);
     row.reached_ms = describe(times_reached);
     row.iterations_median = describe(iterations).median;
     row.iterations_reached_median = describe(iterations_reached).median;
@@ -214,12 +210,12 @@ std::vector<std::string> table_7_notes(const StudyResults& study, const std::vec
   std::vector<std::string> notes{real_time_verdict(study)};
   double farthest_printed = 0;
   for (const PrintedTime& row : printed) farthest_printed = std::max(farthest_printed, row.max_ms / row.mean_ms);
-  notes.push_back(
-      fmt::format("One observation is one solve. Times include solves that do not reach the tolerance, because an arm "
-                  "waits for them too; share_in_time counts solves that reach the tolerance in less than {} ms. The "
-                  "paper does not mention solves that never reach it; its longest solves take at most {} times the "
-                  "mean.",
-                  real_time_ms, rounded_number(farthest_printed, 2)));
+  notes.push_back(fmt::format(
+      "One observation is one solve. {} They include solves that do not reach the tolerance, because an arm "
+      "waits for them too; share_in_time counts solves that reach the tolerance in less than {} ms. The "
+      "paper does not mention solves that never reach it; its longest solves take at most {} times the "
+      "mean.",
+      median_speed_words, real_time_ms, rounded_number(farthest_printed, 2)));
   if (std::isfinite(tolerance_cm(study))) {
     int never = 0;
     for (const TimeAssessment& row : rows) never += row.never_reached;
@@ -370,8 +366,7 @@ std::optional<Table> table_7_cost(const StudyResults& measured) {
   }
   table.notes = cost_notes(study, rows, printed, of);
   table.notes.push_back(fmt::format(
-      "{} A12: the chance that a solve takes longer than one of the first configuration, by the measured times; "
-      "median_ratio: of the medians of these.",
+      "{} A12: the chance that a solve takes longer than one of the first configuration, by the measured times.",
       median_speed_words));
   return table;
 }

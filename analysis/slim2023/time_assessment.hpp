@@ -17,9 +17,8 @@ constexpr double real_time_ms = 50;  // a solve that takes less leaves room for 
 // How long one solver of a study took.
 struct TimeAssessment {
   std::string solver;
-  statistics::Description time_ms = {};         // of all solves, as measured
-  statistics::Description undisturbed_ms = {};  // the same at the solver's median speed (analysis/inference/times.hpp)
-  statistics::Description reached_ms = {};      // of those alone that came to the tolerance, at the median speed
+  statistics::Description time_ms = {};  // of all solves, at the solver's median speed (analysis/inference/times.hpp)
+  statistics::Description reached_ms = {};  // of those alone that came to the tolerance, at the median speed
   double iterations_median = statistics::not_defined;
   double iterations_reached_median = statistics::not_defined;
   double evaluations_median = statistics::not_defined;

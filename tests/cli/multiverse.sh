@@ -4,15 +4,15 @@ source "$(dirname "$0")/common.sh"
 
 succeeds multiverse slim2023 --list
 has "$out" "bounds=initial"
-has "$out" "universes of"
+has "$out" "interpretations of"
 succeeds multiverse slim2023 --small --list
-has "$out" "universes of"
+has "$out" "interpretations of"
 
 few=(--dimensions bounds,IK-BA.f_max,BA.best_of)
 succeeds multiverse slim2023 "${small[@]}" "${few[@]}" --jobs 2 --out folder
 quiet
 has "$out" "IK-BA is the most accurate in"
-has "$out" "Eq. 13 makes IK-BA move the joints less in 0 % of the universes (100 % fail, 0 % undecided)"
+has "$out" "Eq. 13 makes IK-BA move the joints less in 0 % of the interpretations (100 % fail, 0 % undecided)"
 for table in multiverse multiverse-alternatives; do
   for type in md csv tex; do [ -s "folder/tables/$table.$type" ] || fail "no $table.$type"; done
 done
@@ -42,7 +42,7 @@ succeeds multiverse slim2023 "${tiny[@]}" --dimensions search --out alone --no-f
 succeeds multiverse slim2023 "${tiny[@]}" --one-at-a-time --out again-alone
 cmp again-alone/tables/multiverse-one-at-a-time.csv first.csv || fail "other numbers with one job"
 succeeds multiverse slim2023 --one-at-a-time --dimensions bounds,DE.bounds --list
-has "$out" "6 universes of 2 dimensions: 3 choices for the study, 21 series for a seed"
+has "$out" "6 interpretations of 2 dimensions: 3 choices for the study, 21 series for a seed"
 
 refused 'unknown dimension "bound"' multiverse slim2023 --dimensions bound
 refused 'is given twice' multiverse slim2023 --dimensions bounds,bounds

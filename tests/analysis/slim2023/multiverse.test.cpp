@@ -182,7 +182,7 @@ TEST_CASE("what universes explain of the printed numbers is what listing them sa
       share += explained[u][i] ? all[u].weight : 0;
       of_best += explained[u][i] && counts[u] == most ? 1 : 0;
     }
-    CHECK(number_at(numbers, i, "universes_percent") == Approx(percent(share)).margin(0.0501));
+    CHECK(number_at(numbers, i, "interpretations_percent") == Approx(percent(share)).margin(0.0501));
     CHECK(number_at(numbers, i, "of_the_best_percent") == Approx(percent(of_best / best)).margin(0.0501));
     CHECK(std::get<std::string>(cell_at(numbers, i, "default")) == (explained[0][i] ? "inside" : "outside"));
   }
@@ -190,7 +190,7 @@ TEST_CASE("what universes explain of the printed numbers is what listing them sa
   CHECK_THAT(report.sentences[0], Catch::Matchers::Contains("the default explains " + std::to_string(counts[0])) &&
                                       Catch::Matchers::Contains(share_words(better_than_default)));
   CHECK_THAT(report.sentences[1], Catch::Matchers::StartsWith("The best explain " + std::to_string(most) + ": " +
-                                                              std::to_string(static_cast<int>(best)) + " universes"));
+                                                              std::to_string(static_cast<int>(best)) + " interpretations"));
 }
 
 TEST_CASE("the specification curve is drawn evenly by the weight of the universes", "[multiverse]") {
@@ -227,11 +227,11 @@ TEST_CASE("the claims that every universe judges are those that say so", "[multi
   CHECK(ids ==
         std::vector<std::string>{"most_accurate", "most_accurate_typically", "smallest_variation", "better_than_ba"});
   // Printed, and here: IK-BA has a thousandth of the others' errors.
-  CHECK(report.claims[0].sentence.starts_with("IK-BA is the most accurate in 100 % of the universes (0 % fail, 0 % "));
+  CHECK(report.claims[0].sentence.starts_with("IK-BA is the most accurate in 100 % of the interpretations (0 % fail, 0 % "));
   const Table& table = table_of(report, "multiverse");
   CHECK(number_at(table, 0, "holds_percent") == 100);
   CHECK(table.rows.size() == ids.size());
-  CHECK(has_note(table, "16 universes: 3 choices for the study"));
+  CHECK(has_note(table, "16 interpretations: 3 choices for the study"));
   Multiverse few = near_the_print();
   for (Multiverse::OfStudy& study : few.studies) {
     for (auto& of_solver : study.solvers) {
