@@ -1,0 +1,17 @@
+// What `ikbench stats` reads: a row a value, a column a group, published summaries.
+#include "analysis/inference/observations_csv.hpp"
+#include "analysis/inference/summaries_csv.hpp"
+#include "tests/fuzz/fuzz.hpp"
+
+using namespace ikbench;
+using namespace ikbench::inference;
+
+int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const std::string_view text = text_of(data, size);
+  read_or_refuse([&] { read_observations(text, "fuzzed.csv", {.value = "value", .block = "block", .run = "run"}); });
+  read_or_refuse([&] { read_observations(text, "fuzzed.csv", {.value = "value"}); });
+  read_or_refuse(
+      [&] { read_observations(text, "fuzzed.csv", {.layout = Layout::one_column_a_group, .value = "value"}); });
+  read_or_refuse([&] { read_summaries(text, "fuzzed.csv"); });
+  return 0;
+}
