@@ -117,10 +117,12 @@ Requirement requirement_of(const nlohmann::json& definition) {
 }
 
 void look_at_status(const SolveRecord& solve, const Verification& computed, Requirement requirement, Findings& found) {
-  requirement.claimed_error = solve.claimed_error_cm * centimetre;
-  const bool stays = requirement.limits_are_enforced && solve.answer_rad == solve.start_rad;
+  const bool is_silent = solve.counted_by != CountedBy::suite && std::isnan(solve.claimed_error_cm);
+  requirement.claimed_error = is_silent ? computed.position_error : solve.claimed_error_cm * centimetre;
+  const bool stayed =
+      solve.answer_rad == solve.start_rad && (requirement.limits_are_enforced || is_without_answer(solve.status));
   // Refused answers and claims about whole poses are not in the store.
-  if ((solve.status == Status::refused && stays) || solve.status == Status::claimed_but_wrong) return;
+  if ((stays(solve.status) && stayed) || solve.status == Status::claimed_but_wrong) return;
   const Status follows =
       solve.stop_reason == StopReason::not_finite ? Status::not_finite : judge(computed, requirement);
   if (solve.status == follows) return;

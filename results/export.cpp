@@ -46,6 +46,11 @@ std::size_t longest(const std::vector<SolveRecord>& records, std::vector<double>
   return length;
 }
 
+// Whether there is no number to tell.
+bool is_empty(std::string_view column, const SolveRecord& record) {
+  return column == "evaluations" && record.counted_by == CountedBy::nobody;
+}
+
 // Visits every column that CSV has.
 template <class Visit>
 void for_each_csv_column(Visit&& visit) {
@@ -62,6 +67,8 @@ Json json_of(const SolveRecord& record) {
   for_each_column([&]<class Value>(std::string_view name, Value SolveRecord::*member, std::string_view) {
     if constexpr (std::is_enum_v<Value>)
       object[std::string(name)] = name_of(record.*member);
+    else if (is_empty(name, record))
+      object[std::string(name)] = nullptr;
     else
       object[std::string(name)] = record.*member;
   });
@@ -95,12 +102,12 @@ std::string to_csv(const std::vector<SolveRecord>& records) {
   for (const SolveRecord& record : records) {
     cells.clear();
     auto width = widths.begin();
-    for_each_csv_column([&]<class Value>(std::string_view, Value SolveRecord::*member) {
+    for_each_csv_column([&]<class Value>(std::string_view name, Value SolveRecord::*member) {
       if constexpr (is_list<Value>) {
         for (const double element : record.*member) cells.push_back(text_of(element));
         cells.resize(cells.size() + *width - (record.*member).size());
       } else {
-        cells.push_back(cell_of(record.*member));
+        cells.push_back(is_empty(name, record) ? std::string() : cell_of(record.*member));
       }
       ++width;
     });

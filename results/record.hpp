@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -16,20 +17,44 @@ enum class StopReason { iterations, tolerance, evaluations, time, not_finite, fi
 // What the verifier says of an answer; the first that applies, in the order of severity
 // not_finite, claimed_but_wrong, refused, limit_violated, tolerance_missed, ok. Where a study enforces the joint
 // limits, an answer that violates them is refused: the arm stays where it was, and the record's answer is that.
-enum class Status { ok, tolerance_missed, limit_violated, refused, claimed_but_wrong, not_finite };
+// The others are of programs that solve outside of this one and gave no answer; the arm stays where it was, too.
+enum class Status {
+  ok,
+  tolerance_missed,
+  limit_violated,
+  refused,
+  claimed_but_wrong,
+  not_finite,
+  crashed,         // it ended or could not be started, or ended too often and is given up
+  timed_out,       // it did not answer within its patience
+  broke_protocol,  // it said what makes no sense
+  declined         // it says that it cannot solve this
+};
 
-// Under what circumstances the times were taken; only `clean` times are comparable.
-enum class Timing { clean, parallel, debug_build };
+// Under what circumstances the times were taken; only `clean` times are comparable, and `process`, those of another
+// program, which have its transport in them.
+enum class Timing { clean, parallel, debug_build, process };
+
+// Who counted the evaluations.
+enum class CountedBy { suite, solver, nobody };
 
 constexpr std::array<std::string_view, 6> stop_reason_names{"iterations", "tolerance",  "evaluations",
                                                             "time",       "not_finite", "finished"};
-constexpr std::array<std::string_view, 6> status_names{"ok",      "tolerance_missed",  "limit_violated",
-                                                       "refused", "claimed_but_wrong", "not_finite"};
-constexpr std::array<std::string_view, 3> timing_names{"clean", "parallel", "debug_build"};
+constexpr std::array<std::string_view, 10> status_names{
+    "ok",         "tolerance_missed", "limit_violated", "refused",        "claimed_but_wrong",
+    "not_finite", "crashed",          "timed_out",      "broke_protocol", "declined"};
+constexpr std::array<std::string_view, 4> timing_names{"clean", "parallel", "debug_build", "process"};
+constexpr std::array<std::string_view, 3> counted_by_names{"suite", "solver", "nobody"};
 
 constexpr const auto& names_of(StopReason) { return stop_reason_names; }
 constexpr const auto& names_of(Status) { return status_names; }
 constexpr const auto& names_of(Timing) { return timing_names; }
+constexpr const auto& names_of(CountedBy) { return counted_by_names; }
+
+// Whether the solver gave no answer at all.
+constexpr bool is_without_answer(Status status) { return status >= Status::crashed; }
+// Whether the arm stayed where it was, and the record's answer is that.
+constexpr bool stays(Status status) { return status == Status::refused || is_without_answer(status); }
 
 template <class Enum>
 constexpr std::string_view name_of(Enum value) {

@@ -252,23 +252,29 @@ Figure survival_figure(const StudyResults& study, const Clusters& clusters) {
 
 std::vector<Figure> convergence_figures(const StudyResults& measured) {
   if (measured.solves.empty()) return {};
-  const StudyResults study = at_median_speed(measured);
+  const StudyResults study = at_median_speed(measured), of_evaluations = counted(study);
   const bool has_clean_times = times_are_comparable(study);
-  const Clusters clusters(study);
+  const Clusters clusters(study), clusters_of_evaluations(of_evaluations);
   std::vector<Figure> figures;
   const auto add = [&](std::optional<Figure> figure) {
     if (figure) figures.push_back(std::move(*figure));
   };
+  const auto add_of_evaluations = [&](std::optional<Figure> figure) {
+    if (!figure) return;
+    if (const std::string note = uncounted_note(study); !note.empty()) figure->caption += " " + note;
+    add(std::move(figure));
+  };
+  const bool has_counts = !of_evaluations.solves.empty();
   if (std::ranges::any_of(study.solves, [](const SolveRecord& solve) { return !solve.trace_cm.empty(); })) {
-    add(convergence_figure(study, traced_by_solver(study)));
-    add(runtime_figure(study, clusters, Cost::evaluations));
+    if (has_counts) add_of_evaluations(convergence_figure(of_evaluations, traced_by_solver(of_evaluations)));
+    if (has_counts) add_of_evaluations(runtime_figure(of_evaluations, clusters_of_evaluations, Cost::evaluations));
     if (has_clean_times) add(runtime_figure(study, clusters, Cost::seconds));
   }
   add(error_figure(study, clusters));
   if (std::isfinite(tolerance_cm(study))) {
-    add(profile_figure(study, clusters, ProfileOf::evaluations));
+    if (has_counts) add_of_evaluations(profile_figure(of_evaluations, clusters_of_evaluations, ProfileOf::evaluations));
     if (has_clean_times) add(profile_figure(study, clusters, ProfileOf::seconds));
-    add(survival_figure(study, clusters));
+    if (has_counts) add_of_evaluations(survival_figure(of_evaluations, clusters_of_evaluations));
   } else {
     add(profile_figure(study, clusters, ProfileOf::error));
   }

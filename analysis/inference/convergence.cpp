@@ -30,8 +30,7 @@ constexpr std::size_t target_count = 51;  // as COCO has
 double or_censored(double value) { return std::isfinite(value) ? value : censored; }
 
 bool is_verified(const SolveRecord& solve) {
-  return solve.status != Status::refused && solve.status != Status::claimed_but_wrong &&
-         solve.status != Status::not_finite;
+  return !stays(solve.status) && solve.status != Status::claimed_but_wrong && solve.status != Status::not_finite;
 }
 
 double cost_of_iterations(const SolveRecord& solve, std::size_t iterations, Cost cost) {
@@ -98,7 +97,7 @@ std::string words(const Tolerance& tolerance) {
 }
 
 bool reaches(const SolveRecord& solve, const Tolerance& tolerance) {
-  if (!(final_error_cm(solve) <= tolerance.cm + verifier_rounding_cm)) return false;
+  if (is_without_answer(solve.status) || !(final_error_cm(solve) <= tolerance.cm + verifier_rounding_cm)) return false;
   // Of two rotations ||R - Rd|| is sqrt(8) sin(angle / 2), and ||Rd|| is sqrt(3).
   const double degree = std::numbers::pi / 180;
   return !(tolerance.deg < 180) ||

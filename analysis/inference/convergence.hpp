@@ -45,7 +45,7 @@ struct Tolerance {
 Tolerance tolerance(const StudyResults& study);
 // "the position error is 0.1 cm" and, of poses, "and the tool 0.5 deg from its orientation".
 std::string words(const Tolerance& tolerance);
-// Whether the verifier's errors are within the tolerance, but for rounding.
+// Whether there is an answer, and the verifier's errors are within the tolerance, but for rounding.
 bool reaches(const results::SolveRecord& solve, const Tolerance& tolerance);
 
 // What the solve had cost when its best error first was at or below each target; targets descend. A solve whose answer

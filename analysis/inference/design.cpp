@@ -189,6 +189,12 @@ std::optional<Observations> blocked_observations(const StudyResults& study, Metr
 }
 
 Observations observations(const StudyResults& study, Metric metric, Estimand estimand) {
+  if (std::string note = uncounted_note(study); metric == Metric::evaluations && !note.empty()) {
+    const StudyResults known = counted(study);
+    Observations result = observations(known, metric, estimand);
+    result.notes.push_back(std::move(note));
+    return result;
+  }
   const Unit unit = study.plan.unit;
   if (unit == Unit::run) {
     if (std::optional<Observations> blocked = blocked_observations(study, metric, estimand)) return std::move(*blocked);

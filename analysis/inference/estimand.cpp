@@ -49,9 +49,9 @@ Quantity reliability_quantity(const StudyResults& study, Metric metric) {
                   .average = "share"};
   result.value =
       averaged([&study, metric, most = distance_of(study, metric) + info.rounding](const SolveRecord& solve) {
-        return solve.status != Status::refused && value_of(study, solve, metric) <= most ? 1.0 : 0.0;
+        return !stays(solve.status) && value_of(study, solve, metric) <= most ? 1.0 : 0.0;
       });
-  result.notes.emplace_back("An answer that was refused or is not finite is not within.");
+  result.notes.emplace_back("An answer that was refused, is not finite or is missing is not within.");
   return result;
 }
 

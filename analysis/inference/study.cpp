@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -14,6 +15,7 @@
 
 #include "analysis/inference/analysis_plan.hpp"
 #include "analysis/inference/definition.hpp"
+#include "analysis/inference/text.hpp"
 #include "analysis/statistics/descriptive.hpp"
 #include "numerics/number.hpp"
 
@@ -102,6 +104,15 @@ TaskFacts task_of(const Definition& definition) {
   return facts;
 }
 
+// The solvers of which not all evaluations were counted.
+std::set<std::string_view> uncounted(const StudyResults& study) {
+  std::set<std::string_view> found;
+  for (const SolveRecord& solve : study.solves) {
+    if (solve.counted_by == CountedBy::nobody) found.insert(solve.solver);
+  }
+  return found;
+}
+
 bool complete(const std::vector<const SolveRecord*>& run, const StudyResults& study) {
   return static_cast<int>(run.size()) == study.points;
 }
@@ -162,7 +173,13 @@ double deadline_seconds(const StudyResults& study) {
 }
 
 std::vector<Sample> samples(const StudyResults& study, Metric metric) {
-  return samples(study, [&](Run run) { return value_of(study, run, metric); });
+  std::vector<Sample> result = samples(study, [&](Run run) { return value_of(study, run, metric); });
+  if (metric != Metric::evaluations) return result;
+  const std::set<std::string_view> without = uncounted(study);
+  for (Sample& sample : result) {
+    if (without.contains(sample.solver)) sample.values.clear();
+  }
+  return result;
 }
 
 OfRun averaged(ValueOf value_of, Average average) {
@@ -218,8 +235,35 @@ std::vector<SolverCounts> counts(const StudyResults& study) {
   return result;
 }
 
+std::vector<Status> shown_statuses(const StudyResults& study) {
+  std::vector<Status> shown;
+  for (std::size_t i = 0; i < status_names.size(); ++i) {
+    const auto status = static_cast<Status>(i);
+    const bool occurred = std::ranges::find(study.solves, status, &SolveRecord::status) != study.solves.end();
+    if (occurred || !is_without_answer(status)) shown.push_back(status);
+  }
+  return shown;
+}
+
+StudyResults counted(StudyResults study) {
+  const std::set<std::string_view> views = uncounted(study);
+  const std::set<std::string, std::less<>> without(views.begin(), views.end());
+  std::erase_if(study.solves, [&](const SolveRecord& solve) { return without.contains(solve.solver); });
+  std::erase_if(study.solvers, [&](const std::string& solver) { return without.contains(solver); });
+  if (without.contains(study.plan.control)) study.plan.control.clear();
+  return study;
+}
+
+std::string uncounted_note(const StudyResults& study) {
+  const std::set<std::string_view> without = uncounted(study);
+  return without.empty() ? ""
+                         : fmt::format("Nobody counted the evaluations of {}.",
+                                       one_line(fmt::format("{}", fmt::join(without, ", "))));
+}
+
 std::vector<std::string> status_notes(const StudyResults& study) {
   std::vector<int> by_status(status_names.size());
+  const std::vector<Status> shown = shown_statuses(study);
   int solves = 0;
   std::int64_t expected = 0;
   int incomplete_runs = 0;
@@ -230,8 +274,9 @@ std::vector<std::string> status_notes(const StudyResults& study) {
     incomplete_runs += count.incomplete_runs;
   }
   std::string note = fmt::format("Solves: {} of {} expected; by status:", solves, expected);
-  for (std::size_t i = 0; i < by_status.size(); ++i) {
-    note += fmt::format("{} {} {}", i == 0 ? "" : ",", status_names[i], by_status[i]);
+  for (const Status status : shown) {
+    note += fmt::format("{} {} {}", status == shown.front() ? "" : ",", name_of(status),
+                        by_status[static_cast<std::size_t>(status)]);
   }
   std::vector<std::string> notes{note + "."};
   if (solves < expected) {
@@ -245,6 +290,11 @@ std::vector<std::string> status_notes(const StudyResults& study) {
         "A refused answer leaves the arm where it was: the error that counts is the one it has there, and its "
         "variation "
         "is 0.");
+  }
+  if (is_without_answer(shown.back())) {
+    notes.push_back(
+        "A program that crashed, timed out, broke the protocol or declined gave no answer: the arm stays where it was, "
+        "and the error that counts is the one it has there.");
   }
   if (by_status[static_cast<std::size_t>(Status::not_finite)] > 0) {
     notes.push_back(
@@ -295,6 +345,21 @@ std::string timing_note(const StudyResults& study) {
       "Times are not comparable: {} of {} solves took more than 1.1 times their CPU time, so other programs were "
       "running.",
       found.solves, found.clean);
+}
+
+std::string transport_note(const StudyResults& study) {
+  std::vector<std::string> found;
+  for (const std::string& solver : study.solvers) {
+    std::vector<double> shares;
+    for (const SolveRecord& solve : study.solves) {
+      const double transport = solve.round_trips * solve.transport_seconds;
+      if (solve.solver == solver && transport >= 0 && solve.seconds > 0) shares.push_back(transport / solve.seconds);
+    }
+    if (!shares.empty() && median(shares) >= 0.5) found.push_back(one_line(solver));
+  }
+  return found.empty() ? ""
+                       : fmt::format("At least half of the time of {} is transport: messages to the program and back.",
+                                     fmt::join(found, ", "));
 }
 
 std::string cpu_note(const std::set<std::string>& cpus) {

@@ -97,6 +97,14 @@ struct SolverCounts {
 
 std::vector<SolverCounts> counts(const StudyResults& study);
 
+// Those that tables have: the ones of programs outside only where they occurred.
+std::vector<results::Status> shown_statuses(const StudyResults& study);
+
+// What is said of evaluations is said of this study: without the solvers of which a solve's evaluations nobody counted.
+StudyResults counted(StudyResults study);
+// Who these are, as a sentence; empty where there are none.
+std::string uncounted_note(const StudyResults& study);
+
 // The counts as sentences, to stand beside every table and figure: statuses, what is missing.
 std::vector<std::string> status_notes(const StudyResults& study);
 
@@ -110,6 +118,8 @@ bool is_comparable(const StudyResults& study, Metric metric);  // all metrics ar
 bool times_were_disturbed(const StudyResults& study);
 // Times of several CPUs cannot be compared; empty where there are not several.
 std::string cpu_note(const std::set<std::string>& cpus);
+// Of the programs whose time is for the most part that of their messages; empty where there are none.
+std::string transport_note(const StudyResults& study);
 constexpr std::string_view times_not_judged = "times are not comparable";
 
 }  // namespace ikbench::inference

@@ -193,17 +193,34 @@ Table cost_table(const StudyResults& study, Cost cost, const Clusters& clusters)
 
 std::vector<Table> cost_tables(const StudyResults& measured) {
   if (measured.solves.empty()) return {};
-  const StudyResults study = at_median_speed(measured);
-  const Clusters clusters(study);
+  const StudyResults study = at_median_speed(measured), of_evaluations = counted(study);
+  const Clusters clusters(study), clusters_of_evaluations(of_evaluations);
+  const auto study_of = [&](Cost cost) -> const StudyResults& {
+    return cost == Cost::evaluations ? of_evaluations : study;
+  };
+  const auto clusters_of = [&](Cost cost) -> const Clusters& {
+    return cost == Cost::evaluations ? clusters_of_evaluations : clusters;
+  };
   std::vector<Cost> costs;
-  if (std::isfinite(tolerance_cm(study))) costs.push_back(Cost::evaluations);
-  if (!costs.empty() && times_are_comparable(study)) costs.push_back(Cost::seconds);
-  std::vector<Table> tables;
-  for (const Cost cost : costs) tables.push_back(cost_table(study, cost, clusters));
-  for (const Cost cost : costs) {
-    if (study.solvers.size() > 1) tables.push_back(cost_pair_table(study, cost, clusters));
+  if (std::isfinite(tolerance_cm(study))) {
+    if (!of_evaluations.solves.empty()) costs.push_back(Cost::evaluations);
+    if (times_are_comparable(study)) costs.push_back(Cost::seconds);
   }
-  if (std::optional<Table> table = anytime_table(study, clusters)) tables.push_back(std::move(*table));
+  std::vector<Table> tables;
+  for (const Cost cost : costs) tables.push_back(cost_table(study_of(cost), cost, clusters_of(cost)));
+  for (const Cost cost : costs) {
+    if (study_of(cost).solvers.size() > 1) {
+      tables.push_back(cost_pair_table(study_of(cost), cost, clusters_of(cost)));
+    }
+  }
+  if (std::optional<Table> table = anytime_table(of_evaluations, clusters_of_evaluations)) {
+    tables.push_back(std::move(*table));
+  }
+  if (const std::string note = uncounted_note(study); !note.empty()) {
+    for (Table& table : tables) {
+      if (table.name.find("-seconds") == std::string::npos) table.notes.push_back(note);
+    }
+  }
   return tables;
 }
 

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <set>
 #include <string>
 
 #include "analysis/inference/design.hpp"
@@ -75,7 +76,7 @@ std::vector<Side> sides_of(const StudyResults& study, const StudyResults& other)
     std::vector<double> accepted_errors, accepted_variations, means_of_runs;
     std::map<int, std::vector<double>> variations_of_run;
     for (const SolveRecord& solve : study.solves) {
-      if (solve.solver != study.solvers[i] || solve.status == Status::refused) continue;
+      if (solve.solver != study.solvers[i] || stays(solve.status)) continue;
       accepted_errors.push_back(solve.position_error_cm);
       accepted_variations.push_back(solve.variation_deg);
       variations_of_run[solve.run].push_back(solve.variation_deg);
@@ -174,7 +175,12 @@ Table table_of(const JudgedStudy& free, const JudgedStudy& enforced) {
                           {"rank_error"},
                           {"rank_variation"},
                           {"outside_limits"}}};
-  for (const std::string_view status : status_names) table.columns.push_back({std::string(status)});
+  std::set<Status> statuses;
+  for (const StudyResults* study :
+       {static_cast<const StudyResults*>(&free), static_cast<const StudyResults*>(&enforced)}) {
+    for (const Status status : shown_statuses(*study)) statuses.insert(status);
+  }
+  for (const Status status : statuses) table.columns.push_back({std::string(name_of(status))});
   const std::vector<Side> before = sides_of(free, enforced);
   const Enforced after = enforced_of(enforced, free);
   const auto add_row = [&](const Side& side, const StudyResults& study, const char* limits) {
@@ -191,7 +197,7 @@ Table table_of(const JudgedStudy& free, const JudgedStudy& enforced) {
                           rank(side.error_placing),
                           rank(side.variation_placing),
                           std::int64_t{side.counts.outside_limits}};
-    for (const int number_of : side.counts.by_status) row.emplace_back(std::int64_t{number_of});
+    for (const Status status : statuses) row.emplace_back(std::int64_t{side.counts.of(status)});
     table.rows.push_back(std::move(row));
   };
   for (const Side& side : before) {

@@ -45,7 +45,7 @@ void add_notes(Table& table, const StudyResults& study, std::span<const Metric> 
 }
 
 void add_timing_notes(Table& table, const StudyResults& study) {
-  for (const std::string& note : {timing_note(study), outliers_note(study)}) {
+  for (const std::string& note : {timing_note(study), outliers_note(study), transport_note(study)}) {
     if (!note.empty()) table.notes.push_back(note);
   }
 }
@@ -206,19 +206,22 @@ Table status_table(const StudyResults& study) {
   Table table{.name = "status",
               .caption = "Outcome of every solve, checked by the independent verifier",
               .columns = {{"algorithm", Align::left}}};
-  for (const std::string_view name : status_names) table.columns.push_back({std::string(name)});
+  const std::vector<Status> statuses = shown_statuses(study);
+  for (const Status status : statuses) table.columns.push_back({std::string(name_of(status))});
   for (const char* name :
        {"solves", "expected", "complete_runs", "incomplete_runs", "outside_limits", "worst_outside_deg"}) {
     table.columns.push_back({name});
   }
-  for (const std::string_view name : timing_names) {
-    table.columns.push_back({"timing_" + std::string(name)});
-    if (name == name_of(Timing::clean)) table.columns.push_back({"timing_disturbed"});
+  const bool has_processes =
+      std::ranges::find(study.solves, Timing::process, &SolveRecord::timing) != study.solves.end();
+  for (const char* name : {"timing_clean", "timing_disturbed", "timing_parallel", "timing_debug_build"}) {
+    table.columns.push_back({name});
   }
+  if (has_processes) table.columns.push_back({"timing_process"});
   const bool disturbed = times_were_disturbed(study);
   for (const SolverCounts& solver : counts(study)) {
     std::vector<Cell> row{solver.solver};
-    for (const int number : solver.by_status) row.push_back(count(number));
+    for (const Status status : statuses) row.push_back(count(solver.of(status)));
     for (const std::int64_t number : std::initializer_list<std::int64_t>{
              solver.solves, solver.expected, solver.complete_runs, solver.incomplete_runs, solver.outside_limits}) {
       row.push_back(count(number));
@@ -229,6 +232,7 @@ Table status_table(const StudyResults& study) {
          {disturbed ? 0 : alone, disturbed ? alone : 0, solver.of(Timing::parallel), solver.of(Timing::debug_build)}) {
       row.push_back(count(number));
     }
+    if (has_processes) row.push_back(count(solver.of(Timing::process)));
     table.rows.push_back(std::move(row));
   }
   table.notes = status_notes(study);

@@ -103,7 +103,8 @@ TEST_CASE("a solve that ended before its first iteration has reached its error w
 
 TEST_CASE("a trace whose answer the verifier does not confirm reaches nothing", "[convergence]") {
   SolveRecord solve = solve_with_trace({8, 3, 0.5}, 300);
-  for (const Status status : {Status::claimed_but_wrong, Status::refused, Status::not_finite}) {
+  for (const Status status : {Status::claimed_but_wrong, Status::refused, Status::not_finite, Status::crashed,
+                              Status::timed_out, Status::broke_protocol, Status::declined}) {
     solve.status = status;
     CHECK(costs_to_targets(solve, std::vector<double>{10}, Cost::evaluations).front() == censored);
     CHECK(error_bands({&solve}, std::vector<double>{300}).front().median == censored);
