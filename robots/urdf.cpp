@@ -9,6 +9,7 @@
 #include <limits>
 #include <map>
 #include <optional>
+#include <set>
 #include <stdexcept>
 #include <vector>
 
@@ -125,9 +126,11 @@ class Tree {
       if (links_.size() > most_links) place.fail(*link, fmt::format("expected at most {} links", most_links));
     }
     if (links_.empty()) place.fail(robot, "the robot has no links");
+    std::set<std::string> joints;
     for (const XMLElement* joint = robot.FirstChildElement("joint"); joint != nullptr;
          joint = joint->NextSiblingElement("joint")) {
       const std::string name = place.name(*joint, "name"), child = end(*joint, "child"), parent = end(*joint, "parent");
+      if (!joints.insert(name).second) place.fail(*joint, fmt::format("there are two joints \"{}\"", name));
       const auto [known, is_new] = before_.emplace(child, joint);
       if (!is_new) {
         place.fail(*joint, fmt::format("link \"{}\" is the child of two joints, \"{}\" and \"{}\"; expected a tree",

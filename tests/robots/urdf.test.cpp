@@ -201,6 +201,8 @@ TEST_CASE("a link with two parents, a cycle or an end that is no link is told", 
   CHECK(said_of(links + joint("x", "a", "d") + "</robot>") ==
         "my_arm.urdf:2: the child of joint \"x\" is \"d\", which is no link");
   CHECK(said_of(links + "<link name='a'/></robot>") == "my_arm.urdf:2: there are two links \"a\"");
+  CHECK(said_of(links + joint("x", "a", "b") + joint("x", "b", "c") + "</robot>") ==
+        "my_arm.urdf:3: there are two joints \"x\"");
 }
 
 TEST_CASE("joints that are not of the four kinds are refused by name, if they are on the way", "[urdf][traps]") {
