@@ -1,6 +1,7 @@
 // Poses from a CSV file beside the study.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <stdexcept>
 #include <system_error>
 
@@ -42,6 +43,12 @@ class CsvPath final : public PathKind {
     if (!std::filesystem::is_regular_file(file, error)) {
       throw std::invalid_argument(
           fmt::format("there is no file {}; expected a CSV file of poses in the study's folder", file.string()));
+    }
+    const std::filesystem::path home = std::filesystem::canonical(folder.empty() ? "." : folder),
+                                meant = std::filesystem::canonical(file);
+    if (std::mismatch(home.begin(), home.end(), meant.begin(), meant.end()).first != home.end()) {
+      throw std::invalid_argument(fmt::format(
+          "path.file is \"{}\", a link that leads out of the study's folder; expected a file in it", file_));
     }
     constexpr std::uintmax_t most_bytes = 16'000'000;
     poses_ = poses_from_csv(text_of_file(file, most_bytes), file.string());

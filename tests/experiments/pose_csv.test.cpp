@@ -186,6 +186,17 @@ TEST_CASE("a CSV file that is missing, elsewhere or too large is refused", "[csv
     CHECK_THAT(said(file), ContainsSubstring("my.toml:3:8: path.file is ") &&
                                ContainsSubstring("expected a CSV file in the study's folder"));
   }
+  std::filesystem::create_symlink("../outside.csv", folder.path / "study/link.csv");
+  CHECK_THAT(said("link.csv"),
+             ContainsSubstring("my.toml:3:8: path.file is \"link.csv\", a link that leads out of the study's folder"));
+  std::filesystem::create_symlink("/dev/zero", folder.path / "study/endless.csv");
+  CHECK_THAT(said("endless.csv"), ContainsSubstring("there is no file "));
+  std::ofstream(folder.path / "study/sparse.csv").close();
+  std::filesystem::resize_file(folder.path / "study/sparse.csv", 1ULL << 40);  // 1 TB that takes no room
+  CHECK_THAT(said("sparse.csv"), ContainsSubstring("expected a file of at most 16 MB"));
+  write(folder.path / "study/good.csv", quaternions);
+  std::filesystem::create_symlink("good.csv", folder.path / "study/inside.csv");
+  CHECK(said("inside.csv").empty());
   CHECK_THAT(said("large.csv"), ContainsSubstring("expected a file of at most 16 MB"));
   CHECK_THAT(said("bad.csv"), ContainsSubstring("bad.csv:2: column 2 (y_m) is \"two\""));
 }
