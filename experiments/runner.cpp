@@ -88,17 +88,28 @@ std::int64_t move_past_stored(Plan& plan, const Store& store) {
   return stored;
 }
 
+// What a run asks of all solvers, which a worker keeps while its chains are of that run: targets of some sets are
+// dear to draw.
+struct RunTask {
+  int run = 0;
+  std::vector<Pose> targets = {};
+  std::vector<Configuration> starts = {};
+};
+
 // Solves what is left of every chain, `jobs` of them at once.
 void solve_rest(Plan& plan, int jobs, const std::atomic<bool>* cancelled, RecordQueue::PassOn pass_on) {
   RecordQueue record_queue(std::move(pass_on));
   std::atomic<std::size_t> next{0};
   std::atomic<bool> has_failed{false};
   const auto is_over = [&] { return has_failed || (cancelled != nullptr && *cancelled); };
-  const auto work_on = [&](Chained& chain) {
+  const auto work_on = [&](Chained& chain, RunTask& task) {
     if (chain.next_point > plan.points) return;
     const std::unique_ptr<Solver> solver = chain.solve_runner->make_solver();
-    const std::vector<Pose> poses = targets(plan.study, chain.run);
-    const std::vector<Configuration> own_starts = starts(plan.study, chain.run);
+    if (task.run != chain.run) {
+      task = {chain.run, targets(plan.study, plan.arm, chain.run), starts(plan.study, plan.arm, chain.run)};
+    }
+    const std::vector<Pose>& poses = task.targets;
+    const std::vector<Configuration>& own_starts = task.starts;
     const auto start = [&]() -> const Configuration& {
       return own_starts.empty() ? chain.configuration : own_starts[static_cast<std::size_t>(chain.next_point - 1)];
     };
@@ -112,8 +123,9 @@ void solve_rest(Plan& plan, int jobs, const std::atomic<bool>* cancelled, Record
     }
   };
   work_together(jobs, [&] {
+    RunTask task;
     try {
-      for (std::size_t i = next++; i < plan.chains.size() && !is_over(); i = next++) work_on(plan.chains[i]);
+      for (std::size_t i = next++; i < plan.chains.size() && !is_over(); i = next++) work_on(plan.chains[i], task);
     } catch (...) {
       has_failed = true;  // the others end with the solve they are at
       throw;

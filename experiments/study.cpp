@@ -37,14 +37,15 @@ int effective_population(const Study& study, const SolverEntry& entry) {
   return entry.population > 0 ? entry.population : study.population;
 }
 
-std::vector<Pose> targets(const Study& study, int run) {
+std::vector<Pose> targets(const Study& study, const Robot& arm, int run) {
   Random random(key_of_targets(study, run));
-  return study.path->poses(arm_of(study), random);
+  return study.path->poses(arm, random);
 }
 
-std::vector<Configuration> starts(const Study& study, int run) {
+std::vector<Pose> targets(const Study& study, int run) { return targets(study, arm_of(study), run); }
+
+std::vector<Configuration> starts(const Study& study, const Robot& arm, int run) {
   if (study.start == Start::previous || study.start == Start::initial) return {};
-  const Robot arm = arm_of(study);
   const Configuration zeros = Configuration::Zero(arm.joints());
   const JointLimits range = arm.limits.around(zeros);
   Random random(Key(study.seed).with("starts").with(static_cast<std::uint64_t>(run))),
@@ -84,7 +85,7 @@ std::vector<Unreachable> unreachable(const Study& study) {
   const Chain::Ball ball = searched.reach();
   std::vector<Unreachable> found;
   int point = 0;
-  for (const Pose& target : targets(study, 1)) {
+  for (const Pose& target : targets(study, arm, 1)) {
     ++point;
     const Eigen::Vector3d goal = wrist ? wrist->centre(target) : target.translation();
     const double distance = (goal - ball.centre).norm();

@@ -84,11 +84,12 @@ solvers::Settings effective_options(const Study& study, const SolverEntry& entry
 int effective_population(const Study& study, const SolverEntry& entry);
 
 // Where the tool has to go in a run, the same for all solvers. Only random targets differ from run to run; those of
-// one with more points begin with those of one with fewer.
+// one with more points begin with those of one with fewer. `arm` is arm_of(study), which reads and checks a file.
+std::vector<robots::Pose> targets(const Study& study, const robots::Robot& arm, int run);
 std::vector<robots::Pose> targets(const Study& study, int run);
 
 // Where each solve of a run starts, the same for all solvers; none for Start::previous and Start::initial.
-std::vector<robots::Configuration> starts(const Study& study, int run);
+std::vector<robots::Configuration> starts(const Study& study, const robots::Robot& arm, int run);
 
 // Why no two solvers of the study were given the same problem, so that there are no blocks to compare them in; empty
 // where there are: targets drawn anew in every run are the same for all solvers, and so is each target of a path whose

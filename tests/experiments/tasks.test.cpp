@@ -208,19 +208,20 @@ TEST_CASE("every set is made of its solutions, the same again, and more of them 
 TEST_CASE("solves start in the middle of the limits, or at zero where a joint turns without end", "[starts]") {
   const Study study = study_with("kinova_gen3", "start = \"middle\"\n[path]\nkind = \"random\"\npoints = 2");
   const Robot arm = arm_of(study);
-  for (const Configuration& start : starts(study, 1)) {
+  for (const Configuration& start : starts(study, arm, 1)) {
     for (Eigen::Index j = 0; j < start.size(); ++j) {
       const double lower = arm.limits.lower[j], upper = arm.limits.upper[j];
       CHECK(start[j] == (std::isfinite(lower) ? (lower + upper) / 2 : 0));
     }
   }
-  CHECK(starts(study, 1).size() == 2);
+  CHECK(starts(study, arm, 1).size() == 2);
 }
 
 TEST_CASE("random starts are within the limits, of their own for every run and point", "[starts]") {
   const Study study = study_with("ur5e", "start = \"random\"\n[path]\nkind = \"line\"\npoints = 50");
   const Robot arm = arm_of(study);
-  const std::vector<Configuration> first = starts(study, 1), again = starts(study, 1), second = starts(study, 2);
+  const std::vector<Configuration> first = starts(study, arm, 1), again = starts(study, arm, 1),
+                                   second = starts(study, arm, 2);
   CHECK(first == again);
   for (std::size_t i = 0; i < first.size(); ++i) {
     CHECK(arm.limits.violation(first[i]) == 0);
@@ -232,7 +233,7 @@ TEST_CASE("random starts are within the limits, of their own for every run and p
 TEST_CASE("near starts are as far from the solution as near_deg allows, and inside the limits", "[starts]") {
   const Study study = study_with(
       "stanford", "start = \"near\"\nnear_deg = 2\n[path]\nkind = \"random\"\nset = \"near_limits\"\npoints = 100");
-  const std::vector<Configuration> near = starts(study, 3), solutions = solutions_of(study, 3);
+  const std::vector<Configuration> near = starts(study, arm_of(study), 3), solutions = solutions_of(study, 3);
   double farthest = 0;
   for (std::size_t i = 0; i < near.size(); ++i) {
     const Configuration away = (near[i] - solutions[i]).cwiseAbs();
@@ -260,7 +261,7 @@ TEST_CASE("every solver starts where the study says, run after run and from a st
                     "\"\npopulation = 4\nruns = 2\n[stop]\niterations = 3\n[path]\nkind = \"random\"\npoints = 3");
     study.solvers.push_back({"other", "particle_swarm", {}});
     for (const SolveRecord& solve : solves_of(study)) {
-      const Configuration expected = starts(study, solve.run)[static_cast<std::size_t>(solve.point - 1)];
+      const Configuration expected = starts(study, arm_of(study), solve.run)[static_cast<std::size_t>(solve.point - 1)];
       CHECK(std::ranges::equal(solve.start_rad, expected));
     }
     const ScratchFolder folder;
