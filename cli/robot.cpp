@@ -15,6 +15,7 @@
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
 #include "cli/reporting.hpp"
+#include "experiments/study.hpp"
 #include "numerics/units.hpp"
 #include "robots/spherical_wrist.hpp"
 #include "robots/urdf.hpp"
@@ -97,7 +98,7 @@ Configuration joints_at(const Robot& arm, const std::vector<double>& at) {
     if (!(std::abs(value) <= 1e6)) {
       throw std::invalid_argument(fmt::format("--at has {}; expected values within +-1e6", value));
     }
-    q[j] = value * (slides(arm, j) ? 1 : degree);
+    q[j] = value * joint_units(arm.chain)[j];
   }
   return q;
 }

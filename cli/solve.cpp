@@ -67,8 +67,9 @@ Study study_of(const SolveArguments& arguments) {
     if (!(std::abs(angle) <= 1e6)) {
       throw std::invalid_argument(fmt::format("--start-deg has {}; expected angles within +-1e6", angle));
     }
-    study.initial[static_cast<Eigen::Index>(j)] = angle * degree;
+    study.initial[static_cast<Eigen::Index>(j)] = angle * joint_units(arm.chain)[static_cast<Eigen::Index>(j)];
   }
+  if (is_arm_file(arguments.robot)) study.robot_of_file = std::make_shared<const Robot>(arm);
   const bool needs_pose = !solver(arguments.solver).why_not(arm.chain, solvers::Asked::position).empty();
   const std::string search = !arguments.search.empty()         ? arguments.search
                              : needs_pose                      ? "pose"
@@ -149,8 +150,10 @@ void add_solve(CLI::App& app) {
           "else pose with --rpy-deg and all_joints, for the position alone, without")
       ->check(CLI::IsMember({"wrist", "all_joints", "pose"}));
   command
-      ->add_option("--start-deg", arguments->start_deg,
-                   "start angles of all joints [deg]; default: zeros, or the nearest inside the limits")
+      ->add_option(
+          "--start-deg", arguments->start_deg,
+          "start values of all joints [deg], or [m] where one slides; default: zeros, or the nearest inside the "
+          "limits")
       ->delimiter(',');
   command
       ->add_option("--set", arguments->overrides,

@@ -22,6 +22,14 @@ Key key_of_targets(const Study& study, int run) {
 
 Robot arm_of(const Study& study) { return study.robot_of_file ? *study.robot_of_file : robot(study.robot); }
 
+Configuration joint_units(const Chain& arm) {
+  Configuration units = Configuration::Constant(arm.joints(), degree);
+  for (Eigen::Index j = 0; j < units.size(); ++j) {
+    if (arm.links()[static_cast<std::size_t>(j)].joint == Joint::slides) units[j] = 1;
+  }
+  return units;
+}
+
 Settings effective_options(const Study& study, const SolverEntry& entry) {
   const SolverInfo info = solver(entry.solver);
   Settings settings;

@@ -78,6 +78,9 @@ struct Study {
 // The arm that it is about; std::invalid_argument where there is none of that name.
 robots::Robot arm_of(const Study& study);
 
+// What the values of an arm's joints are given in outside the program: degrees, and metres where a joint slides.
+robots::Configuration joint_units(const robots::Chain& arm);
+
 // What each entry's solver is really made with: the study's bounds applied, its own options over them, defaults
 // filled in.
 solvers::Settings effective_options(const Study& study, const SolverEntry& entry);

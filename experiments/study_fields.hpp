@@ -88,7 +88,8 @@ inline void list_fields(Fields& io, Study& study) {
             "random within them, or near a solution of a random target");
   io.number("near_deg", study.near, numerics::degree, {0, 360},
             "with start = \"near\": largest distance of each joint that turns from that solution");
-  io.numbers("initial_deg", study.initial, numerics::degree, 0, "configuration before the first point of a run",
+  io.numbers("initial_deg", study.initial, 1, 0,
+             "configuration before the first point of a run: degrees, and metres for a joint that slides",
              InKey::in_text);
   io.whole("population", study.population, populations,
            "candidates per iteration; an entry of [[solvers]] can override it", InKey::in_text);

@@ -287,11 +287,13 @@ Study read_study(const toml::table& table, std::string_view source, PointsAsObse
     throw at("published", unknown_name("paper", study.published, {papers.begin(), papers.end()}));
   }
   const Robot arm = read_arm(reader, study);
+  const Configuration units = joint_units(arm.chain);
   if (study.initial.size() == 0) {  // the nearest to zeros that the limits allow
     study.initial = arm.limits.lower.cwiseMax(Eigen::VectorXd::Zero(arm.joints())).cwiseMin(arm.limits.upper);
-  }
-  if (study.initial.size() != arm.joints()) {
-    throw at("initial_deg", fmt::format("initial_deg has {} angles; expected {}, one for each joint of {}",
+  } else if (study.initial.size() == arm.joints()) {
+    study.initial = study.initial.cwiseProduct(units).eval();
+  } else {
+    throw at("initial_deg", fmt::format("initial_deg has {} values; expected {}, one for each joint of {}",
                                         study.initial.size(), arm.joints(), arm.name));
   }
   check_targets(reader, study, arm);
@@ -303,12 +305,14 @@ Study read_study(const toml::table& table, std::string_view source, PointsAsObse
     throw at("trace", "a trace has at most 1 000 000 iterations; expected stop.iterations of at most that");
   }
   check_solvers(reader, study, arm);
-  if (const double outside = arm.limits.violation(study.initial) / degree;
-      study.limits == Limits::enforced && outside > 0) {
+  const Configuration outside =
+      (arm.limits.lower - study.initial).cwiseMax(study.initial - arm.limits.upper).cwiseQuotient(units);
+  Eigen::Index worst = 0;
+  if (study.limits == Limits::enforced && outside.maxCoeff(&worst) > 0) {
     throw at("initial_deg",
-             fmt::format("initial_deg is {:g} deg outside the limits of a joint, but limits is \"enforced\"; see: "
+             fmt::format("initial_deg is {:g} {} outside the limits of joint {}, but limits is \"enforced\"; see: "
                          "ikbench list robots {}",
-                         outside, arm.name));
+                         outside[worst], units[worst] == 1 ? "m" : "deg", worst + 1, arm.name));
   }
   if (study.search == Search::wrist && !SphericalWrist::fits(arm.chain)) {
     throw at("search", fmt::format("search is \"wrist\", but {} has no spherical wrist; expected \"all_joints\" or "

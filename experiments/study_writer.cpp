@@ -138,8 +138,16 @@ std::string dumped(const nlohmann::ordered_json& json) {
   return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
+// With the initial configuration in the units of files.
+Study as_in_files(Study study) {
+  if (study.initial.size() == 0) return study;
+  const Configuration units = joint_units(arm_of(study).chain);
+  for (Eigen::Index j = 0; j < study.initial.size(); ++j) study.initial[j] = in_unit(study.initial[j], units[j]);
+  return study;
+}
+
 nlohmann::ordered_json definition(const Study& study) {
-  Study fields = study;
+  Study fields = as_in_files(study);
   JsonWriter writer, stop, path;
   list_fields(writer, fields);
   writer.out["analysis"] = json_of(study.analysis);
@@ -229,7 +237,7 @@ std::string to_toml(Path path) {
 }
 
 std::string to_toml(const Study& study) {
-  Study fields = study;  // list_fields serves readers too
+  Study fields = as_in_files(study);
   TomlWriter writer;
   list_fields(writer, fields);
   writer.out += "\n[analysis]  # how the results are judged; it does not affect the solves\n";

@@ -335,6 +335,17 @@ TEST_CASE("a study's arm may be a file in the study's folder, and for --set in t
   CHECK(arm_of(study).name == "slider");
   CHECK(arm_of(study).joints() == 2);
   CHECK(study.initial == Eigen::Vector2d(0, 0.125));  // as near to zeros as the limits allow
+
+  // Degrees, and metres of a slide, there and back.
+  const std::string slide = (folder.path / "slider.toml").string();
+  const Study placed =
+      read("robot = '" + slide + "'\nsearch = \"all_joints\"\ninitial_deg = [45, 0.3]\n" + solver_entry);
+  CHECK(placed.initial == Eigen::Vector2d(45 * (std::numbers::pi / 180), 0.3));
+  CHECK(nlohmann::json::parse(to_json(placed))["initial_deg"] == std::vector<double>{45, 0.3});
+  CHECK(contains(to_toml(placed), "initial_deg = [45, 0.3]"));
+  CHECK(contains(said_of("robot = '" + slide +
+                         "'\nsearch = \"all_joints\"\nlimits = \"enforced\"\ninitial_deg = [0, 0.6]\n" + solver_entry),
+                 "initial_deg is 0.1 m outside the limits of joint 2"));
   const nlohmann::json arm = nlohmann::json::parse(to_json(study))["arm"];
   CHECK(arm["links"][1]["joint"] == "slides");
   CHECK(arm["links"][1]["limits_m"] == std::vector<double>{0.125, 0.5});
@@ -570,7 +581,7 @@ TEST_CASE("a study that enforces the limits asks nothing that breaks them", "[st
        {enforced + solver_entry + "options = { bounds = \"initial\" }\n", "my.toml:4:22: ", {"limits is \"enforced\""}},
        {enforced + "initial_deg = [0, 120.5, 0, 0, 0, 0, 0]\n" + solver_entry,
         "my.toml:2:15: ",
-        {"0.5 deg outside the limits", "ikbench list robots kuka_iiwa14"}},
+        {"0.5 deg outside the limits of joint 2", "ikbench list robots kuka_iiwa14"}},
        {"limits = \"strict\"\n" + solver_entry, "my.toml:1:10: ", {"\"recorded\", \"enforced\""}},
        {"start = \"zero\"\n" + solver_entry, "my.toml:1:9: ", {"\"previous\", \"initial\""}}});
   CHECK(read(enforced + "initial_deg = [0, 120, 0, -120, 0, 0, 175]\n" + solver_entry).limits == Limits::enforced);
@@ -652,10 +663,10 @@ TEST_CASE("what fields ask of each other is checked where one of them stands", "
          {"robot = \"planar_2\"\n" + solver_entry, "my.toml:1:1: ", {"search is \"wrist\"", "expected \"all_joints\""}},
          {"initial_deg = [0, 0]\n" + solver_entry,
           "my.toml:1:15: ",
-          {"has 2 angles", "expected 7, one for each joint of kuka_iiwa14"}},
+          {"has 2 values", "expected 7, one for each joint of kuka_iiwa14"}},
          {planar + "initial_deg = [0, 0, 0]\n" + solver_entry,
           "my.toml:3:15: ",
-          {"has 3 angles", "expected 2, one for each joint of planar_2"}}});
+          {"has 3 values", "expected 2, one for each joint of planar_2"}}});
 }
 
 TEST_CASE("what a search for poses asks for, and what only it has", "[study][mistakes]") {
@@ -871,7 +882,7 @@ TEST_CASE("a mistake in an override is reported as that of --set, not of the fil
       {"ik_bat.alhpa=0.7", "--set ik_bat.alhpa: unknown option \"alhpa\"; did you mean \"alpha\"?"},
       {"ik_bat.bounds=[1]", "--set ik_bat.bounds: "},
       {"ik_bta.alpha=0.7", "--set ik_bta.alpha: unknown solver \"ik_bta\"; did you mean \"ik_bat\"?"},
-      {"initial_deg=[1, 2]", "--set initial_deg: initial_deg has 2 angles; expected 7"},
+      {"initial_deg=[1, 2]", "--set initial_deg: initial_deg has 2 values; expected 7"},
       {"robot=none", "--set robot: unknown robot \"none\""},
       {"search=all", "--set search: "},
       {"solvers=[]", "--set solvers: solvers is []"},
