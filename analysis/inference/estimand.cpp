@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analysis/inference/convergence.hpp"
 #include "analysis/inference/text.hpp"
 
 namespace ikbench::inference {
@@ -47,10 +48,16 @@ Quantity reliability_quantity(const StudyResults& study, Metric metric) {
                   .text = fmt::format("share of solves {}", within_words(study, metric)),
                   .better = Better::larger,
                   .average = "share"};
-  result.value =
-      averaged([&study, metric, most = distance_of(study, metric) + info.rounding](const SolveRecord& solve) {
-        return !stays(solve.status) && value_of(study, solve, metric) <= most ? 1.0 : 0.0;
-      });
+  const double most = distance_of(study, metric);
+  if (metric == Metric::position_error_cm) {  // and of a pose the angle
+    result.value = averaged([within = Tolerance{most, tolerance(study).deg}](const SolveRecord& solve) {
+      return !stays(solve.status) && reaches(solve, within) ? 1.0 : 0.0;
+    });
+  } else {
+    result.value = averaged([&study, metric, most = most + info.rounding](const SolveRecord& solve) {
+      return !stays(solve.status) && value_of(study, solve, metric) <= most ? 1.0 : 0.0;
+    });
+  }
   result.notes.emplace_back("An answer that was refused, is not finite or is missing is not within.");
   return result;
 }
@@ -66,7 +73,11 @@ double distance_of(const StudyResults& study, Metric metric) {
 }
 
 std::string within_words(const StudyResults& study, Metric metric) {
-  return fmt::format("within {} {}", rounded_number(distance_of(study, metric), 4), info_of(metric).unit);
+  const std::string words =
+      fmt::format("within {} {}", rounded_number(distance_of(study, metric), 4), info_of(metric).unit);
+  const double angle = tolerance(study).deg;
+  const bool has_angle = metric == Metric::position_error_cm && std::isfinite(angle);
+  return has_angle ? fmt::format("{} and {} deg", words, rounded_number(angle, 4)) : words;
 }
 
 std::vector<Estimand> estimands_of(const StudyResults& study, Metric metric) {

@@ -113,6 +113,16 @@ TEST_CASE("the distance of reliability is the study's tolerance, or else what it
           .front() == 1);
 }
 
+TEST_CASE("a pose is within the distance where its angle is within the tolerance too", "[estimand]") {
+  JudgedStudy study =
+      study_of({{"A", {0.05, 0.05, 0.2}}}, R"(, "search": "pose", "stop": {"tolerance_cm": 0.1, "tolerance_deg": 2})");
+  // ||R - Rd|| / ||Rd|| of 1.9 deg is sqrt(8 / 3) sin(0.95 deg) = 0.0270748, of 2.1 deg it is 0.0299245.
+  study.solves[0].orientation_error = 0.0270748;
+  study.solves[1].orientation_error = 0.0299245;
+  CHECK(values(study, Estimand::reliability).front() == Approx(1 / 3.0));
+  CHECK(observations(study, error, Estimand::reliability).quantity == "share of solves within 0.1 cm and 2 deg");
+}
+
 TEST_CASE("an answer that was refused or is not finite is within no distance, and leaves the typical value undefined",
           "[estimand]") {
   JudgedStudy study = study_of({{"A", {1e-3, 1e-3, never, 1e-3}}});
