@@ -50,7 +50,8 @@ std::optional<Figure> convergence_figure(const StudyResults& study, const std::v
   const std::vector<double> positions = evaluations_axis(traces);
   if (positions.empty()) return std::nullopt;
   Figure figure{.name = "statistics-convergence"};
-  figure.data = "# evaluations; 25, 50 and 75 % quantiles over the solves of the best position error [cm]\n";
+  const std::string error = study.task.pose ? "error of the pose" : "position error";
+  figure.data = fmt::format("# evaluations; 25, 50 and 75 % quantiles over the solves of the best {} [cm]\n", error);
   const bool has_bands = study.solvers.size() <= most_bands;
   std::vector<std::string> fills, lines, labels = study.solvers;
   std::vector<double> all;
@@ -88,13 +89,15 @@ std::optional<Figure> convergence_figure(const StudyResults& study, const std::v
     ++block;
   }
   figure.caption = fmt::format(
-      "Best position error [cm] against evaluations, over all solves: median{}. Iteration i of n counts as i/n of a "
+      "Best {} [cm] against evaluations, over all solves: median{}.{} Iteration i of n counts as i/n of a "
       "solve's evaluations. A solve that has stopped keeps its last error, and a curve ends with the longest solve. An "
       "answer that is not finite, refused or worse than claimed ranks last; if half of the solves have no error, there "
       "is no line.{}{}",
-      has_bands ? ", and the quartiles as a band" : " (the quartiles are in the data file)", dependence(study),
-      without_trace(study));
-  const Axis axis = value_axis(all, quantity(Metric::position_error_cm), Scale::logarithmic);
+      error, has_bands ? ", and the quartiles as a band" : " (the quartiles are in the data file)",
+      study.task.pose ? " It is what the solvers reduce: the root mean square distance of three points of the tool."
+                      : "",
+      dependence(study), without_trace(study));
+  const Axis axis = value_axis(all, error + " [cm]", Scale::logarithmic);
   figure.caption = with_notes(figure.caption, study, Metric::position_error_cm, axis);
   figure.settings =
       axis.settings + cost_axis(positions.front(), positions.back()).settings + "set xlabel 'evaluations'\n";
@@ -215,6 +218,28 @@ std::optional<Figure> profile_figure(const StudyResults& study, const Clusters& 
   return figure;
 }
 
+// Success against time or budget.
+Figure solved_figure(const StudyResults& study, const Clusters& clusters, Cost cost) {
+  ShareCurves shares{.label = quantity(cost == Cost::seconds ? Metric::seconds : Metric::evaluations),
+                     .share_of = "share of solves that are ok"};
+  for (const Solves& solves : solves_by_solver(study)) {
+    ClusteredValues costs{.values = {}, .clusters = clusters.of(solves)};
+    for (const SolveRecord* solve : solves) {
+      costs.values.push_back(solve->status == Status::ok ? total_cost(*solve, cost) : censored);
+    }
+    shares.curves.push_back(banded_shares(costs, clusters));
+    if (!solves.empty() && shares.curves.back().empty()) shares.curves.back().push_back({.at = 0, .share = 0});
+  }
+  Figure figure{.name = fmt::format("statistics-solved-{}", cost == Cost::seconds ? "seconds" : "evaluations")};
+  figure.caption = fmt::format(
+      "Share of all solves that have ended with status ok within this {}: {}. The other solves count as never solved.{}",
+      cost == Cost::seconds ? "time" : "number of evaluations", inference::words(tolerance(study)),
+      bands(study, clusters));
+  if (cost == Cost::seconds) figure.caption += fmt::format(" {}", median_speed_words);
+  draw_shares(figure, study, shares);
+  return figure;
+}
+
 // The share of solves that have not come to the tolerance yet.
 Figure survival_figure(const StudyResults& study, const Clusters& clusters) {
   ShareCurves shares{.label = quantity(Metric::evaluations),
@@ -267,11 +292,15 @@ std::vector<Figure> convergence_figures(const StudyResults& measured) {
   const bool has_counts = !of_evaluations.solves.empty();
   if (std::ranges::any_of(study.solves, [](const SolveRecord& solve) { return !solve.trace_cm.empty(); })) {
     if (has_counts) add_of_evaluations(convergence_figure(of_evaluations, traced_by_solver(of_evaluations)));
-    if (has_counts) add_of_evaluations(runtime_figure(of_evaluations, clusters_of_evaluations, Cost::evaluations));
-    if (has_clean_times) add(runtime_figure(study, clusters, Cost::seconds));
+    if (!study.task.pose) {  // whose traces have another error than the tolerance
+      if (has_counts) add_of_evaluations(runtime_figure(of_evaluations, clusters_of_evaluations, Cost::evaluations));
+      if (has_clean_times) add(runtime_figure(study, clusters, Cost::seconds));
+    }
   }
   add(error_figure(study, clusters));
   if (std::isfinite(tolerance_cm(study))) {
+    if (has_counts) add_of_evaluations(solved_figure(of_evaluations, clusters_of_evaluations, Cost::evaluations));
+    if (has_clean_times) add(solved_figure(study, clusters, Cost::seconds));
     if (has_counts) add_of_evaluations(profile_figure(of_evaluations, clusters_of_evaluations, ProfileOf::evaluations));
     if (has_clean_times) add(profile_figure(study, clusters, ProfileOf::seconds));
     if (has_counts) add_of_evaluations(survival_figure(of_evaluations, clusters_of_evaluations));

@@ -25,7 +25,7 @@ ClusteredValues evaluations_to_reach(const Solves& solves, const StudyResults& s
     std::vector<double> costs;
     if (std::isfinite(within.cm)) {
       costs.push_back(reaches(*solve, within) ? total_cost(*solve, Cost::evaluations) : censored);
-    } else if (has_trace(*solve)) {
+    } else if (has_trace(*solve) && !study.task.pose) {
       costs = costs_to_targets(*solve, target_errors_cm(study), Cost::evaluations);
     }
     for (const double cost : costs) {

@@ -78,7 +78,11 @@ bool has_trace(const SolveRecord& solve) { return !solve.trace_cm.empty() || sol
 
 std::vector<Solves> traced_by_solver(const StudyResults& study) {
   std::vector<Solves> result = solves_by_solver(study);
-  for (Solves& solves : result) std::erase_if(solves, [](const SolveRecord* solve) { return !has_trace(*solve); });
+  for (Solves& solves : result) {
+    std::erase_if(solves, [&](const SolveRecord* solve) {
+      return study.task.pose ? solve->trace_cm.empty() : !has_trace(*solve);
+    });
+  }
   return result;
 }
 

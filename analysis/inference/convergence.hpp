@@ -32,7 +32,7 @@ bool is_chained(const StudyResults& study);
 
 // Whether it is known how the solve went: it has a trace, or it ended before its first iteration.
 bool has_trace(const results::SolveRecord& solve);
-std::vector<Solves> traced_by_solver(const StudyResults& study);  // those alone
+std::vector<Solves> traced_by_solver(const StudyResults& study);  // those alone, and of poses those with a trace
 
 // The error as the verifier has it [cm]; censored where it is not finite.
 double final_error_cm(const results::SolveRecord& solve);

@@ -97,7 +97,9 @@ std::map<int, std::vector<const SolveRecord*>> runs_of(const StudyResults& study
 }
 
 TaskFacts task_of(const Definition& definition) {
-  TaskFacts facts{.is_path = !definition.draws_targets(), .orientation = definition.text("/search") != "all_joints"};
+  const std::string search = definition.text("/search");
+  TaskFacts facts{
+      .is_path = !definition.draws_targets(), .orientation = search != "all_joints", .pose = search == "pose"};
   for (std::size_t joint = 0; joint < most_joints; ++joint) {
     if (definition.text(fmt::format("/arm/links/{}/joint", joint)) == "slides") facts.slides.insert(joint);
   }
@@ -129,9 +131,6 @@ StudyResults make_study(const StudyEntry& entry, std::vector<SolveRecord> solves
                      .definition = entry.definition,
                      .solves = std::move(solves)};
   study.title = Definition(entry.definition).text("/title");
-  if (Definition(entry.definition).text("/search") == "pose") {  // traces of poses are of another error than positions
-    for (SolveRecord& solve : study.solves) solve.trace_cm.clear();
-  }
   study.published = Definition(entry.definition).text("/published");
   study.task = task_of(Definition(entry.definition));
   if (definition.is_object() && definition.contains("departures") && definition["departures"].is_array()) {

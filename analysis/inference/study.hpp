@@ -24,6 +24,7 @@ namespace ikbench::inference {
 struct TaskFacts {
   bool is_path = true;                // the targets of a run follow each other, and are not drawn one by one
   bool orientation = true;            // is searched for, and not the position alone
+  bool pose = false;                  // is searched for with all joints: traces are of its error, not of the position's
   std::set<std::size_t> slides = {};  // the joints that slide, from 0
 };
 

@@ -25,7 +25,7 @@ const std::vector<SectionPlan>& circumstances() {
 
 // Of a study without a paper.
 std::vector<SectionPlan> results() {
-  std::vector<std::string> names{"overview", "results", "solved", "times", "further", "path"};
+  std::vector<std::string> names{"overview", "results", "solved", "statistics-solved-*", "times", "further", "path"};
   const std::vector<inference::Metric> metrics = inference::all_metrics();
   for (const inference::Metric metric : metrics)
     names.push_back(fmt::format("{}-boxes", inference::info_of(metric).slug));
@@ -40,8 +40,8 @@ SectionPlan convergence() {
       "where each solve starts from the previous answer. Convergence and runtimes need traces, trace = "
       "\"best_error\" in the study. Costs and survival need a tolerance.",
       {},
-      {"statistics-convergence", "statistics-ecdf-*", "statistics-profile-*", "statistics-survival-*",
-       "statistics-cost*"}};
+      {"statistics-convergence", "statistics-ecdf-*", "statistics-solved-*", "statistics-profile-*",
+       "statistics-survival-*", "statistics-cost*"}};
 }
 
 // What belongs to a paper, whichever it is.

@@ -302,17 +302,70 @@ TEST_CASE("the figures of convergence are those that a study has the data for", 
   CHECK(names(synthetic::solves(one), "") == Names{"statistics-ecdf-error"});
   CHECK(names(synthetic::solves(two), "") == Names{"statistics-ecdf-error", "statistics-profile-error"});
   CHECK(names(synthetic::solves(two), with_tolerance) ==
-        Names{"statistics-ecdf-error", "statistics-profile-evaluations", "statistics-profile-seconds",
-              "statistics-survival-evaluations"});
+        Names{"statistics-ecdf-error", "statistics-solved-evaluations", "statistics-solved-seconds",
+              "statistics-profile-evaluations", "statistics-profile-seconds", "statistics-survival-evaluations"});
   CHECK(names(solves_with_traces(two), with_tolerance) ==
         Names{"statistics-convergence", "statistics-ecdf-evaluations", "statistics-ecdf-seconds",
-              "statistics-ecdf-error", "statistics-profile-evaluations", "statistics-profile-seconds",
-              "statistics-survival-evaluations"});
+              "statistics-ecdf-error", "statistics-solved-evaluations", "statistics-solved-seconds",
+              "statistics-profile-evaluations", "statistics-profile-seconds", "statistics-survival-evaluations"});
   std::vector<SolveRecord> parallel = solves_with_traces(two);
   parallel.front().timing = Timing::parallel;
   CHECK(names(parallel, with_tolerance) == Names{"statistics-convergence", "statistics-ecdf-evaluations",
-                                                 "statistics-ecdf-error", "statistics-profile-evaluations",
-                                                 "statistics-survival-evaluations"});
+                                                 "statistics-ecdf-error", "statistics-solved-evaluations",
+                                                 "statistics-profile-evaluations", "statistics-survival-evaluations"});
+}
+
+TEST_CASE("the trace of a pose is drawn as the error of the pose, and counts for no target of the position",
+          "[convergence]") {
+  StudyEntry entry{.name = "s", .definition = R"({"search": "pose", "stop": {"tolerance_cm": 0.5}})", .series = {}};
+  const StudyResults study = make_study(entry, solves_with_traces({.solvers = {"A", "B"}, .runs = 2}));
+  const std::vector<Figure> figures = convergence_figures(study);
+  CHECK(contains(named(figures, "statistics-convergence").caption, "Best error of the pose [cm] against evaluations"));
+  CHECK(contains(named(figures, "statistics-convergence").settings, "error of the pose [cm]"));
+  for (const std::string& name : names_of(figures)) CHECK(!contains(name, "statistics-ecdf-evaluations"));
+}
+
+TEST_CASE("success is drawn against the budget and the time: failures count as never solved", "[convergence]") {
+  // Of four solves of A, two are ok after 100 and 400 evaluations, two others end earlier and fail, as all of B do.
+  std::vector<SolveRecord> solves = synthetic::solves({.solvers = {"A", "B"}, .runs = 4, .points = 1});
+  for (std::size_t i = 0; i < solves.size(); ++i) {
+    solves[i].evaluations = std::array{100, 400, 50, 80}[i % 4];
+    solves[i].seconds = std::array{0.5, 2.0, 0.25, 1.0}[i % 4];
+    solves[i].status = i < 2 ? Status::ok : Status::tolerance_missed;
+    solves[i].timing = Timing::clean;
+  }
+  StudyResults study = make_study("s", std::move(solves));
+  study.definition = R"({"search": "pose", "start": "middle", "path": {"kind": "random"},
+                         "stop": {"tolerance_cm": 0.1, "tolerance_deg": 2}})";
+  const std::vector<Figure> figures = convergence_figures(study);
+  // The corners of each solver's stairs, from the left edge to the right.
+  using Stairs = std::vector<std::pair<double, double>>;
+  const auto stairs = [&](const char* name) {
+    std::istringstream lines(named(figures, name).data);
+    std::vector<Stairs> found;
+    for (std::string line; std::getline(lines, line);) {
+      std::istringstream numbers(line);
+      std::pair<double, double> corner;
+      if (line == "# A" || line == "# B") found.emplace_back();
+      if (!line.starts_with('#') && numbers >> corner.first >> corner.second) found.back().push_back(corner);
+    }
+    return found;
+  };
+  const std::vector<Stairs> by_evaluations = stairs("statistics-solved-evaluations");
+  REQUIRE(by_evaluations.size() == 2);
+  const Stairs& a = by_evaluations[0];
+  REQUIRE(a.size() == 6);
+  CHECK(a.front().second == 0);
+  CHECK(Stairs(a.begin() + 1, a.end() - 1) == Stairs{{100, 0}, {100, 0.25}, {400, 0.25}, {400, 0.5}});
+  CHECK(a.back().second == 0.5);
+  CHECK(std::ranges::all_of(by_evaluations[1], [](const auto& corner) { return corner.second == 0; }));
+  const std::vector<Stairs> by_seconds = stairs("statistics-solved-seconds");
+  REQUIRE(by_seconds.size() == 2);
+  REQUIRE(by_seconds[0].size() == 6);
+  CHECK(Stairs(by_seconds[0].begin() + 1, by_seconds[0].end() - 1) ==
+        Stairs{{0.5, 0}, {0.5, 0.25}, {2, 0.25}, {2, 0.5}});
+  CHECK(contains(named(figures, "statistics-solved-seconds").caption,
+                 "the position error is 0.1 cm and the tool 2 deg from its orientation"));
 }
 
 TEST_CASE("a caption says what a problem is and what the solves depend on", "[convergence]") {
