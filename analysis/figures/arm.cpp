@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
+#include <limits>
 #include <numbers>
 #include <string_view>
 
@@ -84,6 +85,9 @@ std::optional<ArmLink> link_of(const json& link) {
   if (are_lengths(limits, 2)) {
     known.lower = limits[0].get<double>() * unit;
     known.upper = limits[1].get<double>() * unit;
+  } else if (limits == "none") {
+    known.lower = -std::numeric_limits<double>::infinity();
+    known.upper = std::numeric_limits<double>::infinity();
   }
   return known;
 }

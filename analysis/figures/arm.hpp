@@ -15,7 +15,9 @@ using Point = std::array<double, 3>;  // x, y, z [m]
 struct ArmLink {
   enum class Joint { turns, slides, coupled } joint;
   double offset_rad, d_m, a_m, alpha_rad;
-  double lower, upper;  // limits [rad], or [m] where it slides; not_defined where the store has none
+  // Limits [rad], or [m] where it slides; infinite where it turns without end, not_defined where the store does not
+  // say.
+  double lower, upper;
 };
 
 struct ArmFrame {

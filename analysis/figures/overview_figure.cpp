@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "analysis/figures/axis.hpp"
+#include "analysis/figures/dark.hpp"
 #include "analysis/figures/figure_parts.hpp"
 #include "analysis/inference/text.hpp"
 #include "analysis/statistics/descriptive.hpp"
@@ -95,7 +97,9 @@ Figure overview_figure(const StudyResults& study, const std::vector<OverviewMark
     labels.emplace_back("as printed");
     clauses.push_back("keyentry with points pt 6 ps 0.8 lc rgb '#666666' title 'as printed'");
   }
+  constexpr std::array shapes{7, 5, 9, 11, 13};  // filled; colours repeat after seven, shapes after five times seven
   for (std::size_t i = 0; i < ours.size(); ++i) {
+    const int shape = shapes[i / series_colours.size() % shapes.size()];
     const std::string label = shortened(ours[i].solver, longest_label);
     labels.push_back(ours[i].solver);
     const auto points = [&](int index, int type) {
@@ -103,8 +107,8 @@ Figure overview_figure(const StudyResults& study, const std::vector<OverviewMark
           "'overview.dat' index {0} every ::{1}::{1} using 1:(shown($2)):3 with points ls {2} pt {3} ps variable",
           index, i, i + 1, type);
     };
-    if (has_rings) clauses.push_back(points(1, 6) + " lw 1.2 notitle");
-    clauses.push_back(fmt::format("{} title {}", points(0, 7), gnuplot_string(label)));
+    if (has_rings) clauses.push_back(points(1, shape - 1) + " lw 1.2 notitle");
+    clauses.push_back(fmt::format("{} title {}", points(0, shape), gnuplot_string(label)));
     if (!std::isfinite(ours[i].error_cm) || !std::isfinite(ours[i].variation_deg)) continue;
     figure.told.push_back({.series = label,
                            .words = {fmt::format("error {}, variation {}, time {}",

@@ -8,6 +8,7 @@
 #include <map>
 #include <numbers>
 #include <optional>
+#include <set>
 #include <string_view>
 
 #include "analysis/figures/arm.hpp"
@@ -236,11 +237,11 @@ std::map<std::pair<double, double>, std::vector<std::size_t>> limits_deg(const D
   return limits;
 }
 
-// The joint angles of a solver's first run.
+// The joints in a solver's first run: angles [deg], and where they slide positions [cm].
 struct Panel {
   std::string solver;
   int run;
-  std::map<int, std::vector<double>> angles;
+  std::map<int, std::vector<double>> joints;
 };
 
 std::vector<Panel> panels_of(const StudyResults& study) {
@@ -249,17 +250,23 @@ std::vector<Panel> panels_of(const StudyResults& study) {
     const auto solves = first_run(study, solver);
     if (solves.empty()) continue;
     panels.push_back({solver, solves.begin()->second->run, joint_angles_deg(solves)});
-    if (panels.back().angles.begin()->second.empty()) panels.pop_back();
+    for (auto& [point, joints] : panels.back().joints) {
+      for (const std::size_t joint : study.task.slides) {
+        if (joint < joints.size()) joints[joint] *= 100 * std::numbers::pi / 180;
+      }
+    }
+    if (panels.back().joints.begin()->second.empty()) panels.pop_back();
   }
   return panels;
 }
 
-std::string panel_commands(const Panel& panel, const std::string& source, std::size_t place) {
-  const std::size_t joints = panel.angles.begin()->second.size();
+std::string panel_commands(const Panel& panel, const std::string& source, std::size_t place,
+                           const std::set<std::size_t>& slides) {
+  const std::size_t joints = panel.joints.begin()->second.size();
   std::vector<std::string> clauses;
   for (std::size_t joint = 1; joint <= joints; ++joint) {
-    clauses.push_back(fmt::format("{} index {} using 1:(${}) with linespoints ls {} ps 0.3 title 'joint {}'", source,
-                                  place, joint + 1, joint, joint));
+    clauses.push_back(fmt::format("{} index {} using 1:(${}) with linespoints ls {} ps 0.3 title 'joint {}{}'", source,
+                                  place, joint + 1, joint, joint, slides.contains(joint - 1) ? " [cm]" : ""));
   }
   return fmt::format("set title {} noenhanced offset 0, -0.7\n{}\nunset key\n",
                      gnuplot_string(shortened(panel.solver, 2 * longest_label)), plot_command(clauses));
@@ -270,26 +277,30 @@ std::string panel_commands(const Panel& panel, const std::string& source, std::s
 std::optional<Figure> joints_figure(const StudyResults& study, const std::string& name) {
   std::vector<Panel> panels = panels_of(study);
   if (panels.empty()) return std::nullopt;
-  const std::size_t all = panels.size(), joints = panels.front().angles.begin()->second.size();
+  const std::size_t all = panels.size(), joints = panels.front().joints.begin()->second.size();
   panels.resize(std::min(all, most_panels), panels.front());
   const std::size_t columns = std::min<std::size_t>(panels.size(), 3), rows = (panels.size() + columns - 1) / columns;
+  const std::size_t legend_rows = 1 + (joints - 1) / (study.task.slides.empty() ? 8 : 6);
+  const double more_legend = 0.45 * static_cast<double>(legend_rows - 1);  // [cm]
   Figure figure{.name = name,
-                .caption = "Joint angles along the path, in the first run of each solver.",
+                .caption = fmt::format("Joint angles{} {}, in the first run of each solver.",
+                                       study.task.slides.empty() ? "" : " [deg] and positions of slides [cm]",
+                                       study.task.is_path ? "along the path" : "at each target"),
                 .width_cm = two_columns_cm,
-                .height_cm = 1.6 + 4.2 * static_cast<double>(rows)};
+                .height_cm = 1.6 + more_legend + 4.2 * static_cast<double>(rows)};
   double range = 180;
   for (const Panel& panel : panels) {
-    figure.data +=
-        fmt::format("{}# {}, run {}: point, then the angle of each joint [deg]\n{}", figure.data.empty() ? "" : "\n\n",
-                    one_line(panel.solver), panel.run, lines_by_point(panel.angles));
-    for (const auto& [point, angles] : panel.angles) {
-      for (const double angle : angles) range = std::isfinite(angle) ? std::max(range, std::abs(angle)) : range;
+    figure.data += fmt::format(
+        "{}# {}, run {}: point, then the angle of each joint [deg], or its position [cm] where it slides\n{}",
+        figure.data.empty() ? "" : "\n\n", one_line(panel.solver), panel.run, lines_by_point(panel.joints));
+    for (const auto& [point, values] : panel.joints) {
+      for (const double angle : values) range = std::isfinite(angle) ? std::max(range, std::abs(angle)) : range;
     }
   }
   figure.settings = point_axis(study.points) + fmt::format(
                                                    "set yrange [{0}:{1}]\n{2}set key at screen 0.5, 0.01 "
-                                                   "bottom center vertical maxrows 1\n",
-                                                   -range, range, range <= 180 ? "set ytics 60\n" : "");
+                                                   "bottom center vertical maxrows {3}\n",
+                                                   -range, range, range <= 180 ? "set ytics 60\n" : "", legend_rows);
   std::vector<std::string> limits;
   for (const auto& [pair, of_joints] : limits_deg(Definition(study.definition), joints)) {
     limits.push_back(fmt::format("{} to {} deg (joint{} {})", rounded_number(pair.first, 4),
@@ -304,14 +315,15 @@ std::optional<Figure> joints_figure(const StudyResults& study, const std::string
   if (!limits.empty()) figure.caption += fmt::format(" Dashed: the joint limits, {}.", fmt::join(limits, "; "));
   if (panels.size() < all)
     figure.caption += fmt::format(" Only the first {} of {} solvers are shown.", most_panels, all);
-  const double bottom = 1.9 / figure.height_cm, top = 1 - 0.6 / figure.height_cm, gap = 1.2 / figure.height_cm;
+  const double bottom = (1.9 + more_legend) / figure.height_cm, top = 1 - 0.6 / figure.height_cm,
+               gap = 1.2 / figure.height_cm;
   figure.plot =
       fmt::format("set multiplot layout {}, {} rowsfirst margins 0.1, 0.99, {}, {} spacing 0.06, {}\nset key\n", rows,
                   columns, text_of(bottom), text_of(top), text_of(gap));
   for (std::size_t i = 0; i < panels.size(); ++i) {
     figure.plot += fmt::format("set xlabel '{}'\nset ylabel '{}'\n", i + columns < panels.size() ? "" : "point",
                                i % columns > 0 ? "" : "joint angle [deg]");
-    figure.plot += panel_commands(panels[i], fmt::format("'{}.dat'", name), i);
+    figure.plot += panel_commands(panels[i], fmt::format("'{}.dat'", name), i, study.task.slides);
   }
   figure.plot += "unset multiplot";
   return figure;

@@ -99,7 +99,7 @@ bool can_be_drawn(const SolveRecord& solve, std::size_t joints) {
 
 std::optional<std::string> moving_arm(const StudyEntry& entry, const StudyResults& study) {
   const std::optional<Arm> arm = arm_of(Definition(entry.definition));
-  const auto has_limits = [](const ArmLink& link) { return std::isfinite(link.lower) && std::isfinite(link.upper); };
+  const auto has_limits = [](const ArmLink& link) { return !std::isnan(link.lower) && !std::isnan(link.upper); };
   const auto is_drawn = [&](const SolveRecord& solve) { return can_be_drawn(solve, arm->links.size()); };
   if (!arm || !std::ranges::all_of(arm->links, has_limits) || !std::ranges::all_of(study.solves, is_drawn)) {
     return std::nullopt;

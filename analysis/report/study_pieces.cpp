@@ -21,12 +21,15 @@ StudyPieces study_pieces(const StudyResults& study) {
   if (!metrics.left_out.empty()) pieces.tables.front().notes.push_back(metrics.left_out);
   for (const Metric metric : metrics.judged) pieces.tables.push_back(anova_table(study, metric));
   if (study.solves.empty()) return pieces;
-  if (std::optional<Figure> joints = joints_figure(study, "joints")) pieces.figures.push_back(std::move(*joints));
+  const bool has_points = study.points > 1;  // to be drawn one after the other
+  if (std::optional<Figure> joints = joints_figure(study, "joints"); joints && has_points) {
+    pieces.figures.push_back(std::move(*joints));
+  }
   pieces.figures.push_back(overview_figure(study, {}));
   pieces.figures.push_back(path_figure(study, "path"));
   for (const Metric metric : metrics.judged) {
     const std::string name(info_of(metric).slug);
-    if (!is_of_run(metric)) pieces.figures.push_back(curves_figure(study, metric, name));
+    if (has_points && !is_of_run(metric)) pieces.figures.push_back(curves_figure(study, metric, name));
     pieces.figures.push_back(box_figure(study, {.name = name + "-boxes", .metric = metric}));
   }
   return pieces;
