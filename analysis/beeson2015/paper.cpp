@@ -117,7 +117,7 @@ Paper paper() {
                       {"beeson2015-iiwa14", {"seed"}}},
           .claims = claims,
           .pieces = pieces,
-          .sections = {.further = {{"Solve rates", "", {"solve-rates-figure", "solve-rates"}}}}};
+          .sections = {.first = {{"Solve rates", "", {"solve-rates-figure", "solve-rates"}}}}};
 }
 
 }  // namespace ikbench::beeson2015

@@ -38,7 +38,7 @@ SectionPlan convergence() {
       "Convergence and cost",
       "How the error falls with the cost. The curves describe single solves; intervals and bands draw runs as a whole "
       "where each solve starts from the previous answer. Convergence and runtimes need traces, trace = "
-      "\"best_error\" in the study. Costs and survival need a tolerance.",
+      "\"best_error\" in the study. Success, costs and survival need a tolerance.",
       {},
       {"statistics-convergence", "statistics-ecdf-*", "statistics-solved-*", "statistics-profile-*",
        "statistics-survival-*", "statistics-cost*"}};
@@ -153,6 +153,7 @@ void arrange(std::vector<Piece> pieces, const std::vector<Assessment>& assessmen
     }
   };
   fill(circumstances(), content.circumstances);
+  fill(content.plan.first, content.results);
   fill(content.plan.results.empty() ? results() : content.plan.results, content.results);
   fill(content.plan.further, content.results);
   fill(of_any_paper(), content.results);
