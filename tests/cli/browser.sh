@@ -51,7 +51,12 @@ solver = "differential_evolution"
 solver = "damped_least_squares"
 E2
 succeeds run own.toml --out own
-for page in hostile/report.html plain/report.html own/report.html whole/report.html; do
+# A stranger's arm, whose torso slides and some of whose joints turn without end, at poses drawn at random.
+cp "$scripts/../data/urdf/fetch.urdf" .
+sed -e 's/name = "own"/name = "theirs"/; s/robot = .*/robot = "fetch.urdf"/; s/all_joints/pose/; s/iterations = 60/&\ntolerance_cm = 0.1\ntolerance_deg = 0.5/' \
+  -e '/^kind/,/^radius/d; s/^\[path\]/&\nkind = "random"/' own.toml >theirs.toml
+succeeds run theirs.toml --out theirs
+for page in hostile/report.html plain/report.html own/report.html theirs/report.html whole/report.html; do
   [ -s "$page" ] || fail "no $page"
   [ "$(wc -c <"$page")" -lt 3000000 ] || fail "$page has $(wc -c <"$page") bytes"
 done
@@ -355,6 +360,18 @@ E2
   probe plain/report.html motion limits
   expect motion "2; false; Point 1: Point 1:; Point 2: Point 2:; The arm, moved by DE; Pause" "the moving arm"
   expect limits "$(<recorded)" "outside the limits, by the page"
+fi
+
+# A stranger's arm moves too, and the page says nothing of a helix or a paper.
+if grep -q 'id="motion-data"' plain/report.html; then
+  cat >theirs.js <<'E2'
+document.getElementById('forth').click();
+return [document.querySelectorAll('#stage canvas').length, document.getElementById('stage').hidden,
+  document.querySelector('.view p').textContent.slice(0, 8), /helix|slim|paper|printed/i.test(document.body.innerText)].join('; ');
+E2
+  probe theirs/report.html theirs links -- --window-size=1400,900
+  expect theirs "2; false; Point 1:; false" "the arm of a URDF file"
+  expect links " 0 0 true true" "ids twice, links to nowhere, images that are broken or have no words, downloads, fits"
 fi
 
 # It can be printed, on few pages.
