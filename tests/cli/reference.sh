@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The paper's studies give the reference numbers, bit by bit; and their first four runs, with every instruction set of
+# The papers' studies give the reference numbers, bit by bit; and their first four runs, with every instruction set of
 # this machine and other numbers of threads, those of the whole (docs/same-bits solves the whole with each). After a
 # change that is meant to give others: docs/renew-reference.
 source "$(dirname "$0")/common.sh"
@@ -27,6 +27,10 @@ for i in "${!sets[@]}"; do
   done
 done
 unset IKBENCH_INSTRUCTION_SET
+
+# Whole poses of another paper, too.
+succeeds run beeson2015 --jobs 4 --no-report --out poses
+has "$("$program" fingerprint poses/store.sqlite)" "$(grep '"beeson2015"' "$references" | cut -d'"' -f4)"
 
 # Another seed has no reference.
 succeeds reproduce --seed 2 --runs 1 --quick --no-figures --out seed-2

@@ -126,8 +126,8 @@ TEST_CASE("a store keeps the fingerprint, of numbers that are not finite too", "
   CHECK(fingerprint(store.solves("table-3")) == fingerprint(records));
 }
 
-TEST_CASE("the studies of the paper have a reference, others none", "[fingerprint]") {
-  for (const char* study : {"slim2023", "slim2023-context"}) {
+TEST_CASE("the studies of the papers have a reference, others none", "[fingerprint]") {
+  for (const char* study : {"slim2023", "slim2023-context", "beeson2015"}) {
     const std::string_view reference = reference_fingerprint(study);
     CHECK(reference.size() == 32);
     CHECK(reference.find_first_not_of("0123456789abcdef") == std::string_view::npos);
