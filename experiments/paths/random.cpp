@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <map>
+#include <mutex>
 #include <stdexcept>
 
 #include "experiments/path.hpp"
@@ -45,11 +47,20 @@ struct Demand {
   double enough;
 };
 
-// Of configurations that are the same for every study of the arm.
-std::vector<double> sampled_scores(const Robot& arm, const std::function<double(const Configuration&)>& score) {
+// By configurations that are the same for every study of the arm; found once, since singular values take long. `name`
+// is that of the score.
+const std::vector<double>& sampled_scores(const Robot& arm, const std::string& name,
+                                          const std::function<double(const Configuration&)>& score) {
+  static std::mutex mutex;
+  static std::map<std::string, std::vector<double>> known;
+  std::string key = name + arm.chain.definition();
+  for (const double limit : arm.limits.lower) key += fmt::format(" {}", limit);
+  for (const double limit : arm.limits.upper) key += fmt::format(" {}", limit);
+  const std::scoped_lock lock(mutex);
+  std::vector<double>& scores = known[key];
+  if (!scores.empty()) return scores;
   constexpr int samples = 1000;
   Random random(Key(0).with("samples of an arm"));
-  std::vector<double> scores;
   for (int i = 0; i < samples; ++i) scores.push_back(score(drawn_within(range_of(arm), random)));
   std::ranges::sort(scores);
   return scores;
@@ -62,7 +73,7 @@ Demand near_singular(const Robot& arm) {
               return arm.chain.forward(at).matrix();
             }).minCoeff();
   };
-  const std::vector<double> scores = sampled_scores(arm, score);
+  const std::vector<double>& scores = sampled_scores(arm, "singular", score);
   return {score, scores[scores.size() * 99 / 100]};
 }
 
@@ -72,7 +83,7 @@ Demand at_edge(const Robot& arm) {
   const auto score = [&arm, shoulder = arm.chain.reach().centre](const Configuration& q) {
     return (arm.chain.position(q) - shoulder).norm();
   };
-  return {score, share * sampled_scores(arm, score).back()};
+  return {score, share * sampled_scores(arm, "edge", score).back()};
 }
 
 // The first that is good enough, or the best of very many.
