@@ -98,7 +98,7 @@ Configuration joints_at(const Robot& arm, const std::vector<double>& at) {
     if (!(std::abs(value) <= 1e6)) {
       throw std::invalid_argument(fmt::format("--at has {}; expected values within +-1e6", value));
     }
-    q[j] = value * joint_units(arm.chain)[j];
+    q[j] = value * experiments::joint_units(arm.chain)[j];
   }
   return q;
 }
