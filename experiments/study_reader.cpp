@@ -305,14 +305,14 @@ Study read_study(const toml::table& table, std::string_view source, PointsAsObse
     throw at("trace", "a trace has at most 1 000 000 iterations; expected stop.iterations of at most that");
   }
   check_solvers(reader, study, arm);
-  const Configuration outside =
-      (arm.limits.lower - study.initial).cwiseMax(study.initial - arm.limits.upper).cwiseQuotient(units);
-  Eigen::Index worst = 0;
-  if (study.limits == Limits::enforced && outside.maxCoeff(&worst) > 0) {
-    throw at("initial_deg",
-             fmt::format("initial_deg is {:g} {} outside the limits of joint {}, but limits is \"enforced\"; see: "
-                         "ikbench list robots {}",
-                         outside[worst], units[worst] == 1 ? "m" : "deg", worst + 1, arm.name));
+  for (Eigen::Index j = 0; j < units.size() && study.limits == Limits::enforced; ++j) {
+    const double outside = std::max(arm.limits.lower[j] - study.initial[j], study.initial[j] - arm.limits.upper[j]);
+    if (outside > 0) {
+      throw at("initial_deg",
+               fmt::format("initial_deg is {:g} {} outside the limits of joint {}, but limits is \"enforced\"; see: "
+                           "ikbench list robots {}",
+                           outside / units[j], units[j] == 1 ? "m" : "deg", j + 1, arm.name));
+    }
   }
   if (study.search == Search::wrist && !SphericalWrist::fits(arm.chain)) {
     throw at("search", fmt::format("search is \"wrist\", but {} has no spherical wrist; expected \"all_joints\" or "
