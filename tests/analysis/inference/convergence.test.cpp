@@ -330,7 +330,7 @@ TEST_CASE("success is drawn against the budget and the time: failures count as n
   std::vector<SolveRecord> solves = synthetic::solves({.solvers = {"A", "B"}, .runs = 4, .points = 1});
   for (std::size_t i = 0; i < solves.size(); ++i) {
     solves[i].evaluations = std::array{100, 400, 50, 80}[i % 4];
-    solves[i].seconds = std::array{0.5, 2.0, 0.25, 1.0}[i % 4];
+    solves[i].seconds = solves[i].cpu_seconds = std::array{0.5, 2.0, 0.25, 1.0}[i % 4];
     solves[i].status = i < 2 ? Status::ok : Status::tolerance_missed;
     solves[i].timing = Timing::clean;
   }
