@@ -55,6 +55,7 @@ succeeds run own.toml --out own
 cp "$scripts/../data/urdf/fetch.urdf" .
 sed -e 's/name = "own"/name = "theirs"/; s/robot = .*/robot = "fetch.urdf"/; s/all_joints/pose/; s/iterations = 60/&\ntolerance_cm = 0.1\ntolerance_deg = 0.5/' \
   -e '/^kind/,/^radius/d; s/^\[path\]/&\nkind = "random"/' own.toml >theirs.toml
+printf '[analysis]\nestimands = ["mean"]\n' >>theirs.toml
 succeeds run theirs.toml --out theirs
 for page in hostile/report.html plain/report.html own/report.html theirs/report.html whole/report.html; do
   [ -s "$page" ] || fail "no $page"
