@@ -105,11 +105,7 @@ std::optional<double> CsvFile::number(std::size_t row, std::size_t column) const
   return std::isnan(*value) ? std::nullopt : value;
 }
 
-bool CsvFile::is_blank(std::size_t row) const {
-  std::size_t column = 0;
-  while (column < table.header.size() && table.cell(row, column).empty()) ++column;
-  return column == table.header.size();
-}
+bool CsvFile::is_blank(std::size_t row) const { return blank[row]; }
 
 std::string CsvFile::name() const { return one_line(std::string_view(source).substr(source.find_last_of('/') + 1)); }
 
@@ -117,6 +113,11 @@ CsvFile open_csv(std::string_view text, std::string_view source) {
   expect_text_with_commas(text, source);
   CsvFile file{.source = std::string(source), .table = view_csv(text, source)};
   if (file.table.rows() == 0) file.refuse("no rows below the header; expected at least one");
+  file.blank.assign(file.table.rows(), true);
+  for (std::size_t row = 0; row < file.table.rows(); ++row) {
+    for (std::size_t column = 0; file.blank[row] && column < file.table.header.size(); ++column)
+      file.blank[row] = file.table.cell(row, column).empty();
+  }
   return file;
 }
 

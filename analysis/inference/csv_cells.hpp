@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "results/csv.hpp"
 
@@ -17,6 +18,7 @@ constexpr std::size_t longest_name = 1000;  // of a group or a quantity, in byte
 struct CsvFile {
   std::string source;
   results::CsvView table;
+  std::vector<bool> blank = {};  // of each row, whether all its cells are empty: asked for again with every column
 
   [[noreturn]] void refuse(std::string_view what) const;
   // Of a cell: names its row, its column and its text.
