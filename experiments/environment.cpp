@@ -44,10 +44,23 @@ std::string operating_system() {
   return uname(&name) == 0 ? fmt::format("{} {} {}", name.sysname, name.release, name.machine) : "unknown";
 }
 
+// Of one start of the system: the same in all its containers, whatever host each thinks it is.
+std::string boot() {
+  std::ifstream file("/proc/sys/kernel/random/boot_id");
+  std::string id;
+  return std::getline(file, id) ? id : "unknown";
+}
+
+std::string host() {
+  utsname name{};
+  return uname(&name) == 0 ? name.nodename : "unknown";
+}
+
 }  // namespace
 
 std::map<std::string, std::string> environment() {
-  return {{"build_type", build_info::build_type},
+  return {{"boot", boot()},
+          {"build_type", build_info::build_type},
           {"commit", build_info::commit},
           {"compiler", compiler()},
           {"cpu", cpu_model()},
@@ -55,6 +68,7 @@ std::map<std::string, std::string> environment() {
           {"date", fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::chrono::system_clock::now()))},
           {"eigen", fmt::format("{}.{}.{}", EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION)},
           {"flags", build_info::flags},
+          {"host", host()},
           {"instruction_set", std::string(name_of(instruction_set()))},
           {"os", operating_system()},
           {"sanitizers", build_info::sanitize},

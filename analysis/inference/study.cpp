@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -15,6 +16,7 @@
 
 #include "analysis/inference/analysis_plan.hpp"
 #include "analysis/inference/definition.hpp"
+#include "analysis/inference/machines.hpp"
 #include "analysis/inference/text.hpp"
 #include "analysis/statistics/descriptive.hpp"
 #include "numerics/number.hpp"
@@ -141,10 +143,12 @@ StudyResults make_study(const StudyEntry& entry, std::vector<SolveRecord> solves
   for (const Series& series : entry.series) study.solvers.push_back(series.label);
   std::set<std::int64_t> used;
   for (const SolveRecord& solve : study.solves) used.insert(solve.session);
-  for (const Session& session : sessions) {
-    if (!used.contains(session.id)) continue;
-    const auto cpu = session.environment.find("cpu"), stolen = session.environment.find("stolen_seconds");
-    if (cpu != session.environment.end()) study.cpus.insert(cpu->second);
+  std::vector<Session> solving;
+  std::ranges::copy_if(sessions, std::back_inserter(solving),
+                       [&](const Session& each) { return used.contains(each.id); });
+  study.cpus = machines_of(solving);
+  for (const Session& session : solving) {
+    const auto stolen = session.environment.find("stolen_seconds");
     const auto seconds = stolen != session.environment.end() ? number_from(stolen->second) : std::nullopt;
     if (seconds) study.stolen_seconds = (std::isnan(study.stolen_seconds) ? 0 : study.stolen_seconds) + *seconds;
   }
@@ -364,7 +368,7 @@ std::string transport_note(const StudyResults& study) {
 std::string cpu_note(const std::set<std::string>& cpus) {
   return cpus.size() < 2
              ? ""
-             : fmt::format("Times are not comparable: they come from different CPUs ({}).", fmt::join(cpus, ", "));
+             : fmt::format("Times are not comparable: they come from different machines ({}).", fmt::join(cpus, ", "));
 }
 
 bool times_are_comparable(const StudyResults& study) { return timing_note(study).empty(); }

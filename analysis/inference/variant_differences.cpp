@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -12,6 +13,7 @@
 #include <vector>
 
 #include "analysis/inference/definition.hpp"
+#include "analysis/inference/machines.hpp"
 #include "analysis/inference/text.hpp"
 
 namespace ikbench::inference {
@@ -82,9 +84,9 @@ std::string why_times_differ(const Variant& a, const Variant& b) {
   if (a.sessions.empty() || b.sessions.empty() || cpus.contains("unknown")) {
     return "Times are not comparable: the stores do not name the CPU.";
   }
-  if (cpus.size() > 1) {
-    return fmt::format("Times are not comparable: they come from different CPUs ({}).", fmt::join(cpus, ", "));
-  }
+  std::vector<Session> sessions = a.sessions;
+  std::ranges::copy(b.sessions, std::back_inserter(sessions));
+  if (std::string note = cpu_note(machines_of(sessions)); !note.empty()) return note;
   const auto is_same = [](const Session& one, const Session& other) {
     return one.id == other.id && one.environment == other.environment;
   };

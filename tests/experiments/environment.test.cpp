@@ -9,7 +9,7 @@ using namespace ikbench::experiments;
 
 TEST_CASE("the environment says something for each of its keys", "[environment]") {
   const std::map<std::string, std::string> noted = environment();
-  for (const char* key : {"build_type", "commit", "compiler", "cpu", "cpus", "date", "eigen", "flags",
+  for (const char* key : {"boot", "build_type", "commit", "compiler", "cpu", "cpus", "date", "eigen", "flags", "host",
                           "instruction_set", "os", "sanitizers", "source", "version"}) {
     INFO(key);
     CHECK(noted.contains(key));

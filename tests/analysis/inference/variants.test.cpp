@@ -48,7 +48,7 @@ TEST_CASE("times are compared where both are clean and of one CPU", "[variants]"
   CHECK_THAT(refused(parallel), ContainsSubstring("B: Times are not comparable: of 20 solves, 20"));
   Variant elsewhere = b;
   elsewhere.sessions[0].environment["cpu"] = "another";
-  CHECK_THAT(refused(elsewhere), ContainsSubstring("different CPUs (another, one)"));
+  CHECK_THAT(refused(elsewhere), ContainsSubstring("different machines (another, one)"));
   elsewhere.sessions[0].environment.erase("cpu");
   CHECK_THAT(refused(elsewhere), ContainsSubstring("do not name the CPU"));
   elsewhere.sessions.clear();

@@ -193,7 +193,7 @@ TEST_CASE("times of a study that was solved on two CPUs are not comparable", "[s
   CHECK(note_of("another").empty());  // all solves are of session 1
   solves.back().session = 2;
   CHECK(note_of("one").empty());
-  CHECK(note_of("another") == "Times are not comparable: they come from different CPUs (another, one).");
+  CHECK(note_of("another") == "Times are not comparable: they come from different machines (another, one).");
 }
 
 TEST_CASE("computing time is compared relative to IK-BA only", "[paper]") {
