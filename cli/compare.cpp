@@ -28,7 +28,7 @@ using namespace report;
 
 namespace {
 
-constexpr int regression = 3, undecided = 4, more_runs = 5, stopped = 130;  // exit codes
+constexpr int regression = 3, undecided = 4, more_runs = 5;  // exit codes
 
 // "a, b or c"
 std::string metric_names() {
@@ -137,7 +137,7 @@ int run_and_compare(const CompareArguments& arguments, const Invocation& invocat
   const int earlier = std::min(stored_runs(store_in(folder), study.name), looks.most);
   for (study.runs = std::max(looks.step, earlier - earlier % looks.step);; study.runs += looks.step) {
     const RunRequest request{.jobs = arguments.solving.jobs, .command = invocation.command};
-    if (run_and_tell(study, folder, request) == Ended::stopped) return stopped;
+    if (run_and_tell(study, folder, request) == Ended::stopped) return cancelled_exit_code();
     const Compared compared = judged(labels_of_store(arguments, store_in(folder), study.name), arguments);
     if (compared.state != LookState::open) return tell(compared, arguments);
   }

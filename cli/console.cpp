@@ -7,8 +7,11 @@
 #include <cctype>
 #include <csignal>
 #include <cstdio>
+#include <mutex>
+#include <utility>
 
 #include "analysis/inference/text.hpp"
+#include "results/files.hpp"
 
 namespace ikbench::cli {
 
@@ -17,16 +20,43 @@ using namespace inference;
 
 namespace {
 
-std::atomic<bool> cancel_requested{false};
-static_assert(std::atomic<bool>::is_always_lock_free);
-std::string last_words;
+// What the thread of SignalWatch goes by.
+std::atomic<bool> cancel_requested{false}, may_cancel{false}, is_over{false};
+std::atomic<int> last_signal{0};
+std::mutex words_mutex;
+constexpr std::string_view usual_words = "Stopped. What is stored is kept.";
+std::string last_words(usual_words);
 
-void handle_signals(void (*handler)(int)) {
-  struct sigaction action {};
-  action.sa_handler = handler;
-  action.sa_flags = static_cast<int>(SA_RESETHAND);
-  sigaction(SIGINT, &action, nullptr);
-  sigaction(SIGTERM, &action, nullptr);
+sigset_t watched_signals() {
+  sigset_t set;
+  sigemptyset(&set);
+  sigaddset(&set, SIGINT);
+  sigaddset(&set, SIGTERM);
+  struct sigaction hangup {};
+  if (sigaction(SIGHUP, nullptr, &hangup) == 0 && hangup.sa_handler != SIG_IGN) sigaddset(&set, SIGHUP);
+  return set;
+}
+
+// Not through the streams, which another thread may be at.
+void write_at_once(const std::string& text) { static_cast<void>(!write(STDERR_FILENO, text.data(), text.size())); }
+
+void watch(const sigset_t& set) {
+  for (int number = 0; sigwait(&set, &number) == 0 && !is_over;) {
+    last_signal = number;
+    if (may_cancel && !cancel_requested.exchange(true)) {
+      write_at_once("\nStopping after the current solve. Once more: at once.\n");
+      continue;
+    }
+    const std::scoped_lock lock(words_mutex);
+    write_at_once('\n' + last_words + '\n');
+    results::remove_temporary_folders();
+    _exit(128 + number);
+  }
+}
+
+void set_last_words(std::string words) {
+  const std::scoped_lock lock(words_mutex);
+  last_words = std::move(words);
 }
 
 // The one place that writes to standard error: where both go into one file, what was printed before comes before.
@@ -98,23 +128,32 @@ std::string aligned(const std::vector<std::vector<std::string>>& rows) {
   return printable(text);
 }
 
+SignalWatch::SignalWatch() {
+  const sigset_t set = watched_signals();
+  pthread_sigmask(SIG_BLOCK, &set, nullptr);  // also of all threads that are made from here on
+  thread_ = std::thread([set] { watch(set); });
+}
+
+SignalWatch::~SignalWatch() {
+  is_over = true;
+  pthread_kill(thread_.native_handle(), SIGTERM);
+  thread_.join();
+}
+
 CancelOnSignal::CancelOnSignal() {
-  handle_signals([](int) { cancel_requested = true; });
+  cancel_requested = false;
+  may_cancel = true;
 }
 
-CancelOnSignal::~CancelOnSignal() { handle_signals(SIG_DFL); }
-
-EndOnSignal::EndOnSignal(std::string_view words) {
-  last_words = '\n' + printable(words) + '\n';
-  handle_signals([](int) {
-    static_cast<void>(!write(STDERR_FILENO, last_words.data(), last_words.size()));
-    _exit(130);
-  });
-}
-
-EndOnSignal::~EndOnSignal() { handle_signals(SIG_DFL); }
+CancelOnSignal::~CancelOnSignal() { may_cancel = false; }
 
 const std::atomic<bool>& CancelOnSignal::requested() const { return cancel_requested; }
+
+int cancelled_exit_code() { return 128 + last_signal; }
+
+EndOnSignal::EndOnSignal(std::string_view words) { set_last_words(printable(words)); }
+
+EndOnSignal::~EndOnSignal() { set_last_words(std::string(usual_words)); }
 
 ProgressText::ProgressText(std::string title, Medium medium, Clock::time_point started)
     : title_(printable(title)), medium_(medium), started_(started), next_(started) {

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <thread>
 #include <vector>
 
 #include "experiments/runner.hpp"
@@ -26,7 +27,21 @@ std::string shell_command(std::string_view program, const std::vector<std::strin
 // Columns padded to their widest cell; the first row is the head.
 std::string aligned(const std::vector<std::vector<std::string>>& rows);
 
-// While it lives, Ctrl-C and SIGTERM set a flag; a second one ends the program at once.
+// While it lives, a thread waits for SIGINT, SIGTERM and SIGHUP (where the caller has not said nohup), which therefore
+// may do what a program may. They end the program with a sentence and 128 + the number of the signal, wherever it is,
+// and no scratch folder stays; the two classes below change that. Made once, before any other thread.
+class SignalWatch {
+ public:
+  SignalWatch();
+  ~SignalWatch();
+  SignalWatch(const SignalWatch&) = delete;
+  SignalWatch& operator=(const SignalWatch&) = delete;
+
+ private:
+  std::thread thread_;
+};
+
+// While it lives, a first signal sets a flag and says so; a second one ends the program.
 class CancelOnSignal {
  public:
   CancelOnSignal();
@@ -37,7 +52,10 @@ class CancelOnSignal {
   const std::atomic<bool>& requested() const;
 };
 
-// While it lives, Ctrl-C and SIGTERM end the program with these words, wherever it is; exit code 130.
+// Of a program that a signal has cancelled: 128 + its number.
+int cancelled_exit_code();
+
+// While it lives, a signal ends the program with these words.
 class EndOnSignal {
  public:
   explicit EndOnSignal(std::string_view words);

@@ -3,6 +3,7 @@
 
 #include <cstdio>
 #include <exception>
+#include <new>
 #include <stdexcept>
 
 #include "cli/commands.hpp"
@@ -29,8 +30,8 @@ int main(int argc, char** argv) {
       "  ikbench compare old.sqlite new.sqlite    whether a variant of a solver is better, the same or worse\n"
       "  ikbench COMMAND --help                   more examples\n\n"
       "Exit codes: 0 success, 1 a mistake in the request, 2 a failure of the program, the disk or the store,\n"
-      "3 a regression beyond the margin, 4 undecided (compare --strict), 5 more runs are needed (compare --sequential),\n"
-      "130 stopped by Ctrl-C.");
+      "3 a regression beyond the margin, 4 undecided (compare --strict),\n"
+      "5 more runs are needed (compare --sequential), 128 + number of the signal (130: Ctrl-C).");
   app.set_version_flag("--version", "ikbench " + version());
   app.require_subcommand(1);
   app.failure_message([](const CLI::App*, const CLI::Error& error) {
@@ -49,6 +50,7 @@ int main(int argc, char** argv) {
   cli::add_solve(app);
   cli::add_export(app);
   cli::add_fingerprint(app);
+  const cli::SignalWatch signals;
   try {
     static_cast<void>(instruction_set());  // reports a wrong IKBENCH_INSTRUCTION_SET before anything starts
     app.parse(argc, argv);
@@ -68,6 +70,9 @@ int main(int argc, char** argv) {
     return 1;
   } catch (const std::runtime_error& error) {  // no space left, a store that another process writes, ...
     cli::say(fmt::format("ikbench: {}", error.what()));
+    return 2;
+  } catch (const std::bad_alloc&) {
+    cli::say("ikbench: there is not enough memory (ulimit -v, or the machine's); what is stored is kept");
     return 2;
   } catch (const std::exception& error) {
     cli::say(fmt::format("ikbench: internal error: {}", error.what()));

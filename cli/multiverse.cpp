@@ -98,14 +98,16 @@ void solve_and_tell(const Paper& paper, const MultiverseArguments& arguments, co
   const std::string& study = paper.studies.front().name;
   const std::filesystem::path folder =
       arguments.out.empty() ? default_folder(study + "-multiverse") : std::filesystem::path(arguments.out);
-  const CancelOnSignal signals;
-  const auto solved = solved_multiverse(
-      study, varied, {.seeds = arguments.seeds, .overrides = arguments.overrides, .combined = arguments.combined()},
-      {"multiverse", folder, arguments.jobs, &signals.requested()});
+  const auto solved = [&] {
+    const CancelOnSignal signals;
+    return solved_multiverse(
+        study, varied, {.seeds = arguments.seeds, .overrides = arguments.overrides, .combined = arguments.combined()},
+        {"multiverse", folder, arguments.jobs, &signals.requested()});
+  }();
   if (!solved) {
     say(fmt::format("Stopped. What is solved is in {}; to continue: {}", (folder / "series.csv").string(),
                     invocation.command));
-    invocation.exit_code = 130;
+    invocation.exit_code = cancelled_exit_code();
     return;
   }
   if (!arguments.one_at_a_time) return tell(paper.multiverse(solved->multiverse, solved->plan), arguments, folder);

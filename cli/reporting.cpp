@@ -212,16 +212,18 @@ Ended run_and_tell(const Study& study, const std::filesystem::path& folder, RunR
   }
   warn_of_left_aside(study, store);
   Progress progress;
+  bool is_cancelled = false;
   {
     ProgressBar bar(study.name);
     request.progress = [&](const Progress& now) { bar.show(now); };
     const CancelOnSignal signals;
     request.cancelled = &signals.requested();
     progress = run(study, store, request);
+    is_cancelled = signals.requested();
   }
   tell_of_log(store.finish());
   const std::string place = printable(store_in(folder).string());
-  if (progress.done < progress.total) {
+  if (is_cancelled) {
     say(fmt::format("Stopped: {} of {} solves are kept in {}; run the same command again to continue.", progress.done,
                     progress.total, place));
     return Ended::stopped;

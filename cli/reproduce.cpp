@@ -136,7 +136,7 @@ bool solve_besides(const Arguments& arguments, const Paper& paper, WrittenReport
     if (!solved) return false;
     wanted.tables.push_back(paper.one_at_a_time(solved->multiverse, solved->plan));
   }
-  return true;
+  return !signals.requested();
 }
 
 }  // namespace
@@ -185,7 +185,7 @@ void add_reproduce(CLI::App& app, Invocation& invocation) {
       const auto& [name, overrides] = studies[i];
       if (run_and_tell(load_study(name, overrides), folder,
                        {.jobs = arguments->run.jobs, .command = invocation.command}) == Ended::stopped) {
-        invocation.exit_code = 130;
+        invocation.exit_code = cancelled_exit_code();
         return;
       }
       if (i == 0 || i + 1 == studies.size()) {
@@ -195,7 +195,7 @@ void add_reproduce(CLI::App& app, Invocation& invocation) {
     WrittenReport wanted{.study = first, .folder = folder, .arguments = arguments->report};
     if (!solve_besides(*arguments, paper, wanted)) {
       say("Stopped before the report. The solves are kept; run the same command again to continue.");
-      invocation.exit_code = 130;
+      invocation.exit_code = cancelled_exit_code();
       return;
     }
     const EndOnSignal signals(

@@ -45,7 +45,7 @@ void add_run(CLI::App& app, Invocation& invocation) {
     const std::filesystem::path folder =
         arguments->run.out.empty() ? default_folder(study.name) : std::filesystem::path(arguments->run.out);
     if (run_and_tell(study, folder, {.jobs = arguments->run.jobs, .command = invocation.command}) == Ended::stopped) {
-      invocation.exit_code = 130;
+      invocation.exit_code = cancelled_exit_code();
     } else if (!arguments->without_report) {
       const Store store(store_in(folder), Store::Mode::read);
       check_is_stored(study, store);

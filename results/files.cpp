@@ -10,6 +10,8 @@
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
+#include <mutex>
+#include <set>
 #include <sstream>
 #include <stdexcept>
 #include <system_error>
@@ -148,7 +150,16 @@ bool is_litter(const fs::directory_entry& entry) {
 
 }  // namespace
 
+namespace {
+
+// Of this process.
+std::mutex temporary_mutex;
+std::set<fs::path> temporary_folders;
+
+}  // namespace
+
 TemporaryFolder::TemporaryFolder(const fs::path& parent) {
+  const std::scoped_lock lock(temporary_mutex);
   std::error_code error;
   fs::create_directories(parent, error);
   // Another process may take the folder for litter between its creation and its lock.
@@ -158,6 +169,7 @@ TemporaryFolder::TemporaryFolder(const fs::path& parent) {
       error = last_error();
     } else {
       path_ = name;
+      temporary_folders.insert(path_);
       lock_ = locked(path_);
       if (lock_ < 0 && errno != EWOULDBLOCK && errno != ENOENT) return;  // a file system without locks
     }
@@ -168,9 +180,22 @@ TemporaryFolder::TemporaryFolder(const fs::path& parent) {
 }
 
 TemporaryFolder::~TemporaryFolder() {
+  const std::scoped_lock lock(temporary_mutex);
+  temporary_folders.erase(path_);
   std::error_code ignored;
   fs::remove_all(path_, ignored);
   if (lock_ >= 0) ::close(lock_);
+}
+
+void remove_temporary_folders() {
+  const std::scoped_lock lock(temporary_mutex);
+  for (const fs::path& folder : temporary_folders) {
+    std::error_code error;
+    for (int attempt = 0; attempt < 100; ++attempt) {  // somebody may still write into it
+      fs::remove_all(folder, error);
+      if (!error) break;
+    }
+  }
 }
 
 void remove_litter(const fs::path& folder) {

@@ -32,6 +32,9 @@ class TemporaryFolder {
   int lock_ = -1;
 };
 
+// Removes those that this process has: before it ends at once.
+void remove_temporary_folders();
+
 // Removes the half-written files and scratch folders that killed processes left in a folder. Those of living processes
 // stay: they are locked.
 void remove_litter(const std::filesystem::path& folder);

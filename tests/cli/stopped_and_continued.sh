@@ -29,9 +29,10 @@ run_it "${study[@]}" --out killed
 has "$out" "($done_before were already stored)"
 numbers killed/store.sqlite | cmp - whole.csv || fail "killed and continued: other numbers"
 
-for signal in INT TERM; do
+for signal in INT TERM HUP; do
   stop_in_the_middle $signal "stopped-$signal"
-  [ "$code" = 130 ] || fail "exit code $code after SIG$signal, expected 130; it said: $(<.stopped-err)"
+  [ "$code" = $((128 + $(kill -l $signal))) ] || fail "exit code $code after SIG$signal; it said: $(<.stopped-err)"
+  has "$(<.stopped-err)" "Stopping after the current solve"
   has "$(<.stopped-err)" "Stopped: $done_before of 600 solves are kept"
   succeeds "${study[@]}" --out "stopped-$signal"
   numbers "stopped-$signal/store.sqlite" | cmp - whole.csv || fail "stopped by SIG$signal and continued: other numbers"
