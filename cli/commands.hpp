@@ -15,6 +15,9 @@ struct Invocation {
 
 void add_reproduce(CLI::App& app, Invocation& invocation);
 void add_run(CLI::App& app, Invocation& invocation);
+void add_merge(CLI::App& app, Invocation& invocation);
+void add_submit(CLI::App& app, Invocation& invocation);
+void add_status(CLI::App& app);
 void add_report(CLI::App& app);
 void add_stats(CLI::App& app, Invocation& invocation);
 void add_audit(CLI::App& app);

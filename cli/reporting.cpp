@@ -13,6 +13,7 @@
 #include "analysis/papers.hpp"
 #include "analysis/report/report.hpp"
 #include "cli/console.hpp"
+#include "cli/memory.hpp"
 #include "cli/plan_options.hpp"
 #include "experiments/environment.hpp"
 #include "experiments/recheck.hpp"
@@ -43,6 +44,8 @@ AnalysisPlan plan_for(const StudyEntry& entry, const ReportArguments& arguments)
   }
   return plan;
 }
+
+constexpr std::int64_t bytes_of_reported_solve = 2100;  // measured with 10^5 and 10^6 of them
 
 // Whether two definitions of a study are the same but for how it is judged, how often it runs, and what is only said.
 bool solve_the_same(const std::string& earlier, const std::string& now) {
@@ -130,6 +133,8 @@ void add_run_options(CLI::App& command, RunArguments& arguments) {
 
 void write_and_announce(const Store& store, WrittenReport wanted) {
   const AnalysisPlan plan = plan_for(store.study(wanted.study), wanted.arguments);
+  const std::int64_t solves = stored_by_shard(1, store.study(wanted.study), store).front();
+  expect_memory(solves * bytes_of_reported_solve, fmt::format("a report of {} solves", solves));
   std::vector<std::string> damages;
   for (const StudyEntry& entry : store.studies()) {  // companions are in the report too
     std::ranges::copy(damages_of(store, entry.name), std::back_inserter(damages));
@@ -228,7 +233,8 @@ Ended run_and_tell(const Study& study, const std::filesystem::path& folder, RunR
                     progress.total, place));
     return Ended::stopped;
   }
-  fmt::print("{}: {} solves in {}{}\n", printable(study.name), progress.total, place,
+  const std::string part = request.shard.count == 1 ? std::string() : fmt::format(", shard {}", request.shard.text());
+  fmt::print("{}{}: {} solves in {}{}\n", printable(study.name), part, progress.total, place,
              progress.reused == 0 ? "" : fmt::format(" ({} were already stored)", progress.reused));
   return Ended::complete;
 }

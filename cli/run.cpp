@@ -4,6 +4,7 @@
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
 #include "cli/reporting.hpp"
+#include "cli/shards.hpp"
 #include "experiments/study_reader.hpp"
 
 namespace ikbench::cli {
@@ -18,6 +19,7 @@ void add_run(CLI::App& app, Invocation& invocation) {
     RunArguments run;
     ReportArguments report;
     bool without_report = false;
+    std::string shard;
   };
   auto arguments = std::make_shared<Arguments>();
   CLI::App* command = app.add_subcommand("run", "Run the missing solves of a study and write its report");
@@ -31,22 +33,29 @@ void add_run(CLI::App& app, Invocation& invocation) {
   add_run_options(*command, arguments->run);
   add_report_options(*command, arguments->report);
   command->add_flag("--no-report", arguments->without_report, "solve, but write no report");
+  command->add_option("--shard", arguments->shard,
+                      "I/N: only the I-th of N parts of the runs (where solves have starts of their own, of the "
+                      "targets), each by all solvers, and no report; default --out: out/<study>/shards/I-of-N");
   command->footer(
       "Examples:\n"
       "  ikbench run my.toml\n"
       "  ikbench run slim2023 --set seed=2 --out out/seed-2\n"
-      "  ikbench run slim2023 --set IK-BA.bounds=clamp --set runs=5 --out out/clamped\n\n"
+      "  ikbench run slim2023 --set IK-BA.bounds=clamp --set runs=5 --out out/clamped\n"
+      "  ikbench run slim2023 --shard 3/12        a twelfth, then: ikbench merge out/slim2023 out/slim2023/shards\n\n"
       "A second run solves only what is missing. If the source of a solver changed, that solver runs again.");
   command->callback([arguments, &invocation] {
     refuse_points(arguments->report);
     const Study study =
         load_study(arguments->study, arguments->overrides,
                    arguments->report.forced ? PointsAsObservations::forced : PointsAsObservations::refused);
-    const std::filesystem::path folder =
-        arguments->run.out.empty() ? default_folder(study.name) : std::filesystem::path(arguments->run.out);
-    if (run_and_tell(study, folder, {.jobs = arguments->run.jobs, .command = invocation.command}) == Ended::stopped) {
+    const Shard shard = arguments->shard.empty() ? Shard{} : shard_from(arguments->shard);
+    const bool is_part = !arguments->shard.empty();
+    std::filesystem::path folder = arguments->run.out;
+    if (folder.empty()) folder = is_part ? shard_folder(default_folder(study.name), shard) : default_folder(study.name);
+    if (run_and_tell(study, folder, {.jobs = arguments->run.jobs, .command = invocation.command, .shard = shard}) ==
+        Ended::stopped) {
       invocation.exit_code = cancelled_exit_code();
-    } else if (!arguments->without_report) {
+    } else if (!arguments->without_report && !is_part) {
       const Store store(store_in(folder), Store::Mode::read);
       check_is_stored(study, store);
       write_and_announce(store, {.study = study.name, .folder = folder, .arguments = arguments->report});

@@ -20,70 +20,110 @@ using namespace results;
 
 namespace {
 
-struct Chained {  // one run of one solver, and how far it is
-  const SolveRunner* solve_runner;
-  int run;
-  int next_point;
+// A run of one solver that is not done, and how far it is.
+struct Chain {
+  std::vector<bool> stored;     // of each point, in their order
   Configuration configuration;  // where the arm is
 };
 
 // A study laid out for work. Runs outside, solvers inside: whatever drifts on the machine meanwhile touches all solvers
-// alike.
+// alike. Of a chain there is a bit, and more only where the store has some of its points.
 struct Plan {
-  explicit Plan(const Study& of, int repeats = 1) : study(of), arm(arm_of(of)), points(of.path->points()) {
+  explicit Plan(const Study& of, int repeats = 1, Shard of_it = {})
+      : study(of), work(work_of(of)), shard(of_it), arm(arm_of(of)), points(of.path->points()) {
     for (const SolverEntry& entry : study.solvers) solve_runners.emplace_back(study, entry, arm, repeats);
-    chains.reserve(solve_runners.size() * static_cast<std::size_t>(study.runs));
-    for (int run = 1; run <= study.runs; ++run) {
-      for (const SolveRunner& solve_runner : solve_runners) chains.push_back({&solve_runner, run, 1, study.initial});
-    }
+    done.resize(solve_runners.size() * static_cast<std::size_t>(study.runs));
   }
-  Plan(const Plan&) = delete;  // solve_runners refer to the arm, chains to the solve_runners
+  Plan(const Plan&) = delete;  // solve_runners refer to the arm
   Plan& operator=(const Plan&) = delete;
 
-  Chained& chain(std::size_t solve_runner, int run) {
-    return chains[static_cast<std::size_t>(run - 1) * solve_runners.size() + solve_runner];
+  std::size_t index(std::size_t solver, int run) const {
+    return static_cast<std::size_t>(run - 1) * solve_runners.size() + solver;
+  }
+  const SolveRunner& solve_runner(std::size_t index) const { return solve_runners[index % solve_runners.size()]; }
+  int run(std::size_t index) const { return static_cast<int>(index / solve_runners.size()) + 1; }
+
+  Chain fresh_chain() const {
+    return {.stored = std::vector<bool>(static_cast<std::size_t>(points)), .configuration = study.initial};
+  }
+  Chain chain(std::size_t index) const {
+    const auto found = begun.find(index);
+    return found == begun.end() ? fresh_chain() : found->second;
+  }
+  // The first point from `point` on that is asked for and not stored; beyond the last where there is none.
+  int next_point(const Chain& chain, int run, int point) const {
+    while (point <= points && (chain.stored[static_cast<std::size_t>(point - 1)] || !has(shard, work, run, point)))
+      ++point;
+    return point;
   }
 
   const Study& study;
+  Work work;
+  Shard shard;
   Robot arm;
   int points;  // of a run
   std::vector<SolveRunner> solve_runners;
-  std::vector<Chained> chains;
+  std::vector<bool> done;              // chains of which nothing is missing
+  std::map<std::size_t, Chain> begun;  // of the others, those that have something in the store
 };
 
-// The next point of the chain. The arm is where the answer put it, unless that was no configuration at all, or where
-// every solve starts.
-void move_on(Chained& chain, const SolveRecord& record, Start start) {
-  ++chain.next_point;
+// The arm is where the answer put it, unless that was no configuration at all, or where every solve starts.
+void move_on(Chain& chain, const SolveRecord& record, Start start) {
+  chain.stored[static_cast<std::size_t>(record.point - 1)] = true;
   if (start != Start::previous || record.status == Status::not_finite) return;
   chain.configuration =
       Eigen::Map<const Eigen::VectorXd>(record.answer_rad.data(), static_cast<Eigen::Index>(record.answer_rad.size()));
 }
 
-// Moves every chain to its first point that the store does not have; says how many it has.
+// Whether a stored solve is one that the study would have made next.
+void check_stored(const SolveRecord& record, const Plan& plan, const Chain& chain) {
+  const auto edited = [&](std::string_view what) {
+    return std::invalid_argument(
+        fmt::format("the stored solve of run {}, point {} by {} {}; the store was edited, so choose another --out",
+                    record.run, record.point, record.solver, what));
+  };
+  if (record.run < 1) throw edited("has a run number below 1");
+  if (record.point < 1) throw edited("has a point number below 1");
+  if (record.point > plan.points) throw edited(fmt::format("is beyond the last point, {}", plan.points));
+  if (record.answer_rad.size() != static_cast<std::size_t>(plan.study.initial.size()))
+    throw edited(fmt::format("has {} joints instead of {}", record.answer_rad.size(), plan.study.initial.size()));
+  const bool follows = record.point == 1 || chain.stored[static_cast<std::size_t>(record.point - 2)];
+  if (plan.study.start == Start::previous && !follows)
+    throw edited(fmt::format("exists, but the one of point {} is missing", record.point - 1));
+}
+
+// Notes of every chain what the store has of it; says how many solves of the shard that is.
 std::int64_t move_past_stored(Plan& plan, const Store& store) {
-  const Study& study = plan.study;
   std::int64_t stored = 0;
-  for (std::size_t c = 0; c < plan.solve_runners.size(); ++c) {
-    for (const SolveRecord& record : store.series(plan.solve_runners[c].series().key)) {
-      if (record.run > study.runs) continue;
-      const auto edited = [&](std::string_view what) {
-        return std::invalid_argument(
-            fmt::format("the stored solve of run {}, point {} by {} {}; the store was edited, so choose another --out",
-                        record.run, record.point, record.solver, what));
-      };
-      if (record.run < 1) throw edited("has a run number below 1");
-      if (record.point > plan.points) throw edited(fmt::format("is beyond the last point, {}", plan.points));
-      if (record.answer_rad.size() != static_cast<std::size_t>(study.initial.size())) {
-        throw edited(fmt::format("has {} joints instead of {}", record.answer_rad.size(), study.initial.size()));
+  for (std::size_t s = 0; s < plan.solve_runners.size(); ++s) {
+    int run = 0;
+    Chain chain;
+    const auto note = [&] {
+      if (run == 0) return;
+      const std::size_t index = plan.index(s, run);
+      if (plan.next_point(chain, run, 1) > plan.points)
+        plan.done[index] = true;
+      else
+        plan.begun.emplace(index, std::move(chain));
+    };
+    store.each_of_series(plan.solve_runners[s].series().key, [&](const SolveRecord& record) {
+      if (record.run > plan.study.runs) return;
+      if (record.run != run) {
+        note();
+        run = 0;
+        chain = plan.fresh_chain();
       }
-      Chained& chain = plan.chain(c, record.run);
-      if (record.point != chain.next_point)
-        throw edited(fmt::format("exists, but the one of point {} is missing", chain.next_point));
-      move_on(chain, record, study.start);
-      if (!chain.configuration.allFinite()) throw edited("has an answer that is not finite");
-      ++stored;
-    }
+      check_stored(record, plan, chain);
+      run = record.run;
+      move_on(chain, record, plan.study.start);
+      if (!chain.configuration.allFinite())
+        throw std::invalid_argument(fmt::format(
+            "the stored solve of run {}, point {} by {} has an answer that is not finite; the store was edited, so "
+            "choose another --out",
+            record.run, record.point, record.solver));
+      if (has(plan.shard, plan.work, record.run, record.point)) ++stored;
+    });
+    note();
   }
   return stored;
 }
@@ -97,26 +137,26 @@ struct RunTask {
 };
 
 // Solves what is left of every chain, `jobs` of them at once.
-void solve_rest(Plan& plan, int jobs, const std::atomic<bool>* cancelled, RecordQueue::PassOn pass_on) {
+void solve_rest(const Plan& plan, int jobs, const std::atomic<bool>* cancelled, RecordQueue::PassOn pass_on) {
   RecordQueue record_queue(std::move(pass_on));
   std::atomic<std::size_t> next{0};
   std::atomic<bool> has_failed{false};
   const auto is_over = [&] { return has_failed || (cancelled != nullptr && *cancelled); };
-  const auto work_on = [&](Chained& chain, RunTask& task) {
-    if (chain.next_point > plan.points) return;
-    const std::unique_ptr<Solver> solver = chain.solve_runner->make_solver();
-    if (task.run != chain.run) {
-      task = {chain.run, targets(plan.study, plan.arm, chain.run), starts(plan.study, plan.arm, chain.run)};
-    }
-    const std::vector<Pose>& poses = task.targets;
-    const std::vector<Configuration>& own_starts = task.starts;
+  const auto work_on = [&](std::size_t index, RunTask& task) {
+    const int run = plan.run(index);
+    if (plan.done[index] || !has_any(plan.shard, plan.work, run)) return;
+    Chain chain = plan.chain(index);
+    int point = plan.next_point(chain, run, 1);
+    const SolveRunner& solve_runner = plan.solve_runner(index);
+    const std::unique_ptr<Solver> solver = solve_runner.make_solver();
+    if (task.run != run) task = {run, targets(plan.study, plan.arm, run), starts(plan.study, plan.arm, run)};
+    const auto target = [&]() -> const Pose& { return task.targets[static_cast<std::size_t>(point - 1)]; };
     const auto start = [&]() -> const Configuration& {
-      return own_starts.empty() ? chain.configuration : own_starts[static_cast<std::size_t>(chain.next_point - 1)];
+      return task.starts.empty() ? chain.configuration : task.starts[static_cast<std::size_t>(point - 1)];
     };
-    chain.solve_runner->warm_up(*solver, poses[static_cast<std::size_t>(chain.next_point - 1)], start());
-    while (chain.next_point <= plan.points && !is_over()) {
-      SolveRecord record = chain.solve_runner->solve(*solver, poses[static_cast<std::size_t>(chain.next_point - 1)],
-                                                     start(), chain.run, chain.next_point);
+    solve_runner.warm_up(*solver, target(), start());
+    for (; point <= plan.points && !is_over(); point = plan.next_point(chain, run, point + 1)) {
+      SolveRecord record = solve_runner.solve(*solver, target(), start(), run, point);
       if (jobs > 1 && record.timing == Timing::clean) record.timing = Timing::parallel;
       move_on(chain, record, plan.study.start);
       record_queue.hand_in(std::move(record));
@@ -125,7 +165,7 @@ void solve_rest(Plan& plan, int jobs, const std::atomic<bool>* cancelled, Record
   work_together(jobs, [&] {
     RunTask task;
     try {
-      for (std::size_t i = next++; i < plan.chains.size() && !is_over(); i = next++) work_on(plan.chains[i], task);
+      for (std::size_t i = next++; i < plan.done.size() && !is_over(); i = next++) work_on(i, task);
     } catch (...) {
       has_failed = true;  // the others end with the solve they are at
       throw;
@@ -139,7 +179,7 @@ StudyEntry entry_of(const Plan& plan) {
   return entry;
 }
 
-void solve_missing(Plan& plan, Store& store, const RunRequest& request, Progress& progress) {
+void solve_missing(const Plan& plan, Store& store, const RunRequest& request, Progress& progress) {
   std::map<std::string, std::string> session = environment();
   for (const SolverEntry& entry : plan.study.solvers) {
     session["source." + entry.solver] = solver_source_digest(entry.solver);
@@ -147,6 +187,7 @@ void solve_missing(Plan& plan, Store& store, const RunRequest& request, Progress
   session["analysis"] = to_json(plan.study.analysis);  // the study may be saved with another one later
   session["jobs"] = std::to_string(request.jobs);
   session["command"] = request.command;
+  if (request.shard.count > 1) session["shard"] = request.shard.text();
   const std::int64_t session_id = store.begin_session(session);
   const double stolen_before = stolen_seconds();
   solve_rest(plan, request.jobs, request.cancelled, [&](std::vector<SolveRecord> records) {
@@ -166,9 +207,9 @@ void solve_missing(Plan& plan, Store& store, const RunRequest& request, Progress
 
 Progress run(const Study& study, Store& store, const RunRequest& request) {
   const bool times_count = request.jobs == 1 && !is_debug_build();
-  Plan plan(study, times_count ? study.repeats : 1);
+  Plan plan(study, times_count ? study.repeats : 1, request.shard);
   store.save_study(entry_of(plan));
-  Progress progress{.total = static_cast<std::int64_t>(plan.chains.size()) * plan.points};
+  Progress progress{.total = solves_of(request.shard, plan.work)};
   progress.done = progress.reused = move_past_stored(plan, store);
   if (request.progress) request.progress(progress);
   if (progress.done < progress.total) solve_missing(plan, store, request, progress);
@@ -201,7 +242,7 @@ void check_is_stored(const Study& study, const Store& store) {
 
 void solve_study(const Study& study, int jobs, const std::function<void(SolveRecord)>& take,
                  const std::atomic<bool>* cancelled) {
-  Plan plan(study);
+  const Plan plan(study);
   solve_rest(plan, jobs, cancelled, [&](std::vector<SolveRecord> records) {
     for (SolveRecord& record : records) take(std::move(record));
   });

@@ -5,6 +5,7 @@
 #include <atomic>
 #include <functional>
 
+#include "experiments/shard.hpp"
 #include "experiments/study.hpp"
 #include "results/store.hpp"
 
@@ -21,6 +22,7 @@ struct RunRequest {
   std::function<void(const Progress&)> progress;  // called after every solve, by one thread at a time
   std::string command = {};                       // what was typed, for the record
   const std::atomic<bool>* cancelled = nullptr;   // looked at before every solve; what is done stays
+  Shard shard = {};                               // what of the study is solved, and counted in the progress
 };
 
 // `study` is one that the study file's reader would give: known names, as many initial angles as joints.

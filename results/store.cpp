@@ -15,11 +15,11 @@
 
 #include "results/store_codec.hpp"
 #include "results/store_file.hpp"
+#include "results/store_tables.hpp"
 
 namespace ikbench::results {
 namespace {
 
-constexpr const char* now = "strftime('%Y-%m-%dT%H:%M:%SZ', 'now')";
 constexpr std::int64_t all_runs = std::numeric_limits<std::int64_t>::max();
 
 // More than any study needs; a file that holds more was not written by us.
@@ -145,30 +145,23 @@ struct Store::Database : StoreFile {
     return fmt::format("{}{}", fmt::join(names, ", "), others > 0 ? fmt::format(" and {} more", others) : "");
   }
 
-  void add_environment(std::int64_t session, const std::map<std::string, std::string>& environment) {
-    SQLite::Statement add(sqlite(), "INSERT INTO environment (session, key, value) VALUES (?, ?, ?)");
-    for (const auto& [key, value] : environment) {
-      SQLite::bind(add, session, key, value);
-      add.exec();
-      add.reset();
-    }
-  }
-
-  // Appends the solves of a series, up to a run, to the list.
-  void read_solves(const std::string& key, std::int64_t last_run, std::vector<SolveRecord>& list) {
+  // Passes on the solves of a series, up to a run.
+  void read_solves(const std::string& key, std::int64_t last_run, const std::function<void(SolveRecord)>& take) {
     refuse_blobs("solves", "series");
     SQLite::Statement query(sqlite(), select_solves(version()));
     query.bind(1, key);
     const int run = query.getColumnIndex("run"), point = query.getColumnIndex("point");
     while (query.executeStep()) {
+      SolveRecord record;
       try {
         value_in<int>(query.getColumn(point));
         if (value_in<int>(query.getColumn(run)) > last_run) continue;
-        list.push_back(solve_in(query));
+        record = solve_in(query);
       } catch (const Damage& error) {
         throw Damage(fmt::format("{}; in the solve of run {}, point {} of series {}", error.what(),
                                  excerpt(query.getColumn(run)), excerpt(query.getColumn(point)), excerpt(key)));
       }
+      take(std::move(record));
     }
   }
 };
@@ -192,23 +185,7 @@ void Store::save_study(const StudyEntry& study) {
   guarded(database_->name(), [&] {
     SQLite::Database& sqlite = database_->sqlite();
     SQLite::Transaction transaction(sqlite, SQLite::TransactionBehavior::IMMEDIATE);
-    SQLite::Statement save(sqlite, fmt::format("INSERT INTO studies (name, definition, saved) VALUES (?1, ?2, {0}) "
-                                               "ON CONFLICT (name) DO UPDATE SET definition = ?2, saved = {0}",
-                                               now));
-    save.bind(1, study.name);
-    save.bind(2, study.definition);
-    save.exec();
-    SQLite::Statement clear(sqlite, "DELETE FROM series WHERE study = ?");
-    clear.bind(1, study.name);
-    clear.exec();
-    SQLite::Statement add(
-        sqlite, "INSERT INTO series (study, position, key, label, algorithm, options) VALUES (?, ?, ?, ?, ?, ?)");
-    std::int64_t position = 0;
-    for (const Series& series : study.series) {
-      SQLite::bind(add, study.name, ++position, series.key, series.label, series.algorithm, series.options);
-      add.exec();
-      add.reset();
-    }
+    write_study(sqlite, study);
     database_->commit(transaction);
   });
 }
@@ -242,9 +219,9 @@ std::int64_t Store::begin_session(const std::map<std::string, std::string>& envi
   return guarded(database_->name(), [&] {
     SQLite::Database& sqlite = database_->sqlite();
     SQLite::Transaction transaction(sqlite, SQLite::TransactionBehavior::IMMEDIATE);
-    sqlite.exec(fmt::format("INSERT INTO sessions (began) VALUES ({})", now));
+    sqlite.exec("INSERT INTO sessions (began) VALUES (strftime('%Y-%m-%dT%H:%M:%SZ', 'now'))");
     const std::int64_t id = sqlite.getLastInsertRowid();
-    database_->add_environment(id, environment);
+    write_environment(sqlite, id, environment);
     database_->commit(transaction);
     return id;
   });
@@ -253,25 +230,36 @@ std::int64_t Store::begin_session(const std::map<std::string, std::string>& envi
 void Store::add_to_session(std::int64_t id, const std::map<std::string, std::string>& environment) {
   guarded(database_->name(), [&] {
     SQLite::Transaction transaction(database_->sqlite(), SQLite::TransactionBehavior::IMMEDIATE);
-    database_->add_environment(id, environment);
+    write_environment(database_->sqlite(), id, environment);
     database_->commit(transaction);
   });
 }
 
 std::vector<Session> Store::sessions() const {
   return guarded(database_->name(), [&] {
-    SQLite::Statement query(database_->sqlite(),
-                            "SELECT id, key, value FROM sessions LEFT JOIN environment ON session = id ORDER BY id");
+    SQLite::Statement query(
+        database_->sqlite(),
+        "SELECT id, key, value, began FROM sessions LEFT JOIN environment ON session = id ORDER BY id");
     std::vector<Session> list;
     while (query.executeStep()) {
       const auto id = value_in<std::int64_t>(query.getColumn(0));
-      if (list.empty() || list.back().id != id) list.push_back({.id = id, .environment = {}});
+      if (list.empty() || list.back().id != id)
+        list.push_back({.id = id, .began = value_in<std::string>(query.getColumn(3))});
       if (!query.getColumn(1).isNull())
         list.back().environment[value_in<std::string>(query.getColumn(1))] = value_in<std::string>(query.getColumn(2));
     }
     SQLite::Statement astray(database_->sqlite(), "SELECT session FROM environment WHERE typeof(session) <> 'integer'");
     if (astray.executeStep()) value_in<std::int64_t>(astray.getColumn(0));  // the join passes over it
     return list;
+  });
+}
+
+std::int64_t Store::solves_of_session(std::int64_t id) const {
+  return guarded(database_->name(), [&] {
+    SQLite::Statement query(database_->sqlite(), "SELECT count(*) FROM solves WHERE session = ?");
+    query.bind(1, id);
+    query.executeStep();
+    return query.getColumn(0).getInt64();
   });
 }
 
@@ -292,11 +280,15 @@ std::vector<std::filesystem::path> Store::finish() {
   return guarded(database_->name(), [&] { return database_->finish(); });
 }
 
-std::vector<SolveRecord> Store::series(const std::string& key) const {
-  return guarded(database_->name(), [&] {
-    std::vector<SolveRecord> list;
-    database_->read_solves(key, all_runs, list);
-    return list;
+void Store::each_of_series(const std::string& key, const std::function<void(SolveRecord)>& take) const {
+  guarded(database_->name(), [&] { database_->read_solves(key, all_runs, take); });
+}
+
+void Store::each_place(const std::string& key, const std::function<void(int, int)>& take) const {
+  guarded(database_->name(), [&] {
+    SQLite::Statement query(database_->sqlite(), "SELECT run, point FROM solves WHERE series = ?");
+    query.bind(1, key);
+    while (query.executeStep()) take(value_in<int>(query.getColumn(0)), value_in<int>(query.getColumn(1)));
   });
 }
 
@@ -321,14 +313,14 @@ std::vector<SolveRecord> Store::solves(const std::string& study_name) const {
     const std::int64_t runs = check_study(entry);
     std::vector<SolveRecord> list;
     for (const Series& series : entry.series) {
-      const std::size_t first = list.size();
-      database_->read_solves(series.key, runs, list);
-      for (std::size_t i = first; i < list.size(); ++i)
-        if (list[i].solver != series.label)
-          throw Damage(fmt::format("solver {} in run {}, point {} of the series of {}", excerpt(list[i].solver),
-                                   list[i].run, list[i].point, excerpt(series.label)));
+      database_->read_solves(series.key, runs, [&](SolveRecord record) {
+        if (record.solver != series.label)
+          throw Damage(fmt::format("solver {} in run {}, point {} of the series of {}", excerpt(record.solver),
+                                   record.run, record.point, excerpt(series.label)));
+        record.study = study_name;  // also where another name first solved it
+        list.push_back(std::move(record));
+      });
     }
-    for (SolveRecord& record : list) record.study = study_name;  // also where another name first solved it
     return list;
   });
 }

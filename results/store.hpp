@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <memory>
 #include <string>
@@ -35,7 +36,8 @@ struct StudyEntry {
 
 struct Session {
   std::int64_t id = 0;
-  std::map<std::string, std::string> environment;  // cpu, compiler, flags, commit, date, jobs, ...
+  std::string began = {};                               // date and time, UTC
+  std::map<std::string, std::string> environment = {};  // cpu, compiler, flags, commit, date, jobs, ...
 };
 
 class Store {
@@ -57,6 +59,7 @@ class Store {
   // What is known of a session at its end; it has none of these keys yet.
   void add_to_session(std::int64_t id, const std::map<std::string, std::string>& environment);
   std::vector<Session> sessions() const;
+  std::int64_t solves_of_session(std::int64_t id) const;
 
   // All of them in one transaction, which outlives the process, however that ends. A solve that is already there
   // (series, run, point), because another process solves the same, is std::invalid_argument; then none of them is kept.
@@ -67,8 +70,10 @@ class Store {
   // std::runtime_error where the store is no longer in its place.
   std::vector<std::filesystem::path> finish();
 
-  // Solves of one series, ordered by run and point.
-  std::vector<SolveRecord> series(const std::string& key) const;
+  // Calls `take` with every solve of one series, ordered by run and point.
+  void each_of_series(const std::string& key, const std::function<void(SolveRecord)>& take) const;
+  // The same, but only run and point.
+  void each_place(const std::string& key, const std::function<void(int run, int point)>& take) const;
   // How many solves each series of a configuration has, by its key: one series for every source that solved it.
   std::map<std::string, std::int64_t> series_of_configuration(std::string_view configuration) const;
   // Current solves of a study, in the order of its series, then run, then point; runs beyond `runs` of the
@@ -79,5 +84,8 @@ class Store {
   struct Database;
   std::unique_ptr<Database> database_;
 };
+
+// Whether another process has the store open to write it; of a file that cannot be read it is not known to have.
+bool is_open(const std::filesystem::path& file);
 
 }  // namespace ikbench::results

@@ -1,8 +1,10 @@
 #include "results/store_file.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <sqlite3.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cctype>
@@ -145,6 +147,21 @@ std::optional<StoreFile::Identity> StoreFile::identity_of(const std::string& pat
   struct stat status {};
   if (::stat(path.c_str(), &status) != 0) return std::nullopt;
   return Identity{status.st_dev, status.st_ino};
+}
+
+// Whoever has an SQLite database open with a write-ahead log holds a lock on these bytes of it
+// (https://www.sqlite.org/fileformat2.html, "The Lock-Byte Page").
+bool is_open(const std::filesystem::path& file) {
+  struct flock lock {};
+  lock.l_type = F_WRLCK;
+  lock.l_whence = SEEK_SET;
+  lock.l_start = 0x40000000;
+  lock.l_len = 512;
+  const int descriptor = ::open(file.c_str(), O_RDONLY | O_CLOEXEC);
+  if (descriptor < 0) return false;
+  const bool is_locked = ::fcntl(descriptor, F_GETLK, &lock) == 0 && lock.l_type != F_UNLCK;
+  ::close(descriptor);
+  return is_locked;
 }
 
 StoreFile::StoreFile(const std::filesystem::path& path, Store::Mode mode)

@@ -20,7 +20,7 @@ namespace {
 SolveRecord through_a_store(const SolveRecord& record) {
   const ScratchFolder folder;
   Store(folder.path / "a.ikb", Store::Mode::write).append({record});
-  const auto records = Store(folder.path / "a.ikb", Store::Mode::read).series(record.series);
+  const auto records = series_of(Store(folder.path / "a.ikb", Store::Mode::read), record.series);
   REQUIRE(records.size() == 1);
   return records.front();
 }
@@ -66,7 +66,7 @@ TEST_CASE("every double comes back bit for bit, finite or not", "[store]") {
     records.back().trace_cm = {number, 1.5, number, -0.0};
   }
   store.append(records);
-  const auto again = store.series("doubles");
+  const auto again = series_of(store, "doubles");
   REQUIRE(again.size() == records.size());
   for (std::size_t i = 0; i < records.size(); ++i) {
     CAPTURE(numbers[i]);
@@ -162,13 +162,13 @@ TEST_CASE("solves of a study are those of its current series and runs, in its or
   store.append(
       {sample_record("z", 10, 1), sample_record("z", 2, 1), sample_record("z", 1, 1), sample_record("z", 2, 2)});
   CHECK(places(store.solves("table-3")) == std::vector<std::string>{"z 1 1", "z 2 1", "z 2 2", "a 1 1", "a 1 2"});
-  CHECK(places(store.series("z")) == std::vector<std::string>{"z 1 1", "z 2 1", "z 2 2", "z 10 1"});
+  CHECK(places(series_of(store, "z")) == std::vector<std::string>{"z 1 1", "z 2 1", "z 2 2", "z 10 1"});
 
   // Other options are another series; the solves of the former stay in the file.
   study.series = {{.key = "old", .label = "IK-BA", .algorithm = "ba", .options = R"({"gamma":0.5})"}};
   store.save_study(study);
   CHECK(places(store.solves("table-3")) == std::vector<std::string>{"old 1 1"});
-  CHECK(store.series("z").size() == 4);
+  CHECK(series_of(store, "z").size() == 4);
 }
 
 TEST_CASE("the series of a configuration are counted, whatever source solved them", "[store]") {
@@ -204,10 +204,10 @@ TEST_CASE("a solve that is already there is refused, and nothing of its batch is
                store.append({sample_record("a", 1, 2), sample_record("a", 1, 1)});
              }),
              ContainsSubstring("another ikbench is running the same study into"));
-  CHECK(store.series("a").size() == 1);
+  CHECK(series_of(store, "a").size() == 1);
   store.append({sample_record("a", 1, 2)});  // the store is usable as before
   store.append({});
-  CHECK(store.series("a").size() == 2);
+  CHECK(series_of(store, "a").size() == 2);
 }
 
 TEST_CASE("a study whose definition has no integer runs is an error of ours", "[store]") {
@@ -243,7 +243,7 @@ TEST_CASE("a store makes its folders, and is one plain file when closed", "[stor
   CHECK(std::distance(begin(entries), end(entries)) == 1);
   CHECK(text_in(file).substr(18, 2) == "\x01\x01");  // rollback journal, www.sqlite.org/fileformat.html section 1.3
   std::filesystem::copy_file(file, folder.path / "copy.ikb");
-  CHECK(Store(folder.path / "copy.ikb", Store::Mode::read).series("key-a").size() == 1);
+  CHECK(series_of(Store(folder.path / "copy.ikb", Store::Mode::read), "key-a").size() == 1);
 }
 
 TEST_CASE("a store can be read while it is written", "[store]") {
@@ -251,9 +251,9 @@ TEST_CASE("a store can be read while it is written", "[store]") {
   Store writer(folder.path / "a.ikb", Store::Mode::write);
   const Store reader(folder.path / "a.ikb", Store::Mode::read);
   writer.append({sample_record("a", 1, 1)});
-  CHECK(reader.series("a").size() == 1);
+  CHECK(series_of(reader, "a").size() == 1);
   writer.append({sample_record("a", 1, 2)});
-  CHECK(reader.series("a").size() == 2);
+  CHECK(series_of(reader, "a").size() == 2);
 }
 
 TEST_CASE("the file names its program and the schema of these columns", "[store]") {
@@ -298,7 +298,7 @@ TEST_CASE("2400 solves are appended one by one and read back in a moment", "[sto
   for (record.run = 1; record.run <= 20; ++record.run)
     for (record.point = 1; record.point <= 120; ++record.point) store.append({record});
   const auto written = std::chrono::steady_clock::now();
-  CHECK(store.series(record.series).size() == 2400);
+  CHECK(series_of(store, record.series).size() == 2400);
   const auto read = std::chrono::steady_clock::now();
   const auto seconds = [](auto duration) { return std::chrono::duration<double>(duration).count(); };
   WARN("append " << seconds(written - start) << " s, read " << seconds(read - written) << " s");

@@ -270,7 +270,7 @@ TEST_CASE("a trigger that is made while the store is open does not run", "[store
   SQLite::Database(file.string(), SQLite::OPEN_READWRITE)
       .exec("CREATE TRIGGER t BEFORE INSERT ON solves BEGIN SELECT raise(IGNORE); END");
   store.append({sample_record()});
-  CHECK(store.series("key-a").size() == 1);
+  CHECK(series_of(store, "key-a").size() == 1);
 }
 
 TEST_CASE("a store of another encoding is refused", "[store][faults]") {
@@ -360,7 +360,7 @@ TEST_CASE("kill -9 loses nothing that was committed", "[store][faults]") {
 
     CAPTURE(trial, solves);
     const auto check_solves = [&] {
-      const auto records = Store(file, Store::Mode::read).series("key-a");
+      const auto records = series_of(Store(file, Store::Mode::read), "key-a");
       const int kept = static_cast<int>(records.size());
       CHECK(kept >= solves);
       CHECK(kept <= solves + 1);  // the last may have been committed and not yet acknowledged
@@ -389,7 +389,7 @@ TEST_CASE("kill -9 while a store is made leaves a file that becomes a store", "[
     CAPTURE(delay_us);
     Store store(file, Store::Mode::write);
     store.append({sample_record("key-c")});
-    CHECK(store.series("key-c").size() == 1);
+    CHECK(series_of(store, "key-c").size() == 1);
   }
 }
 
@@ -411,8 +411,8 @@ TEST_CASE("two processes can write one store, opening and closing it as they lik
   CHECK(exit_code(first) == 0);
   CHECK(exit_code(second) == 0);
   const Store store(file, Store::Mode::read);
-  CHECK(store.series("key-a").size() == 200);
-  CHECK(store.series("key-b").size() == 200);
+  CHECK(series_of(store, "key-a").size() == 200);
+  CHECK(series_of(store, "key-b").size() == 200);
   CHECK(store.sessions().size() == 40);
 }
 
@@ -468,7 +468,7 @@ TEST_CASE("a store that takes the place of one that is written loses nothing", "
     CHECK(exit_code(second) == -1);
     REQUIRE(std::filesystem::file_size(file.string() + "-wal") > 0);
   }
-  CHECK(Store(file, Store::Mode::read).series("key-b").size() == 3);
+  CHECK(series_of(Store(file, Store::Mode::read), "key-b").size() == 3);
 }
 
 TEST_CASE("the end of writing waits for a reader, and leaves one file that can be copied alone", "[store][faults]") {
@@ -490,7 +490,7 @@ TEST_CASE("the end of writing waits for a reader, and leaves one file that can b
   CHECK(store.finish() == std::vector{file});
   CHECK(!std::filesystem::exists(file.string() + "-wal"));
   std::filesystem::copy_file(file, folder.path / "copy.ikb");
-  CHECK(Store(folder.path / "copy.ikb", Store::Mode::read).series("key-b").size() == 21);
+  CHECK(series_of(Store(folder.path / "copy.ikb", Store::Mode::read), "key-b").size() == 21);
 }
 
 TEST_CASE("where a reader does not end, the files that belong together are named, and together they are whole",
@@ -511,7 +511,7 @@ TEST_CASE("where a reader does not end, the files that belong together are named
   }
   const auto solves = [](const std::filesystem::path& of) {
     const Store store(of, Store::Mode::read);
-    return store.series("key-a").size() + store.series("key-b").size();
+    return series_of(store, "key-a").size() + series_of(store, "key-b").size();
   };
   CHECK(solves(folder.path / "copy.ikb") == 42);
   CHECK(Store(file, Store::Mode::write).finish() == std::vector{file});  // running again makes one file of them
@@ -528,7 +528,7 @@ TEST_CASE("a log is folded in while another program has the store open and reads
   idle.execAndGet("SELECT count(*) FROM solves");
   CHECK(store.finish() == std::vector{file});
   std::filesystem::copy_file(file, folder.path / "copy.ikb");
-  CHECK(Store(folder.path / "copy.ikb", Store::Mode::read).series("key-a").size() == 21);
+  CHECK(series_of(Store(folder.path / "copy.ikb", Store::Mode::read), "key-a").size() == 21);
 }
 
 TEST_CASE("a store that a kill left half-written is told apart, and writing mends it", "[store][faults]") {

@@ -73,7 +73,7 @@ TEST_CASE("a store of the program of 4de262c is written on, and nothing in it is
   const Store store(file, Store::Mode::read);
   check_contents(store);
   for (const SolveRecord& solve : store.solves("small")) check_added_columns(solve);
-  CHECK(same(store.series("key-a").back(), sample_record("key-a", 2)));
+  CHECK(same(series_of(store, "key-a").back(), sample_record("key-a", 2)));
   CHECK(store.sessions().size() == 2);
   SQLite::Database sqlite(file.string());
   CHECK(sqlite.execAndGet("PRAGMA user_version").getInt64() == static_cast<std::int64_t>(columns().size()) - 25);

@@ -1,0 +1,184 @@
+// ikbench submit: a study as a job array of Slurm, and a job that merges and reports when all its tasks have ended.
+#include <fmt/format.h>
+
+#include <memory>
+#include <stdexcept>
+
+#include "analysis/figures/process.hpp"
+#include "analysis/inference/text.hpp"
+#include "cli/commands.hpp"
+#include "cli/console.hpp"
+#include "cli/reporting.hpp"
+#include "experiments/shard.hpp"
+#include "experiments/study_reader.hpp"
+#include "results/files.hpp"
+
+namespace ikbench::cli {
+
+using namespace results;
+using namespace experiments;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct SubmitArguments {
+  std::string study;
+  Overrides overrides;
+  RunArguments run;
+  int tasks = 0;
+  std::string sbatch;
+  bool is_dry = false;
+};
+
+// A job script: what a user named is a quoted word in it, or on one line of a comment.
+struct Script {
+  std::string name, text;
+};
+
+std::string this_program() {
+  std::error_code error;
+  const fs::path program = fs::read_symlink("/proc/self/exe", error);
+  return error ? "ikbench" : program.string();
+}
+
+// Where a script works, and where the results go.
+std::string places(const fs::path& folder) {
+  const auto word = [](const fs::path& path) { return shell_command("", {path.string()}).substr(1); };
+  return fmt::format("folder={}\ncd {} || exit 2\n", word(folder), word(fs::current_path()));
+}
+
+Script solve_script(const SubmitArguments& arguments, const fs::path& folder, const std::string& typed) {
+  std::vector<std::string> words{"run", arguments.study};
+  for (const std::string& setting : arguments.overrides) words.insert(words.end(), {"--set", setting});
+  words.insert(words.end(), {"--jobs", std::to_string(arguments.run.jobs)});
+  return {"solve.sbatch", fmt::format(R"(#!/usr/bin/env bash
+# Task I solves shard I of {tasks} into shards/I-of-{tasks}; what is stored there is not solved again. A task that fails is
+# queued again, three times at most.
+# Written by: {typed}
+#SBATCH --job-name=ikbench
+#SBATCH --array=1-{tasks}
+#SBATCH --output=log/%a.txt
+#SBATCH --open-mode=append
+#SBATCH --requeue
+#SBATCH --cpus-per-task={jobs}
+{places}shard=$SLURM_ARRAY_TASK_ID
+{run} --shard "$shard/{tasks}" --out "$folder/shards/$shard-of-{tasks}"
+code=$?
+# 1 is a mistake in the request, which stays one.
+if [ $code -gt 1 ] && [ "${{SLURM_RESTART_COUNT:-0}}" -lt 3 ]; then
+  scontrol requeue "${{SLURM_ARRAY_JOB_ID}}_$shard"
+fi
+exit $code
+)",
+                                      fmt::arg("tasks", arguments.tasks), fmt::arg("typed", typed),
+                                      fmt::arg("jobs", arguments.run.jobs), fmt::arg("places", places(folder)),
+                                      fmt::arg("run", shell_command(this_program(), words)))};
+}
+
+Script merge_script(const Study& study, const fs::path& folder, const std::string& typed) {
+  return {"merge.sbatch", fmt::format(R"(#!/usr/bin/env bash
+# Merges the shards, names what is missing of them, and writes the report where nothing is.
+# Written by: {}
+#SBATCH --job-name=ikbench-merge
+#SBATCH --output=log/merge.txt
+#SBATCH --requeue
+{}ikbench={}
+"$ikbench" merge "$folder" "$folder/shards" || exit
+"$ikbench" report "$folder/store.sqlite" --study{}
+)",
+                                      typed, places(folder), shell_command("", {this_program()}).substr(1),
+                                      shell_command("", {study.name}))};
+}
+
+// Words separated by blanks.
+std::vector<std::string> split(const std::string& text) {
+  std::vector<std::string> words;
+  for (std::size_t from = text.find_first_not_of(' '); from != std::string::npos;) {
+    const std::size_t to = std::min(text.find(' ', from), text.size());
+    words.push_back(text.substr(from, to - from));
+    from = text.find_first_not_of(' ', to);
+  }
+  return words;
+}
+
+// The number that sbatch gave the job.
+std::string submitted(const std::vector<std::string>& words, const fs::path& folder) {
+  const figures::ProcessResult result = figures::run_process(words, folder);
+  std::string last = result.output;
+  while (!last.empty() && last.back() == '\n') last.pop_back();
+  last.erase(0, last.rfind('\n') + 1);  // after its warnings
+  last = last.substr(0, last.find(';'));
+  if (result.succeeded && !last.empty() && last.find_first_not_of("0123456789") == std::string::npos) return last;
+  throw std::runtime_error(fmt::format("{} failed: {}; docs/cluster.md shows other ways to run shards",
+                                       shell_command(words[0], {words.begin() + 1, words.end()}),
+                                       inference::one_line(result.output)));
+}
+
+void show(const fs::path& folder, const Script& script, const std::vector<std::string>& submission) {
+  fmt::print("==> {}\n{}==> in its folder: {}\n\n", printable((folder / script.name).string()), printable(script.text),
+             printable(shell_command(submission[0], {submission.begin() + 1, submission.end()})));
+}
+
+void submit(const SubmitArguments& arguments, const std::string& command) {
+  const Study study = load_study(arguments.study, arguments.overrides);
+  if (solves_of({.index = arguments.tasks, .count = arguments.tasks}, work_of(study)) == 0)
+    throw std::invalid_argument(
+        fmt::format("--tasks is {}, but {} has fewer runs (of solves with starts of their own: targets) to share out",
+                    arguments.tasks, study.name));
+  const fs::path folder =
+      fs::absolute(arguments.run.out.empty() ? default_folder(study.name) : fs::path(arguments.run.out))
+          .lexically_normal();
+  const std::string typed = inference::one_line(command);
+  const Script solve = solve_script(arguments, folder, typed), merge = merge_script(study, folder, typed);
+  std::vector<std::string> words{"sbatch", "--parsable"};
+  for (std::string& word : split(arguments.sbatch)) words.push_back(std::move(word));
+  std::string array = "ARRAY";  // the number of the job
+  const auto merge_words = [&] {
+    std::vector<std::string> all = words;
+    all.insert(all.end(), {"--dependency=afterany:" + array, merge.name});
+    return all;
+  };
+  std::vector<std::string> solve_words = words;
+  solve_words.push_back(solve.name);
+  if (arguments.is_dry) {
+    show(folder, solve, solve_words);
+    return show(folder, merge, merge_words());
+  }
+  fs::create_directories(folder / "log");
+  for (const Script* script : {&solve, &merge}) write_file(folder / script->name, script->text);
+  array = submitted(solve_words, folder);
+  const std::string last = submitted(merge_words(), folder);
+  fmt::print("{}: job {} has {} tasks, then job {} merges and reports\n", printable(study.name), array, arguments.tasks,
+             last);
+  fmt::print("Watch:  {}   and   squeue --me\nOutput: {}\nAgain, where tasks failed: the same command\n",
+             printable(shell_command("ikbench", {"status", folder.string()})), printable((folder / "log").string()));
+}
+
+}  // namespace
+
+void add_submit(CLI::App& app, Invocation& invocation) {
+  auto arguments = std::make_shared<SubmitArguments>();
+  CLI::App* command = app.add_subcommand("submit", "Solve a study as a job array of Slurm, then merge and report");
+  command
+      ->add_option("STUDY", arguments->study, "name of a built-in study (ikbench list studies) or path of a TOML file")
+      ->required();
+  command->add_option("--set", arguments->overrides, "change a key of the study, as ikbench run does")
+      ->allow_extra_args(false);
+  command->add_option("--tasks", arguments->tasks, "number of tasks, each of which solves one shard")
+      ->required()
+      ->check(whole_number())
+      ->check(CLI::Range(1, most_shards));
+  add_run_options(*command, arguments->run);
+  command->add_option("--sbatch", arguments->sbatch,
+                      "further arguments of sbatch, separated by blanks: \"--partition=long --time=02:00:00\"");
+  command->add_flag("--dry-run", arguments->is_dry, "show the job scripts and how they are submitted, and do nothing");
+  command->footer(
+      "Examples:\n"
+      "  ikbench submit slim2023 --tasks 20 --dry-run\n"
+      "  ikbench submit my.toml --tasks 100 --out out/big --sbatch \"--partition=long --time=02:00:00\"\n\n"
+      "The folder must be one that all machines see. docs/cluster.md shows the same without this command.");
+  command->callback([arguments, &invocation] { submit(*arguments, invocation.command); });
+}
+
+}  // namespace ikbench::cli

@@ -1,0 +1,23 @@
+// Several stores put together into one, as if one machine had solved everything.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <vector>
+
+namespace ikbench::results {
+
+struct Merged {
+  std::int64_t added = 0;
+  std::int64_t known = 0;  // were there already, with the same bits
+};
+
+// Adds what `stores` have to the store `out`, which is made where it is missing: studies, solves and sessions, whose
+// numbers change where they are taken. A session that `out` has already is the same one: so merging again changes
+// nothing. All or nothing: a merge that is killed has added nothing (what is half-written goes when the store is opened
+// to be written again).
+// std::invalid_argument where two stores have another study of one name, or other bits of one solve (columns of the
+// fingerprint), and as store.hpp says.
+Merged merge(const std::filesystem::path& out, const std::vector<std::filesystem::path>& stores);
+
+}  // namespace ikbench::results

@@ -1,0 +1,57 @@
+// Shards divide a study, and what they solve is what one machine solves.
+#include "experiments/shard.hpp"
+
+#include "tests/catch.hpp"
+#include "tests/experiments/samples.hpp"
+
+using namespace ikbench;
+using namespace ikbench::results;
+using namespace ikbench::experiments;
+
+TEST_CASE("every part of a study is in one shard, and all solvers with it", "[shard]") {
+  for (const bool is_chained : {true, false}) {
+    const Work work{.runs = 5, .points = 3, .solvers = 2, .is_chained = is_chained};
+    for (const int count : {1, 2, 7, 40}) {
+      std::int64_t solves = 0;
+      for (int index = 1; index <= count; ++index) solves += solves_of({index, count}, work);
+      CHECK(solves == 5 * 3 * 2);
+      for (int run = 1; run <= 5; ++run) {
+        for (int point = 1; point <= 3; ++point) {
+          int shards = 0;
+          for (int index = 1; index <= count; ++index) {
+            if (!has({index, count}, work, run, point)) continue;
+            ++shards;
+            CHECK(has_any({index, count}, work, run));
+            if (is_chained) CHECK(has({index, count}, work, run, 1));  // a chain is never cut
+          }
+          CHECK(shards == 1);
+        }
+      }
+    }
+  }
+}
+
+TEST_CASE("a shard is written I/N", "[shard]") {
+  CHECK(shard_from("3/12").index == 3);
+  CHECK(shard_from("3/12").count == 12);
+  CHECK(shard_from("3/12").text() == "3/12");
+  for (const char* wrong :
+       {"", "/", "3", "3/", "/12", "0/12", "13/12", "-1/12", "3/12/1", "3 /12", "1/100001", "1/9999999999"})
+    CHECK_THROWS_AS(shard_from(wrong), std::invalid_argument);
+}
+
+TEST_CASE("what shards solve is what one machine solves, where points are divided too", "[shard][runner]") {
+  for (const Start start : {Start::previous, Start::initial, Start::random}) {
+    Study study = small_study();
+    study.start = start;
+    const ScratchFolder folder;
+    Store store(folder.path / "store", Store::Mode::write);
+    for (const int index : {3, 1, 2}) {
+      const Progress progress = run(study, store, {.shard = {index, 3}});
+      CHECK(progress.done == progress.total);
+      CHECK(progress.total == stored_by_shard(3, store.study(study.name), store)[static_cast<std::size_t>(index - 1)]);
+    }
+    CHECK(run(study, store, {}).reused == 24);
+    CHECK(same_numbers(store.solves(study.name), solves_of(study)));
+  }
+}
