@@ -21,7 +21,7 @@ using namespace results;
 namespace {
 
 // A run of one solver that is not done, and how far it is.
-struct Chain {
+struct Chained {
   std::vector<bool> stored;     // of each point, in their order
   Configuration configuration;  // where the arm is
 };
@@ -43,15 +43,15 @@ struct Plan {
   const SolveRunner& solve_runner(std::size_t index) const { return solve_runners[index % solve_runners.size()]; }
   int run(std::size_t index) const { return static_cast<int>(index / solve_runners.size()) + 1; }
 
-  Chain fresh_chain() const {
+  Chained fresh_chain() const {
     return {.stored = std::vector<bool>(static_cast<std::size_t>(points)), .configuration = study.initial};
   }
-  Chain chain(std::size_t index) const {
+  Chained chain(std::size_t index) const {
     const auto found = begun.find(index);
     return found == begun.end() ? fresh_chain() : found->second;
   }
   // The first point from `point` on that is asked for and not stored; beyond the last where there is none.
-  int next_point(const Chain& chain, int run, int point) const {
+  int next_point(const Chained& chain, int run, int point) const {
     while (point <= points && (chain.stored[static_cast<std::size_t>(point - 1)] || !has(shard, work, run, point)))
       ++point;
     return point;
@@ -63,12 +63,12 @@ struct Plan {
   Robot arm;
   int points;  // of a run
   std::vector<SolveRunner> solve_runners;
-  std::vector<bool> done;              // chains of which nothing is missing
-  std::map<std::size_t, Chain> begun;  // of the others, those that have something in the store
+  std::vector<bool> done;                // chains of which nothing is missing
+  std::map<std::size_t, Chained> begun;  // of the others, those that have something in the store
 };
 
 // The arm is where the answer put it, unless that was no configuration at all, or where every solve starts.
-void move_on(Chain& chain, const SolveRecord& record, Start start) {
+void move_on(Chained& chain, const SolveRecord& record, Start start) {
   chain.stored[static_cast<std::size_t>(record.point - 1)] = true;
   if (start != Start::previous || record.status == Status::not_finite) return;
   chain.configuration =
@@ -76,7 +76,7 @@ void move_on(Chain& chain, const SolveRecord& record, Start start) {
 }
 
 // Whether a stored solve is one that the study would have made next.
-void check_stored(const SolveRecord& record, const Plan& plan, const Chain& chain) {
+void check_stored(const SolveRecord& record, const Plan& plan, const Chained& chain) {
   const auto edited = [&](std::string_view what) {
     return std::invalid_argument(
         fmt::format("the stored solve of run {}, point {} by {} {}; the store was edited, so choose another --out",
@@ -97,7 +97,7 @@ std::int64_t move_past_stored(Plan& plan, const Store& store) {
   std::int64_t stored = 0;
   for (std::size_t s = 0; s < plan.solve_runners.size(); ++s) {
     int run = 0;
-    Chain chain;
+    Chained chain;
     const auto note = [&] {
       if (run == 0) return;
       const std::size_t index = plan.index(s, run);
@@ -145,7 +145,7 @@ void solve_rest(const Plan& plan, int jobs, const std::atomic<bool>* cancelled, 
   const auto work_on = [&](std::size_t index, RunTask& task) {
     const int run = plan.run(index);
     if (plan.done[index] || !has_any(plan.shard, plan.work, run)) return;
-    Chain chain = plan.chain(index);
+    Chained chain = plan.chain(index);
     int point = plan.next_point(chain, run, 1);
     const SolveRunner& solve_runner = plan.solve_runner(index);
     const std::unique_ptr<Solver> solver = solve_runner.make_solver();

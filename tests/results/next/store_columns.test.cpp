@@ -123,7 +123,7 @@ TEST_CASE("a store that lacks columns is read, and writing gives it them", "[sto
     CHECK(SQLite::Database(file.string()).execAndGet("SELECT value FROM meta WHERE key = 'schema'").getString() ==
           std::to_string(newest));
     check_solves(file, version);
-    CHECK(same(Store(file, Store::Mode::read).series("key-a").back(), full_record("key-a", 21)));
+    CHECK(same(series_of(Store(file, Store::Mode::read), "key-a").back(), full_record("key-a", 21)));
   }
 }
 
@@ -215,9 +215,9 @@ TEST_CASE("a reader goes on reading a store that is given columns meanwhile, and
   const auto file = folder.path / "a.ikb";
   write_older(file, today);
   const Store reader(file, Store::Mode::read);
-  CHECK(reader.series("key-a").size() == 20);
+  CHECK(series_of(reader, "key-a").size() == 20);
   Store(file, Store::Mode::write).append({full_record("key-a", 21)});
-  const std::vector<SolveRecord> solves = reader.series("key-a");
+  const std::vector<SolveRecord> solves = series_of(reader, "key-a");
   REQUIRE(solves.size() == 21);
   CHECK(same(solves.front(), as_of(full_record("key-a", 1), today)));
   CHECK(same(solves.back(), full_record("key-a", 21)));
@@ -237,7 +237,7 @@ TEST_CASE("an older program that has the store open goes on writing, and its sol
   { const Store store(file, Store::Mode::write); }
   insert.exec();
   SolveRecord expected = as_of(full_record("key-a", 21), today);
-  CHECK(same(Store(file, Store::Mode::read).series("key-a").back(), expected));
+  CHECK(same(series_of(Store(file, Store::Mode::read), "key-a").back(), expected));
 }
 
 TEST_CASE("of several programs that give a store its columns at once one does, and none loses a solve",
@@ -256,7 +256,7 @@ TEST_CASE("of several programs that give a store its columns at once one does, a
     }
     for (const pid_t writer : writers) CHECK(exit_code(writer) == 0);
     check_solves(file, today);
-    CHECK(Store(file, Store::Mode::read).series("key-c").size() == 4);
+    CHECK(series_of(Store(file, Store::Mode::read), "key-c").size() == 4);
     CHECK(version_of(file) == newest);
   }
 }
