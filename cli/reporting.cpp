@@ -45,7 +45,7 @@ AnalysisPlan plan_for(const StudyEntry& entry, const ReportArguments& arguments)
   return plan;
 }
 
-constexpr std::int64_t bytes_of_reported_solve = 2100;  // measured with 10^5 and 10^6 of them
+constexpr std::int64_t bytes_of_reported_solve = 2100;  // about
 
 // Whether two definitions of a study are the same but for how it is judged, how often it runs, and what is only said.
 bool solve_the_same(const std::string& earlier, const std::string& now) {

@@ -68,7 +68,7 @@ void add_status(CLI::App& app) {
   CLI::App* command = app.add_subcommand("status", "Show how far the shards of a study are");
   command->add_option("FOLDER", *folder, "the folder of the study, whose shards are in FOLDER/shards")->required();
   command->footer(
-      "Example:\n"
+      "Examples:\n"
       "  ikbench status out/slim2023\n\n"
       "Running is a shard whose store another program has open. Where a shard is stopped or failed, or not begun, the\n"
       "job may wait in the queue (squeue --me), or its output says why (FOLDER/log).");

@@ -5,9 +5,9 @@ source "$(dirname "$0")/common.sh"
 succeeds --help
 has "$out" "Examples:"
 has "$out" "Exit codes:"
-has "$out" "5 more runs are needed (compare --sequential)"
+has "$out" "5 more runs are needed (compare --sequential, merge)"
 all=$out
-for command in reproduce run report stats audit compare multiverse list robot solve export fingerprint; do
+for command in reproduce run merge submit status report stats audit compare multiverse list robot solve export fingerprint; do
   has "$all" "  $command "
   succeeds "$command" --help
   has "$out" "Examples:"
