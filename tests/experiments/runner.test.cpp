@@ -326,7 +326,7 @@ TEST_CASE("solves of other source are left aside, told and solved anew, those of
     CHECK(run(study, scratch.store, {}).reused == 0);
     CHECK(same_numbers(scratch.store.solves("small"), solves_of(study)));
     CHECK(series_of(scratch.store, entry.series[0].key).size() == 8);  // they stay
-    CHECK(left_aside(study, scratch.store).solves == 0);           // nothing is solved anew any more
+    CHECK(left_aside(study, scratch.store).solves == 0);               // nothing is solved anew any more
   }
 }
 
