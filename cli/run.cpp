@@ -1,5 +1,6 @@
 // ikbench run: a study, built-in or from a file.
 #include <memory>
+#include <optional>
 
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
@@ -19,7 +20,7 @@ void add_run(CLI::App& app, Invocation& invocation) {
     RunArguments run;
     ReportArguments report;
     bool without_report = false;
-    std::string shard;
+    std::optional<std::string> shard;
   };
   auto arguments = std::make_shared<Arguments>();
   CLI::App* command = app.add_subcommand("run", "Run the missing solves of a study and write its report");
@@ -48,8 +49,8 @@ void add_run(CLI::App& app, Invocation& invocation) {
     const Study study =
         load_study(arguments->study, arguments->overrides,
                    arguments->report.forced ? PointsAsObservations::forced : PointsAsObservations::refused);
-    const Shard shard = arguments->shard.empty() ? Shard{} : shard_from(arguments->shard);
-    const bool is_part = !arguments->shard.empty();
+    const Shard shard = arguments->shard ? shard_from(*arguments->shard) : Shard{};
+    const bool is_part = arguments->shard.has_value();
     std::filesystem::path folder = arguments->run.out;
     if (folder.empty()) folder = is_part ? shard_folder(default_folder(study.name), shard) : default_folder(study.name);
     if (run_and_tell(study, folder, {.jobs = arguments->run.jobs, .command = invocation.command, .shard = shard}) ==

@@ -98,7 +98,8 @@ Figure specification_curve(const SpecificationCurve& curve) {
       fmt::join(ticks, ", "), gnuplot_string(curve.quantity), text_of(curve_rows - 0.2), lines);
   figure.settings += fmt::format("set arrow from graph 0, first {0} to graph 1, first {0} nohead back ls 101 lw 0.8\n",
                                  text_of(axis.at(0)));
-  figure.data = "# share of interpretations before it [%], log10 of the ratio, its interval, their places in the picture\n";
+  figure.data =
+      "# share of interpretations before it [%], log10 of the ratio, its interval, their places in the picture\n";
   const auto x_of = [&](std::size_t i) {
     return 100 * (static_cast<double>(i) + 0.5) / static_cast<double>(curve.universes.size());
   };

@@ -22,7 +22,7 @@ std::string counted(Verdict verdict, std::ptrdiff_t count) {
        {"is undecided", "are undecided"},
        {"fails", "fail"},
        {"depends on the interpretation", "depend on the interpretation"},
-       {"cannot be tested", "cannot be tested"}}};
+       {"is untestable", "are untestable"}}};
   const auto& [one, several] = words[static_cast<std::size_t>(verdict)];
   return fmt::format("{} {}", count, count == 1 ? one : several);
 }
@@ -61,8 +61,7 @@ std::string_view name_of(Verdict verdict) {
 std::string verdict_words(const Claim& claim) {
   const std::string name(name_of(claim.verdict));
   if (claim.depends_on.empty()) return name;
-  const std::size_t more = claim.depends_on.size() - 1;
-  return fmt::format("{} on {}{}", name, claim.depends_on.front(), more == 0 ? "" : fmt::format(" and {} more", more));
+  return fmt::format("{} on {}{}", name, claim.depends_on.front(), claim.depends_on.size() == 1 ? "" : " etc.");
 }
 
 std::vector<Claim> claims_by(By by, const std::vector<Claim>& claims) {

@@ -53,8 +53,8 @@ std::string verdict_sentence(const JudgedStudy& study, const std::vector<Agreeme
                        short_number(printed->summary.mean));
   }
   if (!agreed.empty()) {
-    text += fmt::format(" {} of {} printed numbers are in the range of a repetition.",
-                        std::ranges::count(agreed, true, &Agreement::is_expected), agreed.size());
+    text += fmt::format(" {} of {} printed numbers repeat.", std::ranges::count(agreed, true, &Agreement::is_expected),
+                        agreed.size());
   }
   return text;
 }

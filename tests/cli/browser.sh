@@ -283,7 +283,7 @@ read -r words screens first claims height end cut <<<"$(found length)"
 [ "$height" -le 30 ] || fail "a claim is $height pixels high"
 [ "$end" -le 900 ] || fail "the claims end at $end pixels"
 [ "$cut" -le 5 ] || fail "$cut texts of the claims are cut"
-[ -z "${IKBENCH_REPRODUCTION:-}" ] || expect accurate "IK-BA is the most accurate|depends on who obeys limits and 2 more|holds|holds in N %, fails in N %" "the first claim"
+[ -z "${IKBENCH_REPRODUCTION:-}" ] || expect accurate "IK-BA is the most accurate|depends on who obeys limits etc.|holds|holds in N %, fails in N %" "the first claim"
 expect sort "18 false ascending true descending true" "sorting"
 [ ${#choosing[@]} = 0 ] ||
   expect choose "18 15 true #&amp;off=PSO IK-BA,_point_1:_N_cm 100 18 true " "choosing"

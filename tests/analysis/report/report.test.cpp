@@ -413,9 +413,7 @@ TEST_CASE("points as observations are flagged at the top, in the tables and in t
   REQUIRE(!report.warnings.empty());
   CHECK(report.warnings[0] ==
         "Points of one run depend on each other; used as observations because --force was given.");
-  const auto table = [&](const std::string& name) {
-    return text_of_file(folder.path / "out/tables" / (name + ".md"));
-  };
+  const auto table = [&](const std::string& name) { return text_of_file(folder.path / "out/tables" / (name + ".md")); };
   CHECK(contains(table("baselines"), "--force was given"));
   CHECK(contains(table("table-4"), "p-values and standard deviations are too optimistic"));
   CHECK(contains(table("analysis-plan"), "Set on the command line after the data were collected, not by the study: "));

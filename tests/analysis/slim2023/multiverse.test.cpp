@@ -189,8 +189,9 @@ TEST_CASE("what universes explain of the printed numbers is what listing them sa
   REQUIRE(report.sentences.size() == 3);
   CHECK_THAT(report.sentences[0], Catch::Matchers::Contains("the default explains " + std::to_string(counts[0])) &&
                                       Catch::Matchers::Contains(share_words(better_than_default)));
-  CHECK_THAT(report.sentences[1], Catch::Matchers::StartsWith("The best explain " + std::to_string(most) + ": " +
-                                                              std::to_string(static_cast<int>(best)) + " interpretations"));
+  CHECK_THAT(report.sentences[1],
+             Catch::Matchers::StartsWith("The best explain " + std::to_string(most) + ": " +
+                                         std::to_string(static_cast<int>(best)) + " interpretations"));
 }
 
 TEST_CASE("the specification curve is drawn evenly by the weight of the universes", "[multiverse]") {
@@ -227,7 +228,8 @@ TEST_CASE("the claims that every universe judges are those that say so", "[multi
   CHECK(ids ==
         std::vector<std::string>{"most_accurate", "most_accurate_typically", "smallest_variation", "better_than_ba"});
   // Printed, and here: IK-BA has a thousandth of the others' errors.
-  CHECK(report.claims[0].sentence.starts_with("IK-BA is the most accurate in 100 % of the interpretations (0 % fail, 0 % "));
+  CHECK(report.claims[0].sentence.starts_with(
+      "IK-BA is the most accurate in 100 % of the interpretations (0 % fail, 0 % "));
   const Table& table = table_of(report, "multiverse");
   CHECK(number_at(table, 0, "holds_percent") == 100);
   CHECK(table.rows.size() == ids.size());
