@@ -1,7 +1,10 @@
 #!/usr/bin/env bash
 # A real Slurm on this machine: 12 tasks of a study, of which some are cancelled and some killed, give after all what one
-# machine gives. Skipped where Slurm is not installed (./setup --with-slurm) or this is not root.
+# machine gives. It takes minutes and needs a quiet machine, so it runs where IKBENCH_SLURM=1 asks for it:
+#   ./setup --with-slurm check && IKBENCH_SLURM=1 ctest --preset check -R slurm
+# Skipped where Slurm is not installed (./setup --with-slurm) or this is not root.
 source "$(dirname "$0")/common.sh"
+[ "${IKBENCH_SLURM:-}" = 1 ] || { echo "skipped: IKBENCH_SLURM=1 asks for it"; exit 77; }
 for program_needed in munged slurmctld slurmd sbatch; do
   command -v $program_needed >/dev/null || { echo "skipped: no $program_needed (./setup --with-slurm)"; exit 77; }
 done
