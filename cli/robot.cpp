@@ -92,13 +92,13 @@ Configuration joints_at(const Robot& arm, const std::vector<double>& at) {
     throw std::invalid_argument(
         fmt::format("--at has {} values; expected {}, one for each joint of {}", at.size(), arm.joints(), arm.name));
   }
-  Configuration q(arm.joints());
+  Configuration q = experiments::joint_units(arm.chain);
   for (Eigen::Index j = 0; j < q.size(); ++j) {
     const double value = at[static_cast<std::size_t>(j)];
     if (!(std::abs(value) <= 1e6)) {
       throw std::invalid_argument(fmt::format("--at has {}; expected values within +-1e6", value));
     }
-    q[j] = value * experiments::joint_units(arm.chain)[j];
+    q[j] *= value;
   }
   return q;
 }

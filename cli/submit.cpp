@@ -42,10 +42,12 @@ std::string this_program() {
   return error ? "ikbench" : program.string();
 }
 
+// One word of a shell's line.
+std::string shell_word(const fs::path& path) { return shell_command("", {path.string()}).substr(1); }
+
 // Where a script works, and where the results go.
 std::string places(const fs::path& folder) {
-  const auto word = [](const fs::path& path) { return shell_command("", {path.string()}).substr(1); };
-  return fmt::format("folder={}\ncd {} || exit 2\n", word(folder), word(fs::current_path()));
+  return fmt::format("folder={}\ncd {} || exit 2\n", shell_word(folder), shell_word(fs::current_path()));
 }
 
 Script solve_script(const SubmitArguments& arguments, const fs::path& folder, const std::string& typed) {
@@ -77,7 +79,8 @@ exit $code
 }
 
 Script merge_script(const Study& study, const fs::path& folder, const std::string& typed) {
-  return {"merge.sbatch", fmt::format(R"(#!/usr/bin/env bash
+  return {"merge.sbatch",
+          fmt::format(R"(#!/usr/bin/env bash
 # Merges the shards, names what is missing of them, and writes the report where nothing is.
 # Written by: {}
 #SBATCH --job-name=ikbench-merge
@@ -87,8 +90,7 @@ Script merge_script(const Study& study, const fs::path& folder, const std::strin
 "$ikbench" merge "$folder" "$folder/shards" || exit
 "$ikbench" report "$folder/store.sqlite" --study{}
 )",
-                                      typed, places(folder), shell_command("", {this_program()}).substr(1),
-                                      shell_command("", {study.name}))};
+                      typed, places(folder), shell_word(this_program()), shell_command("", {study.name}))};
 }
 
 // Words separated by blanks.
