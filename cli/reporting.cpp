@@ -226,6 +226,7 @@ Ended run_and_tell(const Study& study, const std::filesystem::path& folder, RunR
     progress = run(study, store, request);
     is_cancelled = signals.requested();
   }
+  for (const std::string& note : progress.notes) say("warning: " + note);
   tell_of_log(store.finish());
   const std::string place = printable(store_in(folder).string());
   if (is_cancelled) {

@@ -40,6 +40,10 @@ class Fields {
     if (visits(in_key)) on_text({key, meaning}, field);
   }
 
+  void texts(std::string_view key, std::vector<std::string>& field, std::string_view meaning) {
+    if (visits(InKey::by_name)) on_texts({key, meaning}, field);
+  }
+
   template <class Enum>
   void choice(std::string_view key, Enum& field, const Choices<Enum>& choices, std::string_view meaning,
               InKey in_key = InKey::by_name) {
@@ -88,6 +92,7 @@ class Fields {
   virtual bool visits(InKey) const { return true; }
 
   virtual void on_text(Name name, std::string& field) = 0;
+  virtual void on_texts(Name name, std::vector<std::string>& field) = 0;
   virtual void on_choice(Name name, std::size_t& chosen, const std::vector<std::string>& choices) = 0;
   virtual void on_whole(Name name, std::int64_t& field, std::pair<std::int64_t, std::int64_t> range) = 0;
   virtual void on_number(Name name, double& field, double unit, std::pair<double, double> range) = 0;

@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <map>
+#include <optional>
 #include <stdexcept>
 
 #include "experiments/environment.hpp"
+#include "experiments/foreign/foreign_solver.hpp"
 #include "experiments/series_key.hpp"
 #include "experiments/solve_runner.hpp"
 #include "experiments/source_digest.hpp"
@@ -157,7 +159,7 @@ void solve_rest(const Plan& plan, int jobs, const std::atomic<bool>* cancelled, 
     solve_runner.warm_up(*solver, target(), start());
     for (; point <= plan.points && !is_over(); point = plan.next_point(chain, run, point + 1)) {
       SolveRecord record = solve_runner.solve(*solver, target(), start(), run, point);
-      if (jobs > 1 && record.timing == Timing::clean) record.timing = Timing::parallel;
+      if (jobs > 1 && record.timing != Timing::debug_build) record.timing = Timing::parallel;
       move_on(chain, record, plan.study.start);
       record_queue.hand_in(std::move(record));
     }
@@ -179,10 +181,28 @@ StudyEntry entry_of(const Plan& plan) {
   return entry;
 }
 
-void solve_missing(const Plan& plan, Store& store, const RunRequest& request, Progress& progress) {
+// What programs did besides solving: into the session, and as sentences.
+std::vector<std::string> tell_of_programs(const Plan& plan, Store& store, std::int64_t session) {
+  std::vector<std::string> sentences;
+  for (const SolveRunner& solve_runner : plan.solve_runners) {
+    const std::optional<ProgramNotes> notes = solve_runner.notes();
+    if (!notes) continue;
+    const std::string& label = solve_runner.series().label;
+    std::string text = fmt::format("it ended {} times; lines that are no messages: {}", notes->deaths, notes->noise);
+    if (!notes->last_failure.empty()) text += "; last failure: " + notes->last_failure;
+    if (notes->is_given_up) text += "; it is given up after three deaths in a row";
+    const bool is_silent = notes->last_failure.empty() && notes->noise == 0;
+    if (!is_silent) sentences.push_back(fmt::format("{}: {}", label, text));
+    for (const std::string& line : notes->examples) text += "\n" + line;
+    store.add_to_session(session, {{"program." + label, text}});
+  }
+  return sentences;
+}
+
+void solve_missing(Plan& plan, Store& store, const RunRequest& request, Progress& progress) {
   std::map<std::string, std::string> session = environment();
   for (const SolverEntry& entry : plan.study.solvers) {
-    session["source." + entry.solver] = solver_source_digest(entry.solver);
+    session["source." + entry.solver] = source_digest_of(entry);
   }
   session["analysis"] = to_json(plan.study.analysis);  // the study may be saved with another one later
   session["jobs"] = std::to_string(request.jobs);
@@ -198,6 +218,7 @@ void solve_missing(const Plan& plan, Store& store, const RunRequest& request, Pr
       if (request.progress) request.progress(progress);
     }
   });
+  progress.notes = tell_of_programs(plan, store, session_id);
   if (const double stolen = stolen_seconds() - stolen_before; stolen >= 0) {
     store.add_to_session(session_id, {{"stolen_seconds", fmt::format("{:.2f}", stolen)}});
   }

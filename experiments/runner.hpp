@@ -4,6 +4,8 @@
 
 #include <atomic>
 #include <functional>
+#include <string>
+#include <vector>
 
 #include "experiments/shard.hpp"
 #include "experiments/study.hpp"
@@ -14,7 +16,8 @@ namespace ikbench::experiments {
 struct Progress {
   std::int64_t done = 0;  // solves, with those that the store already had
   std::int64_t total = 0;
-  std::int64_t reused = 0;  // of those done, how many the store already had
+  std::int64_t reused = 0;              // of those done, how many the store already had
+  std::vector<std::string> notes = {};  // at the end: what programs did besides solving, a sentence each
 };
 
 struct RunRequest {

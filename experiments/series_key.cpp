@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "experiments/foreign/program.hpp"
 #include "experiments/source_digest.hpp"
 #include "experiments/study_fields.hpp"
 #include "results/record.hpp"
@@ -35,6 +36,9 @@ class FieldTexts final : public Fields {
   bool visits(InKey in_key) const override { return in_key == InKey::by_name; }
 
   void on_text(Name name, std::string& field) override { add(name, field); }
+  void on_texts(Name name, std::vector<std::string>& field) override {
+    add(name, field.empty() ? "" : fmt::format("{} {:?}", field.size(), fmt::join(field, "\n")));
+  }
   void on_choice(Name name, std::size_t& chosen, const std::vector<std::string>& choices) override {
     add(name, choices[chosen]);
   }
@@ -107,14 +111,19 @@ std::string configuration_key(const Study& study, const SolverEntry& entry) {
   text += said_by_name(fields_of(study), fields_of(Study{}));
   text += said_by_name(fields_of(study.stop), fields_of(StopRule{}), "stop.");
   // A further field of a solver does not compile here: options and population are those in effect.
-  [[maybe_unused]] const auto& [label, solver, options, population] = entry;
+  [[maybe_unused]] const auto& [label, solver, options, population, program] = entry;
   text += fmt::format("\nsolver {} label {}", solver, label);
+  if (program) text += said_by_name(fields_of(program->choice), fields_of(ProgramChoice{}), "program.");
   for (const auto& [name, value] : effective_options(study, entry)) text += fmt::format("\n{} = {}", name, value);
   return fmt::format("{:016x}", Key(0).with(text).value());
 }
 
+std::string source_digest_of(const SolverEntry& entry) {
+  return entry.program ? entry.program->digest : solver_source_digest(entry.solver);
+}
+
 std::string series_key(const Study& study, const SolverEntry& entry) {
-  const Key source = Key(0).with(shared_source_digest()).with(solver_source_digest(entry.solver));
+  const Key source = Key(0).with(shared_source_digest()).with(source_digest_of(entry));
   return fmt::format("{}{}{:016x}", configuration_key(study, entry), before_source, source.value());
 }
 

@@ -18,6 +18,8 @@ std::string said_by_name(const FieldList& fields, const FieldList& defaults, std
 
 // Hash of everything in the study that decides the numbers of one solver.
 std::string configuration_key(const Study& study, const SolverEntry& entry);
+// Of what the entry's solver is made of: its source file, or a program's executable and files.
+std::string source_digest_of(const SolverEntry& entry);
 // That, and a hash of the source that makes them: equal keys, equal numbers, on one machine and unless a solve ends by
 // its wall time.
 std::string series_key(const Study& study, const SolverEntry& entry);

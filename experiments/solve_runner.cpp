@@ -1,6 +1,7 @@
 #include "experiments/solve_runner.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <sys/resource.h>
 #include <time.h>
 
@@ -8,6 +9,8 @@
 #include <array>
 #include <bit>
 #include <chrono>
+#include <cmath>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <utility>
@@ -15,7 +18,7 @@
 #include "experiments/environment.hpp"
 #include "experiments/orientation.hpp"
 #include "experiments/series_key.hpp"
-#include "experiments/verifier.hpp"
+#include "numerics/toml_table.hpp"
 #include "numerics/units.hpp"
 
 namespace ikbench::experiments {
@@ -73,11 +76,43 @@ StopReason recorded(Stopped stopped) {
 
 // With the entry's own population, which is told as an option of it.
 std::string options_text(Settings options, const SolverEntry& entry) {
+  if (entry.program) {
+    options["process"] = fmt::format("{}", fmt::join(entry.program->choice.process, " "));
+    options["mode"] = name_of(entry.program->mode);
+  }
   if (entry.population > 0) options["population"] = std::to_string(entry.population);
   return nlohmann::json(options).dump();
 }
 
 std::vector<double> to_vector(const Configuration& values) { return {values.begin(), values.end()}; }
+
+// What a program is told of the arm; `searched` are its joints before the wrist, or all.
+ArmToSearch arm_to_search(const Study& study, const SolverEntry& entry, const Robot& arm, const Chain& searched) {
+  ArmToSearch told{.name = arm.name,
+                   .arm = searched,
+                   .limits = arm.limits,
+                   .joint_names = {},
+                   .is_pose = study.search == Search::pose,
+                   .rotation_weight = study.search == Search::pose ? study.rotation_weight : 0,
+                   .urdf = {},
+                   .base_link = study.urdf.base,
+                   .tip_link = study.urdf.tip};
+  for (const DescribedJoint& joint : arm.description) {
+    if (joint.motion != DescribedJoint::Motion::none) told.joint_names.push_back(joint.name);
+  }
+  for (int j = static_cast<int>(told.joint_names.size()); j < searched.joints(); ++j) {
+    told.joint_names.push_back(fmt::format("joint_{}", j + 1));
+  }
+  const std::filesystem::path file = entry.program->folder / study.robot;
+  std::error_code none;
+  const bool is_whole = searched.joints() == arm.joints();
+  if (is_whole && is_urdf_file(study.robot) && std::filesystem::is_regular_file(file, none)) {
+    told.urdf = text_of_file(file);
+  }
+  return told;
+}
+
+double or_zero(double seconds) { return seconds > 0 ? seconds : 0; }
 
 }  // namespace
 
@@ -128,13 +163,25 @@ SolveRunner::SolveRunner(const Study& study, const SolverEntry& entry, const Rob
       arm_(arm),
       task_(study, arm),
       reach_(task_.arm().reach()),
-      info_(solver(entry.solver)),
       options_(effective_options(study, entry)),
       series_{.key = series_key(study, entry),
               .label = entry.label,
               .algorithm = entry.solver,
               .options = options_text(options_, entry)},
-      repeats_(study.stop.seconds > 0 ? 1 : repeats) {}
+      repeats_(study.stop.seconds > 0 || entry.program ? 1 : repeats) {
+  if (!entry.program) return;
+  sessions_ = std::make_unique<Sessions>(
+      entry.program, robot_message(arm_to_search(study, entry, arm, task_.arm()), entry.program->hello, options_));
+}
+
+std::unique_ptr<Solver> SolveRunner::make_solver() const {
+  if (sessions_) return std::make_unique<ForeignSolver>(*sessions_, study_.stop);
+  return solver(entry_.solver).make(options_);
+}
+
+std::optional<ProgramNotes> SolveRunner::notes() const {
+  return sessions_ ? std::optional(sessions_->notes()) : std::nullopt;
+}
 
 SolveRunner::Posed SolveRunner::posed(const Pose& target, const Configuration& start, int run, int point) const {
   return {.target = target,
@@ -149,13 +196,26 @@ SolveRunner::Posed SolveRunner::posed(const Pose& target, const Configuration& s
 SolveRunner::Timed SolveRunner::timed(Solver& solver, const Posed& given) const {
   Objective objective(task_.arm(), task_.goal(given.target));
   Random random = given.random;
+  auto* const program = sessions_ ? static_cast<ForeignSolver*>(&solver) : nullptr;
+  if (program != nullptr) program->prepare(given.problem, objective);
   const double thread_started = thread_seconds();
   const auto started = std::chrono::steady_clock::now();
   Solution solution = solvers::solve(solver, given.problem, objective, random, study_.stop, study_.trace);
   Configuration answer = task_.completed(solution.best.q, given.target, given.start);
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - started;
   const double cpu_seconds = thread_seconds() - thread_started;
-  return {std::move(solution), std::move(answer), seconds.count(), cpu_seconds};
+  Timed timed{std::move(solution), std::move(answer), seconds.count(), cpu_seconds};
+  if (program != nullptr) {
+    program->conclude();
+    timed.account = program->account();
+    timed.cpu_seconds = or_zero(timed.account->cpu_seconds);
+    if (entry_.program->mode == Mode::solve) {
+      if (!timed.account->failure) timed.seconds = timed.account->seconds;
+      timed.solution.evaluations = std::max<std::int64_t>(0, timed.account->word.evaluations);
+      timed.solution.iterations = std::max<std::int64_t>(0, timed.account->word.iterations);
+    }
+  }
+  return timed;
 }
 
 std::vector<SolveRunner::Timed> SolveRunner::repeated(Solver& solver, const Posed& given) const {
@@ -190,16 +250,8 @@ SolveRecord SolveRunner::solve(Solver& solver, const Pose& target, const Configu
   Configuration answer = median.answer;
 
   Verification verified = verify(arm_, target, start, answer);
-  const Status status = solution.stopped == Stopped::not_finite
-                            ? Status::not_finite
-                            : judge(verified, {.claimed_error = solution.position_error,
-                                               .claimed_pose_error = solution.best.error,
-                                               .rotation_weight = task_.goal(target).rotation_weight,
-                                               .tolerance = study_.stop.tolerance,
-                                               .angle_tolerance = study_.stop.angle_tolerance,
-                                               .orientation_is_exact = study_.search == Search::wrist,
-                                               .limits_are_enforced = study_.limits == Limits::enforced});
-  if (status == Status::refused) {  // the arm stays where it was, and that is what is recorded
+  const Status status = status_of(median, verified, target);
+  if (stays(status)) {  // the arm stays where it was, and that is what is recorded
     answer = start;
     verified = verify(arm_, target, start, answer);
   }
@@ -239,7 +291,42 @@ SolveRecord SolveRunner::solve(Solver& solver, const Pose& target, const Configu
                      .smallest_singular_value = verified.smallest_singular_value,
                      .manipulability = verified.manipulability};
   for (const double error : solution.trace) record.trace_cm.push_back(error / centimetre);
+  if (median.account) add_account(record, *median.account);
   return record;
+}
+
+Status SolveRunner::status_of(const Timed& timed, const Verification& verified, const Pose& target) const {
+  if (timed.account && timed.account->failure) return *timed.account->failure;
+  if (timed.solution.stopped == Stopped::not_finite) return Status::not_finite;
+  double claimed = timed.solution.position_error;
+  if (timed.account && entry_.program->mode == Mode::solve) {
+    claimed = std::isnan(timed.account->word.error) ? verified.position_error : timed.account->word.error;
+  }
+  return judge(verified, {.claimed_error = claimed,
+                          .claimed_pose_error = timed.solution.best.error,
+                          .rotation_weight = task_.goal(target).rotation_weight,
+                          .tolerance = study_.stop.tolerance,
+                          .angle_tolerance = study_.stop.angle_tolerance,
+                          .orientation_is_exact = study_.search == Search::wrist,
+                          .limits_are_enforced = study_.limits == Limits::enforced});
+}
+
+void SolveRunner::add_account(SolveRecord& record, const Account& account) const {
+  if (record.timing == Timing::clean) record.timing = Timing::process;
+  record.round_trips = account.round_trips;
+  record.transport_seconds = account.transport_seconds;
+  if (account.failure) {
+    record.stop_reason = *account.failure == Status::timed_out ? StopReason::time : StopReason::finished;
+    record.claimed_error_cm = std::numeric_limits<double>::quiet_NaN();
+    record.trace_cm.clear();
+  }
+  if (entry_.program->mode == Mode::ask) return;
+  const Solved& word = account.word;
+  record.counted_by = word.evaluations >= 0 ? CountedBy::solver : CountedBy::nobody;
+  record.claimed_seconds = word.seconds;
+  record.claimed_error_cm = word.error / centimetre;
+  const bool is_finite = record.stop_reason != StopReason::not_finite && word.reason != StopReason::not_finite;
+  if (!account.failure && is_finite) record.stop_reason = word.reason.value_or(record.stop_reason);
 }
 
 }  // namespace ikbench::experiments

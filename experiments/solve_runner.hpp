@@ -6,7 +6,9 @@
 #include <optional>
 #include <vector>
 
+#include "experiments/foreign/foreign_solver.hpp"
 #include "experiments/study.hpp"
+#include "experiments/verifier.hpp"
 #include "results/store.hpp"
 #include "robots/spherical_wrist.hpp"
 #include "solvers/registry.hpp"
@@ -41,7 +43,9 @@ class SolveRunner {
 
   const results::Series& series() const { return series_; }
   // Good for any number of solves, one after the other: a solver that is started anew remembers nothing.
-  std::unique_ptr<solvers::Solver> make_solver() const { return info_.make(options_); }
+  std::unique_ptr<solvers::Solver> make_solver() const;
+  // What its program did besides solving, while no solver of it is left; none where it is built in.
+  std::optional<ProgramNotes> notes() const;
   // Where repeats are timed: solves once, untimed, so that the first is no slower than the others.
   void warm_up(solvers::Solver& solver, const robots::Pose& target, const robots::Configuration& start) const;
   // std::runtime_error where a repeat has another answer, to the bit.
@@ -54,6 +58,7 @@ class SolveRunner {
     robots::Configuration answer;  // all joints
     double seconds;
     double cpu_seconds;
+    std::optional<Account> account = {};  // of a program
   };
   struct Posed {  // a problem, and the random numbers to solve it by
     const robots::Pose& target;
@@ -64,6 +69,9 @@ class SolveRunner {
   Posed posed(const robots::Pose& target, const robots::Configuration& start, int run, int point) const;
   Timed timed(solvers::Solver& solver, const Posed& given) const;
   std::vector<Timed> repeated(solvers::Solver& solver, const Posed& given) const;
+  results::Status status_of(const Timed& timed, const Verification& verified, const robots::Pose& target) const;
+  // Of a program's solve, what only its account says.
+  void add_account(results::SolveRecord& record, const Account& account) const;
   double beyond_reach(const robots::Pose& target) const;  // [m]; 0 within
 
   const Study& study_;
@@ -71,10 +79,10 @@ class SolveRunner {
   const robots::Robot& arm_;
   Task task_;
   robots::Chain::Ball reach_;  // of the joints that are searched
-  solvers::SolverInfo info_;
   solvers::Settings options_;
   results::Series series_;
   int repeats_;
+  std::unique_ptr<Sessions> sessions_;  // of a program
 };
 
 }  // namespace ikbench::experiments

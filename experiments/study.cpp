@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "experiments/foreign/program.hpp"
 #include "robots/spherical_wrist.hpp"
 #include "solvers/registry.hpp"
 
@@ -30,7 +31,12 @@ Configuration joint_units(const Chain& arm) {
   return units;
 }
 
+Settings options_with(const SolverEntry& entry, const Settings& settings) {
+  return entry.program ? options_of(entry.program->hello, settings) : solver(entry.solver).options(settings);
+}
+
 Settings effective_options(const Study& study, const SolverEntry& entry) {
+  if (entry.program) return options_with(entry, entry.options);
   const SolverInfo info = solver(entry.solver);
   Settings settings;
   const bool is_clamped = study.bounds == StudyBounds::clamp || study.limits == Limits::enforced;

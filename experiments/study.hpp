@@ -39,11 +39,14 @@ enum class Limits { recorded, enforced };
 // middle of the limits, at a configuration drawn from seed, run and point, or near the one that the target was made of.
 enum class Start { previous, initial, middle, random, near };
 
+struct Program;  // foreign/program.hpp
+
 struct SolverEntry {
-  std::string label;          // unique within the study; its name in tables and figures
-  std::string solver;         // registered name
-  solvers::Settings options;  // those that differ from the solver's defaults
-  int population = 0;         // 0: the study's
+  std::string label;                            // unique within the study; its name in tables and figures
+  std::string solver;                           // registered name; of a program, its own
+  solvers::Settings options;                    // those that differ from the solver's defaults
+  int population = 0;                           // 0: the study's
+  std::shared_ptr<const Program> program = {};  // null: the solver is built in
 };
 
 struct Study {
@@ -81,6 +84,8 @@ robots::Robot arm_of(const Study& study);
 // What the values of an arm's joints are given in outside the program: degrees, and metres where a joint slides.
 robots::Configuration joint_units(const robots::Chain& arm);
 
+// The defaults of the entry's solver with these settings; std::invalid_argument as OptionList::set says.
+solvers::Settings options_with(const SolverEntry& entry, const solvers::Settings& settings);
 // What each entry's solver is really made with: the study's bounds applied, its own options over them, defaults
 // filled in.
 solvers::Settings effective_options(const Study& study, const SolverEntry& entry);

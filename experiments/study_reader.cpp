@@ -7,6 +7,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "experiments/foreign/program.hpp"
 #include "experiments/study_fields.hpp"
 #include "experiments/study_overrides.hpp"
 #include "experiments/table_reader.hpp"
@@ -64,22 +65,49 @@ Path read_path(TomlReader reader) {
   return path;
 }
 
-SolverEntry read_solver(TomlReader reader) {
-  SolverEntry entry;
-  reader.text("solver", entry.solver, "");
-  entry.label = entry.solver;
-  reader.text("label", entry.label, "");
-  const toml::node* name = reader.find("solver");
-  if (name == nullptr) {
-    throw std::invalid_argument(reader.where(reader.table().source(), "solver") +
-                                "an entry of [[solvers]] has no `solver`; see: ikbench list solvers");
-  }
-  SolverInfo info;
+// Starts the program, which says who it is and what options it has.
+std::shared_ptr<const Program> read_program(TomlReader& reader) {
+  ProgramChoice choice;
+  TableReader fields(reader);
+  list_fields(fields, choice);
   try {
-    info = solver(entry.solver);
+    return meet(choice, folder_of(reader, "process"));
+  } catch (const std::runtime_error& error) {
+    throw mistake(reader, reader.table().get("process"), "process",
+                  fmt::format("{}: {}; see: ikbench check-solver", choice.process[0], error.what()));
+  } catch (const std::invalid_argument& error) {
+    throw mistake(reader, reader.table().get("process"), "process",
+                  fmt::format("{}: {}; see: ikbench check-solver", choice.process[0], error.what()));
+  }
+}
+
+// A built-in solver or a program.
+void read_kind(TomlReader& reader, SolverEntry& entry) {
+  reader.text("solver", entry.solver, "");
+  const toml::node *name = reader.find("solver"), *process = reader.find("process");
+  if ((name == nullptr) == (process == nullptr)) {
+    throw std::invalid_argument(
+        reader.where(reader.table().source(), "solver") +
+        (name == nullptr ? "an entry of [[solvers]] has no `solver` and no `process`; see: ikbench list solvers"
+                         : "an entry of [[solvers]] has a `solver` and a `process`; expected one of them"));
+  }
+  if (process != nullptr) {
+    entry.program = read_program(reader);
+    entry.solver = entry.program->hello.name;
+    return;
+  }
+  try {
+    static_cast<void>(solver(entry.solver));
   } catch (const std::invalid_argument& error) {
     throw std::invalid_argument(reader.where(name->source(), "solver") + error.what());
   }
+}
+
+SolverEntry read_solver(TomlReader reader) {
+  SolverEntry entry;
+  read_kind(reader, entry);
+  entry.label = entry.solver;
+  reader.text("label", entry.label, "");
   if (entry.label.empty()) reader.fail("label", *reader.find("label"), "a non-empty label");
   reader.find("population");
   reader.nested(reader.table(), entry.label + ".").whole("population", entry.population, populations, "");
@@ -98,7 +126,7 @@ SolverEntry read_solver(TomlReader reader) {
         option_reader.fail(option, node, "a number or a quoted string");
       }
       try {
-        info.options({{option, entry.options[option]}});
+        options_with(entry, {{option, entry.options[option]}});
       } catch (const std::invalid_argument& error) {
         throw std::invalid_argument(option_reader.where(node.source(), option) + error.what());
       }
@@ -165,6 +193,7 @@ void check_solvers(const TomlReader& reader, const Study& study, const Robot& ar
     throw mistake(reader, table.get("bounds"), "bounds", not_enforced);
   for (std::size_t i = 0; i < study.solvers.size(); ++i) {
     const SolverEntry& entry = study.solvers[i];
+    if (entry.program) continue;  // it says itself what it cannot solve
     const auto own = table["solvers"][i];
     const Asked asked = study.search == Search::pose ? Asked::pose : Asked::position;
     if (const std::string why = solver(entry.solver).why_not(arm.chain, asked); !why.empty()) {

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "experiments/foreign/program.hpp"
 #include "experiments/orientation.hpp"
 #include "experiments/study_fields.hpp"
 #include "experiments/study_reader.hpp"
@@ -79,6 +80,11 @@ class TomlWriter final : public Fields {
 
  private:
   void on_text(Name name, std::string& field) override { line(name.key, toml_string(field), name.meaning); }
+  void on_texts(Name name, std::vector<std::string>& field) override {
+    std::vector<std::string> texts;
+    for (const std::string& text : field) texts.push_back(toml_string(text));
+    if (!texts.empty()) line(name.key, fmt::format("[{}]", fmt::join(texts, ", ")), name.meaning);
+  }
   void on_choice(Name name, std::size_t& chosen, const std::vector<std::string>& choices) override {
     line(name.key, toml_string(choices[chosen]), fmt::format("{}: {}", fmt::join(choices, " | "), name.meaning));
   }
@@ -115,6 +121,7 @@ class JsonWriter final : public Fields {
 
  private:
   void on_text(Name name, std::string& field) override { add(name, field); }
+  void on_texts(Name name, std::vector<std::string>& field) override { add(name, field); }
   void on_choice(Name name, std::size_t& chosen, const std::vector<std::string>& choices) override {
     add(name, choices[chosen]);
   }
@@ -252,7 +259,12 @@ std::string to_toml(const Study& study) {
   for (const SolverEntry& entry : study.solvers) {
     writer.out += "\n[[solvers]]\n";
     writer.line("label", toml_string(entry.label), "");
-    writer.line("solver", toml_string(entry.solver), "options and ranges: ikbench list solvers " + entry.solver);
+    if (entry.program) {
+      ProgramChoice choice = entry.program->choice;
+      list_fields(writer, choice);
+    } else {
+      writer.line("solver", toml_string(entry.solver), "options and ranges: ikbench list solvers " + entry.solver);
+    }
     if (entry.population > 0)
       writer.line("population", fmt::format("{}", entry.population), "overrides the population of the study");
     std::vector<std::string> options;

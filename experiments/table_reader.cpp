@@ -13,6 +13,8 @@ using namespace robots;
 
 void TableReader::on_text(Name name, std::string& field) { table_.text(name.key, field, name.meaning); }
 
+void TableReader::on_texts(Name name, std::vector<std::string>& field) { table_.texts(name.key, field, name.meaning); }
+
 void TableReader::on_choice(Name name, std::size_t& chosen, const std::vector<std::string>& choices) {
   Choices<std::size_t> numbered;
   for (const std::string& choice : choices) numbered.emplace_back(choice, numbered.size());

@@ -75,6 +75,17 @@ void TomlReader::text(std::string_view key, std::string& field, std::string_view
   field = value->get();
 }
 
+void TomlReader::texts(std::string_view key, std::vector<std::string>& field, std::string_view) {
+  const toml::node* node = find(key);
+  if (node == nullptr) return;
+  const std::vector<std::string> found = texts_in(*node);
+  const toml::array* array = node->as_array();
+  const bool are_texts = array != nullptr && !array->empty() && array->size() <= 1000 &&
+                         array->is_homogeneous<std::string>() && std::ranges::all_of(found, is_plain);
+  if (!are_texts) fail(key, *node, "a list of quoted strings, each of at most 200 bytes without control characters");
+  field = found;
+}
+
 void TomlReader::number(std::string_view key, double& field, double unit, std::pair<double, double> range,
                         std::string_view) {
   const toml::node* node = find(key);
@@ -120,7 +131,7 @@ bool TomlReader::is_plain(std::string_view text) {
   return text.size() <= 200 && std::none_of(text.begin(), text.end(), is_control);
 }
 
-std::vector<std::string> TomlReader::texts(const toml::node& node) {
+std::vector<std::string> TomlReader::texts_in(const toml::node& node) {
   std::vector<std::string> result;
   if (const toml::array* array = node.as_array()) {
     for (const toml::node& element : *array) result.push_back(element.value<std::string>().value_or(""));

@@ -43,6 +43,7 @@ class TomlReader {
       : table_(table), source_(source), prefix_(std::move(prefix)) {}
 
   void text(std::string_view key, std::string& field, std::string_view);
+  void texts(std::string_view key, std::vector<std::string>& field, std::string_view);
 
   template <class Enum>
   void choice(std::string_view key, Enum& field, const Choices<Enum>& choices, std::string_view) {
@@ -65,7 +66,7 @@ class TomlReader {
   void chosen(std::string_view key, std::vector<Enum>& field, const Choices<Enum>& choices, std::string_view) {
     const toml::node* node = find(key);
     if (node == nullptr) return;
-    std::vector<std::string> wanted = texts(*node), names;
+    std::vector<std::string> wanted = texts_in(*node), names;
     std::vector<Enum> found;
     for (const auto& [name, value] : choices) {
       if (std::erase(wanted, name) == 1) found.push_back(value);
@@ -129,8 +130,8 @@ class TomlReader {
   std::filesystem::path source() const { return source_; }
 
  private:
-  static std::optional<double> as_number(const toml::node& node);  // none where it is not finite
-  static std::vector<std::string> texts(const toml::node& node);   // of a list; none where it is none
+  static std::optional<double> as_number(const toml::node& node);    // none where it is not finite
+  static std::vector<std::string> texts_in(const toml::node& node);  // of a list; none where it is none
 
   const toml::table& table_;
   std::string source_;

@@ -45,6 +45,7 @@ class PointsSetter final : public Fields {
     out << "x_m,y_m,z_m\n";
     for (int i = 0; i < count_; ++i) out << "0.5,0,0." << i << '\n';
   }
+  void on_texts(Name, std::vector<std::string>&) override {}
   void on_choice(Name, std::size_t&, const std::vector<std::string>&) override {}
   void on_whole(Name name, std::int64_t& field, std::pair<std::int64_t, std::int64_t>) override {
     if (name.key == "points") field = count_;

@@ -47,6 +47,10 @@ class Changer final : public Fields {
     note(name);
     field = "planar_3";
   }
+  void on_texts(Name name, std::vector<std::string>& field) override {
+    note(name);
+    field.emplace_back("further");
+  }
   void on_choice(Name name, std::size_t& chosen, const std::vector<std::string>& choices) override {
     note(name);
     chosen = (chosen + 1) % choices.size();

@@ -5,6 +5,9 @@
 using namespace ikbench;
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  read_or_refuse([&] { experiments::parse_study(text_of(data, size), "fuzzed.toml"); });
+  const auto text = text_of(data, size);
+  // A study may name a program, which is started: not what was made up here, however it is written.
+  if (text.find("process") != text.npos || text.find('\\') != text.npos) return 0;
+  read_or_refuse([&] { experiments::parse_study(text, "fuzzed.toml"); });
   return 0;
 }

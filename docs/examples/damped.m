@@ -1,0 +1,56 @@
+% Damped least squares for ikbench in Octave, with kinematics of its own; positions alone.
+% process = ["octave-cli", "--quiet", "damped.m"]
+1;
+
+function say(message)
+  puts([jsonencode(message) "\n"]);
+  fflush(stdout);
+end
+
+function [tool, jacobian] = forward(arm, q)
+  pose = reshape(arm.base, 4, 4)';
+  n = numel(arm.joints);
+  axes = zeros(3, n); origins = zeros(3, n);
+  for j = 1:n
+    joint = arm.joints(j);
+    axes(:, j) = pose(1:3, 3); origins(:, j) = pose(1:3, 4);
+    t = joint.theta + q(j); ca = cos(joint.alpha); sa = sin(joint.alpha);
+    pose = pose * [cos(t) -sin(t)*ca sin(t)*sa joint.a*cos(t); sin(t) cos(t)*ca -cos(t)*sa joint.a*sin(t);
+                   0 sa ca joint.d; 0 0 0 1];
+  end
+  pose = pose * reshape(arm.tool, 4, 4)';
+  tool = pose(1:3, 4);
+  jacobian = cross(axes, tool - origins);
+end
+
+function solve(arm, problem)
+  q = problem.start(:);
+  target = problem.target.position(:);
+  for i = 0:problem.budget.iterations
+    [tool, jacobian] = forward(arm, q);
+    off = target - tool;
+    if norm(off) <= problem.tolerance.position || i == problem.budget.iterations
+      break;
+    end
+    q += jacobian' * ((jacobian * jacobian' + 1e-4 * eye(3)) \ off);
+    q = min(max(q, problem.lower(:)), problem.upper(:));
+  end
+  say(struct("message", "solved", "id", problem.id, "q", {q'}, "error", norm(off), "iterations", i));
+end
+
+say(struct("ikbench", 1, "message", "hello", "name", "octave_damped", "version", "1.0", "modes", "solve",
+           "deterministic", true));
+arm = [];
+while ischar(line = fgetl(stdin))
+  told = jsondecode(line);
+  switch told.message
+    case "robot"
+      arm = told;
+      can = strcmp(arm.goal, "position") && all(strcmp({arm.joints.type}, "revolute"));
+      if can, say(struct("message", "ready"));
+      else, say(struct("message", "declined", "why", "positions of revolute joints alone")); end
+    case "ping", say(struct("message", "pong", "id", told.id));
+    case "solve", solve(arm, told);
+    case "bye", break;
+  end
+end

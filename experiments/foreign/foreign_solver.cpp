@@ -1,0 +1,183 @@
+#include "experiments/foreign/foreign_solver.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "experiments/foreign/session.hpp"
+#include "solvers/solve.hpp"
+
+namespace ikbench::experiments {
+
+using namespace numerics;
+using namespace robots;
+using namespace solvers;
+using namespace results;
+
+namespace {
+
+constexpr int warm_ups = 3;
+constexpr std::size_t most_examples = 100;
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+}  // namespace
+
+Sessions::Sessions(std::shared_ptr<const Program> program, std::string robot)
+    : program_(std::move(program)), robot_(std::move(robot)) {}
+
+Sessions::~Sessions() = default;
+
+std::unique_ptr<Session> Sessions::take() {
+  const std::scoped_lock lock(mutex_);
+  if (idle_.empty()) return std::make_unique<Session>(*program_, robot_);
+  std::unique_ptr<Session> session = std::move(idle_.back());
+  idle_.pop_back();
+  return session;
+}
+
+void Sessions::give_back(std::unique_ptr<Session> session) {
+  const std::scoped_lock lock(mutex_);
+  idle_.push_back(std::move(session));
+}
+
+ProgramNotes Sessions::notes() const {
+  const std::scoped_lock lock(mutex_);
+  ProgramNotes all;
+  for (const auto& session : idle_) {
+    const ProgramNotes& notes = session->notes();
+    all.deaths += notes.deaths;
+    all.noise += notes.noise;
+    all.is_given_up |= notes.is_given_up;
+    if (!notes.last_failure.empty()) all.last_failure = notes.last_failure;
+    for (const std::string& line : notes.examples) {
+      if (all.examples.size() < most_examples) all.examples.push_back(line);
+    }
+  }
+  return all;
+}
+
+ForeignSolver::ForeignSolver(Sessions& sessions, const StopRule& stop)
+    : sessions_(sessions), stop_(stop), session_(sessions.take()) {}
+
+ForeignSolver::~ForeignSolver() { sessions_.give_back(std::move(session_)); }
+
+double ForeignSolver::resident_bytes() const { return session_->resident_bytes(); }
+
+template <class Talk>
+void ForeignSolver::guarded(Talk&& talk) {
+  if (account_.failure) return;
+  try {
+    try {
+      talk();
+    } catch (const Breach& breach) {
+      throw Trouble{Status::broke_protocol, breach.what()};
+    }
+  } catch (const Trouble& trouble) {
+    session_->note(trouble);
+    trouble_ = trouble.why;
+    account_.failure = trouble.status;
+    best_.error = infinite;
+    is_finished_ = true;
+  }
+}
+
+void ForeignSolver::prepare(const Problem& problem, const Objective& objective) {
+  account_ = {};
+  is_open_ = is_warming_up_ = true;
+  bool is_new = false;
+  guarded([&] { is_new = session_->ensure_running(); });
+  for (int i = 0; is_new && i < warm_ups && !account_.failure; ++i) {
+    Objective unrecorded(objective.arm(), objective.goal());
+    Random random(Key(0).with("warm-up").with(static_cast<std::uint64_t>(i)));
+    solvers::solve(*this, problem, unrecorded, random, stop_);
+    if (!account_.failure) conclude();
+  }
+  if (account_.failure) {
+    conclude();
+  } else {
+    account_ = {};
+  }
+  is_open_ = is_warming_up_ = false;
+}
+
+void ForeignSolver::start(const Problem& problem, Objective& objective, Random& random) {
+  best_.q = problem.start;
+  best_.error = infinite;
+  is_finished_ = false;
+  is_telling_ = false;
+  joints_ = problem.joints();
+  guarded([&] {
+    is_open_ = true;
+    session_->begin_solve(stop_.seconds);
+    cpu_before_ = session_->cpu_seconds();
+    constexpr double seeds = 4294967296;  // 32 bits: more do not survive everybody's numbers
+    const auto seed = static_cast<std::uint32_t>(random.uniform() * seeds);
+    const Mode mode = sessions_.program().mode;
+    const std::int64_t id = session_->new_id();
+    const std::string text =
+        solve_message(mode, {.id = id, .problem = problem, .goal = objective.goal(), .stop = stop_, .seed = seed});
+    if (mode == Mode::ask) {
+      take_in(session_->exchange(text, {"ask", "solved", "declined"}, id), objective);
+    } else {
+      solve_at_once(text, objective);
+    }
+  });
+}
+
+void ForeignSolver::solve_at_once(const std::string& text, Objective& objective) {
+  session_->send(text);
+  const Clock::time_point sent = Clock::now();
+  const Message message = session_->receive({"solved", "declined"}, session_->id());
+  account_.seconds = std::chrono::duration<double>(Clock::now() - sent).count();
+  account_.round_trips = 1;
+  account_.cpu_seconds = session_->cpu_seconds() - cpu_before_;
+  if (message.name == "declined") throw Trouble{Status::declined, why_in(message)};
+  account_.word = solved_in(message, joints_);
+  best_.q = account_.word.q;
+  best_.error = objective.error(best_.q);
+  is_finished_ = true;
+}
+
+void ForeignSolver::take_in(const Message& message, Objective& objective) {
+  is_telling_ = false;
+  if (message.name == "declined") throw Trouble{Status::declined, why_in(message)};
+  if (message.name == "solved") {
+    is_finished_ = true;
+    return;
+  }
+  const Candidates q = candidates_in(message, joints_);
+  errors_.resize(q.cols());
+  objective.errors(q, errors_);
+  for (Eigen::Index i = 0; i < q.cols(); ++i) best_.improve(q.col(i), errors_[i]);
+  is_telling_ = true;
+}
+
+void ForeignSolver::step(Objective& objective, Random&) {
+  guarded([&] {
+    take_in(session_->exchange(tell_message(session_->id(), errors_, best_.error, Over::no),
+                               {"ask", "solved", "declined"}, session_->id()),
+            objective);
+  });
+}
+
+void ForeignSolver::conclude() {
+  if (!std::exchange(is_open_, false)) return;
+  if (account_.failure) {
+    session_->recover({*account_.failure, trouble_});
+    return;
+  }
+  account_.transport_seconds = session_->transport_seconds();
+  if (sessions_.program().mode == Mode::ask) {
+    account_.round_trips = session_->round_trips();
+    account_.cpu_seconds = session_->cpu_seconds() - cpu_before_;
+  }
+  try {
+    if (is_telling_) {
+      session_->exchange(tell_message(session_->id(), errors_, best_.error, Over::yes), {"solved"}, session_->id());
+    }
+    if (!is_warming_up_) session_->forgive();
+  } catch (const Trouble& trouble) {  // the answer is there all the same
+    session_->recover(trouble);
+  }
+}
+
+}  // namespace ikbench::experiments

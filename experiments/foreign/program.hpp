@@ -1,0 +1,45 @@
+// A program in a study: how it is started, who it is, and what of it decides the numbers of its solves.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "experiments/fields.hpp"
+#include "experiments/foreign/child_process.hpp"
+#include "experiments/foreign/protocol.hpp"
+
+namespace ikbench::experiments {
+
+// As a study says it.
+struct ProgramChoice {
+  enum class Talk { preferred, solve, ask };
+
+  std::vector<std::string> process;  // the program and its arguments
+  std::vector<std::string> files;    // what it consists of besides
+  Talk mode = Talk::preferred;
+  double patience = 0;  // [s] with a solve; 0: max(5 s, 20 x its budget)
+};
+
+void list_fields(Fields& io, ProgramChoice& choice);
+
+struct Program {
+  ProgramChoice choice;
+  std::filesystem::path folder;  // that it works in
+  Hello hello;
+  Mode mode = Mode::solve;
+  std::string digest;  // of its name, its version and its files
+
+  Command command() const { return {choice.process, folder}; }
+};
+
+constexpr std::chrono::seconds hello_patience{60}, ready_patience{60};
+
+// Starts the program for its hello. std::invalid_argument says what is wrong with it; a file that is missing too.
+std::shared_ptr<const Program> meet(const ProgramChoice& choice, const std::filesystem::path& folder);
+
+// The first message of a program; what was noise before it goes to `noise`. Breach, or std::invalid_argument where it
+// ends or says nothing in time.
+Hello hello_of(ChildProcess& child, std::vector<std::string>& noise);
+
+}  // namespace ikbench::experiments

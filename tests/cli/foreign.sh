@@ -1,0 +1,189 @@
+# Programs as solvers: each fault is a row that says what it is, and changes nothing of the others'.
+source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
+command -v python3 >/dev/null || { echo "SKIPPED: no python3"; exit 77; }
+examples=$scripts/../../docs/examples
+
+# A solver with own kinematics: of one joint after the other. $FAULT and the number of the solve decide what it does.
+cat >faulty.py <<'EOF'
+import json, math, os, sys, time
+
+FAULT = sys.argv[1] if len(sys.argv) > 1 else ""
+
+def say(**message):
+    print(json.dumps(message), flush=True)
+
+def matrix(joint, q):
+    t, ca, sa = joint["theta"] + q, math.cos(joint["alpha"]), math.sin(joint["alpha"])
+    c, s = math.cos(t), math.sin(t)
+    return [[c, -s * ca, s * sa, joint["a"] * c], [s, c * ca, -c * sa, joint["a"] * s], [0, sa, ca, joint["d"]],
+            [0, 0, 0, 1]]
+
+def times(a, b):
+    return [[sum(a[i][k] * b[k][j] for k in range(4)) for j in range(4)] for i in range(4)]
+
+def tool(q):
+    square = lambda m: [m[0:4], m[4:8], m[8:12], m[12:16]]
+    pose = square(robot["base"])
+    for joint, x in zip(robot["joints"], q):
+        pose = times(pose, matrix(joint, x))
+    pose = times(pose, square(robot["tool"]))
+    return [pose[i][3] for i in range(3)]
+
+def solve(problem):
+    q, target = list(problem["start"]), problem["target"]["position"]
+    error, step = math.dist(tool(q), target), 0.3
+    for i in range(problem["budget"]["iterations"]):
+        for j in range(len(q)):
+            for way in (step, -step):
+                other = list(q)
+                other[j] += way
+                if math.dist(tool(other), target) < error:
+                    q, error = other, math.dist(tool(other), target)
+        step *= 0.8
+    say(message="solved", id=problem["id"], q=q, error=error + (0.01 if FAULT == "lies" else 0))
+
+say(ikbench=1, message="hello", name="faulty", version="1", modes=["solve"], deterministic=True, options=[
+    {"name": "w", "type": "number", "default": 0.5, "low": 0, "high": 1, "meaning": "nothing"}])
+solves = 0
+for line in sys.stdin:
+    told = json.loads(line)
+    if told["message"] == "robot":
+        robot = told
+        if FAULT == "declines": say(message="declined", why="not today")
+        else: say(message="ready")
+    elif told["message"] == "ping":
+        say(message="pong", id=told["id"])
+    elif told["message"] == "solve":
+        solves += 1
+        if FAULT == "hangs" and solves == 7 and not os.path.exists("hung"):
+            open("hung", "w").close()
+            time.sleep(1000)
+        if FAULT == "dies" and solves == 11 and not os.path.exists("died"):
+            open("died", "w").close()
+            print("no more", file=sys.stderr)
+            os._exit(3)
+        if FAULT == "noise": print("Iteration 1 of 200\nnull\n{\"message\": 7}\n[1e999]", flush=True)
+        if FAULT == "nonsense" and solves == 5: print('{"message":"solved","id":%d,"q":"none"}' % told["id"], flush=True)
+        else: solve(told)
+    elif told["message"] == "bye":
+        break
+EOF
+
+study() { # study NAME ENTRY...: a study file of two runs of eight points, damped least squares first
+  local name=$1
+  shift
+  {
+    printf 'name = "%s"\nsearch = "all_joints"\nruns = 2\nrepeats = 1\n' "$name"
+    printf '[path]\nkind = "random"\npoints = 8\n[stop]\niterations = 8\n'
+    printf '[[solvers]]\nlabel = "DLS"\nsolver = "damped_least_squares"\n'
+    printf '%s\n' "$@"
+  } >"$name.toml"
+}
+program_entry() { # program_entry LABEL WORD [FURTHER KEYS]
+  printf '[[solvers]]\nlabel = "%s"\nprocess = ["python3", "faulty.py", "%s"]\npatience_s = 1\n%s\n' "$1" "$2" "${3:-}"
+}
+column() { # column STORE NAME SOLVER: the values of a solver's rows
+  "$program" export "$1" | awk -F, -v name="$2" -v solver="$3" '
+    NR == 1 { for (i = 1; i <= NF; ++i) column[$i] = i; next }
+    $column["solver"] == solver { print $column[name] }'
+}
+counted() { sort | uniq -c | sed 's/^ *//'; }
+
+# Without programs, and with each faulty one beside: the same bits of the others.
+study plain
+succeeds run plain.toml --no-report --out plain
+study faults "$(program_entry good fine)" "$(program_entry hangs hangs)" "$(program_entry dies dies)" \
+  "$(program_entry noise noise)" "$(program_entry lies lies)" "$(program_entry nonsense nonsense)" \
+  "$(program_entry declines declines)"
+succeeds run faults.toml --out faults
+[ "$(column faults/store.sqlite position_error_cm DLS)" = "$(column plain/store.sqlite position_error_cm DLS)" ] ||
+  fail "the programs changed the numbers of another solver"
+has "$err" "hangs: "
+has "$err" "timed_out"
+has "$err" "noise: it ended 0 times; lines that are no messages: "
+has "$err" "last words: no more"
+
+store=faults/store.sqlite
+for label in good noise; do
+  has_no "$(column $store status $label)" "crashed"
+  [ "$(column $store position_error_cm $label)" = "$(column $store position_error_cm good)" ] ||
+    fail "$label has other errors than good"
+done
+[ "$(column $store status hangs | grep -c timed_out)" = 1 ] || fail "hangs: $(column $store status hangs | counted)"
+[ "$(column $store status dies | grep -c crashed)" = 1 ] || fail "dies: $(column $store status dies | counted)"
+[ "$(column $store status lies | counted)" = "16 claimed_but_wrong" ] || fail "lies: $(column $store status lies | counted)"
+[ "$(column $store status declines | counted)" = "16 declined" ] || fail "$(column $store status declines | counted)"
+[ "$(column $store status nonsense | grep -c broke_protocol)" -ge 1 ] || fail "$(column $store status nonsense | counted)"
+[ "$(column $store counted_by good | counted)" = "16 nobody" ] || fail "$(column $store counted_by good | counted)"
+[ -z "$(column $store evaluations good | tr -d '\n')" ] || fail "evaluations that nobody counted"
+[ "$(column $store round_trips good | counted)" = "16 1" ] || fail "$(column $store round_trips good | counted)"
+has "$(<faults/tables/status.csv)" "timed_out"
+[ "$(column $store timing good | counted)" = "16 process" ] || [ "$(column $store timing good | counted)" = "16 debug_build" ] ||
+  fail "$(column $store timing good | counted)"
+
+# What failed leaves the arm where it was, and a second run solves nothing.
+"$program" export $store | awk -F, '
+  NR == 1 { for (i = 1; i <= NF; ++i) column[$i] = i; next }
+  $column["status"] ~ /^(crashed|timed_out|broke_protocol|declined)$/ {
+    for (j = 1; j <= 7; ++j) if ($column["start_rad_" j] != $column["answer_rad_" j]) exit 1 }' ||
+  fail "a failed solve moved the arm"
+succeeds run faults.toml --no-report --out faults
+has "$out" "(128 were already stored)"
+succeeds report $store
+
+# An edited program is another one.
+study edited "$(program_entry mine fine)"
+succeeds run edited.toml --no-report --out edited
+sed -i 's/step \*= 0.8/step *= 0.7/' faulty.py
+succeeds run edited.toml --no-report --out edited
+has "$err" "16 solves of mine come from another version"
+[ "$(solves edited/store.sqlite)" = 32 ] || fail "$(solves edited/store.sqlite) solves in the view of the study"
+
+# Several at once: the same answers.
+succeeds run edited.toml --no-report --out parallel --jobs 2
+[ "$(column parallel/store.sqlite position_error_cm mine)" = "$(column edited/store.sqlite position_error_cm mine)" ] ||
+  fail "two processes give other answers than one"
+has_no "$(column parallel/store.sqlite timing mine)" process
+
+# A user's mistakes.
+study mistake "$(program_entry mine fine 'options = { w = 2 }')"
+refused 'option w is "2"; expected a number from 0 to 1' run mistake.toml
+study mistake "$(program_entry mine fine 'options = { v = 2 }')"
+refused 'unknown option "v"' run mistake.toml
+study mistake "$(program_entry mine fine 'mode = "ask"')"
+refused 'it has no mode "ask"' run mistake.toml
+study mistake "$(program_entry mine fine 'files = ["missing.py"]')"
+refused 'there is no file' run mistake.toml
+study mistake '[[solvers]]
+label = "none"
+process = ["no_such_program"]'
+refused 'mistake.toml:15:11:' run mistake.toml
+refused 'cannot start "no_such_program"' run mistake.toml
+study mistake '[[solvers]]
+label = "none"
+process = ["false"]'
+refused 'it ends before its hello (exit code 1)' run mistake.toml
+study mistake '[[solvers]]
+process = ["cat", "/dev/zero"]'
+refused 'more than a million bytes' run mistake.toml
+
+# Whatever ends the suite ends its programs.
+children() { pgrep -f "faulty.py $1" | wc -l; }
+for signal in INT KILL; do
+  sed -e 's/runs = 2/runs = 2000/' -e "s/fine/until-$signal/" edited.toml >long.toml
+  "$program" run long.toml --no-report --out long-$signal >/dev/null 2>&1 &
+  suite=$!
+  for ((i = 0; i < 200; ++i)); do
+    [ "$(children until-$signal)" = 1 ] && [ -e long-$signal/store.sqlite ] && break
+    sleep 0.1
+  done
+  [ "$(children until-$signal)" -ge 1 ] || fail "the program did not start"
+  kill -$signal $suite
+  wait $suite 2>/dev/null
+  for ((i = 0; i < 50; ++i)); do
+    [ "$(children until-$signal)" = 0 ] && break
+    sleep 0.1
+  done
+  [ "$(children until-$signal)" = 0 ] || fail "SIG$signal left a program behind"
+done
+echo "programs: all right"
