@@ -28,5 +28,6 @@ void add_robot(CLI::App& app);
 void add_solve(CLI::App& app);
 void add_export(CLI::App& app);
 void add_fingerprint(CLI::App& app);
+void add_check_solver(CLI::App& app, Invocation& invocation);
 
 }  // namespace ikbench::cli

@@ -53,6 +53,7 @@ int main(int argc, char** argv) {
   cli::add_solve(app);
   cli::add_export(app);
   cli::add_fingerprint(app);
+  cli::add_check_solver(app, invocation);
   const cli::SignalWatch signals;
   try {
     static_cast<void>(instruction_set());  // reports a wrong IKBENCH_INSTRUCTION_SET before anything starts

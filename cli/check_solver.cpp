@@ -1,0 +1,45 @@
+// ikbench check-solver: what the author of a program should know before a study runs it.
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <memory>
+
+#include "cli/commands.hpp"
+#include "cli/console.hpp"
+#include "experiments/foreign/check.hpp"
+
+namespace ikbench::cli {
+
+using namespace experiments;
+
+void add_check_solver(CLI::App& app, Invocation& invocation) {
+  struct Arguments {
+    std::vector<std::string> words;
+    double patience = 5;
+  };
+  auto arguments = std::make_shared<Arguments>();
+  CLI::App* command = app.add_subcommand("check-solver", "Check a solver that is a program of its own");
+  command->add_option("COMMAND", arguments->words, "the program and its arguments, after --")->required();
+  command->add_option("--patience", arguments->patience, "seconds after which a solve is given up")
+      ->check(CLI::Range(0.1, 3600.0))
+      ->capture_default_str();
+  command->footer(
+      "Examples:\n"
+      "  ikbench check-solver -- python3 my_solver.py\n"
+      "  ikbench check-solver --patience 60 -- octave-cli --quiet my_solver.m\n\n"
+      "Exit code 1 where a check fails. docs/solvers-in-any-language.md describes what a program has to say.");
+  command->callback([arguments, &invocation] {
+    int checks = 0, failed = 0;
+    check_program({.words = arguments->words, .folder = {}}, arguments->patience, [&](const CheckLine& line) {
+      ++checks;
+      failed += line.passed ? 0 : 1;
+      fmt::print("{}  {}{}{}\n", line.passed ? "ok    " : "FAILED", line.what, line.seen.empty() ? "" : ": ",
+                 printable(line.seen));
+      std::fflush(stdout);
+    });
+    fmt::print("{} of {} checks failed\n", failed, checks);
+    if (failed > 0) invocation.exit_code = 1;
+  });
+}
+
+}  // namespace ikbench::cli
