@@ -32,7 +32,8 @@ function solve(arm, problem)
     if norm(off) <= problem.tolerance.position || i == problem.budget.iterations
       break;
     end
-    q += jacobian' * ((jacobian * jacobian' + 1e-4 * eye(3)) \ off);
+    move = jacobian' * ((jacobian * jacobian' + 1e-4 * eye(3)) \ off);
+    q += move * min(1, 0.2 / max(abs(move)));
     q = min(max(q, problem.lower(:)), problem.upper(:));
   end
   say(struct("message", "solved", "id", problem.id, "q", {q'}, "error", norm(off), "iterations", i));
@@ -41,7 +42,7 @@ end
 say(struct("ikbench", 1, "message", "hello", "name", "octave_damped", "version", "1.0", "modes", "solve",
            "deterministic", true));
 arm = [];
-while ischar(line = fgetl(stdin))
+while ischar(line = input("", "s"))  % fgetl waits for the line after
   told = jsondecode(line);
   switch told.message
     case "robot"
