@@ -1,4 +1,4 @@
-// ikbench export: a store's solves as tidy CSV or JSON.
+// ikbench export: a store's solves as tidy CSV or JSON, or as OMPL's benchmarks have them.
 #include "results/export.hpp"
 
 #include <fmt/format.h>
@@ -11,6 +11,7 @@
 #include "cli/commands.hpp"
 #include "cli/reporting.hpp"
 #include "results/files.hpp"
+#include "results/ompl.hpp"
 #include "results/store.hpp"
 
 namespace ikbench::cli {
@@ -19,37 +20,54 @@ using namespace results;
 using namespace experiments;
 using namespace report;
 
+namespace {
+
+void refuse_store(const std::string& file, const std::string& store) {
+  for (const char* part : {"", "-wal", "-shm", "-journal"}) {
+    std::error_code error;
+    if (!std::filesystem::equivalent(file, store + part, error)) continue;
+    throw std::invalid_argument(fmt::format("-o {} is the store itself or part of it; choose another file", file));
+  }
+}
+
+}  // namespace
+
 void add_export(CLI::App& app) {
   struct Arguments {
     std::string store, study, format = "csv", file = "-";
   };
   auto arguments = std::make_shared<Arguments>();
-  CLI::App* command = app.add_subcommand("export", "Write the solves of a store as tidy CSV or JSON");
+  CLI::App* command =
+      app.add_subcommand("export", "Write the solves of a store as tidy CSV or JSON, or for other programs");
   command->add_option("STORE", arguments->store, "path of a store.sqlite")->required();
   command->add_option("--study", arguments->study, "name of the study; default: the first in the store");
-  command->add_option("--format", arguments->format, "csv or json")
-      ->check(CLI::IsMember({"csv", "json"}))
+  command
+      ->add_option("--format", arguments->format, "csv, json, ompl (the database that Planner Arena reads) or ompl-log")
+      ->check(CLI::IsMember({"csv", "json", "ompl", "ompl-log"}))
       ->capture_default_str();
   command->add_option("-o,--output", arguments->file, "file to write; - for standard output")->capture_default_str();
   command->footer(
       "Examples:\n"
       "  ikbench export out/slim2023/store.sqlite > solves.csv\n"
       "  ikbench export out/slim2023/store.sqlite --format json -o solves.json\n"
+      "  ikbench export out/slim2023/store.sqlite --format ompl -o benchmark.db\n"
       "Columns: ikbench list columns");
   command->callback([arguments] {
     const Store store(arguments->store, Store::Mode::read);
     const StudyEntry study = chosen_study(store, arguments->study);
-    const std::vector<SolveRecord> solves = store.solves(study.name);
-    const std::string text = arguments->format == "csv" ? to_csv(solves) : to_json(study, store.sessions(), solves);
+    if (arguments->file != "-") refuse_store(arguments->file, arguments->store);
+    const ExportedStudy exported{study, store.sessions(), store.solves(study.name)};
+    if (arguments->format == "ompl") {
+      if (arguments->file == "-") throw std::invalid_argument("--format ompl is a database; expected -o benchmark.db");
+      write_ompl_database(arguments->file, exported);
+      return;
+    }
+    const std::string text = arguments->format == "csv"    ? to_csv(exported.solves)
+                             : arguments->format == "json" ? to_json(study, exported.sessions, exported.solves)
+                                                           : to_ompl_log(exported);
     if (arguments->file == "-") {
       std::fwrite(text.data(), 1, text.size(), stdout);  // main sees whether it could be written
     } else {
-      for (const char* part : {"", "-wal", "-shm", "-journal"}) {
-        std::error_code error;
-        if (!std::filesystem::equivalent(arguments->file, arguments->store + part, error)) continue;
-        throw std::invalid_argument(
-            fmt::format("-o {} is the store itself or part of it; choose another file", arguments->file));
-      }
       write_file(arguments->file, text);
     }
   });
