@@ -20,6 +20,7 @@
 #include "experiments/series_key.hpp"
 #include "numerics/toml_table.hpp"
 #include "numerics/units.hpp"
+#include "solvers/bounds.hpp"
 
 namespace ikbench::experiments {
 
@@ -136,12 +137,23 @@ Problem Task::problem(const Configuration& start, int population) const {
 }
 
 Configuration Task::completed(const Configuration& found, const Pose& target, const Configuration& start) const {
-  if (!wrist_) return found;
-  const Eigen::Vector3d near = start.tail<3>();
-  const std::array<Eigen::Vector3d, 2> branches = wrist_->angles(found, target.linear(), near);
-  Configuration answer(found.size() + 3);
-  answer << found, branches[chosen(branches, near)];
+  Configuration answer = found;
+  if (wrist_) {
+    const Eigen::Vector3d near = start.tail<3>();
+    const std::array<Eigen::Vector3d, 2> branches = wrist_->angles(found, target.linear(), near);
+    answer.resize(found.size() + 3);
+    answer << found, branches[chosen(branches, near)];
+  }
+  wrap(answer);
   return answer;
+}
+
+void Task::wrap(Configuration& answer) const {
+  if (study_.wrap == Wrap::no) return;
+  for (Eigen::Index j = 0; j < answer.size(); ++j) {
+    if (arm_.chain.links()[static_cast<std::size_t>(j)].joint == Joint::slides) continue;
+    answer[j] = turned_inside(answer[j], arm_.limits.lower[j], arm_.limits.upper[j]);
+  }
 }
 
 std::size_t Task::chosen(const std::array<Eigen::Vector3d, 2>& branches, const Eigen::Vector3d& near) const {

@@ -23,11 +23,12 @@ class Task {
   const robots::Chain& arm() const { return wrist_ ? wrist_->arm() : arm_.chain; }
   solvers::Goal goal(const robots::Pose& target) const;
   solvers::Problem problem(const robots::Configuration& start, int population) const;
-  // All joints of the answer: those searched, and the wrist's by the closed form.
+  // All joints of the answer: those searched, and the wrist's by the closed form; wrapped where the study says so.
   robots::Configuration completed(const robots::Configuration& found, const robots::Pose& target,
                                   const robots::Configuration& start) const;
 
  private:
+  void wrap(robots::Configuration& answer) const;
   std::size_t chosen(const std::array<Eigen::Vector3d, 2>& branches, const Eigen::Vector3d& near) const;
 
   const Study& study_;

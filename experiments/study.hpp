@@ -35,6 +35,10 @@ enum class StudyBounds { per_solver, initial, clamp };
 // wrist, and an answer outside is refused: the arm stays where it was.
 enum class Limits { recorded, enforced };
 
+// into_limits: of an answer, each joint that turns and is outside its limits is turned back inside by whole turns,
+// which changes no pose, where that is possible.
+enum class Wrap { no, into_limits };
+
 // Where the solves of a run begin: where the answer before left the arm, or each at the initial configuration, in the
 // middle of the limits, at a configuration drawn from seed, run and point, or near the one that the target was made of.
 enum class Start { previous, initial, middle, random, near };
@@ -64,6 +68,7 @@ struct Study {
   StudyBounds bounds = StudyBounds::per_solver;
   WristBranch wrist_branch = WristBranch::nearest;
   Limits limits = Limits::recorded;
+  Wrap wrap = Wrap::no;
   Start start = Start::previous;
   double near = 5 * numerics::degree;  // [rad] of Start::near: the farthest that a joint is from the solution
   Eigen::VectorXd initial;             // [rad], all joints; where the arm is before the first point of a run

@@ -78,6 +78,10 @@ inline void list_fields(Fields& io, Study& study) {
       "limits", study.limits, Choices<Limits>{{"recorded", Limits::recorded}, {"enforced", Limits::enforced}},
       "recorded: answers outside the joint limits are kept and reported; enforced: candidates are clamped, the wrist "
       "takes a branch inside the limits, and an answer outside is refused, so the arm stays where it was");
+  io.choice(
+      "wrap", study.wrap, Choices<Wrap>{{"no", Wrap::no}, {"into_limits", Wrap::into_limits}},
+      "into_limits: after a solve, joints outside their limits are turned back inside by whole turns where that is "
+      "possible, for every solver; the pose stays");
   io.choice("start", study.start,
             Choices<Start>{{"previous", Start::previous},
                            {"initial", Start::initial},

@@ -1,6 +1,9 @@
 // The joint limits as solvers treat them: first candidates inside, and what becomes of one that leaves them.
 #pragma once
 
+#include <cmath>
+#include <numbers>
+
 #include "solvers/kernels.hpp"
 #include "solvers/options.hpp"
 #include "solvers/solver.hpp"
@@ -15,6 +18,15 @@ enum class Bounds {
 inline void list_bounds(OptionList& list, Bounds& bounds) {
   list.choice("bounds", bounds, {{"initial", Bounds::initial}, {"clamp", Bounds::clamp}},
               "joint limits apply to the initial candidates only, or all candidates are clamped to them");
+}
+
+// An angle outside the limits by whole turns back inside, to the nearest that is; as it is where there is none.
+inline double turned_inside(double q, double lower, double upper) {
+  constexpr double turn = 2 * std::numbers::pi;
+  double turned = q;
+  if (q < lower) turned += turn * std::ceil((lower - q) / turn);
+  if (q > upper) turned -= turn * std::ceil((q - upper) / turn);
+  return turned >= lower && turned <= upper ? turned : q;
 }
 
 // Uniform between the limits.

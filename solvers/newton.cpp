@@ -3,8 +3,8 @@
 // KDL-RR.
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "solvers/bounds.hpp"
 #include "solvers/registry.hpp"
 
 namespace ikbench::solvers {
@@ -118,15 +118,9 @@ class Newton final : public Solver {
  private:
   void limit(Configuration& q) const {
     if (options_.bounds == Limits::initial) return;
-    constexpr double turn = 2 * std::numbers::pi;
     for (Eigen::Index j = 0; j < q.size(); ++j) {
       const double lower = problem_.lower[j], upper = problem_.upper[j];
-      if (options_.bounds == Limits::wrap && turns_[j]) {
-        double wrapped = q[j];
-        if (q[j] < lower) wrapped += turn * std::ceil((lower - q[j]) / turn);
-        if (q[j] > upper) wrapped -= turn * std::ceil((q[j] - upper) / turn);
-        if (wrapped >= lower && wrapped <= upper) q[j] = wrapped;
-      }
+      if (options_.bounds == Limits::wrap && turns_[j]) q[j] = turned_inside(q[j], lower, upper);
       q[j] = std::clamp(q[j], lower, upper);
     }
   }

@@ -1,0 +1,62 @@
+// wrap = "into_limits": answers turned back by whole turns.
+#include <cmath>
+#include <numbers>
+
+#include "solvers/bounds.hpp"
+#include "tests/catch.hpp"
+#include "tests/experiments/samples.hpp"
+
+using namespace ikbench;
+using namespace ikbench::robots;
+using namespace ikbench::solvers;
+using namespace ikbench::results;
+using namespace ikbench::experiments;
+
+namespace {
+
+constexpr double turn = 2 * std::numbers::pi;
+
+// Newton without limits: near singular configurations it takes joints far around.
+Study study_without_limits(Wrap wrap) {
+  Study study = small_study();
+  study.path = path_of({"kind=random", "points=40"});
+  study.search = Search::all_joints;
+  study.start = Start::random;
+  study.wrap = wrap;
+  study.stop.iterations = 50;
+  study.solvers = {{"A", "newton", {{"bounds", "initial"}, {"restarts", "none"}}}};
+  return study;
+}
+
+}  // namespace
+
+TEST_CASE("an angle outside the limits comes back by the fewest whole turns, if a turn brings it inside", "[wrap]") {
+  CHECK(turned_inside(1.5, -2, 2) == 1.5);
+  CHECK(turned_inside(2.0, -2, 2) == 2.0);
+  CHECK(turned_inside(turn - 1, -2, 2) == Approx(-1).margin(1e-15));
+  CHECK(turned_inside(-3 * turn + 1, -2, 2) == Approx(1).margin(1e-14));
+  CHECK(turned_inside(3 * turn, -turn - 1, turn + 1) == Approx(turn));  // not by three turns to 0
+  CHECK(turned_inside(2.5, -2, 2) == 2.5);                              // 2.5 - 2 pi is outside too
+  CHECK(std::isnan(turned_inside(std::nan(""), -2, 2)));
+}
+
+TEST_CASE("wrapped answers differ by whole turns, reach the same and are outside the limits less often", "[wrap]") {
+  const std::vector<SolveRecord> plain = solves_of(study_without_limits(Wrap::no)),
+                                 wrapped = solves_of(study_without_limits(Wrap::into_limits));
+  REQUIRE(plain.size() == wrapped.size());
+  int outside = 0, outside_wrapped = 0, turned = 0;
+  for (std::size_t i = 0; i < plain.size(); ++i) {
+    CHECK(wrapped[i].position_error_cm == Approx(plain[i].position_error_cm).margin(1e-7));
+    CHECK(wrapped[i].evaluations == plain[i].evaluations);
+    for (std::size_t j = 0; j < plain[i].answer_rad.size(); ++j) {
+      const double turns = (wrapped[i].answer_rad[j] - plain[i].answer_rad[j]) / turn;
+      CHECK(turns == Approx(std::round(turns)).margin(1e-9));
+      turned += std::abs(turns) > 0.5 ? 1 : 0;
+    }
+    outside += plain[i].limit_violation_deg > 0 ? 1 : 0;
+    outside_wrapped += wrapped[i].limit_violation_deg > 0 ? 1 : 0;
+  }
+  CAPTURE(outside, outside_wrapped, turned);
+  CHECK(turned > 0);
+  CHECK(outside_wrapped < outside);
+}
