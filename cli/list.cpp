@@ -31,10 +31,14 @@ using Rows = std::vector<std::vector<std::string>>;
 std::string solver_list() {
   Rows rows{{"NAME", "WHAT", "FROM"}};
   for (const SolverInfo& info : all_solvers()) rows.push_back({info.name, info.summary, info.source});
+  for (const MissingPeer& peer : missing_peers()) rows.push_back({peer.name, peer.how, ""});
   return aligned(rows);
 }
 
 std::string solver_details(std::string_view name) {
+  for (const MissingPeer& peer : missing_peers()) {
+    if (peer.name == name) return fmt::format("{}: {}\n", peer.name, peer.how);
+  }
   const SolverInfo info = solver(name);
   Rows rows{{"OPTION", "DEFAULT", "EXPECTED", "MEANING"}};
   info.describe([&](const OptionList& list) {
@@ -42,7 +46,8 @@ std::string solver_details(std::string_view name) {
       rows.push_back({option.name, option.get(), option.expected, option.meaning});
     }
   });
-  return fmt::format("{}: {}\nfrom {}\n\n{}", info.name, info.summary, info.source, aligned(rows));
+  const std::string library = info.library.empty() ? "" : fmt::format("\nbuilt with {}", info.library);
+  return fmt::format("{}: {}\nfrom {}{}\n\n{}", info.name, info.summary, info.source, library, aligned(rows));
 }
 
 std::string robot_list() {

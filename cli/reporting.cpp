@@ -194,6 +194,9 @@ void warn_of_unreachable(const Study& study) {
 
 Ended run_and_tell(const Study& study, const std::filesystem::path& folder, RunRequest request) {
   warn_of_unreachable(study);
+  for (const LeftOut& left_out : study.left_out) {
+    say(fmt::format("warning: {} is left out: it is {}", left_out.label, left_out.why));
+  }
   if (is_debug_build()) {
     say("warning: this is a debug build; its times are marked and not comparable");
   } else if (request.jobs > static_cast<int>(std::thread::hardware_concurrency())) {

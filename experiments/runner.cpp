@@ -13,6 +13,7 @@
 #include "experiments/source_digest.hpp"
 #include "experiments/study_writer.hpp"
 #include "experiments/workers.hpp"
+#include "solvers/registry.hpp"
 
 namespace ikbench::experiments {
 
@@ -203,7 +204,9 @@ void solve_missing(Plan& plan, Store& store, const RunRequest& request, Progress
   std::map<std::string, std::string> session = environment();
   for (const SolverEntry& entry : plan.study.solvers) {
     session["source." + entry.solver] = source_digest_of(entry);
+    if (const std::string library = library_of(entry); !library.empty()) session["library." + entry.solver] = library;
   }
+  for (const LeftOut& left_out : plan.study.left_out) session["left_out." + left_out.label] = left_out.why;
   session["analysis"] = to_json(plan.study.analysis);  // the study may be saved with another one later
   session["jobs"] = std::to_string(request.jobs);
   session["command"] = request.command;

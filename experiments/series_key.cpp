@@ -10,6 +10,7 @@
 #include "experiments/source_digest.hpp"
 #include "experiments/study_fields.hpp"
 #include "results/record.hpp"
+#include "solvers/registry.hpp"
 
 namespace ikbench::experiments {
 
@@ -111,8 +112,8 @@ std::string configuration_key(const Study& study, const SolverEntry& entry) {
   text += said_by_name(fields_of(study), fields_of(Study{}));
   text += said_by_name(fields_of(study.stop), fields_of(StopRule{}), "stop.");
   // A further field of a solver does not compile here: options and population are those in effect.
-  [[maybe_unused]] const auto& [label, solver, options, population, program] = entry;
-  text += fmt::format("\nsolver {} label {}", solver, label);
+  [[maybe_unused]] const auto& [label, algorithm, options, population, program, if_missing] = entry;
+  text += fmt::format("\nsolver {} label {}", algorithm, label);
   if (program) text += said_by_name(fields_of(program->choice), fields_of(ProgramChoice{}), "program.");
   for (const auto& [name, value] : effective_options(study, entry)) text += fmt::format("\n{} = {}", name, value);
   return fmt::format("{:016x}", Key(0).with(text).value());
@@ -122,8 +123,11 @@ std::string source_digest_of(const SolverEntry& entry) {
   return entry.program ? entry.program->digest : solver_source_digest(entry.solver);
 }
 
+std::string library_of(const SolverEntry& entry) { return entry.program ? "" : solver(entry.solver).library; }
+
 std::string series_key(const Study& study, const SolverEntry& entry) {
-  const Key source = Key(0).with(shared_source_digest()).with(source_digest_of(entry));
+  Key source = Key(0).with(shared_source_digest()).with(source_digest_of(entry));
+  if (const std::string library = library_of(entry); !library.empty()) source = source.with(library);
   return fmt::format("{}{}{:016x}", configuration_key(study, entry), before_source, source.value());
 }
 

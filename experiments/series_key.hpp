@@ -20,8 +20,10 @@ std::string said_by_name(const FieldList& fields, const FieldList& defaults, std
 std::string configuration_key(const Study& study, const SolverEntry& entry);
 // Of what the entry's solver is made of: its source file, or a program's executable and files.
 std::string source_digest_of(const SolverEntry& entry);
-// That, and a hash of the source that makes them: equal keys, equal numbers, on one machine and unless a solve ends by
-// its wall time.
+// Of a peer: its library with the version; else empty.
+std::string library_of(const SolverEntry& entry);
+// That, and a hash of the source that makes them, of a peer with its library: equal keys, equal numbers, on one machine
+// and unless a solve ends by its wall time.
 std::string series_key(const Study& study, const SolverEntry& entry);
 
 }  // namespace ikbench::experiments

@@ -284,7 +284,7 @@ SolveRecord SolveRunner::solve(Solver& solver, const Pose& target, const Configu
                      .variation_deg = verified.variation / degree,
                      .largest_move_deg = verified.largest_move / degree,
                      .limit_violation_deg = verified.limit_violation / degree,
-                     .evaluations = solution.evaluations,
+                     .evaluations = info_.is_counted ? solution.evaluations : 0,
                      .iterations = solution.iterations,
                      .stop_reason = recorded(solution.stopped),
                      .status = status,
@@ -301,7 +301,8 @@ SolveRecord SolveRunner::solve(Solver& solver, const Pose& target, const Configu
                      .unavoidable_error_cm = beyond_reach(target) / centimetre,
                      .limit_margin = verified.limit_margin,
                      .smallest_singular_value = verified.smallest_singular_value,
-                     .manipulability = verified.manipulability};
+                     .manipulability = verified.manipulability,
+                     .counted_by = info_.is_counted ? CountedBy::suite : CountedBy::nobody};
   for (const double error : solution.trace) record.trace_cm.push_back(error / centimetre);
   if (median.account) add_account(record, *median.account);
   return record;

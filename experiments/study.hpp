@@ -45,12 +45,22 @@ enum class Start { previous, initial, middle, random, near };
 
 struct Program;  // foreign/program.hpp
 
+// What becomes of a study where a solver of it is of a library that this program was built without: it is refused, or
+// goes on without that solver and says so.
+enum class IfMissing { refuse, leave_out };
+
 struct SolverEntry {
   std::string label;                            // unique within the study; its name in tables and figures
   std::string solver;                           // registered name; of a program, its own
   solvers::Settings options;                    // those that differ from the solver's defaults
   int population = 0;                           // 0: the study's
   std::shared_ptr<const Program> program = {};  // null: the solver is built in
+  IfMissing if_missing = IfMissing::refuse;
+};
+
+struct LeftOut {
+  std::string label;
+  std::string why;  // "not built: ..."
 };
 
 struct Study {
@@ -80,6 +90,7 @@ struct Study {
   std::uint64_t seed = 1;
   solvers::Trace trace = solvers::Trace::none;
   std::vector<SolverEntry> solvers;
+  std::vector<LeftOut> left_out;
   results::AnalysisPlan analysis;  // how the solves will be judged; decides no number of them
 };
 

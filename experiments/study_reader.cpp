@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <set>
 #include <stdexcept>
+#include <utility>
 
 #include "experiments/foreign/program.hpp"
 #include "experiments/study_fields.hpp"
@@ -30,6 +31,8 @@ namespace {
 constexpr EmbeddedFile study_files[]{
 #include "studies.inc"
 };
+
+const Choices<IfMissing> if_missing_choices{{"refuse", IfMissing::refuse}, {"leave_out", IfMissing::leave_out}};
 
 std::string source_of(const EmbeddedFile& file) { return fmt::format("built-in study {}", file.stem()); }
 
@@ -63,6 +66,27 @@ Path read_path(TomlReader reader) {
     throw mistake(reader, reader.table().get("file"), "file", error.what());
   }
   return path;
+}
+
+// Takes out the entries whose solvers this program was built without, where they say that the study goes on.
+std::vector<LeftOut> leave_out(toml::table& study) {
+  std::vector<LeftOut> left_out;
+  toml::array* const entries = study["solvers"].as_array();
+  if (entries == nullptr) return left_out;
+  const std::vector<MissingPeer> missing = missing_peers();
+  for (auto element = entries->begin(); element != entries->end();) {
+    const toml::table* const entry = element->as_table();
+    const auto text = [&](const char* key) { return entry == nullptr ? "" : (*entry)[key].value_or(std::string()); };
+    const auto peer = std::ranges::find(missing, text("solver"), &MissingPeer::name);
+    if (peer == missing.end() || text("if_missing") != "leave_out") {
+      ++element;
+      continue;
+    }
+    const std::string label = text("label");
+    left_out.push_back({label.empty() || !TomlReader::is_plain(label) ? peer->name : label, peer->how});
+    element = entries->erase(element);
+  }
+  return left_out;
 }
 
 // Starts the program, which says who it is and what options it has.
@@ -109,6 +133,7 @@ SolverEntry read_solver(TomlReader reader) {
   entry.label = entry.solver;
   reader.text("label", entry.label, "");
   if (entry.label.empty()) reader.fail("label", *reader.find("label"), "a non-empty label");
+  reader.choice("if_missing", entry.if_missing, if_missing_choices, "");
   reader.find("population");
   reader.nested(reader.table(), entry.label + ".").whole("population", entry.population, populations, "");
   if (const toml::table* options = reader.subtable("options")) {
@@ -358,7 +383,10 @@ Study parse_study(std::string_view toml_text, std::string_view source, const Ove
                   PointsAsObservations points_as_observations) {
   toml::table table = parse_toml(toml_text, source);
   for (const std::string& text : overrides) override_one(table, text);
-  return read_study(table, source, points_as_observations);
+  std::vector<LeftOut> left_out = leave_out(table);
+  Study study = read_study(table, source, points_as_observations);
+  study.left_out = std::move(left_out);
+  return study;
 }
 
 std::vector<Study> studies() {

@@ -256,6 +256,9 @@ std::string to_toml(const Study& study) {
   writer.out += "\n[stop]\n";
   list_fields(writer, fields.stop);
   writer.out += '\n' + to_toml(fields.path);
+  for (const LeftOut& left_out : study.left_out) {
+    writer.out += fmt::format("\n# left out: {} is {}\n", left_out.label, left_out.why);
+  }
   for (const SolverEntry& entry : study.solvers) {
     writer.out += "\n[[solvers]]\n";
     writer.line("label", toml_string(entry.label), "");
@@ -267,6 +270,9 @@ std::string to_toml(const Study& study) {
     }
     if (entry.population > 0)
       writer.line("population", fmt::format("{}", entry.population), "overrides the population of the study");
+    if (entry.if_missing == IfMissing::leave_out)
+      writer.line("if_missing", "'leave_out'",
+                  "where it was not built the study goes on without it; refuse: it does not");
     std::vector<std::string> options;
     for (const auto& [name, value] : entry.options)
       options.push_back(name + " = " + (number_from(value) ? value : toml_string(value)));

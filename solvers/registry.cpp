@@ -1,5 +1,7 @@
 #include "solvers/registry.hpp"
 
+#include <fmt/format.h>
+
 #include <stdexcept>
 
 #include "numerics/names.hpp"
@@ -9,16 +11,40 @@ namespace ikbench::solvers {
 using namespace numerics;
 
 #define SOLVER(name) SolverInfo name();
+#define PEER(name, library, package) SolverInfo name();
 #include "solvers/registry.inc"
 #undef SOLVER
+#undef PEER
 
-std::vector<SolverInfo> all_solvers() {
-  return {
-#define SOLVER(name) name(),
+namespace {
+
+struct Registry {
+  std::vector<SolverInfo> solvers;
+  std::vector<MissingPeer> missing;
+
+  // The build defines IKBENCH_HAS_library as 1 or 0; what is discarded here needs no definition.
+  Registry() {
+#define SOLVER(name) solvers.push_back(name());
+#define PEER(name, library, package)      \
+  if constexpr (IKBENCH_HAS_##library) {  \
+    solvers.push_back(name());            \
+  } else {                                \
+    missing.push_back({#name, #package}); \
+  }
 #include "solvers/registry.inc"
 #undef SOLVER
-  };
-}
+#undef PEER
+    for (MissingPeer& peer : missing) {
+      peer.how = fmt::format("not built: apt-get install {}, then build ikbench again", peer.how);
+    }
+  }
+};
+
+}  // namespace
+
+std::vector<SolverInfo> all_solvers() { return Registry().solvers; }
+
+std::vector<MissingPeer> missing_peers() { return Registry().missing; }
 
 std::vector<SolverInfo> solvers_for(const robots::Chain& arm, Asked asked) {
   std::vector<SolverInfo> some = all_solvers();
@@ -27,10 +53,14 @@ std::vector<SolverInfo> solvers_for(const robots::Chain& arm, Asked asked) {
 }
 
 SolverInfo solver(std::string_view name) {
+  Registry registry;
   std::vector<std::string> names;
-  for (SolverInfo& info : all_solvers()) {
+  for (SolverInfo& info : registry.solvers) {
     if (info.name == name) return std::move(info);
     names.push_back(info.name);
+  }
+  for (const MissingPeer& peer : registry.missing) {
+    if (peer.name == name) throw std::invalid_argument(fmt::format("the solver {} is {}", name, peer.how));
   }
   throw std::invalid_argument(unknown_name("solver", name, names));
 }

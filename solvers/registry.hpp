@@ -1,4 +1,5 @@
-// The solvers by name. One line a solver in registry.inc; its file defines the function of that name.
+// The solvers by name. One line a solver in registry.inc; its file defines the function of that name. Those of
+// libraries are peers: they are there if the build found the library.
 #pragma once
 
 #include <memory>
@@ -19,6 +20,8 @@ struct SolverInfo {
   std::string summary;
   std::string source;        // the publication it comes from
   int least_population = 1;  // candidates that it cannot do without
+  std::string library = {};  // of a peer: name and version, such as "KDL 1.5.1"
+  bool is_counted = true;    // its evaluations are; not those of a library with a kinematics of its own
   // Why it cannot solve for an arm, one sentence; empty where it can.
   std::function<std::string(const robots::Chain& arm, Asked asked)> why_not;
   // The defaults, or with `settings` applied (std::invalid_argument as OptionList::set says).
@@ -30,8 +33,15 @@ struct SolverInfo {
 std::vector<SolverInfo> all_solvers();
 // Those that can solve for this arm.
 std::vector<SolverInfo> solvers_for(const robots::Chain& arm, Asked asked);
-// std::invalid_argument names those there are.
+// std::invalid_argument names those there are, or the package that a peer lacks.
 SolverInfo solver(std::string_view name);
+
+// A peer that this program was built without.
+struct MissingPeer {
+  std::string name;
+  std::string how;  // "not built: apt-get install PACKAGE, then build ikbench again"
+};
+std::vector<MissingPeer> missing_peers();
 
 // For a solver's file: its class has a nested Options with `void list(OptionList&)` and a constructor from it; and a
 // static why_not, as SolverInfo has it, where there are arms that it cannot solve for.

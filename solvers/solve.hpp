@@ -8,15 +8,6 @@
 
 namespace ikbench::solvers {
 
-// A solve ends at the first that is reached. 0 means: no such rule, except for iterations.
-struct StopRule {
-  int iterations = 200;
-  double tolerance = 0;          // [m] of the position; for a pose reached where the angle's is too
-  double angle_tolerance = 0;    // [rad] of the orientation of a pose
-  std::int64_t evaluations = 0;  // checked after each iteration
-  double seconds = 0;            // wall time, checked after each iteration
-};
-
 // finished: by the solver itself.
 enum class Stopped { iterations, tolerance, evaluations, time, not_finite, finished };
 

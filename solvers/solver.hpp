@@ -2,12 +2,22 @@
 // (solve.hpp) owns those.
 #pragma once
 
+#include <cstdint>
 #include <limits>
 
 #include "numerics/random.hpp"
 #include "solvers/objective.hpp"
 
 namespace ikbench::solvers {
+
+// A solve ends at the first that is reached. 0 means: no such rule, except for iterations.
+struct StopRule {
+  int iterations = 200;
+  double tolerance = 0;          // [m] of the position; for a pose reached where the angle's is too
+  double angle_tolerance = 0;    // [rad] of the orientation of a pose
+  std::int64_t evaluations = 0;  // checked after each iteration
+  double seconds = 0;            // wall time, checked after each iteration
+};
 
 // What a solver is told of the task besides the objective.
 struct Problem {
@@ -17,6 +27,8 @@ struct Problem {
   robots::Configuration upper;
   int population = 50;   // candidates an iteration
   int iterations = 200;  // planned; for schedules that end with the solve
+  // `solve` applies it to every solver. It is for those that hand it to a library, one call of which is one step.
+  StopRule stop = {};
 
   int joints() const { return static_cast<int>(start.size()); }
 };

@@ -169,6 +169,18 @@ Names registered_solvers() {
   return {names.begin(), names.end()};
 }
 
+// Solvers of libraries: PEER(name, library, package...).
+Names registered_peers() {
+  Names names;
+  for (const std::string& line : between(text_of("solvers/registry.inc"), "\nPEER(", ")")) {
+    CHECK(names.insert(line.substr(0, line.find(','))).second);  // none twice
+  }
+  return names;
+}
+
+// Where solvers of libraries are, and what they share.
+bool is_of_peers(const fs::path& file) { return file.parent_path() == "solvers/peers"; }
+
 }  // namespace
 
 TEST_CASE("no folder includes another that is not below it", "[architecture]") {
@@ -235,7 +247,33 @@ TEST_CASE("every file in solvers/ is a registered solver or part of the frame ar
   for (const fs::path& file : sources_of("solvers")) {
     if (file.extension() != ".cpp") continue;
     INFO(file.string());
-    CHECK((solvers.contains(file.stem().string()) || frame.contains(file.stem().string())));
+    CHECK((is_of_peers(file) || solvers.contains(file.stem().string()) || frame.contains(file.stem().string())));
+  }
+}
+
+TEST_CASE("a peer is one line in the registry and one file in peers, which defines it", "[architecture]") {
+  const Names peers = registered_peers();
+  CHECK(peers.size() >= 4);
+  Names files;
+  for (const fs::path& file : sources_of("solvers")) {
+    if (is_of_peers(file) && file.extension() == ".cpp") files.insert(file.stem().string());
+  }
+  CHECK(files == peers);
+  for (const std::string& name : peers) {
+    INFO(name);
+    const std::string text = text_of("solvers/peers/" + name + ".cpp");
+    CHECK(text.find("SolverInfo " + name + "()") != std::string::npos);
+    CHECK(text.find("info.library = ") != std::string::npos);  // its version is part of the series' key
+  }
+}
+
+TEST_CASE("what peers share is known to peers alone", "[architecture]") {
+  for (const auto& [folder, below] : may_know()) {
+    for (const fs::path& file : sources_of(folder)) {
+      if (is_of_peers(file)) continue;
+      INFO(file.string());
+      for (const std::string& included : includes_of(file)) CHECK_FALSE(is_of_peers(included));
+    }
   }
 }
 
@@ -296,7 +334,7 @@ TEST_CASE("every source has a header of its name, and begins with it", "[archite
   for (const auto& [folder, below] : may_know()) {
     for (const fs::path& file : sources_of(folder)) {
       const std::string name = file.stem().string();
-      const bool listed = (folder == "solvers" && solvers.contains(name)) ||
+      const bool listed = (folder == "solvers" && solvers.contains(name)) || is_of_peers(file) ||
                           file.parent_path() == "experiments/paths" ||
                           (folder == "cli" && commands.find("add_" + name + "(") != std::string::npos);
       if (file.extension() != ".cpp" || listed || file == "cli/main.cpp" || folder == microbenchmarks) continue;
@@ -388,6 +426,7 @@ TEST_CASE("nothing that decides a number calls the C library's elementary functi
   CHECK(elementary_functions("sin_cos(x); power(x, 2); double log = 0; sines(3); std::sqrt(x);").empty());
   for (const std::string folder : {"numerics", "robots", "solvers", "experiments"}) {
     for (const fs::path& file : sources_of(folder)) {
+      if (is_of_peers(file)) continue;  // their libraries calculate as they like
       INFO(file.string());
       // The verifier asks the C library whether our own functions are right, and refuses an answer where they differ;
       // no number of a record is made of what it says.

@@ -31,7 +31,7 @@ expect() {
 
 "$cmake" -S . -B build -G "$generator" -DCMAKE_CXX_COMPILER="$compiler" >.log 2>&1 || fail "$(<.log)"
 build
-[ "$(grep -c '^    {"[a-z_]*", "[0-9a-f]\{16\}"},$' "$digests")" = "$(grep -c '^SOLVER' solvers/registry.inc)" ] ||
+[ "$(grep -c '^    {"[a-z_]*", "[0-9a-f]\{16\}"},$' "$digests")" = "$(grep -c -E '^(SOLVER|PEER)' solvers/registry.inc)" ] ||
   fail "not one digest a solver: $(<"$digests")"
 [ "$(grep -o '"[0-9a-f]\{16\}"' "$digests" | sort | uniq -d)" = "" ] || fail "two digests are equal: $(<"$digests")"
 
@@ -63,6 +63,12 @@ sed -i 's/another = 1/another = 1 + +1/' robots/another.hpp
 expect shared "a sum"
 sed -i 's/+ +1/++1/' robots/another.hpp
 expect shared "an increment"
+
+# Of a peer, or of what peers share.
+echo 'constexpr int another = 1;' >>solvers/peers/nlopt.cpp
+expect nlopt "a number in peers/nlopt.cpp"
+echo 'constexpr int another = 1;' >>solvers/peers/kdl.hpp
+expect "$(sed -nE 's/^PEER\(([a-z_]+),.*/\1/p' solvers/registry.inc | tr '\n' ' ' | sed 's/ $//')" "a header of peers"
 
 # What is in quotes counts as it is written, also where it looks like a comment.
 echo 'const char* another = "a // b;";' >>solvers/random_search.cpp

@@ -1,0 +1,30 @@
+# Each library that has peers, where it is found, as the target ikbench_peer_LIBRARY.
+if(IKBENCH_PEERS STREQUAL OFF)
+  return()
+endif()
+
+find_package(orocos_kdl QUIET)
+if(orocos_kdl_FOUND)
+  add_library(ikbench_peer_orocos_kdl INTERFACE)
+  target_include_directories(ikbench_peer_orocos_kdl SYSTEM INTERFACE ${orocos_kdl_INCLUDE_DIRS})
+  target_link_libraries(ikbench_peer_orocos_kdl INTERFACE ${orocos_kdl_LIBRARIES})
+endif()
+
+# By its header: Debian has a configuration of CMake for the C++ library alone.
+find_path(NLOPT_INCLUDE_DIR nlopt.h)
+find_library(NLOPT_LIBRARY nlopt)
+if(NLOPT_INCLUDE_DIR AND NLOPT_LIBRARY)
+  add_library(ikbench_peer_nlopt INTERFACE)
+  target_include_directories(ikbench_peer_nlopt SYSTEM INTERFACE ${NLOPT_INCLUDE_DIR})
+  target_link_libraries(ikbench_peer_nlopt INTERFACE ${NLOPT_LIBRARY})
+endif()
+
+# pagmo's own configuration fails where what its headers include is missing.
+find_package(Boost QUIET COMPONENTS serialization)
+if(Boost_SERIALIZATION_FOUND)
+  find_package(pagmo QUIET)
+endif()
+if(pagmo_FOUND)
+  add_library(ikbench_peer_pagmo INTERFACE)
+  target_link_libraries(ikbench_peer_pagmo INTERFACE Pagmo::pagmo)
+endif()

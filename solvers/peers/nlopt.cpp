@@ -1,0 +1,145 @@
+// NLopt (Johnson 2007), which minimizes our objective: half the square of the residual where it wants a slope, else the
+// error. One step is one call of the library, which ends by itself; the study's budgets and tolerances end it too.
+#include <fmt/format.h>
+#include <nlopt.h>
+
+#include <limits>
+#include <memory>
+#include <vector>
+
+#include "solvers/peers/evaluations.hpp"
+#include "solvers/registry.hpp"
+
+namespace ikbench::solvers {
+
+using namespace numerics;
+using namespace robots;
+
+namespace {
+
+using NloptHandle = std::unique_ptr<nlopt_opt_s, decltype([](nlopt_opt opt) { nlopt_destroy(opt); })>;
+
+class NloptSolver final : public Solver {
+ public:
+  enum class Restarts { none, random };
+  struct Options {
+    nlopt_algorithm algorithm = NLOPT_LD_SLSQP;
+    Restarts restarts = Restarts::none;
+    double small_move = 1e-8;
+
+    void list(OptionList& list) {
+      list.choice(
+          "algorithm", algorithm,
+          {{"slsqp", NLOPT_LD_SLSQP},
+           {"lbfgs", NLOPT_LD_LBFGS},
+           {"tnewton", NLOPT_LD_TNEWTON_PRECOND_RESTART},
+           {"var2", NLOPT_LD_VAR2},
+           {"mma", NLOPT_LD_MMA},
+           {"ccsaq", NLOPT_LD_CCSAQ},
+           {"cobyla", NLOPT_LN_COBYLA},
+           {"bobyqa", NLOPT_LN_BOBYQA},
+           {"nelder_mead", NLOPT_LN_NELDERMEAD},
+           {"sbplx", NLOPT_LN_SBPLX},
+           {"direct_l", NLOPT_GN_DIRECT_L},
+           {"crs2_lm", NLOPT_GN_CRS2_LM},
+           {"isres", NLOPT_GN_ISRES},
+           {"esch", NLOPT_GN_ESCH}},
+          "of NLopt; the first six use the Jacobian, the next four search near the start, the last four everywhere "
+          "within the limits");
+      list.choice("restarts", restarts, {{"none", Restarts::none}, {"random", Restarts::random}},
+                  "after a call of the library: end, or call it again from a random configuration");
+      list.number("small_move", small_move, {0, 1}, "a call ends where no joint moves by more than this [rad, m]");
+    }
+  };
+
+  explicit NloptSolver(Options options) : options_(options) {}
+
+  void start(const Problem& problem, Objective& objective, Random&) override {
+    started_ = Evaluations::Clock::now();
+    problem_ = problem;
+    jacobian_.resize(objective.rows(), problem.joints());
+    calls_ = 0;
+    has_ended_ = false;
+    best_ = {problem.start};
+    best_.improve(problem.start, objective.error(problem.start));
+  }
+
+  void step(Objective& objective, Random& random) override {
+    if (has_ended_) return;
+    Configuration q = problem_.start.cwiseMax(problem_.lower).cwiseMin(problem_.upper);
+    if (calls_++ > 0) {
+      for (Eigen::Index j = 0; j < q.size(); ++j) q[j] = random.uniform(problem_.lower[j], problem_.upper[j]);
+    }
+    nlopt_srand(static_cast<unsigned long>(random.index(std::numeric_limits<int>::max())));  // of this thread
+    Evaluations evaluations(problem_, objective, best_, started_);
+    if (!evaluations.is_over()) call(evaluations, q);
+    has_ended_ = options_.restarts == Restarts::none || evaluations.is_over();
+  }
+
+  const Best& best() const override { return best_; }
+  bool finished() const override { return has_ended_; }
+
+ private:
+  struct Call {
+    NloptSolver& solver;
+    Evaluations& evaluations;
+    nlopt_opt opt;
+  };
+
+  // The answer is the best that was evaluated, so how the library ended, or that it refuses (one joint, for some), is
+  // of no account.
+  void call(Evaluations& evaluations, Configuration q) {
+    const NloptHandle opt(nlopt_create(options_.algorithm, static_cast<unsigned>(q.size())));
+    Call call{*this, evaluations, opt.get()};
+    nlopt_set_min_objective(opt.get(), merit, &call);
+    nlopt_set_lower_bounds(opt.get(), problem_.lower.data());
+    nlopt_set_upper_bounds(opt.get(), problem_.upper.data());
+    nlopt_set_xtol_rel(opt.get(), 0);
+    nlopt_set_xtol_abs1(opt.get(), options_.small_move);
+    nlopt_set_population(opt.get(), static_cast<unsigned>(problem_.population));
+    nlopt_set_maxeval(opt.get(), static_cast<int>(std::min<std::int64_t>(evaluations.left(), 1'000'000'000)));
+    if (problem_.stop.seconds > 0) nlopt_set_maxtime(opt.get(), problem_.stop.seconds);
+    double reached = 0;
+    nlopt_optimize(opt.get(), q.data(), &reached);
+  }
+
+  static double merit(unsigned joints, const double* x, double* gradient, void* data) {
+    const Call& call = *static_cast<Call*>(data);
+    const Eigen::Map<const Eigen::VectorXd> q(x, joints);
+    Evaluations& evaluations = call.evaluations;
+    const double error = evaluations.error(q);
+    if (evaluations.is_over()) nlopt_force_stop(call.opt);
+    if (gradient == nullptr) return error;
+    Eigen::MatrixXd& jacobian = call.solver.jacobian_;
+    const Residual to_go = evaluations.objective().linearize(q, jacobian);
+    const Configuration slope = -jacobian.transpose() * to_go;
+    const bool is_number = slope.allFinite() && to_go.allFinite();
+    Eigen::Map<Eigen::VectorXd>(gradient, joints) = is_number ? slope : Configuration::Zero(slope.size());
+    return is_number ? to_go.squaredNorm() / 2 : Evaluations::no_error;
+  }
+
+  Options options_;
+  Problem problem_;
+  Evaluations::Clock::time_point started_;
+  Eigen::MatrixXd jacobian_;
+  int calls_ = 0;
+  bool has_ended_ = false;
+  Best best_;
+};
+
+std::string nlopt_version_text() {
+  int major = 0, minor = 0, fix = 0;
+  nlopt_version(&major, &minor, &fix);
+  return fmt::format("NLopt {}.{}.{}", major, minor, fix);
+}
+
+}  // namespace
+
+SolverInfo nlopt() {
+  SolverInfo info = solver_info<NloptSolver>("nlopt", "NLopt's optimizers (option algorithm)",
+                                             "Johnson 2007, The NLopt nonlinear-optimization package");
+  info.library = nlopt_version_text();
+  return info;
+}
+
+}  // namespace ikbench::solvers

@@ -1,0 +1,152 @@
+// pagmo (Biscani and Izzo 2020), which evolves a population by our objective. One step is one call of the library, for
+// as many generations as the study has iterations; the study's budgets and tolerances end it too.
+#include <fmt/format.h>
+
+#include <pagmo/algorithm.hpp>
+#include <pagmo/algorithms/bee_colony.hpp>
+#include <pagmo/algorithms/cmaes.hpp>
+#include <pagmo/algorithms/de.hpp>
+#include <pagmo/algorithms/de1220.hpp>
+#include <pagmo/algorithms/gwo.hpp>
+#include <pagmo/algorithms/pso.hpp>
+#include <pagmo/algorithms/pso_gen.hpp>
+#include <pagmo/algorithms/sade.hpp>
+#include <pagmo/algorithms/sga.hpp>
+#include <pagmo/algorithms/xnes.hpp>
+#include <pagmo/config.hpp>
+#include <pagmo/population.hpp>
+#include <pagmo/problem.hpp>
+#include <stdexcept>
+#include <utility>
+
+#include "solvers/peers/evaluations.hpp"
+#include "solvers/registry.hpp"
+
+namespace ikbench::solvers {
+
+using namespace numerics;
+using namespace robots;
+
+namespace {
+
+constexpr int least_pagmo_population = 7;  // of its self-adaptive differential evolutions
+
+// pagmo copies it; all copies evaluate for one call.
+struct PagmoTarget {
+  Evaluations* evaluations = nullptr;
+  pagmo::vector_double lower = {}, upper = {};
+
+  pagmo::vector_double fitness(const pagmo::vector_double& x) const {
+    if (evaluations->is_over()) throw IsOver();
+    return {evaluations->error(Eigen::Map<const Eigen::VectorXd>(x.data(), static_cast<Eigen::Index>(x.size())))};
+  }
+  std::pair<pagmo::vector_double, pagmo::vector_double> get_bounds() const { return {lower, upper}; }
+};
+
+class PagmoSolver final : public Solver {
+ public:
+  enum class Algorithm { cmaes, xnes, de, sade, de1220, pso, pso_gen, bee_colony, gwo, sga };
+  struct Options {
+    Algorithm algorithm = Algorithm::cmaes;
+    double small_difference = 1e-12;
+
+    void list(OptionList& list) {
+      list.choice("algorithm", algorithm,
+                  {{"cmaes", Algorithm::cmaes},
+                   {"xnes", Algorithm::xnes},
+                   {"de", Algorithm::de},
+                   {"sade", Algorithm::sade},
+                   {"de1220", Algorithm::de1220},
+                   {"pso", Algorithm::pso},
+                   {"pso_gen", Algorithm::pso_gen},
+                   {"bee_colony", Algorithm::bee_colony},
+                   {"gwo", Algorithm::gwo},
+                   {"sga", Algorithm::sga}},
+                  "of pagmo, with pagmo's defaults");
+      list.number("small_difference", small_difference, {0, 1},
+                  "cmaes, xnes, de, sade and de1220 end where the population differs by no more than this [m; rad]");
+    }
+  };
+
+  explicit PagmoSolver(Options options) : options_(options) {}
+
+  void start(const Problem& problem, Objective& objective, Random&) override {
+    if (problem.population < least_pagmo_population) {
+      throw std::invalid_argument(fmt::format("pagmo has a population of {}; expected at least {}", problem.population,
+                                              least_pagmo_population));
+    }
+    started_ = Evaluations::Clock::now();
+    problem_ = problem;
+    has_ended_ = false;
+    best_ = {problem.start};
+    best_.improve(problem.start, objective.error(problem.start));
+  }
+
+  void step(Objective& objective, Random& random) override {
+    if (has_ended_) return;
+    has_ended_ = true;
+    const auto seed = static_cast<unsigned>(random.index(std::numeric_limits<int>::max()));
+    Evaluations evaluations(problem_, objective, best_, started_);
+    const Configuration start = problem_.start.cwiseMax(problem_.lower).cwiseMin(problem_.upper);
+    try {
+      const pagmo::problem target{PagmoTarget{&evaluations,
+                                              {problem_.lower.begin(), problem_.lower.end()},
+                                              {problem_.upper.begin(), problem_.upper.end()}}};
+      pagmo::population population(target, static_cast<unsigned>(problem_.population - 1), seed);
+      population.push_back({start.begin(), start.end()});
+      algorithm(seed).evolve(population);
+    } catch (const IsOver&) {  // the best that was evaluated is kept
+    }
+  }
+
+  const Best& best() const override { return best_; }
+  bool finished() const override { return has_ended_; }
+
+ private:
+  pagmo::algorithm algorithm(unsigned seed) const {
+    const auto generations = static_cast<unsigned>(problem_.iterations);
+    const double least = options_.small_difference;
+    switch (options_.algorithm) {
+      case Algorithm::cmaes:
+        return pagmo::algorithm(pagmo::cmaes(generations, -1, -1, -1, -1, 0.5, least, least, false, true, seed));
+      case Algorithm::xnes:
+        return pagmo::algorithm(pagmo::xnes(generations, -1, -1, -1, -1, least, least, false, true, seed));
+      case Algorithm::de:
+        return pagmo::algorithm(pagmo::de(generations, 0.8, 0.9, 2, least, least, seed));
+      case Algorithm::sade:
+        return pagmo::algorithm(pagmo::sade(generations, 2, 1, least, least, false, seed));
+      case Algorithm::de1220:
+        return pagmo::algorithm(
+            pagmo::de1220(generations, pagmo::de1220_statics<void>::allowed_variants, 1, least, least, false, seed));
+      case Algorithm::pso:
+        return pagmo::algorithm(pagmo::pso(generations, 0.7298, 2.05, 2.05, 0.5, 5, 2, 4, false, seed));
+      case Algorithm::pso_gen:
+        return pagmo::algorithm(pagmo::pso_gen(generations, 0.7298, 2.05, 2.05, 0.5, 5, 2, 4, false, seed));
+      case Algorithm::bee_colony:
+        return pagmo::algorithm(pagmo::bee_colony(generations, 20, seed));
+      case Algorithm::gwo:
+        return pagmo::algorithm(pagmo::gwo(generations, seed));
+      case Algorithm::sga:
+        break;
+    }
+    return pagmo::algorithm(
+        pagmo::sga(generations, 0.9, 1, 0.02, 1, 2, "exponential", "polynomial", "tournament", seed));
+  }
+
+  Options options_;
+  Problem problem_;
+  Evaluations::Clock::time_point started_;
+  bool has_ended_ = false;
+  Best best_;
+};
+
+}  // namespace
+
+SolverInfo pagmo() {
+  SolverInfo info = solver_info<PagmoSolver>("pagmo", "pagmo's evolutionary algorithms (option algorithm)",
+                                             "Biscani and Izzo 2020", least_pagmo_population);
+  info.library = "pagmo " PAGMO_VERSION;
+  return info;
+}
+
+}  // namespace ikbench::solvers

@@ -1,0 +1,40 @@
+// When an answer is near enough for a solve to end.
+#pragma once
+
+#include <cmath>
+
+#include "solvers/solver.hpp"
+
+namespace ikbench::solvers {
+
+class Tolerance {
+ public:
+  // `tolerance` [m] of the position, 0: none; `angle_tolerance` [rad] of a pose's orientation.
+  Tolerance(double tolerance, double angle_tolerance, const Objective& objective)
+      : tolerance_(tolerance),
+        angle_tolerance_(angle_tolerance),
+        objective_(objective),
+        // Of three points, the tool's own is off by its position error, and the others further by weight times chord;
+        // the squares of the three chords of a rotation have the sum 8 sin^2(angle / 2) <= 2 angle^2.
+        largest_(objective.goal().is_pose()
+                     ? tolerance + objective.goal().rotation_weight * angle_tolerance * std::sqrt(2.0 / 3)
+                     : tolerance) {}
+
+  // A pose is looked at only where its error allows that it is near enough, and only once.
+  bool is_reached(const Best& best) {
+    if (!(tolerance_ > 0) || !(best.error <= largest_)) return false;
+    if (!objective_.goal().is_pose()) return true;
+    if (best.error == seen_) return false;
+    seen_ = best.error;
+    const Deviation left = objective_.deviation(best.q);
+    return left.position <= tolerance_ && left.angle <= angle_tolerance_;
+  }
+
+ private:
+  double tolerance_, angle_tolerance_;
+  const Objective& objective_;
+  double largest_;    // error [m] that a pose within both tolerances can have
+  double seen_ = -1;  // the error of the best that was looked at
+};
+
+}  // namespace ikbench::solvers

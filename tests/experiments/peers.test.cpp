@@ -1,0 +1,87 @@
+// Studies with solvers of libraries that this program may have been built without.
+#include "experiments/study_reader.hpp"
+#include "experiments/study_writer.hpp"
+#include "solvers/registry.hpp"
+#include "tests/catch.hpp"
+#include "tests/experiments/samples.hpp"
+
+using namespace ikbench;
+using namespace ikbench::solvers;
+using namespace ikbench::experiments;
+
+namespace {
+
+Study parsed(const std::string& toml) { return parse_study(toml, "my.toml"); }
+
+std::string said_of(const std::string& toml) {
+  return complaint<std::invalid_argument>([&] { parsed(toml); });
+}
+
+std::vector<std::string> labels_of(const Study& study) {
+  std::vector<std::string> labels;
+  for (const SolverEntry& entry : study.solvers) labels.push_back(entry.label);
+  return labels;
+}
+
+const std::string own_entry = "[[solvers]]\nsolver = \"ik_bat\"\n";
+
+}  // namespace
+
+TEST_CASE("an entry says whether the study goes on where its solver was not built", "[study][peers]") {
+  const Study study = parsed(own_entry + "if_missing = \"leave_out\"\n");
+  CHECK(study.solvers.front().if_missing == IfMissing::leave_out);
+  CHECK(study.left_out.empty());
+  CHECK(parsed(to_toml(study)).solvers.front().if_missing == IfMissing::leave_out);
+  CHECK(series_key(study, study.solvers.front()) == series_key(parsed(own_entry), parsed(own_entry).solvers.front()));
+  CHECK_THROWS_WITH(parsed(own_entry + "if_missing = \"skip\"\n"), Catch::Contains("one of \"refuse\", \"leave_out\""));
+}
+
+TEST_CASE("a study that names a peer that was not built is refused, or goes on without it if it says so",
+          "[study][peers]") {
+  for (const MissingPeer& peer : missing_peers()) {
+    CAPTURE(peer.name);
+    const std::string entry = "[[solvers]]\nsolver = \"" + peer.name + "\"\nlabel = \"theirs\"\n";
+    const std::string said = said_of(entry + own_entry);
+    CHECK(said.starts_with("my.toml:2"));
+    CHECK(said.find(peer.how) != std::string::npos);
+    const Study without = parsed(entry + "if_missing = \"leave_out\"\n" + own_entry);
+    REQUIRE(without.left_out.size() == 1);
+    CHECK(without.left_out.front().label == "theirs");
+    CHECK(without.left_out.front().why == peer.how);
+    CHECK(labels_of(without) == std::vector<std::string>{"ik_bat"});
+    CHECK(to_toml(without).find("# left out: theirs is not built") != std::string::npos);
+  }
+}
+
+TEST_CASE("the studies of baselines have the same solvers and budgets", "[study][peers]") {
+  const Study helix = load_study("baselines");
+  CHECK(helix.search == Search::wrist);
+  CHECK(helix.path->points() == 20);
+  for (const char* name : {"baselines-iiwa14", "baselines-panda", "baselines-ur5e"}) {
+    CAPTURE(name);
+    const Study poses = load_study(name);
+    CHECK(poses.search == Search::pose);
+    CHECK(poses.stop.seconds == helix.stop.seconds);
+    CHECK(poses.stop.tolerance == helix.stop.tolerance);
+    CHECK(poses.wrap == helix.wrap);
+    CHECK(poses.limits == helix.limits);
+    std::vector<std::string> labels = labels_of(poses);
+    std::erase(labels, "KDL Newton");  // which solves for poses alone
+    CHECK(labels == labels_of(helix));
+  }
+}
+
+TEST_CASE("nobody counts the evaluations of a library with kinematics of its own", "[peers]") {
+  Study study = small_study();
+  study.solvers.clear();
+  for (const SolverInfo& info : solvers_for(arm_of(study).chain, Asked::position)) {
+    study.solvers.push_back({info.name, info.name, {}, 10});
+  }
+  for (const results::SolveRecord& record : solves_of(study)) {
+    CAPTURE(record.solver);
+    const bool is_counted = solver(record.solver).is_counted;
+    CHECK(is_counted == (record.solver != "kdl_lma"));
+    CHECK((record.counted_by == results::CountedBy::suite) == is_counted);
+    CHECK((record.evaluations > 0) == is_counted);
+  }
+}

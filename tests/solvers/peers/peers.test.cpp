@@ -1,0 +1,130 @@
+// What holds for the solvers of libraries that this program was built with, beside the contract of all solvers.
+#include <algorithm>
+#include <stdexcept>
+
+#include "tests/catch.hpp"
+#include "tests/solvers/objectives.hpp"
+
+using namespace ikbench;
+using namespace ikbench::numerics;
+using namespace ikbench::robots;
+using namespace ikbench::solvers;
+
+namespace {
+
+bool is_missing(std::string_view name) {
+  const std::vector<MissingPeer> missing = missing_peers();
+  return std::ranges::find(missing, name, &MissingPeer::name) != missing.end();
+}
+
+struct PeerTask {
+  Robot arm;
+  Goal goal;
+  Problem problem;
+};
+
+// A pose near the middle of the limits, from where every descent finds it.
+PeerTask near_pose(const std::string& name, int population = 50) {
+  const Robot arm = robot(name);
+  const JointLimits range = arm.limits.around(Eigen::VectorXd::Zero(arm.joints()));
+  const Configuration start = 0.45 * range.lower + 0.55 * range.upper;
+  Configuration q = start;
+  for (Eigen::Index j = 0; j < q.size(); ++j) q[j] += 0.01 * (j % 2 == 0 ? 1 : -1);
+  return {arm,
+          {arm.chain.forward(q), 0.25},
+          {.start = start, .lower = range.lower, .upper = range.upper, .population = population, .iterations = 500}};
+}
+
+Solution solved(const PeerTask& task, const std::string& name, const Settings& settings, StopRule stop) {
+  Objective objective(task.arm.chain, task.goal);
+  Random random{Key(1)};
+  return solve(*solver(name).make(settings), task.problem, objective, random, stop);
+}
+
+}  // namespace
+
+TEST_CASE("a peer says with which version of its library it was built", "[peers]") {
+  for (const SolverInfo& info : all_solvers()) {
+    if (info.library.empty()) continue;
+    CAPTURE(info.name, info.library);
+    CHECK(info.library.find_first_of("0123456789") != std::string::npos);
+  }
+}
+
+TEST_CASE("a peer that was not built is refused with the package that provides it", "[peers]") {
+  for (const MissingPeer& peer : missing_peers()) {
+    CAPTURE(peer.name);
+    std::string said;
+    try {
+      solver(peer.name);
+    } catch (const std::invalid_argument& refused) {
+      said = refused.what();
+    }
+    CHECK(said.find("not built: apt-get install lib") != std::string::npos);
+  }
+}
+
+TEST_CASE("a peer solves a pose that is near, of arms that turn and that slide, in one step", "[peers]") {
+  constexpr StopRule stop{.iterations = 500, .tolerance = 1e-4, .angle_tolerance = 1e-3};
+  for (const char* arm : {"franka_panda", "ur5e", "stanford"}) {
+    for (const auto& [name, settings] : {std::pair<std::string, Settings>{"kdl_lma", {}},
+                                         {"kdl_newton", {}},
+                                         {"nlopt", {}},
+                                         {"nlopt", {{"algorithm", "lbfgs"}}}}) {
+      if (is_missing(name)) continue;
+      CAPTURE(arm, name);
+      const Solution solution = solved(near_pose(arm), name, settings, stop);
+      CHECK(solution.stopped == Stopped::tolerance);
+      CHECK(solution.iterations == 1);
+    }
+  }
+}
+
+TEST_CASE("a peer that misses its target ends by itself", "[peers]") {
+  for (const SolverInfo& info : all_solvers()) {
+    if (info.library.empty()) continue;
+    CAPTURE(info.name);
+    PeerTask task = near_pose("ur5e");
+    task.goal.target.translation() *= 5;  // out of reach
+    const Solution solution =
+        solved(task, info.name, {}, {.iterations = 500, .tolerance = 1e-4, .angle_tolerance = 1e-3});
+    CHECK(solution.stopped == Stopped::finished);
+    CHECK(solution.iterations == 1);
+  }
+}
+
+TEST_CASE("a library that evaluates our objective keeps the study's number of evaluations", "[peers]") {
+  for (const SolverInfo& info : all_solvers()) {
+    if (info.library.empty() || !info.is_counted) continue;
+    info.describe([&](const OptionList& list) {
+      for (const std::string& algorithm : list.options().front().choices) {
+        CAPTURE(info.name, algorithm);
+        PeerTask task = near_pose("ur5e", 10);
+        task.goal.target.translation() *= 5;
+        constexpr std::int64_t most = 200;
+        const Solution solution =
+            solved(task, info.name, {{"algorithm", algorithm}}, {.iterations = 500, .evaluations = most});
+        CHECK(solution.evaluations <= most + 2);  // one more call, of which some take two evaluations
+      }
+    });
+  }
+}
+
+TEST_CASE("NLopt with restarts goes on until it has found a pose", "[peers]") {
+  if (is_missing("nlopt")) return;
+  PeerTask task = near_pose("ur5e");
+  task.problem.start = task.problem.lower;
+  const StopRule stop{.iterations = 500, .tolerance = 1e-4, .angle_tolerance = 1e-3};
+  const Solution solution = solved(task, "nlopt", {{"restarts", "random"}}, stop);
+  CHECK(solution.stopped == Stopped::tolerance);
+  CHECK(solution.iterations > 1);
+}
+
+TEST_CASE("KDL's Newton refuses positions, and both of KDL refuse coupled joints", "[peers]") {
+  if (is_missing("kdl_lma")) return;
+  const Chain iiwa = robot("kuka_iiwa14").chain, dobot = robot("dobot_magician").chain;
+  CHECK(solver("kdl_newton").why_not(iiwa, Asked::position).find("expected search = \"pose\"") != std::string::npos);
+  CHECK(solver("kdl_newton").why_not(iiwa, Asked::pose).empty());
+  CHECK(solver("kdl_lma").why_not(iiwa, Asked::position).empty());
+  CHECK(solver("kdl_lma").why_not(dobot, Asked::position).find("coupled") != std::string::npos);
+}
