@@ -51,7 +51,7 @@ Study study_of_every_solver() {
   Study study = small_study();
   study.solvers.clear();
   for (const SolverInfo& info : solvers_for(arm_of(study).chain, Asked::position)) {
-    study.solvers.push_back({info.name, info.name, {}});
+    study.solvers.push_back({info.name, info.name, {}, std::max(study.population, info.least_population)});
   }
   return study;
 }
