@@ -180,7 +180,8 @@ SolveRunner::SolveRunner(const Study& study, const SolverEntry& entry, const Rob
               .label = entry.label,
               .algorithm = entry.solver,
               .options = options_text(options_, entry)},
-      repeats_(study.stop.seconds > 0 || entry.program ? 1 : repeats) {
+      repeats_(study.stop.seconds > 0 || entry.program ? 1 : repeats),
+      is_counted_(entry.program || solver(entry.solver).is_counted) {
   if (!entry.program) return;
   sessions_ = std::make_unique<Sessions>(
       entry.program, robot_message(arm_to_search(study, entry, arm, task_.arm()), entry.program->hello, options_));
@@ -284,7 +285,7 @@ SolveRecord SolveRunner::solve(Solver& solver, const Pose& target, const Configu
                      .variation_deg = verified.variation / degree,
                      .largest_move_deg = verified.largest_move / degree,
                      .limit_violation_deg = verified.limit_violation / degree,
-                     .evaluations = info_.is_counted ? solution.evaluations : 0,
+                     .evaluations = is_counted_ ? solution.evaluations : 0,
                      .iterations = solution.iterations,
                      .stop_reason = recorded(solution.stopped),
                      .status = status,
@@ -302,7 +303,7 @@ SolveRecord SolveRunner::solve(Solver& solver, const Pose& target, const Configu
                      .limit_margin = verified.limit_margin,
                      .smallest_singular_value = verified.smallest_singular_value,
                      .manipulability = verified.manipulability,
-                     .counted_by = info_.is_counted ? CountedBy::suite : CountedBy::nobody};
+                     .counted_by = is_counted_ ? CountedBy::suite : CountedBy::nobody};
   for (const double error : solution.trace) record.trace_cm.push_back(error / centimetre);
   if (median.account) add_account(record, *median.account);
   return record;

@@ -83,6 +83,7 @@ class SolveRunner {
   solvers::Settings options_;
   results::Series series_;
   int repeats_;
+  bool is_counted_;                     // its evaluations, here; a program's own word is not
   std::unique_ptr<Sessions> sessions_;  // of a program
 };
 

@@ -21,7 +21,7 @@ using namespace results;
 
 namespace {
 
-constexpr double rounding = 1e-9;  // m and rad
+constexpr double slack = 1e-9;  // m and rad
 constexpr int many_solves = 1000;
 constexpr double most_growth = 8e6;  // bytes over so many solves
 
@@ -176,8 +176,8 @@ class Checker {
     const bool is_finite = tried.trouble.empty() && tried.q.allFinite();
     line("its answer is finite", is_finite, tried.trouble);
     const double outside = is_finite ? arm_->limits.violation(tried.q) : 0;
-    line("its answer is inside the joint limits", outside <= rounding,
-         outside <= rounding ? "" : fmt::format("{:.3g} rad outside", outside));
+    line("its answer is inside the joint limits", outside <= slack,
+         outside <= slack ? "" : fmt::format("{:.3g} rad outside", outside));
   }
 
   void seeds() {
@@ -203,7 +203,7 @@ class Checker {
     const Tried tried = solve_afresh(*arm_, {});
     const double claimed = tried.account.word.error;
     const bool is_silent = std::isnan(claimed);
-    line("the error that it claims is true", is_silent || std::abs(claimed - tried.error) <= rounding,
+    line("the error that it claims is true", is_silent || std::abs(claimed - tried.error) <= slack,
          is_silent ? "it claims none" : fmt::format("it says {:.9g} m, and is {:.9g} m off", claimed, tried.error));
     const Tried far = solve_afresh(*arm_, {.is_reachable = false});
     line("a target that nothing reaches ends too", far.trouble.empty(), far.trouble);
