@@ -44,8 +44,8 @@ Json solved(const Json& arm, const Json& problem) {
 }
 
 int main() {
-  const Json hello{{"ikbench", 1}, {"message", "hello"}, {"name", "cpp_descent"}, {"version", "1.0"}, {"modes", {"solve"}},
-                   {"deterministic", true}};
+  const Json hello{{"ikbench", 1},     {"message", "hello"}, {"name", "cpp_descent"},
+                   {"version", "1.0"}, {"modes", {"solve"}}, {"deterministic", true}};
   std::cout << hello << std::endl;
   Json arm;
   for (std::string line; std::getline(std::cin, line);) {

@@ -18,10 +18,10 @@ ExportedStudy small_export() {
   other.position_error_cm = std::numeric_limits<double>::infinity();
   other.counted_by = CountedBy::nobody;
   other.trace_cm.clear();
-  const StudyEntry study{.name = "two words",
-                         .definition = R"({"robot":"iiwa14","seed":7,"points":1,"stop":{"seconds":0.005}})",
-                         .series = {Series{"key-a", "IK-BA", "ik_bat", R"({"alpha":"0.97"})"},
-                                    Series{"key-b", "BA", "bat", "{}"}}};
+  const StudyEntry study{
+      .name = "two words",
+      .definition = R"({"robot":"iiwa14","seed":7,"points":1,"stop":{"seconds":0.005}})",
+      .series = {Series{"key-a", "IK-BA", "ik_bat", R"({"alpha":"0.97"})"}, Series{"key-b", "BA", "bat", "{}"}}};
   const Session session{.id = 1,
                         .environment = {{"date", "2026-11-21T10:00:00Z"}, {"version", "0.1.0"}, {"cpu", "one\ntwo"}}};
   return {.study = study, .sessions = {session}, .solves = {sample_record(), other}};
