@@ -59,15 +59,16 @@ std::string joint_table(const Robot& arm) {
   std::vector<std::vector<std::string>> rows{
       {"JOINT", "", "from", "to", "", "a [m]", "alpha [deg]", "d [m]", "offset [deg]"}};
   if (!names.empty()) rows.front().emplace_back("name");
+  const Configuration units = experiments::joint_units(arm.chain);
   for (Eigen::Index j = 0; j < arm.joints(); ++j) {
     const DhLink& link = arm.chain.links()[static_cast<std::size_t>(j)];
-    const double unit = slides(arm, j) ? 1 : degree, lower = arm.limits.lower[j] / unit;
+    const double lower = arm.limits.lower[j] / units[j];
     const bool is_endless = !std::isfinite(lower);
     rows.push_back({std::to_string(j + 1),
                     slides(arm, j)                 ? "slides"
                     : link.joint == Joint::coupled ? "coupled"
                                                    : "turns",
-                    is_endless ? "without" : number(lower), is_endless ? "end" : number(arm.limits.upper[j] / unit),
+                    is_endless ? "without" : number(lower), is_endless ? "end" : number(arm.limits.upper[j] / units[j]),
                     is_endless       ? ""
                     : slides(arm, j) ? "m"
                                      : "deg",
@@ -105,8 +106,9 @@ Configuration joints_at(const Robot& arm, const std::vector<double>& at) {
 
 std::string tool_text(const Robot& arm, const Configuration& q) {
   std::vector<std::string> values;
+  const Configuration in_units = q.cwiseQuotient(experiments::joint_units(arm.chain));
   for (Eigen::Index j = 0; j < q.size(); ++j) {
-    values.push_back(number(q[j] / (slides(arm, j) ? 1 : degree)) + (slides(arm, j) ? " m" : ""));
+    values.push_back(number(in_units[j]) + (slides(arm, j) ? " m" : ""));
   }
   std::string text = fmt::format("with the joints at ({}) deg, the tool is {}", fmt::join(values, ", "),
                                  frame_text(frame_of(arm.chain.forward(q))));

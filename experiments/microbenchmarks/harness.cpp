@@ -3,11 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 
 #include "experiments/environment.hpp"
 #include "experiments/study.hpp"
 #include "robots/spherical_wrist.hpp"
 #include "solvers/bounds.hpp"
+#include "solvers/registry.hpp"
 
 namespace ikbench::microbenchmarks {
 
@@ -32,13 +34,22 @@ class Medians final : public benchmark::ConsoleReporter {
   }
 };
 
+// Those built, with their versions.
+std::string peers() {
+  std::set<std::string> libraries;
+  for (const SolverInfo& info : all_solvers()) {
+    if (!info.library.empty()) libraries.insert(info.library);
+  }
+  return fmt::format("{}", fmt::join(libraries, ", "));
+}
+
 }  // namespace
 
 int run(int argc, char** argv) {
   for (const auto& [key, value] : environment()) {
     if (key != "date") benchmark::AddCustomContext(key, value);
   }
-  benchmark::AddCustomContext("peers", IKBENCH_PEERS);
+  benchmark::AddCustomContext("peers", peers());
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
   Medians console;
