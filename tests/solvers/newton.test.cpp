@@ -49,7 +49,7 @@ TEST_CASE("a step of Newton's method is J^+ times what is to go, in metres and r
         const Eigen::AngleAxisd turn(task.goal.target.linear() * reached.linear().transpose());
         Eigen::VectorXd to_go(6);
         to_go << task.goal.target.translation() - reached.translation(), turn.angle() * turn.axis();
-        const Eigen::BDCSVD<Eigen::MatrixXd> svd(J, Eigen::ComputeThinU | Eigen::ComputeThinV);
+        const Eigen::JacobiSVD<Eigen::MatrixXd> svd(J, Eigen::ComputeThinU | Eigen::ComputeThinV);
         const Eigen::VectorXd inverse =
             (svd.singularValues().array() < 1e-5).select(0, svd.singularValues().cwiseInverse());
         const Eigen::VectorXd step = svd.matrixV() * inverse.asDiagonal() * svd.matrixU().transpose() * to_go;

@@ -1,5 +1,5 @@
 // Whole poses as goals: what the objective says of them, how solves stop, and that every solver keeps its contract.
-#include <Eigen/LU>
+#include <Eigen/Cholesky>
 #include <cmath>
 
 #include "numerics/units.hpp"
@@ -207,7 +207,7 @@ TEST_CASE("a damped step towards a pose reduces the norm of the residual that it
     const Eigen::VectorXd e = by_hand.linearize(q, J);
     const Eigen::MatrixXd A = J.transpose() * J;
     if (iteration == 0) mu = 0.1 * A.diagonal().maxCoeff();
-    const Eigen::VectorXd h = (A + mu * Eigen::MatrixXd::Identity(6, 6)).inverse() * J.transpose() * e;
+    const Eigen::VectorXd h = (A + mu * Eigen::MatrixXd::Identity(6, 6)).llt().solve(J.transpose() * e);
     descent->step(objective, random);
     const Eigen::VectorXd candidate = (q + h).cwiseMax(task.problem.lower).cwiseMin(task.problem.upper);
     REQUIRE((objective.candidates.back() - candidate).norm() < 1e-12);
