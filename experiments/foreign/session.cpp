@@ -53,6 +53,7 @@ void Session::greet() {
   std::vector<std::string> noise;
   const Hello hello = hello_of(*child_, noise);
   notes_.noise += static_cast<std::int64_t>(noise.size());
+  for (const std::string& line : noise) keep(line);
   if (hello.name != program_.hello.name || hello.version != program_.hello.version) {
     throw Breach(fmt::format("it is {} {} now, and was {} {}", hello.name, hello.version, program_.hello.name,
                              program_.hello.version));
@@ -117,8 +118,12 @@ Message Session::receive(std::initializer_list<std::string_view> names, std::int
       throw Trouble{Status::broke_protocol, fmt::format("its {} has not the id {}", message->name, id)};
     if (message && message->id && *message->id < id) continue;  // of a solve that is over
     ++notes_.noise;
-    if (notes_.examples.size() < kept_noise) notes_.examples.push_back(line.substr(0, longest_kept_noise));
+    keep(line);
   }
+}
+
+void Session::keep(const std::string& noise) {
+  if (notes_.examples.size() < kept_noise) notes_.examples.push_back(noise.substr(0, longest_kept_noise));
 }
 
 Message Session::exchange(const std::string& text, std::initializer_list<std::string_view> names, std::int64_t id) {

@@ -53,6 +53,7 @@ class Session {
   void greet();
   void measure_transport();
   void die(const Trouble& trouble);
+  void keep(const std::string& noise);
 
   const Program& program_;
   const std::string& robot_;
