@@ -17,6 +17,8 @@ class Key {
   Key with(std::uint64_t part) const;
   Key with(std::string_view part) const;
   std::uint64_t value() const { return value_; }
+  // The key that has this value.
+  static Key of(std::uint64_t value);
 
  private:
   std::uint64_t value_;
@@ -32,18 +34,21 @@ class Random {
 
   // Fills of a vector or of Candidates (row by row). They take whole blocks of eight and leave single draws theirs.
   template <class Numbers>
-  void uniforms(Eigen::PlainObjectBase<Numbers>& out) {  // each in [0, 1)
-    kernels_.uniforms(state_, out.data(), out.size());
+  void uniforms(Eigen::PlainObjectBase<Numbers>& out) {
+    uniforms(out.data(), out.size());
   }
   template <class Numbers>
-  void normals(Eigen::PlainObjectBase<Numbers>& out) {  // each standard normal (Box and Muller 1958)
-    kernels_.normals(state_, out.data(), out.size());
+  void normals(Eigen::PlainObjectBase<Numbers>& out) {
+    normals(out.data(), out.size());
   }
   template <class Numbers>
-  void truncated_normals(
-      Eigen::PlainObjectBase<Numbers>& out) {  // each standard normal, given that it is within [-1, 1]
-    kernels_.truncated_normals(state_, out.data(), out.size());
+  void truncated_normals(Eigen::PlainObjectBase<Numbers>& out) {
+    truncated_normals(out.data(), out.size());
   }
+  // Each in [0, 1); standard normal (Box and Muller 1958); the same, given that it is within [-1, 1].
+  void uniforms(double* out, Eigen::Index count) { kernels_.uniforms(state_, out, count); }
+  void normals(double* out, Eigen::Index count) { kernels_.normals(state_, out, count); }
+  void truncated_normals(double* out, Eigen::Index count) { kernels_.truncated_normals(state_, out, count); }
 
  private:
   const Kernels& kernels_;

@@ -58,8 +58,9 @@ class Objective {
   // - decide(i) takes candidate i, whose error is errors[i], in or not, and says whether that changed anything that the
   //   proposals after it depend on. If so, those are proposed anew.
   // What is decided on counts as an evaluation, as in the loop as it is written; proposals that are dropped do not.
-  template <class Propose, class Decide>
-  void one_by_one(robots::Candidates& q, Eigen::VectorXd& errors, Propose&& propose, Decide&& decide) {
+  // `q` are Candidates and `errors` a vector, or maps of both.
+  template <class Q, class Errors, class Propose, class Decide>
+  void one_by_one(Q& q, Errors& errors, Propose&& propose, Decide&& decide) {
     for (Eigen::Index i = 0; i < q.cols();) {
       const Eigen::Index count = std::min(look_ahead_, q.cols() - i), last = i + count;
       propose(i, count);
