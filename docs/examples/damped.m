@@ -24,14 +24,14 @@ function [tool, jacobian] = forward(arm, q)
 end
 
 function solve(arm, problem)
+  began = tic;
   q = problem.start(:);
   target = problem.target.position(:);
   for i = 0:problem.budget.iterations
     [tool, jacobian] = forward(arm, q);
     off = target - tool;
-    if norm(off) <= problem.tolerance.position || i == problem.budget.iterations
-      break;
-    end
+    late = problem.budget.seconds > 0 && toc(began) >= problem.budget.seconds;
+    if late || norm(off) <= problem.tolerance.position || i == problem.budget.iterations, break; end
     move = jacobian' * ((jacobian * jacobian' + 1e-4 * eye(3)) \ off);
     q += move * min(1, 0.2 / max(abs(move)));
     q = min(max(q, problem.lower(:)), problem.upper(:));

@@ -1,18 +1,19 @@
 // Cyclic coordinate descent for ikbench in C++ with nlohmann/json; it solves with kinematics of its own.
 // g++ -std=c++17 -O2 -I/usr/include/eigen3 -o descent descent.cpp
 #include <Eigen/Geometry>
+#include <chrono>
 #include <cmath>
 #include <iostream>
 #include <nlohmann/json.hpp>
 
 using Json = nlohmann::json;
+using Clock = std::chrono::steady_clock;
 using Eigen::AngleAxisd, Eigen::Isometry3d, Eigen::Vector3d;
 
 Isometry3d pose_of(const Json& numbers) {
   const auto m = numbers.get<std::vector<double>>();
   return Isometry3d(Eigen::Map<const Eigen::Matrix<double, 4, 4, Eigen::RowMajor>>(m.data()).matrix());
 }
-
 // The frames before each joint, and that of the tool.
 std::vector<Isometry3d> frames(const Json& arm, const std::vector<double>& q) {
   std::vector<Isometry3d> all{pose_of(arm["base"])};
@@ -31,7 +32,9 @@ Json solved(const Json& arm, const Json& problem) {
   auto q = problem["start"].get<std::vector<double>>();
   int iteration = 0;
   const auto error = [&] { return (frames(arm, q).back().translation() - target).norm(); };
+  const auto end = Clock::now() + std::chrono::duration<double>(problem["budget"]["seconds"].get<double>());
   for (; iteration < problem["budget"]["iterations"] && error() > problem["tolerance"]["position"]; ++iteration) {
+    if (problem["budget"]["seconds"] > 0 && Clock::now() >= end) break;
     for (std::size_t j = q.size(); j-- > 0;) {  // the turn about each axis that brings the tool nearest
       const auto all = frames(arm, q);
       const Vector3d axis = all[j].linear().col(2), tool = all.back().translation() - all[j].translation(),
@@ -42,11 +45,9 @@ Json solved(const Json& arm, const Json& problem) {
   }
   return {{"message", "solved"}, {"id", problem["id"]}, {"q", q}, {"error", error()}, {"iterations", iteration}};
 }
-
 int main() {
-  const Json hello{{"ikbench", 1},     {"message", "hello"}, {"name", "cpp_descent"},
-                   {"version", "1.0"}, {"modes", {"solve"}}, {"deterministic", true}};
-  std::cout << hello << std::endl;
+  std::cout << R"({"ikbench":1,"message":"hello","name":"cpp_descent","version":"1.1","modes":["solve"],)"
+            << R"("deterministic":true})" << std::endl;
   Json arm;
   for (std::string line; std::getline(std::cin, line);) {
     const Json told = Json::parse(line);
