@@ -3,6 +3,7 @@
 
 #include <cstdio>
 #include <memory>
+#include <stdexcept>
 
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
@@ -12,25 +13,40 @@ namespace ikbench::cli {
 
 using namespace experiments;
 
+namespace {
+
+// A shared object is told by its name: libmine.so, libmine.so.1.
+ProgramChoice choice_of(const std::vector<std::string>& words, double patience) {
+  if ((words[0] + '.').find(".so.") == std::string::npos) return {.process = words, .patience = patience};
+  if (words.size() > 2) throw std::invalid_argument("expected one solver of " + words[0] + " at most");
+  return {.shared_object = words[0], .solver = words.size() > 1 ? words[1] : "", .patience = patience};
+}
+
+}  // namespace
+
 void add_check_solver(CLI::App& app, Invocation& invocation) {
   struct Arguments {
     std::vector<std::string> words;
     double patience = 5;
   };
   auto arguments = std::make_shared<Arguments>();
-  CLI::App* command = app.add_subcommand("check-solver", "Check a solver that is a program of its own");
-  command->add_option("COMMAND", arguments->words, "the program and its arguments, after --")->required();
+  CLI::App* command = app.add_subcommand("check-solver", "Check a solver that is a program or a shared object");
+  command
+      ->add_option("COMMAND", arguments->words,
+                   "the program and its arguments, after --; or FILE.so, and perhaps the name of a solver in it")
+      ->required();
   command->add_option("--patience", arguments->patience, "seconds after which a solve is given up")
       ->check(CLI::Range(0.1, 3600.0))
       ->capture_default_str();
   command->footer(
       "Examples:\n"
       "  ikbench check-solver -- python3 my_solver.py\n"
-      "  ikbench check-solver --patience 60 -- octave-cli --quiet my_solver.m\n\n"
+      "  ikbench check-solver --patience 60 -- octave-cli --quiet my_solver.m\n"
+      "  ikbench check-solver ./libmine.so\n\n"
       "Exit code 1 where a check fails. docs/solvers-in-any-language.md describes what a program has to say.");
   command->callback([arguments, &invocation] {
     int checks = 0, failed = 0;
-    check_program({.words = arguments->words, .folder = {}}, arguments->patience, [&](const CheckLine& line) {
+    check_program(choice_of(arguments->words, arguments->patience), [&](const CheckLine& line) {
       ++checks;
       failed += line.passed ? 0 : 1;
       fmt::print("{}  {}{}{}\n", line.passed ? "ok    " : "FAILED", line.what, line.seen.empty() ? "" : ": ",

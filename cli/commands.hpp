@@ -29,5 +29,6 @@ void add_solve(CLI::App& app);
 void add_export(CLI::App& app);
 void add_fingerprint(CLI::App& app);
 void add_check_solver(CLI::App& app, Invocation& invocation);
+void add_host(CLI::App& app);
 
 }  // namespace ikbench::cli

@@ -54,6 +54,7 @@ int main(int argc, char** argv) {
   cli::add_export(app);
   cli::add_fingerprint(app);
   cli::add_check_solver(app, invocation);
+  cli::add_host(app);
   const cli::SignalWatch signals;
   try {
     static_cast<void>(instruction_set());  // reports a wrong IKBENCH_INSTRUCTION_SET before anything starts

@@ -3,6 +3,7 @@
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 #include <sys/utsname.h>
+#include <time.h>
 #include <unistd.h>
 
 #include <Eigen/Core>
@@ -74,6 +75,12 @@ std::map<std::string, std::string> environment() {
           {"sanitizers", build_info::sanitize},
           {"source", shared_source_digest()},
           {"version", build_info::version}};
+}
+
+double thread_seconds() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
 double stolen_seconds() {

@@ -10,6 +10,7 @@ std::map<std::string, std::string> environment();
 // Processor time [s] that the host of a virtual machine has kept from it since it started (steal, /proc/stat), of all
 // processors; NaN where that is not told.
 double stolen_seconds();
+double thread_seconds();  // processor time [s] of this thread
 // Times of a debug or sanitized build say nothing about a solver.
 bool is_debug_build();
 std::string version();

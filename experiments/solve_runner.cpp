@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <sys/resource.h>
-#include <time.h>
 
 #include <algorithm>
 #include <array>
@@ -31,12 +30,6 @@ using namespace results;
 
 namespace {
 
-double thread_seconds() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
-
 // How often the system took the processor from this thread.
 double thread_interruptions() {
   rusage usage{};
@@ -51,35 +44,16 @@ bool same_bits(const Numbers& a, const Numbers& b) {
   });
 }
 
-bool same_answer(const Solution& a, const Solution& b) {
-  return a.iterations == b.iterations && a.evaluations == b.evaluations && a.stopped == b.stopped &&
-         same_bits(std::array{a.best.error}, std::array{b.best.error}) && same_bits(a.best.q, b.best.q) &&
-         same_bits(a.trace, b.trace);
-}
-
-StopReason recorded(Stopped stopped) {
-  switch (stopped) {
-    case Stopped::iterations:
-      return StopReason::iterations;
-    case Stopped::tolerance:
-      return StopReason::tolerance;
-    case Stopped::evaluations:
-      return StopReason::evaluations;
-    case Stopped::time:
-      return StopReason::time;
-    case Stopped::finished:
-      return StopReason::finished;
-    case Stopped::not_finite:
-      break;
-  }
-  return StopReason::not_finite;
-}
-
 // With the entry's own population, which is told as an option of it.
 std::string options_text(Settings options, const SolverEntry& entry) {
   if (entry.program) {
-    options["process"] = fmt::format("{}", fmt::join(entry.program->choice.process, " "));
-    options["mode"] = name_of(entry.program->mode);
+    const ProgramChoice& choice = entry.program->choice;
+    if (choice.is_hosted()) {
+      options["shared_object"] = choice.shared_object;
+    } else {
+      options["process"] = fmt::format("{}", fmt::join(choice.process, " "));
+      options["mode"] = name_of(entry.program->mode);
+    }
   }
   if (entry.population > 0) options["population"] = std::to_string(entry.population);
   return nlohmann::json(options).dump();
@@ -116,6 +90,30 @@ ArmToSearch arm_to_search(const Study& study, const SolverEntry& entry, const Ro
 double or_zero(double seconds) { return seconds > 0 ? seconds : 0; }
 
 }  // namespace
+
+StopReason recorded(Stopped stopped) {
+  switch (stopped) {
+    case Stopped::iterations:
+      return StopReason::iterations;
+    case Stopped::tolerance:
+      return StopReason::tolerance;
+    case Stopped::evaluations:
+      return StopReason::evaluations;
+    case Stopped::time:
+      return StopReason::time;
+    case Stopped::finished:
+      return StopReason::finished;
+    case Stopped::not_finite:
+      break;
+  }
+  return StopReason::not_finite;
+}
+
+bool same_answer(const Solution& a, const Solution& b) {
+  return a.iterations == b.iterations && a.evaluations == b.evaluations && a.stopped == b.stopped &&
+         same_bits(std::array{a.best.error}, std::array{b.best.error}) && same_bits(a.best.q, b.best.q) &&
+         same_bits(a.trace, b.trace);
+}
 
 Task::Task(const Study& study, const Robot& arm) : study_(study), arm_(arm) {
   if (study.search == Search::wrist) wrist_.emplace(arm.chain);
@@ -183,6 +181,7 @@ SolveRunner::SolveRunner(const Study& study, const SolverEntry& entry, const Rob
       repeats_(study.stop.seconds > 0 || entry.program ? 1 : repeats),
       is_counted_(entry.program || solver(entry.solver).is_counted) {
   if (!entry.program) return;
+  if (entry.program->choice.is_hosted()) hosted_repeats_ = study.stop.seconds > 0 ? 1 : repeats;
   sessions_ = std::make_unique<Sessions>(
       entry.program, robot_message(arm_to_search(study, entry, arm, task_.arm()), entry.program->hello, options_));
 }
@@ -200,17 +199,20 @@ SolveRunner::Posed SolveRunner::posed(const Pose& target, const Configuration& s
   return {.target = target,
           .start = start,
           .problem = task_.problem(start, effective_population(study_, entry_)),
-          .random = Random(Key(study_.seed)
-                               .with(entry_.label)
-                               .with(static_cast<std::uint64_t>(run))
-                               .with(static_cast<std::uint64_t>(point)))};
+          .stream = Key(study_.seed)
+                        .with(entry_.label)
+                        .with(static_cast<std::uint64_t>(run))
+                        .with(static_cast<std::uint64_t>(point))};
 }
 
 SolveRunner::Timed SolveRunner::timed(Solver& solver, const Posed& given) const {
   Objective objective(task_.arm(), task_.goal(given.target));
-  Random random = given.random;
+  Random random(given.stream);
   auto* const program = sessions_ ? static_cast<ForeignSolver*>(&solver) : nullptr;
-  if (program != nullptr) program->prepare(given.problem, objective);
+  if (program != nullptr) {
+    program->prepare(given.problem, objective,
+                     {.stream = given.stream.value(), .repeats = hosted_repeats_, .trace = study_.trace});
+  }
   const double thread_started = thread_seconds();
   const auto started = std::chrono::steady_clock::now();
   Solution solution = solvers::solve(solver, given.problem, objective, random, study_.stop, study_.trace);
@@ -221,14 +223,21 @@ SolveRunner::Timed SolveRunner::timed(Solver& solver, const Posed& given) const 
   if (program != nullptr) {
     program->conclude();
     timed.account = program->account();
-    timed.cpu_seconds = or_zero(timed.account->cpu_seconds);
-    if (entry_.program->mode == Mode::solve) {
-      if (!timed.account->failure) timed.seconds = timed.account->seconds;
-      timed.solution.evaluations = std::max<std::int64_t>(0, timed.account->word.evaluations);
-      timed.solution.iterations = std::max<std::int64_t>(0, timed.account->word.iterations);
-    }
+    add_word(timed, *timed.account);
   }
   return timed;
+}
+
+void SolveRunner::add_word(Timed& timed, const Account& account) const {
+  timed.cpu_seconds = or_zero(account.cpu_seconds);
+  if (entry_.program->mode == Mode::ask) return;
+  if (!account.failure) timed.seconds = account.seconds;
+  timed.solution.evaluations = std::max<std::int64_t>(0, account.word.evaluations);
+  timed.solution.iterations = std::max<std::int64_t>(0, account.word.iterations);
+  if (!entry_.program->choice.is_hosted() || account.failure) return;
+  timed.seconds = or_zero(account.word.seconds);  // around the call in the child
+  timed.cpu_seconds = or_zero(account.word.cpu_seconds);
+  timed.solution.trace = account.word.trace;
 }
 
 std::vector<SolveRunner::Timed> SolveRunner::repeated(Solver& solver, const Posed& given) const {
@@ -326,9 +335,12 @@ Status SolveRunner::status_of(const Timed& timed, const Verification& verified, 
 }
 
 void SolveRunner::add_account(SolveRecord& record, const Account& account) const {
-  if (record.timing == Timing::clean) record.timing = Timing::process;
-  record.round_trips = account.round_trips;
-  record.transport_seconds = account.transport_seconds;
+  const bool is_hosted = entry_.program->choice.is_hosted();
+  if (!is_hosted) {  // else its time has no messages
+    if (record.timing == Timing::clean) record.timing = Timing::process;
+    record.round_trips = account.round_trips;
+    record.transport_seconds = account.transport_seconds;
+  }
   if (account.failure) {
     record.stop_reason = *account.failure == Status::timed_out ? StopReason::time : StopReason::finished;
     record.claimed_error_cm = std::numeric_limits<double>::quiet_NaN();
@@ -336,8 +348,15 @@ void SolveRunner::add_account(SolveRecord& record, const Account& account) const
   }
   if (entry_.program->mode == Mode::ask) return;
   const Solved& word = account.word;
-  record.counted_by = word.evaluations >= 0 ? CountedBy::solver : CountedBy::nobody;
-  record.claimed_seconds = word.seconds;
+  if (is_hosted) {
+    record.counted_by = word.evaluations > 0 ? CountedBy::suite : CountedBy::nobody;
+    record.repeats = hosted_repeats_;
+    record.smallest_seconds = account.failure ? record.seconds : word.smallest_seconds;
+    record.largest_seconds = account.failure ? record.seconds : word.largest_seconds;
+  } else {
+    record.counted_by = word.evaluations >= 0 ? CountedBy::solver : CountedBy::nobody;
+    record.claimed_seconds = word.seconds;
+  }
   record.claimed_error_cm = word.error / centimetre;
   const bool is_finite = record.stop_reason != StopReason::not_finite && word.reason != StopReason::not_finite;
   if (!account.failure && is_finite) record.stop_reason = word.reason.value_or(record.stop_reason);

@@ -37,6 +37,11 @@ class Task {
 };
 
 // Study, entry and arm outlive it. It may be used by several threads at once, each with a solver of its own.
+// The reason as the store has it.
+results::StopReason recorded(solvers::Stopped stopped);
+// To the bit.
+bool same_answer(const solvers::Solution& a, const solvers::Solution& b);
+
 class SolveRunner {
  public:
   // `repeats`: how often a problem is solved, to be timed; once where a solve ends by its wall time.
@@ -65,12 +70,14 @@ class SolveRunner {
     const robots::Pose& target;
     const robots::Configuration& start;
     solvers::Problem problem;
-    numerics::Random random;
+    numerics::Key stream;
   };
   Posed posed(const robots::Pose& target, const robots::Configuration& start, int run, int point) const;
   Timed timed(solvers::Solver& solver, const Posed& given) const;
   std::vector<Timed> repeated(solvers::Solver& solver, const Posed& given) const;
   results::Status status_of(const Timed& timed, const Verification& verified, const robots::Pose& target) const;
+  // A program's solve as its account tells it.
+  void add_word(Timed& timed, const Account& account) const;
   // Of a program's solve, what only its account says.
   void add_account(results::SolveRecord& record, const Account& account) const;
   double beyond_reach(const robots::Pose& target) const;  // [m]; 0 within
@@ -84,6 +91,7 @@ class SolveRunner {
   results::Series series_;
   int repeats_;
   bool is_counted_;                     // its evaluations, here; a program's own word is not
+  int hosted_repeats_ = 0;              // of a shared object, made by its host
   std::unique_ptr<Sessions> sessions_;  // of a program
 };
 

@@ -89,34 +89,39 @@ std::vector<LeftOut> leave_out(toml::table& study) {
   return left_out;
 }
 
-// Starts the program, which says who it is and what options it has.
-std::shared_ptr<const Program> read_program(TomlReader& reader) {
-  ProgramChoice choice;
+// Starts the program or the host of the shared object, which says who it is and what options it has.
+std::shared_ptr<const Program> read_program(TomlReader& reader, std::string_view key, const std::string& solver) {
+  ProgramChoice choice{.solver = solver};
   TableReader fields(reader);
   list_fields(fields, choice);
+  const auto wrong = [&](const std::exception& error) {
+    return mistake(reader, reader.table().get(key), key,
+                   fmt::format("{}: {}; see: ikbench check-solver", choice.name(), error.what()));
+  };
   try {
-    return meet(choice, folder_of(reader, "process"));
+    return meet(choice, folder_of(reader, key));
   } catch (const std::runtime_error& error) {
-    throw mistake(reader, reader.table().get("process"), "process",
-                  fmt::format("{}: {}; see: ikbench check-solver", choice.process[0], error.what()));
+    throw wrong(error);
   } catch (const std::invalid_argument& error) {
-    throw mistake(reader, reader.table().get("process"), "process",
-                  fmt::format("{}: {}; see: ikbench check-solver", choice.process[0], error.what()));
+    throw wrong(error);
   }
 }
 
-// A built-in solver or a program.
+// A built-in solver, a program, or a shared object, of which `solver` may be the name in it.
 void read_kind(TomlReader& reader, SolverEntry& entry) {
   reader.text("solver", entry.solver, "");
-  const toml::node *name = reader.find("solver"), *process = reader.find("process");
-  if ((name == nullptr) == (process == nullptr)) {
+  const toml::node *name = reader.find("solver"), *process = reader.find("process"),
+                   *object = reader.find("shared_object");
+  if ((name != nullptr || object != nullptr) == (process != nullptr)) {
     throw std::invalid_argument(
         reader.where(reader.table().source(), "solver") +
-        (name == nullptr ? "an entry of [[solvers]] has no `solver` and no `process`; see: ikbench list solvers"
-                         : "an entry of [[solvers]] has a `solver` and a `process`; expected one of them"));
+        (process == nullptr ? "an entry of [[solvers]] has no `solver`, no `process` and no `shared_object`; see: "
+                              "ikbench list solvers"
+                            : "an entry of [[solvers]] has a `process` and a `solver` or a `shared_object`; expected "
+                              "one of them"));
   }
-  if (process != nullptr) {
-    entry.program = read_program(reader);
+  if (process != nullptr || object != nullptr) {
+    entry.program = read_program(reader, object != nullptr ? "shared_object" : "process", entry.solver);
     entry.solver = entry.program->hello.name;
     return;
   }

@@ -65,10 +65,8 @@ struct Tried {
 
 class Checker {
  public:
-  Checker(const Command& command, double patience, const std::function<void(const CheckLine&)>& tell)
-      : command_(command), tell_(tell) {
-    choice_ = {.process = command.words, .files = {}, .mode = ProgramChoice::Talk::preferred, .patience = patience};
-  }
+  Checker(const ProgramChoice& choice, const std::function<void(const CheckLine&)>& tell)
+      : choice_(choice), tell_(tell) {}
 
   bool run() {
     if (!greet()) return false;
@@ -78,8 +76,9 @@ class Checker {
     budgets();
     memory();
     farewells();
-    line("it writes nothing but messages", noise_ == 0,
-         noise_ == 0 ? "" : fmt::format("{} other lines, the first: {}", noise_, first_noise_));
+    line(choice_.is_hosted() ? "it leaves the floating-point mode as it is when it is loaded"
+                             : "it writes nothing but messages",
+         noise_ == 0, noise_ == 0 ? "" : fmt::format("{} other lines, the first: {}", noise_, first_noise_));
     return all_passed_;
   }
 
@@ -92,7 +91,7 @@ class Checker {
   bool greet() {
     const Clock::time_point began = Clock::now();
     try {
-      program_ = meet(choice_, command_.folder);
+      program_ = meet(choice_, {});
     } catch (const Breach& breach) {
       line("it says a proper hello", false, breach.what());
       return false;
@@ -247,7 +246,7 @@ class Checker {
 
   void farewells() {
     for (const bool says_bye : {true, false}) {
-      ChildProcess child(command_);
+      ChildProcess child(program_->command());
       std::vector<std::string> noise;
       std::string seen;
       try {
@@ -270,9 +269,8 @@ class Checker {
     }
   }
 
-  const Command& command_;
+  const ProgramChoice& choice_;
   const std::function<void(const CheckLine&)>& tell_;
-  ProgramChoice choice_;
   std::shared_ptr<const Program> program_;
   std::optional<SomeArm> arm_;  // that it solves for
   bool all_passed_ = true;
@@ -282,8 +280,8 @@ class Checker {
 
 }  // namespace
 
-bool check_program(const Command& command, double patience, const std::function<void(const CheckLine&)>& tell) {
-  return Checker(command, patience, tell).run();
+bool check_program(const ProgramChoice& choice, const std::function<void(const CheckLine&)>& tell) {
+  return Checker(choice, tell).run();
 }
 
 }  // namespace ikbench::experiments

@@ -1,5 +1,5 @@
-// What the author of a program should know before a study runs it: does it keep the protocol, and does it mean what it
-// says?
+// What the author of a program or a shared object should know before a study runs it: does it keep the protocol, and
+// does it mean what it says?
 #pragma once
 
 #include <functional>
@@ -16,7 +16,7 @@ struct CheckLine {
 };
 
 // Runs all checks and tells each line as soon as it is known; with no hello there is nothing more to check. Whether all
-// passed. A solve is given up after `patience` seconds.
-bool check_program(const Command& command, double patience, const std::function<void(const CheckLine&)>& tell);
+// passed. `choice` has a program or a shared object, in the current folder, and a patience.
+bool check_program(const ProgramChoice& choice, const std::function<void(const CheckLine&)>& tell);
 
 }  // namespace ikbench::experiments

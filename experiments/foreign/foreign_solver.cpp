@@ -80,8 +80,9 @@ void ForeignSolver::guarded(Talk&& talk) {
   }
 }
 
-void ForeignSolver::prepare(const Problem& problem, const Objective& objective) {
+void ForeignSolver::prepare(const Problem& problem, const Objective& objective, const HostedSolve& hosted) {
   account_ = {};
+  hosted_ = {};
   is_open_ = is_warming_up_ = true;
   bool is_new = false;
   guarded([&] { is_new = session_->ensure_running(); });
@@ -97,6 +98,7 @@ void ForeignSolver::prepare(const Problem& problem, const Objective& objective) 
     account_ = {};
   }
   is_open_ = is_warming_up_ = false;
+  hosted_ = hosted;
 }
 
 void ForeignSolver::start(const Problem& problem, Objective& objective, Random& random) {
@@ -107,14 +109,14 @@ void ForeignSolver::start(const Problem& problem, Objective& objective, Random& 
   joints_ = problem.joints();
   guarded([&] {
     is_open_ = true;
-    session_->begin_solve(stop_.seconds);
+    session_->begin_solve(stop_.seconds, std::max(1, hosted_.repeats));
     cpu_before_ = session_->cpu_seconds();
     constexpr double seeds = 4294967296;  // 32 bits: more do not survive everybody's numbers
     const auto seed = static_cast<std::uint32_t>(random.uniform() * seeds);
     const Mode mode = sessions_.program().mode;
     const std::int64_t id = session_->new_id();
-    const std::string text =
-        solve_message(mode, {.id = id, .problem = problem, .goal = objective.goal(), .stop = stop_, .seed = seed});
+    const std::string text = solve_message(
+        mode, {.id = id, .problem = problem, .goal = objective.goal(), .stop = stop_, .seed = seed, .hosted = hosted_});
     if (mode == Mode::ask) {
       take_in(session_->exchange(text, {"ask", "solved", "declined"}, id), objective);
     } else {

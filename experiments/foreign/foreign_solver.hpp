@@ -62,8 +62,8 @@ class ForeignSolver final : public solvers::Solver {
   ForeignSolver(Sessions& sessions, const solvers::StopRule& stop);  // which outlive it
   ~ForeignSolver() override;
 
-  // Before the clock: starts the process where there is none, and lets it warm up.
-  void prepare(const solvers::Problem& problem, const solvers::Objective& objective);
+  // Before the clock: starts the process where there is none, and lets it warm up. `hosted`: of a shared object.
+  void prepare(const solvers::Problem& problem, const solvers::Objective& objective, const HostedSolve& hosted = {});
   void start(const solvers::Problem& problem, solvers::Objective& objective, numerics::Random& random) override;
   void step(solvers::Objective& objective, numerics::Random& random) override;
   const solvers::Best& best() const override { return best_; }
@@ -88,6 +88,7 @@ class ForeignSolver final : public solvers::Solver {
   bool is_open_ = false;        // the program was told of a solve, and not of its end
   bool is_warming_up_ = false;  // such a solve forgives no death
   bool is_telling_ = false;     // the program waits for the errors of what it asked
+  HostedSolve hosted_;
   int joints_ = 0;
   double cpu_before_ = 0;
   Eigen::VectorXd errors_;

@@ -10,6 +10,7 @@
 #include <fstream>
 #include <stdexcept>
 
+#include "experiments/foreign/host.hpp"
 #include "experiments/foreign/session.hpp"
 #include "numerics/names.hpp"
 
@@ -71,13 +72,16 @@ fs::path executable(const std::string& word, const fs::path& folder) {
   return {};
 }
 
-// The executable, every argument that is a file, and those that the study names.
+// The object or the executable, every argument that is a file, and those that the study names.
 std::string digest_of(const ProgramChoice& choice, const fs::path& folder, const Hello& hello) {
   Sha256 digest;
   digest.add(hello.name + '\n' + hello.version + '\n');
-  if (const fs::path file = executable(choice.process[0], folder); is_file(file)) digest.add(digest_of(file));
-  for (std::size_t i = 1; i < choice.process.size(); ++i) {
-    if (const fs::path file = folder / choice.process[i]; is_file(file)) digest.add(digest_of(file));
+  if (choice.is_hosted()) digest.add(digest_of(folder / choice.shared_object));
+  const std::vector<std::string>& words = choice.process;
+  if (const fs::path file = words.empty() ? fs::path() : executable(words[0], folder); is_file(file))
+    digest.add(digest_of(file));
+  for (std::size_t i = 1; i < words.size(); ++i) {
+    if (const fs::path file = folder / words[i]; is_file(file)) digest.add(digest_of(file));
   }
   for (const std::string& name : choice.files) digest.add(name + '\n' + digest_of(folder / name));
   return digest.text();
@@ -88,6 +92,7 @@ std::string digest_of(const ProgramChoice& choice, const fs::path& folder, const
 void list_fields(Fields& io, ProgramChoice& choice) {
   using Talk = ProgramChoice::Talk;
   io.texts("process", choice.process, "a program and its arguments, in the folder of the study");
+  io.text("shared_object", choice.shared_object, "a shared object with a solver, in the folder of the study");
   io.texts("files", choice.files, "what the program consists of besides; an edited file solves anew");
   io.choice(
       "mode", choice.mode,
@@ -119,8 +124,14 @@ Hello hello_of(ChildProcess& child, std::vector<std::string>& noise) {
   }
 }
 
+Command Program::command() const {
+  return {choice.is_hosted() ? host_command(choice.shared_object, choice.solver) : choice.process, folder};
+}
+
 std::shared_ptr<const Program> meet(const ProgramChoice& choice, const fs::path& folder) {
-  for (const std::string& name : choice.files) {
+  std::vector<std::string> files = choice.files;
+  if (choice.is_hosted()) files.push_back(choice.shared_object);
+  for (const std::string& name : files) {
     if (!is_file(folder / name))
       throw std::invalid_argument(fmt::format("there is no file {}", (folder / name).string()));
   }

@@ -16,9 +16,14 @@ struct ProgramChoice {
   enum class Talk { preferred, solve, ask };
 
   std::vector<std::string> process;  // the program and its arguments
+  std::string shared_object;         // instead of a program
+  std::string solver;                // its name in the shared object; empty: the first
   std::vector<std::string> files;    // what it consists of besides
   Talk mode = Talk::preferred;
   double patience = 0;  // [s] with a solve; 0: max(5 s, 20 x its budget)
+
+  bool is_hosted() const { return !shared_object.empty(); }
+  const std::string& name() const { return is_hosted() ? shared_object : process[0]; }
 };
 
 void list_fields(Fields& io, ProgramChoice& choice);
@@ -30,7 +35,7 @@ struct Program {
   Mode mode = Mode::solve;
   std::string digest;  // of its name, its version and its files
 
-  Command command() const { return {choice.process, folder}; }
+  Command command() const;
 };
 
 constexpr std::chrono::seconds hello_patience{60}, ready_patience{60};

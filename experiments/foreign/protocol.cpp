@@ -43,6 +43,13 @@ Json row_by_row(const Matrix& matrix) {
   return list;
 }
 
+// x, y, z, roll, pitch, yaw.
+Json frame(const Frame& frame) {
+  Json list = numbers(frame.position);
+  for (const double angle : frame.rpy) list.push_back(angle);
+  return list;
+}
+
 // A text that may stand in tables and names of files.
 std::string text_at(const Json& object, const char* key, std::string_view fallback) {
   const auto found = object.find(key);
@@ -222,6 +229,8 @@ Candidates candidates_in(const Message& ask, int joints) {
 
 Solved solved_in(const Message& message, int joints) {
   const Json& json = message.json;
+  if (const auto fault = json.find("fault"); fault != json.end() && fault->is_string())
+    throw Breach(fault->get<std::string>().substr(0, 200));
   Solved solved{.q = configuration_in(json.value("q", Json()), joints)};
   solved.error = number_at(json, "error", solved.error);
   solved.seconds = number_at(json, "seconds", solved.seconds);
@@ -229,6 +238,10 @@ Solved solved_in(const Message& message, int joints) {
   solved.evaluations = count_at(json, "evaluations");
   solved.iterations = count_at(json, "iterations");
   if (json.contains("reason")) solved.reason = reason_of(text_at(json, "reason", ""));
+  solved.cpu_seconds = number_at(json, "cpu_seconds", solved.cpu_seconds);
+  solved.smallest_seconds = number_at(json, "smallest_seconds", solved.seconds);
+  solved.largest_seconds = number_at(json, "largest_seconds", solved.seconds);
+  for (const Json& error : json.value("trace", Json::array())) solved.trace.push_back(as_number(error));
   return solved;
 }
 
@@ -264,6 +277,8 @@ std::string robot_message(const ArmToSearch& arm, const Hello& hello, const Sett
                               {"lower", arm.limits.lower[index]},
                               {"upper", arm.limits.upper[index]}});
   }
+  json["base_frame"] = frame(arm.arm.base());
+  json["tool_frame"] = frame(arm.arm.tool());
   json["base"] = row_by_row(arm.arm.base().pose().matrix());
   json["tool"] = row_by_row(arm.arm.tool().pose().matrix());
   if (!arm.urdf.empty() && arm.urdf.size() <= longest_urdf) {
@@ -278,19 +293,25 @@ std::string solve_message(Mode mode, const AskedSolve& asked) {
   const Problem& problem = asked.problem;
   Json target{{"position", numbers(asked.goal.target.translation())}};
   if (asked.goal.is_pose()) target["rotation"] = row_by_row(asked.goal.target.linear());
-  return line_of({{"message", mode == Mode::solve ? "solve" : "start"},
-                  {"id", asked.id},
-                  {"target", target},
-                  {"start", numbers(problem.start)},
-                  {"lower", numbers(problem.lower)},
-                  {"upper", numbers(problem.upper)},
-                  {"tolerance", {{"position", asked.stop.tolerance}, {"rotation", asked.stop.angle_tolerance}}},
-                  {"budget",
-                   {{"iterations", asked.stop.iterations},
-                    {"evaluations", asked.stop.evaluations},
-                    {"seconds", asked.stop.seconds}}},
-                  {"population", problem.population},
-                  {"seed", asked.seed}});
+  Json json{{"message", mode == Mode::solve ? "solve" : "start"},
+            {"id", asked.id},
+            {"target", target},
+            {"start", numbers(problem.start)},
+            {"lower", numbers(problem.lower)},
+            {"upper", numbers(problem.upper)},
+            {"tolerance", {{"position", asked.stop.tolerance}, {"rotation", asked.stop.angle_tolerance}}},
+            {"budget",
+             {{"iterations", asked.stop.iterations},
+              {"evaluations", asked.stop.evaluations},
+              {"seconds", asked.stop.seconds}}},
+            {"population", problem.population},
+            {"seed", asked.seed}};
+  if (asked.hosted.repeats > 0) {
+    json["stream"] = asked.hosted.stream;
+    json["repeats"] = asked.hosted.repeats;
+    json["trace"] = asked.hosted.trace != Trace::none;
+  }
+  return line_of(json);
 }
 
 std::string tell_message(std::int64_t id, const Eigen::VectorXd& errors, double best, Over over) {

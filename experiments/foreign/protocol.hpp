@@ -63,13 +63,18 @@ std::string why_in(const Message& declined);
 // Candidates as columns; a list of numbers is one candidate, or of a single joint one a number.
 robots::Candidates candidates_in(const Message& ask, int joints);
 
-// The answer of a program with its own kinematics. Only q has to be there; the rest is its own word.
+// The answer of a program with its own kinematics. Only q has to be there; the rest is its own word. What comes after
+// `reason` is said of shared objects alone, by `ikbench host`.
 struct Solved {
   Eigen::VectorXd q;                                        // [rad]; NaN where it says null
   double error = std::numeric_limits<double>::quiet_NaN();  // [m] of the position
   double seconds = std::numeric_limits<double>::quiet_NaN();
   std::int64_t evaluations = -1, iterations = -1;  // negative: it says nothing
   std::optional<results::StopReason> reason;
+  double cpu_seconds = std::numeric_limits<double>::quiet_NaN();
+  double smallest_seconds = std::numeric_limits<double>::quiet_NaN();  // of the repeats
+  double largest_seconds = std::numeric_limits<double>::quiet_NaN();
+  std::vector<double> trace;  // best error [m] after each iteration
 };
 Solved solved_in(const Message& message, int joints);
 
@@ -85,12 +90,20 @@ struct ArmToSearch {
 };
 std::string robot_message(const ArmToSearch& arm, const Hello& hello, const solvers::Settings& options);
 
+// What `ikbench host` needs besides to solve as this program does. Without repeats it is not told.
+struct HostedSolve {
+  std::uint64_t stream = 0;  // value of the key
+  int repeats = 0;
+  solvers::Trace trace = solvers::Trace::none;
+};
+
 struct AskedSolve {
   std::int64_t id;
   const solvers::Problem& problem;
   const solvers::Goal& goal;
   const solvers::StopRule& stop;
   std::uint32_t seed;
+  HostedSolve hosted = {};
 };
 std::string solve_message(Mode mode, const AskedSolve& asked);
 enum class Over { no, yes };

@@ -81,9 +81,10 @@ void Session::measure_transport() {
   transport_seconds_ = seconds[seconds.size() / 2];
 }
 
-void Session::begin_solve(double budget_seconds) {
-  const double patience =
+void Session::begin_solve(double budget_seconds, int repeats) {
+  const double once =
       program_.choice.patience > 0 ? program_.choice.patience : std::clamp(20 * budget_seconds, 5.0, 1e6);
+  const double patience = repeats * once;
   deadline_ = Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(patience));
   round_trips_ = 0;
 }

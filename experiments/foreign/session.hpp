@@ -29,7 +29,7 @@ class Session {
   // All may throw Trouble.
   // Says whether the process is a new one.
   bool ensure_running();
-  void begin_solve(double budget_seconds);  // its patience begins
+  void begin_solve(double budget_seconds, int repeats);  // its patience begins
   void send(const std::string& text);
   // The next message that is one of these and of this solve.
   Message receive(std::initializer_list<std::string_view> names, std::int64_t id);

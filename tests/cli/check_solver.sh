@@ -91,4 +91,95 @@ failures silent >found
 failures id >found
 has "$(<found)" "joints, or declines: broke_protocol: its solved has not the id"
 refused "COMMAND" check-solver
+
+# The same of a shared object; $FAULTS has the faults.
+command -v c++ >/dev/null || { echo "left out: no C++ compiler"; echo "check-solver: programs are all right"; exit; }
+cat >planted.cpp <<'EOF'
+#include <unistd.h>
+
+#include <algorithm>
+#include <cfenv>
+#include <csignal>
+#include <cstdlib>
+#include <cstring>
+#include <ikbench_plugin.hpp>
+#include <random>
+#include <vector>
+
+static bool has(const char* fault) {
+  const char* const faults = std::getenv("FAULTS");
+  return faults != nullptr && std::strstr(faults, fault) != nullptr;
+}
+
+static struct Whole {
+  Whole() {
+    if (has("mode")) std::fesetround(FE_UPWARD);
+  }
+  ~Whole() {
+    if (!has("stays")) return;
+    std::signal(SIGTERM, SIG_IGN);
+    sleep(1000);
+  }
+} whole;
+
+struct Planted {
+  explicit Planted(const ikbench_robot& robot) : joints(robot.joints) {
+    if (has("long") && joints > 7) std::abort();
+    if (has("throws") && joints > 7) throw 7;
+  }
+  void start(const ikbench_problem& told, ikbench_plugin::Objective& objective, ikbench_plugin::Best& best) {
+    if (has("hangs") && told.target[3] > 5) sleep(1000);
+    if (has("empty-budget") && told.iterations == 0) _exit(4);
+    if (has("late") && told.seconds > 0) usleep(300000);
+    if (has("leaks")) std::memset(std::malloc(100000), 1, 100000);
+    if (has("fails")) throw std::runtime_error("no more");
+    best.error = objective.error(best.q);
+    if (has("lies")) best.error += 0.001;
+    q.assign(best.q, best.q + joints);
+    if (has("outside")) best.q[0] = 4;
+  }
+  void step(ikbench_plugin::Objective& objective, ikbench_plugin::Best& best) {
+    std::vector<double> next = q;
+    std::random_device chance;
+    for (double& x : next) x += 0.1 * ((has("forgets") ? chance() / 4294967296.0 : objective.uniform()) - 0.5);
+    const double error = objective.error(next.data()) + (has("lies") ? 0.001 : 0);
+    if (!(error < best.error)) return;
+    best.error = error;
+    q = next;
+    std::copy(q.begin(), q.end(), best.q);
+    if (has("outside")) best.q[0] = 4;
+  }
+  int joints;
+  std::vector<double> q;
+};
+IKBENCH_SOLVERS(ikbench_plugin::solver<Planted>("planted", "1"))
+EOF
+c++ -std=c++17 -O1 -Wall -Wextra -fPIC -shared -I "$scripts/../../experiments/foreign/plugin" -o planted.so planted.cpp \
+  2>c++.err || fail "$(<c++.err)"
+failures_of_object() { # failures_of_object FAULTS: the lines that failed
+  export FAULTS=$1
+  run_it check-solver --patience 5 ./planted.so
+  grep '^FAILED' <<<"$out"
+}
+
+failures_of_object "" >found
+grep -v "a budget of 1 ms" found && fail "a good object fails: $out $err"
+
+failures_of_object "outside lies forgets hangs empty-budget late leaks long stays mode" >found
+[ "$code" = 1 ] || fail "exit code $code: $out"
+for words in "an arm of 64 joints, or declines: crashed" "inside the joint limits: 0.858 rad outside" \
+  "same answer in the same process" "same answer in a fresh process" "the error that it claims is true: it says" \
+  "a target that nothing reaches ends too: timed_out" "a budget of 0 iterations: crashed" \
+  "a budget of 1 ms within ten times: " "its memory does not grow" "ends when it is told bye: it still runs" \
+  "ends with its standard input: it had to be ended: signal 9" "leaves the floating-point mode"; do
+  grep -q "$words" found || fail "did not find '$words' in: $(<found)"
+done
+[ "$(wc -l <found)" = 12 ] || fail "expected 12 failures: $(<found)"
+failures_of_object throws >found
+grep -q "an arm of 64 joints" found && fail "what throws when it is made declines: $(<found)"
+failures_of_object fails >found
+grep -q "an arm of 7 joints, or declines: crashed" found || fail "$(<found)"
+unset FAULTS
+run_it check-solver ./missing.so
+has "$out" "there is no file"
 echo "check-solver: all right"

@@ -6,7 +6,8 @@ cmake=$2 tree=$(realpath "$3") sanitizers=${4:-}
 build=$(dirname "$program")
 
 "$cmake" --install "$build" --prefix "$work/prefix" >.log 2>&1 || fail "cannot install: $(<.log)"
-[ "$(cd prefix && find . -type f)" = ./bin/ikbench ] || fail "installed are: $(cd prefix && find . -type f)"
+files=$(cd prefix && find . -type f | LC_ALL=C sort | tr '\n' ' ')
+[ "$files" = "./bin/ikbench ./include/ikbench_plugin.h ./include/ikbench_plugin.hpp " ] || fail "installed are: $files"
 DESTDIR=$work/staged "$cmake" --install "$build" --prefix /opt/ikbench >.log 2>&1 || fail "cannot install: $(<.log)"
 cmp staged/opt/ikbench/bin/ikbench prefix/bin/ikbench || fail "DESTDIR installs another program"
 
@@ -30,4 +31,13 @@ if command -v gnuplot >/dev/null; then
   [ -s made/figures/figure-10.svg ] || fail "no figure 10"
 fi
 installed audit slim2023
+# The interface of shared objects is one of C and of C++, and an object that is made with it solves.
+if command -v c++ >/dev/null && command -v cc >/dev/null; then
+  echo '#include <ikbench_plugin.h>' >c.c
+  cc -std=c11 -Wall -Wextra -Wpedantic -Werror -Iprefix/include -fsyntax-only c.c 2>.err || fail "$(<.err)"
+  c++ -std=c++17 -Wall -Wextra -Werror -fPIC -shared -Iprefix/include -o transpose.so "$scripts/../../docs/examples/transpose.cpp" \
+    2>.err || fail "$(<.err)"
+  printf 'runs = 1\nname = "mine"\nsearch = "all_joints"\n[path]\nkind = "random"\npoints = 2\n[[solvers]]\nshared_object = "./transpose.so"\n' >mine.toml
+  installed run mine.toml --no-report --out mine
+fi
 installed list studies slim2023-dobot

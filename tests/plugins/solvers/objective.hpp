@@ -1,0 +1,32 @@
+// In a shared object: what solvers of this project call their objective is the one of the C interface, so that their
+// files can be compiled for it as they are (six.cpp).
+#pragma once
+
+#include <ikbench_plugin.hpp>
+
+#include "robots/chain.hpp"
+
+namespace ikbench::solvers {
+
+class Objective {
+ public:
+  explicit Objective(ikbench_plugin::Objective& suite) : suite_(suite) {}
+
+  void errors(const robots::CandidatesRef& q, Eigen::Ref<Eigen::VectorXd> errors) {
+    suite_.errors(q.data(), q.outerStride(), q.cols(), errors.data());
+  }
+  double error(const robots::ConfigurationRef& q) {
+    double error = 0;
+    suite_.errors(q.data(), q.innerStride(), 1, &error);
+    return error;
+  }
+  template <class Propose, class Decide>
+  void one_by_one(robots::Candidates& q, Eigen::VectorXd& errors, Propose&& propose, Decide&& decide) {
+    suite_.one_by_one(q.data(), q.cols(), errors.data(), propose, decide);
+  }
+
+ private:
+  ikbench_plugin::Objective& suite_;
+};
+
+}  // namespace ikbench::solvers
