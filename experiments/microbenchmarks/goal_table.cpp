@@ -122,6 +122,19 @@ Values largest_counter(const Measurements& all, const std::vector<std::string>& 
   return {*std::max_element(values.begin(), values.end())};
 }
 
+// The dearest of several in their one form against their other, repetition by repetition.
+Values largest_quotients(const Measurements& all, const std::string& prefix, const std::string& over,
+                         const std::string& under) {
+  Values largest;
+  for (const std::string& name : all.names(prefix)) {
+    if (!name.ends_with(over)) continue;
+    const std::string other = name.substr(0, name.size() - over.size()) + under;
+    const Values ratios = quotients(all.nanoseconds(name), all.nanoseconds(other));
+    if (!ratios.empty() && (largest.empty() || median(ratios) > median(largest))) largest = ratios;
+  }
+  return largest;
+}
+
 Values different_hashes(const Measurements& all) {
   std::set<std::string> hashes;
   const std::vector<std::string> names = all.names("result_hash/");
@@ -182,6 +195,15 @@ std::vector<Goal> goals() {
        {ba + "to_tolerance"},
        "%"},
       ratio("G15", "pose error / position error, batch of 50", always_at_most(1.8), fk + "ours_pose", fk + "ours"),
+      {"G16",
+       "solve in a shared object / built in, the dearest of the paper's six solvers",
+       always_at_most(1.1),
+       [](const Measurements& all) { return largest_quotients(all, "shared_objects/", "/hosted", "/built_in"); },
+       {"shared_objects/*"}},
+      time("G17", "round trip to a program in C, ten candidates of two joints", always_at_most(40), "round_trips/c",
+           1e3, "us"),
+      time("G18", "the same in Python, with what its example computes", always_at_most(150), "round_trips/python", 1e3,
+           "us"),
       growth("time per candidate and joint, largest / smallest for 4 to 32 joints", fk + "joints/"),
       growth("time per candidate and joint, largest / smallest for 50 to 5000 candidates", fk + "population/")};
   goals.insert(goals.end(), others.begin(), others.end());
