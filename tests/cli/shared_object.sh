@@ -13,22 +13,29 @@ counted() { sort | uniq -c | sed 's/^ *//'; }
 
 # The same files behind the interface: the same bits in every column that is not a time. The label decides the stream.
 solvers=(ik_bat bat particle_swarm differential_evolution k_artificial_bee_colony multi_objective_swarm)
-for kind in built_in hosted; do
-  {
-    printf 'name = "six"\nruns = 2\nrepeats = 2\npopulation = 13\ntrace = "best_error"\n'
-    printf '[path]\nkind = "random"\npoints = 4\n[stop]\niterations = 30\ntolerance_cm = 0.05\n'
-    for solver in "${solvers[@]}"; do
-      printf '[[solvers]]\nlabel = "%s"\nsolver = "%s"\n' "$solver" "$solver"
-      [ $kind = built_in ] || printf 'shared_object = "%s"\n' "$six"
-    done
-  } >$kind.toml
-  succeeds run $kind.toml --no-report --out $kind
-  [ -z "$err" ] || has_no "$err" "failure"
-  "$program" export $kind/store.sqlite | awk -F, '
-    NR == 1 { for (i = 1; i <= NF; ++i) if ($i ~ /seconds$|^(series|repeats|interruptions|timing|session)$/) other[i] = 1 }
-    { for (i = 1; i <= NF; ++i) if (!(i in other)) printf "%s,", $i; print "" }' >$kind.csv
-done
-cmp built_in.csv hosted.csv || fail "the hosted solvers give other answers: $(diff built_in.csv hosted.csv | head -4)"
+same_as_built_in() { # same_as_built_in KEYS [KEYS]: of a study, and of its [stop]
+  local kind solver
+  rm -rf built_in hosted
+  for kind in built_in hosted; do
+    {
+      printf 'name = "six"\nruns = 2\nrepeats = 2\npopulation = 13\ntrace = "best_error"\n%b\n' "$1"
+      printf '[path]\nkind = "random"\npoints = 4\n[stop]\niterations = 30\ntolerance_cm = 0.05\n%b' "${2:-}"
+      for solver in "${solvers[@]}"; do
+        printf '[[solvers]]\nlabel = "%s"\nsolver = "%s"\n' "$solver" "$solver"
+        [ $kind = built_in ] || printf 'shared_object = "%s"\n' "$six"
+      done
+    } >$kind.toml
+    succeeds run $kind.toml --no-report --out $kind
+    "$program" export $kind/store.sqlite | awk -F, '
+      NR == 1 { for (i = 1; i <= NF; ++i) if ($i ~ /seconds$|^(series|repeats|interruptions|timing|session)$/) other[i] = 1 }
+      { for (i = 1; i <= NF; ++i) if (!(i in other)) printf "%s,", $i; print "" }' >$kind.csv
+  done
+  cmp built_in.csv hosted.csv || fail "the hosted solvers give other answers: $(diff built_in.csv hosted.csv | head -4)"
+}
+same_as_built_in 'robot = "ur5e"\nsearch = "pose"' 'tolerance_deg = 0.1\n'
+same_as_built_in 'robot = "stanford"\nsearch = "all_joints"'
+same_as_built_in 'robot = "dobot_magician"\nsearch = "all_joints"'
+same_as_built_in ''
 [ "$(wc -l <hosted.csv)" = 49 ] || fail "$(wc -l <hosted.csv) lines"
 [ "$(column hosted/store.sqlite counted_by ik_bat | counted)" = "8 suite" ] || fail "not counted here"
 [ "$(column hosted/store.sqlite timing bat | counted)" = "$(column built_in/store.sqlite timing bat | counted)" ] ||
