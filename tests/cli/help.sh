@@ -16,6 +16,10 @@ for command in reproduce run merge submit status report stats audit compare mult
   quiet
 done
 
+succeeds host --help # which a study starts
+has "$out" "ikbench host ./libmine.so"
+has_no "$all" "  host "
+
 succeeds --version
 [[ $out =~ ^ikbench\ [0-9]+\.[0-9]+\.[0-9]+\ \(.+\)$ ]] || fail "--version says: $out"
 has_no "$out" $'\n'
