@@ -8,8 +8,6 @@
 #include <array>
 #include <cfenv>
 #include <chrono>
-#include <cmath>
-#include <cstddef>
 
 #if defined(__SSE2__)
 #include <xmmintrin.h>
