@@ -70,11 +70,12 @@ class Checker {
 
   bool run() {
     if (!greet()) return false;
-    answers();
-    seeds();
-    claims();
-    budgets();
-    memory();
+    if (answers()) {  // else nothing can be said of what it answers
+      seeds();
+      claims();
+      budgets();
+      memory();
+    }
     farewells();
     line(choice_.is_hosted() ? "it leaves the floating-point mode as it is when it is loaded"
                              : "it writes nothing but messages",
@@ -159,10 +160,11 @@ class Checker {
     const ProgramNotes notes = sessions.notes();
     if (noise_ == 0 && !notes.examples.empty()) first_noise_ = notes.examples.front();
     noise_ += notes.noise;
+    if (!tried.trouble.empty()) tried.trouble = notes.last_failure;
     return tried;
   }
 
-  void answers() {
+  bool answers() {
     for (const int joints : {1, 7, 64}) {
       const Tried tried = solve_afresh(SomeArm(joints), {});
       const bool declined = tried.account.failure == Status::declined;
@@ -171,13 +173,15 @@ class Checker {
            tried.trouble.empty() ? fmt::format("to {:.2g} m", tried.error) : tried.trouble);
       if (tried.trouble.empty() && (!arm_ || joints == 7)) arm_.emplace(joints);
     }
-    if (!arm_) arm_.emplace(7);
+    if (!arm_) return false;
     const Tried tried = solve_afresh(*arm_, {});
     const bool is_finite = tried.trouble.empty() && tried.q.allFinite();
     line("its answer is finite", is_finite, tried.trouble);
-    const double outside = is_finite ? arm_->limits.violation(tried.q) : 0;
+    if (!is_finite) return true;
+    const double outside = arm_->limits.violation(tried.q);
     line("its answer is inside the joint limits", outside <= slack,
          outside <= slack ? "" : fmt::format("{:.3g} rad outside", outside));
+    return true;
   }
 
   void seeds() {
@@ -203,8 +207,11 @@ class Checker {
     const Tried tried = solve_afresh(*arm_, {});
     const double claimed = tried.account.word.error;
     const bool is_silent = std::isnan(claimed);
-    line("the error that it claims is true", is_silent || std::abs(claimed - tried.error) <= slack,
-         is_silent ? "it claims none" : fmt::format("it says {:.9g} m, and is {:.9g} m off", claimed, tried.error));
+    line("the error that it claims is true",
+         tried.trouble.empty() && (is_silent || std::abs(claimed - tried.error) <= slack),
+         !tried.trouble.empty() ? tried.trouble
+         : is_silent            ? "it claims none"
+                                : fmt::format("it says {:.9g} m, and is {:.9g} m off", claimed, tried.error));
     const Tried far = solve_afresh(*arm_, {.is_reachable = false});
     line("a target that nothing reaches ends too", far.trouble.empty(), far.trouble);
   }

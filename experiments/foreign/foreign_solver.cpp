@@ -179,6 +179,7 @@ void ForeignSolver::conclude() {
     if (!is_warming_up_) session_->forgive();
   } catch (const Trouble& trouble) {  // the answer is there all the same
     session_->recover(trouble);
+    if (is_warming_up_) account_.failure = trouble.status;
   }
 }
 

@@ -128,6 +128,14 @@ Command Program::command() const {
   return {choice.is_hosted() ? host_command(choice.shared_object, choice.solver) : choice.process, folder};
 }
 
+bool Program::is_unchanged() const {
+  try {
+    return digest_of(choice, folder, hello) == digest;
+  } catch (const std::invalid_argument&) {
+    return false;
+  }
+}
+
 std::shared_ptr<const Program> meet(const ProgramChoice& choice, const fs::path& folder) {
   std::vector<std::string> files = choice.files;
   if (choice.is_hosted()) files.push_back(choice.shared_object);

@@ -36,6 +36,7 @@ struct Program {
   std::string digest;  // of its name, its version and its files
 
   Command command() const;
+  bool is_unchanged() const;  // its files are what they were at its hello; a missing one is not
 };
 
 constexpr std::chrono::seconds hello_patience{60}, ready_patience{60};

@@ -37,6 +37,10 @@ bool Session::ensure_running() {
   if (child_ && child_->is_running()) return false;
   if (child_) die({Status::crashed, "it ended between two solves"});
   if (refusal_) throw Trouble(*refusal_);
+  if (!program_.is_unchanged()) {
+    refusal_ = Trouble{Status::crashed, "its files changed while it ran; run the study again"};
+    throw Trouble(*refusal_);
+  }
   try {
     child_ = std::make_unique<ChildProcess>(program_.command());
     greet();
@@ -87,6 +91,7 @@ void Session::begin_solve(double budget_seconds, int repeats) {
   const double patience = repeats * once;
   deadline_ = Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(patience));
   round_trips_ = 0;
+  ignored_.clear();
 }
 
 void Session::send(const std::string& text) {
@@ -104,7 +109,7 @@ Message Session::receive(std::initializer_list<std::string_view> names, std::int
   for (std::string line;;) {
     switch (child_->read_line(line, deadline_)) {
       case ChildProcess::Outcome::too_late:
-        throw Trouble{Status::timed_out, "it did not answer in time"};
+        throw Trouble{Status::timed_out, "it did not answer in time" + ignored_};
       case ChildProcess::Outcome::too_long:
         throw Trouble{Status::broke_protocol, "a line has more than a million bytes"};
       case ChildProcess::Outcome::ended:
@@ -117,9 +122,13 @@ Message Session::receive(std::initializer_list<std::string_view> names, std::int
     if (is_known && (message->id == id || (!message->id && id == 0))) return std::move(*message);
     if (is_known && (!message->id || *message->id > id))
       throw Trouble{Status::broke_protocol, fmt::format("its {} has not the id {}", message->name, id)};
-    if (message && message->id && *message->id < id) continue;  // of a solve that is over
+    if (message && message->id && *message->id < id) {  // of a solve that is over
+      ignored_ = fmt::format("; it sent {} with the id {}, and was asked with {}", message->name, *message->id, id);
+      continue;
+    }
     ++notes_.noise;
     keep(line);
+    ignored_ = fmt::format("; it wrote what is no message: {}", line.substr(0, longest_kept_noise));
   }
 }
 
@@ -135,6 +144,7 @@ Message Session::exchange(const std::string& text, std::initializer_list<std::st
 }
 
 void Session::note(const Trouble& trouble) {
+  if (notes_.is_given_up) return;  // why is noted
   notes_.last_failure = fmt::format("{}: {}", name_of(trouble.status), trouble.why);
 }
 

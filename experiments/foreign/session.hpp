@@ -61,6 +61,7 @@ class Session {
   Clock::time_point deadline_{};
   std::int64_t id_ = 0;
   int round_trips_ = 0;
+  std::string ignored_;  // the last line of this solve that was not taken, as the end of a sentence
   int deaths_in_a_row_ = 0;
   double transport_seconds_ = std::numeric_limits<double>::quiet_NaN();
   std::optional<Trouble> refusal_;  // it declined, or is given up

@@ -131,6 +131,30 @@ succeeds run faults.toml --no-report --out faults
 has "$out" "(128 were already stored)"
 succeeds report $store
 
+# A program that dies when it is told that a solve is over, as each ends, fails; why is said, and the others go on.
+sed 's/if errors is None:/if errors is None: sys.exit("dead at over")\n        if errors is None:/' "$examples/pso.py" >over.py
+grep -q "dead at over" over.py || fail "pso.py has another end"
+study over '[[solvers]]
+label = "over"
+process = ["python3", "over.py"]'
+succeeds run over.toml --no-report --out over
+[ "$(column over/store.sqlite status over | counted)" = "16 crashed" ] || fail "$(column over/store.sqlite status over | counted)"
+[ "$(column over/store.sqlite position_error_cm DLS)" = "$(column plain/store.sqlite position_error_cm DLS)" ] ||
+  fail "a program that dies at the end changed the numbers of another solver"
+has "$err" "last words: dead at over"
+run_it check-solver --patience 1 -- python3 over.py
+[ "$code" = 1 ] || fail "check-solver: exit code $code: $out $err"
+has "$out" "last words: dead at over"
+
+# One that is edited while it runs, and dies, is not mixed with its former self.
+sed '/solves += 1/a\        if solves == 6: open(__file__, "a").write("#"); os._exit(3)' faulty.py >changing.py
+study changing '[[solvers]]
+label = "changing"
+process = ["python3", "changing.py"]'
+succeeds run changing.toml --no-report --out changing
+has "$err" "its files changed while it ran"
+[ "$(column changing/store.sqlite status changing | grep -vc crashed)" -le 3 ] || fail "it went on after it was edited"
+
 # An edited program is another one.
 study edited "$(program_entry mine fine)"
 succeeds run edited.toml --no-report --out edited
