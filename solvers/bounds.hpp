@@ -20,12 +20,15 @@ inline void list_bounds(OptionList& list, Bounds& bounds) {
               "joint limits apply to the initial candidates only, or all candidates are clamped to them");
 }
 
-// An angle outside the limits by whole turns back inside, to the nearest that is; as it is where there is none.
+// An angle outside the limits by whole turns back inside, to the nearest that is; as it is where there is none. What
+// rounding puts beside a limit is on it.
 inline double turned_inside(double q, double lower, double upper) {
-  constexpr double turn = 2 * std::numbers::pi;
+  constexpr double turn = 2 * std::numbers::pi, rounding = 1e-9;
   double turned = q;
   if (q < lower) turned += turn * std::ceil((lower - q) / turn);
   if (q > upper) turned -= turn * std::ceil((q - upper) / turn);
+  if (turned < lower && turned >= lower - rounding) turned = lower;
+  if (turned > upper && turned <= upper + rounding) turned = upper;
   return turned >= lower && turned <= upper ? turned : q;
 }
 

@@ -43,8 +43,16 @@ struct Pipe {
   std::array<int, 2> ends{};  // to read from, to write to
 };
 
-// A process that leads a group and does nothing but wait until nobody holds the other end of the lifeline; then the
-// group is ended by force. It survives whatever happens to this program, and calls nothing that needs a lock.
+// A program may leave the group that it was started in, as coreutils' timeout does, and lead its own.
+void signal_all(pid_t group, pid_t process, int signal) {
+  if (::getpgid(process) == process) ::kill(-process, signal);
+  ::kill(process, signal);
+  ::kill(-group, signal);
+}
+
+// A process that leads a group and does nothing but wait until nobody holds the other end of the lifeline, from which
+// it gets the number of the program's process; then all are ended by force. It survives whatever happens to this
+// program, and calls nothing that needs a lock.
 pid_t start_guard(int lifeline) {
   const pid_t guard = ::fork();
   if (guard != 0) {
@@ -55,9 +63,12 @@ pid_t start_guard(int lifeline) {
   for (const int signal : {SIGTERM, SIGINT, SIGHUP, SIGPIPE}) ::signal(signal, SIG_IGN);
   ::dup2(lifeline, STDIN_FILENO);
   ::closefrom(STDIN_FILENO + 1);
-  char byte;
-  while (::read(STDIN_FILENO, &byte, 1) < 0 && errno == EINTR) {
+  pid_t process = 0, ignored = 0;
+  while (::read(STDIN_FILENO, &process, sizeof(process)) < 0 && errno == EINTR) {
   }
+  while (::read(STDIN_FILENO, &ignored, sizeof(ignored)) < 0 && errno == EINTR) {
+  }
+  if (process > 0) signal_all(::getpid(), process, SIGKILL);
   ::kill(0, SIGKILL);
   ::_exit(0);
 }
@@ -150,6 +161,8 @@ ChildProcess::ChildProcess(const Command& command) {
     throw std::invalid_argument(fmt::format("cannot start \"{}\": {}", command.words[0], std::strerror(error)));
   }
   lifeline_ = lifeline.take(1);
+  while (::write(lifeline_, &process_, sizeof(process_)) < 0 && errno == EINTR) {
+  }
   input_ = input.take(1);
   output_ = output.take(0);
   errors_ = errors.take(0);
@@ -203,16 +216,24 @@ void ChildProcess::drain_output() {
 }
 
 bool ChildProcess::wait(Waiting waiting, Clock::time_point deadline) {
-  const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline - Clock::now()).count();
+  constexpr long slice = 200;  // [ms] after which it is looked whether it still runs
+  const long left = std::chrono::ceil<std::chrono::milliseconds>(deadline - Clock::now()).count();
   if (left <= 0) return false;
   const bool has_room = read_.size() - taken_ < most_unread;
   std::array<pollfd, 3> files{pollfd{.fd = errors_, .events = POLLIN, .revents = 0},
                               pollfd{.fd = has_room ? output_ : -1, .events = POLLIN, .revents = 0},
                               pollfd{.fd = waiting.to_write ? input_ : -1, .events = POLLOUT, .revents = 0}};
-  const int ready = ::poll(files.data(), files.size(), static_cast<int>(std::min<long>(left, 3'600'000)));
+  const int ready = ::poll(files.data(), files.size(), static_cast<int>(std::min(left, slice)));
   if (ready > 0 && files[0].revents != 0) drain_errors();
   if (ready > 0 && files[1].revents != 0) drain_output();
+  if (ready == 0 && !is_running()) close_one(output_);  // what it started may hold the other end
   return true;
+}
+
+bool ChildProcess::has_line() {
+  const auto is_there = [&] { return read_.find('\n', taken_) != std::string::npos; };
+  if (!is_there() && output_ >= 0) drain_output();
+  return is_there();
 }
 
 ChildProcess::Outcome ChildProcess::write(std::string_view text, Clock::time_point deadline) {
@@ -266,10 +287,14 @@ void ChildProcess::end(std::chrono::milliseconds patience) {
   if (guard_ < 0) return;
   close_one(input_);
   if (!ends_within(patience)) {
-    ::kill(-guard_, SIGTERM);
+    signal_all(guard_, process_, SIGTERM);
     ends_within(std::chrono::seconds(1));
   }
-  ::kill(-guard_, SIGKILL);  // what it started may be left, and the guard
+  if (has_ended_) {
+    ::kill(-guard_, SIGKILL);  // what it started may be left, and the guard
+  } else {
+    signal_all(guard_, process_, SIGKILL);
+  }
   if (!has_ended_) bury(process_, status_);
   has_ended_ = true;
   for (int i = 0; i < 100 && errors_ >= 0; ++i) {

@@ -37,6 +37,7 @@ class ChildProcess {
   enum class Outcome { done, ended, too_late, too_long };
   Outcome write(std::string_view text, Clock::time_point deadline);
   Outcome read_line(std::string& line, Clock::time_point deadline);
+  bool has_line();  // that can be read without waiting
 
   bool is_running();
   double resident_bytes() const;                                   // of memory; 0 where nobody says

@@ -85,7 +85,10 @@ void ForeignSolver::prepare(const Problem& problem, const Objective& objective, 
   hosted_ = {};
   is_open_ = is_warming_up_ = true;
   bool is_new = false;
-  guarded([&] { is_new = session_->ensure_running(); });
+  guarded([&] {
+    is_new = session_->ensure_running();
+    session_->drain();
+  });
   for (int i = 0; is_new && i < warm_ups && !account_.failure; ++i) {
     Objective unrecorded(objective.arm(), objective.goal());
     Random random(Key(0).with("warm-up").with(static_cast<std::uint64_t>(i)));
@@ -147,9 +150,11 @@ void ForeignSolver::take_in(const Message& message, Objective& objective) {
     return;
   }
   const Candidates q = candidates_in(message, joints_);
-  errors_.resize(q.cols());
-  objective.errors(q, errors_);
-  for (Eigen::Index i = 0; i < q.cols(); ++i) best_.improve(q.col(i), errors_[i]);
+  const std::int64_t budget = stop_.evaluations > 0 ? stop_.evaluations - objective.evaluations() : q.cols();
+  const Eigen::Index taken = std::clamp<Eigen::Index>(budget, 0, q.cols());
+  errors_ = Eigen::VectorXd::Constant(q.cols(), std::numeric_limits<double>::quiet_NaN());
+  if (taken > 0) objective.errors(q.leftCols(taken), errors_.head(taken));
+  for (Eigen::Index i = 0; i < taken; ++i) best_.improve(q.col(i), errors_[i]);
   is_telling_ = true;
 }
 

@@ -67,8 +67,8 @@ double number_at(const Json& object, const char* key, double fallback) {
 }
 
 std::int64_t count_at(const Json& object, const char* key) {
-  const double number = number_at(object, key, -1);
-  if (number == -1) return -1;
+  if (!object.contains(key)) return -1;
+  const double number = number_at(object, key, 0);
   if (!(number >= 0 && number <= largest_count)) throw Breach(fmt::format("its {} is not a count", key));
   return static_cast<std::int64_t>(number);
 }
@@ -171,7 +171,9 @@ Settings options_of(const Hello& hello, const Settings& settings) {
 }
 
 std::optional<Message> message_in(const std::string& line) {
-  Json json = Json::parse(line, nullptr, false);
+  constexpr int deepest = 20;  // copies of deeper values would overflow the stack
+  const auto is_flat = [](int depth, Json::parse_event_t, const Json&) { return depth <= deepest; };
+  Json json = Json::parse(line, is_flat, false);
   if (!json.is_object() || !json.contains("message") || !json["message"].is_string()) return std::nullopt;
   Message message{.name = json["message"].get<std::string>(), .json = std::move(json), .id = std::nullopt};
   if (const auto id = message.json.find("id"); id != message.json.end() && id->is_number()) {

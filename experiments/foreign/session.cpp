@@ -91,7 +91,29 @@ void Session::begin_solve(double budget_seconds, int repeats) {
   const double patience = repeats * once;
   deadline_ = Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(patience));
   round_trips_ = 0;
+}
+
+void Session::drain() {
+  const Clock::time_point until = Clock::now() + farewell;
   ignored_.clear();
+  for (std::string line; child_->has_line() && child_->read_line(line, until) == ChildProcess::Outcome::done;) {
+    const std::optional<Message> message = message_in(line);
+    if (message && message->id && *message->id > id_)
+      throw Trouble{Status::broke_protocol, "it answers before it is asked"};
+    ignore(line, message);
+    if (Clock::now() >= until) throw Trouble{Status::broke_protocol, "it does not stop writing"};
+  }
+}
+
+// What is no answer: noise, or of a solve that is over.
+void Session::ignore(const std::string& line, const std::optional<Message>& message) {
+  if (message && message->id && *message->id <= id_) {
+    ignored_ = fmt::format("; it sent {} with the id {}, and was asked with {}", message->name, *message->id, id_);
+    return;
+  }
+  ++notes_.noise;
+  keep(line);
+  ignored_ = fmt::format("; it wrote what is no message: {}", line.substr(0, longest_kept_noise));
 }
 
 void Session::send(const std::string& text) {
@@ -122,13 +144,7 @@ Message Session::receive(std::initializer_list<std::string_view> names, std::int
     if (is_known && (message->id == id || (!message->id && id == 0))) return std::move(*message);
     if (is_known && (!message->id || *message->id > id))
       throw Trouble{Status::broke_protocol, fmt::format("its {} has not the id {}", message->name, id)};
-    if (message && message->id && *message->id < id) {  // of a solve that is over
-      ignored_ = fmt::format("; it sent {} with the id {}, and was asked with {}", message->name, *message->id, id);
-      continue;
-    }
-    ++notes_.noise;
-    keep(line);
-    ignored_ = fmt::format("; it wrote what is no message: {}", line.substr(0, longest_kept_noise));
+    ignore(line, message);
   }
 }
 

@@ -29,6 +29,7 @@ class Session {
   // All may throw Trouble.
   // Says whether the process is a new one.
   bool ensure_running();
+  void drain();                                          // before a solve: nothing may wait to be read but noise
   void begin_solve(double budget_seconds, int repeats);  // its patience begins
   void send(const std::string& text);
   // The next message that is one of these and of this solve.
@@ -53,6 +54,7 @@ class Session {
   void greet();
   void measure_transport();
   void die(const Trouble& trouble);
+  void ignore(const std::string& line, const std::optional<Message>& message);
   void keep(const std::string& noise);
 
   const Program& program_;

@@ -62,6 +62,8 @@ for line in sys.stdin:
             open("died", "w").close()
             print("no more", file=sys.stderr)
             os._exit(3)
+        if FAULT == "deep" and solves == 5: print('{"message":"solved","id":%d,"q":%s}' % (told["id"], "[" * 400000 + "]" * 400000), flush=True)
+        if FAULT == "early": print('{"message":"solved","id":%d,"q":[]}' % (told["id"] + 1), flush=True)
         if FAULT == "noise": print("Iteration 1 of 200\nnull\n{\"message\": 7}\n[1e999]", flush=True)
         if FAULT == "nonsense" and solves == 5: print('{"message":"solved","id":%d,"q":"none"}' % told["id"], flush=True)
         else: solve(told)
@@ -154,6 +156,42 @@ process = ["python3", "changing.py"]'
 succeeds run changing.toml --no-report --out changing
 has "$err" "its files changed while it ran"
 [ "$(column changing/store.sqlite status changing | grep -vc crashed)" -le 3 ] || fail "it went on after it was edited"
+
+# An answer nested too deeply breaks the protocol, and so does one to a question that was not asked.
+study strange "$(program_entry deep deep)" "$(program_entry early early)"
+succeeds run strange.toml --no-report --out strange
+[ "$(column strange/store.sqlite status deep | grep -c broke_protocol)" -ge 1 ] || fail "$(column strange/store.sqlite status deep | counted)"
+[ "$(column strange/store.sqlite status early | counted)" = "16 broke_protocol" ] ||
+  fail "$(column strange/store.sqlite status early | counted)"
+
+# A program in a group of its own, which does not answer and ignores SIGTERM, hangs no longer than its patience.
+cat >stuck.py <<'EOF'
+import json, os, signal, time
+os.setpgid(0, 0)
+signal.signal(signal.SIGTERM, signal.SIG_IGN)
+print(json.dumps({"ikbench": 1, "message": "hello", "name": "stuck", "version": "1", "modes": ["solve"]}), flush=True)
+while True:
+    told = json.loads(input())
+    if told["message"] == "robot": print('{"message":"ready"}', flush=True)
+    if told["message"] == "ping": print('{"message":"pong","id":%d}' % told["id"], flush=True)
+    if told["message"] == "solve": time.sleep(1000)
+EOF
+study stuck '[[solvers]]
+label = "stuck"
+process = ["python3", "stuck.py"]
+patience_s = 0.5'
+timeout 60 "$program" run stuck.toml --no-report --out stuck >/dev/null 2>&1 || fail "a stuck program: exit code $?"
+[ "$(column stuck/store.sqlite status stuck | counted)" = "16 timed_out" ] || fail "$(column stuck/store.sqlite status stuck | counted)"
+pgrep -f "python3 stuck.py" >/dev/null && fail "a stuck program is left"
+
+# One question may have more candidates than the budget has evaluations.
+sed 's/size, joints = problem\["population"\]/size, joints = 5000/' "$examples/pso.py" >many.py
+grep -q "joints = 5000" many.py || fail "pso.py has another population"
+study many '[[solvers]]
+label = "many"
+process = ["python3", "many.py"]'
+succeeds run many.toml --set stop.evaluations=100 --no-report --out many
+[ "$(column many/store.sqlite evaluations many | counted)" = "16 100" ] || fail "$(column many/store.sqlite evaluations many | counted)"
 
 # An edited program is another one.
 study edited "$(program_entry mine fine)"

@@ -35,8 +35,9 @@ TEST_CASE("an angle outside the limits comes back by the fewest whole turns, if 
   CHECK(turned_inside(2.0, -2, 2) == 2.0);
   CHECK(turned_inside(turn - 1, -2, 2) == Approx(-1).margin(1e-15));
   CHECK(turned_inside(-3 * turn + 1, -2, 2) == Approx(1).margin(1e-14));
-  CHECK(turned_inside(3 * turn, -turn - 1, turn + 1) == Approx(turn));  // not by three turns to 0
-  CHECK(turned_inside(2.5, -2, 2) == 2.5);                              // 2.5 - 2 pi is outside too
+  CHECK(turned_inside(3 * turn, -turn - 1, turn + 1) == Approx(turn));       // not by three turns to 0
+  CHECK(turned_inside(-2 + 100 * turn, -2, 2) == Approx(-2).margin(1e-12));  // on a limit, but for rounding
+  CHECK(turned_inside(2.5, -2, 2) == 2.5);                                   // 2.5 - 2 pi is outside too
   CHECK(std::isnan(turned_inside(std::nan(""), -2, 2)));
 }
 
