@@ -61,14 +61,27 @@ class Objective {
   // `q` are Candidates and `errors` a vector, or maps of both.
   template <class Q, class Errors, class Propose, class Decide>
   void one_by_one(Q& q, Errors& errors, Propose&& propose, Decide&& decide) {
+    batch_by_batch(q, errors, propose, [&](Eigen::Index first, Eigen::Index count) {
+      Decided decided;
+      while (decided.count < count && !decided.changed) decided.changed = decide(first + decided.count++);
+      return decided;
+    });
+  }
+
+  // The same where decide(first, count) takes the candidates of a batch in or not, one by one until something changed.
+  struct Decided {
+    Eigen::Index count = 0;  // at least one
+    bool changed = false;
+  };
+  template <class Q, class Errors, class Propose, class Decide>
+  void batch_by_batch(Q& q, Errors& errors, Propose&& propose, Decide&& decide) {
     for (Eigen::Index i = 0; i < q.cols();) {
-      const Eigen::Index count = std::min(look_ahead_, q.cols() - i), last = i + count;
+      const Eigen::Index count = std::min(look_ahead_, q.cols() - i);
       propose(i, count);
       evaluate(q.middleCols(i, count), errors.segment(i, count));
-      const Eigen::Index first = i;
-      bool changed = false;
-      while (i < last && !changed) changed = decide(i++);
-      evaluations_ += i - first;
+      const auto [decided, changed] = decide(i, count);
+      i += decided;
+      evaluations_ += decided;
       // As far ahead as it pays: half as far after a change, twice as far without. The numbers do not depend on it.
       look_ahead_ = std::min(changed ? std::max<Eigen::Index>(look_ahead_ / 2, 8) : 2 * look_ahead_, furthest_ahead_);
     }

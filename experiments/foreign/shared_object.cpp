@@ -80,11 +80,7 @@ SharedObject::SharedObject(const std::filesystem::path& file, std::string_view n
 
 // The functions of ikbench_objective; `suite` is the SharedSolver.
 struct Callbacks {
-  static SharedSolver& self(void* suite) {
-    auto& solver = *static_cast<SharedSolver*>(suite);
-    solver.restore_mode();
-    return solver;
-  }
+  static SharedSolver& self(void* suite) { return *static_cast<SharedSolver*>(suite); }
 
   static void errors(void* suite, const double* q, std::int64_t stride, std::int64_t candidates, double* errors) {
     SharedSolver& solver = self(suite);
@@ -110,22 +106,15 @@ struct Callbacks {
     if (candidates <= 0) return;
     Eigen::Map<Candidates> all(q, solver.joints_, candidates);
     Eigen::Map<Eigen::VectorXd> found(errors, candidates);
-    Eigen::Index begin = 0, size = 0, decided = 0;
-    solver.objective_->one_by_one(
-        all, found,
-        [&](Eigen::Index first, Eigen::Index count) {
-          begin = first;
-          size = count;
-          propose(context, first, count);
-          solver.restore_mode();
-        },
-        [&](Eigen::Index i) {  // the object decides on all of a batch at once
-          if (i == begin) decided = std::clamp<Eigen::Index>(decide(context, begin, size), 1, size);
-          return i - begin + 1 == decided && decided < size;
+    solver.objective_->batch_by_batch(
+        all, found, [&](Eigen::Index first, Eigen::Index count) { propose(context, first, count); },
+        [&](Eigen::Index first, Eigen::Index count) -> Objective::Decided {
+          const Eigen::Index decided = std::clamp<Eigen::Index>(decide(context, first, count), 1, count);
+          return {decided, decided < count};
         });
   }
 
-  static double uniform(void* suite) { return static_cast<SharedSolver*>(suite)->random_->uniform(); }
+  static double uniform(void* suite) { return self(suite).random_->uniform(); }
   static void uniforms(void* suite, double* out, std::int64_t count) {
     if (count > 0) self(suite).random_->uniforms(out, count);
   }

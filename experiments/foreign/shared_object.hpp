@@ -75,7 +75,7 @@ class SharedSolver final : public solvers::Solver {
   bool finished() const override { return is_finished_; }
   // For the next start.
   void set_seed(std::uint32_t seed) { seed_ = seed; }
-  // Whether it changed the mode of the processor since the last start.
+  // Whether it came back with another mode of the processor since the last start; that was undone.
   bool changed_mode() const { return changed_mode_; }
 
  private:
