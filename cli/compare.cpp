@@ -77,9 +77,9 @@ void refuse_output(const CompareArguments& arguments) {
 void write_output(const Compared& compared, const std::string& file) {
   const std::string type = std::filesystem::path(file).extension().string();
   const Table table = variants_table(compared.comparisons, compared.question);
-  write_file(file, type == ".md"    ? markdown(compared, table)
-                   : type == ".csv" ? to_csv(table)
-                                    : variants_json(compared.comparisons, compared.question));
+  write_through(file, type == ".md"    ? markdown(compared, table)
+                      : type == ".csv" ? to_csv(table)
+                                       : variants_json(compared.comparisons, compared.question));
 }
 
 int exit_code(const Compared& compared, const CompareArguments& arguments) {

@@ -68,7 +68,7 @@ void add_export(CLI::App& app) {
     if (arguments->file == "-") {
       std::fwrite(text.data(), 1, text.size(), stdout);  // main sees whether it could be written
     } else {
-      write_file(arguments->file, text);
+      write_through(arguments->file, text);
     }
   });
 }

@@ -108,15 +108,28 @@ std::error_code write_whole(const fs::path& file, std::string_view text) {
   return must_stay(place, there) ? write_into(place, text) : replace(place, text, &there);
 }
 
-}  // namespace
-
-void write_file(const fs::path& file, std::string_view text) {
+template <class Write>
+void write_or_refuse(const fs::path& file, Write&& write) {
   std::error_code error;
   if (file.has_parent_path()) fs::create_directories(file.parent_path(), error);
-  if (!error) error = write_whole(file, text);
+  if (!error) error = write();
   if (!error) return;
   throw std::invalid_argument(
       fmt::format("cannot write '{}': {}; choose a place that you can write to", file.string(), error.message()));
+}
+
+}  // namespace
+
+void write_file(const fs::path& file, std::string_view text) {
+  write_or_refuse(file, [&] {
+    std::error_code error;
+    const bool is_link = fs::is_symlink(fs::symlink_status(file, error));
+    return is_link ? replace(file, text, nullptr) : write_whole(file, text);
+  });
+}
+
+void write_through(const fs::path& file, std::string_view text) {
+  write_or_refuse(file, [&] { return write_whole(file, text); });
 }
 
 std::optional<std::string> read_file(const fs::path& file) {
@@ -148,11 +161,7 @@ bool is_litter(const fs::directory_entry& entry) {
          name.find_first_not_of("0123456789", mark + half_mark.size()) == std::string::npos;
 }
 
-}  // namespace
-
-namespace {
-
-// Of this process.
+// Of this process: a signal ends it wherever it is, and they must not stay.
 std::mutex temporary_mutex;
 std::set<fs::path> temporary_folders;
 

@@ -9,10 +9,13 @@
 
 namespace ikbench::results {
 
-// Creates the folder where missing, follows links, keeps the owner and the permissions of a file that it replaces.
-// A file that has other names, that the shell has open, or whose folder takes no new file is written in its place.
-// std::invalid_argument names the file and the system's reason.
+// Creates the folder where missing, keeps the owner and the permissions of a file that it replaces. A link is replaced
+// and not followed: what somebody else may have put into a folder of results leads nowhere. A file that has other
+// names, that the shell has open, or whose folder takes no new file is written in its place. std::invalid_argument
+// names the file and the system's reason.
 void write_file(const std::filesystem::path& file, std::string_view text);
+// The same for a file that the user has named: links are followed.
+void write_through(const std::filesystem::path& file, std::string_view text);
 // Empty if the file cannot be read.
 std::optional<std::string> read_file(const std::filesystem::path& file);
 

@@ -323,7 +323,7 @@ void write_ompl_database(const std::filesystem::path& file, const ExportedStudy&
     sqlite.exec(views);
     transaction.commit();
   }
-  write_file(file, read_file(made).value_or(""));
+  write_through(file, read_file(made).value_or(""));
 }
 
 }  // namespace ikbench::results

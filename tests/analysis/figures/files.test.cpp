@@ -31,7 +31,7 @@ bool make_device(const fs::path& file, unsigned number) {
 // What is said where the file cannot be written; nothing where it can.
 std::string complaint(const fs::path& file) {
   try {
-    write_file(file, "text");
+    write_through(file, "text");
     return "";
   } catch (const std::invalid_argument& error) {
     return error.what();
@@ -55,14 +55,29 @@ TEST_CASE("a file that is written anew keeps its permissions, and a new one has 
   }
 }
 
-TEST_CASE("a link is followed, also to a file that is not there yet", "[files]") {
+TEST_CASE("a link in a folder of results is replaced, and what it leads to stays", "[files]") {
+  const ScratchFolder folder;
+  write_file(folder.path / "far" / "victim", "precious");
+  for (const char* target : {"far/victim", "far/not-there", "link"}) {
+    const fs::path link = folder.path / "link";
+    fs::remove(link);
+    fs::create_symlink(target, link);
+    write_file(link, "text");
+    CHECK_FALSE(fs::is_symlink(link));
+    CHECK(text_of_file(link) == "text");
+  }
+  CHECK(text_of_file(folder.path / "far" / "victim") == "precious");
+  CHECK(files_in(folder.path) == std::set<std::string>{"far/victim", "link"});
+}
+
+TEST_CASE("a link that the user names is followed, also to a file that is not there yet", "[files]") {
   const ScratchFolder folder;
   fs::create_directory(folder.path / "far");
   const fs::path target = folder.path / "far" / "target", link = folder.path / "link";
   fs::create_symlink("far/target", link);
   fs::create_symlink("link", folder.path / "link-to-link");
   for (const std::string text : {"first", "second"}) {
-    write_file(folder.path / "link-to-link", text);
+    write_through(folder.path / "link-to-link", text);
     CHECK(fs::read_symlink(folder.path / "link-to-link") == "link");
     CHECK(fs::read_symlink(link) == "far/target");
     CHECK(text_of_file(target) == text);
@@ -106,21 +121,21 @@ TEST_CASE("a device is written into, and one that takes nothing is an error", "[
   CHECK(fs::is_symlink(folder.path / "link"));
 }
 
-TEST_CASE("a picture is written through a link and keeps its permissions", "[files][figure]") {
+TEST_CASE("a picture takes the place of a link, and keeps the permissions of a file", "[files][figure]") {
   const ScratchFolder folder;
   const fs::path svg = folder.path / "f.svg", png = folder.path / "f.png";
   write_file(svg, "old");
   fs::permissions(svg, fs::perms{0600});
-  fs::create_directory(folder.path / "far");
-  fs::create_symlink("far/f.png", png);
+  write_file(folder.path / "victim", "precious");
+  fs::create_symlink("victim", png);
   const Figure figure{.name = "f", .caption = "f", .settings = "", .plot = "plot 'f.dat'", .data = "1 1\n2 2\n"};
   REQUIRE(write_figures({figure}, folder.path, {})[0].rendered);
   CHECK(mode_of(svg) == fs::perms{0600});
   CHECK(text_of_file(svg) != "old");
-  CHECK(fs::is_symlink(png));
-  CHECK(text_of_file(folder.path / "far" / "f.png").starts_with("\x89PNG"));
+  CHECK_FALSE(fs::is_symlink(png));
+  CHECK(text_of_file(png).starts_with("\x89PNG"));
+  CHECK(text_of_file(folder.path / "victim") == "precious");
 
   write_figures({figure}, folder.path, {.render = false});
   CHECK(!fs::exists(svg));
-  CHECK(fs::is_symlink(png));
 }
