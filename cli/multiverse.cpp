@@ -150,9 +150,11 @@ void add_multiverse(CLI::App& app, Invocation& invocation) {
   add_series_options(*command, arguments->seeds, arguments->jobs);
   command->add_option("--set", arguments->overrides, "change a key in every interpretation: runs=5, path.points=10")
       ->allow_extra_args(false);
-  command->add_option("--out", arguments->out,
-                      "folder for tables, figures and series.csv, which keeps what is solved; default: "
-                      "out/STUDY-multiverse");
+  command
+      ->add_option("--out", arguments->out,
+                   "folder for tables, figures and series.csv, which keeps what is solved; default: "
+                   "out/STUDY-multiverse")
+      ->check(not_empty());
   command->add_flag("--no-figures", arguments->without_figures,
                     "write the script and data of the figure, but do not draw it");
   command->footer(

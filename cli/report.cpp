@@ -18,7 +18,8 @@ void add_report(CLI::App& app) {
       app.add_subcommand("report", "Write tables, figures and the report from a store, without solving");
   command->add_option("STORE", arguments->store, "path of a store.sqlite")->required();
   command->add_option("--study", arguments->study, "name of the study; default: the first in the store");
-  command->add_option("--out", arguments->out, "folder to write to; default: the folder of the store");
+  command->add_option("--out", arguments->out, "folder to write to; default: the folder of the store")
+      ->check(not_empty());
   add_report_options(*command, arguments->report);
   command->footer(
       "Examples:\n"

@@ -90,6 +90,10 @@ CLI::Validator whole_number() {
       },
       "");
 }
+CLI::Validator not_empty() {
+  return CLI::Validator([](const std::string& text) { return text.empty() ? "the name is empty" : ""; }, "");
+}
+
 
 void add_paper_option(CLI::App& command, std::string& paper) {
   std::vector<std::string> names;
@@ -122,7 +126,7 @@ void refuse_points(const ReportArguments& arguments) {
 }
 
 void add_run_options(CLI::App& command, RunArguments& arguments) {
-  command.add_option("--out", arguments.out, "folder for the results; default: out/<study>");
+  command.add_option("--out", arguments.out, "folder for the results; default: out/<study>")->check(not_empty());
   command
       .add_option("--jobs", arguments.jobs,
                   "number of solves at once; the answers stay the same, but times are comparable only with 1")
