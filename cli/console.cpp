@@ -42,12 +42,12 @@ void write_at_once(const std::string& text) { static_cast<void>(!write(STDERR_FI
 
 void watch(const sigset_t& set) {
   for (int number = 0; sigwait(&set, &number) == 0 && !is_over;) {
+    const std::scoped_lock lock(words_mutex);
     last_signal = number;
     if (may_cancel && !cancel_requested.exchange(true)) {
       write_at_once("\nStopping after the current solve. Once more: at once.\n");
       continue;
     }
-    const std::scoped_lock lock(words_mutex);
     write_at_once('\n' + last_words + '\n');
     results::remove_temporary_folders();
     _exit(128 + number);
@@ -146,6 +146,12 @@ CancelOnSignal::CancelOnSignal() {
 }
 
 CancelOnSignal::~CancelOnSignal() { may_cancel = false; }
+
+bool CancelOnSignal::end() {
+  const std::scoped_lock lock(words_mutex);
+  may_cancel = false;
+  return cancel_requested;
+}
 
 const std::atomic<bool>& CancelOnSignal::requested() const { return cancel_requested; }
 

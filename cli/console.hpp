@@ -50,6 +50,8 @@ class CancelOnSignal {
   CancelOnSignal& operator=(const CancelOnSignal&) = delete;
 
   const std::atomic<bool>& requested() const;
+  // From here on a signal ends the program; says whether one came before, which has been answered and is to be obeyed.
+  [[nodiscard]] bool end();
 };
 
 // Of a program that a signal has cancelled: 128 + its number.

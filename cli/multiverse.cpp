@@ -98,13 +98,11 @@ void solve_and_tell(const Paper& paper, const MultiverseArguments& arguments, co
   const std::string& study = paper.studies.front().name;
   const std::filesystem::path folder =
       arguments.out.empty() ? default_folder(study + "-multiverse") : std::filesystem::path(arguments.out);
-  const auto solved = [&] {
-    const CancelOnSignal signals;
-    return solved_multiverse(
-        study, varied, {.seeds = arguments.seeds, .overrides = arguments.overrides, .combined = arguments.combined()},
-        {"multiverse", folder, arguments.jobs, &signals.requested()});
-  }();
-  if (!solved) {
+  CancelOnSignal signals;
+  const auto solved = solved_multiverse(
+      study, varied, {.seeds = arguments.seeds, .overrides = arguments.overrides, .combined = arguments.combined()},
+      {"multiverse", folder, arguments.jobs, &signals.requested()});
+  if (signals.end() || !solved) {
     say(fmt::format("Stopped. What is solved is in {}; to continue: {}", (folder / "series.csv").string(),
                     invocation.command));
     invocation.exit_code = cancelled_exit_code();

@@ -228,10 +228,10 @@ Ended run_and_tell(const Study& study, const std::filesystem::path& folder, RunR
   {
     ProgressBar bar(study.name);
     request.progress = [&](const Progress& now) { bar.show(now); };
-    const CancelOnSignal signals;
+    CancelOnSignal signals;
     request.cancelled = &signals.requested();
     progress = run(study, store, request);
-    is_cancelled = signals.requested();
+    is_cancelled = signals.end();
   }
   for (const std::string& note : progress.notes) say("warning: " + note);
   tell_of_log(store.finish());

@@ -114,7 +114,7 @@ bool solve_besides(const Arguments& arguments, const Paper& paper, WrittenReport
   if (arguments.is_quick) return true;
   const int jobs = std::max(arguments.run.jobs, static_cast<int>(std::max(1u, std::thread::hardware_concurrency())));
   const std::string& first = paper.studies.front().name;
-  const CancelOnSignal signals;
+  CancelOnSignal signals;
   const auto solve = [&](const char* title, const std::vector<Dimension>& varied, int seeds, Combined combined) {
     return solved_multiverse(
         first, varied, {.seeds = seeds, .overrides = {fmt::format("runs={}", arguments.runs)}, .combined = combined},
@@ -136,7 +136,7 @@ bool solve_besides(const Arguments& arguments, const Paper& paper, WrittenReport
     if (!solved) return false;
     wanted.tables.push_back(paper.one_at_a_time(solved->multiverse, solved->plan));
   }
-  return !signals.requested();
+  return !signals.end();
 }
 
 }  // namespace

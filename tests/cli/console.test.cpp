@@ -1,9 +1,16 @@
-// What is written of a progress, and when.
+// What is written of a progress, and when; how signals are answered.
 #include "cli/console.hpp"
 
-#include "tests/catch.hpp"
+#include <signal.h>
+#include <unistd.h>
 
+#include "tests/catch.hpp"
+#include "tests/results/processes.hpp"
+
+using ikbench::cli::cancelled_exit_code;
+using ikbench::cli::CancelOnSignal;
 using ikbench::cli::ProgressText;
+using ikbench::cli::SignalWatch;
 using namespace std::chrono_literals;
 
 TEST_CASE("in a log a line tells the progress every thirty seconds, with rate and time left", "[console]") {
@@ -37,4 +44,24 @@ TEST_CASE("on a terminal the progress is a bar, ten times a second, that moves n
   CHECK(text.at(start + 99ms, {.done = 1, .total = 2}) == "");
   CHECK(text.at(start + 1s, {.done = 1, .total = 2}) ==
         "\r\x1b[Ka\\x1b[2J [###############...............] 1/2 solves, 1.0/s, 0:01 left");
+}
+
+TEST_CASE("a signal that was answered is told at the end, and after the end one ends the program",
+          "[console][signals]") {
+  const pid_t answered = ikbench::in_a_process([] {
+    const SignalWatch watch;
+    CancelOnSignal signals;
+    kill(getpid(), SIGTERM);
+    while (!signals.requested()) usleep(1000);
+    return signals.end() && cancelled_exit_code() == 128 + SIGTERM;
+  });
+  CHECK(ikbench::exit_code(answered) == 0);
+  const pid_t ended = ikbench::in_a_process([] {
+    const SignalWatch watch;
+    CancelOnSignal signals;
+    if (signals.end()) return false;
+    kill(getpid(), SIGTERM);
+    for (;;) usleep(1000);
+  });
+  CHECK(ikbench::exit_code(ended) == 128 + SIGTERM);
 }
