@@ -17,7 +17,7 @@ void add_reproduce(CLI::App& app, Invocation& invocation);
 void add_run(CLI::App& app, Invocation& invocation);
 void add_merge(CLI::App& app, Invocation& invocation);
 void add_submit(CLI::App& app, Invocation& invocation);
-void add_status(CLI::App& app);
+void add_status(CLI::App& app, Invocation& invocation);
 void add_report(CLI::App& app);
 void add_stats(CLI::App& app, Invocation& invocation);
 void add_audit(CLI::App& app);

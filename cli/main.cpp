@@ -31,7 +31,8 @@ int main(int argc, char** argv) {
       "  ikbench COMMAND --help                   more examples\n\n"
       "Exit codes: 0 success, 1 a mistake in the request, 2 a failure of the program, the disk or the store,\n"
       "3 a regression beyond the margin, 4 undecided (compare --strict),\n"
-      "5 more runs are needed (compare --sequential, merge), 128 + number of the signal (130: Ctrl-C).");
+      "5 more runs are needed (compare --sequential) or solves are missing (merge, status),\n"
+      "128 + number of the signal (130: Ctrl-C).");
   app.set_version_flag("--version", "ikbench " + version());
   app.require_subcommand(1);
   app.failure_message([](const CLI::App*, const CLI::Error& error) {
@@ -42,7 +43,7 @@ int main(int argc, char** argv) {
   cli::add_run(app, invocation);
   cli::add_merge(app, invocation);
   cli::add_submit(app, invocation);
-  cli::add_status(app);
+  cli::add_status(app, invocation);
   cli::add_report(app);
   cli::add_stats(app, invocation);
   cli::add_audit(app);

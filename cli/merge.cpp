@@ -9,6 +9,8 @@
 #include "cli/console.hpp"
 #include "cli/reporting.hpp"
 #include "cli/shards.hpp"
+#include "experiments/recheck.hpp"
+#include "results/files.hpp"
 
 namespace ikbench::cli {
 
@@ -32,6 +34,11 @@ std::vector<fs::path> stores_to_merge(const fs::path& out, const std::vector<std
   return stores;
 }
 
+std::string first_damage(const StudyEntry& study, const std::vector<SolveRecord>& solves) {
+  const std::vector<std::string> found = experiments::damages(study, solves);
+  return found.empty() ? "" : found.front();
+}
+
 }  // namespace
 
 void add_merge(CLI::App& app, Invocation& invocation) {
@@ -41,26 +48,35 @@ void add_merge(CLI::App& app, Invocation& invocation) {
   };
   auto arguments = std::make_shared<Arguments>();
   CLI::App* command = app.add_subcommand("merge", "Put the stores of several shards or machines together into one");
-  command->add_option("OUT", arguments->out, "folder of the store that gets all; it may have one already")->required();
+  command->add_option("OUT", arguments->out, "folder of the store that gets all; it may have one already")
+      ->required()
+      ->check(not_empty());
   command
       ->add_option("IN", arguments->places,
                    "stores, folders with a store.sqlite, or a folder of such folders, as out/<study>/shards")
-      ->required();
+      ->required()
+      ->check(not_empty());
   command->footer(
       "Examples:\n"
       "  ikbench merge out/slim2023 out/slim2023/shards\n"
       "  ikbench merge out/both laptop/store.sqlite desktop/store.sqlite\n\n"
-      "A solve that two stores have must have the same bits in both. What is missing is named with the command that\n"
-      "solves it; the exit code is then 5. A merge that was killed has added nothing: give the same command again.");
+      "A solve that two stores have must have the same bits in both, and numbers must follow from answers. A\n"
+      "store that a kill left half-written is left out, and named. What is missing is named, with the command\n"
+      "that solves it where that is known; the exit code is then 5. A merge that was killed has added nothing:\n"
+      "give the same command again.");
   command->callback([arguments, &invocation] {
-    const fs::path folder = arguments->out, out = store_in(folder);
+    const fs::path out = store_in(arguments->out);
     const std::vector<fs::path> stores = stores_to_merge(out, arguments->places);
-    const Merged merged = merge(out, stores);
-    fmt::print("{}: {} solves added from {} stores, {} were there with the same bits\n", printable(out.string()),
-               merged.added, stores.size(), merged.known);
+    const EndOnSignal signals("Stopped. Nothing was merged; give the same command again.");
+    remove_litter(arguments->out);
+    const Merged merged = merge(out, stores, first_damage);
+    const std::size_t taken = stores.size() - merged.half_written.size();
+    fmt::print("{}: {} solves added from {} store{}, {} were there with the same bits\n", printable(out.string()),
+               merged.added, taken, taken == 1 ? "" : "s", merged.known);
+    for (const std::string& sentence : merged.half_written) say("warning: left out: " + sentence);
     const Store store(out, Store::Mode::read);
     for (const StudyEntry& study : store.studies()) {
-      for (const std::string& line : missing_parts(store, study, folder)) {
+      for (const std::string& line : missing_parts(store, study)) {
         say(line);
         invocation.exit_code = 5;
       }

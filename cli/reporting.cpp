@@ -5,11 +5,9 @@
 
 #include <algorithm>
 #include <iterator>
-#include <nlohmann/json.hpp>
 #include <thread>
 
 #include "analysis/inference/analysis_plan.hpp"
-#include "analysis/inference/definition.hpp"
 #include "analysis/papers.hpp"
 #include "analysis/report/report.hpp"
 #include "cli/console.hpp"
@@ -18,6 +16,7 @@
 #include "experiments/environment.hpp"
 #include "experiments/recheck.hpp"
 #include "experiments/runner.hpp"
+#include "results/same_solves.hpp"
 #include "experiments/study_reader.hpp"
 #include "experiments/study_writer.hpp"
 
@@ -46,18 +45,6 @@ AnalysisPlan plan_for(const StudyEntry& entry, const ReportArguments& arguments)
 }
 
 constexpr std::int64_t bytes_of_reported_solve = 2100;  // about
-
-// Whether two definitions of a study are the same but for how it is judged, how often it runs, and what is only said.
-bool solve_the_same(const std::string& earlier, const std::string& now) {
-  auto before = nlohmann::json::parse(earlier, nullptr, false), after = nlohmann::json::parse(now, nullptr, false);
-  for (auto* definition : {&before, &after}) {
-    for (const std::string_view key : decide_no_solve) {
-      if (definition->is_object()) definition->erase(std::string(key));
-    }
-    if (definition->is_object()) definition->erase("runs");
-  }
-  return before == after;
-}
 
 // Why what looks solved already is solved anew.
 void warn_of_left_aside(const Study& study, const Store& store) {
@@ -196,7 +183,7 @@ void warn_of_unreachable(const Study& study) {
   if (found.size() > most) say(fmt::format("warning: {} more points are out of reach", found.size() - most));
 }
 
-Ended run_and_tell(const Study& study, const std::filesystem::path& folder, RunRequest request) {
+Ended run_and_tell(const Study& study, const std::filesystem::path& folder, RunRequest request, Store::Mode mode) {
   warn_of_unreachable(study);
   for (const LeftOut& left_out : study.left_out) {
     say(fmt::format("warning: {} is left out: it is {}", left_out.label, left_out.why));
@@ -206,10 +193,11 @@ Ended run_and_tell(const Study& study, const std::filesystem::path& folder, RunR
   } else if (request.jobs > static_cast<int>(std::thread::hardware_concurrency())) {
     say(fmt::format("warning: {} jobs share {} processors", request.jobs, std::thread::hardware_concurrency()));
   }
-  Store store(store_in(folder), Store::Mode::write);
+  Store store(store_in(folder), mode);
   for (const StudyEntry& earlier : store.studies()) {
     if (earlier.name != study.name || earlier.definition == to_json(study)) continue;
-    if (solve_the_same(earlier.definition, to_json(study))) {
+    const std::string difference = difference_in_solves(earlier.definition, to_json(study));
+    if (difference.empty()) {
       const std::string changes = changes_between(plan_of(earlier), study.analysis);
       if (!changes.empty()) {
         say(fmt::format("warning: the analysis plan of {} in {} has changed: {}; the report will say so", study.name,
@@ -217,9 +205,11 @@ Ended run_and_tell(const Study& study, const std::filesystem::path& folder, RunR
       }
     } else {
       say(fmt::format(
-          "warning: {} has a different study named {}; its solves stay there, but its report is overwritten; use another "
-          "name or --out to keep both",
-          folder.string(), study.name));
+          "warning: {} has a different study named {} ({}); its solves stay there, but its {}; use another name or "
+          "--out to keep both",
+          folder.string(), study.name, difference,
+          mode == Store::Mode::write_shared ? "definition is replaced, and merge takes no two of one name"
+                                            : "report is overwritten"));
     }
   }
   warn_of_left_aside(study, store);

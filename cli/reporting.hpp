@@ -75,10 +75,10 @@ void warn_of_unreachable(const experiments::Study& study);
 
 enum class Ended { complete, stopped };
 
-// Runs a study into the folder's store.sqlite with progress; warns of targets out of reach; says what was done, and
-// after Ctrl-C how to go on.
+// Runs a study into the folder's store.sqlite, opened in this mode, with progress; warns of targets out of reach; says
+// what was done, and after Ctrl-C how to go on.
 Ended run_and_tell(const experiments::Study& study, const std::filesystem::path& folder,
-                   experiments::RunRequest request);
+                   experiments::RunRequest request, results::Store::Mode mode = results::Store::Mode::write);
 
 std::filesystem::path store_in(const std::filesystem::path& folder);
 

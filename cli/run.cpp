@@ -35,14 +35,15 @@ void add_run(CLI::App& app, Invocation& invocation) {
   add_report_options(*command, arguments->report);
   command->add_flag("--no-report", arguments->without_report, "solve, but write no report");
   command->add_option("--shard", arguments->shard,
-                      "I/N: only the I-th of N parts of the runs (where solves have starts of their own, of the "
-                      "targets), each by all solvers, and no report; default --out: out/<study>/shards/I-of-N");
+                      "I/N: solve only the I-th of N parts of the study, by all solvers, and write no report; default "
+                      "--out: out/<study>/shards/I-of-N");
   command->footer(
       "Examples:\n"
       "  ikbench run my.toml\n"
       "  ikbench run slim2023 --set seed=2 --out out/seed-2\n"
       "  ikbench run slim2023 --set IK-BA.bounds=clamp --set runs=5 --out out/clamped\n"
       "  ikbench run slim2023 --shard 3/12        a twelfth, then: ikbench merge out/slim2023 out/slim2023/shards\n\n"
+      "A part is a run; where no solve starts from the answer before it (start is not previous) it is a target.\n"
       "A second run solves only what is missing. If the source of a solver changed, that solver runs again.");
   command->callback([arguments, &invocation] {
     refuse_points(arguments->report);
@@ -51,9 +52,12 @@ void add_run(CLI::App& app, Invocation& invocation) {
                    arguments->report.forced ? PointsAsObservations::forced : PointsAsObservations::refused);
     const Shard shard = arguments->shard ? shard_from(*arguments->shard) : Shard{};
     const bool is_part = arguments->shard.has_value();
+    refuse_empty_shards(study, "--shard " + shard.text(), shard.count);
     std::filesystem::path folder = arguments->run.out;
     if (folder.empty()) folder = is_part ? shard_folder(default_folder(study.name), shard) : default_folder(study.name);
-    if (run_and_tell(study, folder, {.jobs = arguments->run.jobs, .command = invocation.command, .shard = shard}) ==
+    RunRequest request{.jobs = arguments->run.jobs, .command = invocation.command, .shard = shard};
+    if (is_part) request.patience = std::chrono::seconds(1);  // without a log every transaction waits for the disk
+    if (run_and_tell(study, folder, request, is_part ? Store::Mode::write_shared : Store::Mode::write) ==
         Ended::stopped) {
       invocation.exit_code = cancelled_exit_code();
     } else if (!arguments->without_report && !is_part) {

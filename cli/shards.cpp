@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <ctime>
+#include <functional>
 #include <iomanip>
 #include <numeric>
 #include <optional>
@@ -13,6 +14,8 @@
 
 #include "cli/console.hpp"
 #include "cli/reporting.hpp"
+#include "results/merge.hpp"
+#include "results/writer_mark.hpp"
 
 namespace ikbench::cli {
 
@@ -36,26 +39,55 @@ std::string command_for(std::string command, Shard solved, Shard wanted) {
   return command;
 }
 
-// The last session that solved a shard: which, and how.
-struct Example {
-  Shard shard;
-  std::string command;
+// How the study's shards were solved, by the number of the shard: of the last N, and with as many runs as it has now.
+struct Commands {
+  int count = 1;
+  std::map<int, std::string> of_shard;
+
+  // Empty where none is known.
+  std::string of(Shard wanted) const {
+    const auto own = of_shard.find(wanted.index);
+    if (own != of_shard.end()) return own->second;
+    if (of_shard.empty()) return "";
+    const auto& [index, command] = *of_shard.begin();
+    const std::string text = command_for(command, {.index = index, .count = count}, wanted) + ' ';
+    const bool is_of_it = text.find(fmt::format("--shard {} ", wanted.text())) != std::string::npos ||
+                          text.find(fmt::format("--shard={} ", wanted.text())) != std::string::npos;
+    return is_of_it ? text.substr(0, text.size() - 1) : "";
+  }
 };
 
-Example example_of(const Store& store) {
-  Example example;
+Commands commands_of(const Store& store, const StudyEntry& study) {
+  const std::vector<std::int64_t> of_study = store.sessions_of(study.series);
+  const std::string runs = std::to_string(size_of(study).runs);
+  Commands commands;
   for (const Session& session : store.sessions()) {
-    const auto shard = session.environment.find("shard"), command = session.environment.find("command");
-    if (shard == session.environment.end() || command == session.environment.end()) continue;
-    example = {.shard = shard_from(shard->second), .command = command->second};
+    const auto fact = [&](const char* key) {
+      const auto found = session.environment.find(key);
+      return found == session.environment.end() ? std::string() : found->second;
+    };
+    if (!std::ranges::binary_search(of_study, session.id)) continue;
+    if (fact("study") != study.name || fact("runs") != runs || fact("command").empty()) continue;
+    const Shard shard = fact("shard").empty() ? Shard{} : shard_from(fact("shard"));
+    if (shard.count != commands.count) commands = {.count = shard.count, .of_shard = {}};
+    commands.of_shard[shard.index] = fact("command");
   }
-  return example;
+  return commands;
 }
 
 }  // namespace
 
 fs::path shard_folder(const fs::path& folder, Shard shard) {
   return folder / "shards" / fmt::format("{}-of-{}", shard.index, shard.count);
+}
+
+void refuse_empty_shards(const Study& study, const std::string& option, int count) {
+  const std::int64_t parts = parts_of(size_of(study));
+  if (count <= parts) return;
+  const bool is_by_run = size_of(study).is_chained;
+  throw std::invalid_argument(fmt::format("{}: {} has only {} {}{} to share out, so give at most that many shards",
+                                          option, study.name, parts, is_by_run ? "run" : "target",
+                                          parts == 1 ? "" : "s"));
 }
 
 std::vector<fs::path> stores_in(const fs::path& place) {
@@ -71,26 +103,25 @@ std::vector<fs::path> stores_in(const fs::path& place) {
   return stores;
 }
 
-std::vector<std::string> missing_parts(const Store& store, const StudyEntry& study, const fs::path& out) {
-  const Work work = work_of(study);
-  const Example example = example_of(store);
-  const std::vector<std::int64_t> stored = stored_by_shard(example.shard.count, study, store);
-  const std::int64_t all = solves_of({}, work),
+std::vector<std::string> missing_parts(const Store& store, const StudyEntry& study) {
+  const StudySize size = size_of(study);
+  const Commands commands = commands_of(store, study);
+  const std::vector<std::int64_t> stored = stored_by_shard(commands.count, study, store);
+  const std::int64_t all = solves_of({}, size),
                      lacks = all - std::accumulate(stored.begin(), stored.end(), std::int64_t{0});
   if (lacks == 0) return {};
-  std::vector<std::string> lines{fmt::format("{} lacks {} of {} solves; make them with", study.name, lacks, all)};
-  if (example.shard.count == 1) {
-    lines.push_back("  " + shell_command("ikbench", {"run", study.name, "--out", out.string()}));
-    return lines;
-  }
+  std::vector<std::string> lines;
   constexpr std::size_t most = 20;
   std::size_t missing = 0;
-  for (Shard shard{.index = 1, .count = example.shard.count}; shard.index <= shard.count; ++shard.index) {
-    if (stored[static_cast<std::size_t>(shard.index - 1)] == solves_of(shard, work)) continue;
-    if (++missing <= most) lines.push_back("  " + command_for(example.command, example.shard, shard));
+  for (Shard shard{.index = 1, .count = commands.count}; shard.index <= shard.count; ++shard.index) {
+    if (stored[static_cast<std::size_t>(shard.index - 1)] == solves_of(shard, size)) continue;
+    const std::string command = commands.of(shard);
+    if (!command.empty() && ++missing <= most) lines.push_back("  " + command);
   }
   if (missing > most) lines.push_back(fmt::format("  and {} more shards", missing - most));
-  lines.push_back("then merge again");
+  if (missing > 0) lines.push_back("then merge again");
+  lines.insert(lines.begin(), fmt::format("{} lacks {} of {} solves{}", study.name, lacks, all,
+                                          missing > 0 ? "; make them with" : ""));
   return lines;
 }
 
@@ -114,37 +145,84 @@ double seconds_since(const std::string& began) {
   return text ? std::difftime(std::time(nullptr), timegm(&date)) : 0;
 }
 
-ShardState state_of(const fs::path& file, Shard shard) {
-  ShardState state{.shard = shard, .is_open = is_open(file)};
+// What a store says of its shard.
+struct Looked {
+  ShardState state;
+  std::vector<StudyEntry> studies = {};
+};
+
+void look_into(const fs::path& file, Looked& looked) {
+  auto& [state, studies] = looked;
   const Store store(file, Store::Mode::read);
-  for (const StudyEntry& study : store.studies()) {
-    state.stored += stored_by_shard(shard.count, study, store)[static_cast<std::size_t>(shard.index - 1)];
-    state.total += solves_of(shard, work_of(study));
+  studies = store.studies();
+  std::int64_t others = 0;
+  for (const StudyEntry& study : studies) {
+    const std::vector<std::int64_t> stored = stored_by_shard(state.shard.count, study, store);
+    const std::int64_t own = stored[static_cast<std::size_t>(state.shard.index - 1)];
+    state.stored += own;
+    others += std::accumulate(stored.begin(), stored.end(), std::int64_t{0}) - own;
   }
+  if (others > 0)
+    state.trouble =
+        fmt::format("'{}' has {} solves of other shards: give each shard an --out of its own", file.string(), others);
   const std::vector<Session> sessions = store.sessions();
-  if (!state.is_open || sessions.empty()) return state;
+  if (!state.is_running || sessions.empty()) return;
   const double seconds = seconds_since(sessions.back().began);
   if (seconds > 0) state.rate = static_cast<double>(store.solves_of_session(sessions.back().id)) / seconds;
-  return state;
+}
+
+Looked look_at(const fs::path& file, Shard shard) {
+  Looked looked{.state = {.shard = shard, .is_running = is_being_written(file)}};
+  try {
+    look_into(file, looked);
+  } catch (const std::exception& error) {
+    if (!looked.state.is_running) looked.state.trouble = error.what();  // else it is being made
+  }
+  return looked;
+}
+
+Division division_of(std::vector<Looked> looked) {
+  std::ranges::sort(looked, {}, [](const Looked& each) { return each.state.shard.index; });
+  Division division{.count = looked.front().state.shard.count};
+  std::map<std::string, std::pair<StudyEntry, Shard>> studies;  // each with most runs, and who says so
+  for (auto& [state, of_shard] : looked) {
+    for (const StudyEntry& study : of_shard) {
+      const auto [known, is_new] = studies.try_emplace(study.name, study, state.shard);
+      const std::string why = why_not_one(known->second.first, study);
+      if (!why.empty())
+        state.trouble = fmt::format("the study {} is not the same in shard {} and shard {}: {}; merge refuses that",
+                                    study.name, known->second.second.text(), state.shard.text(), why);
+      if (size_of(study).runs > size_of(known->second.first).runs) known->second = {study, state.shard};
+    }
+  }
+  for (const auto& [name, study] : studies) {
+    division.total += solves_of({}, size_of(study.first));
+    for (Looked& each : looked) each.state.total += solves_of(each.state.shard, size_of(study.first));
+  }
+  for (Looked& each : looked) division.shards.push_back(std::move(each.state));
+  return division;
 }
 
 }  // namespace
 
-std::vector<ShardState> shard_states(const fs::path& folder) {
-  std::vector<ShardState> states;
+std::int64_t Division::stored() const {
+  return std::accumulate(shards.begin(), shards.end(), std::int64_t{0},
+                         [](std::int64_t sum, const ShardState& state) { return sum + state.stored; });
+}
+
+std::vector<Division> divisions(const fs::path& folder) {
+  std::map<int, std::vector<Looked>> by_count;
   std::error_code error;
   for (fs::directory_iterator entry(folder / "shards", error), end; !error && entry != end; entry.increment(error)) {
     const std::optional<Shard> shard = shard_named(entry->path().filename().string());
     std::error_code none;
-    if (shard && fs::exists(store_in(entry->path()), none)) states.push_back(state_of(store_in(entry->path()), *shard));
+    if (shard && fs::exists(store_in(entry->path()), none))
+      by_count[shard->count].push_back(look_at(store_in(entry->path()), *shard));
   }
-  if (states.empty())
-    throw std::invalid_argument(fmt::format("no shard has begun in '{}'; expected stores as '{}'",
-                                            (folder / "shards").string(),
-                                            store_in(shard_folder(folder, {.index = 1, .count = 12})).string()));
-  std::ranges::sort(states, {},
-                    [](const ShardState& state) { return std::pair(state.shard.count, state.shard.index); });
-  return states;
+  std::vector<Division> all;
+  for (auto& [count, looked] : by_count) all.push_back(division_of(std::move(looked)));
+  std::ranges::stable_sort(all, std::ranges::greater(), &Division::stored);
+  return all;
 }
 
 }  // namespace ikbench::cli

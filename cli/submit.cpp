@@ -9,7 +9,7 @@
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
 #include "cli/reporting.hpp"
-#include "experiments/shard.hpp"
+#include "cli/shards.hpp"
 #include "experiments/study_reader.hpp"
 #include "results/files.hpp"
 
@@ -112,9 +112,13 @@ std::string submitted(const std::vector<std::string>& words, const fs::path& fol
   last.erase(0, last.rfind('\n') + 1);  // after its warnings
   last = last.substr(0, last.find(';'));
   if (result.succeeded && !last.empty() && last.find_first_not_of("0123456789") == std::string::npos) return last;
-  throw std::runtime_error(fmt::format("{} failed: {}; docs/cluster.md shows other ways to run shards",
-                                       shell_command(words[0], {words.begin() + 1, words.end()}),
-                                       inference::one_line(result.output)));
+  std::string said = result.output;
+  while (!said.empty() && said.back() == '\n') said.pop_back();
+  for (std::size_t end = said.find('\n'); end != std::string::npos; end = said.find('\n', end))
+    said.replace(end, 1, "; ");
+  throw std::runtime_error(fmt::format(
+      "{} failed: {}; the job scripts stay in '{}'; docs/cluster.md shows other ways to run shards",
+      shell_command(words[0], {words.begin() + 1, words.end()}), inference::one_line(said), folder.string()));
 }
 
 void show(const fs::path& folder, const Script& script, const std::vector<std::string>& submission) {
@@ -124,10 +128,7 @@ void show(const fs::path& folder, const Script& script, const std::vector<std::s
 
 void submit(const SubmitArguments& arguments, const std::string& command) {
   const Study study = load_study(arguments.study, arguments.overrides);
-  if (solves_of({.index = arguments.tasks, .count = arguments.tasks}, work_of(study)) == 0)
-    throw std::invalid_argument(
-        fmt::format("--tasks is {}, but {} has fewer runs (of solves with starts of their own: targets) to share out",
-                    arguments.tasks, study.name));
+  refuse_empty_shards(study, fmt::format("--tasks {}", arguments.tasks), arguments.tasks);
   const fs::path folder =
       fs::absolute(arguments.run.out.empty() ? default_folder(study.name) : fs::path(arguments.run.out))
           .lexically_normal();

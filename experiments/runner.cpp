@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <chrono>
 #include <map>
 #include <optional>
 #include <stdexcept>
@@ -33,7 +34,7 @@ struct Chained {
 // alike. Of a chain there is a bit, and more only where the store has some of its points.
 struct Plan {
   explicit Plan(const Study& of, int repeats = 1, Shard of_it = {})
-      : study(of), work(work_of(of)), shard(of_it), arm(arm_of(of)), points(of.path->points()) {
+      : study(of), size(size_of(of)), shard(of_it), arm(arm_of(of)), points(of.path->points()) {
     for (const SolverEntry& entry : study.solvers) solve_runners.emplace_back(study, entry, arm, repeats);
     done.resize(solve_runners.size() * static_cast<std::size_t>(study.runs));
   }
@@ -55,13 +56,13 @@ struct Plan {
   }
   // The first point from `point` on that is asked for and not stored; beyond the last where there is none.
   int next_point(const Chained& chain, int run, int point) const {
-    while (point <= points && (chain.stored[static_cast<std::size_t>(point - 1)] || !has(shard, work, run, point)))
+    while (point <= points && (chain.stored[static_cast<std::size_t>(point - 1)] || !contains(shard, size, run, point)))
       ++point;
     return point;
   }
 
   const Study& study;
-  Work work;
+  StudySize size;
   Shard shard;
   Robot arm;
   int points;  // of a run
@@ -124,7 +125,7 @@ std::int64_t move_past_stored(Plan& plan, const Store& store) {
             "the stored solve of run {}, point {} by {} has an answer that is not finite; the store was edited, so "
             "choose another --out",
             record.run, record.point, record.solver));
-      if (has(plan.shard, plan.work, record.run, record.point)) ++stored;
+      if (contains(plan.shard, plan.size, record.run, record.point)) ++stored;
     });
     note();
   }
@@ -147,7 +148,7 @@ void solve_rest(const Plan& plan, int jobs, const std::atomic<bool>* cancelled, 
   const auto is_over = [&] { return has_failed || (cancelled != nullptr && *cancelled); };
   const auto work_on = [&](std::size_t index, RunTask& task) {
     const int run = plan.run(index);
-    if (plan.done[index] || !has_any(plan.shard, plan.work, run)) return;
+    if (plan.done[index] || !has_any(plan.shard, plan.size, run)) return;
     Chained chain = plan.chain(index);
     int point = plan.next_point(chain, run, 1);
     const SolveRunner& solve_runner = plan.solve_runner(index);
@@ -211,16 +212,30 @@ void solve_missing(Plan& plan, Store& store, const RunRequest& request, Progress
   session["jobs"] = std::to_string(request.jobs);
   session["command"] = request.command;
   if (request.shard.count > 1) session["shard"] = request.shard.text();
+  session["study"] = plan.study.name;
+  session["runs"] = std::to_string(plan.study.runs);
   const std::int64_t session_id = store.begin_session(session);
   const double stolen_before = stolen_seconds();
-  solve_rest(plan, request.jobs, request.cancelled, [&](std::vector<SolveRecord> records) {
-    for (SolveRecord& record : records) record.session = session_id;
-    store.append(records);
-    for (std::size_t i = 0; i < records.size(); ++i) {
+  std::vector<SolveRecord> waiting;
+  auto stored_last = std::chrono::steady_clock::now();
+  const auto store_them = [&] {
+    if (waiting.empty()) return;
+    store.append(waiting);
+    for (std::size_t i = 0; i < waiting.size(); ++i) {
       ++progress.done;
       if (request.progress) request.progress(progress);
     }
+    waiting.clear();
+    stored_last = std::chrono::steady_clock::now();
+  };
+  solve_rest(plan, request.jobs, request.cancelled, [&](std::vector<SolveRecord> records) {
+    for (SolveRecord& record : records) {
+      record.session = session_id;
+      waiting.push_back(std::move(record));
+    }
+    if (std::chrono::steady_clock::now() - stored_last >= request.patience) store_them();
   });
+  store_them();
   progress.notes = tell_of_programs(plan, store, session_id);
   if (const double stolen = stolen_seconds() - stolen_before; stolen >= 0) {
     store.add_to_session(session_id, {{"stolen_seconds", fmt::format("{:.2f}", stolen)}});
@@ -233,7 +248,7 @@ Progress run(const Study& study, Store& store, const RunRequest& request) {
   const bool times_count = request.jobs == 1 && !is_debug_build();
   Plan plan(study, times_count ? study.repeats : 1, request.shard);
   store.save_study(entry_of(plan));
-  Progress progress{.total = solves_of(request.shard, plan.work)};
+  Progress progress{.total = solves_of(request.shard, plan.size)};
   progress.done = progress.reused = move_past_stored(plan, store);
   if (request.progress) request.progress(progress);
   if (progress.done < progress.total) solve_missing(plan, store, request, progress);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <atomic>
+#include <chrono>
 #include <functional>
 #include <string>
 #include <vector>
@@ -26,6 +27,7 @@ struct RunRequest {
   std::string command = {};                       // what was typed, for the record
   const std::atomic<bool>* cancelled = nullptr;   // looked at before every solve; what is done stays
   Shard shard = {};                               // what of the study is solved, and counted in the progress
+  std::chrono::milliseconds patience{0};          // how long a solve may wait to be stored together with others
 };
 
 // `study` is one that the study file's reader would give: known names, as many initial angles as joints.

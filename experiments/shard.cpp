@@ -14,20 +14,20 @@ using namespace results;
 namespace {
 
 // From 0; of a chain all points are one part.
-std::int64_t part(const Work& work, int run, int point) {
-  return work.is_chained ? run - 1 : std::int64_t{run - 1} * work.points + point - 1;
+std::int64_t part(const StudySize& size, int run, int point) {
+  return size.is_chained ? run - 1 : std::int64_t{run - 1} * size.points + point - 1;
 }
 
 }  // namespace
 
-Work work_of(const Study& study) {
+StudySize size_of(const Study& study) {
   return {.runs = study.runs,
           .points = study.path->points(),
           .solvers = static_cast<int>(study.solvers.size()),
           .is_chained = study.start == Start::previous};
 }
 
-Work work_of(const StudyEntry& study) {
+StudySize size_of(const StudyEntry& study) {
   const auto definition = nlohmann::json::parse(study.definition);  // the store has checked it
   return {.runs = definition.at("runs").get<int>(),
           .points = definition.value("points", 1),
@@ -52,30 +52,32 @@ Shard shard_from(std::string_view text) {
 
 std::string Shard::text() const { return fmt::format("{}/{}", index, count); }
 
-bool has(Shard shard, const Work& work, int run, int point) {
-  return part(work, run, point) % shard.count == shard.index - 1;
+bool contains(Shard shard, const StudySize& size, int run, int point) {
+  return part(size, run, point) % shard.count == shard.index - 1;
 }
 
-bool has_any(Shard shard, const Work& work, int run) {
-  for (int point = 1; point <= (work.is_chained ? 1 : work.points); ++point)
-    if (has(shard, work, run, point)) return true;
+bool has_any(Shard shard, const StudySize& size, int run) {
+  for (int point = 1; point <= (size.is_chained ? 1 : size.points); ++point)
+    if (contains(shard, size, run, point)) return true;
   return false;
 }
 
-std::int64_t solves_of(Shard shard, const Work& work) {
-  const std::int64_t points = work.points;
-  const std::int64_t parts = work.is_chained ? work.runs : work.runs * points;
-  const std::int64_t mine = (parts + shard.count - shard.index) / shard.count;
-  return mine * (work.is_chained ? points : 1) * work.solvers;
+std::int64_t parts_of(const StudySize& size) {
+  return size.is_chained ? size.runs : std::int64_t{size.runs} * size.points;
+}
+
+std::int64_t solves_of(Shard shard, const StudySize& size) {
+  const std::int64_t mine = (parts_of(size) + shard.count - shard.index) / shard.count;
+  return mine * (size.is_chained ? size.points : 1) * size.solvers;
 }
 
 std::vector<std::int64_t> stored_by_shard(int count, const StudyEntry& study, const Store& store) {
-  const Work work = work_of(study);
+  const StudySize size = size_of(study);
   std::vector<std::int64_t> stored(static_cast<std::size_t>(count));
   for (const Series& series : study.series) {
     store.each_place(series.key, [&](int run, int point) {
-      if (run < 1 || run > work.runs || point < 1 || point > work.points) return;
-      ++stored[static_cast<std::size_t>(part(work, run, point) % count)];
+      if (run < 1 || run > size.runs || point < 1 || point > size.points) return;
+      ++stored[static_cast<std::size_t>(part(size, run, point) % count)];
     });
   }
   return stored;

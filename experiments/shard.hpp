@@ -13,15 +13,15 @@ namespace ikbench::experiments {
 
 // What a study has to solve. Its parts are its runs; where no solve starts from the answer before it, the single
 // targets of every run. A part is solved by all solvers, so that they are compared on one machine.
-struct Work {
+struct StudySize {
   int runs = 1;
   int points = 1;  // of a run
   int solvers = 1;
   bool is_chained = true;  // a solve starts from the answer before it
 };
 
-Work work_of(const Study& study);
-Work work_of(const results::StudyEntry& study);  // of a store
+StudySize size_of(const Study& study);
+StudySize size_of(const results::StudyEntry& study);  // of a store
 
 // Shard I of N has the parts I, I + N, I + 2N, ...: more runs leave each part where it is.
 struct Shard {
@@ -36,9 +36,10 @@ constexpr int most_shards = 100'000;
 // "I/N"; else std::invalid_argument.
 Shard shard_from(std::string_view text);
 
-bool has(Shard shard, const Work& work, int run, int point);
-bool has_any(Shard shard, const Work& work, int run);   // some point of the run
-std::int64_t solves_of(Shard shard, const Work& work);  // by all solvers
+bool contains(Shard shard, const StudySize& size, int run, int point);
+bool has_any(Shard shard, const StudySize& size, int run);  // some point of the run
+std::int64_t parts_of(const StudySize& size);
+std::int64_t solves_of(Shard shard, const StudySize& size);  // by all solvers
 // How many solves of each of N shards the store has.
 std::vector<std::int64_t> stored_by_shard(int count, const results::StudyEntry& study, const results::Store& store);
 

@@ -2,19 +2,26 @@
 
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <SQLiteCpp/VariadicBind.h>
+#include <fcntl.h>
 #include <fmt/format.h>
-#include <sqlite3.h>
+#include <fmt/ranges.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
+#include <cstdio>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <set>
 #include <stdexcept>
 #include <string>
+#include <system_error>
 #include <utility>
 
+#include "results/files.hpp"
 #include "results/fingerprint.hpp"
-#include "results/store.hpp"
+#include "results/same_solves.hpp"
 #include "results/store_file.hpp"
 #include "results/store_tables.hpp"
 
@@ -23,256 +30,218 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The first field in which two definitions of a study differ, with both values; empty where they are the same.
-std::string difference(const StudyEntry& a, const StudyEntry& b) {
-  const auto is_same = [](const Series& one, const Series& other) { return one.key == other.key; };
-  if (a.definition == b.definition && std::ranges::equal(a.series, b.series, is_same)) return "";
-  const auto left = nlohmann::json::parse(a.definition), right = nlohmann::json::parse(b.definition);
-  for (const auto& [key, value] : left.items()) {
-    if (right.contains(key) && right[key] == value) continue;
-    constexpr std::size_t most = 60;
-    const std::string other = right.contains(key) ? right[key].dump() : "not there";
-    return fmt::format("{} is {} and {}", key, value.dump().substr(0, most), other.substr(0, most));
-  }
-  return "the version of the solvers or of shared code is another, so use one version of ikbench for all";
+int runs_of(const StudyEntry& study) { return nlohmann::json::parse(study.definition).at("runs").get<int>(); }
+
+// Whether two are one session: all facts are the same, but for those that are known at its end.
+bool is_same(const Session& a, const Session& b) {
+  const auto facts = [](const Session& session) {
+    auto environment = session.environment;
+    std::erase_if(environment, [](const auto& fact) {
+      return fact.first == "stolen_seconds" || fact.first.starts_with("program.");
+    });
+    return environment;
+  };
+  return a.began == b.began && facts(a) == facts(b);
 }
 
-// The studies of all stores, and of each the store that has it.
-class Studies {
+// The store that gets all, within one transaction.
+class MergedStore {
  public:
-  void take(const fs::path& file, Store::Mode mode = Store::Mode::read) {
-    for (StudyEntry& study : Store(file, mode).studies()) {
-      const auto [found, is_new] = places_.try_emplace(study.name, studies_.size());
-      if (is_new) {
-        studies_.emplace_back(std::move(study), file);
-      } else if (const auto& [known, first] = studies_[found->second]; !difference(known, study).empty()) {
-        throw std::invalid_argument(fmt::format(
-            "the study '{}' is not the same in '{}' and '{}': {}; nothing was merged; run one of them again "
-            "as the other is",
-            study.name, first.string(), file.string(), difference(known, study)));
-      }
-    }
+  MergedStore(StoreFile& file, const Checker& check)
+      : file_(file), check_(check), insert_(file.sqlite(), insert_solve() + " ON CONFLICT DO NOTHING") {
+    const Store before(file.name(), Store::Mode::read);
+    for (const StudyEntry& study : before.studies()) studies_.emplace(study.name, Known{study, file.name()});
+    sessions_ = before.sessions();
   }
-  const std::vector<std::pair<StudyEntry, fs::path>>& all() const { return studies_; }
+
+  // All of a store.
+  void take(const fs::path& place) {
+    const Store source(place, Store::Mode::read);
+    source.at_one_moment([&] {
+      const std::vector<StudyEntry> studies = source.studies();
+      for (const StudyEntry& study : studies) take(study, place);
+      const std::map<std::int64_t, std::int64_t> numbers = take(source.sessions(), place);
+      Suspects suspects(studies, check_, place);
+      source.each_solve([&](SolveRecord solve) {
+        const auto number = numbers.find(solve.session);
+        if (number == numbers.end()) throw Damage("a solve is of a session that the table of sessions does not have");
+        solve.session = number->second;
+        guarded(file_.name(), [&] { take(solve, place); });
+        suspects.add(std::move(solve));
+      });
+      suspects.look();
+    });
+  }
+
+  Merged merged;
 
  private:
-  std::vector<std::pair<StudyEntry, fs::path>> studies_;  // in the order in which they were met
-  std::map<std::string, std::size_t> places_;
-};
+  struct Known {
+    StudyEntry study;
+    fs::path place;
+  };
 
-// Whether two are one session: no fact says otherwise. One may have been read before it ended.
-bool is_same(const Session& a, const Session& b) {
-  return a.began == b.began && std::ranges::all_of(a.environment, [&](const auto& fact) {
-           const auto found = b.environment.find(fact.first);
-           return found == b.environment.end() || found->second == fact.second;
-         });
-}
+  // Solves of each study on their way to who checks them, not all at once.
+  class Suspects {
+   public:
+    Suspects(const std::vector<StudyEntry>& studies, const Checker& check, fs::path place)
+        : studies_(studies), check_(check), place_(std::move(place)), waiting_(studies.size()) {
+      for (std::size_t i = 0; i < studies.size(); ++i)
+        for (const Series& series : studies[i].series) studies_of_[series.key].push_back(i);
+    }
+    void add(SolveRecord solve) {
+      const auto studies = studies_of_.find(solve.series);
+      if (studies == studies_of_.end()) return;
+      for (const std::size_t study : studies->second) waiting_[study].push_back(solve);
+      constexpr int most = 1000;
+      if (++count_ % most == 0) look();
+    }
+    void look() {
+      for (std::size_t i = 0; i < studies_.size(); ++i) {
+        const std::string wrong = check_(studies_[i], waiting_[i]);
+        if (!wrong.empty())
+          throw std::invalid_argument(fmt::format("'{}': {} Nothing was merged; solve {} again into a new store",
+                                                  place_.string(), wrong, studies_[i].name));
+        waiting_[i].clear();
+      }
+    }
 
-class Target {
- public:
-  explicit Target(const fs::path& file) : sessions_(read_sessions(file)), store_(file, Store::Mode::write) {
-    // A journal of what was there before: new rows are written once. It needs the store for itself.
-    store_.sqlite().exec("PRAGMA journal_mode = DELETE; PRAGMA cache_size = -65536");
+   private:
+    const std::vector<StudyEntry>& studies_;
+    const Checker& check_;
+    fs::path place_;
+    std::vector<std::vector<SolveRecord>> waiting_;
+    std::map<std::string, std::vector<std::size_t>> studies_of_;
+    int count_ = 0;
+  };
+
+  void take(const StudyEntry& study, const fs::path& place) {
+    const auto [found, is_new] = studies_.try_emplace(study.name, Known{study, place});
+    Known& known = found->second;
+    const std::string why = why_not_one(known.study, study);
+    if (!why.empty())
+      throw std::invalid_argument(fmt::format(
+          "the study '{}' is not the same in '{}' and '{}': {}; nothing was merged; solve one of them again "
+          "as the other is, or leave one store out",
+          study.name, known.place.string(), place.string(), why));
+    const bool is_larger = runs_of(study) > runs_of(known.study);
+    if (is_larger) known = {study, place};
+    if (is_new || is_larger) guarded(file_.name(), [&] { write_study(file_.sqlite(), study); });
   }
 
-  SQLite::Database& sqlite() { return store_.sqlite(); }
-  const std::string& name() const { return store_.name(); }
-  void commit(SQLite::Transaction& transaction) { store_.commit(transaction); }
+  // The numbers of sessions, there and here.
+  std::map<std::int64_t, std::int64_t> take(const std::vector<Session>& sessions, const fs::path& place) {
+    std::map<std::int64_t, std::int64_t> numbers;
+    std::set<std::int64_t> taken;  // two of one store are two
+    for (const Session& session : sessions) {
+      const std::int64_t number = guarded(file_.name(), [&] { return number_of(session, taken); });
+      taken.insert(number);
+      numbers[session.id] = number;
+      origins_.try_emplace(number, place);
+    }
+    return numbers;
+  }
 
-  // The number that a session of another store has in this one.
-  std::int64_t number_of(const Session& session, const fs::path& origin) {
-    auto known = std::ranges::find_if(sessions_, [&](const Session& ours) { return is_same(ours, session); });
+  std::int64_t number_of(const Session& session, const std::set<std::int64_t>& taken) {
+    auto known = std::ranges::find_if(
+        sessions_, [&](const Session& ours) { return is_same(ours, session) && !taken.contains(ours.id); });
     if (known == sessions_.end()) {
-      SQLite::Statement add(sqlite(), "INSERT INTO sessions (began) VALUES (?)");
+      SQLite::Statement add(file_.sqlite(), "INSERT INTO sessions (began) VALUES (?)");
       add.bind(1, session.began);
       add.exec();
-      sessions_.push_back({.id = sqlite().getLastInsertRowid(), .began = session.began});
+      sessions_.push_back({.id = file_.sqlite().getLastInsertRowid(), .began = session.began});
       known = sessions_.end() - 1;
-      origins_[known->id] = origin;
     }
     std::map<std::string, std::string> further = session.environment;
     std::erase_if(further, [&](const auto& fact) { return known->environment.contains(fact.first); });
-    write_environment(sqlite(), known->id, further);
+    write_environment(file_.sqlite(), known->id, further);
     known->environment.merge(further);
     return known->id;
   }
 
-  // Where a session came from.
-  std::string origin_of(std::int64_t session) const {
-    const auto found = origins_.find(session);
-    return found == origins_.end() ? name() : found->second.string();
+  void take(const SolveRecord& solve, const fs::path& place) {
+    bind_solve(insert_, solve);
+    const bool is_new = insert_.exec() == 1;
+    insert_.reset();
+    ++(is_new ? merged.added : merged.known);
+    if (!is_new) refuse_other_bits(solve, place);
   }
 
- private:
-  static std::vector<Session> read_sessions(const fs::path& file) {
-    return Store(file, Store::Mode::write).sessions();  // makes it where it is missing
-  }
-
-  std::vector<Session> sessions_;
-  StoreFile store_;
-  std::map<std::int64_t, fs::path> origins_;
-};
-
-// The solves of one store on their way into another, row by row and value by value.
-class Solves {
- public:
-  Solves(StoreFile& source, Target& target)
-      : source_(source), target_(target), rows_(source.sqlite(), "SELECT * FROM solves") {
-    std::string names, values;
-    for (int i = 0; i < rows_.getColumnCount(); ++i) {
-      names_.emplace_back(rows_.getColumnName(i));
-      names += fmt::format("{}{}", i == 0 ? "" : ", ", names_.back());
-      values += i == 0 ? "?" : ", ?";
-    }
-    insert_.emplace(target.sqlite(),
-                    fmt::format("INSERT INTO solves ({}) VALUES ({}) ON CONFLICT DO NOTHING", names, values));
-    std::string sql = "SELECT session FROM solves WHERE series = ?1 AND run = ?2 AND point = ?3";
-    for (const std::size_t i : compared()) sql += fmt::format(" AND {} IS ?{}", names_[i], i + 4);
-    same_.emplace(target.sqlite(), sql);
-  }
-
-  Merged move() {
-    std::map<std::int64_t, std::int64_t> numbers;  // of sessions, here and there
-    for (const Session& session : Store(source_.name(), Store::Mode::read).sessions())
-      numbers[session.id] = guarded(target_.name(), [&] { return target_.number_of(session, source_.name()); });
-    const int series = column("series"), run = column("run"), point = column("point"), session = column("session");
-    Merged merged;
-    while (rows_.executeStep()) {
-      value_in<std::string>(rows_.getColumn(series));
-      value_in<int>(rows_.getColumn(run));
-      value_in<int>(rows_.getColumn(point));
-      const auto number = numbers.find(value_in<std::int64_t>(rows_.getColumn(session)));
-      if (number == numbers.end()) throw Damage("a solve is of a session that the table of sessions does not have");
-      bind_row(session, number->second);
-      const bool is_new = guarded(target_.name(), [&] { return insert(); });
-      if (!is_new) check_same();
-      ++(is_new ? merged.added : merged.known);
-    }
-    return merged;
-  }
-
- private:
-  int column(const char* name) const { return rows_.getColumnIndex(name); }
-
-  // Those of which a fingerprint is made, but for the key, the name of the study, and columns that older stores lack.
-  std::vector<std::size_t> compared() const {
-    std::vector<std::size_t> list;
-    for (std::size_t i = 0; i < names_.size(); ++i) {
-      const std::string& name = names_[i];
-      if (name == "study" || name == "series" || name == "run" || name == "point") continue;
-      if (std::ranges::find(in_fingerprint, name) != in_fingerprint.end()) list.push_back(i);
-    }
-    return list;
-  }
-
-  void pass_on(SQLite::Statement& to, int index, int from) {
-    const SQLite::Column value = rows_.getColumn(from);
-    switch (value.getType()) {
-      case SQLITE_INTEGER:
-        return to.bind(index, value.getInt64());
-      case SQLITE_FLOAT:
-        return to.bind(index, value.getDouble());
-      case SQLITE_TEXT:
-        return to.bind(index, value.getString());
-      case SQLITE_NULL:
-        return to.bind(index);
-      default:
-        throw Damage(fmt::format("{} is a BLOB in a row of table solves", names_[static_cast<std::size_t>(from)]));
-    }
-  }
-
-  void bind_row(int session_column, std::int64_t session) {
-    for (int i = 0; i < rows_.getColumnCount(); ++i) {
-      if (i == session_column)
-        insert_->bind(i + 1, session);
-      else
-        pass_on(*insert_, i + 1, i);
-    }
-  }
-
-  // Whether it was not there.
-  bool insert() {
-    const bool is_new = insert_->exec() == 1;
-    insert_->reset();
-    return is_new;
-  }
-
-  void check_same() {
-    bind_place(*same_);
-    for (const std::size_t i : compared()) pass_on(*same_, static_cast<int>(i) + 4, static_cast<int>(i));
-    const bool is_same = same_->executeStep();
-    same_->reset();
-    if (!is_same) refuse_other_bits();
-  }
-
-  void bind_place(SQLite::Statement& query) {
-    pass_on(query, 1, column("series"));
-    pass_on(query, 2, column("run"));
-    pass_on(query, 3, column("point"));
-  }
-
-  [[noreturn]] void refuse_other_bits() {
-    std::string what;
-    std::int64_t session = 0;
-    for (const std::size_t i : compared()) {
-      SQLite::Statement query(target_.sqlite(),
-                              fmt::format("SELECT {} IS ?4, session FROM solves WHERE series = ?1 AND run = ?2 AND "
-                                          "point = ?3",
-                                          names_[i]));
-      bind_place(query);
-      pass_on(query, 4, static_cast<int>(i));
-      query.executeStep();
-      session = query.getColumn(1).getInt64();
-      if (query.getColumn(0).getInt() == 0) what += fmt::format("{}{}", what.empty() ? "" : ", ", names_[i]);
-    }
+  void refuse_other_bits(const SolveRecord& solve, const fs::path& place) {
+    if (!select_)
+      select_.emplace(file_.sqlite(), select_solves(schema_version) + " WHERE series = ? AND run = ? AND point = ?");
+    SQLite::bind(*select_, solve.series, solve.run, solve.point);
+    select_->executeStep();
+    const SolveRecord known = solve_in(*select_);
+    select_->reset();
+    std::vector<std::string_view> columns = differences(known, solve);
+    std::erase(columns, "study");  // the same solve may be of two
+    if (columns.empty()) return;
+    const auto origin = origins_.find(known.session);
     throw std::invalid_argument(fmt::format(
-        "the solve of run {}, point {} by {} has other bits in '{}' than in '{}' ({}); nothing was merged; find out which "
-        "machine, compiler or edit changed them (ikbench fingerprint)",
-        excerpt(rows_.getColumn(column("run"))), excerpt(rows_.getColumn(column("point"))),
-        excerpt(rows_.getColumn(column("solver"))), source_.name(), target_.origin_of(session), what));
+        "the solve of run {}, point {} by {} has other bits in '{}' than in '{}' ({}); nothing was merged; find out "
+        "which machine, compiler or edit changed them (ikbench fingerprint)",
+        solve.run, solve.point, excerpt(solve.solver), place.string(),
+        origin == origins_.end() ? file_.name() : origin->second.string(), fmt::join(columns, ", ")));
   }
 
-  StoreFile& source_;
-  Target& target_;
-  SQLite::Statement rows_;
-  std::vector<std::string> names_;
-  std::optional<SQLite::Statement> insert_, same_;
+  StoreFile& file_;
+  const Checker& check_;
+  SQLite::Statement insert_;
+  std::optional<SQLite::Statement> select_;
+  std::map<std::string, Known> studies_;
+  std::vector<Session> sessions_;
+  std::map<std::int64_t, fs::path> origins_;  // of sessions that are new
 };
 
-Merged merge_into(Target& target, const Studies& studies, const std::vector<fs::path>& stores) {
-  SQLite::Transaction transaction(target.sqlite(), SQLite::TransactionBehavior::IMMEDIATE);
-  for (const auto& [study, origin] : studies.all())
-    if (origin != target.name()) write_study(target.sqlite(), study);
-  Merged merged;
-  for (const fs::path& file : stores) {
-    const Merged of_store = guarded(file.string(), [&] {
-      StoreFile source(file, Store::Mode::read);
-      return Solves(source, target).move();
-    });
-    merged.added += of_store.added;
-    merged.known += of_store.known;
-  }
-  target.commit(transaction);
-  return merged;
+Merged merge_into(const fs::path& file, const std::vector<fs::path>& stores, const Checker& check) {
+  return guarded(file.string(), [&] {
+    StoreFile target(file, Store::Mode::write_shared);
+    target.sqlite().exec("PRAGMA cache_size = -65536");
+    SQLite::Transaction transaction(target.sqlite(), SQLite::TransactionBehavior::IMMEDIATE);
+    MergedStore store(target, check);
+    for (const fs::path& place : stores) {
+      try {
+        store.take(place);
+      } catch (const HalfWritten& error) {
+        store.merged.half_written.emplace_back(error.what());
+      }
+    }
+    if (!stores.empty() && store.merged.half_written.size() == stores.size())
+      throw std::invalid_argument(store.merged.half_written.front());
+    target.commit(transaction);
+    return store.merged;
+  });
+}
+
+// Gives a file its name unless there is one of that name: then EEXIST.
+std::error_code publish(const fs::path& file, const fs::path& name) {
+  if (::renameat2(AT_FDCWD, file.c_str(), AT_FDCWD, name.c_str(), RENAME_NOREPLACE) == 0) return {};
+  if (errno != EEXIST && ::link(file.c_str(), name.c_str()) == 0) return {};  // NFS knows no RENAME_NOREPLACE
+  return {errno, std::generic_category()};
 }
 
 }  // namespace
 
-Merged merge(const fs::path& out, const std::vector<fs::path>& stores) {
+std::string why_not_one(const StudyEntry& study, const StudyEntry& other) {
+  const std::string difference = difference_in_solves(study.definition, other.definition);
+  if (!difference.empty()) return difference;
+  const auto is_same = [](const Series& one, const Series& another) { return one.key == another.key; };
+  if (std::ranges::equal(study.series, other.series, is_same)) return "";
+  return "the version of the solvers or of shared code is another, so use one version of ikbench for all";
+}
+
+Merged merge(const fs::path& out, const std::vector<fs::path>& stores, const Checker& check) {
   std::error_code error;
-  const bool is_new = !fs::exists(out, error);
-  Studies studies;
-  if (!is_new) studies.take(out, Store::Mode::write);  // which undoes what a killed merge has begun
-  for (const fs::path& file : stores) studies.take(file);
-  try {
-    return guarded(out.string(), [&] {
-      Target target(out);
-      return merge_into(target, studies, stores);
-    });
-  } catch (...) {
-    if (is_new) fs::remove(out, error);
-    throw;
-  }
+  if (fs::exists(out, error)) return merge_into(out, stores, check);
+  const TemporaryFolder scratch(out.parent_path());
+  const fs::path made = scratch.path() / out.filename();
+  Merged merged = merge_into(made, stores, check);
+  error = publish(made, out);
+  if (!error) return merged;
+  if (error == std::errc::file_exists) return merge_into(out, stores, check);  // another merge was faster
+  throw std::invalid_argument(
+      fmt::format("cannot write '{}': {}; choose a place that you can write to", out.string(), error.message()));
 }
 
 }  // namespace ikbench::results

@@ -3,21 +3,32 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
+#include <string>
 #include <vector>
+
+#include "results/store.hpp"
 
 namespace ikbench::results {
 
 struct Merged {
   std::int64_t added = 0;
-  std::int64_t known = 0;  // were there already, with the same bits
+  std::int64_t known = 0;                 // were there already, with the same bits
+  std::vector<std::string> half_written;  // a sentence for each store that a kill left so: what it has is not merged
 };
+
+// What is wrong with solves of a study, in a sentence; empty where nothing is.
+using Checker = std::function<std::string(const StudyEntry&, const std::vector<SolveRecord>&)>;
+
+// Why two studies of one name cannot be merged; empty where they can: of two numbers of runs the larger is taken.
+std::string why_not_one(const StudyEntry& study, const StudyEntry& other);
 
 // Adds what `stores` have to the store `out`, which is made where it is missing: studies, solves and sessions, whose
 // numbers change where they are taken. A session that `out` has already is the same one: so merging again changes
-// nothing. All or nothing: a merge that is killed has added nothing (what is half-written goes when the store is opened
-// to be written again).
+// nothing. All or nothing: a merge that fails or is killed has added nothing (what is half-written goes when the store
+// is opened to be written again), and what another merge has made stays.
 // std::invalid_argument where two stores have another study of one name, or other bits of one solve (columns of the
-// fingerprint), and as store.hpp says.
-Merged merge(const std::filesystem::path& out, const std::vector<std::filesystem::path>& stores);
+// fingerprint), where `check` finds something, where no store can be read, and as store.hpp says.
+Merged merge(const std::filesystem::path& out, const std::vector<std::filesystem::path>& stores, const Checker& check);
 
 }  // namespace ikbench::results

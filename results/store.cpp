@@ -148,8 +148,12 @@ struct Store::Database : StoreFile {
   // Passes on the solves of a series, up to a run.
   void read_solves(const std::string& key, std::int64_t last_run, const std::function<void(SolveRecord)>& take) {
     refuse_blobs("solves", "series");
-    SQLite::Statement query(sqlite(), select_solves(version()));
+    SQLite::Statement query(sqlite(), select_solves(version()) + " WHERE series = ? ORDER BY run, point");
     query.bind(1, key);
+    read_rows(query, last_run, take);
+  }
+
+  void read_rows(SQLite::Statement& query, std::int64_t last_run, const std::function<void(SolveRecord)>& take) {
     const int run = query.getColumnIndex("run"), point = query.getColumnIndex("point");
     while (query.executeStep()) {
       SolveRecord record;
@@ -159,7 +163,8 @@ struct Store::Database : StoreFile {
         record = solve_in(query);
       } catch (const Damage& error) {
         throw Damage(fmt::format("{}; in the solve of run {}, point {} of series {}", error.what(),
-                                 excerpt(query.getColumn(run)), excerpt(query.getColumn(point)), excerpt(key)));
+                                 excerpt(query.getColumn(run)), excerpt(query.getColumn(point)),
+                                 excerpt(query.getColumn(query.getColumnIndex("series")))));
       }
       take(std::move(record));
     }
@@ -172,6 +177,8 @@ Store::Store(const std::filesystem::path& file, Mode mode)
 Store::~Store() = default;
 Store::Store(Store&&) noexcept = default;
 Store& Store::operator=(Store&&) noexcept = default;
+
+const std::string& Store::name() const { return database_->name(); }
 
 void Store::save_study(const StudyEntry& study) {
   try {
@@ -280,6 +287,21 @@ std::vector<std::filesystem::path> Store::finish() {
   return guarded(database_->name(), [&] { return database_->finish(); });
 }
 
+void Store::at_one_moment(const std::function<void()>& action) const {
+  guarded(database_->name(), [&] {
+    SQLite::Transaction transaction(database_->sqlite());
+    action();
+    transaction.commit();
+  });
+}
+
+void Store::each_solve(const std::function<void(SolveRecord)>& take) const {
+  guarded(database_->name(), [&] {
+    SQLite::Statement query(database_->sqlite(), select_solves(database_->version()));
+    database_->read_rows(query, all_runs, take);
+  });
+}
+
 void Store::each_of_series(const std::string& key, const std::function<void(SolveRecord)>& take) const {
   guarded(database_->name(), [&] { database_->read_solves(key, all_runs, take); });
 }
@@ -289,6 +311,19 @@ void Store::each_place(const std::string& key, const std::function<void(int, int
     SQLite::Statement query(database_->sqlite(), "SELECT run, point FROM solves WHERE series = ?");
     query.bind(1, key);
     while (query.executeStep()) take(value_in<int>(query.getColumn(0)), value_in<int>(query.getColumn(1)));
+  });
+}
+
+std::vector<std::int64_t> Store::sessions_of(const std::vector<Series>& series) const {
+  return guarded(database_->name(), [&] {
+    SQLite::Statement query(database_->sqlite(), "SELECT DISTINCT session FROM solves WHERE series = ?");
+    std::set<std::int64_t> sessions;
+    for (const Series& each : series) {
+      query.bind(1, each.key);
+      while (query.executeStep()) sessions.insert(value_in<std::int64_t>(query.getColumn(0)));
+      query.reset();
+    }
+    return std::vector<std::int64_t>(sessions.begin(), sessions.end());
   });
 }
 

@@ -11,6 +11,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -40,15 +41,24 @@ struct Session {
   std::map<std::string, std::string> environment = {};  // cpu, compiler, flags, commit, date, jobs, ...
 };
 
+// A store that a kill left in the middle of a transaction, or of being made: it is whole again when whoever may write
+// to it opens it to write.
+struct HalfWritten : std::invalid_argument {
+  using std::invalid_argument::invalid_argument;
+};
+
 class Store {
  public:
-  // write creates the file and its folders where missing, and gives a store of an older schema the columns it lacks
-  enum class Mode { read, write };
+  // write creates the file and its folders where missing, and gives a store of an older schema the columns it lacks;
+  // write_shared does it in a folder that several machines see, without a write-ahead log (store_file.hpp).
+  enum class Mode { read, write, write_shared };
 
   Store(const std::filesystem::path& file, Mode mode);
   ~Store();
   Store(Store&&) noexcept;
   Store& operator=(Store&&) noexcept;
+
+  const std::string& name() const;  // of the file, as it was given
 
   // Writes the study; one of the same name is replaced (its solves stay; only those of the new series are current).
   void save_study(const StudyEntry& study);
@@ -70,10 +80,16 @@ class Store {
   // std::runtime_error where the store is no longer in its place.
   std::vector<std::filesystem::path> finish();
 
+  // What `action` reads of the store is of one moment, whatever others write meanwhile.
+  void at_one_moment(const std::function<void()>& action) const;
+  // Calls `take` with every solve, also of series that no study has any more, in the order in which they were stored.
+  void each_solve(const std::function<void(SolveRecord)>& take) const;
   // Calls `take` with every solve of one series, ordered by run and point.
   void each_of_series(const std::string& key, const std::function<void(SolveRecord)>& take) const;
   // The same, but only run and point.
   void each_place(const std::string& key, const std::function<void(int run, int point)>& take) const;
+  // The sessions that made solves of these series, in the order of their numbers.
+  std::vector<std::int64_t> sessions_of(const std::vector<Series>& series) const;
   // How many solves each series of a configuration has, by its key: one series for every source that solved it.
   std::map<std::string, std::int64_t> series_of_configuration(std::string_view configuration) const;
   // Current solves of a study, in the order of its series, then run, then point; runs beyond `runs` of the
@@ -84,8 +100,5 @@ class Store {
   struct Database;
   std::unique_ptr<Database> database_;
 };
-
-// Whether another process has the store open to write it; of a file that cannot be read it is not known to have.
-bool is_open(const std::filesystem::path& file);
 
 }  // namespace ikbench::results

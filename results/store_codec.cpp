@@ -168,8 +168,7 @@ std::string create_solves(std::int64_t version) {
 }
 
 std::string select_solves(std::int64_t version) {
-  return fmt::format("SELECT {} FROM solves WHERE series = ? ORDER BY run, point",
-                     listed(solve_columns(version), name_in));
+  return fmt::format("SELECT {} FROM solves", listed(solve_columns(version), name_in));
 }
 
 std::vector<std::string> add_columns_after(std::int64_t version) {

@@ -1,10 +1,8 @@
 #include "results/store_file.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
 #include <sqlite3.h>
 #include <sys/stat.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cctype>
@@ -86,7 +84,7 @@ std::string checked_path(const std::filesystem::path& file, Store::Mode mode) {
   if (mode == Store::Mode::read && status.type() == std::filesystem::file_type::not_found)
     throw std::invalid_argument(
         fmt::format("'{}' does not exist; expected a store, which `ikbench run` writes", file.string()));
-  if (mode == Store::Mode::write) {
+  if (mode != Store::Mode::read) {
     std::filesystem::create_directories(path.parent_path(), error);
     if (error)
       throw std::invalid_argument(fmt::format(
@@ -112,9 +110,9 @@ void refuse(const std::string& file, const SQLite::Exception& error) {
     case SQLITE_READONLY:
       if (error.getExtendedErrorCode() == SQLITE_READONLY_DBMOVED) refuse_taken_away(file);
       if (error.getExtendedErrorCode() == SQLITE_READONLY_ROLLBACK)
-        throw std::invalid_argument(fmt::format(
-            "'{}' is half-written, because ikbench was killed; keep '{}-journal' beside it and run the study "
-            "again, which undoes the unfinished write and continues",
+        throw HalfWritten(fmt::format(
+            "'{}' is half-written, because ikbench was killed; keep '{}-journal' beside it and give the command that "
+            "was killed again, which undoes the unfinished write and continues",
             file, file));
       [[fallthrough]];
     case SQLITE_CANTOPEN:
@@ -149,39 +147,29 @@ std::optional<StoreFile::Identity> StoreFile::identity_of(const std::string& pat
   return Identity{status.st_dev, status.st_ino};
 }
 
-// Whoever has an SQLite database open with a write-ahead log holds a lock on these bytes of it
-// (https://www.sqlite.org/fileformat2.html, "The Lock-Byte Page").
-bool is_open(const std::filesystem::path& file) {
-  struct flock lock {};
-  lock.l_type = F_WRLCK;
-  lock.l_whence = SEEK_SET;
-  lock.l_start = 0x40000000;
-  lock.l_len = 512;
-  const int descriptor = ::open(file.c_str(), O_RDONLY | O_CLOEXEC);
-  if (descriptor < 0) return false;
-  const bool is_locked = ::fcntl(descriptor, F_GETLK, &lock) == 0 && lock.l_type != F_UNLCK;
-  ::close(descriptor);
-  return is_locked;
-}
-
 StoreFile::StoreFile(const std::filesystem::path& path, Store::Mode mode)
     : name_(path.string()),
       mode_(mode),
       sqlite_(checked_path(path, mode),
-              mode == Store::Mode::write ? SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE : SQLite::OPEN_READONLY,
+              mode == Store::Mode::read ? SQLite::OPEN_READONLY : SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE,
               busy_timeout_ms),
       identity_(identity_of(sqlite_.getFilename())) {
   distrust();
   using enum SQLite::TransactionBehavior;
-  SQLite::Transaction transaction(sqlite_, mode == Store::Mode::write ? IMMEDIATE : DEFERRED);
-  if (mode == Store::Mode::write && number("SELECT count(*) FROM sqlite_master") == 0 &&
+  SQLite::Transaction transaction(sqlite_, mode == Store::Mode::read ? DEFERRED : IMMEDIATE);
+  if (mode != Store::Mode::read && number("SELECT count(*) FROM sqlite_master") == 0 &&
       number("PRAGMA application_id") == 0)
     sqlite_.exec(create_tables());
   check_header();
   check_tables();
   transaction.commit();
   if (mode == Store::Mode::read) return;
-  sqlite_.exec("PRAGMA journal_mode = WAL; PRAGMA synchronous = NORMAL");
+  if (mode == Store::Mode::write_shared) {
+    sqlite_.exec("PRAGMA journal_mode = DELETE");
+    mark_.emplace(name_);
+  } else {
+    sqlite_.exec("PRAGMA journal_mode = WAL; PRAGMA synchronous = NORMAL");
+  }
   if (version() < schema_version) migrate();
 }
 
@@ -222,7 +210,7 @@ void StoreFile::fold_with_patience() {
 }
 
 std::vector<std::filesystem::path> StoreFile::finish() {
-  fold_with_patience();
+  if (mode_ == Store::Mode::write) fold_with_patience();
   check_place();
   const std::filesystem::path place =
       std::filesystem::is_symlink(name_) ? std::filesystem::canonical(name_) : std::filesystem::path(name_);
@@ -245,6 +233,11 @@ void StoreFile::distrust() {
 }
 
 void StoreFile::check_header() {
+  if (std::filesystem::file_size(name_) == 0 && number("PRAGMA page_count") == 0)
+    throw HalfWritten(fmt::format(
+        "'{}' is not an ikbench store yet: it is empty, because ikbench was killed when it began; give the command "
+        "that was killed again, which goes on with it",
+        name_));
   if (number("PRAGMA application_id") != application_id)
     throw std::invalid_argument(fmt::format(
         "'{}' is not an ikbench store: another program wrote it; expected a file written by ikbench", name_));

@@ -13,6 +13,7 @@
 
 #include "results/store.hpp"
 #include "results/store_codec.hpp"
+#include "results/writer_mark.hpp"
 
 namespace ikbench::results {
 
@@ -35,6 +36,8 @@ auto guarded(const std::string& file, Action&& action) {
 // While it is written it has a write-ahead log beside it (https://www.sqlite.org/wal.html): a process that is killed
 // loses nothing that was committed, and one transaction per solve costs no wait for the disk. The last writer to finish
 // folds the log in: a finished store is one plain file.
+// All who use a log must be on one machine. A store that is written in a folder of several machines
+// (Store::Mode::write_shared) has a rollback journal instead, during a transaction only, and a mark of its writer.
 class StoreFile {
  public:
   // Opens the file and checks that it is a store. To write, it is made where it is missing, and a store of an older
@@ -72,6 +75,7 @@ class StoreFile {
   std::string name_;
   Store::Mode mode_;
   SQLite::Database sqlite_;
+  std::optional<WriterMark> mark_;
   std::optional<Identity> identity_;  // of the file that was opened
 };
 

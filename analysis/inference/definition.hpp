@@ -1,16 +1,16 @@
 // What the definition of a study (JSON, as the store has it) says. Any of it may be missing or be something else.
 #pragma once
 
-#include <array>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "results/same_solves.hpp"
+
 namespace ikbench::inference {
 
-// Parts of a definition on which no solve depends: how it is judged, and which targets were found to be out of reach.
-constexpr std::array<std::string_view, 4> decide_no_solve{"analysis", "deadline_ms", "out_of_reach", "repeats"};
+using results::decide_no_solve;
 
 // Values are named by JSON pointers: "/path/kind".
 class Definition {

@@ -75,6 +75,13 @@ solves() {
   "$program" export "$1" | tail -n +2 | wc -l
 }
 
+# same_fingerprint STORE STORE: and both have one.
+same_fingerprint() {
+  local first second
+  first=$("$program" fingerprint "$1") && second=$("$program" fingerprint "$2") || fail "no fingerprint of $1 or $2"
+  [ -n "$first" ] && [ "$first" = "$second" ] || fail "another fingerprint: $1 has '$first', $2 has '$second'"
+}
+
 # quiet: what went to no terminal has no control characters (colours, cursor moves, carriage returns).
 quiet() {
   ! LC_ALL=C grep -q $'[\001-\010\013-\037\177]' "$work/.out" "$work/.err" || fail "control characters in: $out $err"

@@ -2,14 +2,12 @@
 # Shards, merged, are what one machine gives: the same solves, the same fingerprint, the same report.
 source "$(dirname "$0")/common.sh"
 
-fingerprint() {
-  "$program" fingerprint "$@" || fail "no fingerprint of $*"
-}
+command -v sqlite3 >/dev/null || fail "no sqlite3, which ./setup installs"
 
 chained=(slim2023 "${small[@]}" --set runs=8)
 cat >drawn.toml <<'TOML'
 name = "drawn"
-runs = 1
+runs = 5
 population = 6
 start = "random"
 stop.iterations = 5
@@ -35,15 +33,19 @@ shards() {
   done
 }
 
+sqlite() {
+  sqlite3 "$@" || fail "sqlite3 $*"
+}
+
 for name in chained drawn; do
   declare -n study=$name
   succeeds run "${study[@]}" --out "$name/one" --no-report
   numbers "$name/one/store.sqlite" >"$name.csv"
   for n in 1 2 7 40; do
-    [ $name-$n != drawn-40 ] || continue # as with 7: a target is in one shard
+    [ $name-$n != chained-40 ] || continue # it has 8 parts
     shards "$name/$n" $n
     succeeds merge "$name/$n" "$name/$n/shards"
-    [ "$(fingerprint "$name/$n/store.sqlite")" = "$(fingerprint "$name/one/store.sqlite")" ] || fail "$name in $n shards: another fingerprint"
+    same_fingerprint "$name/$n/store.sqlite" "$name/one/store.sqlite"
     numbers "$name/$n/store.sqlite" | cmp - "$name.csv" || fail "$name in $n shards: other numbers"
     succeeds run "${study[@]}" --out "$name/$n" --no-report
     has "$out" "were already stored)"
@@ -51,23 +53,18 @@ for name in chained drawn; do
 done
 
 # Merged again, one by one or with itself: nothing is added, and nothing changes.
-sqlite() {
-  sqlite3 "$@" || fail "sqlite3 $*"
-}
 before=$("$program" export chained/7/store.sqlite --format json | md5sum)
 succeeds merge chained/7 chained/7/shards/{5,1}-of-7 chained/7/store.sqlite chained/7/shards/5-of-7/store.sqlite
 has "$out" "0 solves added from 2 stores, 54 were there with the same bits" # 6 solvers x 3 points x (2 runs + 1)
 [ "$("$program" export chained/7/store.sqlite --format json | md5sum)" = "$before" ] || fail "merging again changed the store"
 
 # The same report, byte for byte, of stores whose times and sessions are made the same.
-if command -v sqlite3 >/dev/null; then
-  for n in one 7; do
-    sqlite chained/$n/store.sqlite "UPDATE solves SET seconds = 0.001, cpu_seconds = 0.001, smallest_seconds = 0.001,
-      largest_seconds = 0.001, interruptions = 0, session = 1; DELETE FROM environment; DELETE FROM sessions WHERE id > 1;"
-    succeeds report chained/$n/store.sqlite --no-figures --out report-$n
-  done
-  diff -r report-one report-7 >differences || fail "another report of shards: $(head -c 2000 differences)"
-fi
+for n in one 7; do
+  sqlite chained/$n/store.sqlite "UPDATE solves SET seconds = 0.001, cpu_seconds = 0.001, smallest_seconds = 0.001,
+    largest_seconds = 0.001, interruptions = 0, session = 1; DELETE FROM environment; DELETE FROM sessions WHERE id > 1;"
+  succeeds report chained/$n/store.sqlite --no-figures --out report-$n
+done
+diff -r report-one report-7 >differences || fail "another report of shards: $(head -c 2000 differences)"
 
 # What is missing is told with the commands that solve it, and the words are those of a shell.
 unset -n study
@@ -79,30 +76,98 @@ run_it merge here here/shards
 has "$err" "slim2023 lacks 54 of 144 solves; make them with"
 has "$err" "--shard 2/3 --out here/shards/2-of-3"
 has_no "$err" "--shard 1/3"
-bash -c "ikbench() { \"$program\" \"\$@\"; }; $(grep '  ikbench run' .err)" >.again 2>&1 || fail "the command fails: $(<.again)"
+# as_told: does what the last command said.
+as_told() {
+  bash -c "ikbench() { \"$program\" \"\$@\"; }; $(grep '^  ikbench ' .err)" >.again 2>&1 || fail "the command fails: $(<.again)"
+}
+as_told
 succeeds merge here here/shards
 has "$out" "54 solves added from 3 stores, 90 were there"
-[ "$(fingerprint here/store.sqlite)" = "$(fingerprint chained/one/store.sqlite)" ] || fail "another fingerprint after the missing shard"
+same_fingerprint here/store.sqlite chained/one/store.sqlite
+
+# With two studies in one folder each is told its own command, with its file and its settings; a store without shards too.
+sed 's/^name = .*/name = "second"/' drawn.toml >second.toml
+for i in 1 2; do succeeds run drawn.toml --set seed=5 --shard $i/3 --out two/shards/$i-of-3; done
+for i in 1 3 4; do succeeds run second.toml --set seed=6 --shard $i/4 --out two/shards/$i-of-4; done
+run_it merge two two/shards
+[ "$code" = 5 ] || fail "exit code $code of an incomplete merge, expected 5: $err"
+has "$err" "drawn lacks 30 of 90 solves; make them with"
+has "$err" "  ikbench run drawn.toml --set seed=5 --shard 3/3 --out two/shards/3-of-3"
+has "$err" "  ikbench run second.toml --set seed=6 --shard 2/4 --out two/shards/2-of-4"
+[ "$(grep -c '^  ikbench' .err)" = 2 ] || fail "more commands than parts that are missing: $err"
+as_told
+succeeds merge two two/shards
+quiet
+sqlite two/store.sqlite "DELETE FROM solves WHERE run = 5"
+succeeds run drawn.toml --set seed=7 --out whole --no-report
+sqlite whole/store.sqlite "DELETE FROM solves WHERE run = 5"
+run_it merge hole whole
+has "$err" "drawn lacks 18 of 90 solves; make them with"
+has "$err" "  ikbench run drawn.toml --set seed=7 --out whole --no-report"
+sqlite whole/store.sqlite "DELETE FROM environment WHERE key = 'command'"
+run_it merge blind whole
+[ "$code" = 5 ] || fail "exit code $code of an incomplete merge, expected 5: $err"
+has "$err" "drawn lacks 18 of 90 solves"
+has_no "$err" "ikbench run"
+
+# More runs are merged into what there is.
+for i in 1 2; do succeeds run drawn.toml --set runs=6 --shard $i/2 --out drawn/2/shards/$i-of-2; done
+succeeds merge drawn/2 drawn/2/shards
+has "$out" "18 solves added from 2 stores, 90 were there"
+succeeds run drawn.toml --set runs=6 --out six --no-report
+same_fingerprint drawn/2/store.sqlite six/store.sqlite
+
+# A store that a kill left half-written is named, and does not stop the others.
+cp -r drawn/7/shards broken
+sqlite3 broken/3-of-7/store.sqlite >.killed 2>&1 <<'SQL' || true
+PRAGMA cache_size = 1;
+BEGIN;
+UPDATE solves SET trace_cm = '[1]';
+UPDATE solves SET trace_cm = '[2]';
+.shell kill -9 $PPID
+SQL
+[ -s broken/3-of-7/store.sqlite-journal ] || fail "no half-written store"
+: >broken/4-of-7/store.sqlite
+run_it merge rest broken
+[ "$code" = 5 ] || fail "exit code $code of a merge with a half-written store, expected 5: $out $err"
+has "$out" "from 5 stores"
+has "$err" "warning: left out: 'broken/3-of-7/store.sqlite' is half-written"
+has "$err" "warning: left out: 'broken/4-of-7/store.sqlite' is not an ikbench store yet: it is empty"
+has "$err" "make them with"
+
+# Two merges into one new folder, of which one is refused: the good one stays, whoever is first.
+cp -r drawn/7/shards/2-of-7 bad
+sqlite bad/store.sqlite "UPDATE solves SET position_error_cm = -1 WHERE solver = 'bat'"
+for _ in 1 2 3 4 5 6; do
+  rm -rf both
+  "$program" merge both bad >.bad 2>&1 &
+  refused_one=$!
+  "$program" merge both drawn/7/shards >.good 2>&1 &
+  wait $! || fail "a good merge beside a refused one: $(<.good)"
+  wait $refused_one && fail "a damaged store was merged: $(<.bad)"
+  same_fingerprint both/store.sqlite drawn/one/store.sqlite
+  [ "$(ls -A both)" = store.sqlite ] || fail "merges left $(ls -A both)"
+done
+has "$(<.bad)" "'bad/store.sqlite': Damaged: position_error_cm"
 
 # A run goes on with a store of which shards are missing.
 mkdir parts && cp -r drawn/7/shards/{2,6}-of-7 parts
 run_it merge holes parts
 [ "$code" = 5 ] || fail "exit code $code of an incomplete merge, expected 5: $err"
 succeeds run "${drawn[@]}" --out holes --no-report
-[ "$(fingerprint holes/store.sqlite)" = "$(fingerprint drawn/one/store.sqlite)" ] || fail "another fingerprint of filled holes"
+same_fingerprint holes/store.sqlite drawn/one/store.sqlite
 
 # Other bits, another study, no store: refused, and nothing is merged.
-if command -v sqlite3 >/dev/null; then
-  cp -r drawn/7/shards/2-of-7 edited
-  sqlite edited/store.sqlite "UPDATE solves SET evaluations = evaluations + 1 WHERE solver = 'bat'"
-  before=$(fingerprint drawn/7/store.sqlite)
-  refused "has other bits in 'edited/store.sqlite' than in" merge drawn/7 edited
-  has "$err" "the solve of run 1, point 2 by 'bat'"
-  has "$err" "(evaluations)"
-  [ "$(fingerprint drawn/7/store.sqlite)" = "$before" ] || fail "a refused merge changed the solves"
-  refused "has other bits in 'edited/store.sqlite' than in 'drawn/7/shards/2-of-7/store.sqlite'" merge new drawn/7/shards/2-of-7 edited
-  [ ! -e new/store.sqlite ] || fail "a refused merge left a store"
-fi
+cp -r drawn/7/shards/2-of-7 edited
+sqlite edited/store.sqlite "UPDATE solves SET evaluations = evaluations + 1 WHERE solver = 'bat'"
+refused "has other bits in 'edited/store.sqlite' than in" merge drawn/7 edited
+has "$err" "the solve of run 1, point 2 by 'bat'"
+has "$err" "(evaluations)"
+same_fingerprint drawn/7/store.sqlite drawn/one/store.sqlite
+refused "has other bits in 'edited/store.sqlite' than in 'drawn/7/shards/2-of-7/store.sqlite'" merge new drawn/7/shards/2-of-7 edited
+[ ! -e new/store.sqlite ] || fail "a refused merge left a store"
+sqlite edited/store.sqlite "UPDATE solves SET answer_rad = 'x'"
+refused "'edited/store.sqlite' is damaged (answer_rad: 'x' is not a list of numbers; in the solve of run 1, point 2" merge new edited
 succeeds run drawn.toml --set seed=2 --out other --no-report
 refused "the study 'drawn' is not the same in 'drawn/7/store.sqlite' and 'other/store.sqlite': seed is 1 and 2" merge drawn/7 other
 refused "'nowhere' does not exist" merge drawn/7 nowhere
@@ -113,5 +178,9 @@ refused "is not an ikbench store" merge drawn/7 empty
 for shard in 0/3 4/3 3 3/ /3 a/b 1/100001 -1/3 1/3/5 ""; do
   refused "is no shard; expected I/N" run drawn.toml --shard "$shard" --out none
 done
+refused "--shard 9/9: slim2023 has only 8 runs to share out" run "${chained[@]}" --shard 9/9 --out none
+refused "--shard 1/46: drawn has only 45 targets to share out" run drawn.toml --shard 1/46 --out none
+refused "OUT: the name is empty" merge "" drawn/7/shards
+refused "--out: the name is empty" run drawn.toml --out ""
 [ ! -e none ] || fail "a refused shard made a folder"
 exit 0

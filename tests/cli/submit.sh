@@ -42,12 +42,13 @@ bash -n "$folder/solve.sbatch" && bash -n "$folder/merge.sbatch" || fail "a scri
 [ "$(grep -m1 '^#SBATCH --array' "$folder/solve.sbatch")" = "#SBATCH --array=1-3" ] || fail "another array first"
 [ -s "$folder/report.md" ] || fail "no report: $(cat "$folder"/log/*)"
 succeeds run "./-- my \$(touch pwned).toml" --set "title=\"'; touch pwned\"" --out one --no-report
-[ "$("$program" fingerprint "$folder/store.sqlite")" = "$("$program" fingerprint one/store.sqlite)" ] || fail "another fingerprint"
+same_fingerprint "$folder/store.sqlite" one/store.sqlite
 succeeds status "$folder"
 quiet
 has "$out" "3 shards"
 has "$out" "done  3  1-3"
 has "$out" "18 of 18 solves"
+has "$out" "Merged: 18 of 18 solves"
 cd "$work" || exit 1
 [ -z "$(find . -name 'pwned*')" ] || fail "a name was run: $(find . -name 'pwned*')"
 mapfile -t words <submissions
@@ -70,28 +71,61 @@ fails_after 3 && fail "no failure told"
 many=(slim2023 --set runs=30 --set path.points=20 --set stop.iterations=400)
 "$program" run "${many[@]}" --shard 1/3 --out many/shards/1-of-3 >/dev/null 2>&1 &
 process=$!
-until [ -s many/shards/1-of-3/store.sqlite-wal ]; do sleep 0.1; done
-sleep 1
-succeeds status many
+# incomplete FOLDER: exit code 5 of status.
+incomplete() {
+  run_it status "$1"
+  [ "$code" = 5 ] || fail "exit code $code of status, expected 5: $out $err"
+}
+until [ "$("$program" export many/shards/1-of-3/store.sqlite 2>/dev/null | wc -l)" -gt 10 ]; do sleep 0.1; done
+incomplete many
 has "$out" "running    1  1"
 has "$out" "not begun  2  2-3"
+has "$out" " of 3600 solves, " # 6 solvers x 30 runs x 20 points
 has "$out" " per second, "
+[ ! -e many/shards/1-of-3/store.sqlite-wal ] || fail "a shard has a log, which network file systems do not support"
 kill -9 $process
 wait $process 2>/dev/null
-succeeds status many
+incomplete many
 has "$out" "stopped or failed  1  1"
 has_no "$out" "per second"
 
+# What a shard's store has instead is said, and stops no other; so are other divisions and another study.
+study=(slim2023 "${small[@]}" --set runs=3)
+succeeds run "${study[@]}" --shard 1/3 --out mixed/shards/1-of-3
+succeeds run "${study[@]}" --shard 3/3 --out mixed/shards/2-of-3
+mkdir -p mixed/shards/3-of-3
+: >mixed/shards/3-of-3/store.sqlite
+incomplete mixed
+has "$out" "done               1  1"
+has "$out" "stopped or failed  2  2-3"
+has "$out" "Look at 2/3: 'mixed/shards/2-of-3/store.sqlite' has 18 solves of other shards"
+has "$out" "Look at 3/3: 'mixed/shards/3-of-3/store.sqlite' is not an ikbench store yet"
+rm -r mixed/shards/[23]-of-3
+for i in 2 3; do succeeds run "${study[@]}" --shard $i/3 --out mixed/shards/$i-of-3; done
+succeeds run "${study[@]}" --shard 1/2 --out mixed/shards/1-of-2
+succeeds status mixed
+has "$out" "Besides: 36 solves in 1 of 2 shards, another division"
+succeeds run "${study[@]}" --set seed=9 --shard 2/3 --out mixed/shards/2-of-3
+has "$err" "merge takes no two of one name"
+incomplete mixed
+has "$out" "Look at 2/3: the study slim2023 is not the same in shard 1/3 and shard 2/3: seed is 1 and 9"
+sqlite3 mixed/shards/1-of-2/store.sqlite "DELETE FROM solves; DELETE FROM series; DELETE FROM studies" || fail "sqlite3"
+rm -r mixed/shards/*-of-3
+incomplete mixed
+has "$out" "stopped or failed  1  1"
+
 # Mistakes.
-refused "no shard has begun in 'nowhere/shards'" status nowhere
-refused "--tasks is 9, but slim2023 has fewer runs" submit slim2023 "${small[@]}" --tasks 9 --out none
+refused "'nowhere' is no folder" status nowhere
+refused "'submissions' is no folder" status submissions
+refused "no shard has begun in 'bin/shards'" status bin
+refused "--tasks 9: slim2023 has only 2 runs to share out" submit slim2023 "${small[@]}" --tasks 9 --out none
 refused "unknown built-in study" submit no-such-study --tasks 2 --out none
 refused "--tasks" submit slim2023 --tasks 0 --out none
 [ ! -e none ] || fail "a mistake made a folder"
 printf '#!/usr/bin/env bash\necho "sbatch: error: no partition" >&2\nexit 1\n' >bin/sbatch
 run_it submit slim2023 "${small[@]}" --tasks 2 --out refused
 [ "$code" = 2 ] || fail "exit code $code where sbatch fails, expected 2"
-has "$err" "sbatch --parsable solve.sbatch failed: sbatch: error: no partition"
+has "$err" "sbatch --parsable solve.sbatch failed: sbatch: error: no partition; the job scripts stay in '$work/refused'"
 PATH=/nowhere run_it submit slim2023 "${small[@]}" --tasks 2 --out refused
 [ "$code" = 2 ] || fail "exit code $code without sbatch, expected 2"
 has "$err" "cannot start sbatch"

@@ -10,19 +10,19 @@ using namespace ikbench::experiments;
 
 TEST_CASE("every part of a study is in one shard, and all solvers with it", "[shard]") {
   for (const bool is_chained : {true, false}) {
-    const Work work{.runs = 5, .points = 3, .solvers = 2, .is_chained = is_chained};
+    const StudySize size{.runs = 5, .points = 3, .solvers = 2, .is_chained = is_chained};
     for (const int count : {1, 2, 7, 40}) {
       std::int64_t solves = 0;
-      for (int index = 1; index <= count; ++index) solves += solves_of({index, count}, work);
+      for (int index = 1; index <= count; ++index) solves += solves_of({index, count}, size);
       CHECK(solves == 5 * 3 * 2);
       for (int run = 1; run <= 5; ++run) {
         for (int point = 1; point <= 3; ++point) {
           int shards = 0;
           for (int index = 1; index <= count; ++index) {
-            if (!has({index, count}, work, run, point)) continue;
+            if (!contains({index, count}, size, run, point)) continue;
             ++shards;
-            CHECK(has_any({index, count}, work, run));
-            if (is_chained) CHECK(has({index, count}, work, run, 1));  // a chain is never cut
+            CHECK(has_any({index, count}, size, run));
+            if (is_chained) CHECK(contains({index, count}, size, run, 1));  // a chain is never cut
           }
           CHECK(shards == 1);
         }

@@ -2,9 +2,14 @@
 #include "results/merge.hpp"
 
 #include <SQLiteCpp/SQLiteCpp.h>
+#include <signal.h>
+
+#include <numeric>
 
 #include "results/fingerprint.hpp"
+#include "results/writer_mark.hpp"
 #include "tests/catch.hpp"
+#include "tests/results/processes.hpp"
 #include "tests/results/samples.hpp"
 
 using namespace ikbench;
@@ -24,6 +29,29 @@ void make_store(const fs::path& file, const std::string& machine, const std::vec
     record.session = session;
     store.append({record});
   }
+}
+
+// Finds nothing wrong.
+std::string no_look(const StudyEntry&, const std::vector<SolveRecord>&) { return ""; }
+
+Merged merge(const fs::path& out, const std::vector<fs::path>& stores) { return results::merge(out, stores, no_look); }
+
+void edit(const fs::path& store, const std::string& sql) {
+  SQLite::Database(store.string(), SQLite::OPEN_READWRITE).exec(sql);
+}
+
+// A store as a kill in the middle of a transaction leaves it.
+void make_half_written(const fs::path& file) {
+  std::vector<int> runs(40);
+  std::iota(runs.begin(), runs.end(), 101);
+  make_store(file, "killed", runs);
+  const pid_t writer = in_a_process([&] {
+    SQLite::Database sqlite(file.string(), SQLite::OPEN_READWRITE);
+    sqlite.exec("PRAGMA cache_size = 1; BEGIN; UPDATE solves SET trace_cm = '[1]'; UPDATE solves SET trace_cm = '[2]'");
+    return kill(getpid(), SIGKILL) == 0;
+  });
+  CHECK(exit_code(writer) == -1);
+  REQUIRE(fs::exists(file.string() + "-journal"));
 }
 
 std::vector<std::string> machines(const Store& store) {
@@ -71,7 +99,7 @@ TEST_CASE("a solve with other bits is named, with both stores, and nothing is me
   const ScratchFolder folder;
   make_store(folder.path / "a", "one", {1, 2});
   make_store(folder.path / "b", "two", {3, 2});
-  SQLite::Database(folder.path / "b", SQLite::OPEN_READWRITE).exec("UPDATE solves SET evaluations = 7 WHERE run = 2");
+  edit(folder.path / "b", "UPDATE solves SET evaluations = 7 WHERE run = 2");
   const auto merging = [&] { merge(folder.path / "out", {folder.path / "a", folder.path / "b"}); };
   const std::string said = complaint<std::invalid_argument>(merging);
   CHECK_THAT(said, ContainsSubstring("run 2, point 1"));
@@ -99,7 +127,7 @@ TEST_CASE("another study of the same name is refused with the field that differs
   const ScratchFolder folder;
   make_store(folder.path / "a", "one", {1});
   StudyEntry other = sample_study();
-  other.definition = R"({"robot":"iiwa14","runs":21,"points":20})";
+  other.definition = R"({"robot":"iiwa7","runs":20,"points":20})";
   Store(folder.path / "b", Store::Mode::write).save_study(other);
   other = sample_study();
   other.series.front().key = "key-of-another-source";
@@ -107,7 +135,7 @@ TEST_CASE("another study of the same name is refused with the field that differs
   const auto said = [&](const char* name) {
     return complaint<std::invalid_argument>([&] { merge(folder.path / "a", {folder.path / name}); });
   };
-  CHECK_THAT(said("b"), ContainsSubstring("runs is 20 and 21"));
+  CHECK_THAT(said("b"), ContainsSubstring("robot is \"iiwa14\" and \"iiwa7\""));
   CHECK_THAT(said("c"), ContainsSubstring("use one version of ikbench"));
 }
 
@@ -122,13 +150,122 @@ TEST_CASE("a store of the first version is merged into one of today", "[merge]")
   CHECK(merge(folder.path / "out", {old}).known == merged.added);
 }
 
-TEST_CASE("a store with a solve of no session, or a BLOB in it, is damaged", "[merge]") {
-  for (const char* edit :
-       {"UPDATE solves SET session = 9", "UPDATE solves SET answer_rad = x'00'", "UPDATE solves SET run = 'one'"}) {
+TEST_CASE("of two numbers of runs the larger is taken, and how a study is judged may differ", "[merge]") {
+  const ScratchFolder folder;
+  make_store(folder.path / "a", "one", {1});
+  make_store(folder.path / "b", "two", {30});
+  StudyEntry larger = sample_study();
+  larger.definition = R"({"robot":"iiwa14","runs":30,"points":20,"analysis":{"significance":0.01}})";
+  Store(folder.path / "b", Store::Mode::write).save_study(larger);
+  for (const auto& order : {std::vector{"a", "b"}, std::vector{"b", "a"}}) {
+    const fs::path out = folder.path / "out" / order.front();
+    merge(out, {folder.path / order[0], folder.path / order[1]});
+    const Store store(out, Store::Mode::read);
+    CHECK(store.study("table-3").definition == larger.definition);
+    CHECK(series_of(store, "key-a").size() == 2);
+  }
+}
+
+TEST_CASE("whatever is in a row that ikbench would not have written is damage, named with its store", "[merge]") {
+  for (const char* what : {"session = 9", "answer_rad = x'00'", "run = 'one'", "status = 'nonsense'",
+                           "answer_rad = 'x'", "seconds = 'soon'"}) {
+    CAPTURE(what);
     const ScratchFolder folder;
     make_store(folder.path / "a", "one", {1});
-    SQLite::Database(folder.path / "a", SQLite::OPEN_READWRITE).exec(edit);
-    const auto merging = [&] { merge(folder.path / "out", {folder.path / "a"}); };
-    CHECK_THAT(complaint<std::invalid_argument>(merging), ContainsSubstring(quoted(folder.path / "a") + " is damaged"));
+    edit(folder.path / "a", fmt::format("UPDATE solves SET {}", what));
+    CHECK_THAT(complaint<std::invalid_argument>([&] { merge(folder.path / "out", {folder.path / "a"}); }),
+               ContainsSubstring(quoted(folder.path / "a") + " is damaged"));
+    CHECK_FALSE(fs::exists(folder.path / "out"));
   }
+}
+
+TEST_CASE("what the checker of solves finds is refused with the store, and nothing is merged", "[merge]") {
+  const ScratchFolder folder;
+  make_store(folder.path / "a", "one", {1, 2});
+  make_store(folder.path / "b", "two", {3, 4});
+  const auto look = [](const StudyEntry& study, const std::vector<SolveRecord>& solves) -> std::string {
+    CHECK(study.name == "table-3");
+    for (const SolveRecord& solve : solves)
+      if (solve.run == 4) return "Damaged: run 4.";
+    return "";
+  };
+  const auto merging = [&] { results::merge(folder.path / "out", {folder.path / "a", folder.path / "b"}, look); };
+  CHECK_THAT(complaint<std::invalid_argument>(merging),
+             ContainsSubstring(quoted(folder.path / "b") + ": Damaged: run 4."));
+  CHECK_FALSE(fs::exists(folder.path / "out"));
+}
+
+TEST_CASE("a store that a kill left half-written is left out and named, and the rest is merged", "[merge]") {
+  const ScratchFolder folder;
+  make_store(folder.path / "a", "one", {1, 3});
+  make_half_written(folder.path / "b");
+  write_text(folder.path / "c", "");
+  const Merged merged = merge(folder.path / "out", {folder.path / "a", folder.path / "b", folder.path / "c"});
+  CHECK(merged.added == 2);
+  REQUIRE(merged.half_written.size() == 2);
+  CHECK_THAT(merged.half_written[0], ContainsSubstring(quoted(folder.path / "b") + " is half-written"));
+  CHECK_THAT(merged.half_written[1], ContainsSubstring(quoted(folder.path / "c")) && ContainsSubstring("it is empty"));
+  CHECK_THAT(complaint<std::invalid_argument>([&] { merge(folder.path / "none", {folder.path / "b"}); }),
+             ContainsSubstring("is half-written"));
+  CHECK_FALSE(fs::exists(folder.path / "none"));
+  Store(folder.path / "b", Store::Mode::write);  // the same command again
+  CHECK(merge(folder.path / "out", {folder.path / "b"}).added == 40);
+}
+
+TEST_CASE("of two merges into a new store both have their solves in it, and a refused one removes nothing", "[merge]") {
+  for (int attempt = 0; attempt < 5; ++attempt) {
+    const ScratchFolder folder;
+    const fs::path out = folder.path / "out" / "store";
+    make_store(folder.path / "a", "one", {1, 3});
+    make_store(folder.path / "b", "two", {2, 4});
+    make_store(folder.path / "bad", "three", {5});
+    edit(folder.path / "bad", "UPDATE solves SET status = 'nonsense'");
+    std::vector<pid_t> merges;
+    for (const char* name : {"a", "b", "bad"})
+      merges.push_back(in_a_process([&] { return merge(out, {folder.path / name}).added == 2; }));
+    CHECK(exit_code(merges[0]) == 0);
+    CHECK(exit_code(merges[1]) == 0);
+    CHECK(exit_code(merges[2]) == 2);
+    CHECK(series_of(Store(out, Store::Mode::read), "key-a").size() == 4);
+    CHECK(std::distance(fs::directory_iterator(out.parent_path()), fs::directory_iterator()) == 1);
+  }
+}
+
+TEST_CASE("two sessions of one store stay two, also when they are merged again", "[merge]") {
+  const ScratchFolder folder;
+  make_store(folder.path / "a", "one", {1});
+  {
+    Store store(folder.path / "a", Store::Mode::write);
+    store.begin_session({{"machine", "one"}});
+    store.begin_session({{"machine", "one"}, {"commit", "another"}});
+  }
+  edit(folder.path / "a", "UPDATE sessions SET began = '2026-01-01T00:00:00Z'");
+  for (int time = 0; time < 2; ++time) merge(folder.path / "out", {folder.path / "a"});
+  CHECK(Store(folder.path / "out", Store::Mode::read).sessions().size() == 3);
+}
+
+TEST_CASE("a store in a shared folder has no log, and a mark that says who writes", "[store]") {
+  const ScratchFolder folder;
+  const fs::path file = folder.path / "a";
+  make_store(file, "one", {1});
+  int ready[2], done[2];
+  REQUIRE(pipe(ready) == 0);
+  REQUIRE(pipe(done) == 0);
+  const pid_t writer = in_a_process([&] {
+    Store store(file, Store::Mode::write_shared);
+    store.append({sample_record("key-a", 2)});
+    char byte = 'x';
+    return write(ready[1], &byte, 1) == 1 && read(done[0], &byte, 1) == 1;
+  });
+  char byte = 0;
+  REQUIRE(read(ready[0], &byte, 1) == 1);
+  CHECK(is_being_written(file));
+  CHECK_FALSE(fs::exists(file.string() + "-wal"));
+  CHECK_FALSE(fs::exists(file.string() + "-shm"));
+  CHECK(series_of(Store(file, Store::Mode::read), "key-a").size() == 2);
+  CHECK(is_being_written(file));  // whoever reads is not who writes
+  REQUIRE(write(done[1], &byte, 1) == 1);
+  CHECK(exit_code(writer) == 0);
+  CHECK_FALSE(is_being_written(file));
+  CHECK(std::distance(fs::directory_iterator(folder.path), fs::directory_iterator()) == 1);
 }

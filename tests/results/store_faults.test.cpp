@@ -545,7 +545,7 @@ TEST_CASE("a store that a kill left half-written is told apart, and writing mend
   const std::string said = refusal(file);
   CHECK_THAT(said, ContainsSubstring("is half-written, because ikbench was killed"));
   CHECK_THAT(said, ContainsSubstring(quoted(std::filesystem::path(file.string() + "-journal"))));
-  CHECK_THAT(said, ContainsSubstring("run the study again"));
+  CHECK_THAT(said, ContainsSubstring("give the command that was killed again"));
   CHECK(Store(file, Store::Mode::write).finish() == std::vector{file});
   const std::vector<SolveRecord> solves = Store(file, Store::Mode::read).solves("table-3");
   REQUIRE(solves.size() == 40);
