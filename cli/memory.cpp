@@ -1,60 +1,93 @@
 #include "cli/memory.hpp"
 
-#include <fmt/format.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <fstream>
 #include <limits>
-#include <stdexcept>
+#include <optional>
+#include <sstream>
 #include <string>
 
 namespace ikbench::cli {
 namespace {
 
+namespace fs = std::filesystem;
+
 constexpr std::int64_t no_limit_known = std::numeric_limits<std::int64_t>::max();
 
-// The number that a file begins with; one that is not there, or says "max", limits nothing.
-std::int64_t number_in(const char* file) {
+// The number that a file begins with: none where it is not there, or says "max".
+std::optional<std::int64_t> number_in(const fs::path& file) {
   std::ifstream stream(file);
   std::int64_t number = 0;
-  return stream >> number ? number : no_limit_known;
+  return stream >> number ? std::optional(number) : std::nullopt;
 }
 
-std::int64_t left_on_machine() {
-  std::ifstream info("/proc/meminfo");
-  for (std::string name, unit; info >> name;) {
-    std::int64_t kilobytes = 0;
-    info >> kilobytes;
-    if (name == "MemAvailable:") return kilobytes * 1024;
-    std::getline(info, unit);
+// The number of a line "name number" or "name: number".
+std::optional<std::int64_t> number_in(const fs::path& file, const std::string& name) {
+  std::ifstream stream(file);
+  for (std::string line; std::getline(stream, line);) {
+    std::istringstream words(line);
+    std::string word;
+    std::int64_t number = 0;
+    if (words >> word >> number && word == name) return number;
   }
-  return no_limit_known;
+  return std::nullopt;
 }
 
-std::int64_t left_in_control_group() {
-  const std::int64_t most = number_in("/sys/fs/cgroup/memory.max");
-  const std::int64_t used = number_in("/sys/fs/cgroup/memory.current");
-  return most == no_limit_known || used == no_limit_known ? no_limit_known : most - used;
+// The names of a version's files.
+struct GroupFiles {
+  const char *limit, *used, *inactive;
+};
+constexpr GroupFiles version_1{"memory.limit_in_bytes", "memory.usage_in_bytes", "total_inactive_file"};
+constexpr GroupFiles version_2{"memory.max", "memory.current", "inactive_file"};
+
+std::int64_t left_in_group(const fs::path& group, const GroupFiles& files) {
+  const auto limit = number_in(group / files.limit), used = number_in(group / files.used);
+  if (!limit || !used) return no_limit_known;
+  return *limit - *used + number_in(group / "memory.stat", files.inactive).value_or(0);
 }
 
-std::int64_t left_of_address_space() {
+// Of the process's group and of all above it. In a container the group may have another name outside, where nothing of
+// that name is mounted; the container's own is the topmost then.
+std::int64_t left_in_groups(const fs::path& mount, fs::path group, const GroupFiles& files) {
+  std::int64_t left = left_in_group(mount, files);
+  for (group = group.relative_path(); !group.empty(); group = group.parent_path())
+    left = std::min(left, left_in_group(mount / group, files));
+  return left;
+}
+
+// Lines "id:controllers:group"; version 2 has the id 0 and no controllers (cgroups(7)).
+std::int64_t left_in_control_groups(const fs::path& root) {
+  std::int64_t left = no_limit_known;
+  std::ifstream groups(root / "proc/self/cgroup");
+  for (std::string line; std::getline(groups, line);) {
+    const std::size_t first = line.find(':'), second = line.find(':', first + 1);
+    if (first == std::string::npos || second == std::string::npos) continue;
+    const std::string controllers = ',' + line.substr(first + 1, second - first - 1) + ',';
+    const fs::path group = line.substr(second + 1), mounts = root / "sys/fs/cgroup";
+    if (controllers == ",,") left = std::min(left, left_in_groups(mounts, group, version_2));
+    if (controllers.find(",memory,") != std::string::npos)
+      left = std::min(left, left_in_groups(mounts / "memory", group, version_1));
+  }
+  return left;
+}
+
+std::int64_t left_of_address_space(const fs::path& root) {
   rlimit limit{};
-  if (getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) return no_limit_known;
-  return static_cast<std::int64_t>(limit.rlim_cur) - number_in("/proc/self/statm") * sysconf(_SC_PAGESIZE);
+  const auto pages = number_in(root / "proc/self/statm");
+  if (getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY || !pages) return no_limit_known;
+  return static_cast<std::int64_t>(limit.rlim_cur) - *pages * sysconf(_SC_PAGESIZE);
 }
 
 }  // namespace
 
-void expect_memory(std::int64_t bytes, std::string_view what) {
-  const std::int64_t left =
-      std::max(std::int64_t{0}, std::min({left_on_machine(), left_in_control_group(), left_of_address_space()}));
-  if (bytes <= left) return;
-  constexpr double megabyte = 1e6;
-  throw std::runtime_error(fmt::format("{} takes about {:.0f} MB of memory, and {:.0f} MB are left; nothing was begun",
-                                       what, static_cast<double>(bytes) / megabyte,
-                                       static_cast<double>(left) / megabyte));
+std::int64_t memory_left(const fs::path& root) {
+  constexpr std::int64_t kilobyte = 1024;
+  const auto available = number_in(root / "proc/meminfo", "MemAvailable:");
+  return std::max(std::int64_t{0}, std::min({available ? *available * kilobyte : no_limit_known,
+                                             left_in_control_groups(root), left_of_address_space(root)}));
 }
 
 }  // namespace ikbench::cli

@@ -2,12 +2,13 @@
 #pragma once
 
 #include <cstdint>
-#include <string_view>
+#include <filesystem>
 
 namespace ikbench::cli {
 
-// std::runtime_error where `bytes` are more than the process may take: by its own limit (ulimit -v), by that of its
-// control group, or by what the machine has left. `what` needs them: "a report of 10 solves".
-void expect_memory(std::int64_t bytes, std::string_view what);
+// The bytes that this process may still take: by its own limit (ulimit -v), by those of its control groups (of versions
+// 1 and 2; what they have of files counts as free, because the kernel takes it back), and by what the machine has left.
+// The largest number where nothing says. /proc and /sys are looked for in `root`.
+std::int64_t memory_left(const std::filesystem::path& root = "/");
 
 }  // namespace ikbench::cli
