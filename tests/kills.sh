@@ -1,124 +1,204 @@
 #!/usr/bin/env bash
-# What is done to a program that works: kill -9, SIGTERM and SIGHUP at random moments, a full disk. No solve is lost that
-# was stored, none is there twice, and at the end all is as if nothing had happened.
+# What is done to a program that works: kill -9, SIGTERM and SIGHUP at random moments, a full disk, a locked store. No
+# solve is lost that was stored, none is there twice, and at the end all is as if nothing had happened.
 #
-#   tests/kills.sh PROGRAM         a few of each, as ./check does
-#   tests/kills.sh PROGRAM 100     a hundred kills of each
+#   tests/kills.sh PROGRAM                  a few of each, as ./check does
+#   tests/kills.sh PROGRAM 100              a hundred of each
+#   tests/kills.sh PROGRAM 100 run merge    of these parts alone: run shard merge multiverse migration report disk locked
+#
+# IKBENCH_KILLS_SEED=N repeats the moments of another time.
 source "$(dirname "$0")/cli/common.sh"
+command -v sqlite3 >/dev/null || fail "no sqlite3, which ./setup installs"
 rounds=${2:-2}
-RANDOM=${3:-$(date +%N | sed 's/^0*//')}
-echo "kills.sh: $rounds of each"
+parts=("${@:3}")
+[ ${#parts[@]} -gt 0 ] || parts=(run shard merge multiverse migration report disk locked)
+seed=${IKBENCH_KILLS_SEED:-$((10#$(date +%N)))}
+RANDOM=$seed
+echo "kills.sh: $rounds of each, IKBENCH_KILLS_SEED=$seed"
+met=0 # signals that came while the program worked
 
-# until_done LONGEST SIGNAL COMMAND...: the command, with the signal after at most LONGEST milliseconds, again and again, at
-# most `rounds` times; then to its end. What `look` finds before a signal has to be there after it.
-until_done() {
-  local longest=$1 signal=$2 round process before after
+# signalled LONGEST SIGNAL COMMAND...: the command, with the signal after at most LONGEST milliseconds.
+signalled() {
+  local longest=$1 signal=$2 process moment
   shift 2
+  moment=$((RANDOM % longest))
+  "$program" "$@" >.said 2>&1 </dev/null &
+  process=$!
+  sleep "$((moment / 1000)).$(printf '%03d' $((moment % 1000)))"
+  before=$(look)
+  kill -s "$signal" $process 2>/dev/null
+  wait $process 2>/dev/null
+  code=$?
+  [ "$code" = 0 ] && return # it came too late
+  met=$((met + 1))
+  [ "$code" = $((128 + $(kill -l "$signal"))) ] || fail "exit code $code after SIG$signal: $(<.said)"
+  [ "$signal" = KILL ] || grep -q "^Stopped" .said || [ ! -s .said ] || fail "no sentence after SIG$signal: $(<.said)"
+}
+
+# until_done LONGEST SIGNAL COMMAND...: the same again and again, then the command to its end. What `look` finds before a
+# signal has to be there after it.
+until_done() {
+  local round after
   for ((round = 0; round < rounds; ++round)); do
-    "$program" "$@" >.said 2>&1 </dev/null &
-    process=$!
-    sleep "$(printf '0.%03d' $((RANDOM % longest)))"
-    before=$(look)
-    kill -s "$signal" $process 2>/dev/null
-    wait $process 2>/dev/null
-    code=$?
-    after=$(look)
-    [ "$after" -ge "$before" ] || fail "SIG$signal lost $((before - after)) solves of: $*"
-    ended "$signal"
+    signalled "$@"
+    after=$(look_after)
+    [ "$after" -ge "$before" ] || fail "SIG$2 lost $((before - after)) solves of: ${*:3}"
   done
-  succeeds "$@"
+  succeeds "${@:3}"
 }
 
-# Code and words after a signal; 0 where it came too late.
-ended() {
-  case $1 in
-    KILL) [ "$code" = 137 ] || [ "$code" = 0 ] || fail "exit code $code after SIGKILL: $(<.said)" ;;
-    *)
-      [ "$code" = 0 ] && return
-      [ "$code" = $((128 + $(kill -l "$1"))) ] || fail "exit code $code after SIG$1: $(<.said)"
-      grep -q "^Stopped" .said || [ ! -s .said ] || fail "no sentence after SIG$1: $(<.said)"
-      ;;
-  esac
+# at_work FILES SIGNAL COMMAND...: the signal as soon as FILES are there, which the command makes long before its end. It
+# has to be obeyed, with a sentence.
+at_work() {
+  local files=$1 signal=$2 process
+  shift 2
+  "$program" "$@" >.said 2>&1 </dev/null &
+  process=$!
+  until compgen -G "$files" >/dev/null; do
+    kill -0 $process 2>/dev/null || fail "it ended before SIG$signal: $(<.said)"
+    sleep 0.01
+  done
+  kill -s "$signal" $process
+  wait $process
+  code=$?
+  [ "$code" = $((128 + $(kill -l "$signal"))) ] || fail "exit code $code after SIG$signal while at work: $(<.said)"
+  grep -q "^Stopped" .said || fail "no sentence after SIG$signal: $(<.said)"
 }
 
-look() {
-  echo 0
+told() {
+  echo "$1: $met of $2 signals came while it worked; nothing lost"
+  met=0
 }
+
+# How many solves there are: in a store that is written, and in one that a kill may have left half-written.
+look() { echo 0; }
+look_after() { look; }
 rows_of() {
-  local rows
-  rows=$("$program" export "$1" 2>/dev/null | wc -l)
-  echo "$rows"
+  "$program" export "$1" 2>/dev/null | tail -n +2 | wc -l
+}
+rows_after() {
+  rm -rf .copy
+  cp -r "$(dirname "$1")" .copy
+  sqlite3 .copy/store.sqlite "SELECT count(*) FROM solves" 2>/dev/null || echo 0
 }
 
 study=(slim2023 --set runs=12 --set path.points=8 --set stop.iterations=60 --set population=20)
+long_study=(slim2023 --set runs=30 --set path.points=20 --set stop.iterations=400)
 succeeds run "${study[@]}" --out whole --no-report
 numbers whole/store.sqlite >whole.csv
 
-for jobs in 1 2; do
-  for signal in KILL TERM HUP; do
-    rm -rf run
-    look() { rows_of run/store.sqlite; }
-    until_done 700 $signal run "${study[@]}" --out run --no-report --jobs $jobs
-    numbers run/store.sqlite | cmp - whole.csv || fail "other numbers after SIG$signal with $jobs jobs"
-    [ "$("$program" fingerprint run/store.sqlite)" = "$("$program" fingerprint whole/store.sqlite)" ] || fail "another fingerprint"
-  done
-done
+as_whole() {
+  numbers "$1" | cmp - whole.csv || fail "other numbers after $2"
+  same_fingerprint "$1" whole/store.sqlite
+}
 
-# Merging: all or nothing.
-for i in 1 2 3; do succeeds run "${study[@]}" --shard $i/3 --out shards/$i-of-3; done
-look() { echo 0; }
-for ((k = 0; k < rounds; ++k)); do
-  rm -rf merged
-  "$program" merge merged shards >.said 2>&1 &
-  process=$!
-  sleep "$(printf '0.%03d' $((RANDOM % 60)))"
-  kill -9 $process 2>/dev/null
-  wait $process 2>/dev/null
-  succeeds merge merged shards
-  numbers merged/store.sqlite | cmp - whole.csv || fail "other numbers after a killed merge"
-  [ -z "$(find merged -name 'store.sqlite?*')" ] || fail "a merged store is more than one file: $(ls merged)"
-done
+kill_run() {
+  local jobs signal
+  look() { rows_of run/store.sqlite; }
+  look_after() { rows_after run/store.sqlite; }
+  for jobs in 1 2; do
+    for signal in KILL TERM HUP; do
+      rm -rf run
+      until_done 700 $signal run "${study[@]}" --out run --no-report --jobs $jobs
+      as_whole run/store.sqlite "SIG$signal with $jobs jobs"
+      told "run, $jobs job(s), SIG$signal" "$rounds"
+    done
+  done
+  for signal in TERM HUP INT; do
+    rm -rf run
+    at_work "run/store.sqlite-wal" $signal run "${long_study[@]}" --out run --no-report
+  done
+}
+
+# A shard has no log, so a kill may leave it half-written: the same command mends it.
+kill_shard() {
+  local signal
+  look() { rows_of shard/store.sqlite; }
+  look_after() { rows_after shard/store.sqlite; }
+  for signal in KILL TERM; do
+    rm -rf shard
+    until_done 2500 $signal run "${study[@]}" --shard 1/1 --out shard
+    as_whole shard/store.sqlite "SIG$signal of a shard"
+    told "run --shard, SIG$signal" "$rounds"
+  done
+}
+
+# Merging: all or nothing, into a new store and into one that is there.
+kill_merge() {
+  local i k kind
+  look() { echo 0; }
+  look_after() { echo 0; }
+  for i in 1 2 3; do succeeds run "${study[@]}" --shard $i/3 --out shards/$i-of-3; done
+  succeeds merge begun shards/2-of-3
+  for kind in new there; do
+    for ((k = 0; k < rounds; ++k)); do
+      rm -rf merged
+      [ $kind = new ] || cp -r begun merged
+      signalled 150 KILL merge merged shards
+      succeeds merge merged shards
+      as_whole merged/store.sqlite "a killed merge"
+      [ "$(ls -A merged)" = store.sqlite ] || fail "a merged store is more than one file: $(ls -A merged)"
+    done
+    told "merge into a store that is $kind, SIGKILL" "$rounds"
+  done
+}
 
 # An interpretation is a line of a file.
-multiverse=(multiverse slim2023 --set runs=2 --set path.points=3 --set stop.iterations=5 --set population=6
-  --dimensions bounds,BA.best_of --no-figures)
-succeeds "${multiverse[@]}" --out means
-until_done 400 KILL "${multiverse[@]}" --out killed
-cmp means/series.csv killed/series.csv || fail "another series.csv after kills"
+kill_multiverse() {
+  local multiverse=(multiverse slim2023 --set runs=2 --set path.points=3 --set stop.iterations=5 --set population=6
+    --dimensions bounds,BA.best_of --no-figures)
+  lines() { cat "$1/series.csv" 2>/dev/null | wc -l; }
+  look() { lines killed; }
+  look_after() { lines killed; }
+  succeeds "${multiverse[@]}" --out means
+  local k
+  for ((k = 0; k < rounds; k += 4)); do # it is soon done: begun anew now and then
+    rm -rf killed
+    rounds=4 until_done 400 KILL "${multiverse[@]}" --out killed
+    cmp means/series.csv killed/series.csv || fail "another series.csv after kills"
+  done
+  told "multiverse, SIGKILL" "$k"
+  at_work "stopped/series.csv" TERM multiverse slim2023 --set stop.iterations=300 --out stopped
+}
 
 # A store of the first version gets columns when it is written.
-old=$scripts/../data/store-of-4de262c.sqlite
-"$program" export "$old" >old.csv || fail "cannot read $old"
-study_of_old=$("$program" fingerprint "$old")
-for ((k = 0; k < rounds; ++k)); do
-  rm -rf migrated && mkdir migrated && cp "$old" migrated/store.sqlite && chmod u+w migrated/store.sqlite
-  "$program" run slim2023-dobot "${small[@]}" --out migrated --no-report >.said 2>&1 &
-  process=$!
-  sleep "$(printf '0.%03d' $((RANDOM % 40)))"
-  kill -9 $process 2>/dev/null
-  wait $process 2>/dev/null
-  succeeds run slim2023-dobot "${small[@]}" --out migrated --no-report
-  [ "$("$program" fingerprint migrated/store.sqlite | head -n "$(wc -l <<<"$study_of_old")")" = "$study_of_old" ] || fail "a killed migration changed the old solves"
-done
+kill_migration() {
+  local old=$scripts/../data/store-of-4de262c.sqlite study_of_old k
+  look() { echo 0; }
+  look_after() { echo 0; }
+  study_of_old=$("$program" fingerprint "$old") || fail "no fingerprint of $old"
+  for ((k = 0; k < rounds; ++k)); do
+    rm -rf migrated && mkdir migrated && cp "$old" migrated/store.sqlite && chmod u+w migrated/store.sqlite
+    signalled 300 KILL run slim2023-dobot "${small[@]}" --out migrated --no-report
+    succeeds run slim2023-dobot "${small[@]}" --out migrated --no-report
+    [ "$("$program" fingerprint migrated/store.sqlite | head -n "$(wc -l <<<"$study_of_old")")" = "$study_of_old" ] || fail "a killed migration changed the old solves"
+  done
+  told "migration, SIGKILL" "$rounds"
+}
 
 # While a report is drawn: a sentence, the code of the signal, and no scratch folder.
-for signal in TERM HUP INT; do
-  for ((k = 0; k < rounds; ++k)); do
-    "$program" report whole/store.sqlite --out drawn >.said 2>&1 </dev/null &
-    process=$!
-    sleep "$(printf '%d.%03d' $((RANDOM % 2)) $((RANDOM % 1000)))"
-    kill -s $signal $process 2>/dev/null
-    wait $process 2>/dev/null
-    code=$?
-    ended $signal
-    [ -z "$(find drawn -name '.drawing-*' 2>/dev/null)" ] || fail "SIG$signal left $(find drawn -name '.drawing-*')"
+kill_report() {
+  local signal k
+  look() { echo 0; }
+  for signal in TERM HUP INT; do
+    for ((k = 0; k < rounds; ++k)); do
+      signalled 2000 $signal report whole/store.sqlite --out drawn
+      [ -z "$(find drawn -name '.drawing-*' 2>/dev/null)" ] || fail "SIG$signal left $(find drawn -name '.drawing-*')"
+    done
+    told "report, SIG$signal" "$rounds"
+    rm -rf drawn
+    at_work "drawn/figures/.drawing-*" $signal report whole/store.sqlite --out drawn
+    [ -z "$(find drawn -name '.drawing-*')" ] || fail "SIG$signal left $(find drawn -name '.drawing-*')"
   done
-done
+}
 
 # A disk that is full while solves are stored: exit code 2, the name of the store, and later all goes on.
-mkdir small
-if mount -t tmpfs -o size=256k none small 2>/dev/null; then
+kill_disk() {
+  mkdir small
+  mount -t tmpfs -o size=256k none small 2>/dev/null || { echo "no full disk: only root can make a small one"; return; }
   trap 'cd /; umount "$work/small"; rm -rf "$work"' EXIT
+  local i
+  [ -d shards ] || for i in 1 2 3; do succeeds run "${study[@]}" --shard $i/3 --out shards/$i-of-3; done
   run_it run "${study[@]}" --out small/run --no-report
   [ "$code" = 2 ] || fail "exit code $code on a full disk: $out $err"
   has "$err" "cannot use 'small/run/store.sqlite': database or disk is full"
@@ -127,12 +207,31 @@ if mount -t tmpfs -o size=256k none small 2>/dev/null; then
   has "$err" "disk is full"
   mount -o remount,size=8m small
   succeeds run "${study[@]}" --out small/run --no-report
-  numbers small/run/store.sqlite | cmp - whole.csv || fail "other numbers after a full disk"
+  as_whole small/run/store.sqlite "a full disk"
   mount -o remount,ro small
   refused "cannot open 'small/run/store.sqlite'" run "${study[@]}" --set runs=13 --out small/run --no-report
   refused "cannot write" merge small/other shards
   mount -o remount,rw small
-else
-  echo "no full disk: only root can make a small one"
-fi
+}
+
+# A store that another program keeps locked: some seconds of waiting, a sentence, and later all goes on.
+kill_locked() {
+  local holder
+  cp -r whole locked
+  printf 'BEGIN EXCLUSIVE;\n.shell touch holds\n.shell sleep 60\n' | sqlite3 locked/store.sqlite &
+  holder=$!
+  until [ -e holds ]; do sleep 0.1; done
+  run_it run "${study[@]}" --set runs=13 --out locked --no-report
+  [ "$code" = 2 ] || fail "exit code $code of a locked store, expected 2: $out $err"
+  has "$err" "another process has kept 'locked/store.sqlite' locked for 10 s; wait until it has ended"
+  pkill -P $holder
+  kill $holder 2>/dev/null
+  wait $holder 2>/dev/null
+  succeeds run "${study[@]}" --set runs=13 --out locked --no-report
+}
+
+for part in "${parts[@]}"; do
+  declare -F "kill_$part" >/dev/null || fail "there is no part $part"
+  "kill_$part"
+done
 exit 0

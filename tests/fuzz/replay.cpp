@@ -1,4 +1,5 @@
-// Gives a reader the files and those of the folders that are its arguments, where there is no fuzzer.
+// Gives a reader the files and those of the folders that are its arguments, where there is no fuzzer. It must take
+// each, but for those whose names begin with "refused".
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -9,22 +10,29 @@
 
 namespace {
 
-void replay(const std::filesystem::path& input) {
+bool replay(const std::filesystem::path& input) {
   std::printf("%s\n", input.c_str());
   std::fflush(stdout);  // before the reader can end the program
   std::ifstream file(input, std::ios::binary);
   const std::string bytes{std::istreambuf_iterator<char>(file), {}};
+  const int taken_before = ikbench::taken;
   LLVMFuzzerTestOneInput(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());
+  const bool is_to_be_refused = input.filename().string().starts_with("refused");
+  if ((ikbench::taken == taken_before) == is_to_be_refused) return true;
+  std::printf("%s\n", is_to_be_refused ? "was taken" : "was refused");
+  return false;
 }
 
 }  // namespace
 
 int main(int count, char** arguments) {
+  bool is_right = count > 1;
   for (int i = 1; i < count; ++i) {
     if (!std::filesystem::is_directory(arguments[i]))
-      replay(arguments[i]);
+      is_right = replay(arguments[i]) && is_right;
     else
-      for (const auto& entry : std::filesystem::directory_iterator(arguments[i])) replay(entry.path());
+      for (const auto& entry : std::filesystem::directory_iterator(arguments[i]))
+        is_right = replay(entry.path()) && is_right;
   }
-  return count > 1 ? 0 : 1;
+  return is_right ? 0 : 1;
 }
