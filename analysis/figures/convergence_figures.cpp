@@ -134,7 +134,7 @@ Figure runtime_figure(const StudyResults& study, const Clusters& clusters, Cost 
       has_tolerance ? "the tolerance of the study"
                     : "the decade below the smallest error of any solve, at least 1e-8 cm",
       cost == Cost::seconds ? "time" : "evaluations", bands(study, clusters), without_trace(study));
-  if (cost == Cost::seconds) figure.caption += fmt::format(" {}", median_speed_words);
+  if (cost == Cost::seconds) figure.caption += " " + speed_note(study);
   draw_shares(figure, study, shares);
   return figure;
 }
@@ -158,8 +158,6 @@ Figure error_figure(const StudyResults& study, const Clusters& clusters) {
   return figure;
 }
 
-enum class ProfileOf { evaluations, seconds, error };
-
 // What a problem is, for the caption.
 std::string problem(const StudyResults& study) {
   const Definition definition(study.definition);
@@ -175,21 +173,20 @@ std::string problem(const StudyResults& study) {
   return words;
 }
 
-std::optional<Figure> profile_figure(const StudyResults& study, const Clusters& clusters, ProfileOf of) {
+// Of what the tolerance costs, or else of the error.
+std::optional<Figure> profile_figure(const StudyResults& study, const Clusters& clusters, std::optional<Cost> cost) {
   const Tolerance within = tolerance(study);
-  const Cost cost = of == ProfileOf::seconds ? Cost::seconds : Cost::evaluations;
   const Profile profile = performance_profile(study, [&](const SolveRecord& solve) {
-    if (of == ProfileOf::error) return std::max(final_error_cm(solve), info_of(Metric::position_error_cm).rounding);
-    return reaches(solve, within) ? total_cost(solve, cost) : censored;
+    if (!cost) return std::max(final_error_cm(solve), info_of(Metric::position_error_cm).rounding);
+    return reaches(solve, within) ? total_cost(solve, *cost) : censored;
   });
   const auto compared = std::ranges::count_if(profile.ratios, [](const auto& ratios) { return !ratios.empty(); });
   if (compared < 2) return std::nullopt;
 
-  const std::string_view name = of == ProfileOf::error ? "error" : of == ProfileOf::seconds ? "seconds" : "evaluations";
-  const std::string_view words = of == ProfileOf::error     ? "position error"
-                                 : of == ProfileOf::seconds ? "time"
-                                                            : "number of evaluations";
-  ShareCurves shares{.label = fmt::format("{} / smallest of all solvers", of == ProfileOf::error ? words : name),
+  const bool in_seconds = cost == Cost::seconds;
+  const std::string_view name = !cost ? "error" : in_seconds ? "seconds" : "evaluations";
+  const std::string_view words = !cost ? "position error" : in_seconds ? "time" : "number of evaluations";
+  ShareCurves shares{.label = fmt::format("{} / smallest of all solvers", cost ? name : words),
                      .share_of = "share of problems",
                      .is_ratio = true};
   const std::vector<std::size_t> clusters_of_problems = clusters.of(profile.solves);
@@ -200,8 +197,8 @@ std::optional<Figure> profile_figure(const StudyResults& study, const Clusters& 
   figure.caption = fmt::format(
       "Performance profiles (Dolan and Moré, 2002): share of {} problems in which a solver's {}{} is at most this many "
       "times the smallest of all solvers.{}",
-      profile.problems, words, of == ProfileOf::error ? "" : " until " + inference::words(within), problem(study));
-  if (of == ProfileOf::error) {
+      profile.problems, words, cost ? " until " + inference::words(within) : "", problem(study));
+  if (!cost) {
     figure.caption += fmt::format(" An error up to {} cm is rounding and counts as that.",
                                   info_of(Metric::position_error_cm).rounding);
   }
@@ -232,10 +229,11 @@ Figure solved_figure(const StudyResults& study, const Clusters& clusters, Cost c
   }
   Figure figure{.name = fmt::format("statistics-solved-{}", cost == Cost::seconds ? "seconds" : "evaluations")};
   figure.caption = fmt::format(
-      "Share of all solves that have ended with status ok within this {}: {}. The other solves count as never solved.{}",
+      "Share of solves with status ok after this {}: inside the joint limits, and {} or less. The other solves count as "
+      "never solved.{}",
       cost == Cost::seconds ? "time" : "number of evaluations", inference::words(tolerance(study)),
       bands(study, clusters));
-  if (cost == Cost::seconds) figure.caption += fmt::format(" {}", median_speed_words);
+  if (cost == Cost::seconds) figure.caption += " " + speed_note(study);
   draw_shares(figure, study, shares);
   return figure;
 }
@@ -284,29 +282,31 @@ std::vector<Figure> convergence_figures(const StudyResults& measured) {
   const auto add = [&](std::optional<Figure> figure) {
     if (figure) figures.push_back(std::move(*figure));
   };
-  const auto add_of_evaluations = [&](std::optional<Figure> figure) {
+  const auto add_of_evaluations = [&](auto draw) {
+    if (of_evaluations.solves.empty()) return;
+    std::optional<Figure> figure = draw(of_evaluations, clusters_of_evaluations);
     if (!figure) return;
     if (const std::string note = uncounted_note(study); !note.empty()) figure->caption += " " + note;
     add(std::move(figure));
   };
-  const bool has_counts = !of_evaluations.solves.empty();
+  const auto add_of_both = [&](auto draw) {
+    add_of_evaluations(
+        [&](const StudyResults& known, const Clusters& drawn) { return draw(known, drawn, Cost::evaluations); });
+    if (has_clean_times) add(draw(study, clusters, Cost::seconds));
+  };
   if (std::ranges::any_of(study.solves, [](const SolveRecord& solve) { return !solve.trace_cm.empty(); })) {
-    if (has_counts) add_of_evaluations(convergence_figure(of_evaluations, traced_by_solver(of_evaluations)));
-    if (!study.task.pose) {  // whose traces have another error than the tolerance
-      if (has_counts) add_of_evaluations(runtime_figure(of_evaluations, clusters_of_evaluations, Cost::evaluations));
-      if (has_clean_times) add(runtime_figure(study, clusters, Cost::seconds));
-    }
+    add_of_evaluations(
+        [](const StudyResults& known, const Clusters&) { return convergence_figure(known, traced_by_solver(known)); });
+    if (!study.task.pose) add_of_both(runtime_figure);  // whose traces have another error than the tolerance
   }
   add(error_figure(study, clusters));
-  if (std::isfinite(tolerance_cm(study))) {
-    if (has_counts) add_of_evaluations(solved_figure(of_evaluations, clusters_of_evaluations, Cost::evaluations));
-    if (has_clean_times) add(solved_figure(study, clusters, Cost::seconds));
-    if (has_counts) add_of_evaluations(profile_figure(of_evaluations, clusters_of_evaluations, ProfileOf::evaluations));
-    if (has_clean_times) add(profile_figure(study, clusters, ProfileOf::seconds));
-    if (has_counts) add_of_evaluations(survival_figure(of_evaluations, clusters_of_evaluations));
-  } else {
-    add(profile_figure(study, clusters, ProfileOf::error));
+  if (!std::isfinite(tolerance_cm(study))) {
+    add(profile_figure(study, clusters, std::nullopt));
+    return figures;
   }
+  add_of_both(solved_figure);
+  add_of_both(profile_figure);
+  add_of_evaluations(survival_figure);
   return figures;
 }
 

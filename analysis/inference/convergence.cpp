@@ -6,7 +6,6 @@
 #include <cmath>
 #include <functional>
 #include <map>
-#include <numbers>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -14,6 +13,7 @@
 #include "analysis/inference/definition.hpp"
 #include "analysis/inference/text.hpp"
 #include "analysis/statistics/quantile.hpp"
+#include "results/orientation.hpp"
 
 namespace ikbench::inference {
 
@@ -102,10 +102,8 @@ std::string words(const Tolerance& tolerance) {
 
 bool reaches(const SolveRecord& solve, const Tolerance& tolerance) {
   if (is_without_answer(solve.status) || !(final_error_cm(solve) <= tolerance.cm + verifier_rounding_cm)) return false;
-  // Of two rotations ||R - Rd|| is sqrt(8) sin(angle / 2), and ||Rd|| is sqrt(3).
-  const double degree = std::numbers::pi / 180;
   return !(tolerance.deg < 180) ||
-         solve.orientation_error <= std::sqrt(8.0 / 3) * std::sin(tolerance.deg * degree / 2) + verifier_rounding_rad;
+         solve.orientation_error <= orientation_error_of(tolerance.deg) + verifier_rounding_rad;
 }
 
 std::vector<double> costs_to_targets(const SolveRecord& solve, std::span<const double> targets_cm, Cost cost) {

@@ -8,12 +8,15 @@
 
 #include "analysis/inference/run_metrics.hpp"
 #include "analysis/inference/study.hpp"
+#include "numerics/units.hpp"
 
 namespace ikbench::inference {
 
 using namespace results;
 
 namespace {
+
+constexpr double rounding_deg = 1e-9 / numerics::degree;
 
 constexpr std::array infos{
 #define METRIC(column, slug, name, unit, better, kind, rounding, shown, value)                                     \

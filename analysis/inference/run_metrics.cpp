@@ -2,10 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <vector>
 
 #include "analysis/inference/study.hpp"
+#include "numerics/units.hpp"
+#include "results/orientation.hpp"
 
 namespace ikbench::inference {
 
@@ -14,10 +15,9 @@ using namespace statistics;
 
 namespace {
 
-constexpr double degrees = 180 / std::numbers::pi;
-
 bool is_followed(Run run, const StudyResults& study) {
   if (!study.task.is_path || run.size() < 2) return false;
+  if (std::ranges::any_of(run, is_without_answer, [](const SolveRecord* solve) { return solve->status; })) return false;
   for (std::size_t k = 1; k < run.size(); ++k) {
     const SolveRecord &before = *run[k - 1], &solve = *run[k];
     if (solve.point != before.point + 1 || solve.start_rad != before.answer_rad) return false;
@@ -43,7 +43,7 @@ double norm_deg(std::size_t joints, const StudyResults& study, Element element) 
   for (std::size_t joint = 0; joint < joints; ++joint) {
     if (!study.task.slides.contains(joint)) sum += element(joint) * element(joint);
   }
-  return degrees * std::sqrt(sum);
+  return std::sqrt(sum) / numerics::degree;
 }
 
 bool is_near(const std::vector<double>& a, const std::vector<double>& b) {
@@ -53,9 +53,7 @@ bool is_near(const std::vector<double>& a, const std::vector<double>& b) {
 }  // namespace
 
 double orientation_error_deg(const SolveRecord& solve, const StudyResults& study) {
-  if (!study.task.orientation) return not_defined;
-  const double sine = solve.orientation_error * std::sqrt(0.375);
-  return std::isnan(sine) ? sine : degrees * 2 * std::asin(std::min(sine, 1.0));
+  return study.task.orientation ? orientation_angle_deg(solve.orientation_error) : not_defined;
 }
 
 double excess_error_cm(Run run) {

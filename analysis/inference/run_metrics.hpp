@@ -6,7 +6,11 @@
 
 namespace ikbench::inference {
 
-// The angle of the rotation from the target to the answer: ||R - Rd|| = 2 sqrt 2 sin(angle / 2) and ||Rd|| = sqrt 3.
+// Not defined of a solve without an answer.
+inline double of_answer(const results::SolveRecord& solve, double value) {
+  return results::is_without_answer(solve.status) ? statistics::not_defined : value;
+}
+
 // Not defined where the study searches for positions alone.
 double orientation_error_deg(const results::SolveRecord& solve, const StudyResults& study);
 
@@ -14,7 +18,8 @@ double orientation_error_deg(const results::SolveRecord& solve, const StudyResul
 double excess_error_cm(Run run);
 
 // How the arm follows a path: from the first answer of a run to the last, without the move to the first point. Only
-// where each solve starts from the answer before it, and the targets are a path rather than drawn one by one.
+// where each solve has an answer and starts from the one before it, and the targets are a path rather than drawn one by
+// one.
 // Joints that turn and joints that slide are apart; only path_length_m is of those that slide.
 double path_length_deg(Run run, const StudyResults& study);  // sum of the variations
 double path_length_m(Run run, const StudyResults& study);

@@ -297,7 +297,8 @@ std::vector<std::string> status_notes(const StudyResults& study) {
   if (is_without_answer(shown.back())) {
     notes.push_back(
         "A program that crashed, timed out, broke the protocol or declined gave no answer: the arm stays where it was, "
-        "and the error that counts is the one it has there.");
+        "and the error that counts is the one it has there. Such a solve has no time, no evaluations and no move: in "
+        "these it ranks last.");
   }
   if (by_status[static_cast<std::size_t>(Status::not_finite)] > 0) {
     notes.push_back(

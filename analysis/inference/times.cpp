@@ -4,9 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 #include <map>
 #include <vector>
 
+#include "analysis/inference/definition.hpp"
 #include "analysis/inference/text.hpp"
 #include "analysis/statistics/descriptive.hpp"
 
@@ -18,18 +21,19 @@ using namespace statistics;
 namespace {
 
 constexpr double outlying = 3;   // times as long as usual
-constexpr double loaded = 0.05;  // share of solves that stand out
+constexpr double loaded = 0.05;  // share of a solver's solves that stand out
 constexpr double ms_per_second = 1000;
 
-bool has_pace(const SolveRecord& solve) {
-  return solve.evaluations > 0 && solve.seconds > 0 && std::isfinite(solve.seconds);
+// With an answer, and evaluations that somebody counted.
+bool has_pace(const StudyResults& study, const SolveRecord& solve) {
+  return value_of(study, solve, Metric::evaluations) > 0 && solve.seconds > 0 && std::isfinite(solve.seconds);
 }
 
 // Median seconds per evaluation of each solver.
 std::map<std::string, double> paces_of(const StudyResults& study) {
   std::map<std::string, std::vector<double>> all;
   for (const SolveRecord& solve : study.solves) {
-    if (has_pace(solve)) all[solve.solver].push_back(solve.seconds / static_cast<double>(solve.evaluations));
+    if (has_pace(study, solve)) all[solve.solver].push_back(solve.seconds / static_cast<double>(solve.evaluations));
   }
   std::map<std::string, double> medians;
   for (const auto& [solver, paces] : all) medians[solver] = median(paces);
@@ -38,6 +42,7 @@ std::map<std::string, double> paces_of(const StudyResults& study) {
 
 struct Outliers {
   int solves = 0;
+  std::map<std::string, int> of_solver = {};
   const SolveRecord* worst = nullptr;
   double seconds = 0;  // of the worst: its longest time, and the usual one
   double usual = 0;
@@ -47,13 +52,14 @@ Outliers outliers_of(const StudyResults& study) {
   const std::map<std::string, double> paces = paces_of(study);
   Outliers found;
   for (const SolveRecord& solve : study.solves) {
-    if (!has_pace(solve)) continue;
-    const double usual = solve.repeats > 1 && solve.smallest_seconds > 0
-                             ? solve.smallest_seconds
-                             : paces.at(solve.solver) * static_cast<double>(solve.evaluations);
+    const bool is_repeated = solve.repeats > 1 && solve.smallest_seconds > 0;
+    if (!is_repeated && !has_pace(study, solve)) continue;
+    const double usual =
+        is_repeated ? solve.smallest_seconds : paces.at(solve.solver) * static_cast<double>(solve.evaluations);
     const double longest = std::fmax(solve.seconds, solve.largest_seconds);
     if (!(longest > outlying * usual)) continue;
     ++found.solves;
+    ++found.of_solver[solve.solver];
     if (found.worst != nullptr && longest / usual <= found.seconds / found.usual) continue;
     found.worst = &solve;
     found.seconds = longest;
@@ -96,7 +102,7 @@ std::string note_on(const Outliers& found, const StudyResults& study) {
 StudyResults at_median_speed(StudyResults study) {
   const std::map<std::string, double> paces = paces_of(study);
   for (SolveRecord& solve : study.solves) {
-    if (!has_pace(solve)) continue;
+    if (!has_pace(study, solve)) continue;
     const double seconds = paces.at(solve.solver) * static_cast<double>(solve.evaluations);
     solve.cpu_seconds *= seconds / solve.seconds;
     solve.seconds = seconds;
@@ -104,11 +110,38 @@ StudyResults at_median_speed(StudyResults study) {
   return study;
 }
 
+std::string speed_note(const StudyResults& study) {
+  const std::string uncounted = uncounted_note(study);
+  return uncounted.empty() ? std::string(median_speed_words)
+                           : fmt::format("{} {} Their times are as measured.", median_speed_words, uncounted);
+}
+
 std::string outliers_note(const StudyResults& study) { return note_on(outliers_of(study), study); }
+
+std::string repeats_note(const StudyResults& study) {
+  const Definition definition(study.definition);
+  const double defined = definition.number("/repeats");
+  if (!std::isfinite(defined) || definition.number("/stop/seconds") > 0) return "";  // those are made once
+  std::int64_t others = 0;
+  int fewest = std::numeric_limits<int>::max(), most = 0;
+  for (const SolveRecord& solve : study.solves) {
+    if (solve.timing != Timing::clean || solve.repeats == defined) continue;
+    ++others;
+    fewest = std::min(fewest, solve.repeats);
+    most = std::max(most, solve.repeats);
+  }
+  if (others == 0) return "";
+  return fmt::format("{} of {} solves were timed by another definition of the study: {} repeats each instead of {}.",
+                     others, study.solves.size(),
+                     fewest == most ? fmt::format("{}", most) : fmt::format("{} to {}", fewest, most), defined);
+}
 
 std::string load_warning(const StudyResults& study) {
   const Outliers found = outliers_of(study);
-  const bool is_loaded = found.solves > 1 && found.solves > loaded * static_cast<double>(study.solves.size());
+  const bool is_loaded = std::ranges::any_of(found.of_solver, [&](const auto& own) {
+    return own.second > 1 &&
+           own.second > loaded * static_cast<double>(std::ranges::count(study.solves, own.first, &SolveRecord::solver));
+  });
   return is_loaded ? "The machine was loaded. " + note_on(found, study) : "";
 }
 

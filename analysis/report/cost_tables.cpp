@@ -174,7 +174,7 @@ Table cost_table(const StudyResults& study, Cost cost, const Clusters& clusters)
                   "restricted_mean: the mean up to {} {}, to which the curves of all solvers are known.",
                   rounded_number(costs.horizon, 6), unit));
   table.notes.push_back(cost_interval_note(clusters));
-  if (in_seconds) table.notes.emplace_back(median_speed_words);
+  if (in_seconds) table.notes.push_back(speed_note(study));
   const auto diverged = std::ranges::count(study.solves, StopReason::not_finite, &SolveRecord::stop_reason);
   if (diverged > 0) {
     table.notes.push_back(

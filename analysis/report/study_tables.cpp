@@ -45,7 +45,8 @@ void add_notes(Table& table, const StudyResults& study, std::span<const Metric> 
 }
 
 void add_timing_notes(Table& table, const StudyResults& study) {
-  for (const std::string& note : {timing_note(study), outliers_note(study), transport_note(study)}) {
+  for (const std::string& note :
+       {timing_note(study), outliers_note(study), repeats_note(study), transport_note(study)}) {
     if (!note.empty()) table.notes.push_back(note);
   }
 }
@@ -172,15 +173,20 @@ Table solved_table(const StudyResults& study) {
 Table times_table(const StudyResults& study) {
   constexpr double ms_per_second = 1000;
   const double deadline = deadline_seconds(study);
+  const bool says_solved = std::isfinite(deadline) && std::isfinite(tolerance_cm(study));
   Table table{
       .name = "times",
       .caption = "Computing times of all solves",
       .columns = {
           {"algorithm", Align::left}, {"median_ms"}, {"p95_ms"}, {"p99_ms"}, {"longest_ms"}, {"over_deadline"}}};
+  if (says_solved) table.columns.push_back({"solved_in_time"});
   for (const std::string& solver : study.solvers) {
     std::vector<double> seconds;
+    std::int64_t in_time = 0;
     for (const SolveRecord& solve : study.solves) {
-      if (solve.solver == solver) seconds.push_back(solve.seconds);
+      if (solve.solver != solver) continue;
+      seconds.push_back(value_of(study, solve, Metric::seconds));
+      in_time += solve.status == Status::ok && solve.seconds <= deadline ? 1 : 0;
     }
     const std::vector<double> ranked = ranked_values(seconds);
     std::vector<Cell> row{solver};
@@ -191,12 +197,15 @@ Table times_table(const StudyResults& study) {
     row.push_back(std::isfinite(deadline) && !seconds.empty()
                       ? Cell(static_cast<double>(late) / static_cast<double>(seconds.size()))
                       : Cell());
+    if (says_solved) row.emplace_back(static_cast<double>(in_time) / static_cast<double>(seconds.size()));
     table.rows.push_back(std::move(row));
   }
-  table.notes.emplace_back("p95 and p99: 95 % and 99 % of the solves took no longer.");
+  table.notes.emplace_back(
+      "p95 and p99: 95 % and 99 % of the solves took no longer. A solve without an answer counts as the longest.");
   if (std::isfinite(deadline)) {
-    table.notes.push_back(fmt::format("over_deadline: share of solves that took longer than {} ms.",
-                                      rounded_number(ms_per_second * deadline, 6)));
+    table.notes.push_back(fmt::format("over_deadline: share of solves that took longer than {} ms.{}",
+                                      rounded_number(ms_per_second * deadline, 6),
+                                      says_solved ? " solved_in_time: share with status ok that did not." : ""));
   }
   add_timing_notes(table, study);
   return table;

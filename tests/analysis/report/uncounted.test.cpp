@@ -1,13 +1,18 @@
 // Evaluations that nobody counted, and solves without an answer.
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <string>
 #include <variant>
 #include <vector>
 
 #include "analysis/inference/design.hpp"
+#include "analysis/inference/judge.hpp"
+#include "analysis/inference/judged_study.hpp"
 #include "analysis/inference/study.hpp"
+#include "analysis/inference/times.hpp"
 #include "analysis/report/cost_tables.hpp"
+#include "analysis/report/leaders.hpp"
 #include "analysis/report/study_tables.hpp"
 #include "tests/analysis/synthetic.hpp"
 #include "tests/catch.hpp"
@@ -39,6 +44,14 @@ bool has_row(const Table& table, const std::string& solver) {
   return std::ranges::any_of(table.rows, [&](const auto& row) { return std::get<std::string>(row[0]) == solver; });
 }
 
+bool is_of_pairs(const Table& table) { return table.name.ends_with("-pairs"); }
+
+Table table_named(const std::vector<Table>& tables, const std::string& name) {
+  const auto found = std::ranges::find(tables, name, &Table::name);
+  REQUIRE(found != tables.end());
+  return *found;
+}
+
 bool has_note(const Table& table, std::string_view words) {
   return std::ranges::any_of(table.notes,
                              [&](const std::string& note) { return note.find(words) != std::string::npos; });
@@ -59,10 +72,28 @@ TEST_CASE("evaluations that nobody counted are in no comparison and no table of 
   for (const Table& table : tables) {
     INFO(table.name);
     const bool of_seconds = table.name.find("-seconds") != std::string::npos;
-    CHECK(has_note(table, "Nobody counted the evaluations of program.") == !of_seconds);
-    if (table.name == "statistics-cost") CHECK_FALSE(has_row(table, "program"));
-    if (table.name == "statistics-cost-seconds") CHECK(has_row(table, "program"));
+    CHECK(has_note(table, "Nobody counted the evaluations of program.") == (!of_seconds || !is_of_pairs(table)));
   }
+  CHECK_FALSE(has_row(table_named(tables, "statistics-cost"), "program"));
+  const Table of_seconds = table_named(tables, "statistics-cost-seconds");
+  CHECK(has_row(of_seconds, "program"));
+  CHECK(has_note(of_seconds, "of program. Their times are as measured."));
+}
+
+TEST_CASE("where nobody counts any evaluations there are costs in seconds alone", "[uncounted]") {
+  StudyResults study = study_without_counts();
+  for (SolveRecord& solve : study.solves) {
+    solve.evaluations = 0;
+    solve.counted_by = CountedBy::nobody;
+  }
+  CHECK(observations(study, Metric::evaluations, results::Estimand::mean).groups.empty());
+  const std::vector<Table> tables = cost_tables(study);
+  CHECK_FALSE(tables.empty());
+  for (const Table& table : tables) {
+    INFO(table.name);
+    CHECK(table.name.find("-seconds") != std::string::npos);
+  }
+  CHECK(at_median_speed(study).solves[0].seconds == study.solves[0].seconds);
 }
 
 TEST_CASE("where everybody counts no solver is left out", "[uncounted]") {
@@ -77,16 +108,12 @@ TEST_CASE("a solve without an answer reaches no tolerance, and is a column of it
   SolveRecord& failed = study.solves.back();
   failed.status = Status::timed_out;
   failed.position_error_cm = 0.01;  // where the arm happens to be
-  for (const Table& table : cost_tables(study)) {
-    if (table.name == "statistics-cost-seconds") {
-      StudyResults before = study_without_counts();
-      before.solves.back().position_error_cm = 0.01;
-      const auto reached = [](const Table& of) { return std::get<std::int64_t>(of.rows.back()[2]); };
-      for (const Table& other : cost_tables(before)) {
-        if (other.name == table.name) CHECK(reached(other) == reached(table) + 1);
-      }
-    }
-  }
+  StudyResults before = study_without_counts();
+  before.solves.back().position_error_cm = 0.01;
+  const auto reached = [](const StudyResults& of) {
+    return std::get<std::int64_t>(table_named(cost_tables(of), "statistics-cost-seconds").rows.back()[2]);
+  };
+  CHECK(reached(before) == reached(study) + 1);
   const Table table = status_table(study);
   const auto has_column = [&](std::string_view name) {
     return std::ranges::any_of(table.columns, [&](const Column& column) { return column.name == name; });
@@ -95,6 +122,29 @@ TEST_CASE("a solve without an answer reaches no tolerance, and is a column of it
   CHECK_FALSE(has_column("crashed"));
   CHECK(has_column("timing_process"));
   CHECK(has_note(table, "gave no answer"));
+}
+
+TEST_CASE("a solver without answers wins by nothing but the error of the arm that stays", "[uncounted]") {
+  std::vector<SolveRecord> solves = synthetic::solves({.solvers = {"IK-BA", "BA", "program"}, .runs = 12, .points = 2});
+  for (SolveRecord& solve : solves) {
+    solve.start_rad = solve.answer_rad;
+    if (solve.solver != "program") continue;
+    solve.status = Status::crashed;
+    solve.seconds = solve.cpu_seconds = 1e-6;
+    solve.variation_deg = solve.largest_move_deg = 0;
+    solve.evaluations = 1;
+  }
+  const JudgedStudy study(make_study("synthetic", std::move(solves)));
+  for (const Metric metric : {Metric::seconds, Metric::variation_deg, Metric::evaluations}) {
+    INFO(name_of(metric));
+    const Evidence& found = study.evidence(metric, Estimand::mean);
+    CHECK(judge(found, "program", "IK-BA").answer == Answer::worse);
+    CHECK(judge(found, "BA", "program").answer == Answer::better);
+    CHECK(leader_sentence(study, metric, Estimand::mean).find("program (") == std::string::npos);
+  }
+  const Table times = times_table(study);
+  CHECK_FALSE(std::isfinite(std::get<double>(times.rows.back()[1])));
+  CHECK(has_note(times_table(study), "A solve without an answer counts as the longest"));
 }
 
 TEST_CASE("that most of a program's time is transport is said beside its times", "[uncounted]") {
