@@ -110,11 +110,27 @@ int ahead_by_means(const Evidence& evidence, double difference) {
   return evidence.better == Better::smaller ? -sign_of(difference) : sign_of(difference);
 }
 
+// Of the bootstrap's pairs those that do not overlap, where a group has one value alone, or both so few that the
+// bootstrap has no spread to judge by.
+bool has_order(const Evidence& evidence, const Contrast& contrast) {
+  const Description &first = evidence.groups[contrast.first].described,
+                    &second = evidence.groups[contrast.second].described;
+  if (evidence.plan.test != DecidingTest::bootstrap || evidence.of_outcomes) return false;
+  if (!std::isfinite(first.mean) || !std::isfinite(second.mean)) return false;
+  const bool lacks_spread = std::isnan(contrast.p_bootstrap) || is_constant(first) != is_constant(second);
+  return lacks_spread && (first.max < second.min || second.max < first.min);
+}
+
 }  // namespace
 
 bool are_constants(const Evidence& evidence, const Contrast& contrast) {
   return !evidence.from_summaries && !evidence.of_outcomes && is_constant(evidence.groups[contrast.first].described) &&
          is_constant(evidence.groups[contrast.second].described);
+}
+
+bool is_by_order(const Evidence& evidence, const Contrast& contrast) {
+  return has_order(evidence, contrast) && !are_constants(evidence, contrast) && std::isfinite(contrast.p) &&
+         contrast.p != contrast.p_bootstrap;
 }
 
 int fewest_to_differ(const Evidence& evidence) {
@@ -141,6 +157,17 @@ Relation relation_of(const Evidence& evidence, const Contrast& contrast, double 
 
 namespace {
 
+// Wherever the values of two groups that do not overlap were drawn from: how likely they are to lie apart, either way,
+// if both were drawn from the same. Within blocks it is the sign test; else Mann and Whitney's exact test of such
+// ranks.
+double chance_of_order(const Evidence& evidence, const Contrast& contrast) {
+  const int n = evidence.groups[contrast.first].described.n, m = evidence.groups[contrast.second].described.n;
+  if (evidence.blocks > 0) return chance_of_unanimity(evidence, n, m);
+  double chance = 2 * static_cast<double>(evidence.family());
+  for (int i = 1; i <= n; ++i) chance *= static_cast<double>(i) / (m + i);
+  return std::min(1.0, chance);
+}
+
 // Two groups of one value each. So many values are needed to find a difference, and as many to find that there is none.
 void judge_constants(const Evidence& evidence, Contrast& contrast) {
   const Description& first = evidence.groups[contrast.first].described;
@@ -165,6 +192,13 @@ void judge(const Evidence& evidence, Contrast& contrast) {
   if (are_constants(evidence, contrast)) {
     judge_constants(evidence, contrast);
     return;
+  }
+  if (has_order(evidence, contrast)) {
+    const double by_chance = chance_of_order(evidence, contrast);  // of so many values, whatever they are
+    if (by_chance < evidence.plan.significance) {
+      contrast.p = by_chance;
+      contrast.ahead = ahead_by_means(evidence, contrast.difference.value);
+    }
   }
   if (!std::isfinite(contrast.p)) {
     if (contrast.undefined.empty()) {

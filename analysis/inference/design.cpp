@@ -182,6 +182,7 @@ std::optional<Observations> blocked_observations(const StudyResults& study, Metr
   Observations result = without_groups(quantity);
   result.replicate = replicate_of(study, blocks, quantity.average);
   result.block = block_of(blocks);
+  result.block_noun = blocks == Blocks::runs ? "runs" : "targets";
   fill_blocks(result, study, layout(study, blocks), quantity);
   add_decades(result, study, metric, estimand);
   add_notes(result, study, metric);

@@ -253,6 +253,7 @@ Evidence describe_groups(const Observations& observations, const AnalysisPlan& p
   result.scale = observations.scale;
   result.replicate = observations.replicate;
   result.block = observations.block;
+  result.block_noun = observations.block_noun;
   result.blocks = observations.blocks.size();
   result.notes = observations.notes;
   result.flaw = observations.flaw;

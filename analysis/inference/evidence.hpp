@@ -111,7 +111,7 @@ struct Evidence {
   // log10: tests are of the logarithms. What is told is in the quantity's unit: means are geometric, a difference is
   // the ratio first by second; standard deviations are of the logarithms.
   ValueScale scale = ValueScale::plain;
-  std::string replicate = {}, block = {};
+  std::string replicate = {}, block = {}, block_noun = "blocks";
   std::size_t blocks = 0;
   bool from_summaries = false;
   std::vector<std::string> notes = {};

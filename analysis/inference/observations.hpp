@@ -34,6 +34,7 @@ struct Observations {
   std::vector<std::string> blocks = {};
   std::string replicate = {};           // what one observation is, in words: "a run's mean over its 20 points"
   std::string block = {};               // what one block is, in words; empty where there are none
+  std::string block_noun = "blocks";    // as they are called in sentences: "targets"
   std::vector<std::string> notes = {};  // missing values, incomplete blocks left out, times that are not clean, ...
   std::string flaw = {};  // why not to take them at their word: no replicates, values missing, times that are not clean
 };

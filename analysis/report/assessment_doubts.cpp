@@ -62,7 +62,7 @@ std::string doubt_words(const Evidence& evidence, const Contrast& contrast) {
   const Dissent found = dissent(evidence, contrast);
   if (found.mean) measures.emplace_back("the mean");
   if (found.median) measures.emplace_back("the median");
-  if (found.share) measures.emplace_back(evidence.blocks > 0 ? "the share of blocks" : "A12");
+  if (found.share) measures.push_back(evidence.blocks > 0 ? "the share of " + evidence.block_noun : "A12");
   if (!measures.empty()) {
     doubts.push_back(fmt::format("{} {} the other", listed(measures), measures.size() == 1 ? "favours" : "favour"));
   }

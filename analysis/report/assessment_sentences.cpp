@@ -151,12 +151,9 @@ std::vector<std::string> analyses(const Evidence& evidence) {
           others.empty() ? "" : "Other tests of all groups, which do not decide:" + others};
 }
 
-// Where ranks decide, of samples so small that nothing they hold could be found.
 std::string too_few(const Evidence& evidence) {
-  const bool has_one_step = evidence.plan.adjustment == results::Adjustment::holm ||
-                            evidence.plan.adjustment == results::Adjustment::bonferroni;
+  if (!has_too_few(evidence)) return "";
   const auto most = std::ranges::max(evidence.groups, {}, [](const GroupEvidence& g) { return g.described.n; });
-  if (!has_one_step || most.described.n >= evidence.fewest) return "";
   return fmt::format("Caution: no pair can differ by this test. It takes at least {} {}, and here are {}.",
                      evidence.fewest, replicates_words(evidence), most.described.n);
 }

@@ -160,7 +160,7 @@ Table contrasts_table(const Evidence& evidence) {
   }
   const std::vector<PairMethod> methods = pair_methods(evidence);
   for (const PairMethod& method : methods) table.columns.push_back({"p, " + method.name});
-  table.columns.push_back({replicates_words(evidence) == "blocks" ? "blocks to decide" : "runs to decide"});
+  table.columns.push_back({replicates_words(evidence) == evidence.block_noun ? "blocks to decide" : "runs to decide"});
   for (const Contrast& contrast : evidence.contrasts) {
     std::vector<Cell>& row = table.rows.emplace_back(
         std::vector<Cell>{evidence.groups[contrast.first].name, evidence.groups[contrast.second].name,

@@ -89,7 +89,7 @@ std::string ahead_words(const Evidence& evidence, const Contrast& contrast) {
   const double share = contrast.superiority.value;
   if (!std::isfinite(share)) return "";
   return fmt::format(", ahead in {} of {}", percent(better_of(contrast) == contrast.first ? share : 1 - share),
-                     evidence.blocks > 0 ? "blocks" : "pairs of observations");
+                     evidence.blocks > 0 ? std::string_view(evidence.block_noun) : "pairs of observations");
 }
 
 // "IK-BA is better than DE: 0.0019 vs 0.365, by 0.156 to 0.57, more than 5 % (p = 0.000297), although ..."
@@ -168,10 +168,13 @@ std::string undefined_words(const Evidence& evidence, const std::vector<const Co
                            : by_means && evidence.plan.test == results::DecidingTest::bootstrap ? "tamhane"
                                                                                                 : "";
   if (test.empty()) return clauses(words);
-  return fmt::format("{}; --test {} (in a study: test = \"{}\") would judge {}", clauses(words), test, test,
-                     single > 0          ? "others of them"
-                     : pairs.size() == 1 ? "it"
-                                         : "them");
+  return fmt::format(
+      "{0}; another test would judge {1} (ikbench run: --set analysis.test={2}; ikbench stats: --test {2})",
+      clauses(words),
+      single > 0          ? "others of them"
+      : pairs.size() == 1 ? "it"
+                          : "them",
+      test);
 }
 
 // What is said of the pairs of one group, by what is known of them.
@@ -291,22 +294,29 @@ std::string other_pairs_words(const Evidence& evidence, const PairsOf& pairs) {
         fmt::format("{} vs {}", name_words(evidence, better), name_words(evidence, other_than(better, *pair))));
   }
   const bool all = names.size() == pairs.others;
+  if (all && is_one) return fmt::format("The other pair differs too (the better first): {}.", clauses(names));
   return fmt::format("{}{} differ{} (the better first): {}.{}", all ? "Also " : fmt::format("{} of ", names.size()),
                      others, names.size() == 1 ? "s" : "", clauses(names), undefined);
 }
 
 // "studentized bootstrap, corrected for 3 pairs; Fisher's exact test for groups of one value each"
 std::string decided_by(const Evidence& evidence) {
-  const auto is_of_constants = [&](const Contrast& contrast) { return are_constants(evidence, contrast); };
-  const auto constants = std::ranges::count_if(evidence.contrasts, is_of_constants);
-  std::string text;
-  if (constants < std::ssize(evidence.contrasts)) {
-    text = pair_test_words(evidence);
-    if (evidence.pairs > 1) text += fmt::format(", corrected for {} pairs", corrected_for(evidence));
+  const auto number = [&](bool (*is_such)(const Evidence&, const Contrast&)) {
+    return std::ranges::count_if(evidence.contrasts, [&](const Contrast& each) { return is_such(evidence, each); });
+  };
+  const auto constants = number(are_constants), by_order = number(is_by_order);
+  std::vector<std::string> tests;
+  if (constants + by_order < std::ssize(evidence.contrasts)) {
+    std::string& planned = tests.emplace_back(pair_test_words(evidence));
+    if (evidence.pairs > 1) planned += fmt::format(", corrected for {} pairs", corrected_for(evidence));
   }
-  if (constants == 0) return text;
-  return fmt::format("{}{} for groups of one value each", text.empty() ? "" : text + "; ",
-                     test_of_constants_words(evidence));
+  if (by_order > 0) {
+    tests.push_back(fmt::format(
+        "{} for groups that do not overlap, where one has a single value or both have too few different ones",
+        evidence.blocks > 0 ? "the sign test" : "the exact test of ranks"));
+  }
+  if (constants > 0) tests.push_back(fmt::format("{} for groups of one value each", test_of_constants_words(evidence)));
+  return fmt::format("{}", fmt::join(tests, "; "));
 }
 
 }  // namespace

@@ -114,7 +114,8 @@ std::string verdict_words(const Evidence& evidence, const Contrast& contrast) {
 
 std::string_view replicates_words(const Evidence& evidence) {
   const bool are_blocks = evidence.ranks_within_blocks() && evidence.ranks_decide();
-  return are_blocks || (evidence.of_outcomes && evidence.blocks > 0) ? "blocks" : "observations per group";
+  return are_blocks || (evidence.of_outcomes && evidence.blocks > 0) ? std::string_view(evidence.block_noun)
+                                                                     : "observations per group";
 }
 
 std::string runs_words(const Evidence& evidence, double runs_to_decide) {
@@ -122,6 +123,14 @@ std::string runs_words(const Evidence& evidence, double runs_to_decide) {
                                         [&](const GroupEvidence& group) { return runs_to_decide > group.described.n; });
   if (!more) return "";
   return fmt::format("about {:.0f} {} would decide", runs_to_decide, replicates_words(evidence));
+}
+
+bool has_too_few(const Evidence& evidence) {
+  const bool has_one_step = evidence.plan.adjustment == results::Adjustment::holm ||
+                            evidence.plan.adjustment == results::Adjustment::bonferroni;
+  return has_one_step && evidence.fewest > 0 && std::ranges::none_of(evidence.groups, [&](const GroupEvidence& group) {
+           return group.described.n >= evidence.fewest;
+         });
 }
 
 // Tukey's and Games-Howell's p-values are of all pairs, with a control too.

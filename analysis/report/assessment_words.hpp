@@ -29,9 +29,12 @@ std::pair<double, double> interval_sizes(const inference::Evidence& evidence, co
 std::string extent_words(const inference::Evidence& evidence, const inference::Contrast& contrast);
 // "IK-BA is better by more than 5 %", "the same within 5 %", "undecided", "not defined: ..."
 std::string verdict_words(const inference::Evidence& evidence, const inference::Contrast& contrast);
-std::string_view replicates_words(const inference::Evidence& evidence);  // "observations per group", or "blocks"
+std::string_view replicates_words(
+    const inference::Evidence& evidence);  // "observations per group", or what blocks are: "targets"
 // Of a pair that is undecided: "about 57 observations per group would decide"; empty where it is not known.
 std::string runs_words(const inference::Evidence& evidence, double runs_to_decide);
+// Where ranks decide: whether there are so few observations that no pair can be told apart, whatever they are.
+bool has_too_few(const inference::Evidence& evidence);
 std::size_t corrected_for(const inference::Evidence& evidence);  // so many pairs the deciding p-values are
 std::string flaw_words(const inference::Evidence& evidence);     // of one that has a flaw
 

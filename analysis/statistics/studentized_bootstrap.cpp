@@ -108,12 +108,25 @@ void studentize(const Mean& first, const Mean& second, std::vector<double>& squa
   }
 }
 
-// So many different values a group have hardly a resample in which both groups of a pair have no spread: n values have
-// none in n^(1 - n) of them.
-int enough_values(double tolerated_share) {
+// How many different values hardly have a resample without spread: n values have none in n^(1 - n) of them. So many in
+// both groups of a pair, or in one where the other is constant.
+int enough_values(double tolerated_share, int groups) {
   int n = 3;
-  while (std::pow(n, 2 - 2 * n) > tolerated_share / 2) ++n;
+  while (std::pow(n, groups * (1 - n)) > tolerated_share / 2) ++n;
   return n;
+}
+
+std::string too_little_spread(const MeanDifference& pair, const std::vector<Mean>& means, std::size_t pairs,
+                              double tolerated_share) {
+  const std::string for_all = fmt::format("for the bootstrap of {} pair{}", pairs, pairs == 1 ? "" : "s");
+  const bool first_varies = means[pair.first].spread > 0, second_varies = means[pair.second].spread > 0;
+  if (first_varies && second_varies) {
+    return fmt::format("too few values, or too few that are not equal, {}; {} different values a group are enough",
+                       for_all, enough_values(tolerated_share, 2));
+  }
+  return fmt::format(
+      "the values of group {} are all equal, and the other group has too few different values {}; {} would be enough",
+      (first_varies ? pair.second : pair.first) + 1, for_all, enough_values(tolerated_share, 1));
 }
 
 // The largest of any pair of every resample, ascending. A pair of which too many are infinite says why and takes no
@@ -128,10 +141,7 @@ std::vector<double> largest_deviations(std::vector<MeanDifference>& pairs, const
     studentize(means[pair.first], means[pair.second], own);
     const auto without_spread = std::ranges::count(own, infinite);
     if (static_cast<double>(without_spread) > tolerated) {
-      pair.undefined = fmt::format(
-          "too few values, or too few that are not equal, for the bootstrap of {} pair{}; {} different values a group are "
-          "enough",
-          pairs.size(), pairs.size() == 1 ? "" : "s", enough_values(tolerated / settings.resamples));
+      pair.undefined = too_little_spread(pair, means, pairs.size(), tolerated / settings.resamples);
       continue;
     }
     std::ranges::transform(own, largest, largest.begin(),

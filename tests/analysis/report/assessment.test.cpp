@@ -325,9 +325,10 @@ TEST_CASE("sentences say what is known, of whom, and no more", "[assessment]") {
   };
   // Of reasons: the group by its name, not by its number.
   const Evidence infinite = of({{"plain", {1, 2, 3}}, {"odd", {1, 2, inf}}, {"other", {2, 3, 5}}});
-  CHECK(says(infinite,
-             "Not defined: plain vs odd and odd vs other (odd has values that are not finite); --test kruskal_wallis "
-             "(in a study: test = \"kruskal_wallis\") would judge them."));
+  CHECK(
+      says(infinite,
+           "Not defined: plain vs odd and odd vs other (odd has values that are not finite); another test would judge "
+           "them (ikbench run: --set analysis.test=kruskal_wallis; ikbench stats: --test kruskal_wallis)."));
   CHECK(says(infinite, "One-way ANOVA: not defined, odd has values that are not finite"));
   CHECK(says(infinite, "Normality is not rejected for any group that can be tested"));
   CHECK_FALSE(says(infinite, "group 2"));
@@ -376,8 +377,8 @@ TEST_CASE("the short answer names and counts the pairs that cannot be judged, an
   const Evidence three = of({{"A", {1, 2, 3}}, {"B", {11, 12, 14}}, {"C", {21, 22, 24}}});
   CHECK(says(three,
              "In short: A cannot be judged against B and C (too few values, or too few that are not equal, for the "
-             "bootstrap of 3 pairs; 4 different values a group are enough); --test tamhane (in a study: test = "
-             "\"tamhane\") would judge them. The other pair cannot be judged."));
+             "bootstrap of 3 pairs; 4 different values a group are enough); another test would judge them (ikbench "
+             "run: --set analysis.test=tamhane; ikbench stats: --test tamhane). The other pair cannot be judged."));
   // Neither differs here.
   const Evidence alike = of({{"A", {1, 2, 3, 5}}, {"B", {2, 1, 3, 6}}, {"C", {3, 1, 2, 7}}});
   CHECK(says(alike, "The other pair is not shown to differ."));
@@ -391,10 +392,39 @@ TEST_CASE("it is said which test decided on groups of one value each", "[assessm
                                  .groups = {{"A", {1, 1, 1, 1, 1, 1}}, {"B", {2, 2, 2, 2, 2, 2}}, {"C", third}}},
                     {});
   };
-  CHECK(says(of({3, 4, 5, 3.5, 4.5, 5.5}),
+  CHECK(says(of({0.5, 1.5, 2.5, 1, 2, 3}),
              "Decided by: studentized bootstrap, corrected for 3 pairs; Fisher's exact test for groups of one value "
              "each."));
+  CHECK(says(of({3, 4, 5, 3.5, 4.5, 5.5}),
+             "Decided by: the exact test of ranks for groups that do not overlap, where one has a single value or both "
+             "have too few different ones; Fisher's exact test for groups of one value each."));
   CHECK_FALSE(says(of({3, 3, 3, 3, 3, 3}), "bootstrap"));
+}
+
+TEST_CASE("what the bootstrap cannot judge is decided where all values of one group lie beyond those of the other",
+          "[assessment]") {
+  const std::vector<double> cheap(12, 7), between{30, 34, 36, 33, 38, 35, 31, 37, 39, 32, 40, 29};
+  std::vector<double> dear(12, 10007);
+  dear[3] = 9000;  // alone: a third of its resamples have no spread
+  const auto of = [&](const std::vector<double>& third) {
+    return evidence(
+        Observations{.name = "x", .quantity = "x", .groups = {{"cheap", cheap}, {"between", between}, {"dear", third}}},
+        {});
+  };
+  const Evidence found = of(dear);
+  const Contrast& extremes = found.contrasts[1];
+  CHECK(extremes.relation == Relation::first_better);
+  CHECK(extremes.p == Approx(3 * 2 / 2704156.0));  // of C(24, 12) orders two, for three pairs
+  CHECK(says(found,
+             "Decided by: studentized bootstrap, corrected for 3 pairs; the exact test of ranks for groups that do "
+             "not overlap"));
+  CHECK(found.contrasts[0].p == extremes.p);  // beside a single value, too, however far the third group varies
+  // One value of the dear group among those of the cheap one: nothing tells, and it is said what could.
+  dear[3] = 6;
+  CHECK(of(dear).contrasts[1].relation == Relation::undefined);
+  CHECK(says(of(dear),
+             "the values of cheap are all equal, and the other group has too few different values for the "
+             "bootstrap of 3 pairs; 5 would be enough"));
 }
 
 TEST_CASE("a method that finds the other one better disagrees, and so does a test of all groups", "[assessment]") {

@@ -179,7 +179,8 @@ TEST_CASE("groups that the bootstrap learns nothing of are refused with the reas
   std::vector<double> nearly_constant(20, 5), constant(20, 6);
   nearly_constant[0] = 5.5;
   const auto beside = compared({nearly_constant, constant, good, other});
-  CHECK(says(beside[0], "too few that are not equal"));
+  CHECK(says(beside[0], "group 2 are all equal, and the other group has too few different values"));
+  CHECK(says(beside[0], "of 6 pairs; 5 would be enough"));  // 5^-4 < 0.025 / 6 / 2
   for (std::size_t i = 1; i < beside.size(); ++i) CHECK(beside[i].p <= 1);
   CHECK(compared({}).empty());
   CHECK_THROWS_AS(studentized_bootstrap(two, {}, {.level = 1}), std::invalid_argument);
