@@ -48,15 +48,20 @@ Quantity reliability_quantity(const StudyResults& study, Metric metric) {
                   .text = fmt::format("share of solves {}", within_words(study, metric)),
                   .better = Better::larger,
                   .average = "share"};
-  const double most = distance_of(study, metric);
-  if (metric == Metric::position_error_cm) {  // and of a pose the angle
-    result.value = averaged([within = Tolerance{most, tolerance(study).deg}](const SolveRecord& solve) {
-      return !stays(solve.status) && reaches(solve, within) ? 1.0 : 0.0;
-    });
-  } else {
-    result.value = averaged([&study, metric, most = most + info.rounding](const SolveRecord& solve) {
-      return !stays(solve.status) && value_of(study, solve, metric) <= most ? 1.0 : 0.0;
-    });
+  const double most = distance_of(study, metric) + info.rounding;
+  const bool has_tolerance = std::isfinite(tolerance_cm(study));
+  const bool is_error = metric == Metric::position_error_cm;
+  result.value = averaged([&study, metric, most, has_tolerance, is_error](const SolveRecord& solve) {
+    const bool counts = has_tolerance ? solve.status == Status::ok : !stays(solve.status);
+    return counts && ((is_error && has_tolerance) || value_of(study, solve, metric) <= most) ? 1.0 : 0.0;
+  });
+  if (has_tolerance) {
+    result.notes.emplace_back("Only a solve with status ok counts: inside the joint limits and within the tolerance.");
+    return result;
+  }
+  if (is_error) {
+    result.notes.emplace_back(
+        "The study has no tolerance, so an answer counts by its position alone, inside the joint limits or not.");
   }
   result.notes.emplace_back("An answer that was refused, is not finite or is missing is not within.");
   return result;
@@ -75,9 +80,13 @@ double distance_of(const StudyResults& study, Metric metric) {
 std::string within_words(const StudyResults& study, Metric metric) {
   const std::string words =
       fmt::format("within {} {}", rounded_number(distance_of(study, metric), 4), info_of(metric).unit);
-  const double angle = tolerance(study).deg;
-  const bool has_angle = metric == Metric::position_error_cm && std::isfinite(angle);
-  return has_angle ? fmt::format("{} and {} deg", words, rounded_number(angle, 4)) : words;
+  const Tolerance at_most = tolerance(study);
+  const bool is_half_a_pose = metric == Metric::position_error_cm && study.task.pose;
+  if (!std::isfinite(at_most.cm)) return is_half_a_pose ? words + ", however turned" : words;
+  if (metric != Metric::position_error_cm) return "solved " + words;
+  return std::isfinite(at_most.deg)
+             ? fmt::format("{} and {} deg, inside the joint limits", words, rounded_number(at_most.deg, 4))
+             : words + " and inside the joint limits";
 }
 
 std::vector<Estimand> estimands_of(const StudyResults& study, Metric metric) {

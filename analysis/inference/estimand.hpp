@@ -27,15 +27,16 @@ std::vector<results::Estimand> estimands_of(const StudyResults& study, Metric me
 
 // `study` outlives the result. mean: the average of the value (average_of), or what a run has as a whole. typical: its
 // logarithm to base 10, where a value up to the metric's rounding counts as that. reliability: 1 within the distance,
-// else 0, also where the answer was refused or is not finite; a pose is within where its angle is within the tolerance
-// too.
+// else 0; where the study has a tolerance only with status ok, else also 0 where there is no new answer or it is not
+// finite.
 Quantity quantity_of(const StudyResults& study, Metric metric, results::Estimand estimand);
 
 // The distance of reliability, in the metric's unit: the study's tolerance, or the plan's within_cm where it has none;
 // of times the study's deadline, not defined where it has none.
 double distance_of(const StudyResults& study, Metric metric);
 
-// "within 0.01 cm", or of poses "within 0.01 cm and 0.5 deg".
+// "within 0.01 cm", of poses without a tolerance "within 0.01 cm, however turned"; with a tolerance "within 0.01 cm and
+// inside the joint limits", and of times "solved within 0.005 s".
 std::string within_words(const StudyResults& study, Metric metric);
 
 }  // namespace ikbench::inference

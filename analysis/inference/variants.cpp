@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <map>
 #include <set>
@@ -84,6 +85,10 @@ VariantComparison examined(const VariantPair& pair, const std::vector<Metric>& a
   note_single(comparison, design);
   note_missing_runs(comparison, a, "A", design.runs_of_a);
   note_missing_runs(comparison, b, "B", design.runs_of_b);
+  if (std::ranges::find(asked, Metric::solved) != asked.end() && !std::isfinite(tolerance_cm(a.study))) {
+    comparison.notes.emplace_back(
+        "solved: the study has no tolerance, so ok means inside the joint limits, however far from the target.");
+  }
   comparison.notes.push_back(differences(a, b));
   return comparison;
 }

@@ -7,10 +7,13 @@
 #include <vector>
 
 #include "analysis/figures/figure_parts.hpp"
+#include "analysis/inference/definition.hpp"
 #include "analysis/inference/estimand.hpp"
 #include "analysis/inference/judge.hpp"
+#include "analysis/inference/shown_metrics.hpp"
 #include "analysis/inference/text.hpp"
 #include "analysis/report/assessment_words.hpp"
+#include "analysis/statistics/descriptive.hpp"
 
 namespace ikbench::report {
 
@@ -22,11 +25,13 @@ namespace {
 // "Smallest typical error"
 std::string first_by_words(const StudyResults& study, Metric metric, Estimand estimand) {
   if (estimand == Estimand::reliability) return fmt::format("Most often {}", within_words(study, metric));
-  const std::string_view slug = info_of(metric).slug;
-  if (info_of(metric).kind == Kind::count) return fmt::format("Fewest {}", slug);
-  if (info_of(metric).kind == Kind::time) return fmt::format("Shortest {} {}", average_name(metric), slug);
-  return fmt::format("Smallest {} {}{}", name_of(estimand), slug,
-                     estimand == Estimand::mean ? " (its worst cases)" : "");
+  const MetricInfo& info = info_of(metric);
+  if (info.kind == Kind::count) return fmt::format("Fewest {}", is_of_run(metric) ? info.name : info.slug);
+  if (info.kind == Kind::time) return fmt::format("Shortest {} {}", average_name(metric), info.slug);
+  if (is_of_run(metric)) return fmt::format("Smallest {}", info.name);
+  const std::string words = fmt::format("Smallest {} {}", name_of(estimand), info.slug);
+  if (metric != Metric::position_error_cm || estimand != Estimand::mean) return words;
+  return words + " (large errors weigh most)";
 }
 
 // Which solver is first, who shares its place, and what sets it apart from the next.
@@ -139,12 +144,51 @@ std::string leaders_sentence(const JudgedStudy& study, Metric metric) {
   return fmt::format("{}", fmt::join(sentences, " "));
 }
 
+namespace {
+
+// Where there are so few blocks that no pair can differ, whatever they hold.
+std::string too_few_sentence(const JudgedStudy& study) {
+  const Evidence& evidence = study.evidence(Metric::position_error_cm, study.plan.estimands.front());
+  if (!has_too_few(evidence)) return "";
+  return fmt::format("With so few {} no two of {} solvers can be told apart, whatever they do: it takes at least {}.",
+                     replicates_words(evidence), evidence.groups.size(), evidence.fewest);
+}
+
+// What solvers spent, where the study gives them no common budget.
+std::string budgets_sentence(const StudyResults& study) {
+  if (Definition(study.definition).number("/stop/evaluations") > 0) return "";
+  std::string least, most;
+  double smallest = statistics::not_defined, largest = statistics::not_defined;
+  for (const std::string& solver : study.solvers) {
+    std::vector<double> spent;
+    for (const SolveRecord& solve : study.solves) {
+      if (solve.solver == solver) spent.push_back(value_of(study, solve, Metric::evaluations));
+    }
+    const double own = statistics::median(spent);
+    if (!std::isfinite(own)) continue;
+    if (!(own >= smallest)) {
+      smallest = own;
+      least = solver;
+    }
+    if (!(own <= largest)) {
+      largest = own;
+      most = solver;
+    }
+  }
+  if (!(smallest < largest)) return "";
+  return fmt::format(
+      "The study gives no limit of evaluations (stop.evaluations): {} used {} at the median of a solve, {} {}.",
+      one_line(least), rounded_number(smallest, 6), one_line(most), rounded_number(largest, 6));
+}
+
+}  // namespace
+
 std::vector<std::string> own_verdict(const JudgedStudy& study) {
   std::vector<std::string> sentences, alone;
-  for (const Metric metric : reported_metrics()) {
-    if (!is_comparable(study, metric)) continue;
-    const std::vector<Estimand> all = estimands_of(study, metric);
-    for (const Estimand estimand : metric == Metric::position_error_cm ? all : std::vector{all.front()}) {
+  for (const Metric metric : shown_metrics(study).judged) {
+    const bool is_reported = info_of(metric).shown == Shown::everywhere;
+    if (!is_comparable(study, metric) || !(is_reported || is_of_run(metric))) continue;
+    for (const Estimand estimand : estimands_of(study, metric)) {
       std::string sentence = leader_sentence(study, metric, estimand);
       if (sentence.empty()) continue;
       sentences.push_back(std::move(sentence));
@@ -160,9 +204,15 @@ std::vector<std::string> own_verdict(const JudgedStudy& study) {
     sentences.insert(
         sentences.begin(),
         counted.empty()
-            ? fmt::format("No solver is found better than every other in any of {} comparisons.", alone.size())
+            ? fmt::format("No solver is shown to be better than every other in any of {} comparisons. The best values:",
+                          alone.size())
             : fmt::format("Of {} comparisons, better than every other: {}.", alone.size(), counted));
   }
+  if (study.solvers.size() > 1) {
+    if (std::string few = too_few_sentence(study); !few.empty()) sentences.insert(sentences.begin(), std::move(few));
+    sentences.push_back(budgets_sentence(study));
+  }
+  std::erase(sentences, "");
   return sentences;
 }
 

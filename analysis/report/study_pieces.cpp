@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "analysis/figures/box_figure.hpp"
 #include "analysis/figures/overview_figure.hpp"
 #include "analysis/figures/study_figures.hpp"
@@ -15,8 +17,8 @@ using namespace figures;
 
 StudyPieces study_pieces(const StudyResults& study) {
   const ShownMetrics metrics = shown_metrics(study);
-  StudyPieces pieces{
-      .tables = {results_table(study, metrics.judged), solved_table(study), times_table(study), status_table(study)}};
+  StudyPieces pieces{.tables = {results_table(study, metrics.judged), times_table(study), status_table(study)}};
+  if (std::isfinite(tolerance_cm(study))) pieces.tables.push_back(solved_table(study));
   if (!metrics.listed.empty()) pieces.tables.push_back(further_table(study, metrics.listed));
   if (!metrics.left_out.empty()) pieces.tables.front().notes.push_back(metrics.left_out);
   for (const Metric metric : metrics.judged) pieces.tables.push_back(anova_table(study, metric));

@@ -9,7 +9,6 @@
 #include "analysis/figures/figure_parts.hpp"
 #include "analysis/inference/definition.hpp"
 #include "analysis/inference/text.hpp"
-#include "analysis/report/leaders.hpp"
 #include "analysis/statistics/descriptive.hpp"
 
 namespace ikbench::report {
@@ -27,6 +26,12 @@ std::string departures_sentence(const StudyResults& study) {
                      fmt::join(study.departures, ", "));
 }
 
+std::string no_tolerance_sentence(const StudyResults& study) {
+  if (!study.published.empty() || study.solves.empty() || std::isfinite(tolerance_cm(study))) return "";
+  return "The study has no tolerance (stop.tolerance_cm), so it does not say what is solved: the status ok means that an "
+         "answer is inside the joint limits, however far it is from the target.";
+}
+
 std::string wrong_claims_sentence(const StudyResults& study) {
   int wrong = 0;
   for (const SolverCounts& count : counts(study)) wrong += count.of(Status::claimed_but_wrong);
@@ -41,9 +46,6 @@ std::vector<std::string> rankings(const Reported& reported) {
                             ? times_sentence(reported.study)
                             : ranking_sentence(reported.study, metric));
     if (metric == Metric::position_error_cm) sentences.push_back(limits_sentence(reported.study));
-    if (metric == Metric::seconds && times_are_comparable(reported.study)) {
-      sentences.push_back(leaders_sentence(reported.study, metric));
-    }
   }
   return sentences;
 }
@@ -101,6 +103,7 @@ std::vector<std::string> summary(const Reported& reported, const Paper& paper) {
     sentences.push_back(std::move(sentence));
   }
   sentences.push_back(wrong_claims_sentence(study));
+  sentences.push_back(no_tolerance_sentence(study));
   for (std::string& note : status_notes(study)) sentences.push_back(std::move(note));
   std::erase(sentences, "");
   return sentences;

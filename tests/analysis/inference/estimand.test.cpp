@@ -119,8 +119,12 @@ TEST_CASE("a pose is within the distance where its angle is within the tolerance
   // ||R - Rd|| / ||Rd|| of 1.9 deg is sqrt(8 / 3) sin(0.95 deg) = 0.0270748, of 2.1 deg it is 0.0299245.
   study.solves[0].orientation_error = 0.0270748;
   study.solves[1].orientation_error = 0.0299245;
+  study.solves[1].status = study.solves[2].status = Status::tolerance_missed;
   CHECK(values(study, Estimand::reliability).front() == Approx(1 / 3.0));
-  CHECK(observations(study, error, Estimand::reliability).quantity == "share of solves within 0.1 cm and 2 deg");
+  CHECK(observations(study, error, Estimand::reliability).quantity ==
+        "share of solves within 0.1 cm and 2 deg, inside the joint limits");
+  study.solves[0].status = Status::limit_violated;
+  CHECK(values(study, Estimand::reliability).front() == 0);
 }
 
 TEST_CASE("an answer that was refused or is not finite is within no distance, and leaves the typical value undefined",
@@ -146,6 +150,12 @@ TEST_CASE("error has all the plan's estimands, time its reliability with a deadl
   CHECK(observations(timed, Metric::seconds, Estimand::reliability).groups[0].values ==
         std::vector<double>{1});  // 1 s each
   CHECK(estimands_of(timed, error) == All{Estimand::mean, Estimand::reliability});
+  // With a tolerance, in time is who solves it in time.
+  JudgedStudy solved = study_of({{"A", {0.1, 5}}}, R"(, "deadline_ms": 2000, "stop": {"tolerance_cm": 1})");
+  solved.solves[1].status = Status::tolerance_missed;
+  const Observations in_time = observations(solved, Metric::seconds, Estimand::reliability);
+  CHECK(in_time.quantity == "share of solves solved within 2 s");
+  CHECK(in_time.groups[0].values == std::vector<double>{0.5});
 }
 
 TEST_CASE("typical values are compared as logarithms and told as geometric means and ratios", "[estimand]") {
@@ -192,7 +202,7 @@ TEST_CASE("where each estimand has another winner, the first sentence names the 
   const std::string sentence = leaders_sentence(study, error);
   CAPTURE(sentence);
   // Means 0.02, 0.5 and 2; geometric means 0.02, sqrt(1e-6) and 0.009^0.8 10^0.2 = 0.0366, each times 1.0105 at most.
-  CHECK(sentence.starts_with("Smallest mean error (its worst cases): A (0.0202 cm; next B 0.505 cm, p = "));
+  CHECK(sentence.starts_with("Smallest mean error (large errors weigh most): A (0.0202 cm; next B 0.505 cm, p = "));
   CHECK(contains(sentence, ". Smallest typical error: B (0.00101 cm; next A 0.0202 cm, p = "));
   CHECK(contains(sentence, ". Most often within 0.01 cm: C (80 %; next B 50 %, p = "));
 }
@@ -204,10 +214,10 @@ TEST_CASE("the verdict of a study without a paper counts who is better than ever
   CAPTURE(lines.front());
   CHECK(lines.front().starts_with(fmt::format("Of {} comparisons, ", lines.size() - 1)));
   CHECK(lines.front().ends_with(": A in 1, B in 1, C in 1."));
-  CHECK(lines[1].starts_with("Smallest mean error (its worst cases): A ("));
+  CHECK(lines[1].starts_with("Smallest mean error (large errors weigh most): A ("));
   CHECK(lines.back().starts_with("Fewest evaluations: "));
   const auto undecided = own_verdict(study_of({{"A", {1}}, {"A", {2}}, {"B", {1}}, {"B", {2}}}));
-  CHECK(undecided.front().starts_with("No solver is found better than every other in any of "));
+  CHECK(undecided.front().starts_with("No solver is shown to be better than every other in any of "));
   CHECK(own_verdict(study_of({{"A", {1}}, {"A", {2}}})).front().starts_with("Smallest mean error"));
 }
 
@@ -215,7 +225,7 @@ TEST_CASE("those that the test does not separate from the first share its place"
   const auto sentence_of = [](const std::vector<GivenRun>& runs) {
     return leaders_sentence(study_of(runs, R"(, "analysis": {"test": "welch", "estimands": ["mean"]})"), error);
   };
-  const std::string label = "Smallest mean error (its worst cases): ";
+  const std::string label = "Smallest mean error (large errors weigh most): ";
   CHECK(sentence_of({{"A", {1}}, {"A", {2}}, {"A", {3}}, {"B", {1.5}}, {"B", {2}}, {"B", {3}}})
             .starts_with(label + "A or B (2 cm and 2.17 cm; undecided, p = "));
   CHECK(sentence_of({{"A", {1}}, {"A", {2}}, {"B", {3}}, {"B", {2}}, {"C", {4}}, {"C", {2}}}) ==
