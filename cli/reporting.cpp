@@ -4,7 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <iterator>
+#include <nlohmann/json.hpp>
 #include <thread>
 
 #include "analysis/inference/analysis_plan.hpp"
@@ -68,6 +68,12 @@ void warn_of_left_aside(const Study& study, const Store& store) {
       aside.solves, fmt::join(aside.labels, ", ")));
 }
 
+std::vector<std::string> damages_in(const StudyEntry& entry, const std::vector<SolveRecord>& solves) {
+  std::vector<std::string> sentences = damages(entry, solves);
+  for (std::string& sentence : sentences) sentence = fmt::format("Study {}: {}", entry.name, sentence);
+  return sentences;
+}
+
 // Where somebody else has the store open, it is more than one file.
 void tell_of_log(const std::vector<std::filesystem::path>& files) {
   if (files.size() < 2) return;
@@ -96,10 +102,9 @@ CLI::Validator not_empty() {
 
 void add_paper_option(CLI::App& command, std::string& paper) {
   std::vector<std::string> names;
-  for (const Paper& each : analysis::papers()) names.push_back(each.name);
-  paper = names.front();
-  command.add_option("PAPER", paper, fmt::format("a paper that is in the program: {}", fmt::join(names, ", ")))
-      ->capture_default_str();
+  for (const Paper& each : analysis::papers()) names.push_back(fmt::format("{} ({})", each.name, each.in_short));
+  paper = analysis::papers().front().name;
+  command.add_option("PAPER", paper, fmt::format("what to repeat: {}", fmt::join(names, ", ")))->capture_default_str();
 }
 
 void add_report_options(CLI::App& command, ReportArguments& arguments) {
@@ -137,10 +142,7 @@ void add_run_options(CLI::App& command, RunArguments& arguments) {
 void write_and_announce(const Store& store, WrittenReport wanted) {
   const AnalysisPlan plan = plan_for(store.study(wanted.study), wanted.arguments);
   warn_of_memory(store.name());
-  std::vector<std::string> damages;
-  for (const StudyEntry& entry : store.studies()) {  // companions are in the report too
-    std::ranges::copy(damages_of(store, entry.name), std::back_inserter(damages));
-  }
+  Waiting waiting("Writing the report ...");
   const Report report = write_report(store, {.study = wanted.study,
                                              .folder = wanted.folder,
                                              .plan = plan,
@@ -150,13 +152,14 @@ void write_and_announce(const Store& store, WrittenReport wanted) {
                                              .extra_figures = std::move(wanted.figures),
                                              .repetitions = std::move(wanted.repetitions),
                                              .shares = std::move(wanted.shares),
-                                             .damages = damages});
+                                             .check = damages_in});
+  waiting.end();
   fmt::print("\n{}\n", aligned(readable_cells(report.results)));
   for (const std::string& sentence : report.summary) fmt::print("{}\n", printable(sentence));
   for (const std::string& remark : wanted.remarks) fmt::print("{}\n", printable(remark));
   for (const std::string& warning : report.warnings) say("warning: " + warning);
   fmt::print("Report: {}\n", printable(report.page.string()));
-  if (damages.empty()) return;
+  if (!report.is_damaged) return;
   std::fflush(stdout);
   throw std::invalid_argument(
       "the store has numbers that do not follow from its answers; the report names them first; solve the study again "
@@ -164,9 +167,7 @@ void write_and_announce(const Store& store, WrittenReport wanted) {
 }
 
 std::vector<std::string> damages_of(const Store& store, const std::string& study) {
-  std::vector<std::string> sentences = damages(store.study(study), store.solves(study));
-  for (std::string& sentence : sentences) sentence = fmt::format("Study {}: {}", study, sentence);
-  return sentences;
+  return damages_in(store.study(study), store.solves(study));
 }
 
 void draw(const std::vector<figures::Figure>& figures, const std::filesystem::path& folder,
@@ -245,6 +246,7 @@ Ended run_and_tell(const Study& study, const std::filesystem::path& folder, RunR
   const std::string part = request.shard.count == 1 ? std::string() : fmt::format(", shard {}", request.shard.text());
   fmt::print("{}{}: {} solves in {}{}\n", printable(study.name), part, progress.total, place,
              progress.reused == 0 ? "" : fmt::format(" ({} were already stored)", progress.reused));
+  std::fflush(stdout);  // a report may take a while
   return Ended::complete;
 }
 

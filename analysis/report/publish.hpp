@@ -27,6 +27,7 @@ struct Report {
   Table results = {};                 // of a study, what was reached
   std::vector<std::string> summary;   // what it says first, sentence by sentence
   std::vector<std::string> warnings;  // figures that were not drawn, a study that is incomplete, ...
+  bool is_damaged = false;            // the store has numbers that cannot be
 };
 
 // Files of the same names are replaced. A folder that cannot be written to is std::invalid_argument. Tables are there

@@ -55,12 +55,33 @@ bool is_companion(const std::string& name, const StudyResults& study, const Pape
   });
 }
 
+// The solves of a store, read once, and what is wrong with them.
+class CheckedStore {
+ public:
+  CheckedStore(const Store& store, const ReportRequest& request) : store_(store), request_(request) {}
+
+  StudyResults study(const StudyEntry& entry) {
+    std::vector<SolveRecord> solves = store_.solves(entry.name);
+    if (request_.check) std::ranges::move(request_.check(entry, solves), std::back_inserter(damages_));
+    return make_study(entry, std::move(solves), sessions_);
+  }
+  const std::vector<Session>& sessions() const { return sessions_; }
+  const std::vector<std::string>& damages() const { return damages_; }
+
+ private:
+  const Store& store_;
+  const ReportRequest& request_;
+  std::vector<Session> sessions_ = store_.sessions();
+  std::vector<std::string> damages_;
+};
+
 // The other studies of the store that the report has something of: companions, and those with the same targets.
-std::vector<JudgedStudy> others_of(const Store& store, const StudyResults& study, const Paper& paper) {
+std::vector<JudgedStudy> others_of(CheckedStore& store, const std::vector<StudyEntry>& entries,
+                                   const StudyResults& study, const Paper& paper) {
   std::vector<JudgedStudy> result;
-  for (const StudyEntry& entry : store.studies()) {
+  for (const StudyEntry& entry : entries) {
     if (entry.name == study.name) continue;
-    StudyResults other = make_study(entry, store.solves(entry.name), store.sessions());
+    StudyResults other = store.study(entry);
     if (is_companion(other.name, study, paper) || same_targets(study, other)) {
       result.push_back(judged_by(study.plan, std::move(other)));
     }
@@ -189,12 +210,13 @@ void see(const JudgedStudy& study, const std::vector<Table>& tables, std::span<c
 
 Report write_report(const Store& store, const ReportRequest& request) {
   const StudyEntry entry = store.study(request.study);
-  const std::vector<Session> sessions = store.sessions();
-  StudyResults stored = make_study(entry, store.solves(request.study), sessions);
+  CheckedStore checked(store, request);
+  const std::vector<Session>& sessions = checked.sessions();
+  StudyResults stored = checked.study(entry);
   if (request.plan) stored.plan = *request.plan;
   const JudgedStudy study(std::move(stored));
   const Paper& paper = paper_of(study, request.papers);
-  const std::vector<JudgedStudy> others = others_of(store, study, paper);
+  const std::vector<JudgedStudy> others = others_of(checked, store.studies(), study, paper);
   Reported reported{.study = study, .repetitions = request.repetitions};
   // Where limits are not treated alike, numbers cannot be put side by side: those have a table of their own.
   JudgedStudies same_targets_given{study}, same_limits_too{study};
@@ -241,7 +263,7 @@ Report write_report(const Store& store, const ReportRequest& request) {
                     why_not_blocked(study)));
   }
   if (study.plan.unit == Unit::point) content.warnings.insert(content.warnings.begin(), capitalised(points_flaw) + '.');
-  content.warnings.insert(content.warnings.begin(), request.damages.begin(), request.damages.end());
+  content.warnings.insert(content.warnings.begin(), checked.damages().begin(), checked.damages().end());
   for (std::size_t i = 1; i < same_limits_too.size(); ++i)
     content.summary.push_back(baselines_sentence(same_limits_too[i]));
   std::ranges::move(cost_tables(study), std::back_inserter(tables));
@@ -256,7 +278,7 @@ Report write_report(const Store& store, const ReportRequest& request) {
   }
   if (content.claims.empty() && !study.solves.empty()) content.answer = own_verdict(study);
   std::erase(content.answer, "");
-  if (!request.damages.empty()) {
+  if (!checked.damages().empty()) {
     content.answer = {"Believe nothing here: the store has numbers that do not follow from its answers."};
   }
   see(study, tables, request.shares, content);
@@ -269,6 +291,7 @@ Report write_report(const Store& store, const ReportRequest& request) {
                            .motion = moving_arm(entry, study)},
                           request.folder, request.figures);
   report.results = results;
+  report.is_damaged = !checked.damages().empty();
   return report;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -28,7 +29,9 @@ struct ReportRequest {
   std::vector<figures::Figure> extra_figures = {};  // likewise
   std::vector<RepeatedSolver> repetitions = {};     // of the study, with other seeds
   std::vector<ClaimShares> shares = {};             // of the paper's claims over all interpretations
-  std::vector<std::string> damages = {};            // of the store, sentences; the first warnings
+  // What is wrong with the solves of a study of the store, in sentences: the first warnings. May be empty.
+  std::function<std::vector<std::string>(const results::StudyEntry&, const std::vector<results::SolveRecord>&)> check =
+      {};
 };
 
 // An unknown study, or a folder that cannot be written to, is std::invalid_argument. Tables are there even where
