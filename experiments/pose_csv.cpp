@@ -80,7 +80,8 @@ class Table {
 
   const std::vector<std::string_view>& cells() const { return cells_; }
   [[noreturn]] void refuse(std::string_view what) const {
-    throw std::invalid_argument(fmt::format("{}:{}: {}", file_, line_, what));
+    throw std::invalid_argument(line_ == 0 ? fmt::format("{}: {}", file_, what)
+                                           : fmt::format("{}:{}: {}", file_, line_, what));
   }
 
   double number(const Column& column) const {

@@ -311,7 +311,9 @@ double moved_by_snapping(const Description& printed, const Description& snapped,
 const XMLElement& parsed(tinyxml2::XMLDocument& document, std::string_view text, const Place& place) {
   if (document.Parse(text.data(), text.size()) != tinyxml2::XML_SUCCESS) {
     place.fail(std::max(document.ErrorLineNum(), 1),
-               fmt::format("not XML: {}", tinyxml2::XMLDocument::ErrorIDToName(document.ErrorID())));
+               document.ErrorID() == tinyxml2::XML_ERROR_EMPTY_DOCUMENT
+                   ? "the file is empty; expected a <robot>"
+                   : fmt::format("not XML: {}", tinyxml2::XMLDocument::ErrorIDToName(document.ErrorID())));
   }
   XacroFinder xacro;
   document.Accept(&xacro);

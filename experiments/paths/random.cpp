@@ -6,6 +6,7 @@
 #include <cmath>
 #include <functional>
 #include <map>
+#include <memory>
 #include <mutex>
 #include <stdexcept>
 
@@ -47,43 +48,49 @@ struct Demand {
   double enough;
 };
 
-// By configurations that are the same for every study of the arm; found once, since singular values take long. `name`
-// is that of the score.
-const std::vector<double>& sampled_scores(const Robot& arm, const std::string& name,
-                                          const std::function<double(const Configuration&)>& score) {
-  static std::mutex mutex;
-  static std::map<std::string, std::vector<double>> known;
-  std::string key = name + arm.chain.definition();
-  for (const double limit : arm.limits.lower) key += fmt::format(" {}", limit);
-  for (const double limit : arm.limits.upper) key += fmt::format(" {}", limit);
-  const std::scoped_lock lock(mutex);
-  std::vector<double>& scores = known[key];
-  if (!scores.empty()) return scores;
-  constexpr int samples = 1000;
-  Random random(Key(0).with("samples of an arm"));
-  for (int i = 0; i < samples; ++i) scores.push_back(score(drawn_within(range_of(arm), random)));
-  std::ranges::sort(scores);
-  return scores;
-}
+// Scores of 1000 configurations, ascending, which are the same for every study of the arm; found once for a path and
+// its copies, since singular values take long. Runs may ask at the same time.
+class SampledScores {
+ public:
+  // `name` is that of the score.
+  const std::vector<double>& of(const Robot& arm, const std::string& name,
+                                const std::function<double(const Configuration&)>& score) {
+    std::string key = name + arm.chain.definition();
+    for (const double limit : arm.limits.lower) key += fmt::format(" {}", limit);
+    for (const double limit : arm.limits.upper) key += fmt::format(" {}", limit);
+    const std::scoped_lock lock(mutex_);
+    std::vector<double>& scores = known_[key];
+    if (!scores.empty()) return scores;
+    constexpr int samples = 1000;
+    Random random(Key(0).with("samples of an arm"));
+    for (int i = 0; i < samples; ++i) scores.push_back(score(drawn_within(range_of(arm), random)));
+    std::ranges::sort(scores);
+    return scores;
+  }
+
+ private:
+  std::mutex mutex_;
+  std::map<std::string, std::vector<double>> known_;
+};
 
 // The smallest singular value is below the first percentile.
-Demand near_singular(const Robot& arm) {
+Demand near_singular(const Robot& arm, SampledScores& samples) {
   const auto score = [&arm](const Configuration& q) {
     return -singular_values(arm, q, [&](const Eigen::VectorXd& at) {
               return arm.chain.forward(at).matrix();
             }).minCoeff();
   };
-  const std::vector<double>& scores = sampled_scores(arm, "singular", score);
+  const std::vector<double>& scores = samples.of(arm, "singular", score);
   return {score, scores[scores.size() * 99 / 100]};
 }
 
 // The tool is farther from the shoulder than 95 % of the largest distance.
-Demand at_edge(const Robot& arm) {
+Demand at_edge(const Robot& arm, SampledScores& samples) {
   constexpr double share = 0.95;
   const auto score = [&arm, shoulder = arm.chain.reach().centre](const Configuration& q) {
     return (arm.chain.position(q) - shoulder).norm();
   };
-  return {score, share * sampled_scores(arm, "edge", score).back()};
+  return {score, share * samples.of(arm, "edge", score).back()};
 }
 
 // The first that is good enough, or the best of very many.
@@ -132,6 +139,12 @@ class RandomTargets final : public PathKind {
                       "another set",
                       arm.name));
     }
+    constexpr double least_reach = 1e-6;  // [m] a share of less is no distance
+    if (set_ == Set::unreachable && arm.chain.reach().radius < least_reach) {
+      throw std::invalid_argument(fmt::format(
+          "path.set is \"unreachable\", but the reach of {} is 0, and so is every share of it; expected another set",
+          arm.name));
+    }
     if (set_ == Set::near_limits && !(arm.limits.upper - arm.limits.lower).array().isFinite().any()) {
       throw std::invalid_argument(
           fmt::format("path.set is \"near_limits\", but no joint of {} has limits; expected another set", arm.name));
@@ -160,7 +173,9 @@ class RandomTargets final : public PathKind {
 
  private:
   std::vector<Configuration> drawn(const Robot& arm, Random& random) const {
-    const Demand demand = set_ == Set::near_singular ? near_singular(arm) : set_ == Set::edge ? at_edge(arm) : Demand{};
+    const Demand demand = set_ == Set::near_singular ? near_singular(arm, *samples_)
+                          : set_ == Set::edge        ? at_edge(arm, *samples_)
+                                                     : Demand{};
     std::vector<Configuration> drawn;
     for (int i = 0; i < points_; ++i) {
       if (set_ == Set::near_limits) {
@@ -177,6 +192,7 @@ class RandomTargets final : public PathKind {
   int points_ = 20;
   Set set_ = Set::anywhere;
   double beyond_ = 0.1;
+  std::shared_ptr<SampledScores> samples_ = std::make_shared<SampledScores>();
 };
 
 }  // namespace

@@ -1,4 +1,6 @@
 // A rectangle, back to its first corner.
+#include <stdexcept>
+
 #include "experiments/orientation.hpp"
 #include "experiments/path.hpp"
 #include "numerics/units.hpp"
@@ -25,10 +27,15 @@ class Rectangle final : public PathKind {
     io.whole(
         "points", points_, point_counts,
         "point k = 0 ... n - 1 is k/(n - 1) of the way around, from the corner at which both axes begin, along the "
-        "first axis first; the last point is the first one");
+        "first axis first; the last point is the first one. All corners are points where both sides are whole numbers "
+        "of steps, as by default of 5 cm");
     list_tool(io, tool_);
   }
 
+  void check(const Robot&) const override {
+    if (width_ + height_ > 0) return;
+    throw std::invalid_argument("path.width_cm and path.height_cm are both 0; expected one of them above 0");
+  }
   bool is_drawn() const override { return false; }
   int points() const override { return points_; }
 
@@ -54,7 +61,7 @@ class Rectangle final : public PathKind {
   Eigen::Vector3d centre_{0.5, 0, 0.4};
   double width_ = 0.2, height_ = 0.3;
   Plane plane_ = Plane::yz;
-  int points_ = 20;
+  int points_ = 21;
   Tool tool_ = Tool::down;
 };
 

@@ -97,7 +97,7 @@ TEST_CASE("byte-order mark, carriage returns, blanks, quotes and empty lines cha
 
 TEST_CASE("every mistake is told with its line, its column and what was expected", "[csv]") {
   const std::vector<std::pair<std::string, std::string>> mistakes{
-      {"", "path.csv:0: the file is empty"},
+      {"", "path.csv: the file is empty"},
       {"x_m,y_m,z_m\n", "path.csv:1: there is no pose"},
       {"1,2,3\n4,5,6\n", "path.csv:1: column 1 is \"1\"; expected x, y and z with _m, _cm or _mm"},
       {"x,y,z\n1,2,3\n", "path.csv:1: column 1 is \"x\"; expected x, y and z with _m, _cm or _mm, such as x_cm"},
