@@ -97,6 +97,19 @@ class ProgressBar {
   ProgressText text_;
 };
 
+// On a terminal a line that says what the program does, wiped at the end.
+class Waiting {
+ public:
+  explicit Waiting(std::string_view words);
+  ~Waiting();
+  Waiting(const Waiting&) = delete;
+  Waiting& operator=(const Waiting&) = delete;
+  void end();
+
+ private:
+  bool on_terminal_;
+};
+
 // out/<name>, the name with everything but letters, digits, '-', '_' and '.' replaced.
 std::filesystem::path default_folder(std::string_view study);
 

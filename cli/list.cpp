@@ -144,8 +144,8 @@ void add_list(CLI::App& app) {
   auto arguments = std::make_shared<Arguments>();
   CLI::App* command = app.add_subcommand(
       "list", "List solvers, robots, studies, kinds of path, result columns, metrics or instruction sets");
-  command->add_option("KIND", arguments->kind, "solvers, robots, studies, paths, columns, metrics or instruction-sets")
-      ->required()
+  const std::string kinds = "solvers, robots, studies, paths, columns, metrics or instruction-sets";
+  command->add_option("KIND", arguments->kind, kinds)
       ->check(CLI::IsMember({"solvers", "robots", "studies", "paths", "columns", "metrics", "instruction-sets"}));
   command->add_option("NAME", arguments->name,
                       "show this one in full; a study or a path is printed as TOML, ready to edit");
@@ -155,7 +155,12 @@ void add_list(CLI::App& app) {
       "  ikbench list solvers ik_bat              its options with defaults and ranges\n"
       "  ikbench list studies slim2023 > my.toml\n"
       "  ikbench list instruction-sets            those of this machine; set IKBENCH_INSTRUCTION_SET to choose one");
-  command->callback([arguments] { fmt::print("{}", listed(arguments->kind, arguments->name)); });
+  command->callback([arguments, kinds] {
+    if (arguments->kind.empty()) {
+      throw std::invalid_argument(fmt::format("list lacks its KIND; expected {}", kinds));
+    }
+    fmt::print("{}", listed(arguments->kind, arguments->name));
+  });
 }
 
 }  // namespace ikbench::cli

@@ -16,9 +16,6 @@ using namespace solvers;
 using namespace results;
 using namespace report;
 
-namespace {
-
-// A number of the range, digits and point alone: CLI11 reads more than that as numbers.
 CLI::Validator number_in(std::pair<double, double> range) {
   return CLI::Validator(
       [range](const std::string& text) {
@@ -29,8 +26,6 @@ CLI::Validator number_in(std::pair<double, double> range) {
       },
       "");
 }
-
-}  // namespace
 
 CLI::Option* add_margin_option(CLI::App& command, double& margin) {
   return command.add_option_function<std::string>(

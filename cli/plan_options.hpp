@@ -12,6 +12,9 @@ namespace ikbench::cli {
 void add_plan_options(CLI::App& command, results::AnalysisPlan& plan);
 
 // Each alone; --margin as "5%" or "0.05".
+// A number of the range, digits and point alone: CLI11 reads more than that as numbers.
+CLI::Validator number_in(std::pair<double, double> range);
+
 CLI::Option* add_margin_option(CLI::App& command, double& margin);
 CLI::Option* add_margin_cm_option(CLI::App& command, double& margin_cm);
 CLI::Option* add_significance_option(CLI::App& command, double& significance);

@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 #include <set>
+#include <stdexcept>
 #include <thread>
 #include <utility>
 
@@ -139,6 +140,22 @@ bool solve_besides(const Arguments& arguments, const Paper& paper, WrittenReport
   return !signals.end();
 }
 
+// Options of which nothing in the paper takes notice.
+void refuse_others(const CLI::App& command, const Paper& paper) {
+  const bool takes_runs = std::ranges::any_of(paper.studies, [](const PaperStudy& study) {
+    return std::ranges::find(study.takes, "runs") != study.takes.end();
+  });
+  const bool is_repeated = paper.repetitions > 0, is_read = paper.multiverse || paper.one_at_a_time;
+  const std::vector<std::pair<std::string, bool>> options{
+      {"--runs", takes_runs}, {"--readings", is_read}, {"--repetitions", is_repeated}};
+  for (const auto& [option, is_taken] : options) {
+    if (is_taken || command.count(option) == 0) continue;
+    throw std::invalid_argument(
+        fmt::format("{} is not an option of {}; leave it out (of one study: ikbench run {} --set runs=10)", option,
+                    paper.name, paper.studies.front().name));
+  }
+}
+
 }  // namespace
 
 void add_reproduce(CLI::App& app, Invocation& invocation) {
@@ -148,33 +165,37 @@ void add_reproduce(CLI::App& app, Invocation& invocation) {
   add_paper_option(*command, arguments->paper);
   add_run_options(*command, arguments->run);
   command->add_option("--seed", arguments->seed, "seed of the studies")->check(whole_number())->capture_default_str();
-  command->add_option("--runs", arguments->runs, "runs of each solver on the helix")
+  command->add_option("--runs", arguments->runs, "slim2023: runs of each solver on the helix")
       ->check(whole_number())
       ->check(CLI::Range(1, 1'000'000))
       ->capture_default_str();
   command
       ->add_option(
           "--readings", arguments->seeds,
-          "number of seeds for the multiverse of the interpretations; one at a time they take one; 0: skip both")
+          "slim2023: number of seeds for the multiverse of the interpretations; one at a time they take one; 0: skip "
+          "both")
       ->check(whole_number())
       ->check(CLI::Range(0, 1000))
       ->capture_default_str();
   command
       ->add_option("--repetitions", arguments->repetitions,
-                   "number of seeds that say what a repetition would give; default: 50; 0: skip them")
+                   "slim2023: number of seeds that say what a repetition would give; default: 50; 0: skip them")
       ->check(whole_number())
       ->check(CLI::Range(0, 1000));
-  command->add_flag("--quick", arguments->is_quick, "skip the interpretations and the repetitions");
+  command->add_flag("--quick", arguments->is_quick, "slim2023: skip the interpretations and the repetitions");
   add_report_options(*command, arguments->report);
   command->footer(
       "Examples:\n"
       "  ikbench reproduce\n"
+      "  ikbench reproduce beeson2015             TRAC-IK's table of solve rates\n"
+      "  ikbench reproduce arms                   six solvers on random poses of every arm\n"
       "  ikbench reproduce --seed 2 --out out/seed-2\n"
       "  ikbench reproduce --quick                faster: skip the interpretations and the repetitions\n"
       "  ikbench reproduce --jobs 2               faster: two solves at once, but times are not comparable");
-  command->callback([arguments, &invocation] {
+  command->callback([arguments, command, &invocation] {
     refuse_points(arguments->report);
     const Paper& paper = analysis::paper(arguments->paper);
+    refuse_others(*command, paper);
     const std::string& first = paper.studies.front().name;
     const std::filesystem::path folder =
         arguments->run.out.empty() ? default_folder(first) : std::filesystem::path(arguments->run.out);

@@ -14,6 +14,7 @@
 #include "analysis/figures/figure_parts.hpp"
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
+#include "cli/plan_options.hpp"
 #include "cli/reporting.hpp"
 #include "experiments/study.hpp"
 #include "numerics/units.hpp"
@@ -108,9 +109,9 @@ std::string tool_text(const Robot& arm, const Configuration& q) {
   std::vector<std::string> values;
   const Configuration in_units = q.cwiseQuotient(experiments::joint_units(arm.chain));
   for (Eigen::Index j = 0; j < q.size(); ++j) {
-    values.push_back(number(in_units[j]) + (slides(arm, j) ? " m" : ""));
+    values.push_back(number(in_units[j]) + (slides(arm, j) ? " m" : " deg"));
   }
-  std::string text = fmt::format("with the joints at ({}) deg, the tool is {}", fmt::join(values, ", "),
+  std::string text = fmt::format("with the joints at {}, the tool is {}", fmt::join(values, ", "),
                                  frame_text(frame_of(arm.chain.forward(q))));
   if (arm.limits.violation(q) > 0) text += "; a joint is outside its limits";
   return text;
@@ -192,7 +193,7 @@ void add_robot(CLI::App& app) {
       ->add_option("--snap-deg", arguments->snap_deg,
                    "angles of a URDF file this near a multiple of 15 deg, and axes this near parallel, are meant to be "
                    "it; 0: none")
-      ->check(CLI::Range(0.0, 1.0))
+      ->check(number_in({0, 1}))
       ->capture_default_str();
   command->add_option("--out", arguments->out, "also draw the arm into this folder: robot.svg, .pdf, .png");
   command->footer(
@@ -200,7 +201,12 @@ void add_robot(CLI::App& app) {
       "  ikbench robot ur5e\n"
       "  ikbench robot franka_panda --at 0,-45,0,-135,0,90,45 --out out/panda\n"
       "  ikbench robot my_arm.urdf --base base_link --tip tool0 --limits soft");
-  command->callback([arguments] {
+  command->callback([arguments, command] {
+    for (const char* option : {"--base", "--tip", "--limits", "--snap-deg"}) {
+      if (command->count(option) == 0 || is_urdf_file(arguments->robot)) continue;
+      throw std::invalid_argument(
+          fmt::format("{} is about a URDF file, but the arm is {}; leave it out", option, arguments->robot));
+    }
     UrdfChoice choice = arguments->urdf;
     choice.limits = arguments->limits == "soft" ? UrdfChoice::Limits::soft : UrdfChoice::Limits::hard;
     choice.snap = arguments->snap_deg * degree;

@@ -1,7 +1,10 @@
 // ikbench run: a study, built-in or from a file.
+#include <fmt/format.h>
+
 #include <memory>
 #include <optional>
 
+#include "analysis/inference/contrasts.hpp"
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
 #include "cli/reporting.hpp"
@@ -12,6 +15,31 @@ namespace ikbench::cli {
 
 using namespace results;
 using namespace experiments;
+
+namespace {
+
+// Before hours are spent on what cannot be decided: exact tests of ranks need so many blocks, whatever is in them.
+void warn_of_too_few(const Study& study) {
+  const AnalysisPlan& plan = study.analysis;
+  const bool by_ranks = plan.test == DecidingTest::by_design || plan.test == DecidingTest::friedman;
+  const bool one_step = plan.adjustment == Adjustment::holm || plan.adjustment == Adjustment::bonferroni;
+  if (!by_ranks || !one_step || study.solvers.size() < 2 || !why_no_blocks(study).empty()) return;
+  const bool starts_anew = study.start != Start::previous;
+  const auto points = static_cast<std::size_t>(study.path->points()), runs = static_cast<std::size_t>(study.runs);
+  const std::size_t solvers = study.solvers.size();
+  inference::Evidence planned;
+  planned.plan = plan;
+  planned.blocks = !study.path->is_drawn() ? points : starts_anew ? runs * points : runs;
+  planned.groups.resize(solvers);
+  planned.pairs = solvers * (solvers - 1) / 2;
+  const auto fewest = static_cast<std::size_t>(inference::fewest_to_differ(planned));
+  if (planned.blocks < 2 || planned.blocks >= fewest) return;
+  say(fmt::format(
+      "warning: with {} {} no two of {} solvers can be told apart, whatever they do; the tests of ranks need at least {}",
+      planned.blocks, starts_anew ? "targets" : "runs", solvers, fewest));
+}
+
+}  // namespace
 
 void add_run(CLI::App& app, Invocation& invocation) {
   struct Arguments {
@@ -57,6 +85,7 @@ void add_run(CLI::App& app, Invocation& invocation) {
     if (folder.empty()) folder = is_part ? shard_folder(default_folder(study.name), shard) : default_folder(study.name);
     RunRequest request{.jobs = arguments->run.jobs, .command = invocation.command, .shard = shard};
     if (is_part) request.patience = std::chrono::seconds(1);  // without a log every transaction waits for the disk
+    if (!arguments->without_report && !is_part) warn_of_too_few(study);
     if (run_and_tell(study, folder, request, is_part ? Store::Mode::write_shared : Store::Mode::write) ==
         Ended::stopped) {
       invocation.exit_code = cancelled_exit_code();

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
 #include <optional>
@@ -15,6 +16,7 @@
 #include "experiments/study_reader.hpp"
 #include "experiments/study_writer.hpp"
 #include "numerics/units.hpp"
+#include "results/orientation.hpp"
 #include "robots/spherical_wrist.hpp"
 #include "solvers/registry.hpp"
 
@@ -30,6 +32,8 @@ using namespace report;
 
 namespace {
 
+constexpr std::string_view command_line = "the command line";
+
 struct SolveArguments {
   std::string robot = "kuka_iiwa14", solver = "damped_least_squares", tool = "down", search;
   std::vector<double> position_cm, rpy_deg, start_deg;
@@ -38,6 +42,22 @@ struct SolveArguments {
   std::optional<double> tolerance_deg;
   std::int64_t seed = 1;
 };
+
+// What the reader of studies says of the study that the flags make, as of the flags.
+std::invalid_argument of_flags(std::string message) {
+  const std::string place = fmt::format("{}:", command_line);  // and line and column of what nobody wrote
+  if (message.starts_with(place)) message.erase(0, std::min(message.find(": ") + 2, message.size()));
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 4> flags{
+      {{"search", "--search"},
+       {"seed", "--seed"},
+       {"stop.tolerance_cm", "--tolerance-cm"},
+       {"stop.tolerance_deg", "--tolerance-deg"}}};
+  for (const auto& [key, flag] : flags) {
+    const std::string words = fmt::format("--set {0}: {0} ", key);
+    if (message.starts_with(words)) message.replace(0, words.size() - 1, flag);
+  }
+  return std::invalid_argument(message);
+}
 
 // The study that asks for just this; read as a file would be, so that the same ranges hold.
 Study study_of(const SolveArguments& arguments) {
@@ -52,10 +72,9 @@ Study study_of(const SolveArguments& arguments) {
     overrides.push_back(of_solver ? arguments.solver + "." + text : text);
     if (!of_solver) of_arm.push_back(text);
   }
-  constexpr std::string_view source = "the command line";
   Study any_solver{.name = "solve", .robot = arguments.robot};  // the arm may be none for the one that is asked for
   any_solver.solvers = {{"any", "random_search", {}}};
-  const Robot arm = arm_of(parse_study(to_toml(any_solver), source, of_arm));
+  const Robot arm = arm_of(parse_study(to_toml(any_solver), command_line, of_arm));
   const int joints = arm.joints();
   if (!arguments.start_deg.empty() && arguments.start_deg.size() != static_cast<std::size_t>(joints)) {
     throw std::invalid_argument(fmt::format("--start-deg has {} angles; expected {}, one for each joint of {}",
@@ -63,11 +82,11 @@ Study study_of(const SolveArguments& arguments) {
   }
   study.initial.resize(static_cast<Eigen::Index>(arguments.start_deg.size()));
   for (std::size_t j = 0; j < arguments.start_deg.size(); ++j) {
-    const double angle = arguments.start_deg[j];
-    if (!(std::abs(angle) <= 1e6)) {
-      throw std::invalid_argument(fmt::format("--start-deg has {}; expected angles within +-1e6", angle));
-    }
-    study.initial[static_cast<Eigen::Index>(j)] = angle * joint_units(arm.chain)[static_cast<Eigen::Index>(j)];
+    study.initial[static_cast<Eigen::Index>(j)] =
+        arguments.start_deg[j] * joint_units(arm.chain)[static_cast<Eigen::Index>(j)];
+  }
+  if (!arguments.start_deg.empty() && arm.limits.violation(study.initial) > 0) {
+    say("warning: --start-deg is outside the joint limits");
   }
   if (is_arm_file(arguments.robot)) study.robot_of_file = std::make_shared<const Robot>(arm);
   const bool needs_pose = !solver(arguments.solver).why_not(arm.chain, solvers::Asked::position).empty();
@@ -81,10 +100,18 @@ Study study_of(const SolveArguments& arguments) {
     constexpr double by_default = 0.01;
     overrides.push_back(fmt::format("stop.tolerance_deg={}", arguments.tolerance_deg.value_or(by_default)));
   }
-  return parse_study(to_toml(study), source, overrides);
+  return parse_study(to_toml(study), command_line, overrides);
+}
+
+void check_range(std::string_view option, const std::vector<double>& values) {
+  const auto wrong = std::ranges::find_if(values, [](double value) { return !(std::abs(value) <= 1e6); });
+  if (wrong == values.end()) return;
+  throw std::invalid_argument(fmt::format("{} has {}; expected numbers within +-1e6", option, *wrong));
 }
 
 Pose target_of(const SolveArguments& arguments) {
+  check_range("--position-cm", arguments.position_cm);
+  check_range("--rpy-deg", arguments.rpy_deg);
   Pose target = Pose::Identity();
   target.translation() = Eigen::Map<const Eigen::Vector3d>(arguments.position_cm.data()) / 100;
   if (arguments.rpy_deg.empty()) {
@@ -92,8 +119,15 @@ Pose target_of(const SolveArguments& arguments) {
   } else {
     target.linear() = rotation_from_rpy(Eigen::Map<const Eigen::Vector3d>(arguments.rpy_deg.data()) * degree);
   }
-  if (!target.matrix().allFinite()) throw std::invalid_argument("the target is not finite");
   return target;
+}
+
+Study asked_study(const SolveArguments& arguments) {
+  try {
+    return study_of(arguments);
+  } catch (const std::invalid_argument& error) {
+    throw of_flags(error.what());
+  }
 }
 
 std::string shown(const SolveRecord& record, const Study& study) {
@@ -108,9 +142,7 @@ std::string shown(const SolveRecord& record, const Study& study) {
   rows.push_back({"position error [cm]", fmt::format("{:.6g}", record.position_error_cm)});
   rows.push_back({"orientation error", fmt::format("{:.6g}{}", record.orientation_error,
                                                    study.search == Search::all_joints ? " (not sought)" : "")});
-  // Of two rotations ||R - Rd|| is sqrt(8) sin(angle / 2), and ||Rd|| is sqrt(3).
-  const double sine = std::min(1.0, record.orientation_error * std::sqrt(3.0 / 8));
-  rows.push_back({"orientation error [deg]", fmt::format("{:.6g}", 2 * std::asin(sine) / degree)});
+  rows.push_back({"orientation error [deg]", fmt::format("{:.6g}", orientation_angle_deg(record.orientation_error))});
   rows.push_back({"variation [deg]", fmt::format("{:.4f}", record.variation_deg)});
   rows.push_back({"limit violation [deg]", fmt::format("{:.4f}", record.limit_violation_deg)});
   const std::vector<DhLink>& links = arm.chain.links();
@@ -177,8 +209,9 @@ void add_solve(CLI::App& app) {
       "  ikbench solve --robot planar_2 --position-cm 50 50 0\n"
       "  ikbench solve --robot ur5e --position-cm 40 20 30 --rpy-deg 180 0 90");
   command->callback([arguments] {
-    Study study = study_of(*arguments);
     const Pose target = target_of(*arguments);
+    check_range("--start-deg", arguments->start_deg);
+    Study study = asked_study(*arguments);
     study.path = path_through({target});
     warn_of_unreachable(study);
     fmt::print("{}", shown(solve_once(study, study.solvers.front(), target), study));

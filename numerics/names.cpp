@@ -39,7 +39,11 @@ std::string nearest_name(std::string_view name, const std::vector<std::string>& 
       nearest = candidate;
     }
   }
-  return nearest;
+  constexpr std::size_t fewest = 3;  // characters that say something
+  if (!nearest.empty() || name.size() < fewest) return nearest;
+  const auto longer =
+      std::ranges::find_if(candidates, [&](const std::string& each) { return each.find(name) != std::string::npos; });
+  return longer == candidates.end() ? "" : *longer;
 }
 
 std::string unknown_name(std::string_view kind, std::string_view name, const std::vector<std::string>& candidates) {

@@ -12,7 +12,7 @@ namespace ikbench::numerics {
 template <class Enum>
 using Choices = std::vector<std::pair<std::string, Enum>>;
 
-// The candidate with the smallest edit distance; empty where none is near enough to be meant.
+// The candidate with the smallest edit distance, or else one that contains the name; empty where none can be meant.
 std::string nearest_name(std::string_view name, const std::vector<std::string>& candidates);
 
 // `unknown solver "ik_bta"; did you mean "ik_bat"? (there are: ik_bat, bat, ...)`

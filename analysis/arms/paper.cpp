@@ -76,7 +76,10 @@ StudyPieces pieces(const Reported& reported) {
 }  // namespace
 
 Paper paper() {
-  Paper paper{.name = "arms", .pieces = pieces, .sections = {.first = {{"All arms", "", {"arms-figure", "arms"}}}}};
+  Paper paper{.name = "arms",
+              .in_short = "no paper, but six solvers on random poses of every arm",
+              .pieces = pieces,
+              .sections = {.first = {{"All arms", "", {"arms-figure", "arms"}}}}};
   for (const char* study :
        {"arms", "arms-iiwa7", "arms-ur3e", "arms-ur5", "arms-ur5e", "arms-ur10e", "arms-panda", "arms-fr3", "arms-gen3",
         "arms-irb120", "arms-puma560", "arms-stanford", "arms-jaco2", "arms-baxter"}) {

@@ -105,6 +105,7 @@ StudyPieces pieces(const Reported& reported) {
 
 Paper paper() {
   return {.name = this_paper,
+          .in_short = "TRAC-IK's table of solve rates",
           .citation =
               "Beeson and Ames: TRAC-IK: An Open-Source Library for Improved Solving of Generic Inverse "
               "Kinematics. Humanoids 2015, doi:10.1109/HUMANOIDS.2015.7363472; the table is that of its README, "

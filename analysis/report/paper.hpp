@@ -34,6 +34,7 @@ struct PaperStudy {
 
 struct Paper {
   std::string name;                 // as a study's `published` and results/published have it
+  std::string in_short = {};        // what is repeated, in a few words for --help
   std::string citation = {};        // a sentence with the DOI
   std::string not_reproduced = {};  // a sentence
   // The first is the paper's own; "first-part" is a companion of it, and "mine-part" of a study "mine".

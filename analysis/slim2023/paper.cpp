@@ -135,6 +135,7 @@ ReportPlan sections() {
 
 Paper paper() {
   return {.name = this_paper,
+          .in_short = "six solvers on a helix",
           .citation =
               "Slim, Rokbani, Neji, Terres and Beyrouthy: Inverse Kinematic Solver Based on Bat Algorithm for "
               "Robotic Arm Path Planning. Robotics 2023, 12(2), 38, doi:10.3390/robotics12020038.",

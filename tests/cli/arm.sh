@@ -48,7 +48,7 @@ cp "$scripts/../data/urdf/fetch.urdf" "$scripts/../data/urdf/ur5e.urdf" "$script
 succeeds robot fetch.urdf --at 0.1,0,0,0,90,0,0,0
 has "$out" "torso_lift"
 has "$out" "wrist: spherical"
-has "$out" "with the joints at (0.1 m, 0, 0, 0, 90, 0, 0, 0) deg, the tool is at (0.501"
+has "$out" "with the joints at 0.1 m, 0 deg, 0 deg, 0 deg, 90 deg, 0 deg, 0 deg, 0 deg, the tool is at (0.501"
 succeeds robot gen3.urdf --out picture
 has "$out" "angles are snapped, which moves the tool by at most"
 [ -s picture/robot.gp ] && [ -s picture/robot.dat ] || fail "there is no picture"

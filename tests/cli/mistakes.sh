@@ -32,8 +32,14 @@ refused '--format' export store.sqlite --format xml
 refused '--position-cm' solve
 refused '--position-cm' solve --position-cm 60 20
 refused '--position-cm' solve --position-cm a b c
-refused 'the target is not finite' solve --position-cm nan 0 0
-refused 'the target is not finite' solve --position-cm 60 20 10 --rpy-deg inf 0 0
+refused '--position-cm has nan; expected numbers within +-1e6' solve --position-cm nan 0 0
+refused '--rpy-deg has inf; expected numbers within +-1e6' solve --position-cm 60 20 10 --rpy-deg inf 0 0
+refused '--tolerance-cm is nan; ' solve --position-cm 60 20 10 --tolerance-cm nan
+refused '--snap-deg: nan is not a number from 0 to 1' robot ur5e --snap-deg nan
+refused '--base is about a URDF file, but the arm is ur5e' robot ur5e --base x
+refused 'list lacks its KIND; expected solvers, ' list
+refused 'did you mean "franka_panda"' robot panda
+refused '--runs is not an option of beeson2015' reproduce beeson2015 --runs 3
 refused '--start-deg has 2 angles; expected 7' solve --position-cm 60 20 10 --start-deg 1,2
 refused '--start-deg has nan' solve --position-cm 60 20 10 --start-deg nan,0,0,0,0,0,0
 refused '--set' solve --position-cm 60 20 10 --set dampnig=1
