@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 
 #include "analysis/figures/axis.hpp"
@@ -20,6 +21,9 @@ using namespace statistics;
 using namespace inference;
 
 namespace {
+
+// Quartiles of so few say nothing: each is drawn.
+bool are_few(const Box& box) { return box.n < 5; }
 
 bool is_below_resolution(const Mark& mark) { return mark.min <= 0 && mark.resolution > 0; }
 
@@ -98,6 +102,12 @@ std::string label_settings(const StudyResults& study, Figure& figure) {
 std::string plot_of(const std::vector<Box>& boxes, const std::string& name, bool has_marks) {
   std::vector<std::string> clauses;
   for (std::size_t i = 0; i < boxes.size(); ++i) {
+    if (are_few(boxes[i])) {
+      clauses.push_back(
+          fmt::format("'{}.dat' index 1 using ($1 == {} ? $1 : NaN):(shown($2)) with points ls {} pt 7 ps 0.8", name,
+                      i + 1, i + 1));
+      continue;
+    }
     if (!boxes[i].drawable()) continue;
     clauses.push_back(
         fmt::format("'{}.dat' index 0 every ::{}::{} using 1:(shown($3)):(shown($2)):(shown($6)):(shown($5)) with "
@@ -141,7 +151,11 @@ Figure box_figure(const StudyResults& study, const BoxRequest& request) {
   std::vector<Box> boxes;
   std::vector<double> all;
   for (const Sample& sample : samples(study, request.metric)) {
-    boxes.push_back(box(sample.values, quantile_type(study.plan.quartiles)));
+    Box& drawn = boxes.emplace_back(box(sample.values, quantile_type(study.plan.quartiles)));
+    if (are_few(drawn)) {
+      drawn.outliers = sample.values;
+      std::erase_if(drawn.outliers, [](double value) { return !std::isfinite(value); });
+    }
     all.insert(all.end(), sample.values.begin(), sample.values.end());
   }
   for (std::size_t i = 0; i < boxes.size(); ++i) {
@@ -168,7 +182,9 @@ Figure box_figure(const StudyResults& study, const BoxRequest& request) {
                   study.plan.unit == Unit::point ? "points"
                   : is_of_run(request.metric)    ? "runs"
                                                  : fmt::format("run {}s", average_name(request.metric)),
-                  study.plan.quartiles, marks.empty() ? "" : printed_note(request)),
+                  study.plan.quartiles,
+                  (std::ranges::any_of(boxes, are_few) ? " Of fewer than five values each is a point." : "") +
+                      (marks.empty() ? std::string() : printed_note(request))),
       study, request.metric, axis);
   if (boxes.size() > 8) figure.width_cm = two_columns_cm;
   figure.data = data_of(study, boxes, marks);

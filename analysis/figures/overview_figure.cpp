@@ -65,15 +65,17 @@ Figure overview_figure(const StudyResults& study, const std::vector<OverviewMark
   const std::vector<OverviewMark> ours = means_of(study);
   const std::vector<OverviewMark> rings = beside(ours, printed);
   const bool has_times = times_are_comparable(study);
-  Figure figure{.name = "overview", .caption = has_times ? "Area: median time." : "Without times.", .height_cm = 6.6};
+  Figure figure{.name = "overview",
+                .caption = has_times ? "The area of a mark is in proportion to the median time." : "Without times.",
+                .height_cm = 6.6};
   std::vector<double> errors, variations;
   for (const auto* marks : {&ours, &rings}) {
     for (const OverviewMark& mark : *marks) {
-      errors.push_back(mark.error_cm);
+      for (const double room : {1 / 1.3, 1.3}) errors.push_back(room * mark.error_cm);  // a disc has a size
       if (std::isfinite(mark.variation_deg)) variations.push_back(mark.variation_deg);
     }
   }
-  const Axis axis = value_axis(errors, quantity(Metric::position_error_cm), Scale::logarithmic);
+  const Axis axis = value_axis(errors, "mean " + quantity(Metric::position_error_cm), Scale::logarithmic);
   if (axis.shows_at_edge) figure.caption += " Values of zero are drawn at the lower edge.";
   const double widest = variations.empty() ? 1 : std::max(1e-9, std::ranges::max(variations));
   figure.settings =

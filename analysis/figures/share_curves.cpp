@@ -19,8 +19,8 @@ using namespace inference;
 namespace {
 
 constexpr double cost_spread_for_logarithmic = 4;
-constexpr double decades_for_powers = 1.5;
-constexpr double margin = 0.02;  // of the axis
+constexpr double decades_for_powers = 2;  // in which are two powers at least
+constexpr double margin = 0.02;           // of the axis
 
 CostAxis axis_between(double left, double right, std::string ticks) {
   return {.left = left,
