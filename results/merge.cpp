@@ -66,8 +66,8 @@ class MergedStore {
         const auto number = numbers.find(solve.session);
         if (number == numbers.end()) throw Damage("a solve is of a session that the table of sessions does not have");
         solve.session = number->second;
-        guarded(file_.name(), [&] { take(solve, place); });
-        suspects.add(std::move(solve));
+        const bool is_new = guarded(file_.name(), [&] { return take(solve, place); });
+        if (is_new) suspects.add(std::move(solve));
       });
       suspects.look();
     });
@@ -159,12 +159,14 @@ class MergedStore {
     return known->id;
   }
 
-  void take(const SolveRecord& solve, const fs::path& place) {
+  // Whether it was not there.
+  bool take(const SolveRecord& solve, const fs::path& place) {
     bind_solve(insert_, solve);
     const bool is_new = insert_.exec() == 1;
     insert_.reset();
     ++(is_new ? merged.added : merged.known);
     if (!is_new) refuse_other_bits(solve, place);
+    return is_new;
   }
 
   void refuse_other_bits(const SolveRecord& solve, const fs::path& place) {
