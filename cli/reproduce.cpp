@@ -1,5 +1,6 @@
 // ikbench reproduce: every study of a paper in one store, the interpretations and the audit, with one report.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -140,16 +141,27 @@ bool solve_besides(const Arguments& arguments, const Paper& paper, WrittenReport
   return !signals.end();
 }
 
-// Options of which nothing in the paper takes notice.
-void refuse_others(const CLI::App& command, const Paper& paper) {
-  const bool takes_runs = std::ranges::any_of(paper.studies, [](const PaperStudy& study) {
+// Whether an option says anything to a paper.
+bool takes(const Paper& paper, std::string_view option) {
+  if (option == "--readings") return paper.multiverse || paper.one_at_a_time;
+  if (option == "--repetitions") return paper.repetitions > 0;
+  return std::ranges::any_of(paper.studies, [](const PaperStudy& study) {
     return std::ranges::find(study.takes, "runs") != study.takes.end();
   });
-  const bool is_repeated = paper.repetitions > 0, is_read = paper.multiverse || paper.one_at_a_time;
-  const std::vector<std::pair<std::string, bool>> options{
-      {"--runs", takes_runs}, {"--readings", is_read}, {"--repetitions", is_repeated}};
-  for (const auto& [option, is_taken] : options) {
-    if (is_taken || command.count(option) == 0) continue;
+}
+
+// Those that the option says anything to, for its help.
+std::string papers_with(std::string_view option) {
+  std::vector<std::string> names;
+  for (const Paper& paper : analysis::papers()) {
+    if (takes(paper, option)) names.push_back(paper.name);
+  }
+  return fmt::format("{}: ", fmt::join(names, ", "));
+}
+
+void refuse_others(const CLI::App& command, const Paper& paper) {
+  for (const char* option : {"--runs", "--readings", "--repetitions"}) {
+    if (command.count(option) == 0 || takes(paper, option)) continue;
     throw std::invalid_argument(
         fmt::format("{} is not an option of {}; leave it out (of one study: ikbench run {} --set runs=10)", option,
                     paper.name, paper.studies.front().name));
@@ -165,24 +177,27 @@ void add_reproduce(CLI::App& app, Invocation& invocation) {
   add_paper_option(*command, arguments->paper);
   add_run_options(*command, arguments->run);
   command->add_option("--seed", arguments->seed, "seed of the studies")->check(whole_number())->capture_default_str();
-  command->add_option("--runs", arguments->runs, "slim2023: runs of each solver on the helix")
+  command->add_option("--runs", arguments->runs, papers_with("--runs") + "runs of each solver on the helix")
       ->check(whole_number())
       ->check(CLI::Range(1, 1'000'000))
       ->capture_default_str();
   command
       ->add_option(
           "--readings", arguments->seeds,
-          "slim2023: number of seeds for the multiverse of the interpretations; one at a time they take one; 0: skip "
-          "both")
+          papers_with("--readings") +
+              "number of seeds for the multiverse of the interpretations; one at a time they take one; 0: skip "
+              "both")
       ->check(whole_number())
       ->check(CLI::Range(0, 1000))
       ->capture_default_str();
   command
       ->add_option("--repetitions", arguments->repetitions,
-                   "slim2023: number of seeds that say what a repetition would give; default: 50; 0: skip them")
+                   papers_with("--repetitions") +
+                       "number of seeds that say what a repetition would give; default: 50; 0: skip them")
       ->check(whole_number())
       ->check(CLI::Range(0, 1000));
-  command->add_flag("--quick", arguments->is_quick, "slim2023: skip the interpretations and the repetitions");
+  command->add_flag("--quick", arguments->is_quick,
+                    papers_with("--repetitions") + "skip the interpretations and the repetitions");
   add_report_options(*command, arguments->report);
   command->footer(
       "Examples:\n"
