@@ -112,7 +112,7 @@ std::string configuration_key(const Study& study, const SolverEntry& entry) {
   text += said_by_name(fields_of(study), fields_of(Study{}));
   text += said_by_name(fields_of(study.stop), fields_of(StopRule{}), "stop.");
   // A further field of a solver does not compile here: options and population are those in effect.
-  [[maybe_unused]] const auto& [label, algorithm, options, population, program, if_missing] = entry;
+  [[maybe_unused]] const auto& [label, algorithm, options, population, program, if_missing, own] = entry;
   text += fmt::format("\nsolver {} label {}", algorithm, label);
   if (program) text += said_by_name(fields_of(program->choice), fields_of(ProgramChoice{}), "program.");
   for (const auto& [name, value] : effective_options(study, entry)) text += fmt::format("\n{} = {}", name, value);
@@ -120,10 +120,11 @@ std::string configuration_key(const Study& study, const SolverEntry& entry) {
 }
 
 std::string source_digest_of(const SolverEntry& entry) {
-  return entry.program ? entry.program->digest : solver_source_digest(entry.solver);
+  if (entry.program) return entry.program->digest;
+  return entry.own ? digest_of_file("/proc/self/exe") : solver_source_digest(entry.solver);
 }
 
-std::string library_of(const SolverEntry& entry) { return entry.program ? "" : solver(entry.solver).library; }
+std::string library_of(const SolverEntry& entry) { return entry.program ? "" : info_of(entry).library; }
 
 std::string series_key(const Study& study, const SolverEntry& entry) {
   Key source = Key(0).with(shared_source_digest()).with(source_digest_of(entry));

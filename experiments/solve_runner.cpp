@@ -179,7 +179,7 @@ SolveRunner::SolveRunner(const Study& study, const SolverEntry& entry, const Rob
               .algorithm = entry.solver,
               .options = options_text(options_, entry)},
       repeats_(study.stop.seconds > 0 || entry.program ? 1 : repeats),
-      is_counted_(entry.program || solver(entry.solver).is_counted) {
+      is_counted_(entry.program || info_of(entry).is_counted) {
   if (!entry.program) return;
   if (entry.program->choice.is_hosted()) hosted_repeats_ = study.stop.seconds > 0 ? 1 : repeats;
   sessions_ = std::make_unique<Sessions>(
@@ -188,7 +188,7 @@ SolveRunner::SolveRunner(const Study& study, const SolverEntry& entry, const Rob
 
 std::unique_ptr<Solver> SolveRunner::make_solver() const {
   if (sessions_) return std::make_unique<ForeignSolver>(*sessions_, study_.stop);
-  return solver(entry_.solver).make(options_);
+  return info_of(entry_).make(options_);
 }
 
 std::optional<ProgramNotes> SolveRunner::notes() const {

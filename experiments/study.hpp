@@ -13,6 +13,7 @@
 #include "robots/robot.hpp"
 #include "robots/urdf.hpp"
 #include "solvers/options.hpp"
+#include "solvers/registry.hpp"
 #include "solvers/solve.hpp"
 
 namespace ikbench::experiments {
@@ -56,7 +57,13 @@ struct SolverEntry {
   int population = 0;                           // 0: the study's
   std::shared_ptr<const Program> program = {};  // null: the solver is built in
   IfMissing if_missing = IfMissing::refuse;
+  // A solver of who uses these libraries, under the name of `solver`; null: it is registered. Its source is the file of
+  // the running program: whatever of that changes, it solves anew.
+  std::shared_ptr<const solvers::SolverInfo> own = {};
 };
+
+// Of an entry's solver that is no program.
+solvers::SolverInfo info_of(const SolverEntry& entry);
 
 struct LeftOut {
   std::string label;

@@ -89,6 +89,8 @@ std::string digest_of(const ProgramChoice& choice, const fs::path& folder, const
 
 }  // namespace
 
+std::string digest_of_file(const fs::path& file) { return digest_of(file); }
+
 void list_fields(Fields& io, ProgramChoice& choice) {
   using Talk = ProgramChoice::Talk;
   io.texts("process", choice.process, "a program and its arguments, in the folder of the study");

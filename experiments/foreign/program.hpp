@@ -28,6 +28,9 @@ struct ProgramChoice {
 
 void list_fields(Fields& io, ProgramChoice& choice);
 
+// SHA-256 in hexadecimal digits; std::invalid_argument where the file cannot be read.
+std::string digest_of_file(const std::filesystem::path& file);
+
 struct Program {
   ProgramChoice choice;
   std::filesystem::path folder;  // that it works in

@@ -1,13 +1,15 @@
 #!/usr/bin/env bash
-# What `cmake --install` puts into a folder is a program that needs neither the source nor the build.
-# install.sh PROGRAM CMAKE SOURCE SANITIZERS
+# What `cmake --install` puts into a folder is a program that needs neither the source nor the build, and libraries by
+# which a project of anybody's is built (tests/install).
+# install.sh PROGRAM CMAKE SOURCE COMPILER SANITIZERS
 source "$(dirname "$0")/common.sh"
-cmake=$2 tree=$(realpath "$3") sanitizers=${4:-}
+cmake=$2 tree=$(realpath "$3") compiler=$4 sanitizers=${5:-}
 build=$(dirname "$program")
 
 "$cmake" --install "$build" --prefix "$work/prefix" >.log 2>&1 || fail "cannot install: $(<.log)"
-files=$(cd prefix && find . -type f | LC_ALL=C sort | tr '\n' ' ')
+files=$(cd prefix && find . -type f ! -path './lib*' ! -path './include/ikbench/*' | LC_ALL=C sort | tr '\n' ' ')
 [ "$files" = "./bin/ikbench ./include/ikbench_plugin.h ./include/ikbench_plugin.hpp " ] || fail "installed are: $files"
+! grep -rlF "$tree" prefix/lib*/cmake prefix/lib*/*/cmake 2>/dev/null || fail "the package holds the path of its source"
 DESTDIR=$work/staged "$cmake" --install "$build" --prefix /opt/ikbench >.log 2>&1 || fail "cannot install: $(<.log)"
 cmp staged/opt/ikbench/bin/ikbench prefix/bin/ikbench || fail "DESTDIR installs another program"
 
@@ -41,3 +43,14 @@ if command -v c++ >/dev/null && command -v cc >/dev/null; then
   installed run mine.toml --no-report --out mine
 fi
 installed list studies slim2023-dobot
+
+# A project of somebody else's. Sanitizers are asked of it by the libraries.
+[ "$(wc -l <"$tree/tests/install/main.cpp")" -lt 60 ] || fail "the example has 60 lines or more"
+cp -r "$tree/tests/install" project
+"$cmake" -S project -B built -DCMAKE_CXX_COMPILER="$compiler" -DCMAKE_PREFIX_PATH="$work/prefix" >.log 2>&1 ||
+  fail "cannot configure a project with the package: $(<.log)"
+"$cmake" --build built >.log 2>&1 || fail "cannot build a project with the package: $(<.log)"
+built/mine >.out 2>.err || fail "the project's program: $(<.err)"
+grep -q '^| mine |' .out && grep -q '^| random |' .out || fail "no table of both solvers: $(<.out)"
+"$program" export made/store.sqlite --study mine >solves.csv || fail "ikbench cannot read the project's store"
+[ "$(grep -c ',mine,' solves.csv)" -ge 12 ] || fail "not all solves of the project's solver: $(<solves.csv)"

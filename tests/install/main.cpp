@@ -1,0 +1,58 @@
+// A solver of one's own beside a built-in one, by the installed libraries: docs/library.md.
+#include <cstdio>
+
+#include "analysis/report/report.hpp"
+#include "experiments/runner.hpp"
+#include "experiments/study_reader.hpp"
+
+using namespace ikbench;
+
+// Random steps from the best so far, which shrink.
+class Climb final : public solvers::Solver {
+ public:
+  struct Options {
+    double shrink = 0.97;
+    void list(solvers::OptionList& list) { list.number("shrink", shrink, {0, 1}, "of the steps, in every iteration"); }
+  };
+  explicit Climb(Options options) : options_(options) {}
+
+  void start(const solvers::Problem& problem, solvers::Objective& objective, numerics::Random&) override {
+    steps_.resize(problem.joints(), problem.population);
+    errors_.resize(problem.population);
+    size_ = 0.5;
+    best_ = {problem.start, objective.error(problem.start)};
+  }
+  void step(solvers::Objective& objective, numerics::Random& random) override {
+    random.normals(steps_);
+    const robots::Candidates candidates = (size_ * steps_).colwise() + best_.q;
+    objective.errors(candidates, errors_);
+    for (Eigen::Index i = 0; i < candidates.cols(); ++i) best_.improve(candidates.col(i), errors_[i]);
+    size_ *= options_.shrink;
+  }
+  const solvers::Best& best() const override { return best_; }
+
+ private:
+  Options options_;
+  robots::Candidates steps_;
+  Eigen::VectorXd errors_;
+  double size_ = 0;
+  solvers::Best best_;
+};
+
+int main() {
+  experiments::Study study = experiments::parse_study(R"(name = "mine"
+search = "all_joints"
+runs = 3
+path = { kind = "circle", points = 4 }
+stop = { iterations = 50 }
+solvers = [{ label = "random", solver = "random_search" }]
+)",
+                                                      "my study");
+  const auto climb = solvers::solver_info<Climb>("climb", "random steps that shrink", "me");
+  study.solvers.push_back({.label = "mine", .solver = climb.name, .own = std::make_shared<solvers::SolverInfo>(climb)});
+  results::Store store("made/store.sqlite", results::Store::Mode::write);
+  experiments::run(study, store, {});
+  const auto report = report::write_report(store, {.study = "mine", .folder = "made", .figures = {.render = false}});
+  std::puts(report::to_markdown(report.results).c_str());
+  for (const std::string& sentence : report.summary) std::puts(sentence.c_str());
+}
