@@ -1,4 +1,4 @@
-// ikbench export: a store's solves as tidy CSV or JSON, or as OMPL's benchmarks have them.
+// ikbench export: a store's solves as tidy CSV or JSON, or as OMPL's benchmarks or IOHprofiler have them.
 #include "results/export.hpp"
 
 #include <fmt/format.h>
@@ -9,8 +9,10 @@
 #include <stdexcept>
 
 #include "cli/commands.hpp"
+#include "cli/console.hpp"
 #include "cli/reporting.hpp"
 #include "results/files.hpp"
+#include "results/iohprofiler.hpp"
 #include "results/ompl.hpp"
 #include "results/store.hpp"
 
@@ -42,15 +44,19 @@ void add_export(CLI::App& app) {
   command->add_option("STORE", arguments->store, "path of a store.sqlite")->required();
   command->add_option("--study", arguments->study, "name of the study; default: the first in the store");
   command
-      ->add_option("--format", arguments->format, "csv, json, ompl (the database that Planner Arena reads) or ompl-log")
-      ->check(CLI::IsMember({"csv", "json", "ompl", "ompl-log"}))
+      ->add_option("--format", arguments->format,
+                   "csv, json, ompl (the database that Planner Arena reads), ompl-log, or iohprofiler (a folder that "
+                   "IOHanalyzer and IOHinspector read; the study has trace = \"best_error\")")
+      ->check(CLI::IsMember({"csv", "json", "ompl", "ompl-log", "iohprofiler"}))
       ->capture_default_str();
-  command->add_option("-o,--output", arguments->file, "file to write; - for standard output")->capture_default_str();
+  command->add_option("-o,--output", arguments->file, "file to write, or new folder; - for standard output")
+      ->capture_default_str();
   command->footer(
       "Examples:\n"
       "  ikbench export out/slim2023/store.sqlite > solves.csv\n"
       "  ikbench export out/slim2023/store.sqlite --format json -o solves.json\n"
       "  ikbench export out/slim2023/store.sqlite --format ompl -o benchmark.db\n"
+      "  ikbench export out/slim2023/store.sqlite --format iohprofiler -o ioh\n"
       "Columns: ikbench list columns");
   command->callback([arguments] {
     const Store store(arguments->store, Store::Mode::read);
@@ -60,6 +66,13 @@ void add_export(CLI::App& app) {
     if (arguments->format == "ompl") {
       if (arguments->file == "-") throw std::invalid_argument("--format ompl is a database; expected -o benchmark.db");
       write_ompl_database(arguments->file, exported);
+      return;
+    }
+    if (arguments->format == "iohprofiler") {
+      if (arguments->file == "-") throw std::invalid_argument("--format iohprofiler is a folder; expected -o FOLDER");
+      for (const std::string& solver : write_iohprofiler(arguments->file, study, exported.solves)) {
+        say(fmt::format("warning: {} is left out: its evaluations were not counted here, or it has no trace", solver));
+      }
       return;
     }
     const std::string text = arguments->format == "csv"    ? to_csv(exported.solves)

@@ -314,6 +314,10 @@ SolveRecord SolveRunner::solve(Solver& solver, const Pose& target, const Configu
                      .manipulability = verified.manipulability,
                      .counted_by = is_counted_ ? CountedBy::suite : CountedBy::nobody};
   for (const double error : solution.trace) record.trace_cm.push_back(error / centimetre);
+  if (is_counted_) {
+    record.improved_at.assign(solution.improved_at.begin(), solution.improved_at.end());
+    for (const double error : solution.improved_to) record.improved_to_cm.push_back(error / centimetre);
+  }
   if (median.account) add_account(record, *median.account);
   return record;
 }
@@ -346,7 +350,12 @@ void SolveRunner::add_account(SolveRecord& record, const Account& account) const
     record.claimed_error_cm = std::numeric_limits<double>::quiet_NaN();
     record.trace_cm.clear();
   }
-  if (entry_.program->mode == Mode::ask) return;
+  const bool is_counted_here = entry_.program->mode == Mode::ask;
+  if (account.failure || !is_counted_here) {
+    record.improved_at.clear();
+    record.improved_to_cm.clear();
+  }
+  if (is_counted_here) return;
   const Solved& word = account.word;
   if (is_hosted) {
     record.counted_by = word.evaluations > 0 ? CountedBy::suite : CountedBy::nobody;

@@ -55,7 +55,7 @@ bool is_empty(std::string_view column, const SolveRecord& record) {
 template <class Visit>
 void for_each_csv_column(Visit&& visit) {
   for_each_column([&](std::string_view name, auto member, std::string_view) {
-    if (name != "trace_cm") visit(name, member);
+    if (name != "trace_cm" && name != "improved_at" && name != "improved_to_cm") visit(name, member);
   });
 }
 

@@ -20,8 +20,8 @@ struct ColumnInfo {
 std::vector<ColumnInfo> columns();
 
 // One row per solve. A list becomes one column per element, numbered from 1 (answer_rad_1 ...), as many as the longest
-// has; shorter ones leave cells empty. The trace is left out: it has one element per iteration; JSON has it.
-// What is not finite is NaN, Inf or -Inf.
+// has; shorter ones leave cells empty. The trace and the improvements are left out: they have up to one element per
+// iteration; JSON has them. What is not finite is NaN, Inf or -Inf.
 std::string to_csv(const std::vector<SolveRecord>& records);
 
 // One object: note, columns, study, definition, series, sessions, solves. JSON has no number that is not finite:

@@ -14,6 +14,25 @@ using namespace numerics;
 
 IKBENCH_DEFINE_KERNELS
 
+namespace {
+
+void add_improvement(Solution& solution, std::int64_t evaluations, double error) {
+  solution.improved_at.push_back(evaluations);
+  solution.improved_to.push_back(error);
+}
+
+// Evaluation 1 is that of the arm where it is, unless the first candidate is the only one as yet.
+void add_start(Solution& solution, const Problem& problem, const Objective& objective, double first_best) {
+  const std::int64_t evaluations = objective.evaluations();
+  if (evaluations == 0) return;
+  Objective uncounted(objective.arm(), objective.goal());
+  const double at_start = evaluations == 1 ? first_best : uncounted.error(problem.start);
+  add_improvement(solution, 1, std::max(at_start, first_best));
+  if (first_best < at_start) add_improvement(solution, evaluations, first_best);
+}
+
+}  // namespace
+
 Solution solve(Solver& solver, const Problem& problem, Objective& objective, Random& random, const StopRule& stop,
                Trace trace) {
   using Clock = std::chrono::steady_clock;
@@ -26,6 +45,7 @@ Solution solve(Solver& solver, const Problem& problem, Objective& objective, Ran
   Problem told = problem;
   told.stop = stop;
   solver.start(told, objective, random);
+  if (trace == Trace::best_error) add_start(solution, problem, objective, solver.best().error);
   for (;;) {
     const double error = solver.best().error;
     if (!std::isfinite(error)) {
@@ -43,7 +63,12 @@ Solution solve(Solver& solver, const Problem& problem, Objective& objective, Ran
     } else {
       solver.step(objective, random);
       ++solution.iterations;
-      if (trace == Trace::best_error) solution.trace.push_back(solver.best().error);
+      if (trace == Trace::best_error) {
+        solution.trace.push_back(solver.best().error);
+        const bool is_counted = !solution.improved_to.empty();
+        if (is_counted && solver.best().error < solution.improved_to.back())
+          add_improvement(solution, objective.evaluations(), solver.best().error);
+      }
       continue;
     }
     break;
@@ -53,6 +78,8 @@ Solution solve(Solver& solver, const Problem& problem, Objective& objective, Ran
   const bool is_pose = objective.goal().is_pose() && solution.stopped != Stopped::not_finite;
   solution.position_error = is_pose ? objective.deviation(solution.best.q).position : solution.best.error;
   solution.evaluations = objective.evaluations();
+  if (!solution.improved_at.empty() && solution.improved_at.back() < solution.evaluations)
+    add_improvement(solution, solution.evaluations, solution.best.error);
   return solution;
 }
 

@@ -82,6 +82,8 @@ TEST_CASE("a solve stops where its solver has finished, unless it is within the 
   CHECK(solution.iterations == 3);
   CHECK(solution.evaluations == 4);
   CHECK(solution.trace.size() == 3);
+  CHECK(solution.improved_at == std::vector<std::int64_t>{1, 4});  // it evaluates the start alone first
+  CHECK(solution.improved_to == std::vector<double>(2, solution.best.error));
   CHECK(solved({.iterations = 3}).stopped == Stopped::finished);
   CHECK(solved({.iterations = 2}).stopped == Stopped::iterations);
   CHECK(solved({.iterations = 10, .tolerance = 10}).stopped == Stopped::tolerance);
@@ -93,6 +95,27 @@ TEST_CASE("the trace has the best error after each iteration and never grows", "
   CHECK(std::is_sorted(solution.trace.rbegin(), solution.trace.rend()));
   CHECK(solution.trace.back() == solution.best.error);
   CHECK(solved({.iterations = 40}).trace.empty());
+}
+
+TEST_CASE("improvements go from evaluation 1 to the last, and are those of the trace", "[solve]") {
+  const Solution solution = solved({.iterations = 40}, Trace::best_error);
+  const std::vector<std::int64_t>& at = solution.improved_at;
+  const std::vector<double>& to = solution.improved_to;
+  REQUIRE(at.size() == to.size());
+  REQUIRE(at.size() > 3);
+  const Task task = iiwa_task();
+  Objective objective(task.chain, task.target);
+  CHECK(at[0] == 1);
+  CHECK(to[0] == objective.error(task.problem.start));
+  CHECK(at[1] == 10);  // the first population
+  for (std::size_t i = 2; i < at.size(); ++i) {
+    CHECK(at[i] % 10 == 0);
+    CHECK(to[i] == solution.trace.at(static_cast<std::size_t>(at[i] / 10 - 2)));
+    if (i + 1 < at.size()) CHECK(to[i] < to[i - 1]);
+  }
+  CHECK(std::is_sorted(at.begin(), at.end()));
+  CHECK(at.back() == solution.evaluations);
+  CHECK(solved({.iterations = 40}).improved_at.empty());
 }
 
 TEST_CASE("an unknown solver is told the nearest name", "[solve]") {

@@ -1,0 +1,167 @@
+#include "results/iohprofiler.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <stdexcept>
+
+#include "numerics/number.hpp"
+#include "results/files.hpp"
+
+namespace ikbench::results {
+
+using namespace numerics;
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int largest_id = 65535;                      // 16 bits in the tables of IOHinspector
+constexpr std::string_view writer_version = "0.3.23";  // of IOHexperimenter; readers choose the format by it
+
+struct Row {
+  double evaluations, error_cm;
+};
+
+// As in the names of files and functions: letters, digits, _ and -.
+std::string plain_name(std::string_view text) {
+  std::string name;
+  for (const char c : text) {
+    const bool is_plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-';
+    name += is_plain ? c : '_';
+  }
+  return name.empty() ? "_" : name.substr(0, 60);
+}
+
+bool has_rows(const SolveRecord& solve) {
+  return solve.counted_by == CountedBy::suite && (!solve.improved_at.empty() || is_without_answer(solve.status));
+}
+
+// From evaluation 1 to the last. What is not finite is no improvement; a solve without any finite error has the
+// largest.
+std::vector<Row> rows_of(const SolveRecord& solve) {
+  constexpr double worst = std::numeric_limits<double>::max();
+  if (solve.improved_at.empty()) return {{1, solve.position_error_cm}};
+  std::vector<Row> rows;
+  for (std::size_t i = 0; i < std::min(solve.improved_at.size(), solve.improved_to_cm.size()); ++i) {
+    const double error = solve.improved_to_cm[i];
+    rows.push_back({solve.improved_at[i], std::isfinite(error) ? error : worst});
+  }
+  return rows;
+}
+
+// The joints that the solver searched: all, or those before the wrist.
+std::size_t dimension_of(const Json& definition, const SolveRecord& solve) {
+  const std::size_t all = solve.answer_rad.size();
+  return definition.value("search", "") == "wrist" && all > 3 ? all - 3 : all;
+}
+
+// One function of one solver: the rows of all its runs, and what the JSON file says of them.
+struct Function {
+  std::string data = {};
+  Json runs = Json::array();
+};
+
+void add_run(Function& function, const SolveRecord& solve, std::size_t dimension) {
+  const std::vector<Row> rows = rows_of(solve);
+  function.data += "evaluations raw_y\n";
+  for (const Row& row : rows) function.data += fmt::format("{:.0f} {:.17g}\n", row.evaluations, row.error_cm);
+  const Row& best = *std::ranges::min_element(rows, {}, &Row::error_cm);
+  Json x = Json::array();
+  for (std::size_t j = 0; j < dimension; ++j) x.push_back(solve.answer_rad[j]);
+  // `best` has these three and no other: IOHinspector passes over a file with more, without a word.
+  function.runs.push_back(
+      {{"instance", solve.run},
+       {"evals", static_cast<std::int64_t>(rows.back().evaluations)},
+       {"best", {{"evals", static_cast<std::int64_t>(best.evaluations)}, {"y", best.error_cm}, {"x", x}}}});
+}
+
+// Of one solver, into a folder of its own.
+class SolverFolder {
+ public:
+  SolverFolder(std::filesystem::path folder, const StudyEntry& study, const Series& series)
+      : folder_(std::move(folder)), suite_(plain_name("ikbench_" + study.name)), series_(series) {}
+
+  void write(int point, const std::map<std::size_t, Function>& by_dimension) const {
+    const std::string name = fmt::format("target_{}", point), data_folder = fmt::format("data_f{}_{}", point, name);
+    Json scenarios = Json::array();
+    for (const auto& [dimension, function] : by_dimension) {
+      const std::string path = fmt::format("{}/IOHprofiler_f{}_DIM{}.dat", data_folder, point, dimension);
+      write_file(folder_ / path, function.data);
+      scenarios.push_back({{"dimension", dimension}, {"path", path}, {"runs", function.runs}});
+    }
+    // Without attributes of ours: IOHinspector evaluates their texts, and IOHanalyzer loses those of runs.
+    const Json json{{"version", writer_version},
+                    {"suite", suite_},
+                    {"function_id", point},
+                    {"function_name", name},
+                    {"maximization", false},
+                    {"algorithm", {{"name", series_.label}, {"info", series_.algorithm + " " + series_.options}}},
+                    {"experiment_attributes", Json::array()},
+                    {"run_attributes", Json::array()},
+                    {"attributes", {"evaluations", "raw_y"}},
+                    {"scenarios", scenarios}};
+    write_file(folder_ / fmt::format("IOHprofiler_f{}_{}.json", point, name),
+               json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
+  }
+
+ private:
+  std::filesystem::path folder_;
+  std::string suite_;
+  const Series& series_;
+};
+
+void refuse_full(const std::filesystem::path& folder) {
+  std::error_code none;
+  if (!std::filesystem::exists(folder, none)) return;
+  if (std::filesystem::is_directory(folder, none) && std::filesystem::is_empty(folder, none)) return;
+  throw std::invalid_argument(
+      fmt::format("{} is not an empty folder, and IOHprofiler reads every file that it finds; expected a new folder",
+                  folder.string()));
+}
+
+}  // namespace
+
+std::vector<std::string> write_iohprofiler(const std::filesystem::path& folder, const StudyEntry& study,
+                                           const std::vector<SolveRecord>& solves) {
+  const Json definition = Json::parse(study.definition);
+  std::map<std::string, std::map<int, std::map<std::size_t, Function>>> functions;  // by solver, point and dimension
+  std::set<std::string> left_out;
+  for (const SolveRecord& solve : solves) {
+    if (!has_rows(solve)) left_out.insert(solve.solver);
+  }
+  bool has_trace = false;
+  for (const SolveRecord& solve : solves) {
+    if (left_out.contains(solve.solver)) continue;
+    has_trace = true;
+    if (solve.point > largest_id || solve.run > largest_id)
+      throw std::invalid_argument(
+          fmt::format("run {}, point {}: IOHprofiler's numbers end at {}; expected no more runs "
+                      "and points",
+                      solve.run, solve.point, largest_id));
+    const std::size_t dimension = dimension_of(definition, solve);
+    add_run(functions[solve.solver][solve.point][dimension], solve, dimension);
+  }
+  if (!has_trace)
+    throw std::invalid_argument(fmt::format(
+        "study '{}': no solver has the errors at its evaluations; expected trace = \"best_error\" in the study: "
+        "ikbench run STUDY --set trace=best_error --out another folder",
+        study.name));
+  refuse_full(folder);
+  std::set<std::string> used;
+  for (const Series& series : study.series) {
+    if (!functions.contains(series.label)) continue;
+    std::string name = plain_name(series.label);
+    for (int next = 2; !used.insert(name).second; ++next) name = fmt::format("{}-{}", plain_name(series.label), next);
+    const SolverFolder solver_folder(folder / name, study, series);
+    for (const auto& [point, by_dimension] : functions[series.label]) solver_folder.write(point, by_dimension);
+  }
+  return {left_out.begin(), left_out.end()};
+}
+
+}  // namespace ikbench::results
