@@ -27,6 +27,7 @@ void add_list(CLI::App& app);
 void add_robot(CLI::App& app);
 void add_solve(CLI::App& app);
 void add_export(CLI::App& app);
+void add_import(CLI::App& app, Invocation& invocation);
 void add_fingerprint(CLI::App& app);
 void add_check_solver(CLI::App& app, Invocation& invocation);
 void add_host(CLI::App& app);

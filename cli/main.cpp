@@ -53,6 +53,7 @@ int main(int argc, char** argv) {
   cli::add_robot(app);
   cli::add_solve(app);
   cli::add_export(app);
+  cli::add_import(app, invocation);
   cli::add_fingerprint(app);
   cli::add_check_solver(app, invocation);
   cli::add_host(app);

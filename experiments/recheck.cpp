@@ -9,7 +9,6 @@
 #include <stdexcept>
 #include <utility>
 
-#include "experiments/verifier.hpp"
 #include "numerics/units.hpp"
 #include "robots/spherical_wrist.hpp"
 
@@ -80,16 +79,10 @@ Eigen::VectorXd vector_of(const std::vector<double>& values) {
   return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
 }
 
-Pose target_of(const SolveRecord& solve) {
-  Pose target = Pose::Identity();
-  target.translation() = vector_of(solve.target_position_m);
-  target.linear() = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(solve.target_rotation.data());
-  return target;
-}
-
 void look_at_counts(const SolveRecord& solve, Findings& found) {
   found.expect_at_least("evaluations", solve, static_cast<double>(solve.evaluations), 0);
   found.expect_at_least("iterations", solve, static_cast<double>(solve.iterations), 0);
+  if (solve.timing == Timing::imported) return;  // what the file does not say is not known
   found.expect_at_least("seconds", solve, solve.seconds, 0);
   found.expect_at_least("cpu_seconds", solve, solve.cpu_seconds, 0);
   found.expect_at_least("repeats", solve, static_cast<double>(solve.repeats), 1);
@@ -101,22 +94,8 @@ void look_at_counts(const SolveRecord& solve, Findings& found) {
   }
 }
 
-// What the definition asks of every answer; the error of a whole pose is claimed, but not stored.
-Requirement requirement_of(const nlohmann::json& definition) {
-  const auto number = [&](const char* pointer) {
-    const nlohmann::json::json_pointer at(pointer);
-    return definition.contains(at) && definition[at].is_number() ? definition[at].get<double>() : 0.0;
-  };
-  const auto is = [&](const char* key, const char* value) {
-    return definition.contains(key) && definition[key] == value;
-  };
-  return {.tolerance = number("/stop/tolerance_cm") * centimetre,
-          .angle_tolerance = number("/stop/tolerance_deg") * degree,
-          .orientation_is_exact = is("search", "wrist"),
-          .limits_are_enforced = is("limits", "enforced")};
-}
-
 void look_at_status(const SolveRecord& solve, const Verification& computed, Requirement requirement, Findings& found) {
+  if (solve.timing == Timing::imported) requirement.orientation_is_exact = false;  // no wrist of ours completed it
   const bool is_silent = solve.counted_by != CountedBy::suite && std::isnan(solve.claimed_error_cm);
   requirement.claimed_error = is_silent ? computed.position_error : solve.claimed_error_cm * centimetre;
   const bool stayed =
@@ -152,6 +131,7 @@ struct Checked {
 void look_at_answer(const Checked& checked, const SolveRecord& solve, Findings& found) {
   const Robot& arm = checked.arm;
   const auto joints = static_cast<std::size_t>(arm.joints());
+  if (solve.status == Status::not_verified && solve.timing == Timing::imported) return;
   if (solve.target_position_m.size() != 3 || solve.target_rotation.size() != 9 || solve.start_rad.size() != joints ||
       solve.answer_rad.size() != joints) {
     found.add("answer_rad", solve, fmt::format("not the sizes of an arm with {} joints", joints));
@@ -187,6 +167,28 @@ void look_at_answer(const Checked& checked, const SolveRecord& solve, Findings& 
 
 }  // namespace
 
+Pose target_of(const SolveRecord& solve) {
+  Pose target = Pose::Identity();
+  target.translation() = vector_of(solve.target_position_m);
+  target.linear() = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(solve.target_rotation.data());
+  return target;
+}
+
+Requirement requirement_of(const StudyEntry& entry) {
+  const auto definition = nlohmann::json::parse(entry.definition, nullptr, false);
+  const auto number = [&](const char* pointer) {
+    const nlohmann::json::json_pointer at(pointer);
+    return definition.contains(at) && definition[at].is_number() ? definition[at].get<double>() : 0.0;
+  };
+  const auto is = [&](const char* key, const char* value) {
+    return definition.contains(key) && definition[key] == value;
+  };
+  return {.tolerance = number("/stop/tolerance_cm") * centimetre,
+          .angle_tolerance = number("/stop/tolerance_deg") * degree,
+          .orientation_is_exact = is("search", "wrist"),
+          .limits_are_enforced = is("limits", "enforced")};
+}
+
 std::optional<Robot> stored_arm(const StudyEntry& entry) {
   const auto definition = nlohmann::json::parse(entry.definition, nullptr, false);
   if (!definition.is_object()) return std::nullopt;
@@ -208,7 +210,7 @@ std::vector<std::string> damages(const StudyEntry& entry, const std::vector<Solv
   Findings found;
   const std::optional<Robot> arm = stored_arm(entry);
   const auto definition = nlohmann::json::parse(entry.definition, nullptr, false);
-  const Requirement requirement = requirement_of(definition);
+  const Requirement requirement = requirement_of(entry);
   const std::optional<Checked> checked = arm ? std::optional<Checked>(std::in_place, *arm, requirement) : std::nullopt;
   for (const SolveRecord& solve : solves) {
     look_at_counts(solve, found);

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "experiments/verifier.hpp"
 #include "results/store.hpp"
 #include "robots/robot.hpp"
 
@@ -13,6 +14,12 @@ namespace ikbench::experiments {
 // The arm as the definition of a stored study has it, to the rounding of its degrees; empty where it has none that can
 // be read.
 std::optional<robots::Robot> stored_arm(const results::StudyEntry& entry);
+
+// What that asks of every answer; the error of a whole pose is claimed, but not stored.
+Requirement requirement_of(const results::StudyEntry& entry);
+
+// Of a solve as it is stored, which has the sizes of one.
+robots::Pose target_of(const results::SolveRecord& solve);
 
 // What does not fit of the errors, moves, limits, counts and times, a sentence for each column, with the first solve of
 // which it is so; none where all fits. Errors, moves, violations and the status are computed again from arm, target,

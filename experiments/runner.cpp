@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <stdexcept>
@@ -183,6 +185,14 @@ StudyEntry entry_of(const Plan& plan) {
   return entry;
 }
 
+// What was imported into the study as it is (import.hpp) stays in it.
+void keep_imported(StudyEntry& entry, const Store& store) {
+  for (const StudyEntry& earlier : store.studies()) {
+    if (earlier.name != entry.name || earlier.definition != entry.definition) continue;
+    std::ranges::copy_if(earlier.series, std::back_inserter(entry.series), is_imported);
+  }
+}
+
 // What programs did besides solving: into the session, and as sentences.
 std::vector<std::string> tell_of_programs(const Plan& plan, Store& store, std::int64_t session) {
   std::vector<std::string> sentences;
@@ -247,7 +257,9 @@ void solve_missing(Plan& plan, Store& store, const RunRequest& request, Progress
 Progress run(const Study& study, Store& store, const RunRequest& request) {
   const bool times_count = request.jobs == 1 && !is_debug_build();
   Plan plan(study, times_count ? study.repeats : 1, request.shard);
-  store.save_study(entry_of(plan));
+  StudyEntry entry = entry_of(plan);
+  keep_imported(entry, store);
+  store.save_study(entry);
   Progress progress{.total = solves_of(request.shard, plan.size)};
   progress.done = progress.reused = move_past_stored(plan, store);
   if (request.progress) request.progress(progress);
@@ -269,7 +281,8 @@ LeftAside left_aside(const Study& study, const Store& store) {
 }
 
 void check_is_stored(const Study& study, const Store& store) {
-  const StudyEntry stored = store.study(study.name);
+  StudyEntry stored = store.study(study.name);
+  std::erase_if(stored.series, is_imported);
   const bool same_series = std::ranges::equal(stored.series, study.solvers, {}, &Series::key,
                                               [&](const SolverEntry& entry) { return series_key(study, entry); });
   if (stored.definition == to_json(study) && same_series) return;

@@ -55,6 +55,7 @@ class Reader {
   }
 
   // Of the row read last: the line on which it begins.
+  std::size_t row_line() const { return row_line_; }
   [[noreturn]] void refuse_row(const std::string& what) {
     line_ = row_line_;
     refuse(what);
@@ -171,6 +172,7 @@ CsvTable parse_csv(std::string_view text, std::string_view source) {
   Reader reader(text, source);
   CsvTable table;
   read_csv(reader, table.header, [&](std::vector<Cell>& cells) {
+    table.lines.push_back(reader.row_line());
     std::vector<std::string>& row = table.rows.emplace_back();
     for (Cell& cell : cells) row.push_back(std::move(cell).text());
   });

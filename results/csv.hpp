@@ -16,6 +16,7 @@ constexpr std::size_t max_csv_columns = 10'000;
 struct CsvTable {
   std::vector<std::string> header;
   std::vector<std::vector<std::string>> rows;  // each as long as the header
+  std::vector<std::size_t> lines = {};         // of a text that was read: where each row begins, from 1
 
   // Index of a column; std::invalid_argument names the column and those there are.
   std::size_t column(std::string_view name) const;

@@ -28,22 +28,23 @@ enum class Status {
   crashed,         // it ended or could not be started, or ended too often and is given up
   timed_out,       // it did not answer within its patience
   broke_protocol,  // it said what makes no sense
-  declined         // it says that it cannot solve this
+  declined,        // it says that it cannot solve this
+  not_verified     // of somebody else's solve of which the error is known, but not the answer
 };
 
 // Under what circumstances the times were taken; only `clean` times are comparable, and `process`, those of another
-// program, which have its transport in them.
-enum class Timing { clean, parallel, debug_build, process };
+// program, which have its transport in them. imported: taken elsewhere, of a solve from a file (`ikbench import`).
+enum class Timing { clean, parallel, debug_build, process, imported };
 
 // Who counted the evaluations.
 enum class CountedBy { suite, solver, nobody };
 
 constexpr std::array<std::string_view, 6> stop_reason_names{"iterations", "tolerance",  "evaluations",
                                                             "time",       "not_finite", "finished"};
-constexpr std::array<std::string_view, 10> status_names{
-    "ok",         "tolerance_missed", "limit_violated", "refused",        "claimed_but_wrong",
-    "not_finite", "crashed",          "timed_out",      "broke_protocol", "declined"};
-constexpr std::array<std::string_view, 4> timing_names{"clean", "parallel", "debug_build", "process"};
+constexpr std::array<std::string_view, 11> status_names{
+    "ok",      "tolerance_missed", "limit_violated", "refused",  "claimed_but_wrong", "not_finite",
+    "crashed", "timed_out",        "broke_protocol", "declined", "not_verified"};
+constexpr std::array<std::string_view, 5> timing_names{"clean", "parallel", "debug_build", "process", "imported"};
 constexpr std::array<std::string_view, 3> counted_by_names{"suite", "solver", "nobody"};
 
 constexpr const auto& names_of(StopReason) { return stop_reason_names; }
@@ -52,7 +53,7 @@ constexpr const auto& names_of(Timing) { return timing_names; }
 constexpr const auto& names_of(CountedBy) { return counted_by_names; }
 
 // Whether the solver gave no answer at all.
-constexpr bool is_without_answer(Status status) { return status >= Status::crashed; }
+constexpr bool is_without_answer(Status status) { return status >= Status::crashed && status <= Status::declined; }
 // Whether the arm stayed where it was, and the record's answer is that.
 constexpr bool stays(Status status) { return status == Status::refused || is_without_answer(status); }
 

@@ -28,6 +28,10 @@ struct Series {
   std::string options;    // JSON object with every option value
 };
 
+// Of solves from a file: nothing here makes them.
+constexpr std::string_view imported_algorithm = "imported";
+inline bool is_imported(const Series& series) { return series.algorithm == imported_algorithm; }
+
 // A study as it was defined when it was last run.
 struct StudyEntry {
   std::string name;

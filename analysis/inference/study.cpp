@@ -243,7 +243,7 @@ std::vector<Status> shown_statuses(const StudyResults& study) {
   for (std::size_t i = 0; i < status_names.size(); ++i) {
     const auto status = static_cast<Status>(i);
     const bool occurred = std::ranges::find(study.solves, status, &SolveRecord::status) != study.solves.end();
-    if (occurred || !is_without_answer(status)) shown.push_back(status);
+    if (occurred || status <= Status::not_finite) shown.push_back(status);
   }
   return shown;
 }
@@ -294,7 +294,7 @@ std::vector<std::string> status_notes(const StudyResults& study) {
         "variation "
         "is 0.");
   }
-  if (is_without_answer(shown.back())) {
+  if (std::ranges::any_of(shown, is_without_answer)) {
     notes.push_back(
         "A program that crashed, timed out, broke the protocol or declined gave no answer: the arm stays where it was, "
         "and the error that counts is the one it has there. Such a solve has no time, no evaluations and no move: in "

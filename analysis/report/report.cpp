@@ -134,6 +134,24 @@ std::vector<Assessment> assessments_of(const JudgedStudy& study, const Paper& pa
   return result;
 }
 
+// Of solvers whose solves come from a file.
+std::vector<std::string> imported_warnings(const StudyEntry& entry, const StudyResults& study) {
+  std::vector<std::string> warnings;
+  for (const Series& series : entry.series) {
+    if (!is_imported(series)) continue;
+    const auto is_unverified = [&](const SolveRecord& solve) {
+      return solve.solver == series.label && solve.status == Status::not_verified;
+    };
+    const bool is_verified = std::ranges::none_of(study.solves, is_unverified);
+    warnings.push_back(fmt::format(
+        "{} was imported from {}: {}", one_line(series.label), Definition(series.options).text("/file"),
+        is_verified
+            ? "its answers are verified, its counts and times are not."
+            : "its errors are not verified, because the file has no answers; none of its solves counts as solved."));
+  }
+  return warnings;
+}
+
 // As the program found it before it solved the study.
 std::string out_of_reach_warning(const StudyResults& study) {
   const Definition definition(study.definition);
@@ -263,6 +281,7 @@ Report write_report(const Store& store, const ReportRequest& request) {
                     why_not_blocked(study)));
   }
   if (study.plan.unit == Unit::point) content.warnings.insert(content.warnings.begin(), capitalised(points_flaw) + '.');
+  std::ranges::move(imported_warnings(entry, study), std::back_inserter(content.warnings));
   content.warnings.insert(content.warnings.begin(), checked.damages().begin(), checked.damages().end());
   for (std::size_t i = 1; i < same_limits_too.size(); ++i)
     content.summary.push_back(baselines_sentence(same_limits_too[i]));

@@ -7,7 +7,7 @@ has "$out" "Examples:"
 has "$out" "Exit codes:"
 has "$out" "5 more runs are needed (compare --sequential) or solves are missing (merge, status)"
 all=$out
-for command in reproduce run merge submit status report stats audit compare multiverse list robot solve export fingerprint check-solver; do
+for command in reproduce run merge submit status report stats audit compare multiverse list robot solve export import fingerprint check-solver; do
   has "$all" "  $command "
   succeeds "$command" --help
   has "$out" "Examples:"
