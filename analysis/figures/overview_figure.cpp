@@ -65,9 +65,7 @@ Figure overview_figure(const StudyResults& study, const std::vector<OverviewMark
   const std::vector<OverviewMark> ours = means_of(study);
   const std::vector<OverviewMark> rings = beside(ours, printed);
   const bool has_times = times_are_comparable(study);
-  Figure figure{.name = "overview",
-                .caption = has_times ? "The area of a mark is in proportion to the median time." : "Without times.",
-                .height_cm = 6.6};
+  Figure figure{.name = "overview", .caption = has_times ? "Area: median time." : "Without times.", .height_cm = 6.6};
   std::vector<double> errors, variations;
   for (const auto* marks : {&ours, &rings}) {
     for (const OverviewMark& mark : *marks) {
