@@ -7,7 +7,7 @@ cmake=$1 generator=$2 compiler=$3
 source=$(realpath "$(dirname "$0")/..")
 tree=$(mktemp -d)
 trap 'rm -rf "$tree"' EXIT
-(cd "$source" && cp -r CMakeLists.txt embed.cmake analysis cli experiments numerics results robots solvers tests "$tree") || exit 1
+(cd "$source" && cp -r CMakeLists.txt embed.cmake ikbenchConfig.cmake.in analysis cli experiments numerics results robots solvers tests "$tree") || exit 1
 cd "$tree" || exit 1
 digests=build/experiments/source_digests.inc
 
