@@ -89,7 +89,7 @@ void add_import(CLI::App& app, Invocation& invocation) {
         import_solves(store, {.study = study,
                               .source = file.filename().string(),
                               .text = text,
-                              .digest = digest_of_file(file),
+                              .digest = digest_of_text(text),
                               .label = arguments->label.empty() ? file.stem().string() : arguments->label,
                               .command = invocation.command});
     store.finish();

@@ -16,6 +16,7 @@
 #include "experiments/source_digest.hpp"
 #include "experiments/study_writer.hpp"
 #include "experiments/workers.hpp"
+#include "results/same_solves.hpp"
 #include "solvers/registry.hpp"
 
 namespace ikbench::experiments {
@@ -185,10 +186,10 @@ StudyEntry entry_of(const Plan& plan) {
   return entry;
 }
 
-// What was imported into the study as it is (import.hpp) stays in it.
+// What was imported into a study that asks the same (import.hpp) stays in it.
 void keep_imported(StudyEntry& entry, const Store& store) {
   for (const StudyEntry& earlier : store.studies()) {
-    if (earlier.name != entry.name || earlier.definition != entry.definition) continue;
+    if (earlier.name != entry.name || !difference_in_solves(earlier.definition, entry.definition).empty()) continue;
     std::ranges::copy_if(earlier.series, std::back_inserter(entry.series), is_imported);
   }
 }

@@ -9,11 +9,11 @@
 #include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
-#include <numbers>
 #include <tuple>
 
 #include "numerics/number.hpp"
 #include "results/files.hpp"
+#include "results/orientation.hpp"
 
 namespace ikbench::results {
 
@@ -65,11 +65,6 @@ std::string plain(std::string text, std::string_view separators = "") {
 
 std::string cell(double value) { return std::isfinite(value) ? text_of(value) : ""; }
 
-// ||R - Rd|| / ||Rd|| is sqrt(8 / 3) sin(angle / 2).
-double angle_deg(double orientation_error) {
-  return 2 * std::asin(std::min(1.0, orientation_error * std::sqrt(3.0 / 8))) * 180 / std::numbers::pi;
-}
-
 std::vector<std::string> cells_of(const SolveRecord& solve) {
   return {std::to_string(solve.run),
           std::to_string(solve.point),
@@ -79,7 +74,7 @@ std::vector<std::string> cells_of(const SolveRecord& solve) {
           std::to_string(static_cast<int>(solve.status)),
           std::to_string(static_cast<int>(solve.stop_reason)),
           cell(solve.position_error_cm),
-          cell(angle_deg(solve.orientation_error)),
+          cell(orientation_angle_deg(solve.orientation_error)),
           cell(solve.variation_deg),
           cell(solve.limit_violation_deg),
           solve.counted_by == CountedBy::nobody ? "" : std::to_string(solve.evaluations),

@@ -22,7 +22,9 @@ struct flock whole_file() {
 WriterMark::WriterMark(const std::filesystem::path& store)
     : file_(mark_of(store)), descriptor_(::open(file_.c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0666)) {
   struct flock lock = whole_file();
-  if (descriptor_ >= 0) ::fcntl(descriptor_, F_SETLK, &lock);
+  if (descriptor_ < 0 || ::fcntl(descriptor_, F_SETLK, &lock) == 0) return;
+  ::close(descriptor_);  // another program writes: the mark is its own
+  descriptor_ = -1;
 }
 
 WriterMark::~WriterMark() {

@@ -55,9 +55,10 @@ std::string with_notes(std::string caption, const StudyResults& study, Metric me
 void add_legend(Figure& figure, const std::vector<std::string>& labels) {
   std::size_t longest = 1;
   for (const std::string& label : labels) longest = std::max(longest, character_count(shortened(label, longest_label)));
-  const double characters = figure.width_cm * 6.5;
-  const auto columns =
-      std::max<std::size_t>(1, static_cast<std::size_t>(characters / static_cast<double>(longest + 7)));
+  if (labels.size() > 8) figure.width_cm = two_columns_cm;
+  // What gnuplot 5.4 reserves for an entry in an SVG, where it reserves most: more columns than fit would be one.
+  const double column_cm = 1.3 + 0.2 * static_cast<double>(longest);
+  const auto columns = std::max<std::size_t>(1, static_cast<std::size_t>(figure.width_cm / column_cm));
   const std::size_t rows = (labels.size() + columns - 1) / columns;
   figure.settings += fmt::format("set key maxcols {}\n", columns);
   figure.height_cm += 0.3 + 0.36 * static_cast<double>(rows);

@@ -31,7 +31,7 @@ std::string first_by_words(const StudyResults& study, Metric metric, Estimand es
   if (is_of_run(metric)) return fmt::format("Smallest {}", info.name);
   const std::string words = fmt::format("Smallest {} {}", name_of(estimand), info.slug);
   if (metric != Metric::position_error_cm || estimand != Estimand::mean) return words;
-  return words + " (large errors weigh most)";
+  return words + " (large errors dominate)";
 }
 
 // Which solver is first, who shares its place, and what sets it apart from the next.

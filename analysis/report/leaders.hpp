@@ -8,7 +8,7 @@
 
 namespace ikbench::report {
 
-// "Smallest mean error (large errors weigh most): IK-BA (0.0017 cm; next K-ABC 0.208 cm, p = 0.0003)." Those that
+// "Smallest mean error (large errors dominate): IK-BA (0.0017 cm; next K-ABC 0.208 cm, p = 0.0003)." Those that
 // the plan's test does not separate from the first share its place. Empty where no solver has a value.
 std::string leader_sentence(const inference::JudgedStudy& study, inference::Metric metric, results::Estimand estimand);
 // One for each of estimands_of(study, metric).

@@ -197,10 +197,11 @@ class Checker {
     line("the same seed gives the same answer in a fresh process", same(first, fresh), fresh.trouble);
     const bool differs = !same(first, other);
     line("another seed gives another answer, or it says that it is deterministic",
-         differs != program_->hello.is_deterministic,
-         differs == program_->hello.is_deterministic ? (differs ? "it says so, but another seed changes its answer"
-                                                                : "the answer is the same, and it does not say so")
-                                                     : "");
+         other.trouble.empty() && differs != program_->hello.is_deterministic,
+         !other.trouble.empty()                        ? other.trouble
+         : differs == program_->hello.is_deterministic ? (differs ? "it says so, but another seed changes its answer"
+                                                                  : "the answer is the same, and it does not say so")
+                                                       : "");
   }
 
   void claims() {

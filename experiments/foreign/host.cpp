@@ -97,7 +97,7 @@ std::vector<double> option_values(const Json& list, const Json& told) {
     if (value.is_number()) {
       values.push_back(value.get<double>());
     } else {
-      const Json choices = option.value("choices", Json::array({"no", "yes"}));
+      const Json choices = option.value("choices", Json::array({"false", "true"}));
       values.push_back(static_cast<double>(std::ranges::find(choices, value) - choices.begin()));
     }
   }

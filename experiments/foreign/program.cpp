@@ -91,6 +91,12 @@ std::string digest_of(const ProgramChoice& choice, const fs::path& folder, const
 
 std::string digest_of_file(const fs::path& file) { return digest_of(file); }
 
+std::string digest_of_text(std::string_view text) {
+  Sha256 digest;
+  digest.add(text);
+  return digest.text();
+}
+
 void list_fields(Fields& io, ProgramChoice& choice) {
   using Talk = ProgramChoice::Talk;
   io.texts("process", choice.process, "a program and its arguments, in the folder of the study");

@@ -83,7 +83,7 @@ double as_number(const Json& element) {
 Eigen::VectorXd configuration_in(const Json& value, int joints) {
   const bool is_single = joints == 1 && !value.is_array();
   if (!is_single && (!value.is_array() || value.size() != static_cast<std::size_t>(joints)))
-    throw Breach(fmt::format("a configuration has not {} numbers", joints));
+    throw Breach(fmt::format("a configuration does not have {} numbers", joints));
   Eigen::VectorXd q(joints);
   if (is_single) q[0] = as_number(value);
   for (int j = 0; !is_single && j < joints; ++j) q[j] = as_number(value[static_cast<std::size_t>(j)]);
@@ -187,7 +187,7 @@ Hello hello_in(const Message& message) {
   const Json& json = message.json;
   if (message.name != "hello") throw Breach(fmt::format("it says \"{}\" before hello", message.name.substr(0, 40)));
   if (number_at(json, "ikbench", 0) != protocol_version)
-    throw Breach(fmt::format("its hello has not \"ikbench\": {}", protocol_version));
+    throw Breach(fmt::format("its hello lacks \"ikbench\": {}", protocol_version));
   Hello hello{.name = text_at(json, "name", ""), .version = text_at(json, "version", ""), .modes = {}, .options = {}};
   if (hello.name.empty()) throw Breach("its hello has no name");
   const Json modes = json.value("modes", Json::array({"solve"}));

@@ -143,7 +143,7 @@ Message Session::receive(std::initializer_list<std::string_view> names, std::int
     const bool is_known = message && std::ranges::find(names, message->name) != names.end();
     if (is_known && (message->id == id || (!message->id && id == 0))) return std::move(*message);
     if (is_known && (!message->id || *message->id > id))
-      throw Trouble{Status::broke_protocol, fmt::format("its {} has not the id {}", message->name, id)};
+      throw Trouble{Status::broke_protocol, fmt::format("its {} does not have the id {}", message->name, id)};
     ignore(line, message);
   }
 }

@@ -69,10 +69,10 @@ SharedObject::SharedObject(const std::filesystem::path& file, std::string_view n
   if (solver_ == nullptr)
     throw std::invalid_argument(
         fmt::format("it has no solver \"{}\"; expected one of {}", name, fmt::join(names, ", ")));
-  if (solver_->size < sizeof(ikbench_solver) || solver_->create == nullptr || solver_->destroy == nullptr ||
-      solver_->start == nullptr)
+  if (solver_->size < sizeof(ikbench_solver) || solver_->name == nullptr || solver_->create == nullptr ||
+      solver_->destroy == nullptr || solver_->start == nullptr)
     throw std::invalid_argument(
-        fmt::format("its solver \"{}\" lacks its size, create, destroy or start", names.back()));
+        fmt::format("its solver \"{}\" lacks its size, name, create, destroy or start", names.back()));
   const std::string options = text_or_nothing(solver_->options);
   options_ = nlohmann::ordered_json::parse(options.empty() ? "[]" : options, nullptr, false);
   if (!options_.is_array()) throw std::invalid_argument("its options are no JSON list");

@@ -89,7 +89,7 @@ failures option >found
 failures silent >found
 [ "$(<found)" = "FAILED  it says a proper hello: it ends before its hello (exit code 3)" ] || fail "$(<found)"
 failures id >found
-has "$(<found)" "joints, or declines: broke_protocol: its solved has not the id"
+has "$(<found)" "joints, or declines: broke_protocol: its solved does not have the id"
 refused "COMMAND" check-solver
 
 # The same of a shared object; $FAULTS has the faults.

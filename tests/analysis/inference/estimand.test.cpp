@@ -202,7 +202,7 @@ TEST_CASE("where each estimand has another winner, the first sentence names the 
   const std::string sentence = leaders_sentence(study, error);
   CAPTURE(sentence);
   // Means 0.02, 0.5 and 2; geometric means 0.02, sqrt(1e-6) and 0.009^0.8 10^0.2 = 0.0366, each times 1.0105 at most.
-  CHECK(sentence.starts_with("Smallest mean error (large errors weigh most): A (0.0202 cm; next B 0.505 cm, p = "));
+  CHECK(sentence.starts_with("Smallest mean error (large errors dominate): A (0.0202 cm; next B 0.505 cm, p = "));
   CHECK(contains(sentence, ". Smallest typical error: B (0.00101 cm; next A 0.0202 cm, p = "));
   CHECK(contains(sentence, ". Most often within 0.01 cm: C (80 %; next B 50 %, p = "));
 }
@@ -214,7 +214,7 @@ TEST_CASE("the verdict of a study without a paper counts who is better than ever
   CAPTURE(lines.front());
   CHECK(lines.front().starts_with(fmt::format("Of {} comparisons, ", lines.size() - 1)));
   CHECK(lines.front().ends_with(": A in 1, B in 1, C in 1."));
-  CHECK(lines[1].starts_with("Smallest mean error (large errors weigh most): A ("));
+  CHECK(lines[1].starts_with("Smallest mean error (large errors dominate): A ("));
   CHECK(lines.back().starts_with("Fewest evaluations: "));
   const auto undecided = own_verdict(study_of({{"A", {1}}, {"A", {2}}, {"B", {1}}, {"B", {2}}}));
   CHECK(undecided.front().starts_with("No solver is shown to be better than every other in any of "));
@@ -225,7 +225,7 @@ TEST_CASE("those that the test does not separate from the first share its place"
   const auto sentence_of = [](const std::vector<GivenRun>& runs) {
     return leaders_sentence(study_of(runs, R"(, "analysis": {"test": "welch", "estimands": ["mean"]})"), error);
   };
-  const std::string label = "Smallest mean error (large errors weigh most): ";
+  const std::string label = "Smallest mean error (large errors dominate): ";
   CHECK(sentence_of({{"A", {1}}, {"A", {2}}, {"A", {3}}, {"B", {1.5}}, {"B", {2}}, {"B", {3}}})
             .starts_with(label + "A or B (2 cm and 2.17 cm; undecided, p = "));
   CHECK(sentence_of({{"A", {1}}, {"A", {2}}, {"B", {3}}, {"B", {2}}, {"C", {4}}, {"C", {2}}}) ==
