@@ -28,6 +28,24 @@
 namespace ikbench::results {
 namespace {
 
+// Of what was solved by ikbench.
+std::vector<std::string> own_keys(const StudyEntry& study) {
+  std::vector<std::string> keys;
+  for (const Series& series : study.series) {
+    if (!is_imported(series)) keys.push_back(series.key);
+  }
+  return keys;
+}
+
+// What was imported stays, whichever of two definitions is taken.
+StudyEntry with_imports(StudyEntry study, const StudyEntry& other) {
+  for (const Series& series : other.series) {
+    const bool is_there = std::ranges::find(study.series, series.key, &Series::key) != study.series.end();
+    if (is_imported(series) && !is_there) study.series.push_back(series);
+  }
+  return study;
+}
+
 namespace fs = std::filesystem;
 
 int runs_of(const StudyEntry& study) { return nlohmann::json::parse(study.definition).at("runs").get<int>(); }
@@ -125,8 +143,11 @@ class MergedStore {
           "as the other is, or leave one store out",
           study.name, known.place.string(), place.string(), why));
     const bool is_larger = runs_of(study) > runs_of(known.study);
-    if (is_larger) known = {study, place};
-    if (is_new || is_larger) guarded(file_.name(), [&] { write_study(file_.sqlite(), study); });
+    const std::size_t before = known.study.series.size();
+    known.study = is_larger ? with_imports(study, known.study) : with_imports(known.study, study);
+    if (is_larger) known.place = place;
+    const bool is_changed = is_larger || known.study.series.size() > before;
+    if (is_new || is_changed) guarded(file_.name(), [&] { write_study(file_.sqlite(), known.study); });
   }
 
   // The numbers of sessions, there and here.
@@ -228,8 +249,7 @@ std::error_code publish(const fs::path& file, const fs::path& name) {
 std::string why_not_one(const StudyEntry& study, const StudyEntry& other) {
   const std::string difference = difference_in_solves(study.definition, other.definition);
   if (!difference.empty()) return difference;
-  const auto is_same = [](const Series& one, const Series& another) { return one.key == another.key; };
-  if (std::ranges::equal(study.series, other.series, is_same)) return "";
+  if (own_keys(study) == own_keys(other)) return "";
   return "the version of the solvers or of shared code is another, so use one version of ikbench for all";
 }
 

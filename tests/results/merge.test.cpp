@@ -166,6 +166,26 @@ TEST_CASE("of two numbers of runs the larger is taken, and how a study is judged
   }
 }
 
+TEST_CASE("what was imported into one store hinders no merge, and stays", "[merge]") {
+  const ScratchFolder folder;
+  make_store(folder.path / "a", "one", {1});
+  make_store(folder.path / "b", "two", {30});
+  StudyEntry with_import = sample_study();
+  with_import.series.push_back(
+      {.key = "imported-key", .label = "theirs", .algorithm = std::string(imported_algorithm), .options = "{}"});
+  Store(folder.path / "a", Store::Mode::write).save_study(with_import);
+  StudyEntry larger = sample_study();
+  larger.definition = R"({"robot":"iiwa14","runs":30,"points":20})";
+  Store(folder.path / "b", Store::Mode::write).save_study(larger);
+  for (const auto& order : {std::vector{"a", "b"}, std::vector{"b", "a"}}) {
+    const fs::path out = folder.path / "out" / order.front();
+    merge(out, {folder.path / order[0], folder.path / order[1]});
+    const Store store(out, Store::Mode::read);
+    CHECK(store.study("table-3").definition == larger.definition);
+    CHECK(store.study("table-3").series.size() == with_import.series.size());
+  }
+}
+
 TEST_CASE("whatever is in a row that ikbench would not have written is damage, named with its store", "[merge]") {
   for (const char* what : {"session = 9", "answer_rad = x'00'", "run = 'one'", "status = 'nonsense'",
                            "answer_rad = 'x'", "seconds = 'soon'"}) {
