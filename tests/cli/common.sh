@@ -86,3 +86,25 @@ same_fingerprint() {
 quiet() {
   ! LC_ALL=C grep -q $'[\001-\010\013-\037\177]' "$work/.out" "$work/.err" || fail "control characters in: $out $err"
 }
+
+# study NAME ENTRY...: a study file of two runs of eight points, damped least squares first.
+study() {
+  local name=$1
+  shift
+  {
+    printf 'name = "%s"\nsearch = "all_joints"\nruns = 2\nrepeats = 1\n' "$name"
+    printf '[path]\nkind = "random"\npoints = 8\n[stop]\niterations = 8\n'
+    printf '[[solvers]]\nlabel = "DLS"\nsolver = "damped_least_squares"\n'
+    printf '%s\n' "$@"
+  } >"$name.toml"
+}
+
+# column STORE NAME SOLVER: the values of a solver's rows.
+column() {
+  "$program" export "$1" | awk -F, -v name="$2" -v solver="$3" '
+    NR == 1 { for (i = 1; i <= NF; ++i) column[$i] = i; next }
+    $column["solver"] == solver { print $column[name] }'
+}
+
+# counted: how often each line of the input is there.
+counted() { sort | uniq -c | sed 's/^ *//'; }

@@ -71,25 +71,9 @@ for line in sys.stdin:
         break
 EOF
 
-study() { # study NAME ENTRY...: a study file of two runs of eight points, damped least squares first
-  local name=$1
-  shift
-  {
-    printf 'name = "%s"\nsearch = "all_joints"\nruns = 2\nrepeats = 1\n' "$name"
-    printf '[path]\nkind = "random"\npoints = 8\n[stop]\niterations = 8\n'
-    printf '[[solvers]]\nlabel = "DLS"\nsolver = "damped_least_squares"\n'
-    printf '%s\n' "$@"
-  } >"$name.toml"
-}
 program_entry() { # program_entry LABEL WORD [FURTHER KEYS]
   printf '[[solvers]]\nlabel = "%s"\nprocess = ["python3", "faulty.py", "%s"]\npatience_s = 1\n%s\n' "$1" "$2" "${3:-}"
 }
-column() { # column STORE NAME SOLVER: the values of a solver's rows
-  "$program" export "$1" | awk -F, -v name="$2" -v solver="$3" '
-    NR == 1 { for (i = 1; i <= NF; ++i) column[$i] = i; next }
-    $column["solver"] == solver { print $column[name] }'
-}
-counted() { sort | uniq -c | sed 's/^ *//'; }
 
 # Without programs, and with each faulty one beside: the same bits of the others.
 study plain

@@ -4,13 +4,6 @@ source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 plugin=$scripts/../../experiments/foreign/plugin
 six=$(dirname "$program")/tests/plugins/ikbench_six.so
 
-column() { # column STORE NAME SOLVER: the values of a solver's rows
-  "$program" export "$1" | awk -F, -v name="$2" -v solver="$3" '
-    NR == 1 { for (i = 1; i <= NF; ++i) column[$i] = i; next }
-    $column["solver"] == solver { print $column[name] }'
-}
-counted() { sort | uniq -c | sed 's/^ *//'; }
-
 # The same files behind the interface: the same bits in every column that is not a time. The label decides the stream.
 solvers=(ik_bat bat particle_swarm differential_evolution k_artificial_bee_colony multi_objective_swarm)
 same_as_built_in() { # same_as_built_in KEYS [KEYS]: of a study, and of its [stop]
@@ -102,16 +95,6 @@ END
 build() { c++ -std=c++17 -O1 -Wall -Wextra -fPIC -shared -I "$plugin" "$@" 2>c++.err || fail "$(<c++.err)"; }
 build -o faulty.so faulty.cpp
 
-study() { # study NAME ENTRY...: two runs of eight points, damped least squares first
-  local name=$1
-  shift
-  {
-    printf 'name = "%s"\nsearch = "all_joints"\nruns = 2\nrepeats = 1\n' "$name"
-    printf '[path]\nkind = "random"\npoints = 8\n[stop]\niterations = 8\n'
-    printf '[[solvers]]\nlabel = "DLS"\nsolver = "damped_least_squares"\n'
-    printf '%s\n' "$@"
-  } >"$name.toml"
-}
 entry() { # entry SOLVER [FURTHER KEYS]
   printf '[[solvers]]\nlabel = "mine"\nshared_object = "./faulty.so"\nsolver = "%s"\npatience_s = 1\n%s\n' "$1" "${2:-}"
 }
