@@ -89,7 +89,9 @@ TEST_CASE("the study of docs/adding-anything.md is a study of two solvers", "[st
 TEST_CASE("every built-in study comes back from its file with the same series", "[study]") {
   for (const Study& study : studies()) {
     INFO(study.name);
-    const Study again = read(to_toml(study));
+    Study again = read(to_toml(study));
+    CHECK(again.left_out.empty());  // of peers that are not built the file has comments alone
+    again.left_out = study.left_out;
     CHECK(keys_of(again) == keys_of(study));
     CHECK(again.name == study.name);
     CHECK(again.title == study.title);
