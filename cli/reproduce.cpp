@@ -203,7 +203,7 @@ void add_reproduce(CLI::App& app, Invocation& invocation) {
       "Examples:\n"
       "  ikbench reproduce\n"
       "  ikbench reproduce beeson2015             TRAC-IK's table of solve rates\n"
-      "  ikbench reproduce arms                   six solvers on random poses of every arm\n"
+      "  ikbench reproduce arms                   seven solvers on random poses of every arm\n"
       "  ikbench reproduce --seed 2 --out out/seed-2\n"
       "  ikbench reproduce --quick                faster: skip the interpretations and the repetitions\n"
       "  ikbench reproduce --jobs 2               faster: two solves at once, but times are not comparable");

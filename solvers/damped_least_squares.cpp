@@ -1,11 +1,12 @@
-// Damped least squares, what a roboticist would reach for first: Wampler 1986 and Nakamura and Hanafusa 1986, with the
-// damping of Levenberg and Marquardt steered by the gain ratio as in Nielsen 1999 (Madsen, Nielsen and Tingleff 2004,
-// Algorithm 3.16). It starts where the arm is and from a random configuration each time it stalls; one trial a step.
-#include <Eigen/Cholesky>
+// Damped least squares, what a roboticist would reach for first: Wampler 1986 and Nakamura and Hanafusa 1986, with a
+// damping that the gain ratio steers as in Nielsen 1999 (Madsen, Nielsen and Tingleff 2004, Algorithm 3.16): a step
+// that makes it worse is undone. levenberg_marquardt takes every step, with a damping made of the error alone. It
+// starts where the arm is and from a random configuration each time it stalls; one trial a step.
 #include <algorithm>
 
 #include "numerics/functions.hpp"
 #include "solvers/bounds.hpp"
+#include "solvers/damped_step.hpp"
 #include "solvers/registry.hpp"
 
 namespace ikbench::solvers {
@@ -105,19 +106,12 @@ class DampedLeastSquares final : public Solver {
     }
   }
 
-  // The rows are known when these are compiled, so that sums over them are in one order.
-
   // The next candidate; returns how much the square of the merit falls if the residual is linear.
   template <int rows>
   double propose() {
-    const auto J = jacobian_.topRows<rows>();
-    const auto to_go = to_go_.head<rows>();
-    // (J^T J + mu I)^-1 J^T e = J^T (J J^T + mu I)^-1 e, and the second has as many rows for any number of joints.
-    using Square = Eigen::Matrix<double, rows, rows>;
-    const Square damped = J.lazyProduct(J.transpose()) + mu_ * Square::Identity();
-    step_.noalias() = J.transpose() * damped.ldlt().solve(to_go);
+    damped_step(jacobian_, to_go_, mu_, step_);
     candidate_ = q_ + step_;
-    return mu_ * step_.squaredNorm() + (J * step_).dot(to_go);
+    return mu_ * step_.squaredNorm() + (jacobian_.topRows<rows>() * step_).dot(to_go_.head<rows>());
   }
 
   template <int rows>
@@ -139,7 +133,7 @@ class DampedLeastSquares final : public Solver {
 
 SolverInfo damped_least_squares() {
   return solver_info<DampedLeastSquares>("damped_least_squares",
-                                         "damped least squares (Levenberg-Marquardt) with random restarts",
+                                         "damped least squares, damped by the gain ratio, with random restarts",
                                          "Wampler 1986; Madsen, Nielsen and Tingleff 2004, Algorithm 3.16");
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <limits>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -114,6 +115,23 @@ inline Task planar_task(int population) {
            .population = population,
            .iterations = 50}};
 }
+
+// Of a pose that the arm reaches within its limits, from their middle.
+struct ReachablePose {
+  explicit ReachablePose(std::string_view name, std::uint64_t seed, double weight = 0.3)
+      : arm(robots::robot(name)), goal(Eigen::Vector3d::Zero()) {
+    numerics::Random random{numerics::Key(seed)};
+    Eigen::VectorXd q(arm.joints());
+    for (Eigen::Index j = 0; j < q.size(); ++j) q[j] = random.uniform(arm.limits.lower[j], arm.limits.upper[j]);
+    goal = solvers::Goal(arm.chain.forward(q), weight);
+    problem = {
+        .start = (arm.limits.lower + arm.limits.upper) / 2, .lower = arm.limits.lower, .upper = arm.limits.upper};
+  }
+
+  robots::Robot arm;
+  solvers::Goal goal;
+  solvers::Problem problem;
+};
 
 inline bool same(const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
   return a.size() == b.size() && (a - b).cwiseAbs().maxCoeff() <= 4e-16 * (1 + b.cwiseAbs().maxCoeff());

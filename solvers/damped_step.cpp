@@ -1,0 +1,25 @@
+#include "solvers/damped_step.hpp"
+
+#include <Eigen/Cholesky>
+
+namespace ikbench::solvers {
+
+namespace {
+
+// It is J^T (J J^T + mu I)^-1 e too, which has as many rows for any number of joints. They are known when this is
+// compiled, so that sums over them are in one order.
+template <int rows>
+void damped_step(const Eigen::MatrixXd& jacobian, const Residual& to_go, double mu, robots::Configuration& step) {
+  const auto J = jacobian.topRows<rows>();
+  using Square = Eigen::Matrix<double, rows, rows>;
+  const Square damped = J.lazyProduct(J.transpose()) + mu * Square::Identity();
+  step.noalias() = J.transpose() * damped.ldlt().solve(to_go.head<rows>());
+}
+
+}  // namespace
+
+void damped_step(const Eigen::MatrixXd& jacobian, const Residual& to_go, double mu, robots::Configuration& step) {
+  return jacobian.rows() == 3 ? damped_step<3>(jacobian, to_go, mu, step) : damped_step<6>(jacobian, to_go, mu, step);
+}
+
+}  // namespace ikbench::solvers

@@ -1,0 +1,106 @@
+// Levenberg and Marquardt's method as roboticists use it: every step is taken, and the damping follows from the error
+// of the moment (Sugihara 2011; Chan and Lawrence 1988) or is constant (Wampler 1986). A search that takes too many
+// steps begins again at a random configuration, as in the Robotics Toolbox (Corke and Haviland 2021), ikine_LM.
+#include "solvers/bounds.hpp"
+#include "solvers/damped_step.hpp"
+#include "solvers/registry.hpp"
+
+namespace ikbench::solvers {
+
+using namespace numerics;
+using namespace robots;
+
+namespace {
+
+class LevenbergMarquardt final : public Solver {
+ public:
+  enum class Rule { chan, sugihara, wampler };
+  struct Options {
+    Rule rule = Rule::chan;
+    double damping = 1;
+    int search_iterations = 30;
+    double small_error = 1e-9;
+    Bounds bounds = Bounds::clamp;
+
+    void list(OptionList& list) {
+      list.choice("rule", rule, {{"chan", Rule::chan}, {"sugihara", Rule::sugihara}, {"wampler", Rule::wampler}},
+                  "what is added to the diagonal of J^T J, where E is half the squared residual [m, rad]: "
+                  "damping E, E + damping, or damping");
+      list.number("damping", damping, {1e-12, 1e6}, "factor or term of the rule");
+      list.count("search_iterations", search_iterations, {1, 1'000'000},
+                 "after so many iterations the search begins again at a random configuration");
+      list.number("small_error", small_error, {0, 1}, "it ends below this error [m]");
+      list_bounds(list, bounds);
+    }
+  };
+
+  explicit LevenbergMarquardt(Options options) : options_(options) {}
+
+  void start(const Problem& problem, Objective& objective, Random&) override {
+    problem_ = problem;
+    jacobian_.resize(objective.rows(), problem.joints());
+    step_.resize(problem.joints());
+    q_ = problem.start;
+    keep_inside(options_.bounds, problem_, q_);
+    best_ = {problem.start};
+    searched_ = 0;
+    arrive(objective);
+  }
+
+  void step(Objective& objective, Random& random) override {
+    if (finished()) return;
+    if (searched_ == options_.search_iterations) {
+      for (Eigen::Index j = 0; j < q_.size(); ++j) q_[j] = random.uniform(problem_.lower[j], problem_.upper[j]);
+      searched_ = 0;
+    } else {
+      ++searched_;
+      // dq = (J^T J + W)^-1 J^T e
+      damped_step(jacobian_, to_go_, damping(), step_);
+      q_ += step_;
+      keep_inside(options_.bounds, problem_, q_);
+      if (!q_.allFinite()) {
+        q_ = best_.q;
+        searched_ = options_.search_iterations;
+        return;
+      }
+    }
+    arrive(objective);
+  }
+
+  const Best& best() const override { return best_; }
+  bool finished() const override { return best_.error <= options_.small_error; }
+
+ private:
+  void arrive(Objective& objective) {
+    best_.improve(q_, objective.error(q_));
+    to_go_ = objective.linearize(q_, jacobian_);
+    if (objective.rows() == 3) return;
+    // Metres and radians side by side, as all sources have them, whatever a radian weighs in the error.
+    to_go_.tail<3>() /= objective.goal().rotation_weight;
+    jacobian_.bottomRows<3>() /= objective.goal().rotation_weight;
+  }
+
+  double damping() const {
+    const double E = to_go_.squaredNorm() / 2;
+    if (options_.rule == Rule::chan) return options_.damping * E;
+    return options_.rule == Rule::sugihara ? E + options_.damping : options_.damping;
+  }
+
+  Options options_;
+  Problem problem_;
+  Configuration q_, step_;
+  Eigen::MatrixXd jacobian_;
+  Residual to_go_;
+  int searched_ = 0;  // iterations of this search
+  Best best_;
+};
+
+}  // namespace
+
+SolverInfo levenberg_marquardt() {
+  return solver_info<LevenbergMarquardt>(
+      "levenberg_marquardt", "Levenberg and Marquardt's method, damped by the error, with random restarts",
+      "Sugihara 2011; Chan and Lawrence 1988; Wampler 1986; Corke and Haviland 2021");
+}
+
+}  // namespace ikbench::solvers

@@ -1,0 +1,105 @@
+// Levenberg and Marquardt's method: its steps by hand, where it ends, and its restarts.
+#include <Eigen/LU>
+#include <vector>
+
+#include "tests/catch.hpp"
+#include "tests/solvers/objectives.hpp"
+
+using namespace ikbench;
+using namespace ikbench::numerics;
+using namespace ikbench::robots;
+using namespace ikbench::solvers;
+
+TEST_CASE("a step is (J^T J + W)^-1 J^T e with the damping of each rule, in metres and radians", "[lm]") {
+  struct Case {
+    std::string rule;
+    double (*damping)(double E);  // of the factor or term 0.1
+  };
+  const std::vector<Case> cases{{"chan", [](double E) { return 0.1 * E; }},
+                                {"sugihara", [](double E) { return E + 0.1; }},
+                                {"wampler", [](double) { return 0.1; }}};
+  for (const auto& [rule, damping] : cases) {
+    for (const double weight : {0.3, 4.0}) {  // whatever a radian weighs in the error
+      const ReachablePose task("franka_panda", 3, weight);
+      RecordingObjective recorded(task.arm.chain, task.goal);
+      Random random{Key(1)};
+      const auto descent =
+          solver("levenberg_marquardt").make({{"rule", rule}, {"damping", "0.1"}, {"bounds", "initial"}});
+      descent->start(task.problem, recorded, random);
+      for (int iteration = 0; iteration < 4; ++iteration) {
+        const Eigen::VectorXd q = recorded.candidates.back();
+        Matrix6Xd J(6, q.size());
+        const Pose reached = task.arm.chain.pose_jacobian(q, J);
+        const Eigen::AngleAxisd turn(task.goal.target.linear() * reached.linear().transpose());
+        Eigen::VectorXd e(6);
+        e << task.goal.target.translation() - reached.translation(), turn.angle() * turn.axis();
+        const double W = damping(e.squaredNorm() / 2);
+        const Eigen::MatrixXd A = J.transpose() * J + W * Eigen::MatrixXd::Identity(q.size(), q.size());
+        descent->step(recorded, random);
+        INFO(rule << ", " << weight << ", " << iteration);
+        REQUIRE((recorded.candidates.back() - (q + A.inverse() * J.transpose() * e)).norm() < 1e-9);
+      }
+    }
+  }
+}
+
+TEST_CASE("Levenberg and Marquardt's method takes a step that makes it worse, within the limits", "[lm]") {
+  const Task task = planar_task(1);
+  RecordingObjective objective(task.chain, std::vector<double>{0.5});  // whatever follows is worse
+  Random random{Key(1)};
+  const auto descent = solver("levenberg_marquardt").make({{"rule", "wampler"}, {"damping", "1e-6"}});
+  descent->start(task.problem, objective, random);
+  for (int iteration = 0; iteration < 3; ++iteration) {
+    descent->step(objective, random);
+    CHECK(objective.linearized.back() == objective.candidates.back());
+    CHECK((objective.candidates.back().array().abs() <= 1).all());
+  }
+  CHECK(descent->best().q == task.problem.start);
+  CHECK(descent->best().error == 0.5);
+}
+
+TEST_CASE("Levenberg and Marquardt's method ends at the pose, and says so", "[lm]") {
+  ReachablePose task("franka_panda", 5);
+  const Goal near(task.arm.chain.forward(task.problem.start * 1.02), 0.3);
+  Objective objective(task.arm.chain, near);
+  Random random{Key(1)}, untouched{Key(1)};
+  const auto descent = solver("levenberg_marquardt").make({});
+  const Solution solution = solve(*descent, task.problem, objective, random, {.iterations = 100});
+  CHECK(solution.stopped == Stopped::finished);
+  CHECK(solution.iterations < 10);
+  CHECK(solution.best.error <= 1e-9);
+  CHECK(random.uniform() == untouched.uniform());
+  descent->step(objective, random);
+  CHECK(objective.evaluations() == solution.evaluations);  // a step after that does nothing
+}
+
+TEST_CASE("a search of Levenberg and Marquardt's method begins again at random after its iterations", "[lm]") {
+  Task task = planar_task(1);
+  task.target = {2, 0, 0};  // out of reach
+  RecordingObjective objective(task.chain, task.target);
+  Random random{Key(1)}, drawn{Key(1)};
+  const auto descent = solver("levenberg_marquardt").make({{"search_iterations", "3"}});
+  solve(*descent, task.problem, objective, random, {.iterations = 9});
+  REQUIRE(objective.candidates.size() == 10);
+  for (const std::size_t start : {4, 8}) {
+    for (Eigen::Index j = 0; j < 2; ++j) CHECK(objective.candidates[start][j] == drawn.uniform(-1, 1));
+  }
+  CHECK(random.uniform() == drawn.uniform());
+}
+
+TEST_CASE("Levenberg and Marquardt's method solves most reachable poses within the limits, by each rule", "[lm]") {
+  for (const Settings& settings : {Settings{}, Settings{{"rule", "sugihara"}, {"damping", "1e-4"}},
+                                   Settings{{"rule", "wampler"}, {"damping", "1e-4"}}}) {
+    int solved = 0;
+    for (std::uint64_t seed = 0; seed < 50; ++seed) {
+      const ReachablePose task("abb_irb120", seed);
+      RecordingObjective objective(task.arm.chain, task.goal);
+      Random random{Key(1)};
+      const Solution solution =
+          solve(*solver("levenberg_marquardt").make(settings), task.problem, objective, random, {.iterations = 1000});
+      for (const Eigen::VectorXd& q : objective.candidates) REQUIRE(task.arm.limits.violation(q) == 0);
+      solved += solution.best.error <= 1e-9 ? 1 : 0;
+    }
+    CHECK(solved > 40);
+  }
+}
