@@ -22,30 +22,30 @@ KDL::Chain kdl_chain(const Chain& chain) {
 }
 
 void kdl(benchmark::State& state) {
-  constexpr int batch = 50;
+  constexpr int size = 50;
   const Reach reach = flange_reach();
-  const Candidates candidates = drawn_candidates(reach.problem, batch);
+  const Candidates candidates = drawn_candidates(reach.problem, size);
   const KDL::Chain chain = kdl_chain(reach.chain);
   const KDL::Vector target(reach.target.x(), reach.target.y(), reach.target.z());
   KDL::ChainFkSolverPos_recursive solver(chain);
   KDL::Frame pose;
   std::vector<KDL::JntArray> q;
-  for (int i = 0; i < batch; ++i) {
+  for (int i = 0; i < size; ++i) {
     q.emplace_back(static_cast<unsigned>(reach.chain.joints()));
     q.back().data = candidates.col(i);
     solver.JntToCart(q.back(), pose);
     if (!is_same_position(state, reach.chain, candidates.col(i), {pose.p.x(), pose.p.y(), pose.p.z()})) return;
   }
-  std::vector<double> errors(batch);
+  std::vector<double> errors(size);
   for (auto _ : state) {
-    for (std::size_t i = 0; i < batch; ++i) {
+    for (std::size_t i = 0; i < size; ++i) {
       solver.JntToCart(q[i], pose);
       errors[i] = (pose.p - target).Norm();
     }
     benchmark::DoNotOptimize(errors.data());
     benchmark::ClobberMemory();
   }
-  count_candidates(state, batch, reach.chain.joints());
+  count_candidates(state, size, reach.chain.joints());
 }
 
 BENCHMARK(kdl)->Name("forward_kinematics/kdl");

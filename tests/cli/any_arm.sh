@@ -33,15 +33,15 @@ if [ -e /usr/share/javascript/three ] || [ -e /usr/share/nodejs/three ]; then
   grep -q 'id="motion-data"' theirs/report.html || fail "the page does not show the arm moving"
 fi
 
-# column NAME FILE: of a CSV table with a solver in the first column, "solver value" a line.
-column() {
+# table_column NAME FILE: of a CSV table with a solver in the first column, "solver value" a line.
+table_column() {
   awk -F, -v name="$1" 'NR == 1 { for (i = 1; i <= NF; ++i) if ($i == name) column = i; next } { print $1, $column }' "$2"
 }
 
 # Success against budget ends at the share that is solved; failures count.
 awk '/^# [a-z_]+$/ { solver = $2 } /^[0-9]/ { share[solver] = $2 } END { for (s in share) print s, share[s] }' \
   theirs/figures/statistics-solved-evaluations.dat | sort >drawn
-column share theirs/tables/solved.csv | sort | diff drawn - || fail "the curves end elsewhere than the table says"
+table_column share theirs/tables/solved.csv | sort | diff drawn - || fail "the curves end elsewhere than the table says"
 awk '$1 == "damped_least_squares" { exit !($2 > 0.5) }' drawn || fail "damped least squares solves few of the poses: $(<drawn)"
 
 # In the figure of its joints the slide is in centimetres: at most the 38.6 cm that the file allows.
@@ -76,8 +76,8 @@ E2
 succeeds run rectangle.toml --out rectangle
 ! grep -i -n 'helix\|slim' rectangle/report.html rectangle/report.md || fail "the report speaks of a paper"
 for solver in damped_least_squares newton; do
-  grep -q "^$solver 1$" <<<"$(column share rectangle/tables/solved.csv)" || fail "$solver does not follow the rectangle"
-  grep -q "^$solver 0$" <<<"$(column over_deadline rectangle/tables/times.csv)" || fail "$solver is late"
+  grep -q "^$solver 1$" <<<"$(table_column share rectangle/tables/solved.csv)" || fail "$solver does not follow the rectangle"
+  grep -q "^$solver 0$" <<<"$(table_column over_deadline rectangle/tables/times.csv)" || fail "$solver is late"
 done
 awk -F, 'NR == 1 { for (i = 1; i <= NF; ++i) column[$i] = i; next }
   !($column["largest_jump_deg"] < 20 && $column["return_deg"] < 1) { exit 1 }' rectangle/tables/further.csv ||

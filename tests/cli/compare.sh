@@ -2,8 +2,8 @@
 # compare: the gate that a solver's own repository would have, on studies that take little.
 source "$(dirname "$0")/common.sh"
 
-# study FOLDER SETTINGS...: K-ABC and MO-PSO on a short path; their errors grow where they have fewer iterations.
-study() {
+# make FOLDER SETTINGS...: K-ABC and MO-PSO on a short path; their errors grow where they have fewer iterations.
+make() {
   local folder=$1
   shift
   succeeds run slim2023 --set runs=8 --set path.points=3 --set stop.iterations=40 --set population=10 "$@" --no-report --out "$folder"
@@ -24,9 +24,9 @@ is_worse() {
   answers "Regression beyond "
 }
 
-study base
-study again
-study fewer --set stop.iterations=5
+make base
+make again
+make fewer --set stop.iterations=5
 base=base/store.sqlite again=again/store.sqlite fewer=fewer/store.sqlite
 
 # The same, to the bit.
@@ -71,7 +71,7 @@ run_it compare $base $fewer --label IK-BA --label K-ABC --metric position_error_
 has "$out" "undecided"
 has_no "$(answer)" "With --strict"
 succeeds compare $base $again --label IK-BA --metric solved --strict
-study single --set runs=1
+make single --set runs=1
 succeeds compare single/store.sqlite single/store.sqlite --label BA --metric evaluations
 succeeds compare $base single/store.sqlite --label BA --metric position_error_cm
 [ "$(grep -c "B has a single run, which shows no variation" <<<"$out")" = 1 ] || fail "not said once: $out"
@@ -90,21 +90,21 @@ has "$out" "6 pairs of runs, one observation is the mean of a run over its 2 poi
 refused 'they have different start configurations' compare drawn/store.sqlite chained/store.sqlite
 
 # A path whose targets are each solved from the initial configuration: target by target.
-study each --set start=initial
-study each_fewer --set start=initial --set stop.iterations=5
+make each --set start=initial
+make each_fewer --set start=initial --set stop.iterations=5
 is_worse each/store.sqlite each_fewer/store.sqlite --label K-ABC --metric position_error_cm --significance 0.2
 has "$out" "3 pairs of targets, one observation is the mean of a target over the 8 runs of each"
 succeeds run slim2023-time --set runs=6 --set path.points=2 --set stop.iterations=10 --set seed=2 --no-report --out elsewhere
 refused 'they have different targets (run 1 and 1, point 1: ' compare drawn/store.sqlite elsewhere/store.sqlite
-study longer --set path.points=4
+make longer --set path.points=4
 refused 'they have different targets (3 and 4 points per run)' compare $base longer/store.sqlite
-study farther --set path.radius_cm=21
+make farther --set path.radius_cm=21
 refused 'they have different targets (run 1 and 1, point 1: ' compare $base farther/store.sqlite
-study turned --set initial_deg=[1,0,0,0,0,0,0] --set runs=2
+make turned --set initial_deg=[1,0,0,0,0,0,0] --set runs=2
 refused 'they have different start configurations' compare $base turned/store.sqlite
 
 # Look by look. Exit code 5 asks for more runs; what is decided stays so, however many runs come later.
-study other --set seed=2
+make other --set seed=2
 other=other/store.sqlite looks=(--metric position_error_cm --sequential --step 4)
 run_it compare $base $other "${looks[@]}" --max-runs 16 --strict
 [ "$code" = 5 ] || fail "not decided after 8 of 16 runs: exit code $code, expected 5; it said: $out $err"
@@ -116,12 +116,12 @@ run_it compare $base $other "${looks[@]}" --max-runs 8 --strict
 [ "$code" = 4 ] || fail "not decided at the limit: exit code $code, expected 4"
 is_worse $base $fewer --label K-ABC "${looks[@]}" --max-runs 8
 decided=$(grep -o 'decided after [0-9]* runs' <<<"$out")
-study base --set runs=12
-study fewer --set runs=12 --set stop.iterations=5
+make base --set runs=12
+make fewer --set runs=12 --set stop.iterations=5
 is_worse $base $fewer --label K-ABC "${looks[@]}" --max-runs 8
 has "$out" "$decided"
-study base
-study fewer --set stop.iterations=5
+make base
+make fewer --set stop.iterations=5
 
 # The same, and it adds the runs itself: of the six solvers, in one store, as many as it takes.
 own=(--run slim2023 --set path.points=3 --set stop.iterations=40 --set population=10 --sequential --step 4 --max-runs 12)
@@ -161,10 +161,10 @@ is_worse $base $fewer --label K-ABC --metric position_error_cm -o new/regression
 [ -s new/regression.csv ] || fail "a regression is not written"
 
 # The margin is that of A's study, where none is given.
-study wide --set analysis.margin_percent=30
+make wide --set analysis.margin_percent=30
 succeeds compare wide/store.sqlite $base --label BA --metric evaluations
 has "$out" "margin 30 %"
-study wide --set analysis.margin_percent=0 --set analysis.margin_cm=500
+make wide --set analysis.margin_percent=0 --set analysis.margin_cm=500
 succeeds compare wide/store.sqlite $fewer --label K-ABC --metric position_error_cm
 has "$out" "margin 500 cm"
 answers "No regression beyond 500 cm"
@@ -173,7 +173,7 @@ answers "No regression beyond 500 cm"
 for edge in "analysis.margin_percent=99 analysis.significance=0.2 analysis.power=0.5" \
   "analysis.margin_percent=0 analysis.significance=0.0001 analysis.power=0.999"; do
   read -r margin significance power <<<"$edge"
-  study edge --set "$margin" --set "$significance" --set "$power"
+  make edge --set "$margin" --set "$significance" --set "$power"
   succeeds compare edge/store.sqlite $fewer --label K-ABC --metric variation_deg
   has "$out" "the probability of any \"worse\" is at most $(awk "BEGIN { print 100 * ${significance#*=} }") %"
   "$program" export edge/store.sqlite >edge.csv
