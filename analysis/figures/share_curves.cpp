@@ -38,6 +38,15 @@ std::string round_ticks(double smallest, double largest) {
   return fmt::format("set format x '%g'\nset xtics ({})\n", fmt::join(ticks, ", "));
 }
 
+// The smallest of 1, 2 and 5 times a power of ten that marks no more than five places of an axis.
+double round_step(double span) {
+  const double least = span / 5, power = std::pow(10, std::floor(std::log10(least)));
+  for (const double digit : {1, 2, 5}) {
+    if (digit * power >= least) return digit * power;
+  }
+  return 10 * power;
+}
+
 }  // namespace
 
 CostAxis cost_axis(double smallest, double largest) {
@@ -47,7 +56,9 @@ CostAxis cost_axis(double smallest, double largest) {
   largest = std::clamp(largest, 1e-300, 1e300);
   if (largest < cost_spread_for_logarithmic * smallest) {
     const double room = largest > smallest ? margin * (largest - smallest) : 0.5 * smallest;
-    return axis_between(smallest - room, largest + room, "set format x '%g'\n");
+    const double left = smallest - room, right = largest + room;
+    return axis_between(left, right,
+                        fmt::format("set format x '%g'\nset xtics {}\n", text_of(round_step(right - left))));
   }
   const double decades = std::log10(largest) - std::log10(smallest);
   const double room = std::pow(10, margin * decades);

@@ -75,7 +75,9 @@ class Leader {
     }
     if (beside.size() > 1) return shared(beside, all_same) + reversed + ')';
     const Judgement next = against(order[0], order[1]);
-    return fmt::format("{} ({}; next {} {}, {}{})", own, value(order[0]), name(order[1]), value(order[1]),
+    const std::string first = value(order[0]), second = value(order[1]);
+    return fmt::format("{} ({}; next {} {}, {}{})", own, first, name(order[1]),
+                       first == second ? "with the same digits" : second,
                        std::isfinite(next.p) ? p_words(next.p) : "not tested", reversed);
   }
 

@@ -436,6 +436,8 @@ TEST_CASE("an axis of costs is wider than its values, logarithmic where they dif
   CHECK(contains(cost_axis(3e-12, 0.02).settings, "set xtics enhanced 1e-14, 1e2"));
   CHECK(contains(cost_axis(300, 5000).settings, "1e3, 2e3, 5e3"));
   CHECK(!contains(cost_axis(1000, 1100).settings, "logscale"));
+  CHECK(contains(cost_axis(1000, 1100).settings, "set xtics 50\n"));  // more would stand on each other
+  CHECK(contains(cost_axis(4e-6, 1.3e-5).settings, "set xtics 2e-06\n"));
   CHECK(cost_axis(50, 50).left == 25);
   CHECK(contains(cost_axis(censored, 0).settings, "unset xtics"));
   CHECK(ratio_axis(9).right == 16);
