@@ -4,6 +4,7 @@
 #include "solvers/bounds.hpp"
 #include "solvers/damped_step.hpp"
 #include "solvers/registry.hpp"
+#include "solvers/twist.hpp"
 
 namespace ikbench::solvers {
 
@@ -73,11 +74,7 @@ class LevenbergMarquardt final : public Solver {
  private:
   void arrive(Objective& objective) {
     best_.improve(q_, objective.error(q_));
-    to_go_ = objective.linearize(q_, jacobian_);
-    if (objective.rows() == 3) return;
-    // Metres and radians side by side, as all sources have them, whatever a radian weighs in the error.
-    to_go_.tail<3>() /= objective.goal().rotation_weight;
-    jacobian_.bottomRows<3>() /= objective.goal().rotation_weight;
+    to_go_ = linearize_twist(objective, q_, jacobian_);
   }
 
   double damping() const {

@@ -6,6 +6,7 @@
 
 #include "solvers/bounds.hpp"
 #include "solvers/registry.hpp"
+#include "solvers/twist.hpp"
 
 namespace ikbench::solvers {
 
@@ -127,12 +128,8 @@ class Newton final : public Solver {
 
   void arrive(Objective& objective) {
     best_.improve(q_, objective.error(q_));
-    to_go_ = objective.linearize(q_, jacobian_);
-    if (objective.rows() == 3) return;
-    // KDL's twist has metres and radians side by side, and what counts as singular hangs on them. So here too, whatever
-    // a radian weighs in the error.
-    to_go_.tail<3>() /= objective.goal().rotation_weight;
-    jacobian_.bottomRows<3>() /= objective.goal().rotation_weight;
+    // What counts as singular hangs on the units.
+    to_go_ = linearize_twist(objective, q_, jacobian_);
   }
 
   Options options_;
