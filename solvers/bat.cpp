@@ -1,5 +1,10 @@
 // BA, the bat algorithm: Yang 2010, with the parameters of Slim et al. 2023, Algorithm 1 and Table 1.
 // The reading is argued in docs/paper-notes.md 2.6.
+#include <algorithm>
+#include <bit>
+#include <cstdint>
+#include <vector>
+
 #include "numerics/functions.hpp"
 #include "solvers/bounds.hpp"
 #include "solvers/kernels.hpp"
@@ -11,6 +16,69 @@ using namespace numerics;
 using namespace robots;
 
 namespace {
+
+// The sum of numbers that are not negative, added up from the first to the last, so always to the same bits, but not
+// all of them anew where some have changed. A sum in [2^k, 2^(k + 1)) is a multiple of its last bit. As long as it
+// stays there, what rounding makes of a further number is the same whatever the sum is, but for ties, which are decided
+// by whether that bit is 0 or 1. So a block of numbers adds one amount to every even sum, and one to every odd sum.
+class OrderedSum {
+ public:
+  // As many numbers, of which none is known.
+  void begin(Eigen::Index count) {
+    blocks_.assign(static_cast<std::size_t>((count + size - 1) / size), Block());
+    first_ = 0;
+  }
+
+  void changed(Eigen::Index i) {
+    const auto b = static_cast<std::size_t>(i / size);
+    blocks_[b].power = 0;
+    first_ = std::min(first_, b);
+  }
+
+  double of(const Eigen::RowVectorXd& numbers) {
+    double sum = blocks_[first_].before;
+    for (std::size_t b = first_; b < blocks_.size(); ++b) {
+      const auto begin = static_cast<Eigen::Index>(b) * size;
+      const Part part = numbers.segment(begin, std::min(size, numbers.size() - begin));
+      blocks_[b].before = sum;
+      sum = b == first_ ? added(sum, part) : after(blocks_[b], part);  // what changes now may change again soon
+    }
+    first_ = blocks_.size() - 1;
+    return sum;
+  }
+
+ private:
+  using Part = Eigen::Ref<const Eigen::RowVectorXd>;
+  static constexpr Eigen::Index size = 256;
+  struct Block {
+    double before = 0;               // sum of all numbers before it
+    double power = 0;                // 2^k of the sums for which these are known; 0: they are not
+    double to_even = 0, to_odd = 0;  // what it adds
+  };
+
+  static double added(double sum, const Part& part) {
+    for (const double number : part) sum += number;
+    return sum;
+  }
+
+  static double after(Block& block, const Part& part) {
+    const auto bits = std::bit_cast<std::uint64_t>(block.before);
+    constexpr std::uint64_t exponent = 0x7FF0000000000000;
+    const auto power = std::bit_cast<double>(bits & exponent);
+    if (power == 0) return added(block.before, part);
+    if (block.power != power) {
+      const auto odd = std::bit_cast<double>((bits & exponent) + 1);
+      block.power = power;
+      block.to_even = added(power, part) - power;
+      block.to_odd = added(odd, part) - odd;
+    }
+    const double sum = block.before + (bits % 2 == 0 ? block.to_even : block.to_odd);
+    return sum < 2 * power ? sum : added(block.before, part);
+  }
+
+  std::vector<Block> blocks_;
+  std::size_t first_ = 0;  // the block of the first number that may have changed; the last where none has
+};
 
 class Bat final : public Solver {
  public:
@@ -48,6 +116,7 @@ class Bat final : public Solver {
     for (Candidates* each : {&x_, &v_, &v_next_, &candidates_, &epsilon_}) each->resize(problem.joints(), bats);
     for (Eigen::RowVectorXd* each : {&loudness_, &pulse_rate_, &frequency_, &local_, &chance_}) each->resize(bats);
     for (Eigen::VectorXd* each : {&errors_, &found_}) each->resize(bats);
+    loudness_sum_.begin(bats);
     iteration_ = 0;
     best_ = {problem.start};
 
@@ -73,7 +142,8 @@ class Bat final : public Solver {
           if (accepted) {
             x_.col(i) = candidates_.col(i);
             errors_[i] = found_[i];
-            loudness_[i] *= options_.alpha;                                                          // Eq. 9
+            loudness_[i] *= options_.alpha;  // Eq. 9
+            loudness_sum_.changed(i);
             pulse_rate_[i] = options_.pulse_rate * (1 - exponential(-options_.gamma * iteration_));  // Eq. 10
           }
           const bool counts = accepted || options_.best_of == BestOf::evaluated;
@@ -87,7 +157,7 @@ class Bat final : public Solver {
  private:
   void fly(Eigen::Index first, Eigen::Index count) {
     const auto bats = Eigen::seqN(first, count);
-    const double step = options_.step_factor * loudness_.mean();
+    const double step = options_.step_factor * (loudness_sum_.of(loudness_) / static_cast<double>(loudness_.size()));
     for (Eigen::Index j = 0; j < x_.rows(); ++j) {
       // Eq. 6: V <- V + (X - X_best) f;  Eq. 7: X <- X + V
       kernels_.fly({.pole = best_.q[j],
@@ -109,6 +179,7 @@ class Bat final : public Solver {
   Problem problem_;
   Candidates x_, v_, v_next_, candidates_, epsilon_;
   Eigen::RowVectorXd loudness_, pulse_rate_, frequency_, local_, chance_;
+  OrderedSum loudness_sum_;
   Eigen::VectorXd errors_, found_;  // of the bats; of the candidates
   int iteration_ = 0;
   Best best_;

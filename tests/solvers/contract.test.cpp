@@ -267,8 +267,7 @@ TEST_CASE("a small population works or is refused in a sentence", "[contract]") 
 TEST_CASE("a population of 100000 is started and takes a step", "[contract][large]") {
   for (const SolverInfo& info : own_solvers_of_positions()) {
     CAPTURE(info.name);
-    // BA adds the mean loudness up anew for each bat that accepts: a square of the population, with sanitizers 18 s.
-    const Task task = iiwa_task(info.name == "bat" ? 20'000 : 100'000);
+    const Task task = iiwa_task(100'000);
     Objective objective(task.chain, task.target);
     Random random{Key(1)};
     const Solution solution = solve(*info.make({}), task.problem, objective, random, {.iterations = 1});

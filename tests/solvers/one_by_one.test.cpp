@@ -131,7 +131,7 @@ void ik_bat(Loop& loop) {
 
 // Slim et al. 2023, Algorithm 1.
 void bat(Loop& loop) {
-  const std::size_t bats = population;
+  const auto bats = static_cast<std::size_t>(loop.problem.population);
   const double f_min = loop.number("f_min"), f_max = loop.number("f_max"), step_factor = loop.number("step_factor");
   const double alpha = loop.number("alpha"), gamma = loop.number("gamma"), pulse_rate = loop.number("pulse_rate");
   const bool keeps_all = loop.is("best_of", "evaluated");
@@ -351,6 +351,26 @@ TEST_CASE("BA is its pseudo-code bit for bit, one bat after another", "[one_by_o
                  {{"bounds", "initial"}, {"pulse_rate", "0.5"}},
                  {{"best_of", "evaluated"}, {"pulse_rate", "0.9"}, {"gamma", "0.1"}},
                  {{"alpha", "0.99"}, {"f_max", "0.5"}, {"pulse_rate", "1"}}});
+}
+
+TEST_CASE("BA of many bats is its pseudo-code bit for bit: the mean loudness is added up in order",
+          "[one_by_one][bat]") {
+  const SolverInfo info = solver("bat");
+  for (const int bats : {256, 257, 1500}) {
+    for (const char* alpha : {"0", "0.5", "0.99"}) {
+      CAPTURE(bats, alpha);
+      const Settings variant{{"alpha", alpha}, {"step_factor", "1"}, {"pulse_rate", "0.5"}};
+      const Settings settings = info.options(variant);
+      Task task = task_of(4, 1);
+      task.problem.population = bats;
+      RecordingObjective in_blocks(task.chain, task.target), by_itself(task.chain, task.target);
+      Random random{Key(1)};
+      solve(*info.make(variant), task.problem, in_blocks, random, {.iterations = iterations});
+      Loop loop(task, by_itself, 1, settings);
+      bat(loop);
+      REQUIRE(in_blocks.candidates == by_itself.candidates);
+    }
+  }
 }
 
 TEST_CASE("PSO is its pseudo-code bit for bit, one particle after another", "[one_by_one][pso]") {
