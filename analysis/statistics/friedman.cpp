@@ -14,7 +14,7 @@
 namespace ikbench::statistics {
 namespace {
 
-constexpr double rounding_of_W = 1e-10;  // of W, which is built from sums of ranks
+constexpr double rounding_of_w = 1e-10;  // of W, which is built from sums of ranks
 
 double rank_difference_error(std::size_t groups, std::size_t blocks) {
   const auto k = static_cast<double>(groups);
@@ -47,7 +47,7 @@ void judge(Friedman& test, double rank_variance) {
   test.p = chi_squared_upper_tail(test.chi_squared, test.df);
   test.F_df_between = test.df;
   test.F_df_within = (k - 1) * (n - 1);
-  if (test.kendall_w >= 1 - rounding_of_W) {
+  if (test.kendall_w >= 1 - rounding_of_w) {
     test.F = std::numeric_limits<double>::infinity();
     test.F_p = chance_of_agreement(test);  // Conover, Practical Nonparametric Statistics (1999), section 5.8
   } else {
