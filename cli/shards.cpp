@@ -3,12 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <ctime>
 #include <functional>
-#include <iomanip>
 #include <numeric>
 #include <optional>
-#include <sstream>
 #include <stdexcept>
 #include <utility>
 
@@ -75,6 +72,35 @@ Commands commands_of(const Store& store, const StudyEntry& study) {
   return commands;
 }
 
+// What the name I-of-N of a folder says.
+std::optional<Shard> shard_named(std::string name) {
+  const std::size_t middle = name.find("-of-");
+  if (middle == std::string::npos) return std::nullopt;
+  try {
+    return shard_from(name.replace(middle, 4, "/"));
+  } catch (const std::invalid_argument&) {
+    return std::nullopt;
+  }
+}
+
+// What is in a folder; nothing where there is none. std::invalid_argument where it cannot be read.
+std::vector<fs::path> entries_of(const fs::path& folder) {
+  std::vector<fs::path> entries;
+  std::error_code error;
+  for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error))
+    entries.push_back(entry->path());
+  if (error && error != std::errc::no_such_file_or_directory && error != std::errc::not_a_directory)
+    throw std::invalid_argument(fmt::format("cannot read '{}': {}", folder.string(), error.message()));
+  std::ranges::sort(entries);
+  return entries;
+}
+
+// Of a shard it may be out of reach: opening it says why.
+bool has_store(const fs::path& folder) {
+  std::error_code error;
+  return fs::exists(store_in(folder), error) || (error && shard_named(folder.filename().string()));
+}
+
 }  // namespace
 
 fs::path shard_folder(const fs::path& folder, Shard shard) {
@@ -95,11 +121,10 @@ std::vector<fs::path> stores_in(const fs::path& place) {
   if (!fs::is_directory(place, error)) return {place};  // opening it says what is wrong
   if (fs::exists(store_in(place), error)) return {store_in(place)};
   std::vector<fs::path> stores;
-  for (fs::directory_iterator entry(place, error), end; !error && entry != end; entry.increment(error))
-    if (fs::exists(store_in(entry->path()), error)) stores.push_back(store_in(entry->path()));
+  for (const fs::path& folder : entries_of(place))
+    if (has_store(folder)) stores.push_back(store_in(folder));
   if (stores.empty())
     throw std::invalid_argument(fmt::format("'{}' has no store.sqlite, and no folder in it has one", place.string()));
-  std::ranges::sort(stores);
   return stores;
 }
 
@@ -127,24 +152,6 @@ std::vector<std::string> missing_parts(const Store& store, const StudyEntry& stu
 
 namespace {
 
-// What the name I-of-N of a folder says.
-std::optional<Shard> shard_named(std::string name) {
-  const std::size_t middle = name.find("-of-");
-  if (middle == std::string::npos) return std::nullopt;
-  try {
-    return shard_from(name.replace(middle, 4, "/"));
-  } catch (const std::invalid_argument&) {
-    return std::nullopt;
-  }
-}
-
-double seconds_since(const std::string& began) {
-  std::tm date{};
-  std::istringstream text(began);
-  text >> std::get_time(&date, "%Y-%m-%dT%H:%M:%SZ");
-  return text ? std::difftime(std::time(nullptr), timegm(&date)) : 0;
-}
-
 // What a store says of its shard.
 struct Looked {
   ShardState state;
@@ -165,14 +172,11 @@ void look_into(const fs::path& file, Looked& looked) {
   if (others > 0)
     state.trouble =
         fmt::format("'{}' has {} solves of other shards: give each shard an --out of its own", file.string(), others);
-  const std::vector<Session> sessions = store.sessions();
-  if (!state.is_running || sessions.empty()) return;
-  const double seconds = seconds_since(sessions.back().began);
-  if (seconds > 0) state.rate = static_cast<double>(store.solves_of_session(sessions.back().id)) / seconds;
 }
 
 Looked look_at(const fs::path& file, Shard shard) {
-  Looked looked{.state = {.shard = shard, .is_running = is_being_written(file)}};
+  const std::optional<double> rate = writing_rate(file);
+  Looked looked{.state = {.shard = shard, .is_running = rate.has_value(), .rate = rate.value_or(0)}};
   try {
     look_into(file, looked);
   } catch (const std::exception& error) {
@@ -212,12 +216,9 @@ std::int64_t Division::stored() const {
 
 std::vector<Division> divisions(const fs::path& folder) {
   std::map<int, std::vector<Looked>> by_count;
-  std::error_code error;
-  for (fs::directory_iterator entry(folder / "shards", error), end; !error && entry != end; entry.increment(error)) {
-    const std::optional<Shard> shard = shard_named(entry->path().filename().string());
-    std::error_code none;
-    if (shard && fs::exists(store_in(entry->path()), none))
-      by_count[shard->count].push_back(look_at(store_in(entry->path()), *shard));
+  for (const fs::path& entry : entries_of(folder / "shards")) {
+    const std::optional<Shard> shard = shard_named(entry.filename().string());
+    if (shard && has_store(entry)) by_count[shard->count].push_back(look_at(store_in(entry), *shard));
   }
   std::vector<Division> all;
   for (auto& [count, looked] : by_count) all.push_back(division_of(std::move(looked)));

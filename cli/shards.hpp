@@ -18,7 +18,7 @@ std::filesystem::path shard_folder(const std::filesystem::path& folder, experime
 void refuse_empty_shards(const experiments::Study& study, const std::string& option, int count);
 
 // The stores that are meant: a file is itself, a folder its store.sqlite, or without one those of the folders in it, in
-// the order of their names. std::invalid_argument where there is none.
+// the order of their names. std::invalid_argument where there is none, or a folder cannot be read.
 std::vector<std::filesystem::path> stores_in(const std::filesystem::path& place);
 
 // What the store lacks of a study, in sentences; none where it lacks nothing. The commands that solve it are with them
@@ -29,7 +29,7 @@ struct ShardState {
   experiments::Shard shard = {};
   std::int64_t stored = 0, total = 0;  // solves of all studies
   bool is_running = false;             // somebody writes to its store
-  double rate = 0;                     // solves per second of the last session, where it is running
+  double rate = 0;                     // solves per second, where it is running
   std::string trouble = {};            // in a sentence: why its solves are not those of the shard, or are not known
 };
 
@@ -42,7 +42,7 @@ struct Division {
   std::int64_t stored() const;
 };
 
-// Of FOLDER/shards/I-of-N, the one that has most solves first.
+// Of FOLDER/shards/I-of-N, the one that has most solves first. std::invalid_argument where they cannot be read.
 std::vector<Division> divisions(const std::filesystem::path& folder);
 
 }  // namespace ikbench::cli

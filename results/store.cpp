@@ -261,15 +261,6 @@ std::vector<Session> Store::sessions() const {
   });
 }
 
-std::int64_t Store::solves_of_session(std::int64_t id) const {
-  return guarded(database_->name(), [&] {
-    SQLite::Statement query(database_->sqlite(), "SELECT count(*) FROM solves WHERE session = ?");
-    query.bind(1, id);
-    query.executeStep();
-    return query.getColumn(0).getInt64();
-  });
-}
-
 void Store::append(const std::vector<SolveRecord>& records) {
   guarded(database_->name(), [&] {
     SQLite::Transaction transaction(database_->sqlite(), SQLite::TransactionBehavior::IMMEDIATE);
@@ -279,7 +270,7 @@ void Store::append(const std::vector<SolveRecord>& records) {
       insert.exec();
       insert.reset();
     }
-    database_->commit(transaction);
+    database_->commit(transaction, static_cast<std::int64_t>(records.size()));
   });
 }
 

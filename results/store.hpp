@@ -73,7 +73,6 @@ class Store {
   // What is known of a session at its end; it has none of these keys yet.
   void add_to_session(std::int64_t id, const std::map<std::string, std::string>& environment);
   std::vector<Session> sessions() const;
-  std::int64_t solves_of_session(std::int64_t id) const;
 
   // All of them in one transaction, which outlives the process, however that ends. A solve that is already there
   // (series, run, point), because another process solves the same, is std::invalid_argument; then none of them is kept.

@@ -184,9 +184,10 @@ void StoreFile::check_place() const {
   if (!is_in_place()) refuse_taken_away(name_);
 }
 
-void StoreFile::commit(SQLite::Transaction& transaction) {
+void StoreFile::commit(SQLite::Transaction& transaction, std::int64_t solves) {
   transaction.commit();
   check_place();
+  if (mark_) mark_->add(solves);
 }
 
 // Whether the log could be folded in: not while another process reads or writes. What is committed is safe all the

@@ -54,8 +54,8 @@ class StoreFile {
 
   // Blobs equal no text, so that a search would pass over them; they come after every text.
   void refuse_blobs(const char* table, const char* column);
-  // std::runtime_error where the file is no longer in its place.
-  void commit(SQLite::Transaction& transaction);
+  // std::runtime_error where the file is no longer in its place. It has so many new solves.
+  void commit(SQLite::Transaction& transaction, std::int64_t solves = 0);
   // Store::finish.
   std::vector<std::filesystem::path> finish();
 

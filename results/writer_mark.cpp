@@ -1,12 +1,20 @@
 #include "results/writer_mark.hpp"
 
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <cmath>
+#include <string>
 #include <system_error>
+
+#include "numerics/number.hpp"
 
 namespace ikbench::results {
 namespace {
+
+constexpr std::size_t rate_length = 20;  // always, so that none is mixed with the one before it
 
 std::filesystem::path mark_of(const std::filesystem::path& store) { return store.string() + "-writer"; }
 
@@ -22,7 +30,11 @@ struct flock whole_file() {
 WriterMark::WriterMark(const std::filesystem::path& store)
     : file_(mark_of(store)), descriptor_(::open(file_.c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0666)) {
   struct flock lock = whole_file();
-  if (descriptor_ < 0 || ::fcntl(descriptor_, F_SETLK, &lock) == 0) return;
+  if (descriptor_ < 0) return;
+  if (::fcntl(descriptor_, F_SETLK, &lock) == 0) {
+    static_cast<void>(!::ftruncate(descriptor_, 0));  // what one that was killed has left
+    return;
+  }
   ::close(descriptor_);  // another program writes: the mark is its own
   descriptor_ = -1;
 }
@@ -34,13 +46,24 @@ WriterMark::~WriterMark() {
   ::close(descriptor_);
 }
 
-bool is_being_written(const std::filesystem::path& store) {
+void WriterMark::add(std::int64_t solves) {
+  solves_ += solves;
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - began_;
+  const std::string rate = fmt::format("{:<{}.6e}", static_cast<double>(solves_) / seconds.count(), rate_length);
+  static_cast<void>(!::pwrite(descriptor_, rate.data(), rate.size(), 0));  // a full disk is for the store to tell
+}
+
+std::optional<double> writing_rate(const std::filesystem::path& store) {
   const int descriptor = ::open(mark_of(store).c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
-  if (descriptor < 0) return false;
+  if (descriptor < 0) return std::nullopt;
   struct flock lock = whole_file();
   const bool is_locked = ::fcntl(descriptor, F_GETLK, &lock) == 0 && lock.l_type != F_UNLCK;
+  std::string text(rate_length, ' ');
+  text.resize(static_cast<std::size_t>(std::max<ssize_t>(::pread(descriptor, text.data(), text.size(), 0), 0)));
   ::close(descriptor);
-  return is_locked;
+  if (!is_locked) return std::nullopt;
+  const double rate = numerics::number_from(text.substr(0, text.find(' '))).value_or(0);
+  return std::isfinite(rate) && rate > 0 ? rate : 0;
 }
 
 }  // namespace ikbench::results

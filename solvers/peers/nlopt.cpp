@@ -98,7 +98,6 @@ class NloptSolver final : public Solver {
     nlopt_set_xtol_abs1(opt.get(), options_.small_move);
     nlopt_set_population(opt.get(), static_cast<unsigned>(problem_.population));
     nlopt_set_maxeval(opt.get(), static_cast<int>(std::min<std::int64_t>(evaluations.left(), 1'000'000'000)));
-    if (problem_.stop.seconds > 0) nlopt_set_maxtime(opt.get(), problem_.stop.seconds);
     double reached = 0;
     nlopt_optimize(opt.get(), q.data(), &reached);
   }

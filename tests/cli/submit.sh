@@ -114,6 +114,14 @@ rm -r mixed/shards/*-of-3
 incomplete mixed
 has "$out" "stopped or failed  1  1"
 
+# What cannot be read has begun all the same.
+ln -sf store.sqlite mixed/shards/1-of-2/store.sqlite
+incomplete mixed
+has "$out" "Look at 1/2: cannot open 'mixed/shards/1-of-2/store.sqlite'"
+mkdir unread
+ln -s shards unread/shards
+refused "cannot read 'unread/shards'" status unread
+
 # Mistakes.
 refused "'nowhere' is no folder" status nowhere
 refused "'submissions' is no folder" status submissions
