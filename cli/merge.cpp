@@ -39,6 +39,12 @@ std::string first_damage(const StudyEntry& study, const std::vector<SolveRecord>
   return found.empty() ? "" : found.front();
 }
 
+// The transaction ends somewhere within: who is stopped there cannot say on which side of its end.
+Merged merged_or_stopped(const fs::path& out, const std::vector<fs::path>& stores) {
+  const EndOnSignal signals("Stopped. All was merged, or nothing; give the same command again.");
+  return merge(out, stores, first_damage);
+}
+
 }  // namespace
 
 void add_merge(CLI::App& app, Invocation& invocation) {
@@ -62,14 +68,14 @@ void add_merge(CLI::App& app, Invocation& invocation) {
       "  ikbench merge out/both laptop/store.sqlite desktop/store.sqlite\n\n"
       "A solve that two stores have must have the same bits in both, and numbers must follow from answers. A\n"
       "store that a kill left half-written is left out, and named. What is missing is named, with the command\n"
-      "that solves it where that is known; the exit code is then 5. A merge that was killed has added nothing:\n"
-      "give the same command again.");
+      "that solves it where that is known; the exit code is then 5. A merge that was killed has added nothing,\n"
+      "or all: give the same command again.");
   command->callback([arguments, &invocation] {
     const fs::path out = store_in(arguments->out);
     const std::vector<fs::path> stores = stores_to_merge(out, arguments->places);
-    const EndOnSignal signals("Stopped. Nothing was merged; give the same command again.");
     remove_litter(arguments->out);
-    const Merged merged = merge(out, stores, first_damage);
+    const Merged merged = merged_or_stopped(out, stores);
+    const EndOnSignal signals("Stopped. All was merged; give the same command again to see what is missing.");
     const std::size_t taken = stores.size() - merged.half_written.size();
     fmt::print("{}: {} solves added from {} store{}, {} were there with the same bits\n", printable(out.string()),
                merged.added, taken, taken == 1 ? "" : "s", merged.known);

@@ -84,7 +84,7 @@ rows_of() {
 }
 rows_after() {
   rm -rf .copy
-  cp -r "$(dirname "$1")" .copy
+  cp -r "$(dirname "$1")" .copy 2>/dev/null
   sqlite3 .copy/store.sqlite "SELECT count(*) FROM solves" 2>/dev/null || echo 0
 }
 
@@ -127,25 +127,37 @@ kill_shard() {
   done
 }
 
-# Merging: all or nothing, into a new store and into one that is there.
+# Merging: all or nothing, into a new store and into one that is there, which a kill may leave half-written. The signals
+# come while a merge takes as long as the first one did.
 kill_merge() {
-  local i k kind
+  local i k kind signal rows begun all moment half=0
   look() { echo 0; }
-  look_after() { echo 0; }
   for i in 1 2 3; do succeeds run "${study[@]}" --shard $i/3 --out shards/$i-of-3; done
   run_it merge begun shards/2-of-3
   [ "$code" = 5 ] || fail "exit code $code of a merge of one of three shards, expected 5: $err"
+  begun=$(rows_after begun/store.sqlite)
+  all=$(rows_after whole/store.sqlite)
+  moment=$(date +%s%N)
+  succeeds merge first shards
+  moment=$((($(date +%s%N) - moment) / 1000000))
   for kind in new there; do
-    for ((k = 0; k < rounds; ++k)); do
-      rm -rf merged
-      [ $kind = new ] || cp -r begun merged
-      signalled 150 KILL merge merged shards
-      succeeds merge merged shards
-      as_whole merged/store.sqlite "a killed merge"
-      [ "$(ls -A merged)" = store.sqlite ] || fail "a merged store is more than one file: $(ls -A merged)"
+    for signal in KILL TERM; do
+      for ((k = 0; k < rounds; ++k)); do
+        rm -rf merged
+        [ $kind = new ] || cp -r begun merged
+        signalled $((moment + 1)) $signal merge merged shards
+        [ ! -s merged/store.sqlite-journal ] || half=$((half + 1))
+        rows=$(rows_after merged/store.sqlite)
+        [ "$rows" = "$all" ] || [ "$rows" = $([ $kind = new ] && echo 0 || echo "$begun") ] ||
+          fail "SIG$signal left a merge with $rows solves, neither all nor those before"
+        succeeds merge merged shards
+        as_whole merged/store.sqlite "a merge with SIG$signal"
+        [ "$(ls -A merged)" = store.sqlite ] || fail "a merged store is more than one file: $(ls -A merged)"
+      done
+      told "merge into a store that is $kind, SIG$signal" "$rounds"
     done
-    told "merge into a store that is $kind, SIGKILL" "$rounds"
   done
+  echo "$half of them left a store half-written, which the next merge mended"
 }
 
 # An interpretation is a line of a file.

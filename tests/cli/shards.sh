@@ -150,6 +150,23 @@ for _ in 1 2 3 4 5 6; do
 done
 has "$(<.bad)" "'bad/store.sqlite': Damaged: position_error_cm"
 
+# Stopped when all is merged and it cannot yet say so: it does not say that nothing was.
+mkdir late full
+mkfifo full/pipe
+exec 9<>full/pipe
+head -c 65536 /dev/zero >&9
+"$program" merge late drawn/7/shards/1-of-7 >full/pipe 2>.late &
+process=$!
+until [ -e late/store.sqlite ] && [ "$(ls -A late)" = store.sqlite ]; do sleep 0.1; done
+sleep 0.5
+kill -TERM $process
+wait $process
+code=$?
+exec 9>&-
+[ "$code" = 143 ] || fail "exit code $code after SIGTERM at the end of a merge: $(<.late)"
+has "$(<.late)" "Stopped. All was merged; give the same command again to see what is missing."
+[ "$(solves late/store.sqlite)" = "$(solves drawn/7/shards/1-of-7/store.sqlite)" ] || fail "not all was merged"
+
 # A run goes on with a store of which shards are missing.
 mkdir parts && cp -r drawn/7/shards/{2,6}-of-7 parts
 run_it merge holes parts
@@ -170,6 +187,12 @@ sqlite edited/store.sqlite "UPDATE solves SET answer_rad = 'x'"
 refused "'edited/store.sqlite' is damaged (answer_rad: 'x' is not a list of numbers; in the solve of run 1, point 2" merge new edited
 succeeds run drawn.toml --set seed=2 --out other --no-report
 refused "the study 'drawn' is not the same in 'drawn/7/store.sqlite' and 'other/store.sqlite': seed is 1 and 2" merge drawn/7 other
+sed 's/solver = "bat"/solver = "bat", options = { alpha = 0.7 }/' drawn.toml >optioned.toml
+succeeds run optioned.toml --out optioned --no-report
+refused "'drawn/7/store.sqlite' and 'optioned/store.sqlite': its solvers or their options are others" merge drawn/7 optioned
+cp -r drawn/7/shards looped
+ln -sf store.sqlite looped/3-of-7/store.sqlite
+refused "cannot open 'looped/3-of-7/store.sqlite'" merge new looped
 refused "'nowhere' does not exist" merge drawn/7 nowhere
 mkdir empty
 refused "'empty' has no store.sqlite" merge drawn/7 empty
