@@ -10,6 +10,8 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
+#include <deque>
+#include <future>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -17,6 +19,7 @@
 #include <stdexcept>
 #include <string>
 #include <system_error>
+#include <thread>
 #include <utility>
 
 #include "results/files.hpp"
@@ -34,6 +37,12 @@ std::vector<std::string> own_keys(const StudyEntry& study) {
   for (const Series& series : study.series) {
     if (!is_imported(series)) keys.push_back(series.key);
   }
+  return keys;
+}
+
+std::vector<std::string> own_configurations(const StudyEntry& study) {
+  std::vector<std::string> keys = own_keys(study);
+  for (std::string& key : keys) key = configuration_of(key);
   return keys;
 }
 
@@ -75,20 +84,23 @@ class MergedStore {
   // All of a store.
   void take(const fs::path& place) {
     const Store source(place, Store::Mode::read);
-    source.at_one_moment([&] {
-      const std::vector<StudyEntry> studies = source.studies();
-      for (const StudyEntry& study : studies) take(study, place);
-      const std::map<std::int64_t, std::int64_t> numbers = take(source.sessions(), place);
-      Suspects suspects(studies, check_, place);
-      source.each_solve([&](SolveRecord solve) {
-        const auto number = numbers.find(solve.session);
-        if (number == numbers.end()) throw Damage("a solve is of a session that the table of sessions does not have");
-        solve.session = number->second;
-        const bool is_new = guarded(file_.name(), [&] { return take(solve, place); });
-        if (is_new) suspects.add(std::move(solve));
-      });
-      suspects.look();
+    std::vector<StudyEntry> studies;
+    source.at_one_moment([&] { studies = source.studies(); });
+    for (const StudyEntry& study : studies) take(study, place);
+    std::map<std::int64_t, std::int64_t> numbers = take(source.sessions(), place);
+    Suspects suspects(studies, check_, place);
+    source.each_solve([&](SolveRecord solve) {
+      auto number = numbers.find(solve.session);
+      if (number == numbers.end()) {  // it has begun since
+        numbers = take(source.sessions(), place);
+        number = numbers.find(solve.session);
+      }
+      if (number == numbers.end()) throw Damage("a solve is of a session that the table of sessions does not have");
+      solve.session = number->second;
+      const bool is_new = guarded(file_.name(), [&] { return take(solve, place); });
+      if (is_new) suspects.add(std::move(solve));
     });
+    suspects.finish();
   }
 
   Merged merged;
@@ -99,7 +111,7 @@ class MergedStore {
     fs::path place;
   };
 
-  // Solves of each study on their way to who checks them, not all at once.
+  // Solves of each study on their way to who checks them: some at once, by as many threads as there are processors.
   class Suspects {
    public:
     Suspects(const std::vector<StudyEntry>& studies, const Checker& check, fs::path place)
@@ -110,27 +122,46 @@ class MergedStore {
     void add(SolveRecord solve) {
       const auto studies = studies_of_.find(solve.series);
       if (studies == studies_of_.end()) return;
-      for (const std::size_t study : studies->second) waiting_[study].push_back(solve);
-      constexpr int most = 1000;
-      if (++count_ % most == 0) look();
+      for (std::size_t s = 1; s < studies->second.size(); ++s) add(studies->second[s], solve);
+      add(studies->second.front(), std::move(solve));
     }
-    void look() {
-      for (std::size_t i = 0; i < studies_.size(); ++i) {
-        const std::string wrong = check_(studies_[i], waiting_[i]);
-        if (!wrong.empty())
-          throw std::invalid_argument(fmt::format("'{}': {} Nothing was merged; solve {} again into a new store",
-                                                  place_.string(), wrong, studies_[i].name));
-        waiting_[i].clear();
-      }
+    void finish() {
+      for (std::size_t i = 0; i < studies_.size(); ++i) look(i);
+      while (!looking_.empty()) end_first();
     }
 
    private:
+    struct Look {
+      const StudyEntry& study;
+      std::future<std::string> wrong;
+    };
+
+    void add(std::size_t study, SolveRecord solve) {
+      constexpr std::size_t most = 1000;
+      waiting_[study].push_back(std::move(solve));
+      if (waiting_[study].size() == most) look(study);
+    }
+    void look(std::size_t i) {
+      auto check = [&check = check_, &study = studies_[i], solves = std::exchange(waiting_[i], {})] {
+        return check(study, solves);
+      };
+      looking_.push_back({studies_[i], std::async(std::move(check))});
+      if (looking_.size() > std::thread::hardware_concurrency()) end_first();
+    }
+    void end_first() {
+      const std::string wrong = looking_.front().wrong.get();
+      if (!wrong.empty())
+        throw std::invalid_argument(fmt::format("'{}': {} Nothing was merged; solve {} again into a new store",
+                                                place_.string(), wrong, looking_.front().study.name));
+      looking_.pop_front();
+    }
+
     const std::vector<StudyEntry>& studies_;
     const Checker& check_;
     fs::path place_;
     std::vector<std::vector<SolveRecord>> waiting_;
     std::map<std::string, std::vector<std::size_t>> studies_of_;
-    int count_ = 0;
+    std::deque<Look> looking_;
   };
 
   void take(const StudyEntry& study, const fs::path& place) {
@@ -250,6 +281,7 @@ std::string why_not_one(const StudyEntry& study, const StudyEntry& other) {
   const std::string difference = difference_in_solves(study.definition, other.definition);
   if (!difference.empty()) return difference;
   if (own_keys(study) == own_keys(other)) return "";
+  if (own_configurations(study) != own_configurations(other)) return "its solvers or their options are others";
   return "the version of the solvers or of shared code is another, so use one version of ikbench for all";
 }
 

@@ -17,7 +17,7 @@ struct Merged {
   std::vector<std::string> half_written;  // a sentence for each store that a kill left so: what it has is not merged
 };
 
-// What is wrong with solves of a study, in a sentence; empty where nothing is.
+// What is wrong with solves of a study, in a sentence; empty where nothing is. Several threads ask at once.
 using Checker = std::function<std::string(const StudyEntry&, const std::vector<SolveRecord>&)>;
 
 // Why two studies of one name cannot be merged; empty where they can: of two numbers of runs the larger is taken.

@@ -288,8 +288,20 @@ void Store::at_one_moment(const std::function<void()>& action) const {
 
 void Store::each_solve(const std::function<void(SolveRecord)>& take) const {
   guarded(database_->name(), [&] {
-    SQLite::Statement query(database_->sqlite(), select_solves(database_->version()));
-    database_->read_rows(query, all_runs, take);
+    // Some at a time: who writes without a log waits for the end of a query, and gives up some seconds later.
+    SQLite::Statement ahead(database_->sqlite(),
+                            "SELECT rowid FROM solves WHERE rowid >= ? ORDER BY rowid LIMIT 1 OFFSET 999");
+    SQLite::Statement query(database_->sqlite(),
+                            select_solves(database_->version()) + " WHERE rowid BETWEEN ? AND ? ORDER BY rowid");
+    constexpr std::int64_t end = std::numeric_limits<std::int64_t>::max();
+    for (std::int64_t first = std::numeric_limits<std::int64_t>::min(), last = first; last < end; first = last + 1) {
+      ahead.bind(1, first);
+      last = ahead.executeStep() ? ahead.getColumn(0).getInt64() : end;
+      ahead.reset();
+      SQLite::bind(query, first, last);
+      database_->read_rows(query, all_runs, take);
+      query.reset();
+    }
   });
 }
 

@@ -151,7 +151,8 @@ StoreFile::StoreFile(const std::filesystem::path& path, Store::Mode mode)
     : name_(path.string()),
       mode_(mode),
       sqlite_(checked_path(path, mode),
-              mode == Store::Mode::read ? SQLite::OPEN_READONLY : SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE,
+              (mode == Store::Mode::read ? SQLite::OPEN_READONLY : SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE) |
+                  SQLite::OPEN_NOMUTEX,  // a store belongs to one thread at a time
               busy_timeout_ms),
       identity_(identity_of(sqlite_.getFilename())) {
   distrust();

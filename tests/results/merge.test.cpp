@@ -4,7 +4,10 @@
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <signal.h>
 
+#include <atomic>
+#include <chrono>
 #include <numeric>
+#include <thread>
 
 #include "results/fingerprint.hpp"
 #include "results/writer_mark.hpp"
@@ -130,13 +133,16 @@ TEST_CASE("another study of the same name is refused with the field that differs
   other.definition = R"({"robot":"iiwa7","runs":20,"points":20})";
   Store(folder.path / "b", Store::Mode::write).save_study(other);
   other = sample_study();
-  other.series.front().key = "key-of-another-source";
+  other.series.front().key += "@another";
   Store(folder.path / "c", Store::Mode::write).save_study(other);
+  other.series.front().key = "key-of-another-option";
+  Store(folder.path / "d", Store::Mode::write).save_study(other);
   const auto said = [&](const char* name) {
     return complaint<std::invalid_argument>([&] { merge(folder.path / "a", {folder.path / name}); });
   };
   CHECK_THAT(said("b"), ContainsSubstring("robot is \"iiwa14\" and \"iiwa7\""));
   CHECK_THAT(said("c"), ContainsSubstring("use one version of ikbench"));
+  CHECK_THAT(said("d"), ContainsSubstring("its solvers or their options are others"));
 }
 
 TEST_CASE("a store of the first version is merged into one of today", "[merge]") {
@@ -288,4 +294,55 @@ TEST_CASE("a store in a shared folder has no log, and a mark that says who write
   CHECK(exit_code(writer) == 0);
   CHECK_FALSE(writing_rate(file).has_value());
   CHECK(std::distance(fs::directory_iterator(folder.path), fs::directory_iterator()) == 1);
+}
+
+TEST_CASE("who writes to a store in a shared folder does not wait until another has read all of it", "[store]") {
+  const ScratchFolder folder;
+  const fs::path file = folder.path / "a";
+  make_store(file, "one", {});
+  constexpr int solves = 5000;
+  std::vector<SolveRecord> records;
+  for (int run = 1; run <= solves; ++run) records.push_back(sample_record("key-a", run));
+  Store(file, Store::Mode::write_shared).append(records);
+  std::atomic<int> seen{0}, seen_when_written{0};
+  std::string wrong;
+  std::thread writer;
+  Store(file, Store::Mode::read).each_solve([&](const SolveRecord&) {
+    if (++seen == 1) {
+      writer = std::thread([&] {
+        wrong = complaint<std::exception>(
+            [&] { Store(file, Store::Mode::write_shared).append({sample_record("key-b", 1)}); });
+        seen_when_written = seen.load();
+      });
+    }
+    if (seen > 900 && seen_when_written == 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  });
+  writer.join();
+  CHECK(wrong.empty());
+  CHECK(seen_when_written < solves);
+}
+
+TEST_CASE("a damaged solve is found among many, whichever thread looks at it", "[merge]") {
+  const ScratchFolder folder;
+  make_store(folder.path / "a", "one", {});
+  std::vector<SolveRecord> records;
+  for (int run = 1; run <= 5500; ++run) records.push_back(sample_record("key-a", run));
+  records[4321].position_error_cm = -1;
+  Store store(folder.path / "a", Store::Mode::write);
+  const std::int64_t session = store.begin_session({{"machine", "one"}});
+  for (SolveRecord& record : records) record.session = session;
+  store.append(records);
+  std::atomic<std::size_t> looked_at{0};
+  const auto look = [&](const StudyEntry&, const std::vector<SolveRecord>& solves) {
+    looked_at += solves.size();
+    const auto bad = std::ranges::find(solves, -1, &SolveRecord::position_error_cm);
+    return bad == solves.end() ? "" : fmt::format("run {} is wrong.", bad->run);
+  };
+  CHECK_THAT(complaint<std::invalid_argument>([&] { results::merge(folder.path / "out", {folder.path / "a"}, look); }),
+             ContainsSubstring("run 4322 is wrong. Nothing was merged"));
+  CHECK_FALSE(fs::exists(folder.path / "out"));
+  edit(folder.path / "a", "UPDATE solves SET position_error_cm = 1");
+  looked_at = 0;
+  CHECK(results::merge(folder.path / "out", {folder.path / "a"}, look).added == 5500);
+  CHECK(looked_at == 5500);
 }
