@@ -233,6 +233,7 @@ Solved solved_in(const Message& message, int joints) {
   const Json& json = message.json;
   if (const auto fault = json.find("fault"); fault != json.end() && fault->is_string())
     throw Breach(fault->get<std::string>().substr(0, 200));
+  if (!json.contains("q")) throw Breach("its answer has no q");
   Solved solved{.q = configuration_in(json.value("q", Json()), joints)};
   solved.error = number_at(json, "error", solved.error);
   solved.seconds = number_at(json, "seconds", solved.seconds);
