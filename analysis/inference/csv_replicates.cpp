@@ -67,7 +67,8 @@ bool numbers_runs(const std::string& title, const CsvRequest& request) {
 }
 
 std::size_t rows_of(const std::vector<GroupRun>& keys, const GroupRun& key) {
-  return static_cast<std::size_t>(std::ranges::equal_range(keys, key).size());
+  const auto [first, last] = std::equal_range(keys.begin(), keys.end(), key);
+  return static_cast<std::size_t>(last - first);
 }
 
 std::string flaw_of(const CsvFile& file, const Contents& contents, const CsvRequest& request) {

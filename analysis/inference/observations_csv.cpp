@@ -106,7 +106,7 @@ void add_absent_runs(Contents& contents) {
     if (o.run != no_label) groups_of.emplace_back(o.run, o.group);
   }
   std::ranges::sort(groups_of);
-  groups_of.erase(std::ranges::unique(groups_of).begin(), groups_of.end());
+  groups_of.erase(std::unique(groups_of.begin(), groups_of.end()), groups_of.end());
   const auto for_each_run = [&](const auto& use) {
     for (auto first = groups_of.begin(); first != groups_of.end();) {
       const auto end =
