@@ -236,7 +236,8 @@ void add_compare(CLI::App& app, Invocation& invocation) {
       "together: if nothing is worse, the probability of exit code 3 is at most --significance. --margin, --margin-cm and\n"
       "--significance default to those of A's study.\n\n"
       "Exit codes: 0 no regression found, 1 a mistake in the request, 2 a failure of the program, the disk or the store,\n"
-      "3 a regression beyond the margin, 4 (--strict only) nothing is worse, but something is undecided or not compared,\n"
+      "3 a regression beyond the margin, 4 (--strict only) nothing is worse, but something is undecided or not compared\n"
+      "(evaluations that nobody counted do not matter),\n"
       "5 (--sequential without --run) not decided yet: add runs, 128 + number of the signal (130: Ctrl-C).");
   command->callback([arguments, margin, margin_cm, significance, &invocation] {
     if (margin->count() > 0) arguments->margin = arguments->plan.margin;

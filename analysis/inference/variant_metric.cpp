@@ -45,7 +45,8 @@ void settle(MetricComparison& result, Outcome outcome, std::string why) {
   result.outcome = outcome;
   result.is_fact = true;
   result.remark = std::move(why);
-  if (result.a.mean > 0 && result.outcome != Outcome::not_compared) result.ratio.ratio = result.b.mean / result.a.mean;
+  const bool is_compared = outcome != Outcome::not_compared && outcome != Outcome::not_counted;
+  if (result.a.mean > 0 && is_compared) result.ratio.ratio = result.b.mean / result.a.mean;
 }
 
 // What is not finite ranks as worse than every number.
@@ -241,6 +242,10 @@ MetricComparison compare_metric(const MetricSamples& samples, const MarginQuesti
                           .b = summarise(samples.b)};
   if (!samples.not_compared.empty()) {
     settle(result, Outcome::not_compared, samples.not_compared);
+    return result;
+  }
+  if (!samples.is_counted) {
+    settle(result, Outcome::not_counted, "nobody counted");
     return result;
   }
   if (samples.a.empty() || samples.b.empty()) {

@@ -17,10 +17,22 @@
 namespace ikbench::inference {
 
 // Of b held against a, by more than the margin, or by less than it. not_worse: shown not to be worse by more than the
-// margin, but neither shown better by more than it nor the same within it.
-enum class Outcome { better, better_by_less, same, worse_by_less, not_worse, undecided, worse, not_compared };
-constexpr std::array<std::string_view, 8> outcome_names{"better",    "better by less", "same",  "worse by less",
-                                                        "not worse", "undecided",      "worse", "not compared"};
+// margin, but neither shown better by more than it nor the same within it. not_counted: evaluations that nobody counted
+// in one of the two; nothing can be done about that, so that it is no failure of a comparison.
+enum class Outcome {
+  better,
+  better_by_less,
+  same,
+  worse_by_less,
+  not_worse,
+  undecided,
+  worse,
+  not_compared,
+  not_counted
+};
+constexpr std::array<std::string_view, 9> outcome_names{"better",        "better by less", "same",
+                                                        "worse by less", "not worse",      "undecided",
+                                                        "worse",         "not compared",   "not compared"};
 constexpr std::string_view name_of(Outcome outcome) { return outcome_names[static_cast<std::size_t>(outcome)]; }
 
 // Within the ranges of results/analysis_plan_fields.hpp.
@@ -43,6 +55,7 @@ struct MetricSamples {
   bool same_bits = false;                // every solve has the same value in both
   int tests = 1;                         // how many are decided together, of all labels and metrics
   std::string not_compared = {};         // why the two cannot be compared; empty where they can
+  bool is_counted = true;                // of evaluations: somebody counted them in every solve of both
 };
 
 struct MetricComparison {

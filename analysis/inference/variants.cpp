@@ -57,6 +57,29 @@ void note_single(VariantComparison& comparison, const VariantDesign& design) {
   }
 }
 
+// "3 of B's 16 (crashed 1, timed_out 2)"
+std::string failures_of(const Variant& side, std::string_view name) {
+  int solves = 0, failures = 0;
+  std::vector<std::string> kinds;
+  for (const SolverCounts& count : counts(side.study)) {
+    solves += count.solves;
+    for (const Status status : shown_statuses(side.study)) {
+      if (!is_without_answer(status) || count.of(status) == 0) continue;
+      failures += count.of(status);
+      kinds.push_back(fmt::format("{} {}", name_of(status), count.of(status)));
+    }
+  }
+  if (kinds.empty()) return fmt::format("none of {}'s {}", name, solves);
+  return fmt::format("{} of {}'s {} ({})", failures, name, solves, fmt::join(kinds, ", "));
+}
+
+void note_failures(VariantComparison& comparison, const Variant& a, const Variant& b) {
+  const auto has_failed = [](const SolveRecord& solve) { return is_without_answer(solve.status); };
+  if (std::ranges::none_of(a.study.solves, has_failed) && std::ranges::none_of(b.study.solves, has_failed)) return;
+  comparison.notes.push_back(
+      fmt::format("Solves without an answer: {}; {}.", failures_of(a, "A"), failures_of(b, "B")));
+}
+
 VariantComparison examined(const VariantPair& pair, const std::vector<Metric>& asked, const MarginQuestion& question,
                            std::size_t tests) {
   const auto& [a, b] = pair;
@@ -68,6 +91,7 @@ VariantComparison examined(const VariantPair& pair, const std::vector<Metric>& a
                                .paired = design.pairs != Blocks::none,
                                .design = sentence_of(design, a.study.points)};
   const std::string why_not_timed = why_times_differ(a, b);
+  const bool is_counted = uncounted_note(a.study).empty() && uncounted_note(b.study).empty();
   for (const Metric metric : asked) {
     const std::vector<double> of_a = values_of(a.study, design.a, metric), of_b = values_of(a.study, design.b, metric);
     const bool is_refused = info_of(metric).kind == Kind::time && !why_not_timed.empty();
@@ -78,10 +102,12 @@ VariantComparison examined(const VariantPair& pair, const std::vector<Metric>& a
                                                  .paired = comparison.paired,
                                                  .same_bits = has_same_bits(a.study, design, metric),
                                                  .tests = static_cast<int>(tests),
-                                                 .not_compared = is_refused ? "see below" : ""},
+                                                 .not_compared = is_refused ? "see below" : "",
+                                                 .is_counted = is_counted || metric != Metric::evaluations},
                                                 question));
     if (is_refused) comparison.notes.push_back(why_not_timed);
   }
+  note_failures(comparison, a, b);
   note_single(comparison, design);
   note_missing_runs(comparison, a, "A", design.runs_of_a);
   note_missing_runs(comparison, b, "B", design.runs_of_b);

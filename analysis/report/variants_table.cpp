@@ -122,7 +122,7 @@ std::string would_decide(std::span<const VariantComparison> comparisons) {
 
 // "2 better by more than 5 %, 17 undecided (about 45 runs would decide the first, 22160 the last)"
 std::string counted_outcomes(std::span<const VariantComparison> comparisons, const std::string& margin) {
-  const std::array<std::pair<Outcome, std::string>, 8> words{
+  const std::array<std::pair<Outcome, std::string>, 9> words{
       {{Outcome::worse, "worse by more than " + margin},
        {Outcome::worse_by_less, "worse by less than " + margin},
        {Outcome::better, "better by more than " + margin},
@@ -130,7 +130,8 @@ std::string counted_outcomes(std::span<const VariantComparison> comparisons, con
        {Outcome::same, "the same within " + margin},
        {Outcome::not_worse, "not worse by more than " + margin},
        {Outcome::undecided, "undecided" + would_decide(comparisons)},
-       {Outcome::not_compared, "not compared"}}};
+       {Outcome::not_compared, "not compared"},
+       {Outcome::not_counted, "not compared: nobody counted"}}};
   std::vector<std::string> parts;
   for (const auto& [outcome, said] : words) {
     if (const int number = count(comparisons, outcome); number > 0) parts.push_back(fmt::format("{} {}", number, said));
@@ -205,7 +206,9 @@ std::string variants_verdict(std::span<const VariantComparison> comparisons, con
   if (count(comparisons, Outcome::worse) > 0) {
     return fmt::format("Regression beyond {}: {}. {}", margin, regressions(comparisons, question), rest);
   }
-  const bool is_open = count(comparisons, Outcome::undecided) + count(comparisons, Outcome::not_compared) > 0;
+  const bool is_open = count(comparisons, Outcome::undecided) + count(comparisons, Outcome::not_compared) +
+                           count(comparisons, Outcome::not_counted) >
+                       0;
   return fmt::format("No regression beyond {}{}. {}", margin, is_open ? " was found" : "", rest);
 }
 

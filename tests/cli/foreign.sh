@@ -117,6 +117,14 @@ succeeds run faults.toml --no-report --out faults
 has "$out" "(128 were already stored)"
 succeeds report $store
 
+# A comparison says how many solves have no answer; evaluations that nobody counted are no regression, also with --strict.
+succeeds compare good dies --store $store --metric evaluations --strict
+has "$out" "1 not compared: nobody counted."
+has "$out" "Solves without an answer: none of A's 16; 1 of B's 16 (crashed 1)."
+run_it compare good declines --store $store --metric position_error_cm --metric evaluations
+has "$out" "Solves without an answer: none of A's 16; 16 of B's 16 (declined 16)."
+has "$out" "nobody counted"
+
 # A program that dies when it is told that a solve is over, as each ends, fails; why is said, and the others go on.
 sed 's/if errors is None:/if errors is None: sys.exit("dead at over")\n        if errors is None:/' "$examples/pso.py" >over.py
 grep -q "dead at over" over.py || fail "pso.py has another end"

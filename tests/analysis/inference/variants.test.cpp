@@ -59,6 +59,27 @@ TEST_CASE("times are compared where both are clean and of one CPU", "[variants]"
   CHECK_THAT(refused(later), ContainsSubstring("separate sessions"));
 }
 
+TEST_CASE("evaluations that nobody counted are no regression, and solves without an answer are told", "[variants]") {
+  const auto uncounted = [](SolveRecord& solve) {
+    solve.counted_by = CountedBy::nobody;
+    solve.evaluations = 0;
+    if (solve.run <= 3) solve.status = solve.run == 3 ? Status::timed_out : Status::crashed;
+  };
+  const Variant a = variant(about(1, 0.1)), b = variant(about(1, 0.1), uncounted);
+  for (const auto& [first, second] : {std::pair(a, b), std::pair(b, a)}) {
+    const VariantComparison comparison = compared(first, second, {"evaluations"});
+    CHECK(comparison.metrics.front().outcome == Outcome::not_counted);
+    CHECK(comparison.metrics.front().remark == "nobody counted");
+    const std::vector<VariantComparison> all{comparison};
+    CHECK(variants_verdict(all, {}) ==
+          "No regression beyond 5 % was found. Of 1 comparison: 1 not compared: nobody counted.");
+  }
+  CHECK(compared(a, b).notes.front() ==
+        "Solves without an answer: none of A's 20; 3 of B's 20 (crashed 2, timed_out 1).");
+  for (const std::string& note : compared(a, a).notes) CHECK_FALSE(note.starts_with("Solves without"));
+  CHECK(metric_of(compared(a, b), "position_error_cm").outcome == Outcome::same);
+}
+
 TEST_CASE("in what two variants differ beside their numbers is told", "[variants]") {
   const Variant a = variant(about(1, 0.1));
   CHECK(compared(a, a).notes.back() == "The stores show no difference between A and B except their sessions.");
