@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
@@ -31,7 +32,7 @@ StudySize size_of(const StudyEntry& study) {
   const auto definition = nlohmann::json::parse(study.definition);  // the store has checked it
   return {.runs = definition.at("runs").get<int>(),
           .points = definition.value("points", 1),
-          .solvers = static_cast<int>(study.series.size()),
+          .solvers = static_cast<int>(std::ranges::count_if(study.series, std::not_fn(is_imported))),
           .is_chained = definition.value("start", nlohmann::json("previous")) == "previous"};
 }
 
@@ -75,6 +76,7 @@ std::vector<std::int64_t> stored_by_shard(int count, const StudyEntry& study, co
   const StudySize size = size_of(study);
   std::vector<std::int64_t> stored(static_cast<std::size_t>(count));
   for (const Series& series : study.series) {
+    if (is_imported(series)) continue;
     store.each_place(series.key, [&](int run, int point) {
       if (run < 1 || run > size.runs || point < 1 || point > size.points) return;
       ++stored[static_cast<std::size_t>(part(size, run, point) % count)];

@@ -21,7 +21,7 @@ struct StudySize {
 };
 
 StudySize size_of(const Study& study);
-StudySize size_of(const results::StudyEntry& study);  // of a store
+StudySize size_of(const results::StudyEntry& study);  // of a store; what was imported is nobody's work here
 
 // Shard I of N has the parts I, I + N, I + 2N, ...: more runs leave each part where it is.
 struct Shard {
@@ -40,7 +40,7 @@ bool contains(Shard shard, const StudySize& size, int run, int point);
 bool has_any(Shard shard, const StudySize& size, int run);  // some point of the run
 std::int64_t parts_of(const StudySize& size);
 std::int64_t solves_of(Shard shard, const StudySize& size);  // by all solvers
-// How many solves of each of N shards the store has.
+// How many solves of each of N shards the store has, without those that were imported.
 std::vector<std::int64_t> stored_by_shard(int count, const results::StudyEntry& study, const results::Store& store);
 
 }  // namespace ikbench::experiments

@@ -68,6 +68,18 @@ grep -q 'theirs' made/report.md && grep -q 'not_verified' made/report.md || fail
 [ "$(of theirs "status evaluations counted_by position_error_cm" | head -n 1)" = "not_verified 100 solver 0.011 " ] ||
   fail "errors alone are: $(of theirs "status evaluations counted_by position_error_cm")"
 
+# Solves of fewer runs than the study has are no missing solves: nothing here makes them.
+awk -F, '$1 != 3' mine.csv >fewer.csv
+succeeds run study.toml --no-report --out few
+succeeds import fewer.csv --label fewer --out few --no-report
+has "$out" "fewer: 4 solves; 4 verified"
+succeeds status few
+has "$out" "Merged: 12 of 12 solves"
+succeeds merge merged few
+has_no "$out$err" "lacks"
+succeeds status merged
+has "$out" "Merged: 12 of 12 solves"
+
 # Mistakes, by line and column.
 mistake() { # mistake WORDS, with the CSV on the standard input
   cat >wrong.csv
