@@ -92,6 +92,12 @@ double stolen_seconds() {
                               : std::numeric_limits<double>::quiet_NaN();
 }
 
+double waited_seconds(std::string_view process) {
+  std::ifstream file(fmt::format("/proc/{}/schedstat", process));
+  double ran = 0, waited = 0;
+  return file >> ran >> waited ? 1e-9 * waited : std::numeric_limits<double>::quiet_NaN();
+}
+
 bool is_debug_build() {
 #ifdef NDEBUG
   return build_info::sanitize != std::string_view("none");

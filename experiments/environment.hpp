@@ -3,6 +3,7 @@
 
 #include <map>
 #include <string>
+#include <string_view>
 
 namespace ikbench::experiments {
 
@@ -11,6 +12,9 @@ std::map<std::string, std::string> environment();
 // processors; NaN where that is not told.
 double stolen_seconds();
 double thread_seconds();  // processor time [s] of this thread
+// How long [s] a process ("123"), or this thread ("thread-self"), was ready to run and had no processor; NaN where that
+// is not told.
+double waited_seconds(std::string_view process);
 // Times of a debug or sanitized build say nothing about a solver.
 bool is_debug_build();
 std::string version();

@@ -344,6 +344,7 @@ void SolveRunner::add_account(SolveRecord& record, const Account& account) const
     if (record.timing == Timing::clean) record.timing = Timing::process;
     record.round_trips = account.round_trips;
     record.transport_seconds = account.transport_seconds;
+    record.waited_seconds = account.waited_seconds;
   }
   if (account.failure) {
     record.stop_reason = *account.failure == Status::timed_out ? StopReason::time : StopReason::finished;

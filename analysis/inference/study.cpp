@@ -311,27 +311,38 @@ std::vector<std::string> status_notes(const StudyResults& study) {
 
 namespace {
 
+// Whether a solve that is recorded as clean took longer than it had the processor. A program may wait for much else, so
+// that of its solves this is the time for which it waited for a processor, without what messages cost in any case.
+bool is_disturbed(const SolveRecord& solve) {
+  constexpr double most = 0.1;  // waited, by the time without
+  if (solve.timing == Timing::process)
+    return solve.waited_seconds > most * solve.seconds + solve.round_trips * solve.transport_seconds;
+  return solve.timing == Timing::clean && solve.seconds > (1 + most) * solve.cpu_seconds && solve.cpu_seconds > 0;
+}
+
 struct Disturbed {
-  std::ptrdiff_t solves = 0, clean = 0;
+  std::ptrdiff_t solves = 0, timed = 0;
 };
 
-// How many of the solves that are recorded as clean took longer than they had the processor.
 Disturbed disturbed(const StudyResults& study) {
-  constexpr double most = 1.1;  // wall time by CPU time
-  const auto is_clean = [](const SolveRecord& solve) { return solve.timing == Timing::clean; };
-  return {std::ranges::count_if(study.solves,
-                                [&](const SolveRecord& solve) {
-                                  return is_clean(solve) && solve.seconds > most * solve.cpu_seconds &&
-                                         solve.cpu_seconds > 0;
-                                }),
-          std::ranges::count_if(study.solves, is_clean)};
+  const auto is_timed = [](const SolveRecord& solve) {
+    return solve.timing == Timing::clean || solve.timing == Timing::process;
+  };
+  return {std::ranges::count_if(study.solves, is_disturbed), std::ranges::count_if(study.solves, is_timed)};
+}
+
+// Where solves end by their wall time, more than times depend on the machine.
+std::string and_errors(const StudyResults& study) {
+  return Definition(study.definition).number("/stop/seconds") > 0
+             ? " Solves end by their wall time, so that errors depend on that too."
+             : "";
 }
 
 }  // namespace
 
 bool times_were_disturbed(const StudyResults& study) {
   const Disturbed found = disturbed(study);
-  return found.solves > 1 && 10 * found.solves > found.clean;
+  return found.solves > 1 && 10 * found.solves > found.timed;
 }
 
 std::string timing_note(const StudyResults& study) {
@@ -339,16 +350,17 @@ std::string timing_note(const StudyResults& study) {
   const auto parallel = timed(Timing::parallel), debug = timed(Timing::debug_build);
   if (parallel + debug > 0) {
     return fmt::format(
-        "Times are not comparable: of {} solves, {} ran in parallel with others and {} in a debug build.",
-        study.solves.size(), parallel, debug);
+        "Times are not comparable: of {} solves, {} ran in parallel with others and {} in a debug build.{}",
+        study.solves.size(), parallel, debug, and_errors(study));
   }
-  if (std::string note = cpu_note(study.cpus); !note.empty()) return note;
+  if (std::string note = cpu_note(study.cpus); !note.empty()) return note + and_errors(study);
   if (!times_were_disturbed(study)) return "";
   const Disturbed found = disturbed(study);
   return fmt::format(
-      "Times are not comparable: {} of {} solves took more than 1.1 times their CPU time, so other programs were "
-      "running.",
-      found.solves, found.clean);
+      "Times are not comparable: {} of {} solves took more than 1.1 times their CPU time{}, so other programs were "
+      "running.{}",
+      found.solves, found.timed, timed(Timing::process) > 0 ? ", or waited as long for a processor" : "",
+      and_errors(study));
 }
 
 std::string transport_note(const StudyResults& study) {

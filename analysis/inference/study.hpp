@@ -114,8 +114,8 @@ std::vector<std::string> status_notes(const StudyResults& study);
 std::string timing_note(const StudyResults& study);
 bool times_are_comparable(const StudyResults& study);
 bool is_comparable(const StudyResults& study, Metric metric);  // all metrics are but times
-// Whether other programs were at work while the solves ran that are recorded as clean: whether many of these took
-// longer than their CPU time. One does not matter.
+// Whether other programs were at work while the solves ran that are recorded as clean or as those of a program: whether
+// many of these took longer than their CPU time, or waited as long for a processor. One does not matter.
 bool times_were_disturbed(const StudyResults& study);
 // Times of several CPUs cannot be compared; empty where there are not several.
 std::string cpu_note(const std::set<std::string>& cpus);

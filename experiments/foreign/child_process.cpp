@@ -19,6 +19,8 @@
 #include <thread>
 #include <utility>
 
+#include "experiments/environment.hpp"
+
 namespace ikbench::experiments {
 
 namespace {
@@ -193,6 +195,8 @@ double ChildProcess::cpu_seconds() const {
     return std::numeric_limits<double>::quiet_NaN();
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
+
+double ChildProcess::waited_seconds() const { return experiments::waited_seconds(std::to_string(process_)); }
 
 void ChildProcess::drain_errors() {
   std::array<char, 4096> buffer;

@@ -42,6 +42,7 @@ class ChildProcess {
   bool is_running();
   double resident_bytes() const;                                   // of memory; 0 where nobody says
   double cpu_seconds() const;                                      // of all its threads; NaN where nobody says
+  double waited_seconds() const;                                   // for a processor; NaN where nobody says
   const std::string& last_errors() const { return last_errors_; }  // the end of what it wrote to standard error
   std::string how_it_ended() const;                                // "exit code 3", "signal 11"; empty while it runs
   // Closes its standard input, waits so long, ends its whole group, first gently, and after a second by force.

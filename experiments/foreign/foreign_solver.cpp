@@ -102,6 +102,7 @@ void ForeignSolver::prepare(const Problem& problem, const Objective& objective, 
   }
   is_open_ = is_warming_up_ = false;
   hosted_ = hosted;
+  waited_before_ = session_->waited_seconds();
 }
 
 void ForeignSolver::start(const Problem& problem, Objective& objective, Random& random) {
@@ -173,6 +174,7 @@ void ForeignSolver::conclude() {
     return;
   }
   account_.transport_seconds = session_->transport_seconds();
+  account_.waited_seconds = session_->waited_seconds() - waited_before_;
   if (sessions_.program().mode == Mode::ask) {
     account_.round_trips = session_->round_trips();
     account_.cpu_seconds = session_->cpu_seconds() - cpu_before_;

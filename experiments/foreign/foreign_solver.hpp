@@ -29,6 +29,7 @@ struct Account {
   double seconds = std::numeric_limits<double>::quiet_NaN();  // of a solve with own kinematics: to the last byte read
   double cpu_seconds = 0;                                     // of the program
   double transport_seconds = std::numeric_limits<double>::quiet_NaN();  // of a message and its answer
+  double waited_seconds = std::numeric_limits<double>::quiet_NaN();     // for a processor, of program and suite
   int round_trips = 0;
   Solved word = {};  // of a solve with own kinematics
 };
@@ -90,7 +91,7 @@ class ForeignSolver final : public solvers::Solver {
   bool is_telling_ = false;     // the program waits for the errors of what it asked
   HostedSolve hosted_;
   int joints_ = 0;
-  double cpu_before_ = 0;
+  double cpu_before_ = 0, waited_before_ = 0;
   Eigen::VectorXd errors_;
   Account account_;
   std::string trouble_;  // why it failed

@@ -6,6 +6,9 @@
 #include <stdexcept>
 #include <utility>
 
+#include "experiments/environment.hpp"
+#include "numerics/names.hpp"
+
 namespace ikbench::experiments {
 
 using namespace results;
@@ -83,6 +86,10 @@ void Session::measure_transport() {
   }
   std::ranges::sort(seconds);
   transport_seconds_ = seconds[seconds.size() / 2];
+}
+
+double Session::waited_seconds() const {
+  return child_ ? child_->waited_seconds() + experiments::waited_seconds("thread-self") : 0;
 }
 
 void Session::begin_solve(double budget_seconds, int repeats) {

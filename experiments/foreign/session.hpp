@@ -40,6 +40,8 @@ class Session {
   std::int64_t new_id() { return ++id_; }
   std::int64_t id() const { return id_; }
   double cpu_seconds() const { return child_ ? child_->cpu_seconds() : 0; }
+  // For a processor, by the process and by this thread.
+  double waited_seconds() const;
   double resident_bytes() const { return child_ ? child_->resident_bytes() : 0; }
   double transport_seconds() const { return transport_seconds_; }
   int round_trips() const { return round_trips_; }

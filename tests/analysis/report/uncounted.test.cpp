@@ -147,6 +147,28 @@ TEST_CASE("a solver without answers wins by nothing but the error of the arm tha
   CHECK(has_note(times_table(study), "A solve without an answer counts as the longest"));
 }
 
+TEST_CASE("that programs waited for a processor is told, and that errors depend on it where solves end by their time",
+          "[uncounted]") {
+  StudyResults study = study_without_counts();
+  const auto wait = [&](double share) {
+    for (SolveRecord& solve : study.solves) {
+      if (solve.solver != "program") continue;
+      solve.transport_seconds = 0.05 * solve.seconds;
+      solve.waited_seconds = share * solve.seconds;
+    }
+  };
+  wait(0.14);  // a tenth, and what messages cost
+  CHECK(times_are_comparable(study));
+  wait(0.16);
+  CHECK(times_were_disturbed(study));
+  const std::string note = timing_note(study);
+  CHECK(note ==
+        "Times are not comparable: 24 of 72 solves took more than 1.1 times their CPU time, or waited as long for a "
+        "processor, so other programs were running.");
+  study.definition = R"({"stop": {"tolerance_cm": 1, "seconds": 0.1}})";
+  CHECK(timing_note(study) == note + " Solves end by their wall time, so that errors depend on that too.");
+}
+
 TEST_CASE("that most of a program's time is transport is said beside its times", "[uncounted]") {
   StudyResults study = study_without_counts();
   CHECK(transport_note(study) ==
