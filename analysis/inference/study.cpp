@@ -147,6 +147,13 @@ StudyResults make_study(const StudyEntry& entry, std::vector<SolveRecord> solves
   std::ranges::copy_if(sessions, std::back_inserter(solving),
                        [&](const Session& each) { return used.contains(each.id); });
   study.cpus = machines_of(solving);
+  for (const Series& series : entry.series) {
+    const Definition options(series.options);
+    const bool is_of_library = std::ranges::any_of(
+        solving, [&](const Session& each) { return each.environment.contains("library." + series.algorithm); });
+    if (is_of_library || !options.text("/process").empty() || !options.text("/shared_object").empty())
+      study.outside.push_back(series.label);
+  }
   for (const Session& session : solving) {
     const auto stolen = session.environment.find("stolen_seconds");
     const auto seconds = stolen != session.environment.end() ? number_from(stolen->second) : std::nullopt;
@@ -376,6 +383,15 @@ std::string transport_note(const StudyResults& study) {
   return found.empty() ? ""
                        : fmt::format("At least half of the time of {} is transport: messages to the program and back.",
                                      fmt::join(found, ", "));
+}
+
+std::string evaluation_note(const StudyResults& study) {
+  const bool has_both = !study.outside.empty() && study.outside.size() < study.solvers.size();
+  if (!has_both || !times_are_comparable(study)) return "";
+  return fmt::format(
+      "Times depend on how candidates are evaluated: built-in swarms evaluate many at once, which costs less each; {} "
+      "(library, program or shared object) may evaluate one by one.",
+      one_line(fmt::format("{}", fmt::join(study.outside, ", "))));
 }
 
 std::string cpu_note(const std::set<std::string>& cpus) {

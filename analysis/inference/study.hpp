@@ -41,6 +41,7 @@ struct StudyResults {
   double stolen_seconds = statistics::not_defined;  // processor time that its sessions' hosts kept from their machines
   std::string definition = {};  // JSON, as the store has it (analysis/inference/definition.hpp); empty where none
   TaskFacts task = {};          // of it
+  std::vector<std::string> outside = {};  // of the solvers, those that are programs, shared objects or of libraries
   std::vector<results::SolveRecord> solves = {};
 };
 
@@ -121,6 +122,8 @@ bool times_were_disturbed(const StudyResults& study);
 std::string cpu_note(const std::set<std::string>& cpus);
 // Of the programs whose time is for the most part that of their messages; empty where there are none.
 std::string transport_note(const StudyResults& study);
+// Whose candidates are evaluated in another way than those of built-in solvers, where there are both; else empty.
+std::string evaluation_note(const StudyResults& study);
 constexpr std::string_view times_not_judged = "times are not comparable";
 
 }  // namespace ikbench::inference

@@ -46,7 +46,7 @@ void add_notes(Table& table, const StudyResults& study, std::span<const Metric> 
 
 void add_timing_notes(Table& table, const StudyResults& study) {
   for (const std::string& note :
-       {timing_note(study), outliers_note(study), repeats_note(study), transport_note(study)}) {
+       {timing_note(study), outliers_note(study), repeats_note(study), transport_note(study), evaluation_note(study)}) {
     if (!note.empty()) table.notes.push_back(note);
   }
 }

@@ -169,6 +169,31 @@ TEST_CASE("that programs waited for a processor is told, and that errors depend 
   CHECK(timing_note(study) == note + " Solves end by their wall time, so that errors depend on that too.");
 }
 
+TEST_CASE("beside times it is said who may evaluate one by one", "[uncounted]") {
+  const StudyEntry entry{
+      .name = "synthetic",
+      .definition = R"({"runs": 12, "points": 2})",
+      .series = {{.key = "1", .label = "IK-BA", .algorithm = "ik_bat", .options = "{}"},
+                 {.key = "2", .label = "BA", .algorithm = "nlopt", .options = "{}"},
+                 {.key = "3", .label = "mine", .algorithm = "x", .options = R"({"process": "a"})"},
+                 {.key = "4", .label = "so", .algorithm = "y", .options = R"({"shared_object": "b"})"}}};
+  const std::vector<Session> sessions{{.id = 1, .environment = {{"library.nlopt", "NLopt 2.7.1"}}}};
+  const auto solves = [] {
+    return synthetic::solves({.solvers = {"IK-BA", "BA", "mine", "so"}, .runs = 12, .points = 2});
+  };
+  StudyResults study = make_study(entry, solves(), sessions);
+  CHECK(study.outside == std::vector<std::string>{"BA", "mine", "so"});
+  CHECK(evaluation_note(study) ==
+        "Times depend on how candidates are evaluated: built-in swarms evaluate many at once, which costs less each; BA, "
+        "mine, so (library, program or shared object) may evaluate one by one.");
+  for (SolveRecord& solve : study.solves) solve.timing = Timing::parallel;
+  CHECK(evaluation_note(study).empty());
+  study = make_study(entry, solves());
+  CHECK(study.outside == std::vector<std::string>{"mine", "so"});
+  study.outside.clear();
+  CHECK(evaluation_note(study).empty());
+}
+
 TEST_CASE("that most of a program's time is transport is said beside its times", "[uncounted]") {
   StudyResults study = study_without_counts();
   CHECK(transport_note(study) ==
