@@ -46,6 +46,11 @@ bool Session::ensure_running() {
   }
   try {
     child_ = std::make_unique<ChildProcess>(program_.command());
+  } catch (const std::invalid_argument& error) {  // it could once, and is the same: no result of the program
+    throw std::runtime_error(
+        fmt::format("{}, which it could before; run the study again, and it goes on", error.what()));
+  }
+  try {
     greet();
     measure_transport();
   } catch (const std::invalid_argument& error) {

@@ -27,7 +27,7 @@ class Session {
   Session& operator=(const Session&) = delete;
 
   // All may throw Trouble.
-  // Says whether the process is a new one.
+  // Says whether the process is a new one. std::runtime_error where the system starts none any more.
   bool ensure_running();
   void drain();                                          // before a solve: nothing may wait to be read but noise
   void begin_solve(double budget_seconds, int repeats);  // its patience begins

@@ -193,6 +193,39 @@ succeeds run edited.toml --no-report --out edited
 has "$err" "16 solves of mine come from another version"
 [ "$(solves edited/store.sqlite)" = 32 ] || fail "$(solves edited/store.sqlite) solves in the view of the study"
 
+# So is one whose further files changed: what failed for want of a package is solved anew once that is mended.
+cat >needy.py <<'EOF'
+import os, sys
+if not os.path.exists("package"):
+    print('{"ikbench":1,"message":"hello","name":"faulty","version":"1","modes":["solve"],"deterministic":true}', flush=True)
+    sys.exit("no package")
+exec(open("faulty.py").read())
+EOF
+echo "package missing" >packages.txt
+study needy "$(program_entry needy fine 'files = ["packages.txt"]' | sed 's/faulty.py/needy.py/')"
+succeeds run needy.toml --no-report --out needy
+[ "$(column needy/store.sqlite status needy | counted)" = "16 crashed" ] || fail "$(column needy/store.sqlite status needy | counted)"
+touch package
+echo "package 1.0" >packages.txt
+succeeds run needy.toml --no-report --out needy
+[ "$(column needy/store.sqlite status needy | grep -c crashed)" = 0 ] || fail "$(column needy/store.sqlite status needy | counted)"
+
+# Where the system starts it no more, that is no result: the run ends, and goes on when it can.
+{ echo '#!/usr/bin/env python3'; sed '/solves += 1/a\        if solves == 6 and not os.path.exists("righted"): open("righted", "w"); os.chmod(__file__, 0o644); os._exit(3)' faulty.py; } >rights.py
+chmod +x rights.py
+study rights '[[solvers]]
+label = "rights"
+process = ["./rights.py"]'
+run_it run rights.toml --no-report --out rights
+[ "$code" = 2 ] || fail "no rights: exit code $code: $out $err"
+has "$err" 'cannot start "./rights.py": Permission denied, which it could before'
+[ "$(column rights/store.sqlite status rights | grep -c crashed)" = 1 ] || fail "$(column rights/store.sqlite status rights | counted)"
+refused 'cannot start "./rights.py": Permission denied' run rights.toml --no-report --out rights
+chmod +x rights.py
+succeeds run rights.toml --no-report --out rights
+[ "$(column rights/store.sqlite status rights | grep -c crashed)" = 1 ] || fail "$(column rights/store.sqlite status rights | counted)"
+[ "$(solves rights/store.sqlite)" = 32 ] || fail "$(solves rights/store.sqlite) solves"
+
 # Several at once: the same answers.
 succeeds run edited.toml --no-report --out parallel --jobs 2
 [ "$(column parallel/store.sqlite position_error_cm mine)" = "$(column edited/store.sqlite position_error_cm mine)" ] ||
