@@ -106,14 +106,19 @@ class NloptSolver final : public Solver {
     const Call& call = *static_cast<Call*>(data);
     const Eigen::Map<const Eigen::VectorXd> q(x, joints);
     Evaluations& evaluations = call.evaluations;
-    const double error = evaluations.error(q);
-    if (evaluations.is_over()) nlopt_force_stop(call.opt);
+    // Some algorithms ask once more after they were told to stop.
+    const double error = evaluations.is_over() ? Evaluations::no_error : evaluations.error(q);
+    const bool is_over = evaluations.is_over();
+    if (is_over) nlopt_force_stop(call.opt);
     if (gradient == nullptr) return error;
+    Eigen::Map<Eigen::VectorXd> written(gradient, joints);
+    written.setZero();
+    if (is_over) return Evaluations::no_error;
     Eigen::MatrixXd& jacobian = call.solver.jacobian_;
     const Residual to_go = evaluations.objective().linearize(q, jacobian);
     const Configuration slope = -jacobian.transpose() * to_go;
     const bool is_number = slope.allFinite() && to_go.allFinite();
-    Eigen::Map<Eigen::VectorXd>(gradient, joints) = is_number ? slope : Configuration::Zero(slope.size());
+    if (is_number) written = slope;
     return is_number ? to_go.squaredNorm() / 2 : Evaluations::no_error;
   }
 

@@ -101,10 +101,11 @@ TEST_CASE("a library that evaluates our objective keeps the study's number of ev
         CAPTURE(info.name, algorithm);
         PeerTask task = near_pose("ur5e", 10);
         task.goal.target.translation() *= 5;
-        constexpr std::int64_t most = 200;
-        const Solution solution =
-            solved(task, info.name, {{"algorithm", algorithm}}, {.iterations = 500, .evaluations = most});
-        CHECK(solution.evaluations <= most + 2);  // one more call, of which some take two evaluations
+        for (const std::int64_t most : {200, 201}) {
+          const Solution solution =
+              solved(task, info.name, {{"algorithm", algorithm}}, {.iterations = 500, .evaluations = most});
+          CHECK(solution.evaluations <= most);
+        }
       }
     });
   }
