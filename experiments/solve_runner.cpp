@@ -238,6 +238,7 @@ void SolveRunner::add_word(Timed& timed, const Account& account) const {
   timed.seconds = or_zero(account.word.seconds);  // around the call in the child
   timed.cpu_seconds = or_zero(account.word.cpu_seconds);
   timed.solution.trace = account.word.trace;
+  timed.solution.improved = account.word.improved;
 }
 
 std::vector<SolveRunner::Timed> SolveRunner::repeated(Solver& solver, const Posed& given) const {
@@ -315,8 +316,8 @@ SolveRecord SolveRunner::solve(Solver& solver, const Pose& target, const Configu
                      .counted_by = is_counted_ ? CountedBy::suite : CountedBy::nobody};
   for (const double error : solution.trace) record.trace_cm.push_back(error / centimetre);
   if (is_counted_) {
-    record.improved_at.assign(solution.improved_at.begin(), solution.improved_at.end());
-    for (const double error : solution.improved_to) record.improved_to_cm.push_back(error / centimetre);
+    record.improved_at.assign(solution.improved.at.begin(), solution.improved.at.end());
+    for (const double error : solution.improved.to) record.improved_to_cm.push_back(error / centimetre);
   }
   if (median.account) add_account(record, *median.account);
   return record;
@@ -351,15 +352,15 @@ void SolveRunner::add_account(SolveRecord& record, const Account& account) const
     record.claimed_error_cm = std::numeric_limits<double>::quiet_NaN();
     record.trace_cm.clear();
   }
-  const bool is_counted_here = entry_.program->mode == Mode::ask;
+  const bool is_counted_here = entry_.program->mode == Mode::ask || (is_hosted && account.word.evaluations > 0);
   if (account.failure || !is_counted_here) {
     record.improved_at.clear();
     record.improved_to_cm.clear();
   }
-  if (is_counted_here) return;
+  if (entry_.program->mode == Mode::ask) return;
   const Solved& word = account.word;
   if (is_hosted) {
-    record.counted_by = word.evaluations > 0 ? CountedBy::suite : CountedBy::nobody;
+    record.counted_by = is_counted_here ? CountedBy::suite : CountedBy::nobody;
     record.repeats = hosted_repeats_;
     record.smallest_seconds = account.failure ? record.seconds : word.smallest_seconds;
     record.largest_seconds = account.failure ? record.seconds : word.largest_seconds;

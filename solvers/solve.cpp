@@ -16,19 +16,14 @@ IKBENCH_DEFINE_KERNELS
 
 namespace {
 
-void add_improvement(Solution& solution, std::int64_t evaluations, double error) {
-  solution.improved_at.push_back(evaluations);
-  solution.improved_to.push_back(error);
-}
-
 // Evaluation 1 is that of the arm where it is, unless the first candidate is the only one as yet.
-void add_start(Solution& solution, const Problem& problem, const Objective& objective, double first_best) {
+void add_start(Improvements& improved, const Problem& problem, const Objective& objective, double first_best) {
   const std::int64_t evaluations = objective.evaluations();
   if (evaluations == 0) return;
   Objective uncounted(objective.arm(), objective.goal());
   const double at_start = evaluations == 1 ? first_best : uncounted.error(problem.start);
-  add_improvement(solution, 1, std::max(at_start, first_best));
-  if (first_best < at_start) add_improvement(solution, evaluations, first_best);
+  improved.add(1, std::max(at_start, first_best));
+  if (first_best < at_start) improved.add(evaluations, first_best);
 }
 
 }  // namespace
@@ -44,8 +39,10 @@ Solution solve(Solver& solver, const Problem& problem, Objective& objective, Ran
   Tolerance tolerance(stop.tolerance, stop.angle_tolerance, objective);
   Problem told = problem;
   told.stop = stop;
+  Improvements& improved = solution.improved;
+  if (trace == Trace::best_error) told.improvements = &improved;
   solver.start(told, objective, random);
-  if (trace == Trace::best_error) add_start(solution, problem, objective, solver.best().error);
+  if (trace == Trace::best_error) add_start(improved, problem, objective, solver.best().error);
   for (;;) {
     const double error = solver.best().error;
     if (!std::isfinite(error)) {
@@ -65,9 +62,9 @@ Solution solve(Solver& solver, const Problem& problem, Objective& objective, Ran
       ++solution.iterations;
       if (trace == Trace::best_error) {
         solution.trace.push_back(solver.best().error);
-        const bool is_counted = !solution.improved_to.empty();
-        if (is_counted && solver.best().error < solution.improved_to.back())
-          add_improvement(solution, objective.evaluations(), solver.best().error);
+        const bool is_counted = !improved.to.empty();
+        if (is_counted && solver.best().error < improved.to.back())
+          improved.add(objective.evaluations(), solver.best().error);
       }
       continue;
     }
@@ -78,8 +75,8 @@ Solution solve(Solver& solver, const Problem& problem, Objective& objective, Ran
   const bool is_pose = objective.goal().is_pose() && solution.stopped != Stopped::not_finite;
   solution.position_error = is_pose ? objective.deviation(solution.best.q).position : solution.best.error;
   solution.evaluations = objective.evaluations();
-  if (!solution.improved_at.empty() && solution.improved_at.back() < solution.evaluations)
-    add_improvement(solution, solution.evaluations, solution.best.error);
+  if (!improved.at.empty() && improved.at.back() < solution.evaluations)
+    improved.add(solution.evaluations, solution.best.error);
   return solution;
 }
 

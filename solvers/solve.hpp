@@ -20,10 +20,9 @@ struct Solution {
   Stopped stopped = Stopped::iterations;
   double position_error = 0;  // [m] of the best; where a position is searched, its error
   std::vector<double> trace;  // best error [m] after each iteration, where asked for
-  // Likewise, where it became smaller: the evaluations until then, and the best error [m]. From evaluation 1, with the
-  // error at the start or, where it is larger, that of the first candidates, to the last evaluation.
-  std::vector<std::int64_t> improved_at;
-  std::vector<double> improved_to;
+  // Likewise. From evaluation 1, with the error at the start or, where it is larger, that of the first candidates, to
+  // the last evaluation.
+  Improvements improved;
 };
 
 // `not_finite` where the best error or the answer is not a finite number.

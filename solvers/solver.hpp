@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <vector>
 
 #include "numerics/random.hpp"
 #include "solvers/objective.hpp"
@@ -19,6 +20,17 @@ struct StopRule {
   double seconds = 0;            // wall time, checked after each iteration
 };
 
+// Where the best error became smaller: the evaluations until then, and the best error [m].
+struct Improvements {
+  std::vector<std::int64_t> at;
+  std::vector<double> to;
+
+  void add(std::int64_t evaluations, double error) {
+    at.push_back(evaluations);
+    to.push_back(error);
+  }
+};
+
 // What a solver is told of the task besides the objective.
 struct Problem {
   robots::Configuration
@@ -29,6 +41,7 @@ struct Problem {
   int iterations = 200;  // planned; for schedules that end with the solve
   // `solve` applies it to every solver. It is for those that hand it to a library, one call of which is one step.
   StopRule stop = {};
+  Improvements* improvements = nullptr;  // likewise: gets what becomes better within a step; null: not asked for
 
   int joints() const { return static_cast<int>(start.size()); }
 };

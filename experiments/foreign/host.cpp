@@ -72,7 +72,7 @@ class Suite {
   char* line_ = nullptr;
 };
 
-constexpr std::size_t longest_trace = 40'000;  // iterations: what a line of a million bytes can hold
+constexpr std::size_t longest_trace = 40'000;  // numbers: what a line of a million bytes can hold
 constexpr double no_bound = std::numeric_limits<double>::infinity();
 
 // A limit that is infinite is told as null.
@@ -205,6 +205,10 @@ Json answer(std::int64_t id, SharedSolver& solver, const Chain& chain, const Ask
     message["smallest_seconds"] = all.front().seconds;
     message["largest_seconds"] = all.back().seconds;
     if (solution.trace.size() <= longest_trace) message["trace"] = solution.trace;
+    if (solution.trace.size() + 2 * solution.improved.at.size() <= longest_trace) {
+      message["improved_at"] = solution.improved.at;
+      message["improved_to"] = solution.improved.to;
+    }
   } catch (const Refusal& refusal) {
     return {{"message", "declined"}, {"id", id}, {"why", refusal.what()}};
   } catch (const Breach& breach) {

@@ -75,6 +75,7 @@ struct Solved {
   double smallest_seconds = std::numeric_limits<double>::quiet_NaN();  // of the repeats
   double largest_seconds = std::numeric_limits<double>::quiet_NaN();
   std::vector<double> trace;  // best error [m] after each iteration
+  solvers::Improvements improved;
 };
 Solved solved_in(const Message& message, int joints);
 

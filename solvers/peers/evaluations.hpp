@@ -25,7 +25,8 @@ class Evaluations {
   // A number that a library can rank, also where there is no error.
   double error(const robots::ConfigurationRef& q) {
     const double error = objective_.error(q);
-    best_.improve(q, error);
+    if (best_.improve(q, error) && problem_.improvements != nullptr)
+      problem_.improvements->add(objective_.evaluations(), error);
     return std::isfinite(error) ? error : no_error;
   }
   bool is_over() {

@@ -11,6 +11,20 @@ succeeds run slim2023 "${small[@]}" --no-report --out untraced
 refused 'expected trace = "best_error"' export untraced/store.sqlite --format iohprofiler -o none
 [ ! -e none ] || fail "a folder without anything in it"
 
+# A library's one call has a row wherever its error became smaller.
+study peer $'[[solvers]]\nsolver = "nlopt"'
+run_it run peer.toml --set trace=best_error --no-report --out peer
+if [ "$code" = 0 ]; then
+  succeeds export peer/store.sqlite --format iohprofiler -o peer/ioh
+  [ -z "$err" ] || fail "nlopt is left out: $err"
+  for file in peer/ioh/nlopt/data_*/*.dat; do
+    [ "$(wc -l <"$file")" -gt 8 ] || fail "no more than start and end of two runs in $file: $(<"$file")"
+  done
+else
+  has "$err" "not built: apt-get install"
+  echo "left out: nlopt is not built"
+fi
+
 command -v python3 >/dev/null || { echo "skipped: no python3"; exit 77; }
 succeeds export made/store.sqlite --format json -o solves.json
 python3 - <<'PYTHON' || fail "IOHprofiler's readers would not read it"

@@ -4,7 +4,7 @@ source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 plugin=$scripts/../../experiments/foreign/plugin
 six=$(dirname "$program")/tests/plugins/ikbench_six.so
 
-# The same files behind the interface: the same bits in every column that is not a time. The label decides the stream.
+# The same files behind the interface: the same bits in every column that is not a time, and the same files for IOHprofiler. The label decides the stream.
 solvers=(ik_bat bat particle_swarm differential_evolution k_artificial_bee_colony multi_objective_swarm)
 same_as_built_in() { # same_as_built_in KEYS [KEYS]: of a study, and of its [stop]
   local kind solver
@@ -22,7 +22,13 @@ same_as_built_in() { # same_as_built_in KEYS [KEYS]: of a study, and of its [sto
     "$program" export $kind/store.sqlite | awk -F, '
       NR == 1 { for (i = 1; i <= NF; ++i) if ($i ~ /seconds$|^(series|repeats|interruptions|timing|session)$/) other[i] = 1 }
       { for (i = 1; i <= NF; ++i) if (!(i in other)) printf "%s,", $i; print "" }' >$kind.csv
+    "$program" export $kind/store.sqlite --format json | grep -o '"\(trace_cm\|improved_at\|improved_to_cm\)":\[[^]]*' >$kind.lists
+    succeeds export $kind/store.sqlite --format iohprofiler -o $kind/ioh
+    [ -z "$err" ] || fail "a solver is left out: $err"
   done
+  [ "$(grep -c '"improved_at":\[1[.,]' hosted.lists)" = 48 ] || fail "no evaluations of improvements: $(head -c 300 hosted.lists)"
+  cmp built_in.lists hosted.lists || fail "the hosted solvers converge in another way"
+  diff -r -x '*.json' built_in/ioh hosted/ioh >/dev/null || fail "IOHprofiler gets other numbers of hosted solvers"
   cmp built_in.csv hosted.csv || fail "the hosted solvers give other answers: $(diff built_in.csv hosted.csv | head -4)"
 }
 same_as_built_in 'robot = "ur5e"\nsearch = "pose"' 'tolerance_deg = 0.1\n'

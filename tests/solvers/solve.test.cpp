@@ -82,8 +82,8 @@ TEST_CASE("a solve stops where its solver has finished, unless it is within the 
   CHECK(solution.iterations == 3);
   CHECK(solution.evaluations == 4);
   CHECK(solution.trace.size() == 3);
-  CHECK(solution.improved_at == std::vector<std::int64_t>{1, 4});  // it evaluates the start alone first
-  CHECK(solution.improved_to == std::vector<double>(2, solution.best.error));
+  CHECK(solution.improved.at == std::vector<std::int64_t>{1, 4});  // it evaluates the start alone first
+  CHECK(solution.improved.to == std::vector<double>(2, solution.best.error));
   CHECK(solved({.iterations = 3}).stopped == Stopped::finished);
   CHECK(solved({.iterations = 2}).stopped == Stopped::iterations);
   CHECK(solved({.iterations = 10, .tolerance = 10}).stopped == Stopped::tolerance);
@@ -99,8 +99,8 @@ TEST_CASE("the trace has the best error after each iteration and never grows", "
 
 TEST_CASE("improvements go from evaluation 1 to the last, and are those of the trace", "[solve]") {
   const Solution solution = solved({.iterations = 40}, Trace::best_error);
-  const std::vector<std::int64_t>& at = solution.improved_at;
-  const std::vector<double>& to = solution.improved_to;
+  const std::vector<std::int64_t>& at = solution.improved.at;
+  const std::vector<double>& to = solution.improved.to;
   REQUIRE(at.size() == to.size());
   REQUIRE(at.size() > 3);
   const Task task = iiwa_task();
@@ -115,7 +115,7 @@ TEST_CASE("improvements go from evaluation 1 to the last, and are those of the t
   }
   CHECK(std::is_sorted(at.begin(), at.end()));
   CHECK(at.back() == solution.evaluations);
-  CHECK(solved({.iterations = 40}).improved_at.empty());
+  CHECK(solved({.iterations = 40}).improved.at.empty());
 }
 
 TEST_CASE("an unknown solver is told the nearest name", "[solve]") {

@@ -1,5 +1,6 @@
 // What holds for the solvers of libraries that this program was built with, beside the contract of all solvers.
 #include <algorithm>
+#include <functional>
 #include <stdexcept>
 
 #include "tests/catch.hpp"
@@ -35,10 +36,11 @@ PeerTask near_pose(const std::string& name, int population = 50) {
           {.start = start, .lower = range.lower, .upper = range.upper, .population = population, .iterations = 500}};
 }
 
-Solution solved(const PeerTask& task, const std::string& name, const Settings& settings, StopRule stop) {
+Solution solved(const PeerTask& task, const std::string& name, const Settings& settings, StopRule stop,
+                Trace trace = Trace::none) {
   Objective objective(task.arm.chain, task.goal);
   Random random{Key(1)};
-  return solve(*solver(name).make(settings), task.problem, objective, random, stop);
+  return solve(*solver(name).make(settings), task.problem, objective, random, stop, trace);
 }
 
 }  // namespace
@@ -108,6 +110,26 @@ TEST_CASE("a library that evaluates our objective keeps the study's number of ev
         }
       }
     });
+  }
+}
+
+TEST_CASE("where a library's best became smaller within its call is told", "[peers]") {
+  for (const SolverInfo& info : all_solvers()) {
+    if (info.library.empty() || !info.is_counted) continue;
+    CAPTURE(info.name);
+    const PeerTask task = near_pose("ur5e");
+    const StopRule stop{.iterations = 500};
+    const Solution solution = solved(task, info.name, {}, stop, Trace::best_error);
+    const std::vector<std::int64_t>& at = solution.improved.at;
+    const std::vector<double>& to = solution.improved.to;
+    REQUIRE(at.size() > 3);
+    REQUIRE(to.size() == at.size());
+    CHECK(at.front() == 1);
+    CHECK(at.back() == solution.evaluations);
+    CHECK(to.back() == solution.best.error);
+    CHECK(std::ranges::adjacent_find(at, std::greater_equal()) == at.end());
+    CHECK(std::ranges::adjacent_find(to.begin(), to.end() - 1, std::less_equal()) == to.end() - 1);
+    CHECK(solved(task, info.name, {}, stop).best.q == solution.best.q);
   }
 }
 
