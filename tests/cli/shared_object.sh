@@ -135,6 +135,38 @@ expect declines declined 1
 expect lies claimed_but_wrong 16
 expect prints ok 16
 
+# What it is told of its options, by the number of evaluations: 1, 10 where the flag is set, 100 times the way.
+cat >told.cpp <<'END'
+#include <ikbench_plugin.hpp>
+
+struct Told {
+  explicit Told(const ikbench_robot& robot)
+      : evaluations(1 + 10 * static_cast<int>(robot.options[0]) + 100 * static_cast<int>(robot.options[1])) {}
+  void start(const ikbench_problem&, ikbench_plugin::Objective& objective, ikbench_plugin::Best& best) {
+    for (int i = 0; i < evaluations; ++i) best.error = objective.error(best.q);
+  }
+  int evaluations;
+};
+IKBENCH_SOLVERS(ikbench_plugin::solver<Told>("told", "1", R"([
+  {"name": "flag", "type": "boolean", "default": true},
+  {"name": "way", "type": "choice", "choices": ["left", "right", "up"], "default": "up"}])",
+  ikbench_plugin::Deterministic::yes))
+END
+build -o told.so told.cpp
+while read -r evaluations options; do
+  study told "$(printf '[[solvers]]\nlabel = "told"\nshared_object = "./told.so"\noptions = { %s }' "$options")"
+  succeeds run told.toml --no-report --out told
+  [ "$(column told/store.sqlite evaluations told | counted)" = "16 $evaluations" ] ||
+    fail "options $options: $(column told/store.sqlite evaluations told | counted)"
+done <<'END'
+211
+201 flag = "false"
+11 flag = "true", way = "left"
+101 flag = "false", way = "right"
+END
+study told "$(printf '[[solvers]]\nlabel = "told"\nshared_object = "./told.so"\noptions = { flag = "yes" }')"
+refused 'option flag is "yes"' run told.toml
+
 # A changed mode when it is loaded is undone and told.
 build -DWHEN_LOADED -o loaded.so faulty.cpp
 study loaded "$(entry none | sed 's/faulty.so/loaded.so/')"
