@@ -36,21 +36,6 @@ Eigen::VectorXd joints_of(const std::vector<double>& values) {
   return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
 }
 
-void set_verified(SolveRecord& record, const Verification& verified) {
-  record.reached_position_m = numbers_of(verified.reached);
-  record.position_error_cm = verified.position_error / centimetre;
-  record.orientation_error = verified.orientation_error;
-  record.variation_deg = verified.variation / degree;
-  record.largest_move_deg = verified.largest_move / degree;
-  record.limit_violation_deg = verified.limit_violation / degree;
-  record.variation_m = verified.variation_m;
-  record.largest_move_m = verified.largest_move_m;
-  record.limit_violation_m = verified.limit_violation_m;
-  record.limit_margin = verified.limit_margin;
-  record.smallest_singular_value = verified.smallest_singular_value;
-  record.manipulability = verified.manipulability;
-}
-
 // The study into which solves are imported: what was asked, by the solves that it has.
 class AskedStudy {
  public:
@@ -105,7 +90,7 @@ class AskedStudy {
     }
     record.start_rad = numbers_of(start);
     record.answer_rad = numbers_of(answer);
-    set_verified(record, verified);
+    write_verified(verified, record);
   }
 
  private:

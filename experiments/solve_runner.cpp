@@ -288,13 +288,7 @@ SolveRecord SolveRunner::solve(Solver& solver, const Pose& target, const Configu
                      .target_rotation = by_rows(target.linear()),
                      .start_rad = to_vector(start),
                      .answer_rad = to_vector(answer),
-                     .reached_position_m = to_vector(verified.reached),
-                     .position_error_cm = verified.position_error / centimetre,
                      .claimed_error_cm = solution.position_error / centimetre,
-                     .orientation_error = verified.orientation_error,
-                     .variation_deg = verified.variation / degree,
-                     .largest_move_deg = verified.largest_move / degree,
-                     .limit_violation_deg = verified.limit_violation / degree,
                      .evaluations = is_counted_ ? solution.evaluations : 0,
                      .iterations = solution.iterations,
                      .stop_reason = recorded(solution.stopped),
@@ -306,14 +300,9 @@ SolveRecord SolveRunner::solve(Solver& solver, const Pose& target, const Configu
                      .smallest_seconds = all.front().seconds,
                      .largest_seconds = all.back().seconds,
                      .interruptions = interruptions,
-                     .variation_m = verified.variation_m,
-                     .largest_move_m = verified.largest_move_m,
-                     .limit_violation_m = verified.limit_violation_m,
                      .unavoidable_error_cm = beyond_reach(target) / centimetre,
-                     .limit_margin = verified.limit_margin,
-                     .smallest_singular_value = verified.smallest_singular_value,
-                     .manipulability = verified.manipulability,
                      .counted_by = is_counted_ ? CountedBy::suite : CountedBy::nobody};
+  write_verified(verified, record);
   for (const double error : solution.trace) record.trace_cm.push_back(error / centimetre);
   if (is_counted_) {
     record.improved_at.assign(solution.improved.at.begin(), solution.improved.at.end());

@@ -7,6 +7,7 @@
 
 #include "experiments/singular_values.hpp"
 #include "numerics/functions.hpp"
+#include "numerics/units.hpp"
 
 namespace ikbench::experiments {
 
@@ -194,6 +195,21 @@ Verification verify(const Robot& robot, const Pose& target, const Eigen::VectorX
           .limit_margin = limit_margin(robot.limits, answer),
           .smallest_singular_value = singular.minCoeff(),
           .manipulability = singular.prod()};
+}
+
+void write_verified(const Verification& verified, SolveRecord& solve) {
+  solve.reached_position_m = {verified.reached.begin(), verified.reached.end()};
+  solve.position_error_cm = verified.position_error / centimetre;
+  solve.orientation_error = verified.orientation_error;
+  solve.variation_deg = verified.variation / degree;
+  solve.largest_move_deg = verified.largest_move / degree;
+  solve.limit_violation_deg = verified.limit_violation / degree;
+  solve.variation_m = verified.variation_m;
+  solve.largest_move_m = verified.largest_move_m;
+  solve.limit_violation_m = verified.limit_violation_m;
+  solve.limit_margin = verified.limit_margin;
+  solve.smallest_singular_value = verified.smallest_singular_value;
+  solve.manipulability = verified.manipulability;
 }
 
 Status judge(const Verification& verified, const Requirement& requirement) {

@@ -34,6 +34,9 @@ Eigen::Matrix4d verified_pose(const robots::Robot& arm, const Eigen::VectorXd& q
 Verification verify(const robots::Robot& robot, const robots::Pose& target, const Eigen::VectorXd& start,
                     const Eigen::VectorXd& answer);
 
+// Into the columns that say it.
+void write_verified(const Verification& verified, results::SolveRecord& solve);
+
 // What is asked of an answer besides being a finite configuration.
 struct Requirement {
   double claimed_error = 0;           // [m], as the solver reports it

@@ -42,7 +42,9 @@ class Sha256 {
   std::unique_ptr<EVP_MD_CTX, decltype(&EVP_MD_CTX_free)> context_;
 };
 
-std::string digest_of(const fs::path& file) {
+}  // namespace
+
+std::string digest_of_file(const fs::path& file) {
   std::ifstream in(file, std::ios::binary);
   Sha256 digest;
   std::array<char, 65536> buffer;
@@ -52,6 +54,8 @@ std::string digest_of(const fs::path& file) {
   if (!in.eof()) throw std::invalid_argument(fmt::format("cannot read {}", file.string()));
   return digest.text();
 }
+
+namespace {
 
 bool is_file(const fs::path& file) {
   std::error_code error;
@@ -76,20 +80,18 @@ fs::path executable(const std::string& word, const fs::path& folder) {
 std::string digest_of(const ProgramChoice& choice, const fs::path& folder, const Hello& hello) {
   Sha256 digest;
   digest.add(hello.name + '\n' + hello.version + '\n');
-  if (choice.is_hosted()) digest.add(digest_of(folder / choice.shared_object));
+  if (choice.is_hosted()) digest.add(digest_of_file(folder / choice.shared_object));
   const std::vector<std::string>& words = choice.process;
   if (const fs::path file = words.empty() ? fs::path() : executable(words[0], folder); is_file(file))
-    digest.add(digest_of(file));
+    digest.add(digest_of_file(file));
   for (std::size_t i = 1; i < words.size(); ++i) {
-    if (const fs::path file = folder / words[i]; is_file(file)) digest.add(digest_of(file));
+    if (const fs::path file = folder / words[i]; is_file(file)) digest.add(digest_of_file(file));
   }
-  for (const std::string& name : choice.files) digest.add(name + '\n' + digest_of(folder / name));
+  for (const std::string& name : choice.files) digest.add(name + '\n' + digest_of_file(folder / name));
   return digest.text();
 }
 
 }  // namespace
-
-std::string digest_of_file(const fs::path& file) { return digest_of(file); }
 
 std::string digest_of_text(std::string_view text) {
   Sha256 digest;

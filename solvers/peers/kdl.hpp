@@ -5,14 +5,14 @@
 
 #include <algorithm>
 #include <kdl/chain.hpp>
+#include <kdl/chainiksolver.hpp>
 #include <kdl/jntarray.hpp>
 #include <string>
+#include <utility>
 
 #include "solvers/registry.hpp"
 
 namespace ikbench::solvers {
-
-constexpr const char* kdl_version = "KDL " KDL_VERSION_STRING;
 
 inline KDL::Frame kdl_frame(const robots::Pose& T) {
   KDL::Frame frame;
@@ -44,6 +44,22 @@ inline KDL::Chain kdl_chain(const robots::Chain& arm) {
 // As a solver's option says, or else the study.
 inline int kdl_iterations(int option, const Problem& problem) {
   return option > 0 ? option : std::min(problem.iterations, 1'000'000);
+}
+
+// The answer of one of KDL's solvers of positions.
+inline robots::Configuration kdl_answer(KDL::ChainIkSolverPos& solver, const robots::Configuration& start,
+                                        const Goal& goal) {
+  KDL::JntArray answer(static_cast<unsigned>(start.size()));
+  solver.CartToJnt(kdl_joints(start), kdl_frame(goal.target), answer);
+  return answer.data;
+}
+
+template <class S>
+SolverInfo kdl_info(std::string name, std::string summary, std::string source) {
+  SolverInfo info = solver_info<S>(std::move(name), std::move(summary), std::move(source));
+  info.library = "KDL " KDL_VERSION_STRING;
+  info.is_counted = false;  // it has kinematics of its own
+  return info;
 }
 
 inline std::string why_kdl_cannot(const robots::Chain& arm) {

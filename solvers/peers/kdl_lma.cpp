@@ -59,9 +59,7 @@ class KdlLma final : public Solver {
   void step(Objective& objective, Random&) override {
     if (has_ended_) return;
     has_ended_ = true;
-    KDL::JntArray answer(static_cast<unsigned>(start_.size()));
-    lma_->CartToJnt(kdl_joints(start_), kdl_frame(objective.goal().target), answer);
-    const Configuration q = answer.data;
+    const Configuration q = kdl_answer(*lma_, start_, objective.goal());
     best_.improve(q, objective.error(q));
   }
 
@@ -94,11 +92,8 @@ class KdlLma final : public Solver {
 }  // namespace
 
 SolverInfo kdl_lma() {
-  SolverInfo info = solver_info<KdlLma>("kdl_lma", "KDL's Levenberg-Marquardt, without joint limits",
-                                        "Orocos KDL, ChainIkSolverPos_LMA");
-  info.library = kdl_version;
-  info.is_counted = false;
-  return info;
+  return kdl_info<KdlLma>("kdl_lma", "KDL's Levenberg-Marquardt, without joint limits",
+                          "Orocos KDL, ChainIkSolverPos_LMA");
 }
 
 }  // namespace ikbench::solvers

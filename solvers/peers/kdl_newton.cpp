@@ -75,9 +75,7 @@ class KdlNewton final : public Solver {
   void step(Objective& objective, Random&) override {
     if (has_ended_) return;
     has_ended_ = true;
-    KDL::JntArray answer(static_cast<unsigned>(start_.size()));
-    call_->newton.CartToJnt(kdl_joints(start_), kdl_frame(objective.goal().target), answer);
-    const Configuration q = answer.data;
+    const Configuration q = kdl_answer(call_->newton, start_, objective.goal());
     best_.improve(q, objective.error(q));
   }
 
@@ -98,11 +96,8 @@ class KdlNewton final : public Solver {
 }  // namespace
 
 SolverInfo kdl_newton() {
-  SolverInfo info = solver_info<KdlNewton>("kdl_newton", "KDL's Newton-Raphson, clipped at the limits",
-                                           "Orocos KDL, ChainIkSolverPos_NR_JL");
-  info.library = kdl_version;
-  info.is_counted = false;
-  return info;
+  return kdl_info<KdlNewton>("kdl_newton", "KDL's Newton-Raphson, clipped at the limits",
+                             "Orocos KDL, ChainIkSolverPos_NR_JL");
 }
 
 }  // namespace ikbench::solvers
