@@ -37,7 +37,7 @@ bool counts(std::string_view key) {
          std::ranges::find(decide_no_solve, part) == decide_no_solve.end();
 }
 
-// {"stop": {"iterations": 200}} as stop.iterations: 200.
+// {"stop": {"iterations": 200}} as stop.iterations: 200. An option that is named like a key of the study is told apart.
 void add_values(Facts& facts, const std::string& json) {
   const Json parsed = Json::parse(json, nullptr, false);
   if (!parsed.is_object()) return;
@@ -46,6 +46,7 @@ void add_values(Facts& facts, const std::string& json) {
     std::string key = pointer.empty() ? pointer : pointer.substr(1);
     std::ranges::replace(key, '/', '.');
     if (!counts(key)) continue;
+    if (facts.contains(key)) key = "option " + key;
     facts[key] =
         value.is_string() ? value.get<std::string>() : value.dump(-1, ' ', false, Json::error_handler_t::replace);
   }

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <deque>
 
@@ -25,6 +26,10 @@ using Json = nlohmann::ordered_json;
 constexpr std::size_t most_options = 200, most_choices = 100;
 constexpr std::size_t longest_urdf = 900'000;  // bytes; a longer one is left out
 constexpr double largest_count = 1e15;
+// The keys of an entry of [[solvers]], beside which its options are told.
+constexpr std::array<std::string_view, 10> keys_of_entries{"solver",  "label",     "process",    "shared_object",
+                                                           "files",   "mode",      "patience_s", "population",
+                                                           "options", "if_missing"};
 
 std::string line_of(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace) + '\n'; }
 
@@ -94,6 +99,8 @@ HelloOption option_in(const Json& object) {
   if (!object.is_object()) throw Breach("one of its options is not an object");
   HelloOption option{.name = text_at(object, "name", ""), .meaning = text_at(object, "meaning", ""), .choices = {}};
   if (option.name.empty()) throw Breach("one of its options has no name");
+  if (std::ranges::find(keys_of_entries, option.name) != keys_of_entries.end())
+    throw Breach(fmt::format("its option {} has the name of a key of [[solvers]]; expected another name", option.name));
   const std::string type = text_at(object, "type", "number");
   const auto wrong = [&](std::string_view what) {
     return Breach(fmt::format("its option {} has {}", option.name, what));

@@ -89,6 +89,9 @@ TEST_CASE("in what two variants differ beside their numbers is told", "[variants
   b.sessions[0].environment["commit"] = "def";
   CHECK(compared(a, b).notes.back() ==
         "B differs from A in alpha (0.9, 0.8), commit (abc, def), stop.iterations (200, 100).");
+  Variant named = a;
+  named.series.options = R"({"runs": "7", "alpha": "0.9"})";
+  CHECK(compared(a, named).notes.back() == "B differs from A in option runs (none, 7).");
   Variant edited = a;
   edited.sessions[0].environment["source"] = "1f";
   edited.sessions[0].environment["source." + a.series.algorithm] = "2e";
