@@ -258,7 +258,7 @@ class Checker {
       std::vector<std::string> noise;
       std::string seen;
       try {
-        static_cast<void>(hello_of(child, noise));
+        static_cast<void>(hello_of(child, choice_, noise));
         if (says_bye) {
           child.write(bye_message(), Clock::now() + std::chrono::seconds(1));
           const Clock::time_point until = Clock::now() + std::chrono::seconds(2);

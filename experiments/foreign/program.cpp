@@ -21,6 +21,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::size_t most_noise = 100;
+constexpr double hello_patience = 20;  // [s]
 
 class Sha256 {
  public:
@@ -112,12 +113,14 @@ void list_fields(Fields& io, ProgramChoice& choice) {
             "wall time after which a solve is given up; 0: 20 times its budget, at least 5 s");
 }
 
-Hello hello_of(ChildProcess& child, std::vector<std::string>& noise) {
-  const Clock::time_point deadline = Clock::now() + hello_patience;
+Hello hello_of(ChildProcess& child, const ProgramChoice& choice, std::vector<std::string>& noise) {
+  const std::chrono::duration<double> patience(std::max(hello_patience, choice.patience));
+  const Clock::time_point deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(patience);
   for (std::string line;;) {
     switch (child.read_line(line, deadline)) {
       case ChildProcess::Outcome::too_late:
-        throw std::invalid_argument(fmt::format("it says no hello within {} s", hello_patience.count()));
+        throw std::invalid_argument(
+            fmt::format("it says no hello within {:g} s; a larger patience_s waits longer", patience.count()));
       case ChildProcess::Outcome::too_long:
         throw Breach("its first line has more than a million bytes");
       case ChildProcess::Outcome::ended: {
@@ -156,7 +159,7 @@ std::shared_ptr<const Program> meet(const ProgramChoice& choice, const fs::path&
   auto program = std::make_shared<Program>(Program{.choice = choice, .folder = folder, .hello = {}, .digest = {}});
   ChildProcess child(program->command());
   std::vector<std::string> noise;
-  program->hello = hello_of(child, noise);
+  program->hello = hello_of(child, choice, noise);
   child.write(bye_message(), Clock::now() + std::chrono::seconds(1));
   child.end(std::chrono::seconds(1));
   const std::vector<Mode>& modes = program->hello.modes;

@@ -43,13 +43,13 @@ struct Program {
   bool is_unchanged() const;  // its files are what they were at its hello; a missing one is not
 };
 
-constexpr std::chrono::seconds hello_patience{60}, ready_patience{60};
+constexpr std::chrono::seconds ready_patience{60};
 
 // Starts the program for its hello. std::invalid_argument says what is wrong with it; a file that is missing too.
 std::shared_ptr<const Program> meet(const ProgramChoice& choice, const std::filesystem::path& folder);
 
-// The first message of a program; what was noise before it goes to `noise`. Breach, or std::invalid_argument where it
-// ends or says nothing in time.
-Hello hello_of(ChildProcess& child, std::vector<std::string>& noise);
+// The first message of a program, within 20 s or its patience; what was noise before it goes to `noise`. Breach, or
+// std::invalid_argument where it ends or says nothing in time.
+Hello hello_of(ChildProcess& child, const ProgramChoice& choice, std::vector<std::string>& noise);
 
 }  // namespace ikbench::experiments

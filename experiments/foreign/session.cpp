@@ -63,7 +63,7 @@ bool Session::ensure_running() {
 
 void Session::greet() {
   std::vector<std::string> noise;
-  const Hello hello = hello_of(*child_, noise);
+  const Hello hello = hello_of(*child_, program_.choice, noise);
   notes_.noise += static_cast<std::int64_t>(noise.size());
   for (const std::string& line : noise) keep(line);
   if (hello.name != program_.hello.name || hello.version != program_.hello.version) {
