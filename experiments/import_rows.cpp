@@ -110,7 +110,7 @@ class RowReader {
 
   [[noreturn]] void refuse(std::string_view name, const std::string& expected) const {
     throw std::invalid_argument(
-        fmt::format("{}: {} is '{}'; expected {}", where(), name, cell(name).substr(0, 40), expected));
+        fmt::format("{}: {} is '{}'; expected {}", where(), name, front(cell(name), 40), expected));
   }
 
   // A finite number; nothing where the cell is empty or says that there is none.

@@ -46,9 +46,15 @@ std::string nearest_name(std::string_view name, const std::vector<std::string>& 
   return longer == candidates.end() ? "" : *longer;
 }
 
+std::string_view front(std::string_view text, std::size_t most) {
+  if (text.size() <= most) return text;
+  while (most > 0 && (static_cast<unsigned char>(text[most]) & 0xC0) == 0x80) --most;
+  return text.substr(0, most);
+}
+
 std::string unknown_name(std::string_view kind, std::string_view name, const std::vector<std::string>& candidates) {
   const std::string nearest = nearest_name(name, candidates);
-  return fmt::format("unknown {} \"{}\"{} (there are: {})", kind, name.substr(0, 100),
+  return fmt::format("unknown {} \"{}\"{} (there are: {})", kind, front(name, 100),
                      nearest.empty() ? "" : fmt::format("; did you mean \"{}\"?", nearest),
                      fmt::join(candidates, ", "));
 }

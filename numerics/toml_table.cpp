@@ -128,7 +128,9 @@ std::string TomlReader::where(const toml::source_region& region, std::string_vie
 
 bool TomlReader::is_plain(std::string_view text) {
   const auto is_control = [](unsigned char c) { return c < 0x20 || c == 0x7f; };
-  return text.size() <= 200 && std::none_of(text.begin(), text.end(), is_control);
+  const auto is_c1 = [](unsigned char first, unsigned char second) { return first == 0xc2 && second < 0xa0; };
+  return text.size() <= 200 && std::none_of(text.begin(), text.end(), is_control) &&
+         std::adjacent_find(text.begin(), text.end(), is_c1) == text.end();
 }
 
 std::vector<std::string> TomlReader::texts_in(const toml::node& node) {

@@ -192,7 +192,7 @@ std::optional<Message> message_in(const std::string& line) {
 
 Hello hello_in(const Message& message) {
   const Json& json = message.json;
-  if (message.name != "hello") throw Breach(fmt::format("it says \"{}\" before hello", message.name.substr(0, 40)));
+  if (message.name != "hello") throw Breach(fmt::format("it says \"{}\" before hello", front(message.name, 40)));
   if (number_at(json, "ikbench", 0) != protocol_version)
     throw Breach(fmt::format("its hello lacks \"ikbench\": {}", protocol_version));
   Hello hello{.name = text_at(json, "name", ""), .version = text_at(json, "version", ""), .modes = {}, .options = {}};
@@ -220,7 +220,8 @@ Hello hello_in(const Message& message) {
 std::string why_in(const Message& declined) {
   const Json& json = declined.json;
   const auto why = json.find("why");
-  return why != json.end() && why->is_string() ? why->get<std::string>().substr(0, 200) : "it does not say why";
+  return std::string(why != json.end() && why->is_string() ? front(why->get_ref<const std::string&>(), 200)
+                                                           : "it does not say why");
 }
 
 Candidates candidates_in(const Message& ask, int joints) {
@@ -239,7 +240,7 @@ Candidates candidates_in(const Message& ask, int joints) {
 Solved solved_in(const Message& message, int joints) {
   const Json& json = message.json;
   if (const auto fault = json.find("fault"); fault != json.end() && fault->is_string())
-    throw Breach(fault->get<std::string>().substr(0, 200));
+    throw Breach(std::string(front(fault->get_ref<const std::string&>(), 200)));
   if (!json.contains("q")) throw Breach("its answer has no q");
   Solved solved{.q = configuration_in(json.value("q", Json()), joints)};
   solved.error = number_at(json, "error", solved.error);

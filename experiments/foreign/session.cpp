@@ -11,6 +11,7 @@
 
 namespace ikbench::experiments {
 
+using namespace numerics;
 using namespace results;
 
 namespace {
@@ -26,7 +27,7 @@ constexpr std::chrono::seconds ping_patience{5}, farewell{1};
 std::string last_line(std::string_view text) {
   while (!text.empty() && (text.back() == '\n' || text.back() == ' ')) text.remove_suffix(1);
   const std::size_t before = text.find_last_of('\n');
-  return std::string(text.substr(before == std::string_view::npos ? 0 : before + 1).substr(0, 200));
+  return std::string(front(text.substr(before == std::string_view::npos ? 0 : before + 1), 200));
 }
 
 Session::~Session() {
@@ -125,7 +126,7 @@ void Session::ignore(const std::string& line, const std::optional<Message>& mess
   }
   ++notes_.noise;
   keep(line);
-  ignored_ = fmt::format("; it wrote what is no message: {}", line.substr(0, longest_kept_noise));
+  ignored_ = fmt::format("; it wrote what is no message: {}", front(line, longest_kept_noise));
 }
 
 void Session::send(const std::string& text) {
@@ -161,7 +162,7 @@ Message Session::receive(std::initializer_list<std::string_view> names, std::int
 }
 
 void Session::keep(const std::string& noise) {
-  if (notes_.examples.size() < kept_noise) notes_.examples.push_back(noise.substr(0, longest_kept_noise));
+  if (notes_.examples.size() < kept_noise) notes_.examples.emplace_back(front(noise, longest_kept_noise));
 }
 
 Message Session::exchange(const std::string& text, std::initializer_list<std::string_view> names, std::int64_t id) {

@@ -149,6 +149,13 @@ succeeds run changing.toml --no-report --out changing
 has "$err" "its files changed while it ran"
 [ "$(column changing/store.sqlite status changing | grep -vc crashed)" -le 3 ] || fail "it went on after it was edited"
 
+# What it says is cut between characters.
+sed 's/not today/" + 199 * "x" + "é/' faulty.py >wordy.py
+study wordy "$(program_entry wordy declines | sed 's/faulty.py/wordy.py/')"
+succeeds run wordy.toml --no-report --out wordy
+has "$err" "xxx"
+has_no "$err" "�"
+
 # An answer nested too deeply breaks the protocol, and so does one to a question that was not asked.
 study strange "$(program_entry deep deep)" "$(program_entry early early)"
 succeeds run strange.toml --no-report --out strange
@@ -250,6 +257,18 @@ study mistake '[[solvers]]
 label = "none"
 process = ["false"]'
 refused 'it ends before its hello (exit code 1)' run mistake.toml
+study mistake '[[solvers]]
+label = "none"
+process = ["sleep", "1000"]'
+refused 'it says no hello within 20 s; a larger patience_s waits longer' run mistake.toml
+sed 's/"name": "w"/"name": "mode"/' faulty.py >clash.py
+study mistake '[[solvers]]
+process = ["python3", "clash.py"]'
+refused 'its option mode has the name of a key of [[solvers]]; expected another name' run mistake.toml
+sed 's/name="faulty"/name="f\\u009baulty"/' faulty.py >control.py
+study mistake '[[solvers]]
+process = ["python3", "control.py"]'
+refused 'its name is not a text of at most 200 bytes without control characters' run mistake.toml
 study mistake '[[solvers]]
 process = ["cat", "/dev/zero"]'
 refused 'more than a million bytes' run mistake.toml

@@ -95,6 +95,7 @@ mistake "wrong.csv:2: position_error_cm is '-1'" <<<$'run,point,position_error_c
 mistake "wrong.csv:2: run 7, point 1 is not among the solves" <<<$'run,point,position_error_cm\n7,1,1'
 mistake "run 1 of wrong has no point 2" <<<$'run,point,position_error_cm\n1,1,1'
 mistake "is there already (wrong.csv:2)" <<<$'run,point,position_error_cm\n1,1,1\n1,1,1'
+mistake "expected the name of a solver" <<<$'solver,run,point,position_error_cm\nC\xc2\x9b1,1,1,1'
 mistake "a solver named 'DLS' of its own" <<<$'solver,run,point,position_error_cm\nDLS,1,1,1\nDLS,1,2,1'
 mistake "expected solves of this study's targets" <<<$'run,point,position_error_cm,target_position_m_1,target_position_m_2,target_position_m_3\n1,1,1,9,9,9\n1,2,1,9,9,9'
 mistake "neither an answer nor an error" <<<$'run,point,position_error_cm\n1,1,1\n1,2,'

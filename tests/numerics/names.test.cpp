@@ -29,3 +29,12 @@ TEST_CASE("a message about an unknown name quotes it, suggests one and lists all
 TEST_CASE("a very long unknown name is cut in the message", "[names]") {
   CHECK(unknown_name("solver", std::string(100000, 'x'), {"bat"}).size() < 200);
 }
+
+TEST_CASE("a text is cut between characters", "[names]") {
+  CHECK(front("abc", 5) == "abc");
+  CHECK(front("abcdef", 5) == "abcde");
+  CHECK(front("abcdé", 5) == "abcd");
+  CHECK(front("abcd\u20AC", 6) == "abcd");
+  CHECK(front("abcd\u20AC", 7) == "abcd\u20AC");
+  CHECK(front("\u20AC", 2).empty());
+}
