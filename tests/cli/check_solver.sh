@@ -63,8 +63,7 @@ if "stays" == FAULT:
 EOF
 
 # finds LIST COMMAND...: for each line of the list that fault alone ($FAULT), how many checks fail, and how each of them
-# begins. But for
-# the fault "late", a budget of 1 ms tells nothing of a machine that is busy.
+# begins. But for the fault "late", a budget of 1 ms tells nothing of a machine that is busy.
 finds() {
   local list=$1 fault number words
   shift
