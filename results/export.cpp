@@ -7,6 +7,7 @@
 
 #include "numerics/number.hpp"
 #include "results/csv.hpp"
+#include "results/files.hpp"
 
 namespace ikbench::results {
 
@@ -40,12 +41,6 @@ std::string cell_of(const Value& value) {
     return value;
 }
 
-std::size_t longest(const std::vector<SolveRecord>& records, std::vector<double> SolveRecord::*list) {
-  std::size_t length = 0;
-  for (const SolveRecord& record : records) length = std::max(length, (record.*list).size());
-  return length;
-}
-
 // Whether there is no number to tell.
 bool is_empty(std::string_view column, const SolveRecord& record) {
   return column == "evaluations" && record.counted_by == CountedBy::nobody;
@@ -57,6 +52,53 @@ void for_each_csv_column(Visit&& visit) {
   for_each_column([&](std::string_view name, auto member, std::string_view) {
     if (name != "trace_cm" && name != "improved_at" && name != "improved_to_cm") visit(name, member);
   });
+}
+
+// Cells per column.
+using Widths = std::vector<std::size_t>;
+
+// Whether the lists of a solve are no longer than the widths, which grow where they are.
+bool fits(const SolveRecord& record, Widths& widths) {
+  bool is_within = true;
+  std::size_t column = 0;
+  for_each_csv_column([&]<class Value>(std::string_view, Value SolveRecord::*member) {
+    std::size_t cells = 1;
+    if constexpr (is_list<Value>) cells = (record.*member).size();
+    if (widths.size() == column) widths.push_back(cells);
+    is_within &= cells <= widths[column];
+    widths[column] = std::max(widths[column], cells);
+    ++column;
+  });
+  return is_within;
+}
+
+void append_header(std::string& text, const Widths& widths) {
+  std::vector<std::string> cells;
+  auto width = widths.begin();
+  for_each_csv_column([&]<class Value>(std::string_view name, Value SolveRecord::*) {
+    const std::size_t count = width == widths.end() ? 0 : *width++;
+    if constexpr (is_list<Value>) {
+      for (std::size_t i = 1; i <= count; ++i) cells.push_back(std::string(name) + "_" + std::to_string(i));
+    } else {
+      cells.emplace_back(name);
+    }
+  });
+  append_csv_row(text, cells);
+}
+
+void append_row(std::string& text, const SolveRecord& record, const Widths& widths) {
+  std::vector<std::string> cells;
+  auto width = widths.begin();
+  for_each_csv_column([&]<class Value>(std::string_view name, Value SolveRecord::*member) {
+    if constexpr (is_list<Value>) {
+      for (const double element : record.*member) cells.push_back(text_of(element));
+      cells.resize(cells.size() + *width - (record.*member).size());
+    } else {
+      cells.push_back(is_empty(name, record) ? std::string() : cell_of(record.*member));
+    }
+    ++width;
+  });
+  append_csv_row(text, cells);
 }
 
 // Text that is not UTF-8 cannot stand in JSON: what is wrong in it becomes U+FFFD.
@@ -86,34 +128,35 @@ std::vector<ColumnInfo> columns() {
 }
 
 std::string to_csv(const std::vector<SolveRecord>& records) {
-  std::vector<std::string> cells;
-  std::vector<std::size_t> widths;  // cells per column
-  for_each_csv_column([&]<class Value>(std::string_view name, Value SolveRecord::*member) {
-    if constexpr (is_list<Value>) {
-      widths.push_back(longest(records, member));
-      for (std::size_t i = 1; i <= widths.back(); ++i) cells.push_back(std::string(name) + "_" + std::to_string(i));
-    } else {
-      widths.push_back(1);
-      cells.emplace_back(name);
-    }
-  });
+  Widths widths;
+  for (const SolveRecord& record : records) fits(record, widths);
   std::string text;
-  append_csv_row(text, cells);
-  for (const SolveRecord& record : records) {
-    cells.clear();
-    auto width = widths.begin();
-    for_each_csv_column([&]<class Value>(std::string_view name, Value SolveRecord::*member) {
-      if constexpr (is_list<Value>) {
-        for (const double element : record.*member) cells.push_back(text_of(element));
-        cells.resize(cells.size() + *width - (record.*member).size());
-      } else {
-        cells.push_back(is_empty(name, record) ? std::string() : cell_of(record.*member));
-      }
-      ++width;
-    });
-    append_csv_row(text, cells);
-  }
+  append_header(text, widths);
+  for (const SolveRecord& record : records) append_row(text, record, widths);
   return text;
+}
+
+void write_csv(const std::filesystem::path& file, const PassSolves& pass) {
+  constexpr std::size_t part = 1 << 20;
+  Widths widths;
+  for (bool is_whole = false; !is_whole;) {
+    is_whole = true;
+    write_file(file, [&](const Write& write) {
+      std::string text;
+      if (!widths.empty()) append_header(text, widths);
+      pass([&](const SolveRecord& record) {
+        const bool is_first = widths.empty(), is_within = fits(record, widths);
+        if (is_first) append_header(text, widths);
+        is_whole &= is_first || is_within;
+        append_row(text, record, widths);
+        if (text.size() < part) return;
+        write(text);
+        text.clear();
+      });
+      if (widths.empty()) append_header(text, widths);
+      write(text);
+    });
+  }
 }
 
 std::string to_json(const StudyEntry& study, const std::vector<Session>& sessions,

@@ -1,6 +1,8 @@
 // What a store holds, for other programs: tidy CSV and JSON, and the list of columns that both share.
 #pragma once
 
+#include <filesystem>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -23,6 +25,10 @@ std::vector<ColumnInfo> columns();
 // has; shorter ones leave cells empty. The trace and the improvements are left out: they have up to one element per
 // iteration; JSON has them. What is not finite is NaN, Inf or -Inf.
 std::string to_csv(const std::vector<SolveRecord>& records);
+// The same as a file, from solves that `pass` passes on one after another. It does so again where a list is longer than
+// those of the first solve.
+using PassSolves = std::function<void(const std::function<void(const SolveRecord&)>& take)>;
+void write_csv(const std::filesystem::path& file, const PassSolves& pass);
 
 // One object: note, columns, study, definition, series, sessions, solves. JSON has no number that is not finite:
 // null stands for NaN and for infinities.

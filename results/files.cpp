@@ -35,15 +35,23 @@ void pass_on(const struct stat& former, int descriptor) {
   ::fchmod(descriptor, mode);
 }
 
-std::error_code write_all(int descriptor, std::string_view text) {
+void write_text(int descriptor, std::string_view text) {
   while (!text.empty()) {
     const ssize_t written = ::write(descriptor, text.data(), text.size());
     if (written >= 0)
       text.remove_prefix(static_cast<std::size_t>(written));
     else if (errno != EINTR)
-      return last_error();
+      throw std::system_error(last_error());
   }
-  return {};
+}
+
+std::error_code write_all(int descriptor, const Contents& contents) {
+  try {
+    contents([&](std::string_view text) { write_text(descriptor, text); });
+    return {};
+  } catch (const std::system_error& error) {
+    return error.code();
+  }
 }
 
 std::error_code closed(int descriptor, std::error_code error) {
@@ -51,15 +59,21 @@ std::error_code closed(int descriptor, std::error_code error) {
 }
 
 // Writes what is opened by the path: a new file, or whatever is there.
-std::error_code write_into(const fs::path& file, std::string_view text) {
+std::error_code write_into(const fs::path& file, const Contents& contents) {
   const int descriptor = ::open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
-  return descriptor < 0 ? last_error() : closed(descriptor, write_all(descriptor, text));
+  if (descriptor < 0) return last_error();
+  try {
+    return closed(descriptor, write_all(descriptor, contents));
+  } catch (...) {
+    ::close(descriptor);
+    throw;
+  }
 }
 
 constexpr std::string_view half_mark = ".half-", scratch_mark = ".drawing-";
 
 // Whole or not at all. `former` is the file whose place it takes.
-std::error_code replace(const fs::path& file, std::string_view text, const struct stat* former) {
+std::error_code replace(const fs::path& file, const Contents& contents, const struct stat* former) {
   const fs::path half = fmt::format("{}{}{}", file.string(), half_mark, ::getpid());
   std::error_code ignored;
   fs::remove(half, ignored);  // of a process that had our number
@@ -67,7 +81,15 @@ std::error_code replace(const fs::path& file, std::string_view text, const struc
   if (descriptor < 0) return last_error();
   ::flock(descriptor, LOCK_EX | LOCK_NB);
   const int lock = ::fcntl(descriptor, F_DUPFD_CLOEXEC, 0);  // not litter until it has its name
-  std::error_code error = write_all(descriptor, text);
+  std::error_code error;
+  try {
+    error = write_all(descriptor, contents);
+  } catch (...) {  // what the contents come from
+    ::close(descriptor);
+    fs::remove(half, ignored);
+    if (lock >= 0) ::close(lock);
+    throw;
+  }
   if (former != nullptr) pass_on(*former, descriptor);
   error = closed(descriptor, error);
   if (!error) fs::rename(half, file, error);
@@ -93,19 +115,19 @@ bool must_stay(const fs::path& place, const struct stat& file) {
   return file.st_nlink > 1 || ::access(place.parent_path().c_str(), W_OK) != 0;
 }
 
-std::error_code write_whole(const fs::path& file, std::string_view text) {
+std::error_code write_whole(const fs::path& file, const Contents& contents) {
   struct stat there {};
-  if (::lstat(file.c_str(), &there) != 0) return replace(file, text, nullptr);
-  if (::stat(file.c_str(), &there) != 0 || !S_ISREG(there.st_mode)) return write_into(file, text);
+  if (::lstat(file.c_str(), &there) != 0) return replace(file, contents, nullptr);
+  if (::stat(file.c_str(), &there) != 0 || !S_ISREG(there.st_mode)) return write_into(file, contents);
   if (const std::optional<int> descriptor = open_already(there)) {
     std::fflush(nullptr);  // what was printed comes first
-    return write_all(*descriptor, text);
+    return write_all(*descriptor, contents);
   }
   if (::access(file.c_str(), W_OK) != 0) return last_error();
   std::error_code error;
   const fs::path place = fs::canonical(file, error);
   if (error) return error;
-  return must_stay(place, there) ? write_into(place, text) : replace(place, text, &there);
+  return must_stay(place, there) ? write_into(place, contents) : replace(place, contents, &there);
 }
 
 template <class Write>
@@ -121,15 +143,19 @@ void write_or_refuse(const fs::path& file, Write&& write) {
 }  // namespace
 
 void write_file(const fs::path& file, std::string_view text) {
+  write_file(file, [&](const Write& write) { write(text); });
+}
+
+void write_file(const fs::path& file, const Contents& contents) {
   write_or_refuse(file, [&] {
     std::error_code error;
     const bool is_link = fs::is_symlink(fs::symlink_status(file, error));
-    return is_link ? replace(file, text, nullptr) : write_whole(file, text);
+    return is_link ? replace(file, contents, nullptr) : write_whole(file, contents);
   });
 }
 
 void write_through(const fs::path& file, std::string_view text) {
-  write_or_refuse(file, [&] { return write_whole(file, text); });
+  write_or_refuse(file, [&] { return write_whole(file, [&](const Write& write) { write(text); }); });
 }
 
 std::optional<std::string> read_file(const fs::path& file) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -14,6 +15,11 @@ namespace ikbench::results {
 // names, that the shell has open, or whose folder takes no new file is written in its place. std::invalid_argument
 // names the file and the system's reason.
 void write_file(const std::filesystem::path& file, std::string_view text);
+// The same in parts, of which `contents` writes one after another. What it throws leaves the file as it was, where that
+// is replaced.
+using Write = std::function<void(std::string_view)>;
+using Contents = std::function<void(const Write&)>;
+void write_file(const std::filesystem::path& file, const Contents& contents);
 // The same for a file that the user has named: links are followed.
 void write_through(const std::filesystem::path& file, std::string_view text);
 // Empty if the file cannot be read.

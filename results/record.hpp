@@ -12,13 +12,13 @@
 namespace ikbench::results {
 
 // Why a solve ended; finished: by the solver itself.
-enum class StopReason { iterations, tolerance, evaluations, time, not_finite, finished };
+enum class StopReason : std::uint8_t { iterations, tolerance, evaluations, time, not_finite, finished };
 
 // What the verifier says of an answer; the first that applies, in the order of severity
 // not_finite, claimed_but_wrong, refused, limit_violated, tolerance_missed, ok. Where a study enforces the joint
 // limits, an answer that violates them is refused: the arm stays where it was, and the record's answer is that.
 // The others are of programs that solve outside of this one and gave no answer; the arm stays where it was, too.
-enum class Status {
+enum class Status : std::uint8_t {
   ok,
   tolerance_missed,
   limit_violated,
@@ -34,10 +34,10 @@ enum class Status {
 
 // Under what circumstances the times were taken; only `clean` times are comparable, and `process`, those of another
 // program, which have its transport in them. imported: taken elsewhere, of a solve from a file (`ikbench import`).
-enum class Timing { clean, parallel, debug_build, process, imported };
+enum class Timing : std::uint8_t { clean, parallel, debug_build, process, imported };
 
 // Who counted the evaluations.
-enum class CountedBy { suite, solver, nobody };
+enum class CountedBy : std::uint8_t { suite, solver, nobody };
 
 constexpr std::array<std::string_view, 6> stop_reason_names{"iterations", "tolerance",  "evaluations",
                                                             "time",       "not_finite", "finished"};

@@ -345,21 +345,38 @@ std::map<std::string, std::int64_t> Store::series_of_configuration(std::string_v
   });
 }
 
-std::vector<SolveRecord> Store::solves(const std::string& study_name) const {
-  return guarded(database_->name(), [&] {
-    const StudyEntry entry = study(study_name);
-    const std::int64_t runs = check_study(entry);
-    std::vector<SolveRecord> list;
-    for (const Series& series : entry.series) {
+void Store::each_of_study(const StudyEntry& study, const std::function<void(SolveRecord)>& take) const {
+  guarded(database_->name(), [&] {
+    const std::int64_t runs = check_study(study);
+    for (const Series& series : study.series) {
       database_->read_solves(series.key, runs, [&](SolveRecord record) {
         if (record.solver != series.label)
           throw Damage(fmt::format("solver {} in run {}, point {} of the series of {}", excerpt(record.solver),
                                    record.run, record.point, excerpt(series.label)));
-        record.study = study_name;  // also where another name first solved it
-        list.push_back(std::move(record));
+        record.study = study.name;  // also where another name first solved it
+        take(std::move(record));
       });
     }
-    return list;
+  });
+}
+
+std::vector<SolveRecord> Store::solves(const std::string& study_name) const {
+  std::vector<SolveRecord> list;
+  each_of_study(study(study_name), [&](SolveRecord record) { list.push_back(std::move(record)); });
+  return list;
+}
+
+std::int64_t Store::solves_of(const std::vector<Series>& series) const {
+  return guarded(database_->name(), [&] {
+    SQLite::Statement query(database_->sqlite(), "SELECT count(*) FROM solves WHERE series = ?");
+    std::int64_t solves = 0;
+    for (const Series& each : series) {
+      query.bind(1, each.key);
+      query.executeStep();
+      solves += query.getColumn(0).getInt64();
+      query.reset();
+    }
+    return solves;
   });
 }
 
