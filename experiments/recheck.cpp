@@ -206,23 +206,44 @@ std::optional<Robot> stored_arm(const StudyEntry& entry) {
   }
 }
 
-std::vector<std::string> damages(const StudyEntry& entry, const std::vector<SolveRecord>& solves) {
-  Findings found;
-  const std::optional<Robot> arm = stored_arm(entry);
-  const auto definition = nlohmann::json::parse(entry.definition, nullptr, false);
-  const Requirement requirement = requirement_of(entry);
-  const std::optional<Checked> checked = arm ? std::optional<Checked>(std::in_place, *arm, requirement) : std::nullopt;
-  for (const SolveRecord& solve : solves) {
-    look_at_counts(solve, found);
-    if (checked) look_at_answer(*checked, solve, found);
+struct Recheck::Looking {
+  explicit Looking(const StudyEntry& entry) : arm(stored_arm(entry)), requirement(requirement_of(entry)) {
+    const auto definition = nlohmann::json::parse(entry.definition, nullptr, false);
+    is_from_urdf = definition.is_object() && definition.contains("urdf");
+    if (arm) checked.emplace(*arm, requirement);
   }
-  std::vector<std::string> sentences = found.sentences();
+
+  const std::optional<Robot> arm;
+  const Requirement requirement;
+  bool is_from_urdf = false;
+  std::optional<Checked> checked = {};  // by these
+  bool has_solves = false;
+  Findings found = {};
+};
+
+Recheck::Recheck(const StudyEntry& entry) : looking_(std::make_unique<Looking>(entry)) {}
+Recheck::~Recheck() = default;
+Recheck::Recheck(Recheck&&) noexcept = default;
+
+void Recheck::look_at(const SolveRecord& solve) {
+  looking_->has_solves = true;
+  look_at_counts(solve, looking_->found);
+  if (looking_->checked) look_at_answer(*looking_->checked, solve, looking_->found);
+}
+
+std::vector<std::string> Recheck::damages() const {
+  std::vector<std::string> sentences = looking_->found.sentences();
   // The table of a calibrated arm may be longer than arm files allow: then only what needs no arm is looked at.
-  const bool is_from_urdf = definition.is_object() && definition.contains("urdf");
-  if (!arm && !solves.empty() && !is_from_urdf) {
+  if (!looking_->arm && looking_->has_solves && !looking_->is_from_urdf) {
     sentences.push_back("The arm in the definition cannot be read, so errors and moves were not computed again.");
   }
   return sentences;
+}
+
+std::vector<std::string> damages(const StudyEntry& entry, const std::vector<SolveRecord>& solves) {
+  Recheck recheck(entry);
+  for (const SolveRecord& solve : solves) recheck.look_at(solve);
+  return recheck.damages();
 }
 
 }  // namespace ikbench::experiments

@@ -1,6 +1,7 @@
 // Whether what a store says of its solves follows from what was asked and answered. Anybody may have written it.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -21,9 +22,25 @@ Requirement requirement_of(const results::StudyEntry& entry);
 // Of a solve as it is stored, which has the sizes of one.
 robots::Pose target_of(const results::SolveRecord& solve);
 
-// What does not fit of the errors, moves, limits, counts and times, a sentence for each column, with the first solve of
-// which it is so; none where all fits. Errors, moves, violations and the status are computed again from arm, target,
-// start and answer; counts and times must be possible.
+// What does not fit of the errors, moves, limits, counts and times of a study's solves, which are looked at one after
+// another: errors, moves, violations and the status are computed again from arm, target, start and answer; counts and
+// times must be possible.
+class Recheck {
+ public:
+  explicit Recheck(const results::StudyEntry& entry);
+  ~Recheck();
+  Recheck(Recheck&&) noexcept;
+
+  void look_at(const results::SolveRecord& solve);
+  // A sentence for each column, with the first solve of which it is so; none where all fits.
+  std::vector<std::string> damages() const;
+
+ private:
+  struct Looking;
+  std::unique_ptr<Looking> looking_;
+};
+
+// Of all these.
 std::vector<std::string> damages(const results::StudyEntry& entry, const std::vector<results::SolveRecord>& solves);
 
 }  // namespace ikbench::experiments
