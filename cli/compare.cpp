@@ -8,6 +8,7 @@
 #include <memory>
 #include <stdexcept>
 
+#include "analysis/inference/make_study.hpp"
 #include "analysis/inference/margin.hpp"
 #include "analysis/report/variants_table.hpp"
 #include "cli/commands.hpp"

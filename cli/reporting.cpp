@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <memory>
 #include <thread>
 
 #include "analysis/inference/analysis_plan.hpp"
@@ -67,10 +68,15 @@ void warn_of_left_aside(const Study& study, const Store& store) {
       aside.solves, fmt::join(aside.labels, ", ")));
 }
 
-std::vector<std::string> damages_in(const StudyEntry& entry, const std::vector<SolveRecord>& solves) {
-  std::vector<std::string> sentences = damages(entry, solves);
-  for (std::string& sentence : sentences) sentence = fmt::format("Study {}: {}", entry.name, sentence);
-  return sentences;
+SolveCheck check_of(const StudyEntry& entry) {
+  const auto recheck = std::make_shared<Recheck>(entry);
+  return {.look_at = [=](const SolveRecord& solve) { recheck->look_at(solve); },
+          .damages =
+              [=, name = entry.name] {
+                std::vector<std::string> sentences = recheck->damages();
+                for (std::string& sentence : sentences) sentence = fmt::format("Study {}: {}", name, sentence);
+                return sentences;
+              }};
 }
 
 // Where somebody else has the store open, it is more than one file.
@@ -151,7 +157,7 @@ void write_and_announce(const Store& store, WrittenReport wanted) {
                                              .extra_figures = std::move(wanted.figures),
                                              .repetitions = std::move(wanted.repetitions),
                                              .shares = std::move(wanted.shares),
-                                             .check = damages_in});
+                                             .check = check_of});
   waiting.end();
   fmt::print("\n{}\n", aligned(readable_cells(report.results)));
   for (const std::string& sentence : report.summary) fmt::print("{}\n", printable(sentence));
@@ -166,7 +172,10 @@ void write_and_announce(const Store& store, WrittenReport wanted) {
 }
 
 std::vector<std::string> damages_of(const Store& store, const std::string& study) {
-  return damages_in(store.study(study), store.solves(study));
+  const StudyEntry entry = store.study(study);
+  const SolveCheck check = check_of(entry);
+  store.each_of_study(entry, check.look_at);
+  return check.damages();
 }
 
 void draw(const std::vector<figures::Figure>& figures, const std::filesystem::path& folder,

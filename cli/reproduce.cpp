@@ -13,7 +13,7 @@
 #include <thread>
 #include <utility>
 
-#include "analysis/inference/study.hpp"
+#include "analysis/inference/make_study.hpp"
 #include "analysis/papers.hpp"
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
@@ -49,7 +49,7 @@ void show_tables(const Store& store, const Paper& paper, std::size_t solved, std
   std::vector<inference::JudgedStudy> studies;
   for (std::size_t i = 0; i < solved; ++i) {
     const std::string& name = paper.studies[i].name;
-    studies.emplace_back(inference::make_study(store.study(name), store.solves(name), store.sessions()));
+    studies.emplace_back(inference::read_study(store, store.study(name)));
   }
   const StudyPieces pieces = paper.pieces({studies.front(), {studies.begin() + 1, studies.end()}});
   std::vector<std::string> names{pieces.results};

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <utility>
 
-#include "analysis/inference/study.hpp"
+#include "analysis/inference/make_study.hpp"
 #include "analysis/statistics/quantile.hpp"
 #include "cli/console.hpp"
 #include "cli/reporting.hpp"

@@ -32,7 +32,7 @@ Rates rates(const Reported& reported) {
   studies.insert(studies.end(), reported.companions.begin(), reported.companions.end());
   for (const JudgedStudy& study : studies) {
     if (study.solves.empty()) continue;
-    rates.arms.push_back(study.solves.front().robot);
+    rates.arms.push_back(study.gathered->robot);
     for (figures::RateSeries& solver : rates.solvers) {
       solver.shares.push_back(solve_rate(study, solver.name, level));
     }

@@ -45,7 +45,7 @@ std::vector<ArmRates> solve_rates(const Reported& reported) {
   std::vector<ArmRates> rates;
   for (const JudgedStudy& study : studies) {
     if (study.solves.empty()) continue;
-    const auto arm = std::ranges::find(arms, study.solves.front().robot, &decltype(arms)::value_type::first);
+    const auto arm = std::ranges::find(arms, study.gathered->robot, &decltype(arms)::value_type::first);
     if (arm == arms.end()) continue;
     for (std::size_t row = 0; row < printed.rows.size(); ++row) {
       if (printed.rows[row][printed.column("arm")] != arm->second) continue;

@@ -42,12 +42,12 @@ std::string bands(const StudyResults& study, const Clusters& clusters) {
 }
 
 std::string without_trace(const StudyResults& study) {
-  const auto missing = std::ranges::count_if(study.solves, [](const SolveRecord& solve) { return !has_trace(solve); });
+  const auto missing = std::ranges::count_if(study.solves, [](const Solve& solve) { return !has_trace(solve); });
   return missing == 0 ? "" : fmt::format(" {} solves without a trace are left out.", missing);
 }
 
 std::optional<Figure> convergence_figure(const StudyResults& study, const std::vector<Solves>& traces) {
-  const std::vector<double> positions = evaluations_axis(traces);
+  const std::vector<double> positions = evaluations_axis(study, traces);
   if (positions.empty()) return std::nullopt;
   Figure figure{.name = "statistics-convergence"};
   const std::string error = study.task.pose ? "error of the pose" : "position error";
@@ -57,13 +57,13 @@ std::optional<Figure> convergence_figure(const StudyResults& study, const std::v
   std::vector<double> all;
   int block = 0;
   for (std::size_t i = 0; i < traces.size(); ++i) {
-    const std::vector<Band> bands = error_bands(traces[i], positions);
+    const std::vector<Band> bands = error_bands(study, traces[i], positions);
     if (std::ranges::all_of(bands, [](const Band& band) { return band.median == censored; })) {
       labels[i] = add_missing_curve(lines, i, study.solvers[i]);
       continue;
     }
     double last = 0;
-    for (const SolveRecord* solve : traces[i]) last = std::max(last, total_cost(*solve, Cost::evaluations));
+    for (const Solve* solve : traces[i]) last = std::max(last, total_cost(study, *solve, Cost::evaluations));
     figure.data += fmt::format("{}# {}\n", block == 0 ? "" : "\n\n", one_line(study.solvers[i]));
     std::size_t rows = 0, rows_before_band = 0;
     for (std::size_t k = 0; k < positions.size() && (k == 0 || positions[k - 1] < last); ++k) {
@@ -116,8 +116,8 @@ Figure runtime_figure(const StudyResults& study, const Clusters& clusters, Cost 
   for (const Solves& solves : traced_by_solver(study)) {
     ClusteredValues costs;
     costs.values.reserve(solves.size() * targets.size());
-    for (const SolveRecord* solve : solves) {
-      const std::vector<double> of_solve = costs_to_targets(*solve, targets, cost);
+    for (const Solve* solve : solves) {
+      const std::vector<double> of_solve = costs_to_targets(study, *solve, targets, cost);
       costs.values.insert(costs.values.end(), of_solve.begin(), of_solve.end());
       costs.clusters.insert(costs.clusters.end(), of_solve.size(), clusters.of(*solve));
     }
@@ -144,7 +144,7 @@ Figure error_figure(const StudyResults& study, const Clusters& clusters) {
   bool has_zero = false;
   for (const Solves& solves : solves_by_solver(study)) {
     ClusteredValues errors{.values = {}, .clusters = clusters.of(solves)};
-    for (const SolveRecord* solve : solves) errors.values.push_back(std::max(0.0, final_error_cm(*solve)));
+    for (const Solve* solve : solves) errors.values.push_back(std::max(0.0, final_error_cm(*solve)));
     shares.curves.push_back(banded_shares(errors, clusters));
     has_zero |= !shares.curves.back().empty() && shares.curves.back().front().at == 0;
   }
@@ -176,9 +176,9 @@ std::string problem(const StudyResults& study) {
 // Of what the tolerance costs, or else of the error.
 std::optional<Figure> profile_figure(const StudyResults& study, const Clusters& clusters, std::optional<Cost> cost) {
   const Tolerance within = tolerance(study);
-  const Profile profile = performance_profile(study, [&](const SolveRecord& solve) {
+  const Profile profile = performance_profile(study, [&](const Solve& solve) {
     if (!cost) return std::max(final_error_cm(solve), info_of(Metric::position_error_cm).rounding);
-    return reaches(solve, within) ? total_cost(solve, *cost) : censored;
+    return reaches(solve, within) ? total_cost(study, solve, *cost) : censored;
   });
   const auto compared = std::ranges::count_if(profile.ratios, [](const auto& ratios) { return !ratios.empty(); });
   if (compared < 2) return std::nullopt;
@@ -221,8 +221,8 @@ Figure solved_figure(const StudyResults& study, const Clusters& clusters, Cost c
                      .share_of = "share of solves that are ok"};
   for (const Solves& solves : solves_by_solver(study)) {
     ClusteredValues costs{.values = {}, .clusters = clusters.of(solves)};
-    for (const SolveRecord* solve : solves) {
-      costs.values.push_back(solve->status == Status::ok ? total_cost(*solve, cost) : censored);
+    for (const Solve* solve : solves) {
+      costs.values.push_back(solve->status == Status::ok ? total_cost(study, *solve, cost) : censored);
     }
     shares.curves.push_back(banded_shares(costs, clusters));
     if (!solves.empty() && shares.curves.back().empty()) shares.curves.back().push_back({.at = 0, .share = 0});
@@ -294,7 +294,7 @@ std::vector<Figure> convergence_figures(const StudyResults& measured) {
         [&](const StudyResults& known, const Clusters& drawn) { return draw(known, drawn, Cost::evaluations); });
     if (has_clean_times) add(draw(study, clusters, Cost::seconds));
   };
-  if (std::ranges::any_of(study.solves, [](const SolveRecord& solve) { return !solve.trace_cm.empty(); })) {
+  if (std::ranges::any_of(study.solves, [](const Solve& solve) { return !trace_cm(solve).empty(); })) {
     add_of_evaluations(
         [](const StudyResults& known, const Clusters&) { return convergence_figure(known, traced_by_solver(known)); });
     if (!study.task.pose) add_of_both(runtime_figure);  // whose traces have another error than the tolerance

@@ -91,9 +91,8 @@ std::string plot_command(const std::vector<std::string>& clauses, std::string_vi
 
 std::vector<double> averages_by_point(const StudyResults& study, const std::string& solver, Metric metric) {
   std::vector<std::vector<double>> values(static_cast<std::size_t>(study.points));
-  for (const SolveRecord& solve : study.solves) {
-    if (solve.solver == solver)
-      values[static_cast<std::size_t>(solve.point) - 1].push_back(value_of(study, solve, metric));
+  for (const Solve& solve : solves_of(study, solver)) {
+    values[static_cast<std::size_t>(solve.point) - 1].push_back(value_of(study, solve, metric));
   }
   std::vector<double> averages;
   for (const auto& at_point : values) averages.push_back(average_of(metric)(at_point));
@@ -101,13 +100,9 @@ std::vector<double> averages_by_point(const StudyResults& study, const std::stri
 }
 
 std::map<int, const SolveRecord*> first_run(const StudyResults& study, const std::string& solver) {
-  int run = 0;
-  for (const SolveRecord& solve : study.solves) {
-    if (solve.solver == solver && (run == 0 || solve.run < run)) run = solve.run;
-  }
   std::map<int, const SolveRecord*> solves;
-  for (const SolveRecord& solve : study.solves) {
-    if (solve.solver == solver && solve.run == run) solves[solve.point] = &solve;
+  for (const SolveRecord& solve : study.gathered->drawn) {
+    if (solve.solver == solver) solves[solve.point] = &solve;
   }
   return solves;
 }

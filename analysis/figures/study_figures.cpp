@@ -66,7 +66,7 @@ std::string line_of(const std::vector<double>& position_m, std::array<std::vecto
 }  // namespace
 
 Figure path_figure(const StudyResults& study, const std::string& name) {
-  const std::string solver = study.solves.front().solver;
+  const std::string solver = solver_of(study, study.solves.front());
   const Definition definition(study.definition);
   const bool is_path = !definition.draws_targets();
   Figure figure{.name = name,
@@ -141,9 +141,7 @@ Curves curves_of(const StudyResults& study, Metric metric) {
   for (const std::string& solver : study.solvers) {
     if (!curves.has_bands) break;
     std::map<int, std::vector<double>> values;
-    for (const SolveRecord& solve : study.solves) {
-      if (solve.solver == solver) values[solve.point].push_back(value_of(study, solve, metric));
-    }
+    for (const Solve& solve : solves_of(study, solver)) values[solve.point].push_back(value_of(study, solve, metric));
     for (int point = 1; point <= study.points; ++point) {
       const std::vector<double> ranked = ranked_values(values[point]);
       for (const double p : {0.25, 0.75}) {

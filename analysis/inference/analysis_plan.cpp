@@ -150,19 +150,22 @@ std::string unreadable_note(const StudyEntry& entry) {
                      fmt::join(reader.unreadable, ", "));
 }
 
+std::int64_t all_of(const SolvesOfSessions& solves) {
+  std::int64_t all = 0;
+  for (const auto& [session, count] : solves) all += count;
+  return all;
+}
+
 // Solves by the plan that their session recorded.
 struct Recorded {
   std::int64_t nowhere = 0;
   std::vector<std::pair<std::string, std::int64_t>> changed;  // what is other now, in the order of the sessions
 };
 
-Recorded recorded(const StudyEntry& entry, const std::vector<Session>& sessions,
-                  const std::vector<SolveRecord>& solves) {
+Recorded recorded(const StudyEntry& entry, const std::vector<Session>& sessions, const SolvesOfSessions& solves) {
   const AnalysisPlan plan = plan_of(entry);
-  std::map<std::int64_t, std::int64_t> solves_of;
-  for (const SolveRecord& solve : solves) ++solves_of[solve.session];
   Recorded result;
-  for (const auto& [id, count] : solves_of) {
+  for (const auto& [id, count] : solves) {
     const auto session = std::ranges::find(sessions, id, &Session::id);
     std::optional<AnalysisPlan> then;
     if (session != sessions.end() && session->environment.contains("analysis")) {
@@ -207,22 +210,22 @@ std::string changes_between(const AnalysisPlan& before, const AnalysisPlan& afte
 }
 
 std::vector<std::string> plan_changes(const StudyEntry& entry, const std::vector<Session>& sessions,
-                                      const std::vector<SolveRecord>& solves) {
+                                      const SolvesOfSessions& solves) {
   std::vector<std::string> sentences;
   for (const auto& [changes, count] : recorded(entry, sessions, solves).changed) {
     sentences.push_back(fmt::format("The analysis plan was changed after {} of {} solves were made: {}.", count,
-                                    solves.size(), changes));
+                                    all_of(solves), changes));
   }
   if (std::string note = unreadable_note(entry); !note.empty()) sentences.push_back(std::move(note));
   return sentences;
 }
 
 std::vector<std::string> plan_notes(const StudyEntry& entry, const std::vector<Session>& sessions,
-                                    const std::vector<SolveRecord>& solves) {
+                                    const SolvesOfSessions& solves) {
   std::vector<std::string> notes = plan_changes(entry, sessions, solves);
   if (const std::int64_t nowhere = recorded(entry, sessions, solves).nowhere; nowhere > 0) {
     notes.push_back(fmt::format("{} of {} solves come from a version that did not store the analysis plan.", nowhere,
-                                solves.size()));
+                                all_of(solves)));
   }
   if (!plan_json(entry).is_object()) notes.emplace_back("The study has no analysis plan; this is the default plan.");
   if (!notes.empty()) return notes;

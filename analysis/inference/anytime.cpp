@@ -21,12 +21,12 @@ namespace {
 ClusteredValues evaluations_to_reach(const Solves& solves, const StudyResults& study, const Clusters& clusters) {
   const Tolerance within = tolerance(study);
   ClusteredValues result;
-  for (const SolveRecord* solve : solves) {
+  for (const Solve* solve : solves) {
     std::vector<double> costs;
     if (std::isfinite(within.cm)) {
-      costs.push_back(reaches(*solve, within) ? total_cost(*solve, Cost::evaluations) : censored);
+      costs.push_back(reaches(*solve, within) ? total_cost(study, *solve, Cost::evaluations) : censored);
     } else if (has_trace(*solve) && !study.task.pose) {
-      costs = costs_to_targets(*solve, target_errors_cm(study), Cost::evaluations);
+      costs = costs_to_targets(study, *solve, target_errors_cm(study), Cost::evaluations);
     }
     for (const double cost : costs) {
       result.values.push_back(cost);
@@ -50,7 +50,7 @@ std::vector<double> column(const std::vector<std::vector<double>>& replicates, s
 
 double budget_of(const StudyResults& study) {
   double largest = 0;
-  for (const SolveRecord& solve : study.solves) largest = std::max(largest, total_cost(solve, Cost::evaluations));
+  for (const Solve& solve : study.solves) largest = std::max(largest, total_cost(study, solve, Cost::evaluations));
   return largest;
 }
 

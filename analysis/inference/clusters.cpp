@@ -4,8 +4,9 @@
 
 #include <algorithm>
 #include <compare>
-#include <map>
-#include <set>
+#include <limits>
+#include <numeric>
+#include <span>
 #include <utility>
 
 namespace ikbench::inference {
@@ -19,55 +20,74 @@ constexpr std::size_t fewest_clusters = 10;
 constexpr std::size_t most_clusters = 1000;
 constexpr Resampling resampling{.resamples = 1000};
 
-// Orders whatever numbers a target has, NaN too.
-struct InOrder {
-  bool operator()(const std::vector<double>& a, const std::vector<double>& b) const {
-    return std::ranges::lexicographical_compare(a, b, [](double x, double y) { return std::strong_order(x, y) < 0; });
+// Numbers from 0 in the order in which the study's solves first have each of them.
+std::vector<std::uint32_t> in_order(std::vector<std::uint32_t> numbers) {
+  constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+  std::vector<std::uint32_t> known(numbers.empty() ? 0 : std::size_t{std::ranges::max(numbers)} + 1, none);
+  std::uint32_t count = 0;
+  for (std::uint32_t& number : numbers) {
+    if (known[number] == none) known[number] = count++;
+    number = known[number];
   }
-};
+  return numbers;
+}
 
-std::vector<std::size_t> run_numbers(const StudyResults& study) {
-  std::map<int, std::size_t> numbers;
-  std::vector<std::size_t> result;
-  for (const SolveRecord& solve : study.solves) {
-    result.push_back(numbers.try_emplace(solve.run, numbers.size()).first->second);
-  }
-  return result;
+std::vector<std::uint32_t> run_numbers(const StudyResults& study) {
+  std::vector<std::uint32_t> result;
+  result.reserve(study.solves.size());
+  for (const Solve& solve : study.solves) result.push_back(static_cast<std::uint32_t>(solve.run));
+  return in_order(std::move(result));
+}
+
+// Orders whatever numbers a target has, NaN too.
+bool is_less(const Problem& a, const Problem& b) {
+  const auto compare = [](std::span<const double> x, std::span<const double> y) {
+    return std::lexicographical_compare_three_way(x.begin(), x.end(), y.begin(), y.end(),
+                                                  [](double p, double q) { return std::strong_order(p, q); });
+  };
+  const auto position = compare(a.target_position_m, b.target_position_m);
+  return position != 0 ? position < 0 : compare(a.target_rotation, b.target_rotation) < 0;
 }
 
 }  // namespace
 
-std::vector<std::size_t> target_numbers(const StudyResults& study) {
-  std::map<std::vector<double>, std::size_t, InOrder> numbers;
-  std::vector<std::size_t> result;
-  for (const SolveRecord& solve : study.solves) {
-    std::vector<double> target = solve.target_position_m;
-    target.insert(target.end(), solve.target_rotation.begin(), solve.target_rotation.end());
-    result.push_back(numbers.try_emplace(std::move(target), numbers.size()).first->second);
+std::vector<std::uint32_t> target_numbers(const StudyResults& study) {
+  const Problems& problems = study.gathered->problems;
+  std::vector<std::uint32_t> order(problems.size()), target(problems.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::ranges::sort(order, [&](std::uint32_t a, std::uint32_t b) { return is_less(problems[a], problems[b]); });
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const bool is_same = i > 0 && !is_less(problems[order[i - 1]], problems[order[i]]);
+    target[order[i]] = is_same ? target[order[i - 1]] : order[i];
   }
-  return result;
+  std::vector<std::uint32_t> result;
+  result.reserve(study.solves.size());
+  for (const Solve& solve : study.solves) result.push_back(target[solve.problem]);
+  return in_order(std::move(result));
 }
 
 Trials trials_of(const StudyResults& study) {
   if (is_chained(study)) return Trials::runs;
-  const std::vector<std::size_t> targets = target_numbers(study);
-  std::set<std::pair<std::string_view, std::size_t>> seen;
+  const std::vector<std::uint32_t> targets = target_numbers(study);
+  std::vector<std::int32_t> last(targets.size(), -1);  // the solver that was given it last
   for (std::size_t i = 0; i < targets.size(); ++i) {
-    if (!seen.emplace(study.solves[i].solver, targets[i]).second) return Trials::targets;
+    const auto solver = static_cast<std::int32_t>(study.solves[i].solver);
+    if (last[targets[i]] == solver) return Trials::targets;
+    last[targets[i]] = solver;
   }
   return Trials::solves;
 }
 
 Clusters::Clusters(const StudyResults& study) : study_(study) {
-  const auto count_of = [](const std::vector<std::size_t>& numbers) {
-    return numbers.empty() ? 0 : std::ranges::max(numbers) + 1;
+  const auto count_of = [](const std::vector<std::uint32_t>& numbers) {
+    return numbers.empty() ? std::size_t{0} : std::size_t{std::ranges::max(numbers)} + 1;
   };
   of_solve_ = target_numbers(study);
   are_runs_ = is_chained(study) || count_of(of_solve_) == 1;
   if (are_runs_) of_solve_ = run_numbers(study);
   const std::size_t count = count_of(of_solve_);
   drawn_at_once_ = std::min(count, most_clusters);
-  for (std::size_t& cluster : of_solve_) cluster %= most_clusters;
+  for (std::uint32_t& cluster : of_solve_) cluster %= most_clusters;
   if (count < fewest_clusters) {
     undefined_ = fmt::format("{} {}, and intervals need {}", count, noun(), fewest_clusters);
   } else {
@@ -75,13 +95,13 @@ Clusters::Clusters(const StudyResults& study) : study_(study) {
   }
 }
 
-std::size_t Clusters::of(const SolveRecord& solve) const {
+std::size_t Clusters::of(const Solve& solve) const {
   return of_solve_[static_cast<std::size_t>(&solve - study_.solves.data())];
 }
 
 std::vector<std::size_t> Clusters::of(const Solves& solves) const {
   std::vector<std::size_t> result;
-  for (const SolveRecord* solve : solves) result.push_back(of(*solve));
+  for (const Solve* solve : solves) result.push_back(of(*solve));
   return result;
 }
 

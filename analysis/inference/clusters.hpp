@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -20,14 +21,14 @@ enum class Trials { runs, targets, solves };
 Trials trials_of(const StudyResults& study);
 
 // Of each solve of the study: the same number, from 0, where position and rotation of the target are the same.
-std::vector<std::size_t> target_numbers(const StudyResults& study);
+std::vector<std::uint32_t> target_numbers(const StudyResults& study);
 
 // The clusters of a study, and replicates that have drawn them. More than a thousand are drawn in a thousand groups.
 class Clusters {
  public:
   explicit Clusters(const StudyResults& study);  // which must outlive it
 
-  std::size_t of(const results::SolveRecord& solve) const;  // one of the study's
+  std::size_t of(const Solve& solve) const;  // one of the study's
   std::vector<std::size_t> of(const Solves& solves) const;
 
   std::size_t drawn_at_once() const { return drawn_at_once_; }  // clusters, or groups of them
@@ -44,7 +45,7 @@ class Clusters {
  private:
   const StudyResults& study_;
   bool are_runs_ = false;
-  std::vector<std::size_t> of_solve_;
+  std::vector<std::uint32_t> of_solve_;
   std::size_t drawn_at_once_ = 0;
   std::vector<std::vector<double>> replicates_;
   std::string undefined_;

@@ -5,9 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <map>
 #include <string>
-#include <string_view>
 #include <utility>
 
 #include "analysis/inference/definition.hpp"
@@ -29,25 +27,26 @@ constexpr std::size_t target_count = 51;  // as COCO has
 
 double or_censored(double value) { return std::isfinite(value) ? value : censored; }
 
-bool is_verified(const SolveRecord& solve) {
+bool is_verified(const Solve& solve) {
   return !stays(solve.status) && solve.status != Status::claimed_but_wrong && solve.status != Status::not_finite;
 }
 
-double cost_of_iterations(const SolveRecord& solve, std::size_t iterations, Cost cost) {
-  const double share =
-      solve.trace_cm.empty() ? 1 : static_cast<double>(iterations) / static_cast<double>(solve.trace_cm.size());
-  return total_cost(solve, cost) * share;
+double cost_of_iterations(const StudyResults& study, const Solve& solve, std::size_t iterations, Cost cost) {
+  const std::vector<double>& trace = trace_cm(solve);
+  const double share = trace.empty() ? 1 : static_cast<double>(iterations) / static_cast<double>(trace.size());
+  return total_cost(study, solve, cost) * share;
 }
 
 // The best error when so many evaluations were made.
-double error_at(const SolveRecord& solve, double evaluations) {
-  const double total = total_cost(solve, Cost::evaluations);
+double error_at(const StudyResults& study, const Solve& solve, double evaluations) {
+  const double total = total_cost(study, solve, Cost::evaluations);
   if (!is_verified(solve)) return censored;
-  if (solve.trace_cm.empty()) return evaluations < total ? censored : final_error_cm(solve);
-  const double all = static_cast<double>(solve.trace_cm.size());
+  const std::vector<double>& trace = trace_cm(solve);
+  if (trace.empty()) return evaluations < total ? censored : final_error_cm(solve);
+  const double all = static_cast<double>(trace.size());
   constexpr double fuzz = 1e-9;  // i n / n is not always i
   const double done = evaluations < total ? std::floor(all * evaluations / total + fuzz) : all;
-  return done < 1 ? censored : or_censored(solve.trace_cm[static_cast<std::size_t>(done) - 1]);
+  return done < 1 ? censored : or_censored(trace[static_cast<std::size_t>(done) - 1]);
 }
 
 double ratio_of(double cost, double smallest) {
@@ -57,36 +56,41 @@ double ratio_of(double cost, double smallest) {
 
 }  // namespace
 
-double total_cost(const SolveRecord& solve, Cost cost) {
-  const double total = cost == Cost::seconds ? solve.seconds : static_cast<double>(solve.evaluations);
+double total_cost(const StudyResults& study, const Solve& solve, Cost cost) {
+  const double total = cost == Cost::seconds ? seconds_of(study, solve) : static_cast<double>(solve.evaluations);
   return std::max(0.0, or_censored(total));
 }
 
 std::vector<Solves> solves_by_solver(const StudyResults& study) {
-  std::map<std::string_view, std::size_t> index;
-  for (std::size_t i = 0; i < study.solvers.size(); ++i) index.emplace(study.solvers[i], i);
-  std::vector<Solves> result(study.solvers.size());
-  for (const SolveRecord& solve : study.solves) {
-    if (const auto found = index.find(solve.solver); found != index.end()) result[found->second].push_back(&solve);
+  std::vector<Solves> result;
+  for (const std::string& solver : study.solvers) {
+    const std::span<const Solve> own = solves_of(study, solver);
+    Solves& solves = result.emplace_back();
+    solves.reserve(own.size());
+    for (const Solve& solve : own) solves.push_back(&solve);
   }
   return result;
 }
 
 bool is_chained(const StudyResults& study) { return study.points > 1 && !Definition(study.definition).starts_anew(); }
 
-bool has_trace(const SolveRecord& solve) { return !solve.trace_cm.empty() || solve.iterations == 0; }
+const std::vector<double>& trace_cm(const Solve& solve) {
+  static const std::vector<double> none;
+  return solve.rest == nullptr ? none : solve.rest->trace_cm;
+}
+
+bool has_trace(const Solve& solve) { return !trace_cm(solve).empty() || solve.iterations == 0; }
 
 std::vector<Solves> traced_by_solver(const StudyResults& study) {
   std::vector<Solves> result = solves_by_solver(study);
   for (Solves& solves : result) {
-    std::erase_if(solves, [&](const SolveRecord* solve) {
-      return study.task.pose ? solve->trace_cm.empty() : !has_trace(*solve);
-    });
+    std::erase_if(solves,
+                  [&](const Solve* solve) { return study.task.pose ? trace_cm(*solve).empty() : !has_trace(*solve); });
   }
   return result;
 }
 
-double final_error_cm(const SolveRecord& solve) { return or_censored(solve.position_error_cm); }
+double final_error_cm(const Solve& solve) { return or_censored(solve.position_error_cm); }
 
 Tolerance tolerance(const StudyResults& study) {
   Tolerance found{.cm = tolerance_cm(study)};
@@ -100,32 +104,34 @@ std::string words(const Tolerance& tolerance) {
   return fmt::format("{} and the tool {} deg from its orientation", position, rounded_number(tolerance.deg, 3));
 }
 
-bool reaches(const SolveRecord& solve, const Tolerance& tolerance) {
+bool reaches(const Solve& solve, const Tolerance& tolerance) {
   if (is_without_answer(solve.status) || !(final_error_cm(solve) <= tolerance.cm + verifier_rounding_cm)) return false;
   return !(tolerance.deg < 180) ||
          solve.orientation_error <= orientation_error_of(tolerance.deg) + verifier_rounding_rad;
 }
 
-std::vector<double> costs_to_targets(const SolveRecord& solve, std::span<const double> targets_cm, Cost cost) {
+std::vector<double> costs_to_targets(const StudyResults& study, const Solve& solve, std::span<const double> targets_cm,
+                                     Cost cost) {
   std::vector<double> costs(targets_cm.size(), censored);
   if (!is_verified(solve)) return costs;
   std::size_t next = 0;
   const auto passes = [&](double error_cm, std::size_t iterations) {
     for (; next < targets_cm.size() && error_cm <= targets_cm[next]; ++next) {
-      costs[next] = cost_of_iterations(solve, iterations, cost);
+      costs[next] = cost_of_iterations(study, solve, iterations, cost);
     }
   };
-  if (solve.trace_cm.empty()) passes(final_error_cm(solve), 0);
-  for (std::size_t i = 0; i < solve.trace_cm.size() && next < targets_cm.size(); ++i) passes(solve.trace_cm[i], i + 1);
+  const std::vector<double>& trace = trace_cm(solve);
+  if (trace.empty()) passes(final_error_cm(solve), 0);
+  for (std::size_t i = 0; i < trace.size() && next < targets_cm.size(); ++i) passes(trace[i], i + 1);
   return costs;
 }
 
-std::vector<Band> error_bands(const Solves& traces, std::span<const double> evaluations) {
+std::vector<Band> error_bands(const StudyResults& study, const Solves& traces, std::span<const double> evaluations) {
   std::vector<Band> bands;
   std::vector<double> errors;
   for (const double position : evaluations) {
     errors.clear();
-    for (const SolveRecord* solve : traces) errors.push_back(error_at(*solve, position));
+    for (const Solve* solve : traces) errors.push_back(error_at(study, *solve, position));
     const std::vector<double> ranked = ranked_values(errors);
     const auto at = [&](double p) { return or_censored(quantile(ranked, p, QuantileType::type_5)); };
     bands.push_back({.low = at(0.25), .median = at(0.5), .high = at(0.75)});
@@ -133,13 +139,13 @@ std::vector<Band> error_bands(const Solves& traces, std::span<const double> eval
   return bands;
 }
 
-std::vector<double> evaluations_axis(const std::vector<Solves>& traces) {
+std::vector<double> evaluations_axis(const StudyResults& study, const std::vector<Solves>& traces) {
   double first = censored, last = 0;
   for (const Solves& solves : traces) {
-    for (const SolveRecord* solve : solves) {
-      const double total = total_cost(*solve, Cost::evaluations);
+    for (const Solve* solve : solves) {
+      const double total = total_cost(study, *solve, Cost::evaluations);
       if (!(total > 0)) continue;
-      first = std::min(first, cost_of_iterations(*solve, 1, Cost::evaluations));
+      first = std::min(first, cost_of_iterations(study, *solve, 1, Cost::evaluations));
       last = std::max(last, total);
     }
   }
@@ -150,7 +156,7 @@ std::vector<double> target_errors_cm(const StudyResults& study) {
   double smallest = tolerance_cm(study);
   if (!std::isfinite(smallest)) {
     double best = largest_target_cm / 10;
-    for (const SolveRecord& solve : study.solves) best = std::min(best, final_error_cm(solve));
+    for (const Solve& solve : study.solves) best = std::min(best, final_error_cm(solve));
     smallest = std::max(smallest_target_cm, std::pow(10, std::floor(std::log10(std::max(best, smallest_target_cm)))));
   }
   return log_spaced(std::max(largest_target_cm, 10 * smallest), smallest, target_count);
@@ -161,8 +167,8 @@ std::vector<std::vector<CensoredCost>> censored_costs(const StudyResults& study,
   std::vector<std::vector<CensoredCost>> costs;
   for (const Solves& solves : solves_by_solver(study)) {
     auto& of_solver = costs.emplace_back();
-    for (const SolveRecord* solve : solves) {
-      of_solver.push_back({.spent = total_cost(*solve, cost), .reached = reaches(*solve, within)});
+    for (const Solve* solve : solves) {
+      of_solver.push_back({.spent = total_cost(study, *solve, cost), .reached = reaches(*solve, within)});
     }
   }
   return costs;
@@ -192,19 +198,25 @@ std::vector<Share> thinned(const std::vector<Share>& stairs) {
 }
 
 Profile performance_profile(const StudyResults& study, const CostOf& cost_of) {
-  const std::vector<Solves> solves = solves_by_solver(study);
-  std::map<std::pair<int, int>, std::map<std::size_t, const SolveRecord*>> problems;
+  std::vector<std::span<const Solve>> rest;  // of each solver, those of places to come
   std::size_t solvers = 0;
-  for (std::size_t i = 0; i < solves.size(); ++i) {
-    if (!solves[i].empty()) ++solvers;
-    for (const SolveRecord* solve : solves[i]) problems[{solve->run, solve->point}].emplace(i, solve);
+  for (const std::string& solver : study.solvers) {
+    rest.push_back(solves_of(study, solver));
+    if (!rest.back().empty()) ++solvers;
   }
   Profile profile{.ratios = std::vector<std::vector<double>>(study.solvers.size())};
-  for (const auto& [run_and_point, of_solver] : problems) {
-    const SolveRecord& first = *of_solver.begin()->second;
+  std::vector<std::pair<std::size_t, const Solve*>> of_solver;
+  for (const Solve* const place : places_of(study)) {
+    of_solver.clear();
+    for (std::size_t i = 0; i < rest.size(); ++i) {
+      if (rest[i].empty() || rest[i].front().run != place->run || rest[i].front().point != place->point) continue;
+      of_solver.emplace_back(i, &rest[i].front());
+      rest[i] = rest[i].subspan(1);
+    }
+    if (of_solver.empty()) continue;
+    const Solve& first = *of_solver.front().second;
     const bool is_shared = std::ranges::all_of(of_solver, [&](const auto& entry) {
-      return entry.second->target_position_m == first.target_position_m &&
-             entry.second->target_rotation == first.target_rotation;
+      return same_target(problem_of(study, *entry.second), problem_of(study, first));
     });
     if (of_solver.size() < solvers || !is_shared) {
       ++profile.left_out;

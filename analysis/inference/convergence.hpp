@@ -21,21 +21,22 @@ constexpr double censored = std::numeric_limits<double>::infinity();
 constexpr std::size_t most_positions = 200;
 
 enum class Cost { evaluations, seconds };
-double total_cost(const results::SolveRecord& solve,
-                  Cost cost);  // censored where it is not finite; 0 where it is negative
+// Censored where it is not finite; 0 where it is negative.
+double total_cost(const StudyResults& study, const Solve& solve, Cost cost);
 
-using Solves = std::vector<const results::SolveRecord*>;
+using Solves = std::vector<const Solve*>;
 std::vector<Solves> solves_by_solver(const StudyResults& study);  // in the order of study.solvers
 
 // Whether solves of a run depend on each other, as where each starts at the answer of the one before, or may do so.
 bool is_chained(const StudyResults& study);
 
 // Whether it is known how the solve went: it has a trace, or it ended before its first iteration.
-bool has_trace(const results::SolveRecord& solve);
+bool has_trace(const Solve& solve);
+const std::vector<double>& trace_cm(const Solve& solve);          // empty where it has none
 std::vector<Solves> traced_by_solver(const StudyResults& study);  // those alone, and of poses those with a trace
 
 // The error as the verifier has it [cm]; censored where it is not finite.
-double final_error_cm(const results::SolveRecord& solve);
+double final_error_cm(const Solve& solve);
 
 // Where a solve of the study ends: tolerance_cm, and where poses are searched the angle too.
 struct Tolerance {
@@ -46,11 +47,12 @@ Tolerance tolerance(const StudyResults& study);
 // "the position error is 0.1 cm" and, of poses, "and the tool 0.5 deg from its orientation".
 std::string words(const Tolerance& tolerance);
 // Whether there is an answer, and the verifier's errors are within the tolerance, but for rounding.
-bool reaches(const results::SolveRecord& solve, const Tolerance& tolerance);
+bool reaches(const Solve& solve, const Tolerance& tolerance);
 
 // What the solve had cost when its best error first was at or below each target; targets descend. A solve whose answer
 // is not finite, refused or not as good as claimed reaches none: its trace is the solver's own word.
-std::vector<double> costs_to_targets(const results::SolveRecord& solve, std::span<const double> targets_cm, Cost cost);
+std::vector<double> costs_to_targets(const StudyResults& study, const Solve& solve, std::span<const double> targets_cm,
+                                     Cost cost);
 
 // 25, 50 and 75 % quantiles (Hyndman and Fan's type 5) of the best error [cm]; censored where so many have no answer
 // yet.
@@ -61,9 +63,9 @@ struct Band {
 };
 
 // At each of these numbers of evaluations. A solve that has ended keeps its last error.
-std::vector<Band> error_bands(const Solves& traces, std::span<const double> evaluations);
+std::vector<Band> error_bands(const StudyResults& study, const Solves& traces, std::span<const double> evaluations);
 // Log-spaced, from the cheapest first iteration to the dearest solve; none where there are no traces.
-std::vector<double> evaluations_axis(const std::vector<Solves>& traces);
+std::vector<double> evaluations_axis(const StudyResults& study, const std::vector<Solves>& traces);
 
 // 51 log-spaced errors [cm], descending: from 10 (or ten times a larger tolerance) down to the tolerance of the study,
 // or without one to the whole decade below the smallest error that any solve came to, at the least 1e-8.
@@ -100,7 +102,7 @@ struct Profile {
 
 // The cost of a solve, censored where it fails. 0/0 is 1; a cost above a smallest of 0 is infinitely many times as
 // much.
-using CostOf = std::function<double(const results::SolveRecord&)>;
+using CostOf = std::function<double(const Solve&)>;
 Profile performance_profile(const StudyResults& study, const CostOf& cost_of);
 
 // How often each solver comes closest to the target, in a sentence: what means over runs, which their worst points

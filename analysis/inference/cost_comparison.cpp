@@ -104,15 +104,15 @@ double improvement_of(const Meetings& meetings, const std::vector<double>& drawn
 }
 
 std::vector<AtTargets> costs_at_targets(const StudyResults& study, Cost cost, const Clusters& clusters) {
-  const std::vector<std::size_t> targets = target_numbers(study);
-  const std::size_t count = targets.empty() ? 0 : std::ranges::max(targets) + 1;
+  const std::vector<std::uint32_t> targets = target_numbers(study);
+  const std::size_t count = targets.empty() ? 0 : std::size_t{std::ranges::max(targets)} + 1;
   const Tolerance within = tolerance(study);
   std::vector<AtTargets> result;
   for (const Solves& solves : solves_by_solver(study)) {
     AtTargets& at = result.emplace_back(count);
-    for (const SolveRecord* solve : solves) {
+    for (const Solve* solve : solves) {
       at[targets[static_cast<std::size_t>(solve - study.solves.data())]].push_back(
-          {reaches(*solve, within) ? total_cost(*solve, cost) : censored, clusters.of(*solve)});
+          {reaches(*solve, within) ? total_cost(study, *solve, cost) : censored, clusters.of(*solve)});
     }
   }
   return result;

@@ -20,34 +20,28 @@ using namespace statistics;
 
 namespace {
 
-// The solves of one solver by run and point.
-std::map<Place, const SolveRecord*> solves_of(const StudyResults& study, const std::string& solver) {
-  std::map<Place, const SolveRecord*> solves;
-  for (const SolveRecord& solve : study.solves) {
-    if (solve.solver == solver) solves[{solve.run, solve.point}] = &solve;
-  }
-  return solves;
-}
-
 // Those that every solver has complete.
 std::vector<int> common_runs(const StudyResults& study) {
-  std::map<int, std::int64_t> counts;
-  for (const SolveRecord& solve : study.solves) ++counts[solve.run];
+  std::vector<std::int64_t> counts(static_cast<std::size_t>(study.runs) + 1);
+  for (const Solve& solve : study.solves) ++counts[static_cast<std::size_t>(solve.run)];
   const std::int64_t all = std::int64_t{study.points} * static_cast<std::int64_t>(study.solvers.size());
   std::vector<int> runs;
-  for (const auto& [run, count] : counts) {
-    if (count == all) runs.push_back(run);
+  for (int run = 1; run <= study.runs; ++run) {
+    if (counts[static_cast<std::size_t>(run)] == all) runs.push_back(run);
   }
   return runs;
 }
 
 // A foreign store may say what is not so.
 bool were_given_the_same(const StudyResults& study, Blocks blocks) {
-  std::map<Place, const SolveRecord*> first;
-  return std::ranges::all_of(study.solves, [&](const SolveRecord& solve) {
-    const SolveRecord& other = *first.try_emplace({solve.run, solve.point}, &solve).first->second;
-    return solve.target_position_m == other.target_position_m && solve.target_rotation == other.target_rotation &&
-           (blocks == Blocks::runs || solve.start_rad == other.start_rad);
+  const std::vector<const Solve*> places = places_of(study);
+  return std::ranges::all_of(study.solvers, [&](const std::string& solver) {
+    auto first = places.begin();
+    return std::ranges::all_of(solves_of(study, solver), [&](const Solve& solve) {
+      while ((*first)->run != solve.run || (*first)->point != solve.point) ++first;
+      const Problem asked = problem_of(study, solve), other = problem_of(study, **first);
+      return same_target(asked, other) && (blocks == Blocks::runs || same_start(asked, other));
+    });
   });
 }
 
@@ -59,6 +53,12 @@ Blocks blocks_of(const StudyResults& study) {
   if (definition.draws_targets()) return starts_anew ? Blocks::drawn_targets : Blocks::runs;
   if (definition.text("/path/kind").empty()) return Blocks::none;
   return starts_anew || study.points == 1 ? Blocks::path_targets : Blocks::none;
+}
+
+const Solve* solve_at(std::span<const Solve> solves, const Place& place) {
+  const auto place_in = [](const Solve& solve) { return Place(solve.run, solve.point); };
+  const auto found = std::ranges::lower_bound(solves, place, {}, place_in);
+  return found == solves.end() || place_in(*found) != place ? nullptr : &*found;
 }
 
 std::vector<Block> layout(const StudyResults& study, Blocks blocks) {
@@ -120,11 +120,11 @@ void fill_blocks(Observations& result, const StudyResults& study, const std::vec
                  const Quantity& quantity) {
   for (const Block& block : blocks) result.blocks.push_back(block.name);
   for (const std::string& solver : study.solvers) {
-    const auto solves = solves_of(study, solver);
+    const std::span<const Solve> solves = solves_of(study, solver);
     Group group{.name = solver};
     for (const Block& block : blocks) {
-      std::vector<const SolveRecord*> run;
-      for (const Place& place : block.places) run.push_back(solves.at(place));
+      std::vector<const Solve*> run;
+      for (const Place& place : block.places) run.push_back(solve_at(solves, place));
       group.values.push_back(quantity.value(run));
     }
     result.groups.push_back(std::move(group));
@@ -139,13 +139,13 @@ void fill_blocks(Observations& result, const StudyResults& study, const std::vec
 // Whether the worst cases decide a mean, the solves alone show.
 void add_decades(Observations& result, const StudyResults& study, Metric metric, Estimand estimand) {
   if (is_of_run(metric)) return;
-  std::map<std::string_view, std::vector<double>> values;
-  for (const SolveRecord& solve : study.solves) {
-    const double value = value_of(study, solve, metric), least = info_of(metric).rounding;
-    values[solve.solver].push_back(value < least ? least : value);
-  }
   for (Group& group : result.groups) {
-    group.decades = estimand == Estimand::mean ? decades(values[group.name]) : 0;
+    std::vector<double> values;
+    for (const Solve& solve : solves_of(study, group.name)) {
+      const double value = value_of(study, solve, metric), least = info_of(metric).rounding;
+      values.push_back(value < least ? least : value);
+    }
+    group.decades = estimand == Estimand::mean ? decades(values) : 0;
   }
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -23,6 +24,9 @@ enum class Blocks { none, runs, drawn_targets, path_targets };
 Blocks blocks_of(const StudyResults& study);
 
 using Place = std::pair<int, int>;  // run and point, from 1
+
+// Of solves of one solver, in the order of a study; null where they have none there.
+const Solve* solve_at(std::span<const Solve> solves, const Place& place);
 
 // The solves that make one value.
 struct Block {

@@ -31,7 +31,7 @@ Quantity typical_quantity(const StudyResults& study, Metric metric) {
                   .better = info.better,
                   .scale = ValueScale::log10,
                   .average = "geometric mean"};
-  result.value = averaged([&study, metric, least = info.rounding](const SolveRecord& solve) {
+  result.value = averaged([&study, metric, least = info.rounding](const Solve& solve) {
     const double value = value_of(study, solve, metric);
     return std::log10(value < least ? least : value);
   });
@@ -51,7 +51,7 @@ Quantity reliability_quantity(const StudyResults& study, Metric metric) {
   const double most = distance_of(study, metric) + info.rounding;
   const bool has_tolerance = std::isfinite(tolerance_cm(study));
   const bool is_error = metric == Metric::position_error_cm;
-  result.value = averaged([&study, metric, most, has_tolerance, is_error](const SolveRecord& solve) {
+  result.value = averaged([&study, metric, most, has_tolerance, is_error](const Solve& solve) {
     const bool counts = has_tolerance ? solve.status == Status::ok : !stays(solve.status);
     return counts && ((is_error && has_tolerance) || value_of(study, solve, metric) <= most) ? 1.0 : 0.0;
   });

@@ -12,23 +12,21 @@
 
 namespace ikbench::inference {
 
-using namespace results;
-
 namespace {
 
 constexpr double rounding_deg = 1e-9 / numerics::degree;
 
 constexpr std::array infos{
-#define METRIC(column, slug, name, unit, better, kind, rounding, shown, value)                                     \
-  MetricInfo{column,                                                                                               \
-             slug,                                                                                                 \
-             name,                                                                                                 \
-             unit,                                                                                                 \
-             Better::better,                                                                                       \
-             Kind::kind,                                                                                           \
-             rounding,                                                                                             \
-             Shown::shown,                                                                                         \
-             [](const SolveRecord& solve, [[maybe_unused]] const StudyResults& study) -> double { return value; }, \
+#define METRIC(column, slug, name, unit, better, kind, rounding, shown, value)                               \
+  MetricInfo{column,                                                                                         \
+             slug,                                                                                           \
+             name,                                                                                           \
+             unit,                                                                                           \
+             Better::better,                                                                                 \
+             Kind::kind,                                                                                     \
+             rounding,                                                                                       \
+             Shown::shown,                                                                                   \
+             [](const Solve& solve, [[maybe_unused]] const StudyResults& study) -> double { return value; }, \
              nullptr},
 #define RUN_METRIC(column, slug, name, unit, better, kind, rounding, shown, value) \
   MetricInfo{column,         slug,                                                 \
@@ -68,16 +66,16 @@ std::string quantity(Metric metric) {
 
 bool is_of_run(Metric metric) { return row(metric).of_run != nullptr; }
 
-double value_of(const StudyResults& study, const SolveRecord& solve, Metric metric) {
+double value_of(const StudyResults& study, const Solve& solve, Metric metric) {
   if (!is_of_run(metric)) return row(metric).value(solve, study);
-  const SolveRecord* const alone = &solve;
+  const Solve* const alone = &solve;
   return row(metric).of_run(Run(&alone, 1), study);
 }
 
 double value_of(const StudyResults& study, Run run, Metric metric) {
   if (is_of_run(metric)) return row(metric).of_run(run, study);
   std::vector<double> values;
-  for (const SolveRecord* solve : run) values.push_back(row(metric).value(*solve, study));
+  for (const Solve* solve : run) values.push_back(row(metric).value(*solve, study));
   return average_of(metric)(values);
 }
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "analysis/inference/observations.hpp"
-#include "results/record.hpp"
+#include "analysis/inference/solve.hpp"
 
 namespace ikbench::inference {
 
@@ -26,7 +26,7 @@ enum class Shown { everywhere, in_comparisons, where_it_tells, in_tables };
 
 struct StudyResults;
 // The solves of a run, or of what else is one observation, in the order of their points.
-using Run = std::span<const results::SolveRecord* const>;
+using Run = std::span<const Solve* const>;
 
 struct MetricInfo {
   std::string_view column;  // its name in the record, in tables and on the command line
@@ -37,8 +37,8 @@ struct MetricInfo {
   Kind kind;
   double rounding;  // up to here a value is none
   Shown shown;
-  double (*value)(const results::SolveRecord& solve, const StudyResults& study);  // null: it is of a run alone
-  double (*of_run)(Run run, const StudyResults& study);  // null: a run has the average of its solves' values
+  double (*value)(const Solve& solve, const StudyResults& study);  // null: it is of a run alone
+  double (*of_run)(Run run, const StudyResults& study);            // null: a run has the average of its solves' values
 };
 
 // std::out_of_range for what is no row.
@@ -47,7 +47,7 @@ std::string_view name_of(Metric metric);  // the column's name
 std::string quantity(Metric metric);      // "position error [cm]"
 bool is_of_run(Metric metric);            // alone: a single solve has no value
 // Of a solve, and of what is one observation. Not defined where the metric has no meaning in the study.
-double value_of(const StudyResults& study, const results::SolveRecord& solve, Metric metric);
+double value_of(const StudyResults& study, const Solve& solve, Metric metric);
 double value_of(const StudyResults& study, Run run, Metric metric);
 
 // In the order of the table.

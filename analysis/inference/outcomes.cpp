@@ -78,8 +78,7 @@ bool are_outcomes(const Observations& observations) {
 
 Proportion solve_rate(const StudyResults& study, std::string_view solver, double level) {
   Successes count;
-  for (const results::SolveRecord& solve : study.solves) {
-    if (solve.solver != solver) continue;
+  for (const Solve& solve : solves_of(study, solver)) {
     ++count.trials;
     if (solve.status == results::Status::ok) ++count.successes;
   }

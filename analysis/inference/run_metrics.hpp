@@ -7,15 +7,18 @@
 namespace ikbench::inference {
 
 // Not defined of a solve without an answer.
-inline double of_answer(const results::SolveRecord& solve, double value) {
+inline double of_answer(const Solve& solve, double value) {
   return results::is_without_answer(solve.status) ? statistics::not_defined : value;
 }
 
+// Of the joints that slide.
+double variation_m(const Solve& solve);
+
 // Not defined where the study searches for positions alone.
-double orientation_error_deg(const results::SolveRecord& solve, const StudyResults& study);
+double orientation_error_deg(const Solve& solve, const StudyResults& study);
 
 // Mean, over the targets that are beyond the arm's reach, of the position error less its least possible value.
-double excess_error_cm(Run run);
+double excess_error_cm(Run run, const StudyResults& study);
 
 // How the arm follows a path: from the first answer of a run to the last, without the move to the first point. Only
 // where each solve has an answer and starts from the one before it, and the targets are a path rather than drawn one by

@@ -6,17 +6,21 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <map>
+#include <memory>
 #include <set>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "analysis/inference/analysis_plan.hpp"
+#include "analysis/inference/gathered.hpp"
 #include "analysis/inference/metrics.hpp"
+#include "analysis/inference/solve.hpp"
 #include "analysis/statistics/descriptive.hpp"
 #include "results/analysis_plan.hpp"
 #include "results/record.hpp"
-#include "results/store.hpp"
 
 namespace ikbench::inference {
 
@@ -42,16 +46,24 @@ struct StudyResults {
   std::string definition = {};  // JSON, as the store has it (analysis/inference/definition.hpp); empty where none
   TaskFacts task = {};          // of it
   std::vector<std::string> outside = {};  // of the solvers, those that are programs, shared objects or of libraries
-  std::vector<results::SolveRecord> solves = {};
+  SolveList solves = {};
+  std::shared_ptr<const Gathered> gathered = std::make_shared<const Gathered>();
+  std::vector<double> paces = {};  // seconds per evaluation that count instead of those measured (times.hpp), as labels
 };
 
-// Numbers of runs and points come from the definition, or where it does not say, from the solves. A solve twice in the
-// records, runs beyond 1 to 1000000, points beyond 1 to 100000, more than 1000 solvers or 100000000 expected solves are
-// std::invalid_argument.
-StudyResults make_study(const results::StudyEntry& entry, std::vector<results::SolveRecord> solves,
-                        const std::vector<results::Session>& sessions = {});
-// Without a definition (a CSV of solves): solvers in the order of their first solve.
-StudyResults make_study(std::string name, std::vector<results::SolveRecord> solves);
+// Who solved it: a label.
+const std::string& solver_of(const StudyResults& study, const Solve& solve);
+// The solves of one solver.
+std::span<const Solve> solves_of(const StudyResults& study, std::string_view solver);
+const OfSolver& gathered_of(const StudyResults& study, std::string_view solver);
+Problem problem_of(const StudyResults& study, const Solve& solve);
+// Of each place, which is a point of a run, the first solve that the study has of it; ordered by place.
+std::vector<const Solve*> places_of(const StudyResults& study);
+SolvesOfSessions solves_of_sessions(const StudyResults& study);
+// The wall time of a solve; with paces, what it takes at its solver's.
+double seconds_of(const StudyResults& study, const Solve& solve);
+// With an answer, evaluations that somebody counted, and a time.
+bool has_pace(const StudyResults& study, const Solve& solve);
 
 bool enforces_limits(const StudyResults& study);
 // The position error at which a solve ends; not defined where the study has none.
@@ -71,7 +83,7 @@ std::vector<Sample> samples(const StudyResults& study, Metric metric);
 // The same of anything else that solves have.
 using OfRun = std::function<double(Run)>;
 std::vector<Sample> samples(const StudyResults& study, const OfRun& value_of);
-using ValueOf = std::function<double(const results::SolveRecord&)>;
+using ValueOf = std::function<double(const Solve&)>;
 using Average = double (*)(std::span<const double>);
 // The average of a value of the solves.
 OfRun averaged(ValueOf value_of, Average average = statistics::mean);

@@ -6,7 +6,8 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <map>
+#include <optional>
+#include <tuple>
 #include <vector>
 
 #include "analysis/inference/definition.hpp"
@@ -20,64 +21,66 @@ using namespace statistics;
 
 namespace {
 
-constexpr double outlying = 3;   // times as long as usual
 constexpr double loaded = 0.05;  // share of a solver's solves that stand out
 constexpr double ms_per_second = 1000;
 
-// With an answer, and evaluations that somebody counted.
-bool has_pace(const StudyResults& study, const SolveRecord& solve) {
-  return value_of(study, solve, Metric::evaluations) > 0 && solve.seconds > 0 && std::isfinite(solve.seconds);
-}
-
 // Median seconds per evaluation of each solver.
-std::map<std::string, double> paces_of(const StudyResults& study) {
-  std::map<std::string, std::vector<double>> all;
-  for (const SolveRecord& solve : study.solves) {
-    if (has_pace(study, solve)) all[solve.solver].push_back(solve.seconds / static_cast<double>(solve.evaluations));
+std::vector<double> paces_of(const StudyResults& study) {
+  std::vector<double> medians;
+  for (const std::string& solver : study.gathered->labels) {
+    std::vector<double> paces;
+    for (const Solve& solve : solves_of(study, solver)) {
+      if (has_pace(study, solve)) paces.push_back(seconds_of(study, solve) / static_cast<double>(solve.evaluations));
+    }
+    medians.push_back(median(paces));
   }
-  std::map<std::string, double> medians;
-  for (const auto& [solver, paces] : all) medians[solver] = median(paces);
   return medians;
 }
 
 struct Outliers {
   int solves = 0;
-  std::map<std::string, int> of_solver = {};
-  const SolveRecord* worst = nullptr;
-  double seconds = 0;  // of the worst: its longest time, and the usual one
-  double usual = 0;
+  std::vector<int> of_solver = {};  // as labels
+  std::optional<Outlier> worst = {};
+
+  void add(const Outlier& outlier, int count) {
+    solves += count;
+    of_solver[outlier.solver] += count;
+  }
+  // The first of the worst.
+  void compare(const Outlier& other) {
+    const auto place = [](const Outlier& of) { return std::tuple(of.solver, of.run, of.point); };
+    const double ratio = other.seconds / other.usual, most = worst ? worst->seconds / worst->usual : 0;
+    if (!worst || ratio > most || (ratio == most && place(other) < place(*worst))) worst = other;
+  }
 };
 
+// A solve that was made once is held against its solver's pace, any other against its own repeats.
 Outliers outliers_of(const StudyResults& study) {
-  const std::map<std::string, double> paces = paces_of(study);
-  Outliers found;
-  for (const SolveRecord& solve : study.solves) {
-    const bool is_repeated = solve.repeats > 1 && solve.smallest_seconds > 0;
-    if (!is_repeated && !has_pace(study, solve)) continue;
-    const double usual =
-        is_repeated ? solve.smallest_seconds : paces.at(solve.solver) * static_cast<double>(solve.evaluations);
-    const double longest = std::fmax(solve.seconds, solve.largest_seconds);
-    if (!(longest > outlying * usual)) continue;
-    ++found.solves;
-    ++found.of_solver[solve.solver];
-    if (found.worst != nullptr && longest / usual <= found.seconds / found.usual) continue;
-    found.worst = &solve;
-    found.seconds = longest;
-    found.usual = usual;
+  const std::vector<double> paces = paces_of(study);
+  const Gathered& gathered = *study.gathered;
+  Outliers found{.of_solver = std::vector<int>(gathered.labels.size())};
+  for (std::uint16_t i = 0; i < gathered.labels.size(); ++i) {
+    found.add({.solver = i}, gathered.of_solver[i].outlying_repeats);
+  }
+  if (gathered.worst_repeat) found.worst = gathered.worst_repeat;
+  for (const Solve& solve : study.solves) {
+    if (solve.is_repeated || !has_pace(study, solve)) continue;
+    const Outlier one{.solver = solve.solver,
+                      .run = solve.run,
+                      .point = solve.point,
+                      .seconds = seconds_of(study, solve),
+                      .usual = paces[solve.solver] * static_cast<double>(solve.evaluations)};
+    if (!(one.seconds > outlying * one.usual)) continue;
+    found.add(one, 1);
+    found.compare(one);
   }
   return found;
 }
 
 std::string machine_words(const StudyResults& study) {
-  double interruptions = 0;
-  bool is_known = false;
-  for (const SolveRecord& solve : study.solves) {
-    if (!std::isfinite(solve.interruptions)) continue;
-    is_known = true;
-    interruptions += solve.interruptions;
-  }
   std::string words;
-  if (is_known) words += fmt::format(" The system interrupted the solves {} times.", interruptions);
+  if (const auto& interruptions = study.gathered->interruptions)
+    words += fmt::format(" The system interrupted the solves {} times.", *interruptions);
   if (std::isfinite(study.stolen_seconds)) {
     words += fmt::format(" Meanwhile the host kept {} s of processor time from this machine.",
                          rounded_number(study.stolen_seconds, 3));
@@ -87,26 +90,19 @@ std::string machine_words(const StudyResults& study) {
 
 std::string note_on(const Outliers& found, const StudyResults& study) {
   if (found.solves == 0) return "";
-  const bool is_repeated = found.worst->repeats > 1;
   return fmt::format(
       "{} of {} solves took more than {} times as long as usual{}. The worst is {}, run {}, point {}: {} ms instead of "
       "{} ms.{} Medians and ranks judge the times, so such a solve decides nothing.",
-      found.solves, study.solves.size(), outlying, is_repeated ? " in one of their repeats" : "",
-      one_line(found.worst->solver), found.worst->run, found.worst->point,
-      rounded_number(ms_per_second * found.seconds, 3), rounded_number(ms_per_second * found.usual, 3),
+      found.solves, study.solves.size(), outlying, found.worst->is_repeated ? " in one of their repeats" : "",
+      one_line(study.gathered->labels[found.worst->solver]), found.worst->run, found.worst->point,
+      rounded_number(ms_per_second * found.worst->seconds, 3), rounded_number(ms_per_second * found.worst->usual, 3),
       machine_words(study));
 }
 
 }  // namespace
 
 StudyResults at_median_speed(StudyResults study) {
-  const std::map<std::string, double> paces = paces_of(study);
-  for (SolveRecord& solve : study.solves) {
-    if (!has_pace(study, solve)) continue;
-    const double seconds = paces.at(solve.solver) * static_cast<double>(solve.evaluations);
-    solve.cpu_seconds *= seconds / solve.seconds;
-    solve.seconds = seconds;
-  }
+  study.paces = paces_of(study);
   return study;
 }
 
@@ -124,11 +120,11 @@ std::string repeats_note(const StudyResults& study) {
   if (!std::isfinite(defined) || definition.number("/stop/seconds") > 0) return "";  // those are made once
   std::int64_t others = 0;
   int fewest = std::numeric_limits<int>::max(), most = 0;
-  for (const SolveRecord& solve : study.solves) {
-    if (solve.timing != Timing::clean || solve.repeats == defined) continue;
-    ++others;
-    fewest = std::min(fewest, solve.repeats);
-    most = std::max(most, solve.repeats);
+  for (const auto& [repeats, solves] : study.gathered->repeats) {
+    if (repeats == defined) continue;
+    others += solves;
+    fewest = std::min(fewest, repeats);
+    most = std::max(most, repeats);
   }
   if (others == 0) return "";
   return fmt::format("{} of {} solves were timed by another definition of the study: {} repeats each instead of {}.",
@@ -138,10 +134,11 @@ std::string repeats_note(const StudyResults& study) {
 
 std::string load_warning(const StudyResults& study) {
   const Outliers found = outliers_of(study);
-  const bool is_loaded = std::ranges::any_of(found.of_solver, [&](const auto& own) {
-    return own.second > 1 &&
-           own.second > loaded * static_cast<double>(std::ranges::count(study.solves, own.first, &SolveRecord::solver));
-  });
+  bool is_loaded = false;
+  for (std::size_t i = 0; i < found.of_solver.size(); ++i) {
+    const std::size_t solves = solves_of(study, study.gathered->labels[i]).size();
+    is_loaded |= found.of_solver[i] > 1 && found.of_solver[i] > loaded * static_cast<double>(solves);
+  }
   return is_loaded ? "The machine was loaded. " + note_on(found, study) : "";
 }
 

@@ -21,18 +21,16 @@ namespace {
 
 // Of the complete runs.
 std::vector<Observed> observed(const StudyResults& study, Blocks blocks) {
-  std::map<Place, const SolveRecord*> solves;
-  for (const SolveRecord& solve : study.solves) solves[{solve.run, solve.point}] = &solve;
   std::vector<Observed> result;
   for (Block& block : layout(study, blocks)) {
     Observed one{.name = std::move(block.name), .solves = {}};
-    for (const Place& place : block.places) one.solves.push_back(solves.at(place));
+    for (const Place& place : block.places) one.solves.push_back(solve_at(study.solves, place));
     result.push_back(std::move(one));
   }
   return result;
 }
 
-std::string place_of(const std::vector<double>& metres) {
+std::string place_of(std::span<const double> metres) {
   std::vector<std::string> texts;
   for (const double value : metres) texts.push_back(fmt::format("{:.4g}", 100 * value));
   return fmt::format("{} cm", fmt::join(texts, " "));
@@ -42,15 +40,21 @@ std::string place_of(const std::vector<double>& metres) {
 enum class Starts { first, all };
 
 // In what two runs were not given the same to do; empty where they were.
-std::string difference_in_task(const Observed& a, const Observed& b, Starts starts) {
-  for (std::size_t i = 0; i < a.solves.size(); ++i) {
-    const SolveRecord &one = *a.solves[i], &other = *b.solves[i];
-    if (one.robot != other.robot) return fmt::format("different robots ({} and {})", one.robot, other.robot);
-    if (one.target_position_m != other.target_position_m || one.target_rotation != other.target_rotation) {
+struct Given {
+  const StudyResults& study;
+  const Observed& run;
+};
+std::string difference_in_task(const Given& a, const Given& b, Starts starts) {
+  const std::string &robot = a.study.gathered->robot, &other_robot = b.study.gathered->robot;
+  if (robot != other_robot) return fmt::format("different robots ({} and {})", robot, other_robot);
+  for (std::size_t i = 0; i < a.run.solves.size(); ++i) {
+    const Solve &one = *a.run.solves[i], &other = *b.run.solves[i];
+    const Problem asked = problem_of(a.study, one), asked_other = problem_of(b.study, other);
+    if (!same_target(asked, asked_other)) {
       return fmt::format("different targets (run {} and {}, point {}: {} and {})", one.run, other.run, one.point,
-                         place_of(one.target_position_m), place_of(other.target_position_m));
+                         place_of(asked.target_position_m), place_of(asked_other.target_position_m));
     }
-    if ((i == 0 || starts == Starts::all) && one.start_rad != other.start_rad) {
+    if ((i == 0 || starts == Starts::all) && !same_start(asked, asked_other)) {
       return fmt::format("different start configurations (run {} and {}, point {})", one.run, other.run, one.point);
     }
   }
@@ -90,15 +94,14 @@ Blocks pairs_of(const Variant& a, bool is_fixed) {
   return said == Blocks::path_targets && a.study.points == 1 ? Blocks::none : said;
 }
 
-bool is_fixed(const std::vector<Observed>& runs, Starts starts) {
-  return std::ranges::all_of(
-      runs, [&](const Observed& run) { return difference_in_task(runs.front(), run, starts).empty(); });
+bool is_fixed(const StudyResults& study, const std::vector<Observed>& runs, Starts starts) {
+  return std::ranges::all_of(runs, [&](const Observed& run) {
+    return difference_in_task({study, runs.front()}, {study, run}, starts).empty();
+  });
 }
 
-void refuse_other_tasks(const std::vector<Observed>& a, const std::vector<Observed>& b, Starts starts) {
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    if (const std::string what = difference_in_task(a[i], b[i], starts); !what.empty()) throw refused(what);
-  }
+void refuse_other_tasks(const Given& a, const Given& b, Starts starts) {
+  if (const std::string what = difference_in_task(a, b, starts); !what.empty()) throw refused(what);
 }
 
 std::string observation_of(const VariantDesign& design, int points) {
@@ -128,13 +131,14 @@ VariantDesign variant_design(const Variant& a, const Variant& b) {
     throw refused(fmt::format("different targets ({} and {} points per run)", a.study.points, b.study.points));
   }
   const Starts starts = starts_of(a, b);
-  const bool is_one_path = is_fixed(runs_of_a, starts) && is_fixed(runs_of_b, starts);
+  const bool is_one_path = is_fixed(a.study, runs_of_a, starts) && is_fixed(b.study, runs_of_b, starts);
   VariantDesign design{.pairs = pairs_of(a, is_one_path)};
-  if (is_one_path) refuse_other_tasks({runs_of_a.front()}, {runs_of_b.front()}, starts);
+  if (is_one_path) refuse_other_tasks({a.study, runs_of_a.front()}, {b.study, runs_of_b.front()}, starts);
   if (design.pairs == Blocks::runs || design.pairs == Blocks::drawn_targets) {
     keep_common(runs_of_a, runs_of_b);
     if (runs_of_a.empty()) throw refused("different targets (every run has its own, and they have no run in common)");
-    refuse_other_tasks(runs_of_a, runs_of_b, starts);
+    for (std::size_t i = 0; i < runs_of_a.size(); ++i)
+      refuse_other_tasks({a.study, runs_of_a[i]}, {b.study, runs_of_b[i]}, starts);
   }
   design.runs_of_a = static_cast<int>(runs_of_a.size());
   design.runs_of_b = static_cast<int>(runs_of_b.size());
@@ -181,7 +185,7 @@ std::vector<double> values_of(const StudyResults& study, const std::vector<Obser
       continue;
     }
     std::vector<double> values;
-    for (const SolveRecord* solve : one.solves) values.push_back(value_of(study, *solve, metric));
+    for (const Solve* solve : one.solves) values.push_back(value_of(study, *solve, metric));
     result.push_back(mean(values));
   }
   return result;
@@ -192,7 +196,7 @@ bool has_same_bits(const StudyResults& study, const VariantDesign& design, Metri
     return std::bit_cast<std::uint64_t>(one) == std::bit_cast<std::uint64_t>(other) ||
            (std::isnan(one) && std::isnan(other));
   };
-  const auto is_same = [&](const SolveRecord* a, const SolveRecord* b) {
+  const auto is_same = [&](const Solve* a, const Solve* b) {
     return is_same_value(value_of(study, *a, metric), value_of(study, *b, metric));
   };
   return std::ranges::equal(design.a, design.b, [&](const Observed& a, const Observed& b) {

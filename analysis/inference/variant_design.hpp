@@ -13,7 +13,7 @@ namespace ikbench::inference {
 // The solves whose mean is one observation.
 struct Observed {
   std::string name;  // of the block: "run 2", "point 3"
-  std::vector<const results::SolveRecord*> solves;
+  std::vector<const Solve*> solves;
 };
 
 struct VariantDesign {

@@ -23,7 +23,7 @@ namespace {
 // How many runs, from the first, have every point.
 int complete_runs(const Variant& variant) {
   std::map<int, int> points;
-  for (const results::SolveRecord& solve : variant.study.solves) ++points[solve.run];
+  for (const Solve& solve : variant.study.solves) ++points[solve.run];
   int run = 0;
   while (points.contains(run + 1) && points[run + 1] == variant.study.points) ++run;
   return run;
@@ -37,7 +37,7 @@ int runs_in_common(const std::vector<VariantPair>& pairs) {
 
 Variant first_runs(const Variant& all, int runs) {
   Variant result{.series = all.series, .study = all.study, .sessions = all.sessions, .timing = all.timing};
-  std::erase_if(result.study.solves, [&](const results::SolveRecord& solve) { return solve.run > runs; });
+  std::erase_if(result.study.solves.own(), [&](const Solve& solve) { return solve.run > runs; });
   result.study.runs = runs;
   return result;
 }

@@ -11,6 +11,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "analysis/inference/make_study.hpp"
 #include "analysis/inference/variant_decision.hpp"
 #include "analysis/inference/variant_design.hpp"
 #include "analysis/inference/variant_differences.hpp"
@@ -74,7 +75,7 @@ std::string failures_of(const Variant& side, std::string_view name) {
 }
 
 void note_failures(VariantComparison& comparison, const Variant& a, const Variant& b) {
-  const auto has_failed = [](const SolveRecord& solve) { return is_without_answer(solve.status); };
+  const auto has_failed = [](const Solve& solve) { return is_without_answer(solve.status); };
   if (std::ranges::none_of(a.study.solves, has_failed) && std::ranges::none_of(b.study.solves, has_failed)) return;
   comparison.notes.push_back(
       fmt::format("Solves without an answer: {}; {}.", failures_of(a, "A"), failures_of(b, "B")));
@@ -122,18 +123,23 @@ VariantComparison examined(const VariantPair& pair, const std::vector<Metric>& a
 }  // namespace
 
 std::vector<Variant> variants(const Store& store, const StudyEntry& study) {
-  std::map<std::string, std::vector<SolveRecord>> solves;
-  StudyResults whole = make_study(study, store.solves(study.name));
-  const std::string timing = timing_note(whole);
-  for (SolveRecord& solve : whole.solves) solves[solve.solver].push_back(std::move(solve));
-  const std::vector<Session> sessions = store.sessions();
-  std::vector<Variant> result;
+  StudyMaker whole(study);
+  std::map<std::string, StudyMaker> makers;
   for (const Series& series : study.series) {
     StudyEntry alone = study;
     alone.series = {series};
-    Variant variant{.series = series, .study = make_study(alone, std::move(solves[series.label])), .timing = timing};
-    std::set<std::int64_t> used;
-    for (const SolveRecord& solve : variant.study.solves) used.insert(solve.session);
+    makers.emplace(series.label, StudyMaker(alone));
+  }
+  store.each_of_study(study, [&](const SolveRecord& solve) {
+    whole.add(solve);
+    makers.at(solve.solver).add(solve);
+  });
+  const std::vector<Session> sessions = store.sessions();
+  const std::string timing = timing_note(whole.finish(sessions));
+  std::vector<Variant> result;
+  for (const Series& series : study.series) {
+    Variant variant{.series = series, .study = makers.at(series.label).finish(sessions), .timing = timing};
+    const SolvesOfSessions used = solves_of_sessions(variant.study);
     for (const Session& session : sessions) {
       if (used.contains(session.id)) variant.sessions.push_back(session);
     }

@@ -28,10 +28,10 @@ namespace {
 using Groups = std::vector<std::vector<CensoredCost>>;
 
 // One trial a target, however often it was solved.
-Proportion share_reached(const Solves& solves, const std::vector<std::size_t>& targets, const StudyResults& study) {
+Proportion share_reached(const Solves& solves, const std::vector<std::uint32_t>& targets, const StudyResults& study) {
   const Tolerance within = tolerance(study);
   std::map<std::size_t, Successes> counts;
-  for (const SolveRecord* solve : solves) {
+  for (const Solve* solve : solves) {
     Successes& count = counts[targets[static_cast<std::size_t>(solve - study.solves.data())]];
     ++count.trials;
     if (reaches(*solve, within)) ++count.successes;
@@ -46,7 +46,7 @@ Proportion share_reached(const Solves& solves, const std::vector<std::size_t>& t
 Successes runs_reached(const Solves& solves, const StudyResults& study) {
   const Tolerance within = tolerance(study);
   std::map<int, Successes> runs;
-  for (const SolveRecord* solve : solves) {
+  for (const Solve* solve : solves) {
     Successes& run = runs[solve->run];
     ++run.trials;
     if (reaches(*solve, within)) ++run.successes;
@@ -142,7 +142,7 @@ Table cost_table(const StudyResults& study, Cost cost, const Clusters& clusters)
   const Groups groups = censored_costs(study, cost);
   const std::vector<Solves> solves = solves_by_solver(study);
   const Trials trials = trials_of(study);
-  const std::vector<std::size_t> targets = target_numbers(study);
+  const std::vector<std::uint32_t> targets = target_numbers(study);
   const Costs costs = costs_of(study, cost, clusters);
   std::vector<std::string> undefined;
   for (std::size_t i = 0; i < groups.size(); ++i) {
@@ -175,7 +175,7 @@ Table cost_table(const StudyResults& study, Cost cost, const Clusters& clusters)
                   rounded_number(costs.horizon, 6), unit));
   table.notes.push_back(cost_interval_note(clusters));
   if (in_seconds) table.notes.push_back(speed_note(study));
-  const auto diverged = std::ranges::count(study.solves, StopReason::not_finite, &SolveRecord::stop_reason);
+  const auto diverged = std::ranges::count(study.solves, StopReason::not_finite, &Solve::stop_reason);
   if (diverged > 0) {
     table.notes.push_back(
         fmt::format("Solves that ended with an error that is not finite: {}. They would not have continued, so median "

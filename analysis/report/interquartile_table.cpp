@@ -21,9 +21,7 @@ namespace {
 // The values of a solver's complete runs.
 Stratum complete_runs(const StudyResults& study, const std::string& solver, Metric metric) {
   std::map<int, Cluster> runs;
-  for (const SolveRecord& solve : study.solves) {
-    if (solve.solver == solver) runs[solve.run].push_back(value_of(study, solve, metric));
-  }
+  for (const Solve& solve : solves_of(study, solver)) runs[solve.run].push_back(value_of(study, solve, metric));
   Stratum complete;
   for (auto& [run, values] : runs) {
     if (values.size() == static_cast<std::size_t>(study.points)) complete.push_back(std::move(values));

@@ -163,9 +163,7 @@ std::string budgets_sentence(const StudyResults& study) {
   double smallest = statistics::not_defined, largest = statistics::not_defined;
   for (const std::string& solver : study.solvers) {
     std::vector<double> spent;
-    for (const SolveRecord& solve : study.solves) {
-      if (solve.solver == solver) spent.push_back(value_of(study, solve, Metric::evaluations));
-    }
+    for (const Solve& solve : solves_of(study, solver)) spent.push_back(value_of(study, solve, Metric::evaluations));
     const double own = statistics::median(spent);
     if (!std::isfinite(own)) continue;
     if (!(own >= smallest)) {

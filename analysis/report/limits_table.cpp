@@ -75,8 +75,8 @@ std::vector<Side> sides_of(const StudyResults& study, const StudyResults& other)
     if (!has_solver(other, study.solvers[i])) continue;
     std::vector<double> accepted_errors, accepted_variations, means_of_runs;
     std::map<int, std::vector<double>> variations_of_run;
-    for (const SolveRecord& solve : study.solves) {
-      if (solve.solver != study.solvers[i] || stays(solve.status)) continue;
+    for (const Solve& solve : solves_of(study, study.solvers[i])) {
+      if (stays(solve.status)) continue;
       accepted_errors.push_back(solve.position_error_cm);
       accepted_variations.push_back(solve.variation_deg);
       variations_of_run[solve.run].push_back(solve.variation_deg);

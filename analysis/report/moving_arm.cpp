@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "analysis/figures/arm.hpp"
+#include "analysis/figures/figure_parts.hpp"
 #include "analysis/inference/text.hpp"
 #include "analysis/report/json.hpp"
 #include "results/files.hpp"
@@ -51,16 +52,12 @@ Json joints_outside(const SolveRecord& solve, const Arm& arm) {
 
 // The first run of a solver, point by point; a start only where it is not the answer before.
 Json first_run(const StudyResults& study, const std::string& solver, const Arm& arm) {
-  std::map<std::pair<int, int>, const SolveRecord*> solves;
-  for (const SolveRecord& solve : study.solves) {
-    if (solve.solver == solver) solves[{solve.run, solve.point}] = &solve;
-  }
+  const std::map<int, const SolveRecord*> solves = figures::first_run(study, solver);
   if (solves.empty()) return nullptr;
-  const int run = solves.begin()->first.first;
   Json steps = Json::array();
   const SolveRecord* before = nullptr;
-  for (const auto& [place, solve] : solves) {
-    if (place.first != run || steps.size() == most_points) break;
+  for (const auto& [point, solve] : solves) {
+    if (steps.size() == most_points) break;
     Json step{{"point", solve->point},
               {"target", rounded(solve->target_position_m)},
               {"answer", rounded(solve->answer_rad)},
@@ -71,7 +68,7 @@ Json first_run(const StudyResults& study, const std::string& solver, const Arm& 
     steps.push_back(std::move(step));
     before = solve;
   }
-  return {{"name", one_line(solver)}, {"run", run}, {"steps", std::move(steps)}};
+  return {{"name", one_line(solver)}, {"run", before->run}, {"steps", std::move(steps)}};
 }
 
 Json drawn(const ArmFrame& frame) { return {{"position_m", frame.position_m}, {"rpy_rad", frame.rpy_rad}}; }
@@ -89,10 +86,14 @@ Json drawn(const Arm& arm) {
   return {{"links", std::move(links)}, {"base", drawn(arm.base)}, {"tool", drawn(arm.tool)}};
 }
 
-bool can_be_drawn(const SolveRecord& solve, std::size_t joints) {
+bool can_be_drawn(const StudyResults& study, std::size_t joints) {
   const auto is_near = [](double coordinate) { return std::abs(coordinate) <= 1000; };  // [m]
-  return solve.answer_rad.size() == joints && solve.start_rad.size() == joints && solve.target_position_m.size() == 3 &&
-         std::ranges::all_of(solve.target_position_m, is_near);
+  const Problems& problems = study.gathered->problems;
+  for (std::size_t i = 0; i < problems.size(); ++i) {
+    const std::span<const double> target = problems[i].target_position_m;
+    if (target.size() != 3 || !std::ranges::all_of(target, is_near)) return false;
+  }
+  return std::ranges::all_of(study.gathered->joints, [&](std::size_t size) { return size == joints; });
 }
 
 }  // namespace
@@ -100,8 +101,7 @@ bool can_be_drawn(const SolveRecord& solve, std::size_t joints) {
 std::optional<std::string> moving_arm(const StudyEntry& entry, const StudyResults& study) {
   const std::optional<Arm> arm = arm_of(Definition(entry.definition));
   const auto has_limits = [](const ArmLink& link) { return !std::isnan(link.lower) && !std::isnan(link.upper); };
-  const auto is_drawn = [&](const SolveRecord& solve) { return can_be_drawn(solve, arm->links.size()); };
-  if (!arm || !std::ranges::all_of(arm->links, has_limits) || !std::ranges::all_of(study.solves, is_drawn)) {
+  if (!arm || !std::ranges::all_of(arm->links, has_limits) || !can_be_drawn(study, arm->links.size())) {
     return std::nullopt;
   }
   Json solvers = Json::array();

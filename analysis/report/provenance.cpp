@@ -84,8 +84,7 @@ Table environment_table(const StudyResults& study, const std::vector<Session>& s
   Table table{.name = "environment",
               .caption = "Environment",
               .columns = {{"fact", Align::left}, {"value", Align::left}, {"sessions", Align::left}}};
-  std::map<std::int64_t, int> solves;
-  for (const SolveRecord& solve : study.solves) ++solves[solve.session];
+  const SolvesOfSessions solves = solves_of_sessions(study);
   std::map<std::pair<std::string, std::string>, std::string> where;  // fact and value, to the sessions that have it
   for (const Session& session : sessions) {
     if (!solves.contains(session.id)) continue;
@@ -103,7 +102,7 @@ Table environment_table(const StudyResults& study, const std::vector<Session>& s
 
 std::string command_of(const StudyResults& study, const std::vector<Session>& sessions) {
   std::int64_t last = 0;
-  for (const SolveRecord& solve : study.solves) last = std::max(last, solve.session);
+  for (const auto& [session, count] : solves_of_sessions(study)) last = std::max(last, session);
   for (const Session& session : sessions) {
     const auto command = session.environment.find("command");
     if (session.id == last && command != session.environment.end()) return command->second;
@@ -112,16 +111,13 @@ std::string command_of(const StudyResults& study, const std::vector<Session>& se
 }
 
 bool same_targets(const StudyResults& a, const StudyResults& b) {
-  using Target = std::pair<std::vector<double>, std::vector<double>>;
-  std::map<std::pair<int, int>, Target> targets;
-  for (const SolveRecord& solve : a.solves) {
-    targets.try_emplace({solve.run, solve.point}, solve.target_position_m, solve.target_rotation);
-  }
+  const auto place = [](const Solve* solve) { return std::pair(solve->run, solve->point); };
+  const std::vector<const Solve*> places = places_of(a);
   bool met = false;
-  for (const SolveRecord& solve : b.solves) {
-    const auto found = targets.find({solve.run, solve.point});
-    if (found == targets.end()) continue;
-    if (found->second != Target{solve.target_position_m, solve.target_rotation}) return false;
+  for (const Solve& solve : b.solves) {
+    const auto found = std::ranges::lower_bound(places, place(&solve), {}, place);
+    if (found == places.end() || place(*found) != place(&solve)) continue;
+    if (!same_target(problem_of(a, **found), problem_of(b, solve))) return false;
     met = true;
   }
   return met && a.points == b.points;

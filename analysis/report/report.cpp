@@ -16,6 +16,7 @@
 #include "analysis/inference/definition.hpp"
 #include "analysis/inference/design.hpp"
 #include "analysis/inference/estimand.hpp"
+#include "analysis/inference/make_study.hpp"
 #include "analysis/inference/shown_metrics.hpp"
 #include "analysis/inference/text.hpp"
 #include "analysis/inference/times.hpp"
@@ -55,20 +56,41 @@ bool is_companion(const std::string& name, const StudyResults& study, const Pape
   });
 }
 
-// The solves of a store, read once, and what is wrong with them.
+// The solves of a store, each read once, and what is wrong with them.
 class CheckedStore {
  public:
   CheckedStore(const Store& store, const ReportRequest& request) : store_(store), request_(request) {}
 
   StudyResults study(const StudyEntry& entry) {
-    std::vector<SolveRecord> solves = store_.solves(entry.name);
-    if (request_.check) std::ranges::move(request_.check(entry, solves), std::back_inserter(damages_));
-    return make_study(entry, std::move(solves), sessions_);
+    return read(entry, [](const SolveRecord&) {});
+  }
+  // Its solves are written as CSV meanwhile.
+  StudyResults reported(const StudyEntry& entry) {
+    std::optional<StudyResults> study;
+    write_csv(request_.folder / "solves.csv", [&](const std::function<void(const SolveRecord&)>& take) {
+      if (study)
+        store_.each_of_study(entry, take);
+      else
+        study = read(entry, take);
+    });
+    return std::move(*study);
   }
   const std::vector<Session>& sessions() const { return sessions_; }
   const std::vector<std::string>& damages() const { return damages_; }
 
  private:
+  StudyResults read(const StudyEntry& entry, const std::function<void(const SolveRecord&)>& take) {
+    StudyMaker maker(entry, static_cast<std::size_t>(store_.solves_of(entry.series)));
+    const SolveCheck check = request_.check ? request_.check(entry) : SolveCheck();
+    store_.each_of_study(entry, [&](const SolveRecord& solve) {
+      maker.add(solve);
+      if (check.look_at) check.look_at(solve);
+      take(solve);
+    });
+    if (check.damages) std::ranges::move(check.damages(), std::back_inserter(damages_));
+    return maker.finish(sessions_);
+  }
+
   const Store& store_;
   const ReportRequest& request_;
   std::vector<Session> sessions_ = store_.sessions();
@@ -139,10 +161,8 @@ std::vector<std::string> imported_warnings(const StudyEntry& entry, const StudyR
   std::vector<std::string> warnings;
   for (const Series& series : entry.series) {
     if (!is_imported(series)) continue;
-    const auto is_unverified = [&](const SolveRecord& solve) {
-      return solve.solver == series.label && solve.status == Status::not_verified;
-    };
-    const bool is_verified = std::ranges::none_of(study.solves, is_unverified);
+    const bool is_verified = std::ranges::find(solves_of(study, series.label), Status::not_verified, &Solve::status) ==
+                             solves_of(study, series.label).end();
     warnings.push_back(fmt::format(
         "{} was imported from {}: {}", one_line(series.label), Definition(series.options).text("/file"),
         is_verified
@@ -230,7 +250,7 @@ Report write_report(const Store& store, const ReportRequest& request) {
   const StudyEntry entry = store.study(request.study);
   CheckedStore checked(store, request);
   const std::vector<Session>& sessions = checked.sessions();
-  StudyResults stored = checked.study(entry);
+  StudyResults stored = checked.reported(entry);
   if (request.plan) stored.plan = *request.plan;
   const JudgedStudy study(std::move(stored));
   const Paper& paper = paper_of(study, request.papers);
@@ -249,7 +269,7 @@ Report write_report(const Store& store, const ReportRequest& request) {
   }
 
   std::vector<Table> tables{definition_table(entry), options_table(entry),
-                            plan_table(entry, study.plan, plan_notes(entry, sessions, study.solves)),
+                            plan_table(entry, study.plan, plan_notes(entry, sessions, solves_of_sessions(study))),
                             environment_table(study, sessions)};
   StudyPieces pieces = paper.pieces ? paper.pieces(reported) : study_pieces(study);
   std::vector<Figure> figures = std::move(pieces.figures);
@@ -273,7 +293,7 @@ Report write_report(const Store& store, const ReportRequest& request) {
                         .path = pieces.path,
                         .seen = pieces.seen};
   join(content.claims, request.shares);
-  std::ranges::copy(plan_changes(entry, sessions, study.solves), std::back_inserter(content.warnings));
+  std::ranges::copy(plan_changes(entry, sessions, solves_of_sessions(study)), std::back_inserter(content.warnings));
   if (study.plan.test == DecidingTest::friedman && !blocked_observations(study, Metric::position_error_cm)) {
     content.warnings.push_back(
         fmt::format("The plan asks for Friedman's test, which needs blocks. The studentized bootstrap of the "
@@ -301,7 +321,6 @@ Report write_report(const Store& store, const ReportRequest& request) {
     content.answer = {"Believe nothing here: the store has numbers that do not follow from its answers."};
   }
   see(study, tables, request.shares, content);
-  write_file(request.folder / "solves.csv", to_csv(study.solves));
   const Table results = *std::ranges::find(tables, pieces.results, &Table::name);
   Report report = publish({.content = std::move(content),
                            .tables = std::move(tables),

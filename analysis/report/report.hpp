@@ -18,6 +18,12 @@
 
 namespace ikbench::report {
 
+// Looks at solves one after another, and says in sentences what is wrong with them: the first warnings.
+struct SolveCheck {
+  std::function<void(const results::SolveRecord&)> look_at;
+  std::function<std::vector<std::string>()> damages;
+};
+
 struct ReportRequest {
   std::string study;
   std::filesystem::path folder;  // made where missing; files of the same names are replaced
@@ -29,9 +35,8 @@ struct ReportRequest {
   std::vector<figures::Figure> extra_figures = {};  // likewise
   std::vector<RepeatedSolver> repetitions = {};     // of the study, with other seeds
   std::vector<ClaimShares> shares = {};             // of the paper's claims over all interpretations
-  // What is wrong with the solves of a study of the store, in sentences: the first warnings. May be empty.
-  std::function<std::vector<std::string>(const results::StudyEntry&, const std::vector<results::SolveRecord>&)> check =
-      {};
+  // Looks at the solves of a study of the store. May be empty.
+  std::function<SolveCheck(const results::StudyEntry&)> check = {};
 };
 
 // An unknown study, or a folder that cannot be written to, is std::invalid_argument. Tables are there even where

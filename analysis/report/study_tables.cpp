@@ -145,11 +145,11 @@ Table solved_table(const StudyResults& study) {
       .caption = "Share of solves with the status ok",
       .columns = {
           {"algorithm", Align::left}, {"solves"}, {"solved"}, {"share"}, {fmt::format("{} interval", percent(level))}}};
-  const std::vector<std::size_t> targets = target_numbers(study);
+  const std::vector<std::uint32_t> targets = target_numbers(study);
   for (const SolverCounts& solver : counts(study)) {
-    std::set<std::size_t> own_targets;
-    for (std::size_t i = 0; i < targets.size(); ++i) {
-      if (study.solves[i].solver == solver.solver) own_targets.insert(targets[i]);
+    std::set<std::uint32_t> own_targets;
+    for (const Solve& solve : solves_of(study, solver.solver)) {
+      own_targets.insert(targets[static_cast<std::size_t>(&solve - study.solves.data())]);
     }
     const auto independent = trials == Trials::runs      ? solver.complete_runs + solver.incomplete_runs
                              : trials == Trials::targets ? static_cast<int>(own_targets.size())
@@ -183,8 +183,7 @@ Table times_table(const StudyResults& study) {
   for (const std::string& solver : study.solvers) {
     std::vector<double> seconds;
     std::int64_t in_time = 0;
-    for (const SolveRecord& solve : study.solves) {
-      if (solve.solver != solver) continue;
+    for (const Solve& solve : solves_of(study, solver)) {
       seconds.push_back(value_of(study, solve, Metric::seconds));
       in_time += solve.status == Status::ok && solve.seconds <= deadline ? 1 : 0;
     }
@@ -221,8 +220,7 @@ Table status_table(const StudyResults& study) {
        {"solves", "expected", "complete_runs", "incomplete_runs", "outside_limits", "worst_outside_deg"}) {
     table.columns.push_back({name});
   }
-  const bool has_processes =
-      std::ranges::find(study.solves, Timing::process, &SolveRecord::timing) != study.solves.end();
+  const bool has_processes = std::ranges::find(study.solves, Timing::process, &Solve::timing) != study.solves.end();
   for (const char* name : {"timing_clean", "timing_disturbed", "timing_parallel", "timing_debug_build"}) {
     table.columns.push_back({name});
   }

@@ -120,8 +120,8 @@ bool is_circle(const StudyResults& study) { return Definition(study.definition).
 
 double farthest_target_cm(const StudyResults& study) {
   double farthest = 0;
-  for (const SolveRecord& solve : study.solves) {
-    const std::vector<double>& at = solve.target_position_m;
+  for (const Solve& solve : study.solves) {
+    const std::span<const double> at = problem_of(study, solve).target_position_m;
     const double distance = at.size() == 3 ? std::hypot(100 * at[0], 100 * at[1], 100 * at[2]) : not_defined;
     if (std::isfinite(distance)) farthest = std::max(farthest, distance);
   }

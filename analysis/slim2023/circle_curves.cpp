@@ -13,6 +13,7 @@
 #include "analysis/figures/arm.hpp"
 #include "analysis/figures/figure_parts.hpp"
 #include "analysis/figures/study_figures.hpp"
+#include "analysis/inference/convergence.hpp"
 #include "analysis/inference/definition.hpp"
 #include "analysis/inference/text.hpp"
 #include "analysis/slim2023/circle.hpp"
@@ -34,10 +35,10 @@ namespace {
 std::vector<double> mean_trace(const StudyResults& study, const std::string& solver) {
   std::vector<const std::vector<double>*> traces;
   std::size_t iterations = 0;
-  for (const SolveRecord& solve : study.solves) {
-    if (solve.solver != solver || solve.trace_cm.empty()) continue;
-    traces.push_back(&solve.trace_cm);
-    iterations = std::max(iterations, solve.trace_cm.size());
+  for (const Solve& solve : solves_of(study, solver)) {
+    if (trace_cm(solve).empty()) continue;
+    traces.push_back(&trace_cm(solve));
+    iterations = std::max(iterations, trace_cm(solve).size());
   }
   std::vector<double> result(iterations), at_iteration(traces.size());
   for (std::size_t i = 0; i < iterations; ++i) {
@@ -82,7 +83,7 @@ std::string limits_words(const Limits& limits) {
 }  // namespace
 
 Figure circle_joints_figure(const StudyResults& study) {
-  const std::string& solver = study.solves.front().solver;
+  const std::string& solver = solver_of(study, study.solves.front());
   const auto solves = first_run(study, solver);
   const Definition definition(study.definition);
   std::vector<double> lower, upper;  // [deg]

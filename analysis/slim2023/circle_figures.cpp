@@ -10,6 +10,7 @@
 
 #include "analysis/figures/arm.hpp"
 #include "analysis/figures/figure_parts.hpp"
+#include "analysis/inference/convergence.hpp"
 #include "analysis/inference/definition.hpp"
 #include "analysis/inference/text.hpp"
 #include "analysis/slim2023/circle.hpp"
@@ -31,7 +32,7 @@ namespace {
 constexpr std::array<int, 3> arm_colours{2, 3, 4};  // of the style's; as many arms are drawn
 
 // The solver that figures 14 to 16 are of.
-const std::string& shown_solver(const StudyResults& study) { return study.solves.front().solver; }
+const std::string& shown_solver(const StudyResults& study) { return solver_of(study, study.solves.front()); }
 
 double cm(const std::vector<double>& position_m, std::size_t axis) {
   return position_m.size() == 3 ? 100 * position_m[axis] : not_defined;
@@ -223,7 +224,7 @@ std::vector<Figure> circle_figures(const StudyResults& study) {
   if (study.solves.empty() || !is_circle(study)) return {};
   std::vector<Figure> figures{circle_plane_figure(study), circle_space_figure(study), circle_joints_figure(study),
                               circle_errors_figure(study)};
-  const auto is_traced = [](const SolveRecord& solve) { return !solve.trace_cm.empty(); };
+  const auto is_traced = [](const Solve& solve) { return !trace_cm(solve).empty(); };
   if (std::ranges::any_of(study.solves, is_traced)) figures.push_back(convergence_figure(study));
   return figures;
 }

@@ -114,9 +114,7 @@ std::optional<Claim> circle_of(const StudyResults& study, const ClaimEntry& entr
   if (!is_circle(study) || study.solves.empty() || postures.empty()) return std::nullopt;
   std::vector<double> printed, ours;
   for (const PrintedPosture& posture : postures) printed.push_back(posture.error_cm);
-  for (const SolveRecord& solve : study.solves) {
-    if (solve.solver == study.solvers.front()) ours.push_back(solve.position_error_cm);
-  }
+  for (const Solve& solve : solves_of(study, study.solvers.front())) ours.push_back(solve.position_error_cm);
   if (ours.empty()) return std::nullopt;
   const double farthest_cm = farthest_target_cm(study), rounding = step * farthest_cm;
   const auto verdict_of = [&](double error) { return error <= order * rounding ? Verdict::holds : Verdict::fails; };

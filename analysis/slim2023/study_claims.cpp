@@ -9,13 +9,14 @@
 #include <iterator>
 #include <limits>
 #include <map>
-#include <numbers>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 #include "analysis/figures/figure_parts.hpp"
+#include "analysis/inference/design.hpp"
 #include "analysis/inference/text.hpp"
 #include "analysis/report/assessment_words.hpp"
 #include "analysis/slim2023/claim_comparison.hpp"
@@ -37,8 +38,6 @@ bool has_solver(const StudyResults& study, const ClaimEntry& entry) {
   const std::vector<Pair> all = pairs(study, Metric::position_error_cm);
   return all.size() >= 2 && std::ranges::find(all, entry.solver, &Pair::solver) != all.end();
 }
-
-double in_deg(double rad) { return rad * 180 / std::numbers::pi; }
 
 }  // namespace
 
@@ -139,30 +138,17 @@ namespace {
 
 // The mean absolute second difference of the joints' angles along each complete run [deg].
 std::vector<double> second_differences_deg(const StudyResults& study, const std::string& solver) {
-  std::map<int, std::map<int, const SolveRecord*>> runs;
-  for (const SolveRecord& solve : study.solves) {
-    if (solve.solver == solver) runs[solve.run][solve.point] = &solve;
-  }
   std::vector<double> means;
-  for (const auto& [run, solves] : runs) {
-    if (static_cast<int>(solves.size()) != study.points) continue;
-    const std::map<int, std::vector<double>> path = figures::joint_angles_deg(solves);
-    std::vector<double> bends;
-    for (auto point = std::next(path.begin()); std::next(point) != path.end(); ++point) {
-      const auto &before = std::prev(point)->second, &after = std::next(point)->second;
-      for (std::size_t joint = 0; joint < point->second.size(); ++joint) {
-        bends.push_back(std::abs(before[joint] - 2 * point->second[joint] + after[joint]));
-      }
-    }
-    means.push_back(mean(bends));
+  for (const RunShape& shape : study.gathered->shapes) {
+    if (study.gathered->labels[shape.solver] == solver && shape.points == study.points)
+      means.push_back(shape.mean_bend_deg);
   }
   return means;
 }
 
 // The largest move of a joint from one point to the next, averaged over each complete run [deg].
 std::vector<double> largest_moves_deg(const StudyResults& study, const std::string& solver) {
-  for (const Sample& sample :
-       samples(study, averaged([](const SolveRecord& solve) { return solve.largest_move_deg; }))) {
+  for (const Sample& sample : samples(study, averaged([](const Solve& solve) { return solve.largest_move_deg; }))) {
     if (sample.solver == solver) return sample.values;
   }
   return {};
@@ -219,16 +205,13 @@ std::optional<Claim> inside_limits(const Reported& reported, const ClaimEntry& e
 std::optional<Claim> has_effect(const Reported& reported, const ClaimEntry& entry) {
   const JudgedStudy* const without = companion_of(reported, entry);
   if (without == nullptr || !has_solver(reported.study, entry)) return std::nullopt;
-  std::map<std::pair<int, int>, const SolveRecord*> solves;
-  for (const SolveRecord& solve : without->solves) {
-    if (solve.solver == entry.solver) solves[{solve.run, solve.point}] = &solve;
-  }
+  const std::span<const Solve> others = solves_of(*without, entry.solver);
   std::size_t shared = 0, changed = 0;
-  for (const SolveRecord& solve : reported.study.solves) {
-    const auto other = solves.find({solve.run, solve.point});
-    if (solve.solver != entry.solver || other == solves.end()) continue;
+  for (const Solve& solve : solves_of(reported.study, entry.solver)) {
+    const Solve* const other = solve_at(others, {solve.run, solve.point});
+    if (other == nullptr) continue;
     ++shared;
-    changed += solve.answer_rad == other->second->answer_rad ? 0 : 1;
+    changed += has_same_answer(solve, *other) ? 0 : 1;
   }
   if (shared == 0) return std::nullopt;
   Claim claim = begun(entry);
@@ -259,7 +242,6 @@ std::optional<Claim> has_effect(const Reported& reported, const ClaimEntry& entr
 }
 
 std::optional<Claim> singularities(const Reported& reported, const ClaimEntry& entry) {
-  constexpr double near_deg = 5;
   constexpr std::array<std::pair<std::size_t, std::string_view>, 2> joints{
       {{3, "a stretched elbow"}, {5, "an aligned wrist"}}};
   if (!has_solver(reported.study, entry)) return std::nullopt;
@@ -267,19 +249,12 @@ std::optional<Claim> singularities(const Reported& reported, const ClaimEntry& e
   claim.verdict = Verdict::untested;
   claim.table = "";
   claim.evidence = entry.decides;
+  const OfSolver& of = gathered_of(reported.study, entry.solver);
+  if (of.joints.size() != 7) return claim;
   for (const auto& [joint, words] : joints) {
-    double nearest = std::numeric_limits<double>::infinity();
-    int answers = 0, near = 0;
-    for (const SolveRecord& solve : reported.study.solves) {
-      if (solve.solver != entry.solver || solve.answer_rad.size() != 7) continue;
-      const double distance = std::abs(in_deg(std::remainder(solve.answer_rad[joint], std::numbers::pi)));
-      nearest = std::min(nearest, distance);
-      ++answers;
-      near += distance < near_deg ? 1 : 0;
-    }
-    if (answers == 0) continue;
+    const auto& [answers, near, nearest_deg] = of.joints[joint];
     claim.evidence += fmt::format(" {} of {} answers are within {} deg of {} (the nearest: {} deg).", near, answers,
-                                  near_deg, words, short_number(nearest));
+                                  Straight::near_deg, words, short_number(nearest_deg));
   }
   return claim;
 }

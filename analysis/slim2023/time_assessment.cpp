@@ -154,9 +154,8 @@ std::vector<TimeAssessment> assess_times(const StudyResults& measured) {
   for (const std::string& solver : study.solvers) {
     TimeAssessment row{.solver = solver};
     std::vector<double> times, times_reached, iterations, iterations_reached, evaluations;
-    for (const SolveRecord& solve : study.solves) {
-      if (solve.solver != solver) continue;
-      const double time_ms = ms_in_s * solve.seconds;
+    for (const Solve& solve : solves_of(study, solver)) {
+      const double time_ms = ms_in_s * seconds_of(study, solve);
       times.push_back(time_ms);
       iterations.push_back(static_cast<double>(solve.iterations));
       evaluations.push_back(static_cast<double>(solve.evaluations));
@@ -255,9 +254,7 @@ void append(std::vector<Cell>& cells, const MeanCost& mean, const MeanCost* refe
 
 std::vector<double> times_ms_of(const StudyResults& study, const std::string& solver) {
   std::vector<double> times;
-  for (const SolveRecord& solve : study.solves) {
-    if (solve.solver == solver) times.push_back(ms_in_s * solve.seconds);
-  }
+  for (const Solve& solve : solves_of(study, solver)) times.push_back(ms_in_s * seconds_of(study, solve));
   return times;
 }
 

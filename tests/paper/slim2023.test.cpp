@@ -5,6 +5,7 @@
 #include <map>
 #include <vector>
 
+#include "analysis/inference/make_study.hpp"
 #include "analysis/slim2023/paper_tables.hpp"
 #include "experiments/runner.hpp"
 #include "experiments/study_reader.hpp"

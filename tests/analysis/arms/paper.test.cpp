@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "analysis/inference/make_study.hpp"
 #include "tests/catch.hpp"
 
 using namespace ikbench;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "analysis/inference/make_study.hpp"
 #include "results/published.hpp"
 #include "tests/catch.hpp"
 

@@ -6,6 +6,7 @@
 #include "analysis/figures/box_figure.hpp"
 #include "analysis/figures/process.hpp"
 #include "analysis/figures/study_figures.hpp"
+#include "analysis/inference/make_study.hpp"
 #include "analysis/slim2023/paper_figures.hpp"
 #include "tests/analysis/folder.hpp"
 #include "tests/analysis/synthetic.hpp"

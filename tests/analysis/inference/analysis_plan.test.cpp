@@ -20,15 +20,9 @@ StudyEntry entry_with(const std::string& analysis) {
 }
 
 // Solves of sessions 1, 2, ...: as many as said.
-std::vector<SolveRecord> solves_by_session(const std::vector<int>& counts) {
-  std::vector<SolveRecord> solves;
-  for (std::size_t i = 0; i < counts.size(); ++i) {
-    for (int k = 0; k < counts[i]; ++k) {
-      SolveRecord solve;
-      solve.session = static_cast<std::int64_t>(i) + 1;
-      solves.push_back(solve);
-    }
-  }
+SolvesOfSessions solves_by_session(const std::vector<int>& counts) {
+  SolvesOfSessions solves;
+  for (std::size_t i = 0; i < counts.size(); ++i) solves[static_cast<std::int64_t>(i) + 1] = counts[i];
   return solves;
 }
 

@@ -10,6 +10,7 @@
 #include "analysis/figures/convergence_figures.hpp"
 #include "analysis/inference/anytime.hpp"
 #include "analysis/inference/cost_comparison.hpp"
+#include "analysis/inference/make_study.hpp"
 #include "tests/catch.hpp"
 
 using namespace ikbench;
@@ -176,7 +177,7 @@ TEST_CASE("where all runs are alike the band is the curve", "[clusters]") {
   const StudyResults study = study_of({Runs(15, {{100}, {300}, {700}})}, chained);
   const Clusters clusters(study);
   ClusteredValues values{.values = {}, .clusters = clusters.of(solves_by_solver(study)[0])};
-  for (const SolveRecord& solve : study.solves) values.values.push_back(static_cast<double>(solve.evaluations));
+  for (const Solve& solve : study.solves) values.values.push_back(static_cast<double>(solve.evaluations));
   const std::vector<Share> shares = banded_shares(values, clusters);
   REQUIRE(shares.size() == 3);
   for (const Share& share : shares) {
@@ -193,7 +194,7 @@ TEST_CASE("a band is wider where the points of a run depend on each other", "[cl
     const StudyResults study = study_of({runs}, definition);
     const Clusters clusters(study);
     ClusteredValues values{.values = {}, .clusters = clusters.of(solves_by_solver(study)[0])};
-    for (const SolveRecord& solve : study.solves) values.values.push_back(static_cast<double>(solve.evaluations));
+    for (const Solve& solve : study.solves) values.values.push_back(static_cast<double>(solve.evaluations));
     const Share share = banded_shares(values, clusters).front();
     CHECK(share.share == 0.5);
     return share.high - share.low;
@@ -315,13 +316,13 @@ TEST_CASE("who is ahead depends on the budget", "[anytime]") {
 TEST_CASE("without a tolerance traces say who is ahead, and without traces nobody does", "[anytime]") {
   Runs runs(12, {{1000, false}});
   StudyResults study = study_of({runs, runs}, R"({"path": {"kind": "random"}, "start": "initial"})");
-  for (SolveRecord& solve : study.solves) solve.iterations = 10;
+  for (Solve& solve : study.solves.own()) solve.iterations = 10;
   const Clusters clusters(study);
   CHECK(!anytime(study, clusters));
-  for (SolveRecord& solve : study.solves) {
-    solve.trace_cm.assign(10, solve.solver == "A" ? 5 : 20);
-    solve.trace_cm.back() = 5;
-  }
+  std::array<Rest, 2> traces{Rest{.trace_cm = std::vector<double>(10, 5)},
+                             Rest{.trace_cm = std::vector<double>(10, 20)}};
+  traces[1].trace_cm.back() = 5;
+  for (Solve& solve : study.solves.own()) solve.rest = &traces[solve.solver];
   const std::optional<Anytime> found = anytime(study, clusters);
   REQUIRE(found);
   CHECK(!found->is_of_study);

@@ -7,6 +7,7 @@
 
 #include "analysis/figures/convergence_figures.hpp"
 #include "analysis/figures/share_curves.hpp"
+#include "analysis/inference/make_study.hpp"
 #include "tests/analysis/folder.hpp"
 #include "tests/analysis/synthetic.hpp"
 #include "tests/catch.hpp"
@@ -21,7 +22,7 @@ namespace {
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 const char* const with_tolerance = R"({"stop": {"tolerance_cm": 0.5}, "path": {"kind": "random"}, "start": "initial"})";
 
-SolveRecord solve_with_trace(std::vector<double> trace_cm, std::int64_t evaluations) {
+SolveRecord record_with_trace(std::vector<double> trace_cm, std::int64_t evaluations) {
   SolveRecord solve;
   solve.solver = "A";
   solve.evaluations = evaluations;
@@ -32,15 +33,26 @@ SolveRecord solve_with_trace(std::vector<double> trace_cm, std::int64_t evaluati
   return solve;
 }
 
+// A study of these alone, a run each.
+StudyResults study_of(std::vector<SolveRecord> solves) {
+  for (std::size_t i = 0; i < solves.size(); ++i) solves[i].run = static_cast<int>(i) + 1;
+  return make_study("s", std::move(solves));
+}
+
 // The errors of one run of two solvers, by point.
-StudyResults two_solvers(const std::vector<double>& errors_of_a, const std::vector<double>& errors_of_b) {
+std::vector<SolveRecord> records_of_two(const std::vector<double>& errors_of_a,
+                                        const std::vector<double>& errors_of_b) {
   std::vector<SolveRecord> solves =
       synthetic::solves({.solvers = {"A", "B"}, .runs = 1, .points = static_cast<int>(errors_of_a.size())});
   for (std::size_t i = 0; i < errors_of_a.size(); ++i) {
     solves[i].position_error_cm = errors_of_a[i];
     solves[errors_of_a.size() + i].position_error_cm = errors_of_b[i];
   }
-  return make_study("two", std::move(solves));
+  return solves;
+}
+
+StudyResults two_solvers(const std::vector<double>& errors_of_a, const std::vector<double>& errors_of_b) {
+  return make_study("two", records_of_two(errors_of_a, errors_of_b));
 }
 
 // Errors that fall to the final one, as a trace of 40 iterations.
@@ -85,42 +97,46 @@ bool all_drawn(const std::vector<Figure>& figures) {
 
 TEST_CASE("an error is reached when the first iteration that has it is done", "[convergence]") {
   // 4 iterations of 400 evaluations: 100 each. By hand.
-  const SolveRecord solve = solve_with_trace({8, 3, 3, 0.5}, 400);
+  const StudyResults study = study_of({record_with_trace({8, 3, 3, 0.5}, 400)});
+  const Solve& solve = study.solves.front();
   const std::vector<double> targets{10, 8, 5, 1, 0.5, 0.1};
-  CHECK(costs_to_targets(solve, targets, Cost::evaluations) == std::vector<double>{100, 100, 200, 400, 400, censored});
-  CHECK(costs_to_targets(solve, targets, Cost::seconds)[2] == Approx(200e-6));
+  CHECK(costs_to_targets(study, solve, targets, Cost::evaluations) ==
+        std::vector<double>{100, 100, 200, 400, 400, censored});
+  CHECK(costs_to_targets(study, solve, targets, Cost::seconds)[2] == Approx(200e-6));
 }
 
 TEST_CASE("a solve that ended before its first iteration has reached its error with all it cost", "[convergence]") {
-  SolveRecord solve = solve_with_trace({}, 50);
+  StudyResults study = study_of({record_with_trace({}, 50)});
+  Solve& solve = study.solves.own().front();
   solve.position_error_cm = 0.2;
   CHECK(has_trace(solve));
-  CHECK(costs_to_targets(solve, std::vector<double>{1, 0.2, 0.1}, Cost::evaluations) ==
+  CHECK(costs_to_targets(study, solve, std::vector<double>{1, 0.2, 0.1}, Cost::evaluations) ==
         std::vector<double>{50, 50, censored});
   solve.iterations = 7;  // went on, and nobody wrote down how
   CHECK(!has_trace(solve));
 }
 
 TEST_CASE("a trace whose answer the verifier does not confirm reaches nothing", "[convergence]") {
-  SolveRecord solve = solve_with_trace({8, 3, 0.5}, 300);
+  StudyResults study = study_of({record_with_trace({8, 3, 0.5}, 300)});
+  Solve& solve = study.solves.own().front();
   for (const Status status : {Status::claimed_but_wrong, Status::refused, Status::not_finite, Status::crashed,
                               Status::timed_out, Status::broke_protocol, Status::declined}) {
     solve.status = status;
-    CHECK(costs_to_targets(solve, std::vector<double>{10}, Cost::evaluations).front() == censored);
-    CHECK(error_bands({&solve}, std::vector<double>{300}).front().median == censored);
+    CHECK(costs_to_targets(study, solve, std::vector<double>{10}, Cost::evaluations).front() == censored);
+    CHECK(error_bands(study, {&solve}, std::vector<double>{300}).front().median == censored);
   }
   for (const Status status : {Status::ok, Status::tolerance_missed, Status::limit_violated}) {
     solve.status = status;
-    CHECK(costs_to_targets(solve, std::vector<double>{10}, Cost::evaluations).front() == 100);
+    CHECK(costs_to_targets(study, solve, std::vector<double>{10}, Cost::evaluations).front() == 100);
   }
 }
 
 TEST_CASE("the band at a number of evaluations is that of the errors that the solves had then", "[convergence]") {
-  const std::vector<SolveRecord> solves{solve_with_trace({16, 8, 4, 2}, 400), solve_with_trace({20, 10}, 200),
-                                        solve_with_trace({12, 6, 3, 1}, 400), solve_with_trace({40, 30, 20, 10}, 400)};
-  Solves all;
-  for (const SolveRecord& solve : solves) all.push_back(&solve);
-  const std::vector<Band> bands = error_bands(all, std::vector<double>{99, 100, 250, 400});
+  const StudyResults study =
+      study_of({record_with_trace({16, 8, 4, 2}, 400), record_with_trace({20, 10}, 200),
+                record_with_trace({12, 6, 3, 1}, 400), record_with_trace({40, 30, 20, 10}, 400)});
+  const std::vector<Band> bands =
+      error_bands(study, solves_by_solver(study)[0], std::vector<double>{99, 100, 250, 400});
   CHECK(bands[0].median == censored);  // before the first iteration is done
   // Type 5 of four values: the quartiles lie midway between neighbours. 12 16 20 40 at 100 evaluations.
   CHECK(bands[1].low == 14);
@@ -137,9 +153,9 @@ TEST_CASE("the band at a number of evaluations is that of the errors that the so
 }
 
 TEST_CASE("an answer that is not finite is worse than every number, not left out of a band", "[convergence]") {
-  const std::vector<SolveRecord> solves{solve_with_trace({1}, 10), solve_with_trace({2}, 10),
-                                        solve_with_trace({not_a_number}, 10)};
-  const Band band = error_bands({&solves[0], &solves[1], &solves[2]}, std::vector<double>{10}).front();
+  const StudyResults study =
+      study_of({record_with_trace({1}, 10), record_with_trace({2}, 10), record_with_trace({not_a_number}, 10)});
+  const Band band = error_bands(study, solves_by_solver(study)[0], std::vector<double>{10}).front();
   CHECK(band.median == 2);
   CHECK(band.high == censored);
 }
@@ -148,32 +164,33 @@ TEST_CASE("every iteration counts as done at its own number of evaluations, what
   for (const int n : {3, 7, 49, 200, 1000}) {
     std::vector<double> trace;
     for (int i = n; i > 0; --i) trace.push_back(i);
-    const SolveRecord solve = solve_with_trace(trace, 12345);
+    const StudyResults study = study_of({record_with_trace(trace, 12345)});
+    const Solve& solve = study.solves.front();
     for (int i = 1; i <= n; ++i) {
       const double target = trace[static_cast<std::size_t>(i) - 1];
-      const double cost = costs_to_targets(solve, std::vector<double>{target}, Cost::evaluations).front();
-      CHECK(error_bands({&solve}, std::vector<double>{cost}).front().median == target);
+      const double cost = costs_to_targets(study, solve, std::vector<double>{target}, Cost::evaluations).front();
+      CHECK(error_bands(study, {&solve}, std::vector<double>{cost}).front().median == target);
     }
   }
 }
 
 TEST_CASE("the axis of evaluations goes from the cheapest first iteration to the dearest solve", "[convergence]") {
-  const SolveRecord cheap = solve_with_trace({3, 2, 1, 1, 1}, 60), dear = solve_with_trace({3, 2}, 5000);
-  const std::vector<double> axis = evaluations_axis({{&cheap}, {&dear}});
+  const StudyResults study = study_of({record_with_trace({3, 2, 1, 1, 1}, 60), record_with_trace({3, 2}, 5000)});
+  const std::vector<double> axis = evaluations_axis(study, {{&study.solves[0]}, {&study.solves[1]}});
   CHECK(axis.size() == most_positions);
   CHECK(axis.front() == 12);
   CHECK(axis.back() == 5000);
   CHECK(std::ranges::is_sorted(axis));
-  const SolveRecord single = solve_with_trace({3}, 60);
-  CHECK(evaluations_axis({{&single}}) == std::vector<double>{60});
-  CHECK(evaluations_axis({{}, {}}).empty());
+  const StudyResults single = study_of({record_with_trace({3}, 60)});
+  CHECK(evaluations_axis(single, {{&single.solves[0]}}) == std::vector<double>{60});
+  CHECK(evaluations_axis(single, {{}, {}}).empty());
 }
 
 TEST_CASE("a solve of a pose is there where position and orientation both are", "[convergence]") {
   StudyResults study;
   study.definition = R"({"stop": {"tolerance_cm": 0.5, "tolerance_deg": 2}})";
   CHECK(words(tolerance(study)) == "the position error is 0.5 cm and the tool 2 deg from its orientation");
-  SolveRecord solve;
+  Solve solve;
   const auto is_there = [&](double position_cm, double angle_deg) {
     solve.position_error_cm = position_cm;
     solve.orientation_error = std::sqrt(8.0 / 3) * std::sin(angle_deg * std::acos(-1.0) / 360);  // ||R - Rd|| / ||Rd||
@@ -258,18 +275,19 @@ TEST_CASE("a problem that every solver fails counts, and nobody solves it", "[co
 }
 
 TEST_CASE("a problem that a solver was not given, or was given otherwise, is left out", "[convergence]") {
-  StudyResults study = two_solvers({1, 1, 1}, {2, 2, 2});
-  study.solves.back().target_position_m[0] += 0.01;
-  study.solves.erase(study.solves.begin());
+  std::vector<SolveRecord> solves = records_of_two({1, 1, 1}, {2, 2, 2});
+  solves.back().target_position_m[0] += 0.01;
+  solves.erase(solves.begin());
+  const StudyResults study = make_study("two", std::move(solves));
   const Profile profile = performance_profile(study, final_error_cm);
   CHECK(profile.problems == 1);
   CHECK(profile.left_out == 2);
 }
 
 TEST_CASE("the same place with another rotation is another problem", "[convergence]") {
-  StudyResults study = two_solvers({1, 1, 1}, {2, 2, 2});
-  study.solves.back().target_rotation = {0, 1, 0, 1, 0, 0, 0, 0, -1};
-  CHECK(performance_profile(study, final_error_cm).left_out == 1);
+  std::vector<SolveRecord> solves = records_of_two({1, 1, 1}, {2, 2, 2});
+  solves.back().target_rotation = {0, 1, 0, 1, 0, 0, 0, 0, -1};
+  CHECK(performance_profile(make_study("two", std::move(solves)), final_error_cm).left_out == 1);
 }
 
 TEST_CASE("a profile of solvers is free of those without a solve", "[convergence]") {
@@ -454,7 +472,7 @@ TEST_CASE("thinned stairs keep the share at each position that is left", "[conve
 }
 
 TEST_CASE("a convergence curve ends with the longest solve of its solver, whatever others spend", "[convergence]") {
-  std::vector<SolveRecord> solves{solve_with_trace({4, 2, 1}, 300), solve_with_trace({4, 2, 1}, 30000)};
+  std::vector<SolveRecord> solves{record_with_trace({4, 2, 1}, 300), record_with_trace({4, 2, 1}, 30000)};
   solves[1].solver = "B";
   solves[1].series = "b";
   const std::vector<Figure> figures = convergence_figures(make_study("s", std::move(solves)));

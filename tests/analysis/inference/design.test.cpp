@@ -5,6 +5,7 @@
 #include <set>
 
 #include "analysis/inference/definition.hpp"
+#include "analysis/inference/make_study.hpp"
 #include "tests/catch.hpp"
 
 using namespace ikbench;

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "analysis/inference/design.hpp"
+#include "analysis/inference/make_study.hpp"
 #include "analysis/inference/shown_metrics.hpp"
 #include "analysis/inference/variant_design.hpp"
 #include "analysis/report/study_tables.hpp"

@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 
+#include "analysis/inference/make_study.hpp"
 #include "analysis/inference/variant_decision.hpp"
 #include "tests/analysis/inference/variant_samples.hpp"
 #include "tests/catch.hpp"
@@ -50,12 +51,13 @@ TEST_CASE("the pairs of a comparison are the blocks of a report", "[variants]") 
     const Variant a = variant({.runs = 3, .points = 4, .definition = definition}, first_error, change);
     Variant b = variant({.runs = 3, .points = 4, .definition = definition}, second_error, change);
     const VariantDesign design = variant_design(a, b);
-    StudyResults both = a.study;
-    both.solvers = {"mine", "other"};
-    for (SolveRecord solve : b.study.solves) {
+    std::vector<SolveRecord> solves = records({.runs = 3, .points = 4}, first_error, change);
+    for (SolveRecord& solve : records({.runs = 3, .points = 4}, second_error, change)) {
       solve.solver = "other";
-      both.solves.push_back(solve);
+      solves.push_back(std::move(solve));
     }
+    const StudyResults both =
+        make_study(StudyEntry{.name = "both", .definition = definition, .series = {}}, std::move(solves));
     const auto reported = blocked_observations(both, Metric::position_error_cm);
     REQUIRE(reported);
     const Metric error = Metric::position_error_cm;

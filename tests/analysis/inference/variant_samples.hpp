@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "analysis/inference/make_study.hpp"
 #include "analysis/inference/variants.hpp"
 
 namespace ikbench::variant_samples {
@@ -58,8 +59,9 @@ struct Solved {
   std::string definition = "{}";  // of the study, JSON
 };
 
-inline inference::Variant variant(const Solved& shape, const std::function<double(int run, int point)>& error_cm,
-                                  const Change& change = {}) {
+using ErrorOf = std::function<double(int run, int point)>;
+inline std::vector<results::SolveRecord> records(const Solved& shape, const ErrorOf& error_cm,
+                                                 const Change& change = {}) {
   std::vector<results::SolveRecord> solves;
   for (int run = 1; run <= shape.runs; ++run) {
     for (int point = 1; point <= shape.points; ++point) {
@@ -69,9 +71,13 @@ inline inference::Variant variant(const Solved& shape, const std::function<doubl
       if (change) change(solves.back());
     }
   }
+  return solves;
+}
+
+inline inference::Variant variant(const Solved& shape, const ErrorOf& error_cm, const Change& change = {}) {
   inference::Variant result = variant({1});
   const results::StudyEntry entry{.name = "study", .definition = shape.definition, .series = {result.series}};
-  result.study = inference::make_study(entry, std::move(solves));
+  result.study = inference::make_study(entry, records(shape, error_cm, change));
   return result;
 }
 

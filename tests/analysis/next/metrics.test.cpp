@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "analysis/inference/make_study.hpp"
 #include "analysis/inference/variants.hpp"
 #include "analysis/report/report.hpp"
 #include "results/store.hpp"

@@ -6,6 +6,7 @@
 
 #include "analysis/figures/convergence_figures.hpp"
 #include "analysis/inference/convergence.hpp"
+#include "analysis/inference/make_study.hpp"
 #include "tests/analysis/cells.hpp"
 #include "tests/analysis/synthetic.hpp"
 #include "tests/catch.hpp"
@@ -25,7 +26,7 @@ const char* const chained = R"({"stop": {"tolerance_cm": 0.1}, "path": {"kind": 
 // Eight solves of one solver in two runs, each of another target, of which five come to the tolerance. By hand: ERT
 // 4320 / 5 = 864, SP1 264 / 0.625 = 422.4, Kaplan-Meier 0.875 0.75 0.625 0.5 0.375 at 80 120 220 340 560, restricted
 // mean to 1000 80 + 0.875 40 + 0.75 100 + 0.625 120 + 0.5 220 + 0.375 440 = 540.
-StudyResults eight_solves(const char* definition) {
+std::vector<SolveRecord> eight_records() {
   const std::vector<std::int64_t> evaluations{120, 340, 80, 1000, 1000, 560, 1000, 220};
   const std::vector<double> error_cm{0.05, 0.1, 0, 0.2, 3, 0.01, not_a_number, 0.09};
   std::vector<SolveRecord> solves = synthetic::solves({.solvers = {"A"}, .runs = 2, .points = 4});
@@ -34,10 +35,16 @@ StudyResults eight_solves(const char* definition) {
     solves[i].position_error_cm = error_cm[i];
     solves[i].target_position_m = {0.1 * static_cast<double>(i), 0, 0.5};
   }
+  return solves;
+}
+
+StudyResults study_of(std::vector<SolveRecord> solves, const char* definition) {
   StudyResults study = make_study("eight", std::move(solves));
   study.definition = definition;
   return study;
 }
+
+StudyResults eight_solves(const char* definition) { return study_of(eight_records(), definition); }
 
 Table evaluations_table(const StudyResults& study) {
   const std::vector<Table> tables = cost_tables(study);
@@ -71,7 +78,7 @@ TEST_CASE("what a tolerance costs, by running times and the survival curve", "[c
 
 TEST_CASE("dependent solves have neither an interval nor a test, runs do", "[cost]") {
   StudyResults study = eight_solves(chained);
-  for (SolveRecord& solve : study.solves) {
+  for (Solve& solve : study.solves.own()) {
     if (solve.run == 1) solve.position_error_cm = 0.1;
   }
   const Table table = evaluations_table(study);
@@ -110,40 +117,39 @@ TEST_CASE("where runs repeat their targets, a target is one trial and there is n
   CHECK(has_note(table, "targets repeat, so one trial is a target"));
   CHECK(!has_note(table, "Solves are independent"));
   // Half of the runs come to the fourth: the mean of the shares is 3.5 of 4.
-  for (SolveRecord& solve : study.solves) solve.position_error_cm = solve.point < 4 || solve.run % 2 == 0 ? 0 : 1;
+  for (Solve& solve : study.solves.own()) solve.position_error_cm = solve.point < 4 || solve.run % 2 == 0 ? 0 : 1;
   const double p = number_at(evaluations_table(study), 0, "share_low");
   CHECK(0.875 - p == Approx(1.959963984540054 * std::sqrt(p * (1 - p) / 4)));
 }
 
 TEST_CASE("targets of the same place and another rotation, or that are no numbers, are told apart", "[cost]") {
-  StudyResults study = eight_solves(independent);
-  for (SolveRecord& solve : study.solves) solve.target_position_m = {0.5, not_a_number, 0};
-  CHECK(has_note(evaluations_table(study), "targets repeat"));
-  for (std::size_t i = 0; i < study.solves.size(); ++i) study.solves[i].target_rotation = {static_cast<double>(i)};
-  CHECK(has_note(evaluations_table(study), "Solves are independent"));
+  std::vector<SolveRecord> solves = eight_records();
+  for (SolveRecord& solve : solves) solve.target_position_m = {0.5, not_a_number, 0};
+  CHECK(has_note(evaluations_table(study_of(solves, independent)), "targets repeat"));
+  for (std::size_t i = 0; i < solves.size(); ++i) solves[i].target_rotation = {static_cast<double>(i)};
+  CHECK(has_note(evaluations_table(study_of(solves, independent)), "Solves are independent"));
 }
 
 TEST_CASE("a run with missing points is not counted among those that came to the tolerance", "[cost]") {
   StudyResults study = eight_solves(chained);
-  for (SolveRecord& solve : study.solves) solve.position_error_cm = 0;
-  study.solves.pop_back();
+  for (Solve& solve : study.solves.own()) solve.position_error_cm = 0;
+  study.solves.own().pop_back();
   CHECK(number_at(evaluations_table(study), 0, "runs") == 1);
 }
 
 TEST_CASE("the error of the verifier may be above the tolerance by its rounding, not by more", "[cost]") {
   StudyResults study = eight_solves(R"({"stop": {"tolerance_cm": 0.1}})");
-  study.solves.front().evaluations = 7;
-  study.solves.front().position_error_cm = 0.1 + 5e-8;
+  study.solves.own().front().evaluations = 7;
+  study.solves.own().front().position_error_cm = 0.1 + 5e-8;
   CHECK(censored_costs(study, Cost::evaluations).front().front().reached);
   CHECK(censored_costs(study, Cost::evaluations).front().front().spent == 7);
-  study.solves.front().position_error_cm = 0.1 + 2e-7;
+  study.solves.own().front().position_error_cm = 0.1 + 2e-7;
   CHECK(!censored_costs(study, Cost::evaluations).front().front().reached);
 }
 
 TEST_CASE("restricted means of all solvers go to the same cost, where every curve is known", "[cost]") {
-  StudyResults study = eight_solves(independent);
-  std::vector<SolveRecord> solves = study.solves;
-  for (SolveRecord solve : study.solves) {  // given up earlier
+  std::vector<SolveRecord> solves = eight_records();
+  for (SolveRecord solve : eight_records()) {  // given up earlier
     solve.solver = "B";
     solve.series = "series-b";
     solve.evaluations = 400;
@@ -166,7 +172,7 @@ TEST_CASE("costs in seconds are told only where times are comparable", "[cost]")
   StudyResults study = eight_solves(independent);
   CHECK(cost_tables(study).size() == 2);
   CHECK(cost_tables(study).back().name == "statistics-cost-seconds");
-  study.solves.front().timing = Timing::debug_build;
+  study.solves.own().front().timing = Timing::debug_build;
   CHECK(cost_tables(study).size() == 1);
 }
 
@@ -175,7 +181,7 @@ TEST_CASE("without a tolerance, or without solves, there is nothing to cost", "[
   CHECK(cost_tables(eight_solves(R"({"stop": {"tolerance_cm": 0}})")).empty());
   CHECK(!survival_figure_of(eight_solves("")));
   StudyResults study = eight_solves(independent);
-  study.solves.clear();
+  study.solves.own().clear();
   CHECK(cost_tables(study).empty());
 }
 
@@ -183,7 +189,7 @@ TEST_CASE("every row has a cell for every column, and a time that is no number i
   for (const char* definition : {independent, chained}) {
     StudyResults study = eight_solves(definition);
     study.solvers.push_back("without solves");
-    study.solves.front().seconds = not_a_number;
+    study.solves.own().front().seconds = not_a_number;
     const std::vector<Table> tables = cost_tables(study);
     REQUIRE(tables.size() == 4);
     for (const Table& table : tables) {

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "analysis/inference/judged_study.hpp"
+#include "analysis/inference/make_study.hpp"
 #include "analysis/inference/variants.hpp"
 #include "analysis/papers.hpp"
 #include "analysis/report/report.hpp"

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "analysis/inference/make_study.hpp"
 #include "tests/analysis/cells.hpp"
 #include "tests/analysis/synthetic.hpp"
 #include "tests/catch.hpp"

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "analysis/inference/make_study.hpp"
 #include "analysis/papers.hpp"
 #include "analysis/report/provenance.hpp"
 #include "analysis/report/summary.hpp"

@@ -3,6 +3,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "analysis/inference/make_study.hpp"
 #include "analysis/report/encoding.hpp"
 #include "analysis/report/moving_arm.hpp"
 #include "analysis/report/report_content.hpp"

@@ -9,7 +9,7 @@
 #include "analysis/inference/design.hpp"
 #include "analysis/inference/judge.hpp"
 #include "analysis/inference/judged_study.hpp"
-#include "analysis/inference/study.hpp"
+#include "analysis/inference/make_study.hpp"
 #include "analysis/inference/times.hpp"
 #include "analysis/report/cost_tables.hpp"
 #include "analysis/report/leaders.hpp"
@@ -24,8 +24,9 @@ using namespace ikbench::report;
 
 namespace {
 
-// Three solvers with a tolerance of 1 cm; nobody counts what the last one evaluates.
-StudyResults study_without_counts() {
+// Three solvers with a tolerance of 1 cm; nobody counts what the last one evaluates, a program, of whose times so much
+// is transport, and so much waiting for a processor.
+StudyResults study_without_counts(double transport = 0.6, double waited = 0) {
   std::vector<SolveRecord> solves = synthetic::solves({.solvers = {"IK-BA", "BA", "program"}, .runs = 12, .points = 2});
   for (SolveRecord& solve : solves) {
     if (solve.solver != "program") continue;
@@ -33,7 +34,8 @@ StudyResults study_without_counts() {
     solve.counted_by = CountedBy::nobody;
     solve.timing = Timing::process;
     solve.round_trips = 1;
-    solve.transport_seconds = 0.6 * solve.seconds;
+    solve.transport_seconds = transport * solve.seconds;
+    solve.waited_seconds = waited * solve.seconds;
   }
   StudyResults study = make_study("synthetic", std::move(solves));
   study.definition = R"({"stop": {"tolerance_cm": 1}})";
@@ -82,7 +84,7 @@ TEST_CASE("evaluations that nobody counted are in no comparison and no table of 
 
 TEST_CASE("where nobody counts any evaluations there are costs in seconds alone", "[uncounted]") {
   StudyResults study = study_without_counts();
-  for (SolveRecord& solve : study.solves) {
+  for (Solve& solve : study.solves.own()) {
     solve.evaluations = 0;
     solve.counted_by = CountedBy::nobody;
   }
@@ -93,7 +95,7 @@ TEST_CASE("where nobody counts any evaluations there are costs in seconds alone"
     INFO(table.name);
     CHECK(table.name.find("-seconds") != std::string::npos);
   }
-  CHECK(at_median_speed(study).solves[0].seconds == study.solves[0].seconds);
+  CHECK(seconds_of(at_median_speed(study), study.solves[0]) == study.solves[0].seconds);
 }
 
 TEST_CASE("where everybody counts no solver is left out", "[uncounted]") {
@@ -105,11 +107,11 @@ TEST_CASE("where everybody counts no solver is left out", "[uncounted]") {
 
 TEST_CASE("a solve without an answer reaches no tolerance, and is a column of its own", "[uncounted]") {
   StudyResults study = study_without_counts();
-  SolveRecord& failed = study.solves.back();
+  Solve& failed = study.solves.own().back();
   failed.status = Status::timed_out;
   failed.position_error_cm = 0.01;  // where the arm happens to be
   StudyResults before = study_without_counts();
-  before.solves.back().position_error_cm = 0.01;
+  before.solves.own().back().position_error_cm = 0.01;
   const auto reached = [](const StudyResults& of) {
     return std::get<std::int64_t>(table_named(cost_tables(of), "statistics-cost-seconds").rows.back()[2]);
   };
@@ -149,17 +151,8 @@ TEST_CASE("a solver without answers wins by nothing but the error of the arm tha
 
 TEST_CASE("that programs waited for a processor is told, and that errors depend on it where solves end by their time",
           "[uncounted]") {
-  StudyResults study = study_without_counts();
-  const auto wait = [&](double share) {
-    for (SolveRecord& solve : study.solves) {
-      if (solve.solver != "program") continue;
-      solve.transport_seconds = 0.05 * solve.seconds;
-      solve.waited_seconds = share * solve.seconds;
-    }
-  };
-  wait(0.14);  // a tenth, and what messages cost
-  CHECK(times_are_comparable(study));
-  wait(0.16);
+  CHECK(times_are_comparable(study_without_counts(0.05, 0.14)));  // a tenth, and what messages cost
+  StudyResults study = study_without_counts(0.05, 0.16);
   CHECK(times_were_disturbed(study));
   const std::string note = timing_note(study);
   CHECK(note ==
@@ -178,27 +171,26 @@ TEST_CASE("beside times it is said who may evaluate one by one", "[uncounted]") 
                  {.key = "3", .label = "mine", .algorithm = "x", .options = R"({"process": "a"})"},
                  {.key = "4", .label = "so", .algorithm = "y", .options = R"({"shared_object": "b"})"}}};
   const std::vector<Session> sessions{{.id = 1, .environment = {{"library.nlopt", "NLopt 2.7.1"}}}};
-  const auto solves = [] {
-    return synthetic::solves({.solvers = {"IK-BA", "BA", "mine", "so"}, .runs = 12, .points = 2});
-  };
-  StudyResults study = make_study(entry, solves(), sessions);
+  std::vector<SolveRecord> solves =
+      synthetic::solves({.solvers = {"IK-BA", "BA", "mine", "so"}, .runs = 12, .points = 2});
+  StudyResults study = make_study(entry, solves, sessions);
   CHECK(study.outside == std::vector<std::string>{"BA", "mine", "so"});
-  CHECK(evaluation_note(study) ==
-        "Times depend on how candidates are evaluated: built-in swarms evaluate many at once, which costs less each; BA, "
-        "mine, so (library, program or shared object) may evaluate one by one.");
-  for (SolveRecord& solve : study.solves) solve.timing = Timing::parallel;
-  CHECK(evaluation_note(study).empty());
-  study = make_study(entry, solves());
+  CHECK(
+      evaluation_note(study) ==
+      "Times depend on how candidates are evaluated: built-in swarms evaluate many at once, which costs less each; BA, "
+      "mine, so (library, program or shared object) may evaluate one by one.");
+  study = make_study(entry, solves);
   CHECK(study.outside == std::vector<std::string>{"mine", "so"});
   study.outside.clear();
   CHECK(evaluation_note(study).empty());
+  for (SolveRecord& solve : solves) solve.timing = Timing::parallel;
+  CHECK(evaluation_note(make_study(entry, std::move(solves), sessions)).empty());
 }
 
 TEST_CASE("that most of a program's time is transport is said beside its times", "[uncounted]") {
-  StudyResults study = study_without_counts();
+  const StudyResults study = study_without_counts();
   CHECK(transport_note(study) ==
         "At least half of the time of program is transport: messages to the program and back.");
   CHECK(times_are_comparable(study));
-  for (SolveRecord& solve : study.solves) solve.transport_seconds *= 0.5;
-  CHECK(transport_note(study).empty());
+  CHECK(transport_note(study_without_counts(0.3)).empty());
 }

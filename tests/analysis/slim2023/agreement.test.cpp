@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "analysis/inference/make_study.hpp"
 #include "analysis/slim2023/paper_tables.hpp"
 #include "analysis/statistics/predictive_interval.hpp"
 #include "tests/analysis/synthetic.hpp"

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analysis/inference/make_study.hpp"
 #include "analysis/slim2023/circle_curves.hpp"
 #include "analysis/slim2023/circle_figures.hpp"
 #include "analysis/slim2023/paper_tables.hpp"

@@ -7,6 +7,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "analysis/inference/make_study.hpp"
 #include "analysis/statistics/descriptive.hpp"
 #include "tests/analysis/synthetic.hpp"
 #include "tests/catch.hpp"
@@ -264,17 +265,19 @@ TEST_CASE("smooth is who bends its joints' angles least and moves no joint far",
 
 TEST_CASE("Eq. 13 fails where nothing changes without it, and holds where joints then move more", "[claims]") {
   const StudyResults study = study_of(synthetic::solves({}), "s");
-  StudyResults without = study_of(synthetic::solves({.solvers = {"IK-BA"}}), "s-frequency");
+  std::vector<SolveRecord> solves = synthetic::solves({.solvers = {"IK-BA"}});
+  StudyResults without = study_of(solves, "s-frequency");
   const auto claim = [&] { return claim_of(claims_of(study, {without}), "elongation_control"); };
   CHECK(claim().verdict == Verdict::fails);
   CHECK(claim().number == "0 of 400 answers change");
   CHECK(contains(claim().evidence, "All 400 answers are the same to the last bit with f_max = 0"));
-  for (SolveRecord& solve : without.solves) {
+  for (SolveRecord& solve : solves) {
     solve.answer_rad[0] += 0.1;
     solve.variation_deg *= 2;
   }
+  without = study_of(solves, "s-frequency");
   CHECK(claim().verdict == Verdict::holds);
-  for (SolveRecord& solve : without.solves) solve.variation_deg /= 4;
+  for (Solve& solve : without.solves.own()) solve.variation_deg /= 4;
   CHECK(claim().verdict == Verdict::fails);
   CHECK(claim().number == "400 of 400 answers change");
 }
@@ -284,7 +287,7 @@ TEST_CASE("what we asked besides stands apart and is not counted", "[claims]") {
   StudyResults limits = study_of(synthetic::solves({}), "s-limits");
   limits.definition = R"({"limits": "enforced"})";
   StudyResults context = make_study("s-context", synthetic::solves({.solvers = {"DLS"}}));
-  for (SolveRecord& solve : context.solves) {
+  for (Solve& solve : context.solves.own()) {
     solve.position_error_cm *= 1e-4;
     solve.variation_deg /= 2;
     solve.evaluations = 11;
@@ -295,8 +298,8 @@ TEST_CASE("what we asked besides stands apart and is not counted", "[claims]") {
   CHECK(claims_by(By::us, all).size() == 2);
   CHECK(tally(all) == tally(claims_of(study)));
 
-  for (SolveRecord& solve : context.solves) solve.evaluations = 20000;
-  for (SolveRecord& solve : limits.solves) solve.position_error_cm *= solve.solver == "IK-BA" ? 1000 : 1;
+  for (Solve& solve : context.solves.own()) solve.evaluations = 20000;
+  for (Solve& solve : limits.solves.own()) solve.position_error_cm *= solver_of(limits, solve) == "IK-BA" ? 1000 : 1;
   all = claims_of(study, {limits, context});
   CHECK(verdict_of(all, "accurate_inside_limits") == Verdict::fails);
   CHECK(verdict_of(all, "better_than_classical") == Verdict::in_part);
@@ -306,17 +309,17 @@ TEST_CASE("what we asked besides stands apart and is not counted", "[claims]") {
 TEST_CASE("with all clamped or none, each solver's numbers come from the study that has them so", "[claims]") {
   const StudyResults study = study_of(synthetic::solves({}), "s");  // IK-BA 0.0019 cm, K-ABC 0.232 and so on
   StudyResults bounds = study_of(synthetic::solves({}), "s-bounds");
-  for (SolveRecord& solve : bounds.solves) {
-    if (solve.solver == "IK-BA") solve.position_error_cm *= 40;
-    if (solve.solver == "PSO") solve.position_error_cm *= 1e-6;
+  for (Solve& solve : bounds.solves.own()) {
+    if (solver_of(bounds, solve) == "IK-BA") solve.position_error_cm *= 40;
+    if (solver_of(bounds, solve) == "PSO") solve.position_error_cm *= 1e-6;
   }
   auto all = claims_of(study, {bounds});
   CHECK(verdict_of(all, "accurate_all_clamped") == Verdict::holds);   // 0.076 cm against 0.232
   CHECK(verdict_of(all, "accurate_none_clamped") == Verdict::fails);  // 0.0019 cm against 4e-7
   CHECK(contains(claim_of(all, "accurate_none_clamped").evidence, "Position error: IK-BA 0.00"));
-  for (SolveRecord& solve : bounds.solves) {
-    if (solve.solver == "IK-BA") solve.position_error_cm *= 100;
-    if (solve.solver == "PSO") solve.position_error_cm *= 1e6;
+  for (Solve& solve : bounds.solves.own()) {
+    if (solver_of(bounds, solve) == "IK-BA") solve.position_error_cm *= 100;
+    if (solver_of(bounds, solve) == "PSO") solve.position_error_cm *= 1e6;
   }
   all = claims_of(study, {bounds});
   CHECK(verdict_of(all, "accurate_all_clamped") == Verdict::fails);
@@ -327,7 +330,8 @@ TEST_CASE("a circle is led to rounding error where its errors are of the order o
   StudyResults circle = study_of(synthetic::solves({.solvers = {"IK-BA", "BA"}, .runs = 1}));
   circle.definition = R"({"path": {"kind": "circle"}})";
   const auto verdict = [&](double first, double second) {
-    for (SolveRecord& solve : circle.solves) solve.position_error_cm = solve.solver == "IK-BA" ? first : second;
+    for (Solve& solve : circle.solves.own())
+      solve.position_error_cm = solver_of(circle, solve) == "IK-BA" ? first : second;
     return verdict_of(claims_of(circle), "circle");
   };
   // The targets are 60 to 100 cm away, so that rounding is some 2e-14 cm.

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "analysis/inference/make_study.hpp"
 #include "analysis/report/latex_table.hpp"
 #include "analysis/slim2023/published_numbers.hpp"
 #include "tests/analysis/synthetic.hpp"

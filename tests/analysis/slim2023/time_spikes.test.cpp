@@ -3,6 +3,7 @@
 
 #include "analysis/inference/cost_comparison.hpp"
 #include "analysis/inference/judge.hpp"
+#include "analysis/inference/make_study.hpp"
 #include "analysis/inference/times.hpp"
 #include "analysis/report/leaders.hpp"
 #include "analysis/report/summary.hpp"

@@ -1,0 +1,279 @@
+#include "analysis/inference/gathered.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+#include <utility>
+
+#include "numerics/units.hpp"
+
+namespace ikbench::inference {
+
+using namespace results;
+using namespace statistics;
+
+namespace {
+
+// splitmix64's mixing of the bits, number by number.
+std::uint64_t hash_of(std::span<const double> numbers) {
+  std::uint64_t hash = numbers.size();
+  for (const double number : numbers) {
+    hash = (hash ^ std::bit_cast<std::uint64_t>(number)) + 0x9e3779b97f4a7c15u;
+    hash = (hash ^ (hash >> 30)) * 0xbf58476d1ce4e5b9u;
+    hash = (hash ^ (hash >> 27)) * 0x94d049bb133111ebu;
+    hash ^= hash >> 31;
+  }
+  return hash;
+}
+
+std::uint32_t digest_of(std::vector<double> numbers) {
+  for (double& number : numbers) {
+    if (std::isnan(number)) return no_digest;
+    number += 0.0;  // -0 is 0
+  }
+  const auto digest = static_cast<std::uint32_t>(hash_of(numbers) >> 32);
+  return digest == no_digest ? 1 : digest;
+}
+
+bool is_near(const std::vector<double>& a, const std::vector<double>& b) {
+  return std::ranges::equal(a, b, [](double x, double y) { return std::abs(x - y) <= 1e-9; });
+}
+
+// Norm over the joints that turn [deg]; `element` gives that of a joint [rad].
+template <class Element>
+double norm_deg(std::size_t joints, const std::set<std::size_t>& slides, Element element) {
+  double sum = 0;
+  for (std::size_t joint = 0; joint < joints; ++joint) {
+    if (!slides.contains(joint)) sum += element(joint) * element(joint);
+  }
+  return std::sqrt(sum) / numerics::degree;
+}
+
+double angle_deg(const std::vector<double>& answer, std::size_t joint) {
+  return joint < answer.size() ? answer[joint] * 180 / std::numbers::pi : not_defined;
+}
+
+// Whether a solve that is recorded as clean took longer than it had the processor. A program may wait for much else, so
+// that of its solves this is the time for which it waited for a processor, without what messages cost in any case.
+bool is_disturbed(const SolveRecord& solve) {
+  constexpr double most = 0.1;  // waited, by the time without
+  if (solve.timing == Timing::process)
+    return solve.waited_seconds > most * solve.seconds + solve.round_trips * solve.transport_seconds;
+  return solve.timing == Timing::clean && solve.seconds > (1 + most) * solve.cpu_seconds && solve.cpu_seconds > 0;
+}
+
+}  // namespace
+
+bool same_target(const Problem& a, const Problem& b) {
+  return std::ranges::equal(a.target_position_m, b.target_position_m) &&
+         std::ranges::equal(a.target_rotation, b.target_rotation);
+}
+
+bool same_start(const Problem& a, const Problem& b) {
+  return a.has_start && b.has_start && std::ranges::equal(a.start_rad, b.start_rad);
+}
+
+std::span<const double> Problems::list(std::size_t number) const {
+  const std::size_t begin = number == 0 ? 0 : ends_[number - 1];
+  return {numbers_.data() + begin, ends_[number] - begin};
+}
+
+// Lengths first, which texts of numbers do not say themselves.
+std::uint32_t Problems::number_of(const SolveRecord& solve, bool has_start) {
+  asked_ = {static_cast<double>(solve.target_position_m.size()), static_cast<double>(solve.target_rotation.size()),
+            has_start ? 1.0 : 0.0, solve.unavoidable_error_cm};
+  asked_.insert(asked_.end(), solve.target_position_m.begin(), solve.target_position_m.end());
+  asked_.insert(asked_.end(), solve.target_rotation.begin(), solve.target_rotation.end());
+  if (has_start) asked_.insert(asked_.end(), solve.start_rad.begin(), solve.start_rad.end());
+  const auto is_same = [](double a, double b) {
+    return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
+  };
+  const std::size_t hash = hash_of(asked_);
+  const auto [begin, end] = index_.equal_range(hash);
+  for (auto known = begin; known != end; ++known) {
+    if (std::ranges::equal(list(known->second), asked_, is_same)) return known->second;
+  }
+  const auto number = static_cast<std::uint32_t>(ends_.size());
+  numbers_.insert(numbers_.end(), asked_.begin(), asked_.end());
+  ends_.push_back(numbers_.size());
+  index_.emplace(hash, number);
+  return number;
+}
+
+void Problems::forget_index() { index_ = {}; }
+
+Problem Problems::operator[](std::size_t number) const {
+  constexpr std::size_t head = 4;
+  const std::span<const double> all = list(number), lists = all.subspan(head);
+  const auto position = static_cast<std::size_t>(all[0]), rotation = static_cast<std::size_t>(all[1]);
+  return {.target_position_m = lists.first(position),
+          .target_rotation = lists.subspan(position, rotation),
+          .start_rad = lists.subspan(position + rotation),
+          .unavoidable_error_cm = all[3],
+          .has_start = all[2] != 0};
+}
+
+bool Gatherer::is_following(const SolveRecord& record, std::uint16_t solver) const {
+  return !answers_.empty() && solver == solver_ && record.run == run_ && record.point == point_ + 1 &&
+         !record.answer_rad.empty() && record.answer_rad.size() == record.start_rad.size() &&
+         record.start_rad == answers_.back();
+}
+
+std::uint16_t Gatherer::session_number(std::int64_t session) {
+  std::vector<std::int64_t>& known = gathered_.sessions;
+  if (known.empty() || known.back() != session) {
+    const auto found = std::ranges::find(known, session);
+    if (found != known.end()) return static_cast<std::uint16_t>(found - known.begin());
+    if (known.size() > std::numeric_limits<std::uint16_t>::max()) {
+      throw std::invalid_argument("the solves of a study come from more than 65536 sessions; expected no more");
+    }
+    known.push_back(session);
+  }
+  return static_cast<std::uint16_t>(known.size() - 1);
+}
+
+void Gatherer::look_at_times(const SolveRecord& record, std::uint16_t solver, bool is_repeated) {
+  OfSolver& own = gathered_.of_solver[solver];
+  if (const double transport = record.round_trips * record.transport_seconds; transport >= 0 && record.seconds > 0) {
+    own.transport_shares.push_back(transport / record.seconds);
+  }
+  if (record.timing == Timing::clean) ++gathered_.repeats[record.repeats];
+  if (std::isfinite(record.interruptions)) {
+    gathered_.interruptions = gathered_.interruptions.value_or(0) + record.interruptions;
+  }
+  const double longest = std::fmax(record.seconds, record.largest_seconds), usual = record.smallest_seconds;
+  if (!is_repeated || !(longest > outlying * usual)) return;
+  ++own.outlying_repeats;
+  std::optional<Outlier>& worst = gathered_.worst_repeat;
+  if (!worst || longest / usual > worst->seconds / worst->usual) {
+    worst = Outlier{solver, record.run, record.point, longest, usual, true};
+  }
+}
+
+void Gatherer::look_at_answer(const SolveRecord& record, std::uint16_t solver) {
+  OfSolver& own = gathered_.of_solver[solver];
+  own.worst_outside_deg = std::max(own.worst_outside_deg, record.limit_violation_deg);
+  gathered_.joints.insert({record.answer_rad.size(), record.start_rad.size()});
+  own.joints.resize(std::max(own.joints.size(), record.answer_rad.size()));
+  for (std::size_t joint = 0; joint < record.answer_rad.size(); ++joint) {
+    Straight& straight = own.joints[joint];
+    const double off = std::remainder(record.answer_rad[joint], std::numbers::pi);
+    const double distance = std::abs(off * 180 / std::numbers::pi);
+    straight.nearest_deg = std::min(straight.nearest_deg, distance);
+    ++straight.answers;
+    straight.near += distance < Straight::near_deg ? 1 : 0;
+  }
+}
+
+void Gatherer::keep_drawn(const SolveRecord& record, bool is_first_of_solver) {
+  std::vector<SolveRecord>& drawn = gathered_.drawn;
+  if (!is_first_of_solver && drawn.back().run != record.run) return;
+  drawn.push_back(record);
+  drawn.back().trace_cm = {};
+  drawn.back().improved_at = {};
+  drawn.back().improved_to_cm = {};
+}
+
+double Gatherer::second_difference_deg() const {
+  const bool is_even = std::ranges::all_of(
+      answers_, [&](const std::vector<double>& answer) { return answer.size() == answers_.front().size(); });
+  if (answers_.size() < 3 || !is_even) return not_defined;
+  double sum = 0;
+  for (std::size_t k = 1; k + 1 < answers_.size(); ++k) {
+    const std::vector<double>&before = answers_[k - 1], &here = answers_[k], &after = answers_[k + 1];
+    sum += norm_deg(here.size(), slides_,
+                    [&](std::size_t joint) { return after[joint] - 2 * here[joint] + before[joint]; });
+  }
+  return sum / static_cast<double>(answers_.size() - 2);
+}
+
+double Gatherer::mean_bend_deg() const {
+  std::size_t joints = 0;
+  for (const std::vector<double>& answer : answers_) joints = std::max(joints, answer.size());
+  std::vector<double> bends;
+  for (std::size_t k = 1; k + 1 < answers_.size(); ++k) {
+    for (std::size_t joint = 0; joint < joints; ++joint) {
+      bends.push_back(std::abs(angle_deg(answers_[k - 1], joint) - 2 * angle_deg(answers_[k], joint) +
+                               angle_deg(answers_[k + 1], joint)));
+    }
+  }
+  return mean(bends);
+}
+
+void Gatherer::end_run() {
+  if (answers_.size() > 1) {
+    RunShape shape{.solver = solver_,
+                   .run = run_,
+                   .points = static_cast<int>(answers_.size()),
+                   .second_difference_deg = second_difference_deg(),
+                   .mean_bend_deg = mean_bend_deg()};
+    const std::vector<double>&first = answers_.front(), &last = answers_.back();
+    if (first.size() == last.size() && is_near(first_.position_m, last_.position_m) &&
+        is_near(first_.rotation, last_.rotation)) {
+      shape.return_deg = norm_deg(first.size(), slides_, [&](std::size_t joint) { return last[joint] - first[joint]; });
+    }
+    gathered_.shapes.push_back(shape);
+  }
+  answers_.clear();
+}
+
+Solve Gatherer::add(const SolveRecord& record, std::uint16_t solver) {
+  const bool is_first_of_solver = gathered_.of_solver.size() <= solver || solver != solver_ || run_ == 0;
+  if (gathered_.of_solver.size() <= solver) gathered_.of_solver.resize(solver + std::size_t{1});
+  const bool is_following = this->is_following(record, solver);
+  if (solver != solver_ || record.run != run_) {
+    end_run();
+    first_ = {record.target_position_m, record.target_rotation};
+  }
+  const bool is_repeated = record.repeats > 1 && record.smallest_seconds > 0;
+  if (gathered_.robot.empty()) gathered_.robot = record.robot;
+  look_at_times(record, solver, is_repeated);
+  look_at_answer(record, solver);
+  keep_drawn(record, is_first_of_solver);
+  Solve solve{.position_error_cm = record.position_error_cm,
+              .orientation_error = record.orientation_error,
+              .variation_deg = record.variation_deg,
+              .largest_move_deg = record.largest_move_deg,
+              .seconds = record.seconds,
+              .limit_margin = record.limit_margin,
+              .smallest_singular_value = record.smallest_singular_value,
+              .manipulability = record.manipulability,
+              .evaluations = record.evaluations,
+              .run = record.run,
+              .point = record.point,
+              .problem = gathered_.problems.number_of(record, starts_anew_ || !is_following),
+              .answer = digest_of(record.answer_rad),
+              .iterations = static_cast<std::uint32_t>(
+                  std::clamp<std::int64_t>(record.iterations, 0, std::numeric_limits<std::uint32_t>::max())),
+              .solver = solver,
+              .session = session_number(record.session),
+              .status = record.status,
+              .timing = record.timing,
+              .stop_reason = record.stop_reason,
+              .counted_by = record.counted_by,
+              .is_outside_limits = record.limit_violation_deg > 0 || record.limit_violation_m > 0,
+              .is_disturbed = is_disturbed(record),
+              .is_repeated = is_repeated,
+              .is_following = is_following};
+  if (!record.trace_cm.empty() || record.variation_m != 0) {
+    solve.rest = &gathered_.rests.emplace_back(record.trace_cm, record.variation_m);
+  }
+  solver_ = solver;
+  run_ = record.run;
+  point_ = record.point;
+  answers_.push_back(record.answer_rad);
+  last_ = {record.target_position_m, record.target_rotation};
+  return solve;
+}
+
+Gathered Gatherer::finish(std::vector<std::string> labels) {
+  end_run();
+  gathered_.labels = std::move(labels);
+  gathered_.of_solver.resize(gathered_.labels.size());
+  gathered_.problems.forget_index();
+  return std::move(gathered_);
+}
+
+}  // namespace ikbench::inference

@@ -1,0 +1,212 @@
+#include "analysis/inference/make_study.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <set>
+#include <stdexcept>
+#include <utility>
+
+#include "analysis/inference/analysis_plan.hpp"
+#include "analysis/inference/definition.hpp"
+#include "analysis/inference/machines.hpp"
+#include "numerics/number.hpp"
+
+namespace ikbench::inference {
+
+using namespace numerics;
+using namespace results;
+using namespace statistics;
+
+namespace {
+
+constexpr int most_runs = 1'000'000;
+constexpr int most_points = 100'000;
+constexpr std::size_t most_solvers = 1000;
+constexpr std::size_t most_joints = 64;
+constexpr std::int64_t most_solves = 100'000'000;
+
+// A whole number of the definition, at the top or inside one of its parts; 0 where it does not say.
+int defined_number(const std::string& study, const nlohmann::json& definition, const char* key, int most) {
+  const auto read = [&](const nlohmann::json& object) {
+    const auto found = object.find(key);
+    if (found == object.end() || !found->is_number_integer()) return 0;
+    const double value = found->get<double>();  // also where it is beyond every integer
+    if (value > most) {
+      throw std::invalid_argument(fmt::format("study '{}': {} {}; expected at most {}", study, key, value, most));
+    }
+    return value < 0 ? 0 : static_cast<int>(value);
+  };
+  if (!definition.is_object()) return 0;
+  if (const int top = read(definition)) return top;
+  for (const auto& part : definition) {
+    if (!part.is_object()) continue;
+    if (const int inside = read(part)) return inside;
+  }
+  return 0;
+}
+
+TaskFacts task_of(const Definition& definition) {
+  const std::string search = definition.text("/search");
+  TaskFacts facts{
+      .is_path = !definition.draws_targets(), .orientation = search != "all_joints", .pose = search == "pose"};
+  for (std::size_t joint = 0; joint < most_joints; ++joint) {
+    if (definition.text(fmt::format("/arm/links/{}/joint", joint)) == "slides") facts.slides.insert(joint);
+  }
+  return facts;
+}
+
+StudyResults of_entry(const StudyEntry& entry) {
+  const auto json = nlohmann::json::parse(entry.definition, nullptr, false);
+  const Definition definition(entry.definition);
+  StudyResults study{.name = entry.name,
+                     .title = definition.text("/title"),
+                     .runs = defined_number(entry.name, json, "runs", most_runs),
+                     .points = defined_number(entry.name, json, "points", most_points),
+                     .published = definition.text("/published"),
+                     .plan = plan_of(entry),
+                     .definition = entry.definition,
+                     .task = task_of(definition)};
+  if (json.is_object() && json.contains("departures") && json["departures"].is_array()) {
+    for (const auto& departure : json["departures"]) {
+      if (departure.is_string()) study.departures.push_back(departure.get<std::string>());
+    }
+  }
+  for (const Series& series : entry.series) study.solvers.push_back(series.label);
+  return study;
+}
+
+// What is known of the sessions that solved it.
+void add_sessions(StudyResults& study, const std::vector<Series>& series, const std::vector<Session>& sessions) {
+  const std::vector<std::int64_t>& used = study.gathered->sessions;
+  std::vector<Session> solving;
+  std::ranges::copy_if(sessions, std::back_inserter(solving),
+                       [&](const Session& each) { return std::ranges::find(used, each.id) != used.end(); });
+  study.cpus = machines_of(solving);
+  for (const Series& one : series) {
+    const Definition options(one.options);
+    const bool is_of_library = std::ranges::any_of(
+        solving, [&](const Session& each) { return each.environment.contains("library." + one.algorithm); });
+    if (is_of_library || !options.text("/process").empty() || !options.text("/shared_object").empty()) {
+      study.outside.push_back(one.label);
+    }
+  }
+  for (const Session& session : solving) {
+    const auto stolen = session.environment.find("stolen_seconds");
+    const auto seconds = stolen != session.environment.end() ? number_from(stolen->second) : std::nullopt;
+    if (seconds) study.stolen_seconds = (std::isnan(study.stolen_seconds) ? 0 : study.stolen_seconds) + *seconds;
+  }
+}
+
+// By solver, in the order of the study and then of their first solve, run and point.
+void sort(std::vector<SolveRecord>& solves, const std::vector<std::string>& solvers) {
+  std::map<std::string_view, std::size_t> place;
+  for (const std::string& solver : solvers) place.try_emplace(solver, place.size());
+  for (const SolveRecord& solve : solves) place.try_emplace(solve.solver, place.size());
+  std::vector<const SolveRecord*> order;
+  for (const SolveRecord& solve : solves) order.push_back(&solve);
+  const auto key = [&](const SolveRecord* solve) {
+    return std::tuple(place.at(solve->solver), solve->run, solve->point);
+  };
+  std::ranges::stable_sort(order, {}, key);
+  std::vector<SolveRecord> sorted;
+  for (const SolveRecord* solve : order) sorted.push_back(*solve);
+  solves = std::move(sorted);
+}
+
+StudyResults made(StudyMaker maker, const std::vector<SolveRecord>& solves, const std::vector<Session>& sessions) {
+  for (const SolveRecord& solve : solves) maker.add(solve);
+  return maker.finish(sessions);
+}
+
+}  // namespace
+
+StudyMaker::StudyMaker(const StudyEntry& entry, std::size_t solves)
+    : study_(of_entry(entry)),
+      series_(entry.series),
+      gatherer_(study_.task.slides, Definition(entry.definition).starts_anew()) {
+  solves_.reserve(solves);
+}
+
+StudyMaker::StudyMaker(std::string name) : study_{.name = std::move(name)}, gatherer_({}, false) {}
+
+void StudyMaker::check(const SolveRecord& record) const {
+  if (record.run < 1 || record.run > most_runs || record.point < 1 || record.point > most_points) {
+    throw std::invalid_argument(
+        fmt::format("study '{}', solver '{}': run {}, point {}; expected runs 1 to {} and points 1 to {}", study_.name,
+                    record.solver, record.run, record.point, most_runs, most_points));
+  }
+  if (record.answer_rad.size() > most_joints) {
+    throw std::invalid_argument(
+        fmt::format("study '{}', solver '{}': run {}, point {} has {} joints; expected at most {}", study_.name,
+                    record.solver, record.run, record.point, record.answer_rad.size(), most_joints));
+  }
+}
+
+std::uint16_t StudyMaker::number_of(const std::string& solver) {
+  if (!solves_.empty() && study_.solvers[solves_.back().solver] == solver) return solves_.back().solver;
+  const auto found = std::ranges::find(study_.solvers, solver);
+  const auto number = static_cast<std::uint16_t>(found - study_.solvers.begin());
+  if (found != study_.solvers.end()) return number;
+  study_.solvers.push_back(solver);
+  if (study_.solvers.size() > most_solvers) {
+    throw std::invalid_argument(
+        fmt::format("study '{}' has more than {} solvers; expected no more", study_.name, most_solvers));
+  }
+  return number;
+}
+
+void StudyMaker::add(const SolveRecord& record) {
+  check(record);
+  const std::uint16_t solver = number_of(record.solver);
+  if (!solves_.empty()) {
+    const Solve& last = solves_.back();
+    const std::tuple before{last.solver, last.run, last.point}, here{solver, record.run, record.point};
+    if (before == here) {
+      throw std::invalid_argument(fmt::format("study '{}', solver '{}': run {}, point {} appears twice; expected once",
+                                              study_.name, record.solver, record.run, record.point));
+    }
+    if (here < before) throw std::logic_error("solves are not passed on by solver, run and point");
+  }
+  study_.runs = std::max(study_.runs, record.run);
+  study_.points = std::max(study_.points, record.point);
+  solves_.push_back(gatherer_.add(record, solver));
+}
+
+StudyResults StudyMaker::finish(const std::vector<Session>& sessions) {
+  const auto solvers = static_cast<std::int64_t>(study_.solvers.size());
+  if (const std::int64_t expected = std::int64_t{study_.runs} * study_.points; expected * solvers > most_solves) {
+    throw std::invalid_argument(
+        fmt::format("study '{}' has {} runs of {} points by {} solvers; expected at most {} solves", study_.name,
+                    study_.runs, study_.points, solvers, most_solves));
+  }
+  study_.solves = SolveList(std::move(solves_));
+  study_.gathered = std::make_shared<const Gathered>(gatherer_.finish(study_.solvers));
+  add_sessions(study_, series_, sessions);
+  return std::move(study_);
+}
+
+StudyResults make_study(const StudyEntry& entry, std::vector<SolveRecord> solves,
+                        const std::vector<Session>& sessions) {
+  std::vector<std::string> labels;
+  for (const Series& series : entry.series) labels.push_back(series.label);
+  sort(solves, labels);
+  return made(StudyMaker(entry), solves, sessions);
+}
+
+StudyResults make_study(std::string name, std::vector<SolveRecord> solves) {
+  sort(solves, {});
+  return made(StudyMaker(std::move(name)), solves, {});
+}
+
+StudyResults read_study(const Store& store, const StudyEntry& entry) {
+  StudyMaker maker(entry, static_cast<std::size_t>(store.solves_of(entry.series)));
+  store.each_of_study(entry, [&](const SolveRecord& solve) { maker.add(solve); });
+  return maker.finish(store.sessions());
+}
+
+}  // namespace ikbench::inference
