@@ -44,9 +44,10 @@ AnalysisPlan plan_for(const StudyEntry& entry, const ReportArguments& arguments)
   return plan;
 }
 
-// A report of slim2023 with runs=167 (20 040 solves) took 84 MB, one with runs=17 34 MB (/usr/bin/time ikbench report
-// --no-figures): 3.9 times what the store grew by. With traces it is less, because a store has them as text.
-constexpr double memory_of_stored_byte = 3.9;
+// Reports of slim2023 with stop.iterations=20 took 71 MB with runs=10 and 88 MB with runs=834 (100 080 solves;
+// /usr/bin/time ikbench report --no-figures): 0.24 times what the store grew by. Traces are kept as numbers, which are
+// up to half of their text in the store.
+constexpr double memory_of_stored_byte = 0.5;
 
 void warn_of_memory(const std::filesystem::path& store) {
   std::error_code error;
