@@ -19,7 +19,6 @@
 #include <stdexcept>
 #include <string>
 #include <system_error>
-#include <thread>
 #include <utility>
 
 #include "results/files.hpp"
@@ -111,7 +110,7 @@ class MergedStore {
     fs::path place;
   };
 
-  // Solves of each study on their way to who checks them: some at once, by as many threads as there are processors.
+  // Solves of each study on their way to who checks them: some at once, by other threads.
   class Suspects {
    public:
     Suspects(const std::vector<StudyEntry>& studies, const Checker& check, fs::path place)
@@ -137,7 +136,7 @@ class MergedStore {
     };
 
     void add(std::size_t study, SolveRecord solve) {
-      constexpr std::size_t most = 1000;
+      constexpr std::size_t most = 500;
       waiting_[study].push_back(std::move(solve));
       if (waiting_[study].size() == most) look(study);
     }
@@ -146,7 +145,8 @@ class MergedStore {
         return check(study, solves);
       };
       looking_.push_back({studies_[i], std::async(std::move(check))});
-      if (looking_.size() > std::thread::hardware_concurrency()) end_first();
+      constexpr std::size_t most_at_once = 3;  // more would wait for who reads, and solves with traces are large
+      if (looking_.size() > most_at_once) end_first();
     }
     void end_first() {
       const std::string wrong = looking_.front().wrong.get();
