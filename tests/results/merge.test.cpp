@@ -315,7 +315,7 @@ TEST_CASE("who writes to a store in a shared folder does not wait until another 
         seen_when_written = seen.load();
       });
     }
-    if (seen > 900 && seen_when_written == 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    if (seen > 900 && seen_when_written == 0) std::this_thread::sleep_for(std::chrono::milliseconds(5));
   });
   writer.join();
   CHECK(wrong.empty());
