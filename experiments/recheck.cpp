@@ -39,6 +39,9 @@ std::string toml_of(const nlohmann::json& json, int levels = 4) {
   return json.dump();
 }
 
+}  // namespace
+
+// Of this file alone, like all in unnamed namespaces; but Recheck::Looking has them as members.
 class Findings {
  public:
   void add(const char* column, const SolveRecord& solve, const std::string& what) {
@@ -75,6 +78,8 @@ class Findings {
   std::map<std::string, Finding> of_column_;
 };
 
+namespace {
+
 Eigen::VectorXd vector_of(const std::vector<double>& values) {
   return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
 }
@@ -109,6 +114,8 @@ void look_at_status(const SolveRecord& solve, const Verification& computed, Requ
             fmt::format("{} is stored, {} follows from the answer", name_of(solve.status), name_of(follows)));
 }
 
+}  // namespace
+
 // The arm, what was asked of its answers, and the reach of what was searched: the same for all solves of a study.
 struct Checked {
   Checked(const Robot& of, const Requirement& asked) : arm(of), requirement(asked) {
@@ -127,6 +134,8 @@ struct Checked {
   std::optional<SphericalWrist> wrist = {};
   Chain::Ball reach = {};
 };
+
+namespace {
 
 void look_at_answer(const Checked& checked, const SolveRecord& solve, Findings& found) {
   const Robot& arm = checked.arm;
