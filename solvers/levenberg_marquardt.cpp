@@ -1,6 +1,7 @@
 // Levenberg and Marquardt's method as roboticists use it: every step is taken, and the damping follows from the error
 // of the moment (Sugihara 2011; Chan and Lawrence 1988) or is constant (Wampler 1986). A search that takes too many
-// steps begins again at a random configuration, as in the Robotics Toolbox (Corke and Haviland 2021), ikine_LM.
+// steps, or moves no joint any more, begins again at a random configuration; the first as in the Robotics Toolbox (Corke
+// and Haviland 2021), ikine_LM.
 #include "solvers/bounds.hpp"
 #include "solvers/damped_step.hpp"
 #include "solvers/registry.hpp"
@@ -20,6 +21,7 @@ class LevenbergMarquardt final : public Solver {
     Rule rule = Rule::chan;
     double damping = 1;
     int search_iterations = 30;
+    double small_move = 1e-9;
     double small_error = 1e-9;
     Bounds bounds = Bounds::clamp;
 
@@ -30,6 +32,7 @@ class LevenbergMarquardt final : public Solver {
       list.number("damping", damping, {1e-12, 1e6}, "factor or term of the rule");
       list.count("search_iterations", search_iterations, {1, 1'000'000},
                  "after so many iterations the search begins again at a random configuration");
+      list.number("small_move", small_move, {0, 1}, "and where no joint moves by more than this [rad, m]");
       list.number("small_error", small_error, {0, 1}, "it ends below this error [m]");
       list_bounds(list, bounds);
     }
@@ -57,10 +60,12 @@ class LevenbergMarquardt final : public Solver {
       ++searched_;
       // dq = (J^T J + W)^-1 J^T e
       damped_step(jacobian_, to_go_, damping(), step_);
+      const Configuration before = q_;
       q_ += step_;
       keep_inside(options_.bounds, problem_, q_);
+      if (!((q_ - before).cwiseAbs().maxCoeff() > options_.small_move)) searched_ = options_.search_iterations;
       if (!q_.allFinite()) {
-        q_ = best_.q;
+        q_ = before;
         searched_ = options_.search_iterations;
         return;
       }

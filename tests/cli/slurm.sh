@@ -78,7 +78,7 @@ done
 [ "$(sinfo --noheader --format=%T)" = idle ] || fail "no idle node: $(sinfo) $(tail -n 5 "$run"/log/*.log)"
 
 # The study: enough that a task can be met while it runs.
-study=(slim2023 --set runs=24 --set path.points=6 --set stop.iterations=100 --set population=20)
+study=(slim2023 --set runs=24 --set path.points=6 --set stop.iterations=1000 --set population=20)
 submit() {
   succeeds submit "${study[@]}" --tasks 12 --out "two words"
 }
@@ -108,8 +108,11 @@ while [ $cancelled -lt 2 ] || [ $killed -lt 2 ]; do
     pid=$(pgrep -f -- "--shard $task/12 --out $work/two words" | head -n 1)
     [ -z "$pid" ] || { kill -9 "$pid" && killed=$((killed + 1)) && echo "killed task $task"; }
   elif [ -n "$task" ]; then
-    scancel --name=ikbench "$(squeue --noheader --array --states=RUNNING --name=ikbench --format=%i | head -n 1)" &&
-      cancelled=$((cancelled + 1)) && echo "cancelled a task"
+    job=$(squeue --noheader --array --states=RUNNING --name=ikbench --format=%i | head -n 1)
+    scancel "$job" 2>/dev/null  # which may have ended meanwhile
+    for _ in $(seq 20); do [ -n "$(squeue --noheader --array --jobs="$job" --states=RUNNING,COMPLETING 2>/dev/null)" ] || break; sleep 0.2; done
+    scontrol --oneliner show job "$job" 2>/dev/null | grep -q "JobState=CANCELLED" &&
+      cancelled=$((cancelled + 1)) && echo "cancelled task $job"
   fi
   sleep 0.3
 done
