@@ -19,6 +19,13 @@ if(NLOPT_INCLUDE_DIR AND NLOPT_LIBRARY)
   target_link_libraries(ikbench_peer_nlopt INTERFACE ${NLOPT_LIBRARY})
 endif()
 
+# One header, which needs Eigen alone.
+find_path(CERES_INCLUDE_DIR ceres/tiny_solver.h)
+if(CERES_INCLUDE_DIR)
+  add_library(ikbench_peer_ceres INTERFACE)
+  target_include_directories(ikbench_peer_ceres SYSTEM INTERFACE ${CERES_INCLUDE_DIR})
+endif()
+
 # pagmo's own configuration fails where what its headers include is missing.
 find_package(Boost QUIET COMPONENTS serialization)
 if(Boost_SERIALIZATION_FOUND)
