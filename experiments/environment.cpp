@@ -8,9 +8,11 @@
 
 #include <Eigen/Core>
 #include <chrono>
+#include <cmath>
 #include <fstream>
 #include <limits>
 #include <string_view>
+#include <system_error>
 #include <thread>
 
 #include "build_info.hpp"
@@ -92,10 +94,20 @@ double stolen_seconds() {
                               : std::numeric_limits<double>::quiet_NaN();
 }
 
-double waited_seconds(std::string_view process) {
-  std::ifstream file(fmt::format("/proc/{}/schedstat", process));
+double waited_seconds(const std::filesystem::path& task) {
+  std::ifstream file(task / "schedstat");
   double ran = 0, waited = 0;
   return file >> ran >> waited ? 1e-9 * waited : std::numeric_limits<double>::quiet_NaN();
+}
+
+double waited_seconds(pid_t process) {
+  std::error_code error;
+  double sum = std::numeric_limits<double>::quiet_NaN();
+  for (const auto& task : std::filesystem::directory_iterator(fmt::format("/proc/{}/task", process), error)) {
+    const double waited = waited_seconds(task.path());
+    if (!std::isnan(waited)) sum = std::isnan(sum) ? waited : sum + waited;  // else it has ended meanwhile
+  }
+  return sum;
 }
 
 bool is_debug_build() {

@@ -1,9 +1,11 @@
 // Facts about the program, the compiler and the machine, as text by name.
 #pragma once
 
+#include <sys/types.h>
+
+#include <filesystem>
 #include <map>
 #include <string>
-#include <string_view>
 
 namespace ikbench::experiments {
 
@@ -12,9 +14,10 @@ std::map<std::string, std::string> environment();
 // processors; NaN where that is not told.
 double stolen_seconds();
 double thread_seconds();  // processor time [s] of this thread
-// How long [s] a process ("123"), or this thread ("thread-self"), was ready to run and had no processor; NaN where that
-// is not told.
-double waited_seconds(std::string_view process);
+// How long [s] all threads of a process, or one (/proc/thread-self), were ready to run and had no processor; NaN where
+// that is not told.
+double waited_seconds(pid_t process);
+double waited_seconds(const std::filesystem::path& task);
 // Times of a debug or sanitized build say nothing about a solver.
 bool is_debug_build();
 std::string version();

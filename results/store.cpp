@@ -11,7 +11,9 @@
 #include <optional>
 #include <set>
 #include <stdexcept>
+#include <tuple>
 #include <utility>
+#include <vector>
 
 #include "results/store_codec.hpp"
 #include "results/store_file.hpp"
@@ -148,9 +150,20 @@ struct Store::Database : StoreFile {
   // Passes on the solves of a series, up to a run.
   void read_solves(const std::string& key, std::int64_t last_run, const std::function<void(SolveRecord)>& take) {
     refuse_blobs("solves", "series");
-    SQLite::Statement query(sqlite(), select_solves(version()) + " WHERE series = ? ORDER BY run, point");
-    query.bind(1, key);
-    read_rows(query, last_run, take);
+    SQLite::Statement query(
+        sqlite(),
+        select_solves(version()) + " WHERE series = ?1 AND (run, point) > (?2, ?3) ORDER BY run, point LIMIT ?4");
+    constexpr int at_once = 1000;  // who writes a store without a log waits for the end of a query, but not for long
+    std::vector<SolveRecord> read;
+    int run = std::numeric_limits<int>::min(), point = run;
+    do {
+      read.clear();
+      SQLite::bind(query, key, run, point, at_once);
+      read_rows(query, last_run, [&](SolveRecord record) { read.push_back(std::move(record)); });
+      query.reset();
+      if (!read.empty()) std::tie(run, point) = std::pair(read.back().run, read.back().point);
+      for (SolveRecord& record : read) take(std::move(record));
+    } while (read.size() == at_once);
   }
 
   void read_rows(SQLite::Statement& query, std::int64_t last_run, const std::function<void(SolveRecord)>& take) {

@@ -128,7 +128,7 @@ class Newton final : public Solver {
 
   void arrive(Objective& objective) {
     best_.improve(q_, objective.error(q_));
-    // What counts as singular hangs on the units.
+    // What counts as singular depends on the units.
     to_go_ = linearize_twist(objective, q_, jacobian_);
   }
 

@@ -195,7 +195,9 @@ StudyResults counted(StudyResults study) {
     if (!without.contains(solver_of(study, solve))) kept.push_back(solve);
   }
   study.solves = SolveList(std::move(kept));
-  std::erase_if(study.solvers, [&](const std::string& solver) { return without.contains(solver); });
+  const auto is_left_out = [&](const std::string& solver) { return without.contains(solver); };
+  std::erase_if(study.solvers, is_left_out);
+  std::erase_if(study.outside, is_left_out);
   if (without.contains(study.plan.control)) study.plan.control.clear();
   return study;
 }
@@ -294,8 +296,8 @@ std::string timing_note(const StudyResults& study) {
   return fmt::format(
       "Times are not comparable: {} of {} solves took more than 1.1 times their CPU time{}, so other programs were "
       "running.{}",
-      found.solves, found.timed, timed(Timing::process) > 0 ? ", or waited as long for a processor" : "",
-      and_errors(study));
+      found.solves, found.timed,
+      timed(Timing::process) > 0 ? ", or waited for a processor for more than a tenth of it" : "", and_errors(study));
 }
 
 std::string transport_note(const StudyResults& study) {

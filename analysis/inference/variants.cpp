@@ -135,7 +135,7 @@ std::vector<Variant> variants(const Store& store, const StudyEntry& study) {
     makers.at(solve.solver).add(solve);
   });
   const std::vector<Session> sessions = store.sessions();
-  const std::string timing = timing_note(whole.finish(sessions));
+  const std::string timing = timing_note(whole.finish());
   std::vector<Variant> result;
   for (const Series& series : study.series) {
     Variant variant{.series = series, .study = makers.at(series.label).finish(sessions), .timing = timing};

@@ -196,7 +196,7 @@ double ChildProcess::cpu_seconds() const {
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
-double ChildProcess::waited_seconds() const { return experiments::waited_seconds(std::to_string(process_)); }
+double ChildProcess::waited_seconds() const { return experiments::waited_seconds(process_); }
 
 void ChildProcess::drain_errors() {
   std::array<char, 4096> buffer;

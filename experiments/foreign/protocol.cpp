@@ -254,10 +254,13 @@ Solved solved_in(const Message& message, int joints) {
   solved.largest_seconds = number_at(json, "largest_seconds", solved.seconds);
   for (const Json& error : json.value("trace", Json::array())) solved.trace.push_back(as_number(error));
   for (const Json& count : json.value("improved_at", Json::array())) {
-    if (!count.is_number_unsigned()) throw Breach("its improved_at has what is no count");
+    if (!count.is_number_unsigned() || count.get<std::uint64_t>() > std::numeric_limits<std::int64_t>::max())
+      throw Breach("its improved_at has what is no count");
     solved.improved.at.push_back(count.get<std::int64_t>());
   }
   for (const Json& error : json.value("improved_to", Json::array())) solved.improved.to.push_back(as_number(error));
+  if (solved.improved.at.size() != solved.improved.to.size())
+    throw Breach("its improved_at and improved_to have different lengths");
   return solved;
 }
 

@@ -95,7 +95,8 @@ void Session::measure_transport() {
 }
 
 double Session::waited_seconds() const {
-  return child_ ? child_->waited_seconds() + experiments::waited_seconds("thread-self") : 0;
+  return child_ ? child_->waited_seconds() + experiments::waited_seconds(std::filesystem::path("/proc/thread-self"))
+                : 0;
 }
 
 void Session::begin_solve(double budget_seconds, int repeats) {

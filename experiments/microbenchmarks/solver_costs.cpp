@@ -32,7 +32,7 @@ void one_step(benchmark::State& state, const SolverInfo& info, const Reach& reac
   Objective objective(reach.chain, reach.target);
   int done = iterations;
   for (auto _ : state) {
-    if (done == iterations) {
+    if (done == iterations || solver->finished()) {
       state.PauseTiming();
       solver->start(reach.problem, objective, random);
       done = 0;

@@ -87,6 +87,16 @@ TEST_CASE("a search of Levenberg and Marquardt's method begins again at random a
   CHECK(random.uniform() == drawn.uniform());
 }
 
+TEST_CASE("a search of Levenberg and Marquardt's method begins again where no joint moves any more", "[lm]") {
+  Task task = planar_task(1);
+  task.target = {-0.9, -0.1, 0};  // both joints go to their limits
+  Objective objective(task.chain, task.target);
+  Random random{Key(1)}, untouched{Key(1)};
+  const auto descent = solver("levenberg_marquardt").make({{"search_iterations", "1000000"}});
+  solve(*descent, task.problem, objective, random, {.iterations = 100});
+  CHECK(random.uniform() != untouched.uniform());
+}
+
 TEST_CASE("Levenberg and Marquardt's method solves most reachable poses within the limits, by each rule", "[lm]") {
   for (const Settings& settings : {Settings{}, Settings{{"rule", "sugihara"}, {"damping", "1e-4"}},
                                    Settings{{"rule", "wampler"}, {"damping", "1e-4"}}}) {

@@ -156,8 +156,8 @@ TEST_CASE("that programs waited for a processor is told, and that errors depend 
   CHECK(times_were_disturbed(study));
   const std::string note = timing_note(study);
   CHECK(note ==
-        "Times are not comparable: 24 of 72 solves took more than 1.1 times their CPU time, or waited as long for a "
-        "processor, so other programs were running.");
+        "Times are not comparable: 24 of 72 solves took more than 1.1 times their CPU time, or waited for a "
+        "processor for more than a tenth of it, so other programs were running.");
   study.definition = R"({"stop": {"tolerance_cm": 1, "seconds": 0.1}})";
   CHECK(timing_note(study) == note + " Solves end by their wall time, so that errors depend on that too.");
 }
