@@ -155,7 +155,7 @@ struct Store::Database : StoreFile {
         select_solves(version()) + " WHERE series = ?1 AND (run, point) > (?2, ?3) ORDER BY run, point LIMIT ?4");
     constexpr int at_once = 1000;  // who writes a store without a log waits for the end of a query, but not for long
     std::vector<SolveRecord> read;
-    int run = std::numeric_limits<int>::min(), point = run;
+    std::int64_t run = std::numeric_limits<std::int64_t>::min(), point = run;  // as nobody has stored them
     do {
       read.clear();
       SQLite::bind(query, key, run, point, at_once);
