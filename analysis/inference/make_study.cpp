@@ -145,6 +145,14 @@ void StudyMaker::check(const SolveRecord& record) const {
         fmt::format("study '{}', solver '{}': run {}, point {} has {} joints; expected at most {}", study_.name,
                     record.solver, record.run, record.point, record.answer_rad.size(), most_joints));
   }
+  for (const std::vector<double>* list :
+       {&record.start_rad, &record.target_position_m, &record.target_rotation, &record.reached_position_m}) {
+    if (list->size() <= most_joints) continue;
+    throw std::invalid_argument(fmt::format(
+        "study '{}', solver '{}': run {}, point {} has a list of {} numbers in start, target or reached position; "
+        "expected at most {}",
+        study_.name, record.solver, record.run, record.point, list->size(), most_joints));
+  }
 }
 
 std::uint16_t StudyMaker::number_of(const std::string& solver) {

@@ -290,6 +290,10 @@ std::string timing_note(const StudyResults& study) {
         "Times are not comparable: of {} solves, {} ran in parallel with others and {} in a debug build.{}",
         study.solves.size(), parallel, debug, and_errors(study));
   }
+  if (const auto imported = timed(Timing::imported); imported > 0) {
+    return fmt::format("Times are not comparable: {} of {} solves were imported, so their times were taken elsewhere.",
+                       imported, study.solves.size());
+  }
   if (std::string note = cpu_note(study.cpus); !note.empty()) return note + and_errors(study);
   if (!times_were_disturbed(study)) return "";
   const Disturbed found = disturbed(study);

@@ -67,6 +67,7 @@ class CheckedStore {
   // Its solves are written as CSV meanwhile.
   StudyResults reported(const StudyEntry& entry) {
     std::optional<StudyResults> study;
+    remove_litter(request_.folder);  // half of a CSV may be most of a disk
     write_csv(request_.folder / "solves.csv", [&](const std::function<void(const SolveRecord&)>& take) {
       if (study)
         store_.each_of_study(entry, take);
@@ -88,12 +89,13 @@ class CheckedStore {
       take(solve);
     });
     if (check.damages) std::ranges::move(check.damages(), std::back_inserter(damages_));
+    sessions_ = store_.sessions();  // one may have begun meanwhile
     return maker.finish(sessions_);
   }
 
   const Store& store_;
   const ReportRequest& request_;
-  std::vector<Session> sessions_ = store_.sessions();
+  std::vector<Session> sessions_ = {};
   std::vector<std::string> damages_;
 };
 

@@ -162,6 +162,19 @@ TEST_CASE("that programs waited for a processor is told, and that errors depend 
   CHECK(timing_note(study) == note + " Solves end by their wall time, so that errors depend on that too.");
 }
 
+TEST_CASE("times of imported solves are judged with no others, also where the file says none", "[uncounted]") {
+  std::vector<SolveRecord> solves = synthetic::solves({.solvers = {"IK-BA", "theirs"}, .runs = 12, .points = 2});
+  for (SolveRecord& solve : solves) {
+    if (solve.solver != "theirs") continue;
+    solve.timing = Timing::imported;
+    solve.seconds = statistics::not_defined;
+  }
+  const JudgedStudy study(make_study("synthetic", std::move(solves)));
+  CHECK(timing_note(study) ==
+        "Times are not comparable: 24 of 48 solves were imported, so their times were taken elsewhere.");
+  CHECK_FALSE(is_comparable(study, Metric::seconds));
+}
+
 TEST_CASE("beside times it is said who may evaluate one by one", "[uncounted]") {
   const StudyEntry entry{
       .name = "synthetic",
