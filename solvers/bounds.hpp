@@ -41,6 +41,12 @@ inline void draw_within_limits(const Problem& problem, numerics::Random& random,
   }
 }
 
+// The same of one configuration (a vector, or a column), joint after joint.
+template <class Some>
+void draw_one_within_limits(const Problem& problem, numerics::Random& random, Some&& q) {
+  for (Eigen::Index j = 0; j < q.size(); ++j) q[j] = random.uniform(problem.lower[j], problem.upper[j]);
+}
+
 // Candidates (a vector, or columns of Candidates) back inside, where the reading says so.
 template <class Some>
 void keep_inside(Bounds bounds, const Problem& problem, Some&& q) {

@@ -50,11 +50,7 @@ class DampedLeastSquares final : public Solver {
   void step(Objective& objective, Random& random) override {
     if (failures_ >= options_.patience) {
       candidate_ = best_.q;
-      if (!(best_.error <= options_.small_error)) {
-        for (Eigen::Index j = 0; j < candidate_.size(); ++j) {
-          candidate_[j] = random.uniform(problem_.lower[j], problem_.upper[j]);
-        }
-      }
+      if (!(best_.error <= options_.small_error)) draw_one_within_limits(problem_, random, candidate_);
       begin(objective);
       return;
     }

@@ -79,7 +79,7 @@ class KArtificialBeeColony final : public Solver {
 
     for (Eigen::Index i = 0; i < sources; ++i) {  // scouts
       if (failures_[i] <= limit_) continue;
-      for (Eigen::Index j = 0; j < x_.rows(); ++j) x_(j, i) = random.uniform(problem_.lower[j], problem_.upper[j]);
+      draw_one_within_limits(problem_, random, x_.col(i));
       errors_[i] = objective.error(x_.col(i));
       failures_[i] = 0;
       best_.improve(x_.col(i), errors_[i]);

@@ -54,7 +54,7 @@ class LevenbergMarquardt final : public Solver {
   void step(Objective& objective, Random& random) override {
     if (finished()) return;
     if (searched_ == options_.search_iterations) {
-      for (Eigen::Index j = 0; j < q_.size(); ++j) q_[j] = random.uniform(problem_.lower[j], problem_.upper[j]);
+      draw_one_within_limits(problem_, random, q_);
       searched_ = 0;
     } else {
       ++searched_;

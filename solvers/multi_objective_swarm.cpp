@@ -310,7 +310,7 @@ class MultiObjectiveSwarm final : public Solver {
     for (int k = 0; k < redrawn; ++k) {
       std::swap(order_[static_cast<std::size_t>(k)], order_[static_cast<std::size_t>(k + random.index(count - k))]);
       const int i = order_[static_cast<std::size_t>(k)];
-      for (Eigen::Index j = 0; j < x_.rows(); ++j) x_(j, i) = random.uniform(problem_.lower[j], problem_.upper[j]);
+      draw_one_within_limits(problem_, random, x_.col(i));
     }
   }
 

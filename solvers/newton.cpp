@@ -94,7 +94,7 @@ class Newton final : public Solver {
   void step(Objective& objective, Random& random) override {
     if (finished()) return;
     if (is_stuck_) {
-      for (Eigen::Index j = 0; j < q_.size(); ++j) q_[j] = random.uniform(problem_.lower[j], problem_.upper[j]);
+      draw_one_within_limits(problem_, random, q_);
       is_stuck_ = false;
     } else {
       const Configuration before = q_;

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 
+#include "solvers/bounds.hpp"
 #include "solvers/peers/evaluations.hpp"
 #include "solvers/registry.hpp"
 
@@ -84,11 +85,7 @@ class CeresTiny final : public Solver {
   void step(Objective& objective, Random& random) override {
     if (has_ended_) return;
     angles_ = problem_.start;
-    if (calls_++ > 0) {
-      for (Eigen::Index j = 0; j < angles_.size(); ++j) {
-        angles_[j] = random.uniform(problem_.lower[j], problem_.upper[j]);
-      }
-    }
+    if (calls_++ > 0) draw_one_within_limits(problem_, random, angles_);
     Evaluations evaluations(problem_, objective, best_, started_);
     call(evaluations);
     has_ended_ = options_.restarts == Restarts::none || evaluations.is_over();

@@ -7,6 +7,7 @@
 #include <memory>
 #include <vector>
 
+#include "solvers/bounds.hpp"
 #include "solvers/peers/evaluations.hpp"
 #include "solvers/registry.hpp"
 
@@ -67,9 +68,7 @@ class NloptSolver final : public Solver {
   void step(Objective& objective, Random& random) override {
     if (has_ended_) return;
     Configuration q = problem_.start.cwiseMax(problem_.lower).cwiseMin(problem_.upper);
-    if (calls_++ > 0) {
-      for (Eigen::Index j = 0; j < q.size(); ++j) q[j] = random.uniform(problem_.lower[j], problem_.upper[j]);
-    }
+    if (calls_++ > 0) draw_one_within_limits(problem_, random, q);
     nlopt_srand(static_cast<unsigned long>(random.index(std::numeric_limits<int>::max())));  // of this thread
     Evaluations evaluations(problem_, objective, best_, started_);
     if (!evaluations.is_over()) call(evaluations, q);
