@@ -24,11 +24,13 @@ constexpr double rounding = 1e-9;  // [m], [rad]
 constexpr Matrix identity{{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}}};
 
 Matrix product(const Matrix& left, const Matrix& right) {
-  Matrix result{};
+  Matrix result;
   for (std::size_t row = 0; row < 4; ++row) {
-    for (std::size_t column = 0; column < 4; ++column) {
-      for (std::size_t k = 0; k < 4; ++k) result[row][column] += left[row][k] * right[k][column];
+    std::array<double, 4> sums{};
+    for (std::size_t k = 0; k < 4; ++k) {
+      for (std::size_t column = 0; column < 4; ++column) sums[column] += left[row][k] * right[k][column];
     }
+    result[row] = sums;
   }
   return result;
 }
@@ -125,16 +127,87 @@ Eigen::Matrix4d as_eigen(const Matrix& pose) {
   return result;
 }
 
-// The pose of a link's end, from that of its beginning.
-Matrix past(const DhLink& link, double joint, const Matrix& pose) {
+// Transforms one after the other, at most four.
+class Transforms {
+ public:
+  void add(const Matrix& transform) { all_[count_++] = transform; }
+  Matrix past(Matrix pose) const {
+    for (std::size_t i = 0; i < count_; ++i) pose = product(pose, all_[i]);
+    return pose;
+  }
+
+ private:
+  std::array<Matrix, 4> all_;
+  std::size_t count_ = 0;
+};
+
+Transforms transforms_of(const DhLink& link, double joint) {
   const double angle = link.joint == Joint::slides ? link.offset : joint + link.offset;
   const double along_z = link.joint == Joint::slides ? link.d + joint : link.d;
   const bool is_coupled = link.joint == Joint::coupled;
-  Matrix end = product(pose, is_coupled ? turned_about_y(angle) : turned_about_z(angle));
-  end = product(end, moved(link.a, 0, along_z));
+  Transforms transforms;
+  transforms.add(is_coupled ? turned_about_y(angle) : turned_about_z(angle));
+  transforms.add(moved(link.a, 0, along_z));
   // After the link it is turned back: that is what a parallelogram does.
-  if (is_coupled) end = product(end, turned_about_y(-angle));
-  return product(end, turned_about_x(link.alpha));
+  if (is_coupled) transforms.add(turned_about_y(-angle));
+  transforms.add(turned_about_x(link.alpha));
+  return transforms;
+}
+
+Transforms transforms_of(const DescribedJoint& joint, double value) {
+  Transforms transforms;
+  transforms.add(pose_of(joint.origin));
+  if (joint.motion != DescribedJoint::Motion::none) transforms.add(motion_of(joint, value));
+  return transforms;
+}
+
+// An arm at one configuration, link by link, so that what comes before a joint is not computed again where it moves.
+template <class Link>
+class Arm {
+ public:
+  Arm(const Matrix& base, const std::vector<Link>& links, const Matrix& tool, const Eigen::VectorXd& q)
+      : links_(links), tool_(tool) {
+    Eigen::Index joint = 0;
+    Matrix pose = base;
+    for (std::size_t i = 0; i < links.size(); ++i) {
+      const bool is_moved = moves(links[i]);
+      if (is_moved) link_of_joint_.push_back(i);
+      before_.push_back(pose);
+      transforms_.push_back(transforms_of(links[i], is_moved ? q[joint++] : 0));
+      pose = transforms_.back().past(pose);
+    }
+    pose_ = product(pose, tool);
+  }
+
+  Eigen::Matrix4d pose() const { return as_eigen(pose_); }
+  // With one joint elsewhere.
+  Eigen::Matrix4d pose_with(Eigen::Index joint, double value) const {
+    std::size_t i = link_of_joint_[static_cast<std::size_t>(joint)];
+    Matrix pose = transforms_of(links_[i], value).past(before_[i]);
+    while (++i < links_.size()) pose = transforms_[i].past(pose);
+    return as_eigen(product(pose, tool_));
+  }
+
+ private:
+  static bool moves(const DhLink&) { return true; }
+  static bool moves(const DescribedJoint& joint) { return joint.motion != DescribedJoint::Motion::none; }
+
+  const std::vector<Link>& links_;
+  Matrix tool_, pose_;
+  std::vector<Matrix> before_;  // each link
+  std::vector<Transforms> transforms_;
+  std::vector<std::size_t> link_of_joint_;
+};
+
+// Gives `use` the arm by its table, or one from a URDF file by its origins and axes.
+template <class Use>
+auto with_arm(const Chain& chain, const Eigen::VectorXd& q, Use&& use) {
+  return use(Arm(pose_of(chain.base()), chain.links(), pose_of(chain.tool()), q));
+}
+template <class Use>
+auto with_arm(const Robot& robot, const Eigen::VectorXd& q, Use&& use) {
+  if (robot.description.empty()) return with_arm(robot.chain, q, use);
+  return use(Arm(identity, robot.description, identity, q));
 }
 
 double limit_margin(const JointLimits& limits, const Eigen::VectorXd& answer) {
@@ -152,34 +225,26 @@ double limit_margin(const JointLimits& limits, const Eigen::VectorXd& answer) {
 }  // namespace
 
 Eigen::Matrix4d verified_pose(const Chain& arm, const Eigen::VectorXd& q) {
-  Matrix pose = pose_of(arm.base());
-  Eigen::Index joint = 0;
-  for (const DhLink& link : arm.links()) pose = past(link, q[joint++], pose);
-  return as_eigen(product(pose, pose_of(arm.tool())));
+  return with_arm(arm, q, [](const auto& at) { return at.pose(); });
 }
 
 Eigen::Matrix4d verified_pose(const Robot& arm, const Eigen::VectorXd& q) {
-  if (arm.description.empty()) return verified_pose(arm.chain, q);
-  Matrix pose = identity;
-  Eigen::Index moving = 0;
-  for (const DescribedJoint& joint : arm.description) {
-    pose = product(pose, pose_of(joint.origin));
-    if (joint.motion == DescribedJoint::Motion::none) continue;
-    pose = product(pose, motion_of(joint, q[moving++]));
-  }
-  return as_eigen(pose);
+  return with_arm(arm, q, [](const auto& at) { return at.pose(); });
 }
 
 Verification verify(const Robot& robot, const Pose& target, const Eigen::VectorXd& start,
                     const Eigen::VectorXd& answer) {
-  const Eigen::Matrix4d reached = verified_pose(robot, answer);
+  Eigen::Matrix4d reached;
+  const Eigen::VectorXd singular = with_arm(robot, answer, [&](const auto& at) {
+    reached = at.pose();
+    return singular_values(robot, answer, reached,
+                           [&](Eigen::Index j, double value) { return at.pose_with(j, value); });
+  });
   const Eigen::Matrix4d wanted = target.matrix();
   const Eigen::Matrix3d R = reached.topLeftCorner<3, 3>(), R_wanted = wanted.topLeftCorner<3, 3>();
   const Eigen::VectorXd move = answer - start;
   const Eigen::VectorXd outside =
       answer.allFinite() ? (robot.limits.lower - answer).cwiseMax(answer - robot.limits.upper).cwiseMax(0) : answer;
-  const Eigen::VectorXd singular =
-      singular_values(robot, answer, [&](const Eigen::VectorXd& q) { return verified_pose(robot, q); });
   const Eigen::VectorXd turned = of_joints(robot, move, Kind::turns), slid = of_joints(robot, move, Kind::slides);
   return {.reached = reached.topRightCorner<3, 1>(),
           .position_error = (reached - wanted).topRightCorner<3, 1>().norm(),

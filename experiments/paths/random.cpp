@@ -76,9 +76,12 @@ class SampledScores {
 // The smallest singular value is below the first percentile.
 Demand near_singular(const Robot& arm, SampledScores& samples) {
   const auto score = [&arm](const Configuration& q) {
-    return -singular_values(arm, q, [&](const Eigen::VectorXd& at) {
-              return arm.chain.forward(at).matrix();
-            }).minCoeff();
+    const auto pose_with = [&](Eigen::Index j, double value) {
+      Configuration moved = q;
+      moved[j] = value;
+      return arm.chain.forward(moved).matrix();
+    };
+    return -singular_values(arm, q, arm.chain.forward(q).matrix(), pose_with).minCoeff();
   };
   const std::vector<double>& scores = samples.of(arm, "singular", score);
   return {score, scores[scores.size() * 99 / 100]};
