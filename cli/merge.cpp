@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <deque>
+#include <map>
 #include <memory>
 
 #include "cli/commands.hpp"
@@ -34,9 +36,23 @@ std::vector<fs::path> stores_to_merge(const fs::path& out, const std::vector<std
   return stores;
 }
 
-std::string first_damage(const StudyEntry& study, const std::vector<SolveRecord>& solves) {
-  const std::vector<std::string> found = experiments::damages(study, solves);
-  return found.empty() ? "" : found.front();
+// Computes all solves of a store again, each for every study that has it.
+std::string first_damage(const fs::path& place) {
+  const Store store(place, Store::Mode::read);
+  std::deque<experiments::Recheck> rechecks;
+  std::map<std::string, std::vector<experiments::Recheck*>> of_series;
+  for (const StudyEntry& study : store.studies()) {
+    rechecks.emplace_back(study);
+    for (const Series& series : study.series) of_series[series.key].push_back(&rechecks.back());
+  }
+  store.each_solve([&](const SolveRecord& solve) {
+    const auto found = of_series.find(solve.series);
+    if (found == of_series.end()) return;
+    for (experiments::Recheck* const recheck : found->second) recheck->look_at(solve);
+  });
+  for (const experiments::Recheck& recheck : rechecks)
+    for (const std::string& damage : recheck.damages()) return damage;
+  return "";
 }
 
 // The transaction ends somewhere within: who is stopped there cannot say on which side of its end.

@@ -19,6 +19,7 @@
 #include <stdexcept>
 #include <string>
 #include <system_error>
+#include <thread>
 #include <utility>
 
 #include "results/files.hpp"
@@ -73,33 +74,26 @@ bool is_same(const Session& a, const Session& b) {
 // The store that gets all, within one transaction.
 class MergedStore {
  public:
-  MergedStore(StoreFile& file, const Checker& check)
-      : file_(file), check_(check), insert_(file.sqlite(), insert_solve() + " ON CONFLICT DO NOTHING") {
+  MergedStore(StoreFile& file, const Checker& check) : file_(file), check_(check) {
     const Store before(file.name(), Store::Mode::read);
     for (const StudyEntry& study : before.studies()) studies_.emplace(study.name, Known{study, file.name()});
     sessions_ = before.sessions();
   }
 
-  // All of a store.
+  // All of a store. Its solves are looked at by another thread meanwhile.
   void take(const fs::path& place) {
     const Store source(place, Store::Mode::read);
+    looks_.push_back({place, std::async(std::launch::async, check_, place)});
     std::vector<StudyEntry> studies;
     source.at_one_moment([&] { studies = source.studies(); });
     for (const StudyEntry& study : studies) take(study, place);
-    std::map<std::int64_t, std::int64_t> numbers = take(source.sessions(), place);
-    Suspects suspects(studies, check_, place);
-    source.each_solve([&](SolveRecord solve) {
-      auto number = numbers.find(solve.session);
-      if (number == numbers.end()) {  // it has begun since
-        numbers = take(source.sessions(), place);
-        number = numbers.find(solve.session);
-      }
-      if (number == numbers.end()) throw Damage("a solve is of a session that the table of sessions does not have");
-      solve.session = number->second;
-      const bool is_new = guarded(file_.name(), [&] { return take(solve, place); });
-      if (is_new) suspects.add(std::move(solve));
-    });
-    suspects.finish();
+    guarded(place.string(), [&] { take_solves(source, place); });
+    if (looks_.size() > std::thread::hardware_concurrency()) end_first_look();
+  }
+
+  // std::invalid_argument where something is wrong with what was taken.
+  void end_looks() {
+    while (!looks_.empty()) end_first_look();
   }
 
   Merged merged;
@@ -110,59 +104,18 @@ class MergedStore {
     fs::path place;
   };
 
-  // Solves of each study on their way to who checks them: some at once, by other threads.
-  class Suspects {
-   public:
-    Suspects(const std::vector<StudyEntry>& studies, const Checker& check, fs::path place)
-        : studies_(studies), check_(check), place_(std::move(place)), waiting_(studies.size()) {
-      for (std::size_t i = 0; i < studies.size(); ++i)
-        for (const Series& series : studies[i].series) studies_of_[series.key].push_back(i);
-    }
-    void add(SolveRecord solve) {
-      const auto studies = studies_of_.find(solve.series);
-      if (studies == studies_of_.end()) return;
-      for (std::size_t s = 1; s < studies->second.size(); ++s) add(studies->second[s], solve);
-      add(studies->second.front(), std::move(solve));
-    }
-    void finish() {
-      for (std::size_t i = 0; i < studies_.size(); ++i) look(i);
-      while (!looking_.empty()) end_first();
-    }
-
-   private:
-    struct Look {
-      const StudyEntry& study;
-      std::future<std::string> wrong;
-    };
-
-    void add(std::size_t study, SolveRecord solve) {
-      constexpr std::size_t most = 500;
-      waiting_[study].push_back(std::move(solve));
-      if (waiting_[study].size() == most) look(study);
-    }
-    void look(std::size_t i) {
-      auto check = [&check = check_, &study = studies_[i], solves = std::exchange(waiting_[i], {})] {
-        return check(study, solves);
-      };
-      looking_.push_back({studies_[i], std::async(std::move(check))});
-      constexpr std::size_t most_at_once = 3;  // more would wait for who reads, and solves with traces are large
-      if (looking_.size() > most_at_once) end_first();
-    }
-    void end_first() {
-      const std::string wrong = looking_.front().wrong.get();
-      if (!wrong.empty())
-        throw std::invalid_argument(fmt::format("'{}': {} Nothing was merged; solve {} again into a new store",
-                                                place_.string(), wrong, looking_.front().study.name));
-      looking_.pop_front();
-    }
-
-    const std::vector<StudyEntry>& studies_;
-    const Checker& check_;
-    fs::path place_;
-    std::vector<std::vector<SolveRecord>> waiting_;
-    std::map<std::string, std::vector<std::size_t>> studies_of_;
-    std::deque<Look> looking_;
+  struct Look {
+    fs::path place;
+    std::future<std::string> wrong;
   };
+
+  void end_first_look() {
+    const std::string wrong = looks_.front().wrong.get();
+    if (!wrong.empty())
+      throw std::invalid_argument(fmt::format("'{}': {} Nothing was merged; solve that part again into a new store",
+                                              looks_.front().place.string(), wrong));
+    looks_.pop_front();
+  }
 
   void take(const StudyEntry& study, const fs::path& place) {
     const auto [found, is_new] = studies_.try_emplace(study.name, Known{study, place});
@@ -211,14 +164,25 @@ class MergedStore {
     return known->id;
   }
 
-  // Whether it was not there.
-  bool take(const SolveRecord& solve, const fs::path& place) {
-    bind_solve(insert_, solve);
-    const bool is_new = insert_.exec() == 1;
-    insert_.reset();
-    ++(is_new ? merged.added : merged.known);
-    if (!is_new) refuse_other_bits(solve, place);
-    return is_new;
+  void take_solves(const Store& source, const fs::path& place) {
+    std::map<std::int64_t, std::int64_t> numbers = take(source.sessions(), place);
+    StoreFile file(place, Store::Mode::read);
+    SQLite::Statement insert(file_.sqlite(), insert_solve(file.version()) + " ON CONFLICT DO NOTHING");
+    file.each_row([&](SQLite::Statement& row) {
+      const int session = row.getColumnIndex("session");
+      auto number = numbers.find(value_in<std::int64_t>(row.getColumn(session)));
+      if (number == numbers.end()) {  // it has begun since
+        numbers = take(source.sessions(), place);
+        number = numbers.find(row.getColumn(session).getInt64());
+      }
+      if (number == numbers.end()) throw Damage("a solve is of a session that the table of sessions does not have");
+      bind_row(insert, row);
+      insert.bind(session + 1, number->second);
+      const bool is_new = guarded(file_.name(), [&] { return insert.exec() == 1; });
+      insert.reset();
+      ++(is_new ? merged.added : merged.known);
+      if (!is_new) refuse_other_bits(solve_in(row), place);
+    });
   }
 
   void refuse_other_bits(const SolveRecord& solve, const fs::path& place) {
@@ -241,7 +205,7 @@ class MergedStore {
 
   StoreFile& file_;
   const Checker& check_;
-  SQLite::Statement insert_;
+  std::deque<Look> looks_;
   std::optional<SQLite::Statement> select_;
   std::map<std::string, Known> studies_;
   std::vector<Session> sessions_;
@@ -263,6 +227,7 @@ Merged merge_into(const fs::path& file, const std::vector<fs::path>& stores, con
     }
     if (!stores.empty() && store.merged.half_written.size() == stores.size())
       throw std::invalid_argument(store.merged.half_written.front());
+    store.end_looks();
     target.commit(transaction);
     return store.merged;
   });

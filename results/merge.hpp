@@ -17,8 +17,9 @@ struct Merged {
   std::vector<std::string> half_written;  // a sentence for each store that a kill left so: what it has is not merged
 };
 
-// What is wrong with solves of a study, in a sentence; empty where nothing is. Several threads ask at once.
-using Checker = std::function<std::string(const StudyEntry&, const std::vector<SolveRecord>&)>;
+// Reads all solves of a store, and says in a sentence what is wrong with them; empty where nothing is. Several threads
+// ask at once, each of another store.
+using Checker = std::function<std::string(const std::filesystem::path& store)>;
 
 // Why two studies of one name cannot be merged; empty where they can: of two numbers of runs the larger is taken.
 std::string why_not_one(const StudyEntry& study, const StudyEntry& other);

@@ -159,28 +159,14 @@ struct Store::Database : StoreFile {
     do {
       read.clear();
       SQLite::bind(query, key, run, point, at_once);
-      read_rows(query, last_run, [&](SolveRecord record) { read.push_back(std::move(record)); });
+      while (query.executeStep()) {
+        SolveRecord record = at_solve(query, [&] { return solve_in(query); });
+        if (record.run <= last_run) read.push_back(std::move(record));
+      }
       query.reset();
       if (!read.empty()) std::tie(run, point) = std::pair(read.back().run, read.back().point);
       for (SolveRecord& record : read) take(std::move(record));
     } while (read.size() == at_once);
-  }
-
-  void read_rows(SQLite::Statement& query, std::int64_t last_run, const std::function<void(SolveRecord)>& take) {
-    const int run = query.getColumnIndex("run"), point = query.getColumnIndex("point");
-    while (query.executeStep()) {
-      SolveRecord record;
-      try {
-        value_in<int>(query.getColumn(point));
-        if (value_in<int>(query.getColumn(run)) > last_run) continue;
-        record = solve_in(query);
-      } catch (const Damage& error) {
-        throw Damage(fmt::format("{}; in the solve of run {}, point {} of series {}", error.what(),
-                                 excerpt(query.getColumn(run)), excerpt(query.getColumn(point)),
-                                 excerpt(query.getColumn(query.getColumnIndex("series")))));
-      }
-      take(std::move(record));
-    }
   }
 };
 
@@ -300,22 +286,7 @@ void Store::at_one_moment(const std::function<void()>& action) const {
 }
 
 void Store::each_solve(const std::function<void(SolveRecord)>& take) const {
-  guarded(database_->name(), [&] {
-    // Some at a time: who writes without a log waits for the end of a query, and gives up some seconds later.
-    SQLite::Statement ahead(database_->sqlite(),
-                            "SELECT rowid FROM solves WHERE rowid >= ? ORDER BY rowid LIMIT 1 OFFSET 999");
-    SQLite::Statement query(database_->sqlite(),
-                            select_solves(database_->version()) + " WHERE rowid BETWEEN ? AND ? ORDER BY rowid");
-    constexpr std::int64_t end = std::numeric_limits<std::int64_t>::max();
-    for (std::int64_t first = std::numeric_limits<std::int64_t>::min(), last = first; last < end; first = last + 1) {
-      ahead.bind(1, first);
-      last = ahead.executeStep() ? ahead.getColumn(0).getInt64() : end;
-      ahead.reset();
-      SQLite::bind(query, first, last);
-      database_->read_rows(query, all_runs, take);
-      query.reset();
-    }
-  });
+  guarded(database_->name(), [&] { database_->each_row([&](SQLite::Statement& row) { take(solve_in(row)); }); });
 }
 
 void Store::each_of_series(const std::string& key, const std::function<void(SolveRecord)>& take) const {

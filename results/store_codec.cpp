@@ -84,37 +84,66 @@ std::string sql_default(const Value& value) {
   if constexpr (!std::is_arithmetic_v<Value>) return fmt::format(" DEFAULT '{}'", sql_value(value));
 }
 
+// The text of a column, as long as its row is.
+std::string_view text_in(const SQLite::Column& column) {
+  const char* const text = column.getText();  // before its bytes are counted
+  return {text, static_cast<std::size_t>(column.getBytes())};
+}
+
 // SQLite keeps a value of any type in a column of any type, and would give a wrong one as 0 or as text.
 void expect(bool is_right, const SQLite::Column& column, std::string_view type) {
   if (!is_right) throw Damage(fmt::format("{} {}, expected {}", column.getName(), excerpt(column), type));
 }
 
 template <class Value>
-void read(const SQLite::Column& column, Value& value) {
-  if constexpr (std::is_floating_point_v<Value>) {
+void expect_type(const SQLite::Column& column) {
+  if constexpr (std::is_floating_point_v<Value>)
     expect(column.isFloat() || column.isInteger() || column.isNull(), column, "a number");
+  else if constexpr (std::is_integral_v<Value>)
+    expect(column.isInteger(), column, "a whole number");
+  else
+    expect(column.isText(), column, "text");
+}
+
+template <class Value>
+void read(const SQLite::Column& column, Value& value) {
+  expect_type<Value>(column);
+  if constexpr (std::is_floating_point_v<Value>) {
     value = column.isNull() ? std::numeric_limits<double>::quiet_NaN() : column.getDouble();
   } else if constexpr (std::is_integral_v<Value>) {
-    expect(column.isInteger(), column, "a whole number");
     if (!std::in_range<Value>(column.getInt64()))
       throw Damage(fmt::format("{} {}", column.getName(), column.getInt64()));
     value = static_cast<Value>(column.getInt64());
-  } else {
-    expect(column.isText(), column, "text");
-    if constexpr (std::is_enum_v<Value>) {
-      const auto& names = names_of(value);
-      const auto found = std::find(names.begin(), names.end(), column.getString());
-      if (found == names.end()) throw Damage(fmt::format("{} {}", column.getName(), excerpt(column)));
-      value = static_cast<Value>(found - names.begin());
-    } else if constexpr (std::is_same_v<Value, std::vector<double>>) {
-      try {
-        value = numbers_from(column.getString());
-      } catch (const Damage& error) {
-        throw Damage(fmt::format("{}: {}", column.getName(), error.what()));
-      }
-    } else {
-      value = column.getString();
+  } else if constexpr (std::is_enum_v<Value>) {
+    const auto& names = names_of(value);
+    const auto found = std::find(names.begin(), names.end(), text_in(column));
+    if (found == names.end()) throw Damage(fmt::format("{} {}", column.getName(), excerpt(column)));
+    value = static_cast<Value>(found - names.begin());
+  } else if constexpr (std::is_same_v<Value, std::vector<double>>) {
+    try {
+      value = numbers_from(text_in(column));
+    } catch (const Damage& error) {
+      throw Damage(fmt::format("{}: {}", column.getName(), error.what()));
     }
+  } else {
+    value = text_in(column);
+  }
+}
+
+// Binds it as it is; the column must stay.
+template <class Value>
+void copy(const SQLite::Column& column, SQLite::Statement& insert, int index) {
+  expect_type<Value>(column);
+  if constexpr (std::is_floating_point_v<Value>) {
+    if (column.isNull())
+      insert.bind(index);
+    else
+      insert.bind(index, column.getDouble());
+  } else if constexpr (std::is_integral_v<Value>) {
+    insert.bind(index, column.getInt64());
+  } else {
+    expect(text_in(column).find('\0') == std::string_view::npos, column, "text without a zero");  // it would end there
+    insert.bindNoCopy(index, column.getText());
   }
 }
 
@@ -153,6 +182,7 @@ std::string_view name_in(const SolveColumn& column) { return column.name; }
 
 std::string excerpt(std::string_view text) {
   constexpr std::size_t longest = 40;
+  text = text.substr(0, text.find('\0'));
   return text.size() <= longest ? fmt::format("'{}'", text) : fmt::format("'{}...'", text.substr(0, longest));
 }
 
@@ -180,8 +210,8 @@ std::vector<std::string> add_columns_after(std::int64_t version) {
   return sql;
 }
 
-std::string insert_solve() {
-  const std::vector<SolveColumn> columns = solve_columns(schema_version);
+std::string insert_solve(std::int64_t version) {
+  const std::vector<SolveColumn> columns = solve_columns(version);
   return fmt::format("INSERT INTO solves ({}) VALUES ({})", listed(columns, name_in),
                      listed(columns, [](const SolveColumn&) { return "?"; }));
 }
@@ -190,6 +220,15 @@ void bind_solve(SQLite::Statement& insert, const SolveRecord& record) {
   int index = 0;
   for_each_column(
       [&](std::string_view, auto member, std::string_view) { insert.bind(++index, sql_value(record.*member)); });
+}
+
+void bind_row(SQLite::Statement& insert, SQLite::Statement& row) {
+  int index = 0;
+  for_each_column([&]<class Value>(std::string_view, Value SolveRecord::*, std::string_view) {
+    if (index == row.getColumnCount()) return;
+    const SQLite::Column column = row.getColumn(index++);
+    copy<Value>(column, insert, index);
+  });
 }
 
 SolveRecord solve_in(SQLite::Statement& row) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <SQLiteCpp/SQLiteCpp.h>
+#include <fmt/format.h>
 
 #include <cstdint>
 #include <stdexcept>
@@ -19,7 +20,7 @@ struct Damage : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-// Text of the file within a sentence: in quotes, and not all of it where it is long.
+// Text of the file within a sentence: in quotes, up to a zero, and not all of it where it is long.
 std::string excerpt(std::string_view text);
 std::string excerpt(const SQLite::Column& column);
 
@@ -38,13 +39,28 @@ std::string create_solves(std::int64_t version);
 std::string select_solves(std::int64_t version);
 std::vector<std::string> add_columns_after(std::int64_t version);
 
-// An INSERT with a parameter for each column of this program, which bind_solve fills.
-std::string insert_solve();
+// An INSERT with a parameter for each column of a version of the schema. bind_solve fills those of this program's;
+// bind_row takes the values of a row of select_solves as they are, which are not copied: the row must stay. A value of
+// another type is Damage; whether the rest makes a solve, only solve_in says.
+std::string insert_solve(std::int64_t version = schema_version);
 void bind_solve(SQLite::Statement& insert, const SolveRecord& record);
+void bind_row(SQLite::Statement& insert, SQLite::Statement& row);
 
 // The row that a statement of select_solves stands at. What its version does not have is NaN for a number, else the
 // column's default. Damage names the column.
 SolveRecord solve_in(SQLite::Statement& row);
+
+// What `action` returns; Damage that it finds in a row of select_solves says which solve that is.
+template <class Action>
+auto at_solve(SQLite::Statement& row, Action&& action) {
+  try {
+    return action();
+  } catch (const Damage& error) {
+    const auto said = [&](const char* column) { return excerpt(row.getColumn(row.getColumnIndex(column))); };
+    throw Damage(fmt::format("{}; in the solve of run {}, point {} of series {}", error.what(), said("run"),
+                             said("point"), said("series")));
+  }
+}
 
 // A value of a column that must be of its type, of which there are std::string, int, std::int64_t; else Damage.
 template <class Value>

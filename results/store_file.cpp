@@ -1,5 +1,6 @@
 #include "results/store_file.hpp"
 
+#include <SQLiteCpp/VariadicBind.h>
 #include <fmt/format.h>
 #include <sqlite3.h>
 #include <sys/stat.h>
@@ -7,6 +8,7 @@
 #include <algorithm>
 #include <cctype>
 #include <chrono>
+#include <limits>
 #include <stdexcept>
 #include <string_view>
 #include <system_error>
@@ -292,6 +294,21 @@ void StoreFile::migrate() {
 void StoreFile::refuse_blobs(const char* table, const char* column) {
   if (SQLite::Statement(sqlite_, fmt::format("SELECT 1 FROM {} WHERE {} >= x'' LIMIT 1", table, column)).executeStep())
     throw Damage(fmt::format("{} is a BLOB in a row of table {}, expected text", column, table));
+}
+
+void StoreFile::each_row(const std::function<void(SQLite::Statement& row)>& take) {
+  // Some at a time: who writes without a log waits for the end of a query, and gives up some seconds later.
+  SQLite::Statement ahead(sqlite_, "SELECT rowid FROM solves WHERE rowid >= ? ORDER BY rowid LIMIT 1 OFFSET 999");
+  SQLite::Statement rows(sqlite_, select_solves(version()) + " WHERE rowid BETWEEN ? AND ? ORDER BY rowid");
+  constexpr std::int64_t end = std::numeric_limits<std::int64_t>::max();
+  for (std::int64_t first = std::numeric_limits<std::int64_t>::min(), last = first; last < end; first = last + 1) {
+    ahead.bind(1, first);
+    last = ahead.executeStep() ? ahead.getColumn(0).getInt64() : end;
+    ahead.reset();
+    SQLite::bind(rows, first, last);
+    while (rows.executeStep()) at_solve(rows, [&] { take(rows); });
+    rows.reset();
+  }
 }
 
 }  // namespace ikbench::results

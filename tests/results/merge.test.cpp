@@ -34,10 +34,13 @@ void make_store(const fs::path& file, const std::string& machine, const std::vec
   }
 }
 
-// Finds nothing wrong.
-std::string no_look(const StudyEntry&, const std::vector<SolveRecord>&) { return ""; }
+// Reads all, and finds nothing wrong.
+std::string read_all(const fs::path& store) {
+  Store(store, Store::Mode::read).each_solve([](const SolveRecord&) {});
+  return "";
+}
 
-Merged merge(const fs::path& out, const std::vector<fs::path>& stores) { return results::merge(out, stores, no_look); }
+Merged merge(const fs::path& out, const std::vector<fs::path>& stores) { return results::merge(out, stores, read_all); }
 
 void edit(const fs::path& store, const std::string& sql) {
   SQLite::Database(store.string(), SQLite::OPEN_READWRITE).exec(sql);
@@ -209,11 +212,12 @@ TEST_CASE("what the checker of solves finds is refused with the store, and nothi
   const ScratchFolder folder;
   make_store(folder.path / "a", "one", {1, 2});
   make_store(folder.path / "b", "two", {3, 4});
-  const auto look = [](const StudyEntry& study, const std::vector<SolveRecord>& solves) -> std::string {
-    CHECK(study.name == "table-3");
-    for (const SolveRecord& solve : solves)
-      if (solve.run == 4) return "Damaged: run 4.";
-    return "";
+  const auto look = [](const fs::path& store) -> std::string {
+    std::string wrong;
+    Store(store, Store::Mode::read).each_solve([&](const SolveRecord& solve) {
+      if (solve.run == 4) wrong = "Damaged: run 4.";
+    });
+    return wrong;
   };
   const auto merging = [&] { results::merge(folder.path / "out", {folder.path / "a", folder.path / "b"}, look); };
   CHECK_THAT(complaint<std::invalid_argument>(merging),
@@ -322,27 +326,31 @@ TEST_CASE("who writes to a store in a shared folder does not wait until another 
   CHECK(seen_when_written < solves);
 }
 
-TEST_CASE("a damaged solve is found among many, whichever thread looks at it", "[merge]") {
+TEST_CASE("all stores are looked at, also where they are more than threads that look at once", "[merge]") {
   const ScratchFolder folder;
-  make_store(folder.path / "a", "one", {});
-  std::vector<SolveRecord> records;
-  for (int run = 1; run <= 5500; ++run) records.push_back(sample_record("key-a", run));
-  records[4321].position_error_cm = -1;
-  Store store(folder.path / "a", Store::Mode::write);
-  const std::int64_t session = store.begin_session({{"machine", "one"}});
-  for (SolveRecord& record : records) record.session = session;
-  store.append(records);
-  std::atomic<std::size_t> looked_at{0};
-  const auto look = [&](const StudyEntry&, const std::vector<SolveRecord>& solves) {
-    looked_at += solves.size();
-    const auto bad = std::ranges::find(solves, -1, &SolveRecord::position_error_cm);
-    return bad == solves.end() ? "" : fmt::format("run {} is wrong.", bad->run);
+  std::vector<fs::path> stores;
+  for (int run = 1; run <= 30; ++run) {
+    stores.push_back(folder.path / std::to_string(run));
+    make_store(stores.back(), "one", {run});
+  }
+  std::atomic<int> looked_at{0};
+  const auto look = [&](const fs::path& store) {
+    ++looked_at;
+    return store.filename() == "30" ? "The last is wrong." : "";
   };
-  CHECK_THAT(complaint<std::invalid_argument>([&] { results::merge(folder.path / "out", {folder.path / "a"}, look); }),
-             ContainsSubstring("run 4322 is wrong. Nothing was merged"));
+  CHECK_THAT(complaint<std::invalid_argument>([&] { results::merge(folder.path / "out", stores, look); }),
+             ContainsSubstring("The last is wrong. Nothing was merged"));
+  CHECK(looked_at == 30);
   CHECK_FALSE(fs::exists(folder.path / "out"));
-  edit(folder.path / "a", "UPDATE solves SET position_error_cm = 1");
-  looked_at = 0;
-  CHECK(results::merge(folder.path / "out", {folder.path / "a"}, look).added == 5500);
-  CHECK(looked_at == 5500);
+  stores.pop_back();
+  CHECK(results::merge(folder.path / "out", stores, look).added == 29);
+}
+
+TEST_CASE("a text with a zero in it is not cut off there and taken for another", "[merge]") {
+  const ScratchFolder folder;
+  make_store(folder.path / "a", "one", {1});
+  edit(folder.path / "a", "UPDATE solves SET series = series || char(0) || 'x'");
+  CHECK_THAT(complaint<std::invalid_argument>([&] { merge(folder.path / "out", {folder.path / "a"}); }),
+             ContainsSubstring("series") && ContainsSubstring("text without a zero"));
+  CHECK_FALSE(fs::exists(folder.path / "out"));
 }
