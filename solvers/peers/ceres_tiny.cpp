@@ -73,26 +73,22 @@ class CeresTiny final : public Solver {
   explicit CeresTiny(Options options) : options_(options) {}
 
   void start(const Problem& problem, Objective& objective, Random&) override {
-    started_ = Evaluations::Clock::now();
-    problem_ = problem;
+    solve_.start(problem, objective);
     jacobian_.resize(objective.rows(), problem.joints());
     calls_ = 0;
-    has_ended_ = false;
-    best_ = {problem.start};
-    best_.improve(problem.start, objective.error(problem.start));
   }
 
   void step(Objective& objective, Random& random) override {
-    if (has_ended_) return;
-    angles_ = problem_.start;
-    if (calls_++ > 0) draw_one_within_limits(problem_, random, angles_);
-    Evaluations evaluations(problem_, objective, best_, started_);
+    if (solve_.has_ended) return;
+    angles_ = solve_.problem.start;
+    if (calls_++ > 0) draw_one_within_limits(solve_.problem, random, angles_);
+    Evaluations evaluations(solve_, objective);
     call(evaluations);
-    has_ended_ = options_.restarts == Restarts::none || evaluations.is_over();
+    solve_.has_ended = options_.restarts == Restarts::none || evaluations.is_over();
   }
 
-  const Best& best() const override { return best_; }
-  bool finished() const override { return has_ended_; }
+  const Best& best() const override { return solve_.best; }
+  bool finished() const override { return solve_.has_ended; }
 
  private:
   // It ends where it stands still; when it is near enough the study says.
@@ -108,14 +104,11 @@ class CeresTiny final : public Solver {
   }
 
   Options options_;
-  Problem problem_;
-  Evaluations::Clock::time_point started_;
+  LibrarySolve solve_;
   ceres::TinySolver<WayBeyond> solver_;
   Eigen::VectorXd angles_;
   Eigen::MatrixXd jacobian_;
   int calls_ = 0;
-  bool has_ended_ = false;
-  Best best_;
 };
 
 }  // namespace

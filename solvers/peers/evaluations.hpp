@@ -10,28 +10,44 @@
 
 namespace ikbench::solvers {
 
+// A solve by calls of a library.
+struct LibrarySolve {
+  using Clock = std::chrono::steady_clock;
+
+  void start(const Problem& asked, Objective& objective) {
+    started = Clock::now();
+    problem = asked;
+    has_ended = false;
+    best = {asked.start};
+    best.improve(asked.start, objective.error(asked.start));
+  }
+
+  Problem problem;
+  Best best;  // of all that the library evaluated
+  bool has_ended = false;
+  Clock::time_point started;
+};
+
+// What a call of the library evaluates. The solve outlives it.
 class Evaluations {
  public:
-  using Clock = std::chrono::steady_clock;
-  // `best` is kept up to date; `started`: the solve. They outlive it.
-  Evaluations(const Problem& problem, Objective& objective, Best& best, Clock::time_point started)
-      : problem_(problem),
+  Evaluations(LibrarySolve& solve, Objective& objective)
+      : solve_(solve),
+        problem_(solve.problem),
         objective_(objective),
-        best_(best),
-        tolerance_(problem.stop.tolerance, problem.stop.angle_tolerance, objective),
-        started_(started) {}
+        tolerance_(problem_.stop.tolerance, problem_.stop.angle_tolerance, objective) {}
 
   Objective& objective() { return objective_; }
   // A number that a library can rank, also where there is no error.
   double error(const robots::ConfigurationRef& q) {
     const double error = objective_.error(q);
-    if (best_.improve(q, error) && problem_.improvements != nullptr)
+    if (solve_.best.improve(q, error) && problem_.improvements != nullptr)
       problem_.improvements->add(objective_.evaluations(), error);
     return std::isfinite(error) ? error : no_error;
   }
   bool is_over() {
-    is_over_ =
-        is_over_ || left() <= 0 || tolerance_.is_reached(best_) || (problem_.stop.seconds > 0 && seconds_left() <= 0);
+    is_over_ = is_over_ || left() <= 0 || tolerance_.is_reached(solve_.best) ||
+               (problem_.stop.seconds > 0 && seconds_left() <= 0);
     return is_over_;
   }
   // How many may follow: as the study says, or as many as a population would have had in its iterations.
@@ -45,14 +61,13 @@ class Evaluations {
 
  private:
   double seconds_left() const {
-    return problem_.stop.seconds - std::chrono::duration<double>(Clock::now() - started_).count();
+    return problem_.stop.seconds - std::chrono::duration<double>(LibrarySolve::Clock::now() - solve_.started).count();
   }
 
+  LibrarySolve& solve_;
   const Problem& problem_;
   Objective& objective_;
-  Best& best_;
   Tolerance tolerance_;
-  Clock::time_point started_;
   bool is_over_ = false;
 };
 

@@ -56,27 +56,23 @@ class NloptSolver final : public Solver {
   explicit NloptSolver(Options options) : options_(options) {}
 
   void start(const Problem& problem, Objective& objective, Random&) override {
-    started_ = Evaluations::Clock::now();
-    problem_ = problem;
+    solve_.start(problem, objective);
     jacobian_.resize(objective.rows(), problem.joints());
     calls_ = 0;
-    has_ended_ = false;
-    best_ = {problem.start};
-    best_.improve(problem.start, objective.error(problem.start));
   }
 
   void step(Objective& objective, Random& random) override {
-    if (has_ended_) return;
-    Configuration q = problem_.start.cwiseMax(problem_.lower).cwiseMin(problem_.upper);
-    if (calls_++ > 0) draw_one_within_limits(problem_, random, q);
+    if (solve_.has_ended) return;
+    Configuration q = solve_.problem.start.cwiseMax(solve_.problem.lower).cwiseMin(solve_.problem.upper);
+    if (calls_++ > 0) draw_one_within_limits(solve_.problem, random, q);
     nlopt_srand(static_cast<unsigned long>(random.index(std::numeric_limits<int>::max())));  // of this thread
-    Evaluations evaluations(problem_, objective, best_, started_);
+    Evaluations evaluations(solve_, objective);
     if (!evaluations.is_over()) call(evaluations, q);
-    has_ended_ = options_.restarts == Restarts::none || evaluations.is_over();
+    solve_.has_ended = options_.restarts == Restarts::none || evaluations.is_over();
   }
 
-  const Best& best() const override { return best_; }
-  bool finished() const override { return has_ended_; }
+  const Best& best() const override { return solve_.best; }
+  bool finished() const override { return solve_.has_ended; }
 
  private:
   struct Call {
@@ -91,11 +87,11 @@ class NloptSolver final : public Solver {
     const NloptHandle opt(nlopt_create(options_.algorithm, static_cast<unsigned>(q.size())));
     Call call{*this, evaluations, opt.get()};
     nlopt_set_min_objective(opt.get(), merit, &call);
-    nlopt_set_lower_bounds(opt.get(), problem_.lower.data());
-    nlopt_set_upper_bounds(opt.get(), problem_.upper.data());
+    nlopt_set_lower_bounds(opt.get(), solve_.problem.lower.data());
+    nlopt_set_upper_bounds(opt.get(), solve_.problem.upper.data());
     nlopt_set_xtol_rel(opt.get(), 0);
     nlopt_set_xtol_abs1(opt.get(), options_.small_move);
-    nlopt_set_population(opt.get(), static_cast<unsigned>(problem_.population));
+    nlopt_set_population(opt.get(), static_cast<unsigned>(solve_.problem.population));
     nlopt_set_maxeval(opt.get(), static_cast<int>(std::min<std::int64_t>(evaluations.left(), 1'000'000'000)));
     double reached = 0;
     nlopt_optimize(opt.get(), q.data(), &reached);
@@ -122,12 +118,9 @@ class NloptSolver final : public Solver {
   }
 
   Options options_;
-  Problem problem_;
-  Evaluations::Clock::time_point started_;
+  LibrarySolve solve_;
   Eigen::MatrixXd jacobian_;
   int calls_ = 0;
-  bool has_ended_ = false;
-  Best best_;
 };
 
 std::string nlopt_version_text() {

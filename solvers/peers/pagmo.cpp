@@ -75,36 +75,32 @@ class PagmoSolver final : public Solver {
       throw std::invalid_argument(fmt::format("pagmo has a population of {}; expected at least {}", problem.population,
                                               least_pagmo_population));
     }
-    started_ = Evaluations::Clock::now();
-    problem_ = problem;
-    has_ended_ = false;
-    best_ = {problem.start};
-    best_.improve(problem.start, objective.error(problem.start));
+    solve_.start(problem, objective);
   }
 
   void step(Objective& objective, Random& random) override {
-    if (has_ended_) return;
-    has_ended_ = true;
+    if (solve_.has_ended) return;
+    solve_.has_ended = true;
     const auto seed = static_cast<unsigned>(random.index(std::numeric_limits<int>::max()));
-    Evaluations evaluations(problem_, objective, best_, started_);
-    const Configuration start = problem_.start.cwiseMax(problem_.lower).cwiseMin(problem_.upper);
+    Evaluations evaluations(solve_, objective);
+    const Configuration start = solve_.problem.start.cwiseMax(solve_.problem.lower).cwiseMin(solve_.problem.upper);
     try {
       const pagmo::problem target{PagmoTarget{&evaluations,
-                                              {problem_.lower.begin(), problem_.lower.end()},
-                                              {problem_.upper.begin(), problem_.upper.end()}}};
-      pagmo::population population(target, static_cast<unsigned>(problem_.population - 1), seed);
+                                              {solve_.problem.lower.begin(), solve_.problem.lower.end()},
+                                              {solve_.problem.upper.begin(), solve_.problem.upper.end()}}};
+      pagmo::population population(target, static_cast<unsigned>(solve_.problem.population - 1), seed);
       population.push_back({start.begin(), start.end()});
       algorithm(seed).evolve(population);
     } catch (const IsOver&) {  // the best that was evaluated is kept
     }
   }
 
-  const Best& best() const override { return best_; }
-  bool finished() const override { return has_ended_; }
+  const Best& best() const override { return solve_.best; }
+  bool finished() const override { return solve_.has_ended; }
 
  private:
   pagmo::algorithm algorithm(unsigned seed) const {
-    const auto generations = static_cast<unsigned>(problem_.iterations);
+    const auto generations = static_cast<unsigned>(solve_.problem.iterations);
     const double least = options_.small_difference;
     switch (options_.algorithm) {
       case Algorithm::cmaes:
@@ -134,10 +130,7 @@ class PagmoSolver final : public Solver {
   }
 
   Options options_;
-  Problem problem_;
-  Evaluations::Clock::time_point started_;
-  bool has_ended_ = false;
-  Best best_;
+  LibrarySolve solve_;
 };
 
 }  // namespace
