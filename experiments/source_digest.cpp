@@ -12,7 +12,7 @@ namespace {
 
 }  // namespace
 
-std::string source_digest() { return std::string(all); }
+std::string source_digest() { return std::string(of_all); }
 
 std::string shared_source_digest() { return std::string(shared); }
 

@@ -52,7 +52,7 @@ foreach(solver IN LISTS SOLVERS)
 endforeach()
 string(SHA256 all "${shared}${solvers}")
 string(SUBSTRING ${all} 0 16 all)
-file(CONFIGURE OUTPUT ${OUTPUT} @ONLY CONTENT "constexpr std::string_view all = \"${all}\";  // of both
+file(CONFIGURE OUTPUT ${OUTPUT} @ONLY CONTENT "constexpr std::string_view of_all = \"${all}\";  // of both
 constexpr std::string_view shared = \"${shared}\";
 constexpr std::pair<std::string_view, std::string_view> of_solvers[]{
 ${solvers}};

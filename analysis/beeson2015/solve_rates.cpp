@@ -24,11 +24,12 @@ constexpr std::string_view kdl = "KDL", kdl_rr = "KDL-RR";
 constexpr double level = 0.99;  // of our intervals
 
 // Our arms, as the table calls them.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 5> arms{{{"abb_irb120", "ABB IRB120"},
-                                                                             {"franka_panda", "Franka Emika Panda"},
-                                                                             {"baxter_left", "Baxter arm"},
-                                                                             {"kinova_jaco2", "Jaco2"},
-                                                                             {"kuka_iiwa14", "KUKA LBR iiwa 14 R820"}}};
+constexpr std::array<std::pair<std::string_view, std::string_view>, 5> table_arms{
+    {{"abb_irb120", "ABB IRB120"},
+     {"franka_panda", "Franka Emika Panda"},
+     {"baxter_left", "Baxter arm"},
+     {"kinova_jaco2", "Jaco2"},
+     {"kuka_iiwa14", "KUKA LBR iiwa 14 R820"}}};
 
 Cell percentage(double share) { return std::isfinite(share) ? Cell(100 * share) : Cell(); }
 
@@ -45,8 +46,8 @@ std::vector<ArmRates> solve_rates(const Reported& reported) {
   std::vector<ArmRates> rates;
   for (const JudgedStudy& study : studies) {
     if (study.solves.empty()) continue;
-    const auto arm = std::ranges::find(arms, study.gathered->robot, &decltype(arms)::value_type::first);
-    if (arm == arms.end()) continue;
+    const auto arm = std::ranges::find(table_arms, study.gathered->robot, &decltype(table_arms)::value_type::first);
+    if (arm == table_arms.end()) continue;
     for (std::size_t row = 0; row < printed.rows.size(); ++row) {
       if (printed.rows[row][printed.column("arm")] != arm->second) continue;
       ArmRates& one = rates.emplace_back();

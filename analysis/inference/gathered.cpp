@@ -258,7 +258,8 @@ Solve Gatherer::add(const SolveRecord& record, std::uint16_t solver) {
               .is_repeated = is_repeated,
               .is_following = is_following};
   if (!record.trace_cm.empty() || record.variation_m != 0) {
-    solve.rest = &gathered_.rests.emplace_back(record.trace_cm, record.variation_m);
+    gathered_.rests.push_back({record.trace_cm, record.variation_m});
+    solve.rest = &gathered_.rests.back();
   }
   solver_ = solver;
   run_ = record.run;

@@ -54,8 +54,9 @@ const std::string& solver_of(const StudyResults& study, const Solve& solve) {
 
 std::span<const Solve> solves_of(const StudyResults& study, std::string_view solver) {
   const auto number = std::ranges::find(study.gathered->labels, solver) - study.gathered->labels.begin();
-  const auto own = std::ranges::equal_range(study.solves, number, {}, &Solve::solver);
-  return {own.begin(), own.end()};
+  // Not equal_range, which clang++ 14 cannot compile with this library.
+  return {std::ranges::lower_bound(study.solves, number, {}, &Solve::solver),
+          std::ranges::upper_bound(study.solves, number, {}, &Solve::solver)};
 }
 
 const OfSolver& gathered_of(const StudyResults& study, std::string_view solver) {

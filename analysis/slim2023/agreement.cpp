@@ -65,12 +65,13 @@ const Sample* sample_of(const std::vector<Sample>& all, const std::string& solve
   return found == all.end() || found->values.empty() ? nullptr : &*found;
 }
 
-constexpr double near = 1.5;  // times as much or as little
+constexpr double near_ratio = 1.5;  // times as much or as little
 
 Cell cell_of(const Agreement& agreement) {
   Beside cell{.ours = agreement.ours, .printed = agreement.printed, .nearness = Beside::Nearness::within};
   if (agreement.is_expected) return cell;
-  const bool is_near = std::isfinite(agreement.ratio) && agreement.ratio < near && agreement.ratio > 1 / near;
+  const bool is_near =
+      std::isfinite(agreement.ratio) && agreement.ratio < near_ratio && agreement.ratio > 1 / near_ratio;
   cell.nearness = is_near ? Beside::Nearness::near : Beside::Nearness::far;
   cell.words = words_of(agreement);
   return cell;
@@ -165,7 +166,7 @@ std::optional<Table> agreement_table(const StudyResults& study, std::span<const 
       "predictive range of one more of them, by order statistics of {} seeds. Where the printed number lies outside, "
       "there is our number divided by the printed one, and the range; near is less than {} times as much or as little. "
       "Computing times are ratios to those of {}.",
-      repetitions.front().error_cm.size(), near, time_reference));
+      repetitions.front().error_cm.size(), near_ratio, time_reference));
   return table;
 }
 

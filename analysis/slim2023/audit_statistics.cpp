@@ -27,16 +27,18 @@ struct Measured {
   std::string_view words;
   std::string anova;  // the table of its ANOVA
 };
-const std::array<Measured, 3> measured{Measured{Metric::position_error_cm, "error", "table-4"},
-                                       Measured{Metric::variation_deg, "variation", "table-5"},
-                                       Measured{Metric::seconds, "time", "table-6"}};
+const std::array<Measured, 3> measured_metrics{Measured{Metric::position_error_cm, "error", "table-4"},
+                                               Measured{Metric::variation_deg, "variation", "table-5"},
+                                               Measured{Metric::seconds, "time", "table-6"}};
 
 // "3.1d" is the fourth of "3.1".
 std::string lettered(std::string_view item, std::size_t index) {
   return fmt::format("{}{}", item, static_cast<char>('a' + index));
 }
 
-std::string_view words_for(Metric metric) { return std::ranges::find(measured, metric, &Measured::metric)->words; }
+std::string_view words_for(Metric metric) {
+  return std::ranges::find(measured_metrics, metric, &Measured::metric)->words;
+}
 
 std::string table_words(const std::string& name) { return "Table " + name.substr(name.size() - 1); }
 
@@ -102,8 +104,8 @@ std::string impossible(double mean, double median, double std, double max, doubl
 
 AuditItems anova_items(std::string_view paper) {
   AuditItems items;
-  for (std::size_t i = 0; i < measured.size(); ++i) {
-    const auto& [metric, words, name] = measured[i];
+  for (std::size_t i = 0; i < measured_metrics.size(); ++i) {
+    const auto& [metric, words, name] = measured_metrics[i];
     const CsvTable table = published::table(paper, name);
     const std::string& printed = table.rows[0][table.column("f")];
     const double F = anova_from_summaries(summaries(paper, metric)).F;
@@ -111,8 +113,8 @@ AuditItems anova_items(std::string_view paper) {
                      fmt::format("{:.4f}", F), judged(printed, F, slack_of_F(paper, metric)),
                      "F follows from the means and standard deviations of Table 3 with 20 values per group."});
   }
-  for (std::size_t i = 0; i < measured.size(); ++i) {
-    const std::string& name = measured[i].anova;
+  for (std::size_t i = 0; i < measured_metrics.size(); ++i) {
+    const std::string& name = measured_metrics[i].anova;
     const CsvTable table = published::table(paper, name);
     const std::string& printed = table.rows[0][table.column("p")];
     const double F = table.number(0, "f");
@@ -135,8 +137,8 @@ AuditItems anova_items(std::string_view paper) {
 
 AuditItems variance_items(std::string_view paper) {
   AuditItems items;
-  for (std::size_t i = 0; i < measured.size(); ++i) {
-    const auto& [metric, words, name] = measured[i];
+  for (std::size_t i = 0; i < measured_metrics.size(); ++i) {
+    const auto& [metric, words, name] = measured_metrics[i];
     const std::vector<GroupSummary> groups = summaries(paper, metric);
     const auto [least, most] = std::ranges::minmax(groups, {}, &GroupSummary::std);
     const double ratio = (most.std / least.std) * (most.std / least.std);
@@ -152,8 +154,8 @@ AuditItems variance_items(std::string_view paper) {
          "about how often ANOVA then finds a difference that is not there (Box 1954). Welch's test below does without "
          "the assumption."});
   }
-  for (std::size_t i = 0; i < measured.size(); ++i) {
-    const auto& [metric, words, name] = measured[i];
+  for (std::size_t i = 0; i < measured_metrics.size(); ++i) {
+    const auto& [metric, words, name] = measured_metrics[i];
     const WelchAnova test = welch_anova(summaries(paper, metric));
     const CsvTable table = published::table(paper, name);
     items.push_back({lettered("3.2", 3 + i), fmt::format("{}: {} without equal variances", table_words(name), words),

@@ -26,16 +26,16 @@ namespace {
 
 constexpr double printed_rounding_deg = 0.05;         // of an angle that is printed to 0.1 deg
 constexpr double printed_mean_error_cm = 2.1196e-14;  // Sec. 6, in the text
-constexpr std::size_t angles = 4;
+constexpr std::size_t angles_of_table = 4;
 constexpr std::size_t compared_angles = 3;  // theta4 is printed equal to theta1
 
-using Angles = std::array<double, angles>;
+using Angles = std::array<double, angles_of_table>;
 
 // theta4 turns the tool about the vertical; where the arm of the study has no such joint, it is theta1, as in the
 // paper.
 Angles angles_of(const SolveRecord& solve) {
   Angles result;
-  for (std::size_t i = 0; i < angles; ++i) {
+  for (std::size_t i = 0; i < angles_of_table; ++i) {
     const double angle = i < solve.answer_rad.size() ? solve.answer_rad[i] : not_defined;
     result[i] = angle * 180 / std::numbers::pi;
   }
@@ -134,7 +134,8 @@ std::optional<Table> table_8(const StudyResults& study) {
               .caption = "Table 8: joint angles and position error along the circle",
               .columns = {{"point"}}};
   for (const char* prefix : {"", "paper_"}) {
-    for (std::size_t i = 1; i <= angles; ++i) table.columns.push_back({fmt::format("{}theta{}_deg", prefix, i)});
+    for (std::size_t i = 1; i <= angles_of_table; ++i)
+      table.columns.push_back({fmt::format("{}theta{}_deg", prefix, i)});
   }
   for (const char* name : {"largest_difference_deg", "error_cm", "paper_error_cm"}) table.columns.push_back({name});
   const std::size_t error_column = table.columns.size() - 2;
@@ -143,10 +144,10 @@ std::optional<Table> table_8(const StudyResults& study) {
   for (const Row& row : rows) {
     std::vector<Cell> cells(table.columns.size());  // empty where nothing is printed
     cells[0] = std::int64_t{row.point};
-    for (std::size_t i = 0; i < angles; ++i) cells[1 + i] = row.ours[i];
+    for (std::size_t i = 0; i < angles_of_table; ++i) cells[1 + i] = row.ours[i];
     cells[error_column] = row.error_cm;
     if (row.printed) {
-      for (std::size_t i = 0; i < angles; ++i) cells[1 + angles + i] = row.printed->angles_deg[i];
+      for (std::size_t i = 0; i < angles_of_table; ++i) cells[1 + angles_of_table + i] = row.printed->angles_deg[i];
       cells[error_column - 1] = row.largest_difference_deg;
       cells[error_column + 1] = row.printed->error_cm;
     }

@@ -73,7 +73,7 @@ TEST_CASE("the closed form gives the branch inside the limits that is nearest to
 TEST_CASE("where no branch is inside the limits, or the pose is out of reach, the arm stays where it is",
           "[closed_form]") {
   auto [q, goal, problem] = posed(1);
-  const auto solved = [&] {
+  const auto solved = [&goal = goal, &problem = problem] {
     Objective objective(irb120.chain, goal);
     Random random{Key(1)};
     return solve(*solver("closed_form").make({}), problem, objective, random, {});

@@ -81,7 +81,7 @@ TEST_CASE("a search of Levenberg and Marquardt's method begins again at random a
   const auto descent = solver("levenberg_marquardt").make({{"search_iterations", "3"}});
   solve(*descent, task.problem, objective, random, {.iterations = 9});
   REQUIRE(objective.candidates.size() == 10);
-  for (const std::size_t start : {4, 8}) {
+  for (const std::size_t start : {4u, 8u}) {
     for (Eigen::Index j = 0; j < 2; ++j) CHECK(objective.candidates[start][j] == drawn.uniform(-1, 1));
   }
   CHECK(random.uniform() == drawn.uniform());
