@@ -69,13 +69,24 @@ void warn_of_left_aside(const Study& study, const Store& store) {
       aside.solves, fmt::join(aside.labels, ", ")));
 }
 
-SolveCheck check_of(const StudyEntry& entry) {
+// Empty where the table of sessions has all that solves of the study name.
+std::string unknown_sessions(const Store& store, const StudyEntry& entry) {
+  std::vector<std::int64_t> unknown = store.sessions_of(entry.series);
+  for (const Session& known : store.sessions()) std::erase(unknown, known.id);
+  if (unknown.empty()) return "";
+  return fmt::format("Damaged: its solves name {} session{} that the table of sessions does not have (first: {}).",
+                     unknown.size(), unknown.size() == 1 ? "" : "s", unknown.front());
+}
+
+SolveCheck check_of(const Store& store, const StudyEntry& entry) {
   const auto recheck = std::make_shared<Recheck>(entry);
   return {.look_at = [=](const SolveRecord& solve) { recheck->look_at(solve); },
           .damages =
-              [=, name = entry.name] {
+              [=, &store] {
                 std::vector<std::string> sentences = recheck->damages();
-                for (std::string& sentence : sentences) sentence = fmt::format("Study {}: {}", name, sentence);
+                sentences.push_back(unknown_sessions(store, entry));
+                std::erase(sentences, "");
+                for (std::string& sentence : sentences) sentence = fmt::format("Study {}: {}", entry.name, sentence);
                 return sentences;
               }};
 }
@@ -158,7 +169,7 @@ void write_and_announce(const Store& store, WrittenReport wanted) {
                                              .extra_figures = std::move(wanted.figures),
                                              .repetitions = std::move(wanted.repetitions),
                                              .shares = std::move(wanted.shares),
-                                             .check = check_of});
+                                             .check = [&](const StudyEntry& entry) { return check_of(store, entry); }});
   waiting.end();
   fmt::print("\n{}\n", aligned(readable_cells(report.results)));
   for (const std::string& sentence : report.summary) fmt::print("{}\n", printable(sentence));
@@ -168,13 +179,12 @@ void write_and_announce(const Store& store, WrittenReport wanted) {
   if (!report.is_damaged) return;
   std::fflush(stdout);
   throw std::invalid_argument(
-      "the store has numbers that do not follow from its answers; the report names them first; solve the study again "
-      "into another folder");
+      "the store is damaged; the report says first how; solve the study again into another folder");
 }
 
 std::vector<std::string> damages_of(const Store& store, const std::string& study) {
   const StudyEntry entry = store.study(study);
-  const SolveCheck check = check_of(entry);
+  const SolveCheck check = check_of(store, entry);
   store.each_of_study(entry, check.look_at);
   return check.damages();
 }

@@ -49,15 +49,16 @@ struct WrittenReport {
 };
 
 // Writes tables, figures, report.md and report.html into the folder; prints the summary, the remarks and, as the last
-// line, the path of report.html. Where the store has numbers that do not follow from its answers, the report says so
-// first, and std::invalid_argument is thrown after it.
+// line, the path of report.html. Where the store is damaged, the report says so first, and std::invalid_argument is
+// thrown after it.
 void write_and_announce(const results::Store& store, WrittenReport wanted);
 
 // Writes figures into the folder, draws them, and warns of those that were not drawn.
 void draw(const std::vector<figures::Figure>& figures, const std::filesystem::path& folder,
           const figures::RenderOptions& options);
 
-// What of a study in the store does not follow from its answers, in sentences (experiments/recheck.hpp).
+// What of a study in the store does not follow from its answers (experiments/recheck.hpp), and sessions of its solves
+// that the store does not have, in sentences.
 std::vector<std::string> damages_of(const results::Store& store, const std::string& study);
 
 // The study of that name, or the first of the store where the name is empty.

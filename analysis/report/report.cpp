@@ -320,7 +320,7 @@ Report write_report(const Store& store, const ReportRequest& request) {
   if (content.claims.empty() && !study.solves.empty()) content.answer = own_verdict(study);
   std::erase(content.answer, "");
   if (!checked.damages().empty()) {
-    content.answer = {"Believe nothing here: the store has numbers that do not follow from its answers."};
+    content.answer = {"Believe nothing here: the store is damaged."};
   }
   see(study, tables, request.shares, content);
   const Table results = *std::ranges::find(tables, pieces.results, &Table::name);

@@ -77,10 +77,26 @@ store.commit()
 PYTHON
 run_it report changed/store.sqlite --no-figures
 [ "$code" = 1 ] || fail "a changed store: exit code $code"
-has "$err" "numbers that do not follow from its answers"
+has "$err" "the store is damaged"
 has "$(sed '/^## Warnings/q' changed/report.md)" "Believe nothing here"
 has "$(grep -A2 '^## Warnings' changed/report.md)" "Damaged: position_error_cm of 100 solves (first: BA, run 1, point 1: -1 is stored"
 refused "Damaged: position_error_cm" compare IK-BA BA --store changed/store.sqlite
+
+# So do solves of a session that the store does not have.
+mkdir astray
+cp shared/store.sqlite astray/
+python3 - <<'PYTHON'
+import sqlite3
+
+store = sqlite3.connect("astray/store.sqlite")
+store.execute("update solves set session=99 where solver='BA'")
+store.commit()
+PYTHON
+run_it report astray/store.sqlite --no-figures
+[ "$code" = 1 ] || fail "an unknown session: exit code $code"
+has "$(grep -A2 '^## Warnings' astray/report.md)" \
+  "Damaged: its solves name 1 session that the table of sessions does not have (first: 99)."
+refused "(first: 99)" compare IK-BA DE --store astray/store.sqlite
 
 # A reader that does not end keeps the log from being folded in.
 begin read
