@@ -22,6 +22,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
+// What the system says of a write, and of nothing that the contents come from.
+struct WriteFailed {
+  std::error_code error;
+};
+
 std::error_code last_error() { return {errno, std::generic_category()}; }
 
 // Owner and permissions of the file that a new one takes the place of. Where the system does not let us keep the group,
@@ -41,7 +46,7 @@ void write_text(int descriptor, std::string_view text) {
     if (written >= 0)
       text.remove_prefix(static_cast<std::size_t>(written));
     else if (errno != EINTR)
-      throw std::system_error(last_error());
+      throw WriteFailed{last_error()};
   }
 }
 
@@ -49,8 +54,8 @@ std::error_code write_all(int descriptor, const Contents& contents) {
   try {
     contents([&](std::string_view text) { write_text(descriptor, text); });
     return {};
-  } catch (const std::system_error& error) {
-    return error.code();
+  } catch (const WriteFailed& failed) {
+    return failed.error;
   }
 }
 

@@ -3,6 +3,7 @@
 #include <signal.h>
 
 #include <filesystem>
+#include <system_error>
 
 #include "tests/catch.hpp"
 #include "tests/results/processes.hpp"
@@ -66,6 +67,17 @@ TEST_CASE("a scratch folder is its owner's alone and gone at the end", "[files]"
     CHECK(fs::status(first).permissions() == fs::perms::owner_all);
     write_file(first / "figure.gp", "plot");
   }
+  CHECK(fs::is_empty(folder.path));
+}
+
+TEST_CASE("what the contents throw is told as it is, not as a failure to write", "[files]") {
+  const ScratchFolder folder;
+  const auto cannot_read = [](const Write& write) {
+    write("half");
+    throw std::system_error(std::make_error_code(std::errc::io_error), "cannot read the source");
+  };
+  CHECK_THROWS_WITH(write_file(folder.path / "table.md", cannot_read),
+                    Catch::Matchers::StartsWith("cannot read the source"));
   CHECK(fs::is_empty(folder.path));
 }
 
