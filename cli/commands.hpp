@@ -1,5 +1,5 @@
-// The commands: each adds itself to the program and says its exit code (0 done, 1 the user's mistake, 2 ours,
-// 3 a regression, 4 and 5 not decided, 128 + the number of the signal that stopped it).
+// The commands: each adds itself to the program and says its exit code (0 done, 1 the user's mistake or a damaged
+// store, 2 ours or the system's, 3 a regression, 4 and 5 not decided, 128 + the number of the signal that stopped it).
 #pragma once
 
 #include <CLI/CLI.hpp>

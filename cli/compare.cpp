@@ -236,8 +236,8 @@ void add_compare(CLI::App& app, Invocation& invocation) {
       "metric is undecided, and the table says how many runs or targets would decide. All labels and metrics are judged\n"
       "together: if nothing is worse, the probability of exit code 3 is at most --significance. --margin, --margin-cm and\n"
       "--significance default to those of A's study.\n\n"
-      "Exit codes: 0 no regression found, 1 a mistake in the request, 2 a failure of the program, the disk or the store,\n"
-      "3 a regression beyond the margin, 4 (--strict only) nothing is worse, but something is undecided or not compared\n"
+      "Exit codes: 0 no regression found, 1 a mistake in the request or a damaged store, 2 a failure of the program or the system\n"
+      "(a full disk), 3 a regression beyond the margin, 4 (--strict only) nothing is worse, but something is undecided or not compared\n"
       "(evaluations that nobody counted do not matter),\n"
       "5 (--sequential without --run) not decided yet: add runs, 128 + number of the signal (130: Ctrl-C).");
   command->callback([arguments, margin, margin_cm, significance, &invocation] {

@@ -29,8 +29,8 @@ int main(int argc, char** argv) {
       "  ikbench multiverse slim2023              in how many of all interpretations each claim holds\n"
       "  ikbench compare old.sqlite new.sqlite    whether a variant of a solver is better, the same or worse\n"
       "  ikbench COMMAND --help                   more examples\n\n"
-      "Exit codes: 0 success, 1 a mistake in the request, 2 a failure of the program, the disk or the store,\n"
-      "3 a regression beyond the margin, 4 undecided (compare --strict),\n"
+      "Exit codes: 0 success, 1 a mistake in the request or a damaged store, 2 a failure of the program or the system\n"
+      "(a full disk), 3 a regression beyond the margin, 4 undecided (compare --strict),\n"
       "5 more runs are needed (compare --sequential) or solves are missing (merge, status),\n"
       "128 + number of the signal (130: Ctrl-C).");
   app.set_version_flag("--version", "ikbench " + version());

@@ -27,6 +27,13 @@ struct WriteFailed {
   std::error_code error;
 };
 
+// Whose fault it is that nothing can be written at a place: the system's where its disk is full or fails.
+[[noreturn]] void refuse(const std::string& what, const std::string& why, const std::error_code& error) {
+  const std::string message = fmt::format("cannot write {}: {}", what, why);
+  if (error.value() == ENOSPC || error.value() == EDQUOT || error.value() == EIO) throw std::runtime_error(message);
+  throw std::invalid_argument(message + "; choose a place that you can write to");
+}
+
 std::error_code last_error() { return {errno, std::generic_category()}; }
 
 // Owner and permissions of the file that a new one takes the place of. Where the system does not let us keep the group,
@@ -140,9 +147,7 @@ void write_or_refuse(const fs::path& file, Write&& write) {
   std::error_code error;
   if (file.has_parent_path()) fs::create_directories(file.parent_path(), error);
   if (!error) error = write();
-  if (!error) return;
-  throw std::invalid_argument(
-      fmt::format("cannot write '{}': {}; choose a place that you can write to", file.string(), error.message()));
+  if (error) refuse(fmt::format("'{}'", file.string()), error.message(), error);
 }
 
 }  // namespace
@@ -215,8 +220,7 @@ TemporaryFolder::TemporaryFolder(const fs::path& parent) {
     }
   }
   if (lock_ >= 0) return;
-  throw std::invalid_argument(fmt::format("cannot write into '{}': {}; choose a place that you can write to",
-                                          parent.string(), error ? error.message() : "no folder stays there"));
+  refuse(fmt::format("into '{}'", parent.string()), error ? error.message() : "no folder stays there", error);
 }
 
 TemporaryFolder::~TemporaryFolder() {

@@ -12,8 +12,8 @@ namespace ikbench::results {
 
 // Creates the folder where missing, keeps the owner and the permissions of a file that it replaces. A link is replaced
 // and not followed: what somebody else may have put into a folder of results leads nowhere. A file that has other
-// names, that the shell has open, or whose folder takes no new file is written in its place. std::invalid_argument
-// names the file and the system's reason.
+// names, that the shell has open, or whose folder takes no new file is written in its place. std::invalid_argument, or
+// std::runtime_error where a disk is full or fails, names the file and the system's reason.
 void write_file(const std::filesystem::path& file, std::string_view text);
 // The same in parts, of which `contents` writes one after another. What it throws leaves the file as it was, where that
 // is replaced.
@@ -28,7 +28,7 @@ std::optional<std::string> read_file(const std::filesystem::path& file);
 // A new folder inside another, for work that is not finished; gone at the end. Nobody else's link or file is in it.
 class TemporaryFolder {
  public:
-  // std::invalid_argument names the folder and the system's reason.
+  // std::invalid_argument, or std::runtime_error as above, names the folder and the system's reason.
   explicit TemporaryFolder(const std::filesystem::path& parent);
   ~TemporaryFolder();
   TemporaryFolder(const TemporaryFolder&) = delete;

@@ -158,7 +158,7 @@ std::vector<FigureOutcome> write_figures(const std::vector<Figure>& figures, con
       try {
         draw(figures[i], workshop.path(), options.gnuplot);
         outcomes[i].rendered = true;
-      } catch (const std::invalid_argument& error) {
+      } catch (const std::exception& error) {  // of a thread; what is wrong is told of the figure
         outcomes[i].error = error.what();
         remove_pictures(figures[i].name, folder);
       }

@@ -32,7 +32,9 @@ wait $reader
 cmp from-pipe.csv first.csv || fail "-o into a pipe writes something else"
 if mknod null c 1 3 2>.mknod && mknod full c 1 7 2>.mknod && : 2>.mknod >null; then # only root may
   succeeds export made/store.sqlite -o null
-  refused 'No space left on device' export made/store.sqlite -o full
+  run_it export made/store.sqlite -o full
+  [ "$code" = 2 ] || fail "exit code $code of an export to a full device, expected 2: $err"
+  has "$err" "cannot write 'full': No space left on device"
   [ -c null ] && [ -c full ] || fail "-o replaced a device"
 fi
 "$program" export made/store.sqlite -o /dev/stdout | cmp - first.csv || fail "-o /dev/stdout writes something else"
