@@ -22,7 +22,7 @@
 namespace ikbench::results {
 namespace {
 
-constexpr std::int64_t all_runs = std::numeric_limits<std::int64_t>::max();
+constexpr std::int64_t no_end = std::numeric_limits<std::int64_t>::max();
 
 // More than any study needs; a file that holds more was not written by us.
 constexpr std::size_t largest_json = 1'000'000;
@@ -78,8 +78,12 @@ std::int64_t defined(const nlohmann::json& definition, const char* key, std::int
   return found->get<std::int64_t>();
 }
 
-// What every study in a store is; returns its runs.
-std::int64_t check_study(const StudyEntry& study) {
+struct Last {
+  std::int64_t run, point;
+};
+
+// What every study in a store is; returns its last run and point, if it says how many points there are.
+Last check_study(const StudyEntry& study) {
   const std::string name = excerpt(study.name);
   if (study.series.size() > most_series)
     throw Damage(fmt::format("study {} has more than {} series", name, most_series));
@@ -102,7 +106,7 @@ std::int64_t check_study(const StudyEntry& study) {
   if (solves > most_solves)
     throw TooManySolves(fmt::format("study {} asks for {} solves ({} runs, {} points, {} series); expected at most {}",
                                     name, solves, runs, points, study.series.size(), most_solves));
-  return runs;
+  return {.run = runs, .point = definition.contains("points") ? points : no_end};
 }
 
 }  // namespace
@@ -189,9 +193,8 @@ void Store::save_study(const StudyEntry& study) {
   }
 
   guarded(database_->name(), [&] {
-    SQLite::Database& sqlite = database_->sqlite();
-    SQLite::Transaction transaction(sqlite, SQLite::TransactionBehavior::IMMEDIATE);
-    write_study(sqlite, study);
+    SQLite::Transaction transaction(database_->sqlite(), SQLite::TransactionBehavior::IMMEDIATE);
+    write_study(database_->sqlite(), study);
     database_->commit(transaction);
   });
 }
@@ -290,7 +293,7 @@ void Store::each_solve(const std::function<void(SolveRecord)>& take) const {
 }
 
 void Store::each_of_series(const std::string& key, const std::function<void(SolveRecord)>& take) const {
-  guarded(database_->name(), [&] { database_->read_solves(key, all_runs, take); });
+  guarded(database_->name(), [&] { database_->read_solves(key, no_end, take); });
 }
 
 void Store::each_place(const std::string& key, const std::function<void(int, int)>& take) const {
@@ -331,9 +334,10 @@ std::map<std::string, std::int64_t> Store::series_of_configuration(std::string_v
 
 void Store::each_of_study(const StudyEntry& study, const std::function<void(SolveRecord)>& take) const {
   guarded(database_->name(), [&] {
-    const std::int64_t runs = check_study(study);
+    const Last last = check_study(study);
     for (const Series& series : study.series) {
-      database_->read_solves(series.key, runs, [&](SolveRecord record) {
+      database_->read_solves(series.key, last.run, [&](SolveRecord record) {
+        if (record.point > last.point) return;
         if (record.solver != series.label)
           throw Damage(fmt::format("solver {} in run {}, point {} of the series of {}", excerpt(record.solver),
                                    record.run, record.point, excerpt(series.label)));

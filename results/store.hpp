@@ -96,8 +96,8 @@ class Store {
   std::vector<std::int64_t> sessions_of(const std::vector<Series>& series) const;
   // How many solves each series of a configuration has, by its key: one series for every source that solved it.
   std::map<std::string, std::int64_t> series_of_configuration(std::string_view configuration) const;
-  // Calls `take` with every current solve of a study, in the order of its series, then run, then point; runs beyond
-  // `runs` of the definition are left out. The solver of each is the label of its series.
+  // Calls `take` with every current solve of a study, in the order of its series, then run, then point; runs and
+  // points beyond `runs` and `points` of the definition are left out. The solver of each is the label of its series.
   void each_of_study(const StudyEntry& study, const std::function<void(SolveRecord)>& take) const;
   // All of these at once, for a study that is small, or not walked in this order.
   std::vector<SolveRecord> solves(const std::string& study) const;

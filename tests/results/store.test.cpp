@@ -145,7 +145,7 @@ TEST_CASE("a study that is not there is told which are", "[store]") {
   CHECK_THAT(complaint<std::invalid_argument>([&] { store.study("x"); }), ContainsSubstring(", s19, s20 and 3 more"));
 }
 
-TEST_CASE("solves of a study are those of its current series and runs, in its order", "[store]") {
+TEST_CASE("solves of a study are those of its current series, runs and points, in its order", "[store]") {
   const ScratchFolder folder;
   Store store(folder.path / "a.ikb", Store::Mode::write);
   StudyEntry study = sample_study();
@@ -159,16 +159,16 @@ TEST_CASE("solves of a study are those of its current series and runs, in its or
     return record;
   };
   store.append({second(1, 2), second(1, 1), sample_record("old", 1, 1)});
-  store.append(
-      {sample_record("z", 10, 1), sample_record("z", 2, 1), sample_record("z", 1, 1), sample_record("z", 2, 2)});
+  store.append({sample_record("z", 10, 1), sample_record("z", 2, 1), sample_record("z", 1, 1), sample_record("z", 2, 2),
+                sample_record("z", 1, 3)});
   CHECK(places(store.solves("table-3")) == std::vector<std::string>{"z 1 1", "z 2 1", "z 2 2", "a 1 1", "a 1 2"});
-  CHECK(places(series_of(store, "z")) == std::vector<std::string>{"z 1 1", "z 2 1", "z 2 2", "z 10 1"});
+  CHECK(places(series_of(store, "z")) == std::vector<std::string>{"z 1 1", "z 1 3", "z 2 1", "z 2 2", "z 10 1"});
 
   // Other options are another series; the solves of the former stay in the file.
   study.series = {{.key = "old", .label = "IK-BA", .algorithm = "ba", .options = R"({"gamma":0.5})"}};
   store.save_study(study);
   CHECK(places(store.solves("table-3")) == std::vector<std::string>{"old 1 1"});
-  CHECK(series_of(store, "z").size() == 4);
+  CHECK(series_of(store, "z").size() == 5);
 }
 
 TEST_CASE("the series of a configuration are counted, whatever source solved them", "[store]") {
