@@ -191,17 +191,17 @@ std::vector<double> values_of(const StudyResults& study, const std::vector<Obser
   return result;
 }
 
-bool has_same_bits(const StudyResults& study, const VariantDesign& design, Metric metric) {
+bool has_same_bits(const StudyResults& of_a, const StudyResults& of_b, const VariantDesign& design, Metric metric) {
   const auto is_same_value = [](double one, double other) {
     return std::bit_cast<std::uint64_t>(one) == std::bit_cast<std::uint64_t>(other) ||
            (std::isnan(one) && std::isnan(other));
   };
   const auto is_same = [&](const Solve* a, const Solve* b) {
-    return is_same_value(value_of(study, *a, metric), value_of(study, *b, metric));
+    return is_same_value(value_of(of_a, *a, metric), value_of(of_b, *b, metric));
   };
   return std::ranges::equal(design.a, design.b, [&](const Observed& a, const Observed& b) {
     return a.name == b.name &&
-           (is_of_run(metric) ? is_same_value(value_of(study, a.solves, metric), value_of(study, b.solves, metric))
+           (is_of_run(metric) ? is_same_value(value_of(of_a, a.solves, metric), value_of(of_b, b.solves, metric))
                               : std::ranges::equal(a.solves, b.solves, is_same));
   });
 }

@@ -30,9 +30,8 @@ VariantDesign variant_design(const Variant& a, const Variant& b);
 // Whether observations are compared in pairs, and why, in a sentence.
 std::string sentence_of(const VariantDesign& design, int points);
 
-// `study`: of either side; metrics ask what both have alike.
 std::vector<double> values_of(const StudyResults& study, const std::vector<Observed>& observed, Metric metric);
 // Whether every solve, or every run of what is of runs alone, has the same value in both.
-bool has_same_bits(const StudyResults& study, const VariantDesign& design, Metric metric);
+bool has_same_bits(const StudyResults& of_a, const StudyResults& of_b, const VariantDesign& design, Metric metric);
 
 }  // namespace ikbench::inference

@@ -85,6 +85,9 @@ VariantComparison examined(const VariantPair& pair, const std::vector<Metric>& a
                            std::size_t tests) {
   const auto& [a, b] = pair;
   const VariantDesign design = variant_design(a, b);
+  StudyResults study_of_b = b.study;  // judged as A's is
+  study_of_b.plan = a.study.plan;
+  study_of_b.task = a.study.task;
   const bool is_of_targets = design.pairs == Blocks::drawn_targets || design.pairs == Blocks::path_targets;
   VariantComparison comparison{.label = a.series.label == b.series.label
                                             ? b.series.label
@@ -94,14 +97,15 @@ VariantComparison examined(const VariantPair& pair, const std::vector<Metric>& a
   const std::string why_not_timed = why_times_differ(a, b);
   const bool is_counted = uncounted_note(a.study).empty() && uncounted_note(b.study).empty();
   for (const Metric metric : asked) {
-    const std::vector<double> of_a = values_of(a.study, design.a, metric), of_b = values_of(a.study, design.b, metric);
+    const std::vector<double> of_a = values_of(a.study, design.a, metric);
+    const std::vector<double> of_b = values_of(study_of_b, design.b, metric);
     const bool is_refused = info_of(metric).kind == Kind::time && !why_not_timed.empty();
     comparison.metrics.push_back(compare_metric({.metric = metric,
                                                  .a = of_a,
                                                  .b = of_b,
                                                  .observation = is_of_targets ? "target" : "run",
                                                  .paired = comparison.paired,
-                                                 .same_bits = has_same_bits(a.study, design, metric),
+                                                 .same_bits = has_same_bits(a.study, study_of_b, design, metric),
                                                  .tests = static_cast<int>(tests),
                                                  .not_compared = is_refused ? "see below" : "",
                                                  .is_counted = is_counted || metric != Metric::evaluations},

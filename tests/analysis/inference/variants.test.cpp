@@ -165,6 +165,16 @@ TEST_CASE("the table has a row for every label and metric, and facts have no p",
   CHECK_THAT(table.notes.front(), ContainsSubstring("an observation of B is better than one of A, ignoring pairs"));
 }
 
+TEST_CASE("what is known of targets and runs is that of either side, not of A for both", "[variants]") {
+  const auto beyond_reach_by = [](double distance_cm) {
+    return variant(about(9, 0.1), [=](SolveRecord& solve) { solve.unavoidable_error_cm = distance_cm; });
+  };
+  const MetricComparison excess = compared(beyond_reach_by(5), beyond_reach_by(7), {"excess_error_cm"}).metrics.front();
+  CHECK(excess.a.mean == Approx(4));
+  CHECK(excess.b.mean == Approx(2));
+  CHECK(excess.outcome == Outcome::better);
+}
+
 TEST_CASE("a store's labels become variants, each with its own solves and sessions", "[variants]") {
   const ScratchFolder folder;
   Store store(folder.path / "store.sqlite", Store::Mode::write);
