@@ -188,19 +188,22 @@ std::vector<Status> shown_statuses(const StudyResults& study) {
   return shown;
 }
 
+StudyResults of_solvers(StudyResults study, const std::function<bool(std::string_view)>& is_kept) {
+  std::vector<Solve> kept;
+  for (const std::string& solver : study.gathered->labels) {
+    if (is_kept(solver)) std::ranges::copy(solves_of(study, solver), std::back_inserter(kept));
+  }
+  study.solves = SolveList(std::move(kept));
+  std::erase_if(study.solvers, std::not_fn(is_kept));
+  std::erase_if(study.outside, std::not_fn(is_kept));
+  if (!is_kept(study.plan.control)) study.plan.control.clear();
+  return study;
+}
+
 StudyResults counted(StudyResults study) {
   const std::set<std::string_view> without = uncounted(study);
   if (without.empty()) return study;
-  std::vector<Solve> kept;
-  for (const Solve& solve : study.solves) {
-    if (!without.contains(solver_of(study, solve))) kept.push_back(solve);
-  }
-  study.solves = SolveList(std::move(kept));
-  const auto is_left_out = [&](const std::string& solver) { return without.contains(solver); };
-  std::erase_if(study.solvers, is_left_out);
-  std::erase_if(study.outside, is_left_out);
-  if (without.contains(study.plan.control)) study.plan.control.clear();
-  return study;
+  return of_solvers(std::move(study), [&](std::string_view solver) { return !without.contains(solver); });
 }
 
 std::string uncounted_note(const StudyResults& study) {

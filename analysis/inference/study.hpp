@@ -114,6 +114,8 @@ std::vector<SolverCounts> counts(const StudyResults& study);
 // Those that tables have: the ones of programs outside only where they occurred.
 std::vector<results::Status> shown_statuses(const StudyResults& study);
 
+// The study of some of its solvers.
+StudyResults of_solvers(StudyResults study, const std::function<bool(std::string_view)>& is_kept);
 // What is said of evaluations is said of this study: without the solvers of which a solve's evaluations nobody counted.
 StudyResults counted(StudyResults study);
 // Who these are, as a sentence; empty where there are none.

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <map>
 #include <set>
 #include <stdexcept>
 #include <utility>
@@ -127,22 +126,13 @@ VariantComparison examined(const VariantPair& pair, const std::vector<Metric>& a
 }  // namespace
 
 std::vector<Variant> variants(const Store& store, const StudyEntry& study) {
-  StudyMaker whole(study);
-  std::map<std::string, StudyMaker> makers;
-  for (const Series& series : study.series) {
-    StudyEntry alone = study;
-    alone.series = {series};
-    makers.emplace(series.label, StudyMaker(alone));
-  }
-  store.each_of_study(study, [&](const SolveRecord& solve) {
-    whole.add(solve);
-    makers.at(solve.solver).add(solve);
-  });
+  const StudyResults whole = read_study(store, study);
   const std::vector<Session> sessions = store.sessions();
-  const std::string timing = timing_note(whole.finish());
+  const std::string timing = timing_note(whole);
   std::vector<Variant> result;
   for (const Series& series : study.series) {
-    Variant variant{.series = series, .study = makers.at(series.label).finish(sessions), .timing = timing};
+    const auto is_this = [&](std::string_view solver) { return solver == series.label; };
+    Variant variant{.series = series, .study = of_solvers(whole, is_this), .timing = timing};
     const SolvesOfSessions used = solves_of_sessions(variant.study);
     for (const Session& session : sessions) {
       if (used.contains(session.id)) variant.sessions.push_back(session);

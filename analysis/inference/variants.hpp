@@ -15,7 +15,7 @@ namespace ikbench::inference {
 // What one label of a study did.
 struct Variant {
   results::Series series;
-  StudyResults study;                           // of that label alone
+  StudyResults study;                           // its whole study's, with the solves of that label alone
   std::vector<results::Session> sessions = {};  // those that solved it
   std::string timing = {};  // why times of its whole study are not comparable, as a report has it; empty where they are
 };
