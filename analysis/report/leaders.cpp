@@ -206,7 +206,8 @@ std::vector<std::string> own_verdict(const JudgedStudy& study) {
         counted.empty()
             ? fmt::format("No solver is shown to be better than every other in any of {} comparisons. The best values:",
                           alone.size())
-            : fmt::format("Of {} comparisons, better than every other: {}.", alone.size(), counted));
+            : fmt::format("Of {} comparisons by the test of the plan, better than every other: {}.", alone.size(),
+                          counted));
   }
   if (study.solvers.size() > 1) {
     if (std::string few = too_few_sentence(study); !few.empty()) sentences.insert(sentences.begin(), std::move(few));

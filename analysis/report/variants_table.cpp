@@ -191,6 +191,9 @@ std::vector<std::string> variants_notes(std::span<const VariantComparison> compa
     if (std::ranges::find(notes, text) == notes.end()) notes.push_back(text);
   };
   for (const VariantComparison& comparison : comparisons) add(comparison, comparison.design);
+  notes.emplace_back(
+      "Means decide here, of times too; a report takes the median time of a run and the test of its plan, so the two may "
+      "disagree.");
   for (const VariantComparison& comparison : comparisons) {
     for (const std::string& note : comparison.notes) add(comparison, note);
   }

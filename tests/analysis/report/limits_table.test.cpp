@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "analysis/inference/make_study.hpp"
+#include "analysis/report/summary.hpp"
 #include "tests/analysis/cells.hpp"
 #include "tests/analysis/synthetic.hpp"
 #include "tests/catch.hpp"
@@ -145,4 +146,8 @@ TEST_CASE("answers that are not finite, refused throughout or not there leave no
   CHECK(has_note(table, "not ranked by error in both studies"));
   CHECK(has_note(table, "DE: position error 4 -> 7 cm (1.75 x), not defined cm for accepted answers"));
   CHECK(!std::isfinite(number_at(table, 1, "rank_error")));
+}
+
+TEST_CASE("the sentence on baselines says which average is of times", "[summary]") {
+  CHECK(baselines_sentence(enforced).starts_with("Baselines: means, of times medians, of the study held on "));
 }
