@@ -232,7 +232,6 @@ struct Recheck::Looking {
 
 Recheck::Recheck(const StudyEntry& entry) : looking_(std::make_unique<Looking>(entry)) {}
 Recheck::~Recheck() = default;
-Recheck::Recheck(Recheck&&) noexcept = default;
 
 void Recheck::look_at(const SolveRecord& solve) {
   looking_->has_solves = true;

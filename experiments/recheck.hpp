@@ -29,7 +29,6 @@ class Recheck {
  public:
   explicit Recheck(const results::StudyEntry& entry);
   ~Recheck();
-  Recheck(Recheck&&) noexcept;
 
   void look_at(const results::SolveRecord& solve);
   // A sentence for each column, with the first solve of which it is so; none where all fits.

@@ -73,4 +73,10 @@ Pose TableReader::read_pose(std::string_view key, const toml::node& node, std::s
   return pose;
 }
 
+std::invalid_argument mistake(const TomlReader& reader, const toml::node* node, std::string_view key,
+                              std::string_view message) {
+  return std::invalid_argument(reader.where(node == nullptr ? reader.table().source() : node->source(), key) +
+                               std::string(message));
+}
+
 }  // namespace ikbench::experiments

@@ -1,6 +1,7 @@
 // Reads the fields of a study from a TOML table.
 #pragma once
 
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -28,5 +29,9 @@ class TableReader final : public Fields {
 
   numerics::TomlReader& table_;
 };
+
+// What is wrong with the value of a key, or with its absence, where `node` is null.
+std::invalid_argument mistake(const numerics::TomlReader& reader, const toml::node* node, std::string_view key,
+                              std::string_view message);
 
 }  // namespace ikbench::experiments

@@ -1,0 +1,13 @@
+// What the fields of a study ask of each other.
+#pragma once
+
+#include "experiments/study.hpp"
+#include "numerics/toml_table.hpp"
+#include "robots/robot.hpp"
+
+namespace ikbench::experiments {
+
+// Of a study as it was read, with its arm. std::invalid_argument says where, what is wrong, and what is expected.
+void check_fields(const numerics::TomlReader& reader, const Study& study, const robots::Robot& arm);
+
+}  // namespace ikbench::experiments
