@@ -119,6 +119,26 @@ bool has_another_solver(const StudyResults& other, const StudyResults& study) {
   });
 }
 
+// The other studies of a report; of those to be put beside the reported one, it comes first.
+struct Grouped {
+  JudgedStudies companions, same_targets_given, same_limits_too;
+};
+
+// Where limits are not treated alike, numbers cannot be put side by side: those have a table of their own.
+Grouped grouped(const JudgedStudy& study, const std::vector<JudgedStudy>& others, const Paper& paper) {
+  Grouped result{.companions = {}, .same_targets_given = {study}, .same_limits_too = {study}};
+  for (const JudgedStudy& other : others) {
+    const bool is_of_paper = is_companion(other.name, study, paper);
+    if (is_of_paper) result.companions.push_back(other);
+    if (!same_targets(study, other)) continue;
+    result.same_targets_given.push_back(other);
+    // A companion with the same solvers in other circumstances is there for a claim.
+    const bool is_for_a_claim = is_of_paper && !has_another_solver(other, study);
+    if (enforces_limits(other) == enforces_limits(study) && !is_for_a_claim) result.same_limits_too.push_back(other);
+  }
+  return result;
+}
+
 // The paper of the study; one that says nothing where it has none.
 const Paper& paper_of(const StudyResults& study, std::span<const Paper> papers) {
   static const Paper none;
@@ -257,18 +277,8 @@ Report write_report(const Store& store, const ReportRequest& request) {
   const JudgedStudy study(std::move(stored));
   const Paper& paper = paper_of(study, request.papers);
   const std::vector<JudgedStudy> others = others_of(checked, store.studies(), study, paper);
-  Reported reported{.study = study, .repetitions = request.repetitions};
-  // Where limits are not treated alike, numbers cannot be put side by side: those have a table of their own.
-  JudgedStudies same_targets_given{study}, same_limits_too{study};
-  for (const JudgedStudy& other : others) {
-    const bool is_of_paper = is_companion(other.name, study, paper);
-    if (is_of_paper) reported.companions.push_back(other);
-    if (!same_targets(study, other)) continue;
-    same_targets_given.push_back(other);
-    // A companion with the same solvers in other circumstances is there for a claim.
-    const bool is_for_a_claim = is_of_paper && !has_another_solver(other, study);
-    if (enforces_limits(other) == enforces_limits(study) && !is_for_a_claim) same_limits_too.push_back(other);
-  }
+  const auto [companions, same_targets_given, same_limits_too] = grouped(study, others, paper);
+  const Reported reported{.study = study, .companions = companions, .repetitions = request.repetitions};
 
   std::vector<Table> tables{definition_table(entry), options_table(entry),
                             plan_table(entry, study.plan, plan_notes(entry, sessions, solves_of_sessions(study))),
