@@ -220,7 +220,7 @@ std::optional<Claim> ranking(const Reported& reported, const ClaimEntry& entry) 
     const Evidence& tested = study.evidence(metric);
     const FoundOrder here = found_order(tested, printed);
     claim.verdict = verdict_on(here);
-    claim.number = fmt::format("{} of {} pairs", here.pairs.better, here.pairs.all());
+    claim.number = fmt::format("{} of {} pairs by the test", here.pairs.better, here.pairs.all());
     claim.evidence = fmt::format("Here: {} Found by {}: {} of {} pairs in the printed order and {} in the reverse.",
                                  our_ranking(printed, metric), pair_test_words(tested), here.pairs.better,
                                  here.pairs.all(), here.pairs.worse);

@@ -103,6 +103,7 @@ TEST_CASE("where all solvers are the same to the bit, nothing that is claimed of
   const auto tied = claims_of(study_of(solves));
   const Claim& accuracy = claim_of(tied, "accuracy_order");
   CHECK(accuracy.verdict == Verdict::undecided);
+  CHECK(accuracy.number == "0 of 15 pairs by the test");
   CHECK(contains(accuracy.evidence, "0 of 15 pairs rank as in the paper, 15 are tied; first is IK-BA, "));
   CHECK(contains(accuracy.evidence, " (tied)."));
   CHECK(!contains(accuracy.evidence, "as printed"));
