@@ -19,7 +19,11 @@ void damped_step(const Eigen::MatrixXd& jacobian, const Residual& to_go, double 
 }  // namespace
 
 void damped_step(const Eigen::MatrixXd& jacobian, const Residual& to_go, double mu, robots::Configuration& step) {
-  return jacobian.rows() == 3 ? damped_step<3>(jacobian, to_go, mu, step) : damped_step<6>(jacobian, to_go, mu, step);
+  if (jacobian.rows() == 3) {
+    damped_step<3>(jacobian, to_go, mu, step);
+  } else {
+    damped_step<6>(jacobian, to_go, mu, step);
+  }
 }
 
 }  // namespace ikbench::solvers
