@@ -128,11 +128,6 @@ bool are_constants(const Evidence& evidence, const Contrast& contrast) {
          is_constant(evidence.groups[contrast.second].described);
 }
 
-bool is_by_order(const Evidence& evidence, const Contrast& contrast) {
-  return has_order(evidence, contrast) && !are_constants(evidence, contrast) && std::isfinite(contrast.p) &&
-         contrast.p != contrast.p_bootstrap;
-}
-
 int fewest_to_differ(const Evidence& evidence) {
   int n = 2;
   while (chance_of_unanimity(evidence, n, n) >= evidence.plan.significance) ++n;
@@ -198,6 +193,7 @@ void judge(const Evidence& evidence, Contrast& contrast) {
     if (by_chance < evidence.plan.significance) {
       contrast.p = by_chance;
       contrast.ahead = ahead_by_means(evidence, contrast.difference.value);
+      contrast.is_by_order = true;
     }
   }
   if (!std::isfinite(contrast.p)) {

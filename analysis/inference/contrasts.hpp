@@ -21,9 +21,6 @@ Relation relation_of(const Evidence& evidence, const Contrast& contrast, double 
 
 // Whether both groups have one value each, so that Fisher's exact test (within blocks the sign test) judges them.
 bool are_constants(const Evidence& evidence, const Contrast& contrast);
-// Whether two that do not overlap are judged by an exact test of ranks (within blocks the sign test), because the
-// bootstrap has no spread to judge by, or a group has one value alone.
-bool is_by_order(const Evidence& evidence, const Contrast& contrast);
 // So many observations a group, or blocks, does it take before values can say the same often enough.
 int fewest_to_differ(const Evidence& evidence);
 

@@ -73,7 +73,10 @@ struct Contrast {
   std::size_t first = 0, second = 0;
   Estimate difference = {};            // mean of first - mean of second (Evidence::scale), simultaneous over all pairs
   double p = statistics::not_defined;  // of the deciding test, corrected for all pairs
-  int ahead = 0;                       // the sign of that test's own statistic: 1 where it is for first, -1 for second
+  // The two do not overlap, and an exact test of ranks (within blocks the sign test) decides, because the bootstrap has
+  // no spread to judge by, or a group has one value alone.
+  bool is_by_order = false;
+  int ahead = 0;  // the sign of that test's own statistic: 1 where it is for first, -1 for second
   double p_pooled = statistics::not_defined;    // Tukey
   double p_unpooled = statistics::not_defined;  // Games and Howell
   double p_tamhane = statistics::not_defined;

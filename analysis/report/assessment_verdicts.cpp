@@ -301,10 +301,9 @@ std::string other_pairs_words(const Evidence& evidence, const PairsOf& pairs) {
 
 // "studentized bootstrap, corrected for 3 pairs; Fisher's exact test for groups of one value each"
 std::string decided_by(const Evidence& evidence) {
-  const auto number = [&](bool (*is_such)(const Evidence&, const Contrast&)) {
-    return std::ranges::count_if(evidence.contrasts, [&](const Contrast& each) { return is_such(evidence, each); });
-  };
-  const auto constants = number(are_constants), by_order = number(is_by_order);
+  const auto constants =
+      std::ranges::count_if(evidence.contrasts, [&](const Contrast& each) { return are_constants(evidence, each); });
+  const auto by_order = std::ranges::count(evidence.contrasts, true, &Contrast::is_by_order);
   std::vector<std::string> tests;
   if (constants + by_order < std::ssize(evidence.contrasts)) {
     std::string& planned = tests.emplace_back(pair_test_words(evidence));
