@@ -76,7 +76,7 @@ bool is_chained(const StudyResults& study) { return study.points > 1 && !Definit
 
 const std::vector<double>& trace_cm(const Solve& solve) {
   static const std::vector<double> none;
-  return solve.rest == nullptr ? none : solve.rest->trace_cm;
+  return solve.extras == nullptr ? none : solve.extras->trace_cm;
 }
 
 bool has_trace(const Solve& solve) { return !trace_cm(solve).empty() || solve.iterations == 0; }

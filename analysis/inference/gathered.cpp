@@ -135,7 +135,7 @@ std::uint16_t Gatherer::session_number(std::int64_t session) {
 }
 
 void Gatherer::look_at_times(const SolveRecord& record, std::uint16_t solver, bool is_repeated) {
-  OfSolver& own = gathered_.of_solver[solver];
+  SolverFacts& own = gathered_.of_solver[solver];
   if (const double transport = record.round_trips * record.transport_seconds; transport >= 0 && record.seconds > 0) {
     own.transport_shares.push_back(transport / record.seconds);
   }
@@ -153,7 +153,7 @@ void Gatherer::look_at_times(const SolveRecord& record, std::uint16_t solver, bo
 }
 
 void Gatherer::look_at_answer(const SolveRecord& record, std::uint16_t solver) {
-  OfSolver& own = gathered_.of_solver[solver];
+  SolverFacts& own = gathered_.of_solver[solver];
   own.worst_outside_deg = std::max(own.worst_outside_deg, record.limit_violation_deg);
   gathered_.joints.insert({record.answer_rad.size(), record.start_rad.size()});
   own.joints.resize(std::max(own.joints.size(), record.answer_rad.size()));
@@ -258,8 +258,8 @@ Solve Gatherer::add(const SolveRecord& record, std::uint16_t solver) {
               .is_repeated = is_repeated,
               .is_following = is_following};
   if (!record.trace_cm.empty() || record.variation_m != 0) {
-    gathered_.rests.push_back({record.trace_cm, record.variation_m});
-    solve.rest = &gathered_.rests.back();
+    gathered_.extras.push_back({record.trace_cm, record.variation_m});
+    solve.extras = &gathered_.extras.back();
   }
   solver_ = solver;
   run_ = record.run;

@@ -64,7 +64,7 @@ struct Outlier {
   bool is_repeated = false;
 };
 
-struct OfSolver {
+struct SolverFacts {
   double worst_outside_deg = 0;               // of the worst joint
   std::vector<double> transport_shares = {};  // of the times of a program
   std::vector<Straight> joints = {};
@@ -85,8 +85,8 @@ struct Gathered {
   std::vector<std::int64_t> sessions = {};
   std::string robot = {};
   Problems problems = {};
-  std::deque<Rest> rests = {};
-  std::vector<OfSolver> of_solver = {};      // as labels
+  std::deque<Extras> extras = {};
+  std::vector<SolverFacts> of_solver = {};   // as labels
   std::vector<RunShape> shapes = {};         // by solver and run
   std::set<std::size_t> joints = {};         // how many angles starts and answers have
   std::map<int, std::int64_t> repeats = {};  // how often, of the solves that are timed clean

@@ -92,7 +92,7 @@ void add_sessions(StudyResults& study, const std::vector<Series>& series, const 
     const bool is_of_library = std::ranges::any_of(
         solving, [&](const Session& each) { return each.environment.contains("library." + one.algorithm); });
     if (is_of_library || !options.text("/process").empty() || !options.text("/shared_object").empty()) {
-      study.outside.push_back(one.label);
+      study.external.push_back(one.label);
     }
   }
   for (const Session& session : solving) {

@@ -50,7 +50,7 @@ double orientation_error_deg(const Solve& solve, const StudyResults& study) {
   return study.task.orientation ? orientation_angle_deg(solve.orientation_error) : not_defined;
 }
 
-double variation_m(const Solve& solve) { return solve.rest == nullptr ? 0 : solve.rest->variation_m; }
+double variation_m(const Solve& solve) { return solve.extras == nullptr ? 0 : solve.extras->variation_m; }
 
 double excess_error_cm(Run run, const StudyResults& study) {
   std::vector<double> excess;

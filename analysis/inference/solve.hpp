@@ -15,7 +15,7 @@
 namespace ikbench::inference {
 
 // What few solves have.
-struct Rest {
+struct Extras {
   std::vector<double> trace_cm = {};
   double variation_m = 0;
 };
@@ -31,7 +31,7 @@ struct Solve {
   double smallest_singular_value = 0;
   double manipulability = 0;
   std::int64_t evaluations = 0;
-  const Rest* rest = nullptr;  // null where there is nothing of it; the study's (Gathered)
+  const Extras* extras = nullptr;  // null where there is nothing of it; the study's (Gathered)
   int run = 1;
   int point = 1;
   std::uint32_t problem = 0;  // its target and start: the number in Gathered::problems
@@ -73,7 +73,7 @@ class SolveList {
   const Solve& operator[](std::size_t i) const { return (*shared_)[i]; }
 
   // To be changed, which no copy sees.
-  std::vector<Solve>& own() {
+  std::vector<Solve>& to_change() {
     if (!shared_ || shared_.use_count() > 1) *this = SolveList(shared_ ? *shared_ : std::vector<Solve>());
     return *shared_;
   }

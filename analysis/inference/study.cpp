@@ -59,8 +59,8 @@ std::span<const Solve> solves_of(const StudyResults& study, std::string_view sol
           std::ranges::upper_bound(study.solves, number, {}, &Solve::solver)};
 }
 
-const OfSolver& gathered_of(const StudyResults& study, std::string_view solver) {
-  static const OfSolver none;
+const SolverFacts& gathered_of(const StudyResults& study, std::string_view solver) {
+  static const SolverFacts none;
   const Gathered& all = *study.gathered;
   const auto found = std::ranges::find(all.labels, solver);
   return found == all.labels.end() ? none : all.of_solver[static_cast<std::size_t>(found - all.labels.begin())];
@@ -95,8 +95,8 @@ bool has_pace(const StudyResults& study, const Solve& solve) {
 }
 
 double seconds_of(const StudyResults& study, const Solve& solve) {
-  if (study.paces.empty() || !has_pace(study, solve)) return solve.seconds;
-  return study.paces[solve.solver] * static_cast<double>(solve.evaluations);
+  if (study.seconds_per_evaluation.empty() || !has_pace(study, solve)) return solve.seconds;
+  return study.seconds_per_evaluation[solve.solver] * static_cast<double>(solve.evaluations);
 }
 
 bool enforces_limits(const StudyResults& study) { return Definition(study.definition).text("/limits") == "enforced"; }
@@ -195,7 +195,7 @@ StudyResults of_solvers(StudyResults study, const std::function<bool(std::string
   }
   study.solves = SolveList(std::move(kept));
   std::erase_if(study.solvers, std::not_fn(is_kept));
-  std::erase_if(study.outside, std::not_fn(is_kept));
+  std::erase_if(study.external, std::not_fn(is_kept));
   if (!is_kept(study.plan.control)) study.plan.control.clear();
   return study;
 }
@@ -320,12 +320,12 @@ std::string transport_note(const StudyResults& study) {
 }
 
 std::string evaluation_note(const StudyResults& study) {
-  const bool has_both = !study.outside.empty() && study.outside.size() < study.solvers.size();
+  const bool has_both = !study.external.empty() && study.external.size() < study.solvers.size();
   if (!has_both || !times_are_comparable(study)) return "";
   return fmt::format(
       "Times depend on how candidates are evaluated: built-in swarms evaluate many at once, which costs less each; {} "
       "(library, program or shared object) may evaluate one by one.",
-      one_line(fmt::format("{}", fmt::join(study.outside, ", "))));
+      one_line(fmt::format("{}", fmt::join(study.external, ", "))));
 }
 
 std::string cpu_note(const std::set<std::string>& cpus) {

@@ -45,22 +45,22 @@ struct StudyResults {
   double stolen_seconds = statistics::not_defined;  // processor time that its sessions' hosts kept from their machines
   std::string definition = {};  // JSON, as the store has it (analysis/inference/definition.hpp); empty where none
   TaskFacts task = {};          // of it
-  std::vector<std::string> outside = {};  // of the solvers, those that are programs, shared objects or of libraries
+  std::vector<std::string> external = {};  // of the solvers, those that are programs, shared objects or of libraries
   SolveList solves = {};
   std::shared_ptr<const Gathered> gathered = std::make_shared<const Gathered>();
-  std::vector<double> paces = {};  // seconds per evaluation that count instead of those measured (times.hpp), as labels
+  std::vector<double> seconds_per_evaluation = {};  // that count instead of those measured (times.hpp), as labels
 };
 
 // Who solved it: a label.
 const std::string& solver_of(const StudyResults& study, const Solve& solve);
 // The solves of one solver.
 std::span<const Solve> solves_of(const StudyResults& study, std::string_view solver);
-const OfSolver& gathered_of(const StudyResults& study, std::string_view solver);
+const SolverFacts& gathered_of(const StudyResults& study, std::string_view solver);
 Problem problem_of(const StudyResults& study, const Solve& solve);
 // Of each place, which is a point of a run, the first solve that the study has of it; ordered by place.
 std::vector<const Solve*> places_of(const StudyResults& study);
 SolvesOfSessions solves_of_sessions(const StudyResults& study);
-// The wall time of a solve; with paces, what it takes at its solver's.
+// The wall time of a solve; with seconds_per_evaluation, what it takes at its solver's.
 double seconds_of(const StudyResults& study, const Solve& solve);
 // With an answer, evaluations that somebody counted, and a time.
 bool has_pace(const StudyResults& study, const Solve& solve);

@@ -25,7 +25,7 @@ constexpr double loaded = 0.05;  // share of a solver's solves that stand out
 constexpr double ms_per_second = 1000;
 
 // Median seconds per evaluation of each solver.
-std::vector<double> paces_of(const StudyResults& study) {
+std::vector<double> seconds_per_evaluation_of(const StudyResults& study) {
   std::vector<double> medians;
   for (const std::string& solver : study.gathered->labels) {
     std::vector<double> paces;
@@ -56,7 +56,7 @@ struct Outliers {
 
 // A solve that was made once is held against its solver's pace, any other against its own repeats.
 Outliers outliers_of(const StudyResults& study) {
-  const std::vector<double> paces = paces_of(study);
+  const std::vector<double> paces = seconds_per_evaluation_of(study);
   const Gathered& gathered = *study.gathered;
   Outliers found{.of_solver = std::vector<int>(gathered.labels.size())};
   for (std::uint16_t i = 0; i < gathered.labels.size(); ++i) {
@@ -102,7 +102,7 @@ std::string note_on(const Outliers& found, const StudyResults& study) {
 }  // namespace
 
 StudyResults at_median_speed(StudyResults study) {
-  study.paces = paces_of(study);
+  study.seconds_per_evaluation = seconds_per_evaluation_of(study);
   return study;
 }
 

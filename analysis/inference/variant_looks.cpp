@@ -37,7 +37,7 @@ int runs_in_common(const std::vector<VariantPair>& pairs) {
 
 Variant first_runs(const Variant& all, int runs) {
   Variant result{.series = all.series, .study = all.study, .sessions = all.sessions, .timing = all.timing};
-  std::erase_if(result.study.solves.own(), [&](const Solve& solve) { return solve.run > runs; });
+  std::erase_if(result.study.solves.to_change(), [&](const Solve& solve) { return solve.run > runs; });
   result.study.runs = runs;
   return result;
 }

@@ -249,7 +249,7 @@ std::optional<Claim> singularities(const Reported& reported, const ClaimEntry& e
   claim.verdict = Verdict::untested;
   claim.table = "";
   claim.evidence = entry.decides;
-  const OfSolver& of = gathered_of(reported.study, entry.solver);
+  const SolverFacts& of = gathered_of(reported.study, entry.solver);
   if (of.joints.size() != 7) return claim;
   for (const auto& [joint, words] : joints) {
     const auto& [answers, near, nearest_deg] = of.joints[joint];

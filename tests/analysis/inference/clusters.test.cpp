@@ -316,13 +316,13 @@ TEST_CASE("who is ahead depends on the budget", "[anytime]") {
 TEST_CASE("without a tolerance traces say who is ahead, and without traces nobody does", "[anytime]") {
   Runs runs(12, {{1000, false}});
   StudyResults study = study_of({runs, runs}, R"({"path": {"kind": "random"}, "start": "initial"})");
-  for (Solve& solve : study.solves.own()) solve.iterations = 10;
+  for (Solve& solve : study.solves.to_change()) solve.iterations = 10;
   const Clusters clusters(study);
   CHECK(!anytime(study, clusters));
-  std::array<Rest, 2> traces{Rest{.trace_cm = std::vector<double>(10, 5)},
-                             Rest{.trace_cm = std::vector<double>(10, 20)}};
+  std::array<Extras, 2> traces{Extras{.trace_cm = std::vector<double>(10, 5)},
+                               Extras{.trace_cm = std::vector<double>(10, 20)}};
   traces[1].trace_cm.back() = 5;
-  for (Solve& solve : study.solves.own()) solve.rest = &traces[solve.solver];
+  for (Solve& solve : study.solves.to_change()) solve.extras = &traces[solve.solver];
   const std::optional<Anytime> found = anytime(study, clusters);
   REQUIRE(found);
   CHECK(!found->is_of_study);

@@ -107,7 +107,7 @@ TEST_CASE("an error is reached when the first iteration that has it is done", "[
 
 TEST_CASE("a solve that ended before its first iteration has reached its error with all it cost", "[convergence]") {
   StudyResults study = study_of({record_with_trace({}, 50)});
-  Solve& solve = study.solves.own().front();
+  Solve& solve = study.solves.to_change().front();
   solve.position_error_cm = 0.2;
   CHECK(has_trace(solve));
   CHECK(costs_to_targets(study, solve, std::vector<double>{1, 0.2, 0.1}, Cost::evaluations) ==
@@ -118,7 +118,7 @@ TEST_CASE("a solve that ended before its first iteration has reached its error w
 
 TEST_CASE("a trace whose answer the verifier does not confirm reaches nothing", "[convergence]") {
   StudyResults study = study_of({record_with_trace({8, 3, 0.5}, 300)});
-  Solve& solve = study.solves.own().front();
+  Solve& solve = study.solves.to_change().front();
   for (const Status status : {Status::claimed_but_wrong, Status::refused, Status::not_finite, Status::crashed,
                               Status::timed_out, Status::broke_protocol, Status::declined}) {
     solve.status = status;

@@ -118,20 +118,20 @@ TEST_CASE("a pose is within the distance where its angle is within the tolerance
   JudgedStudy study =
       study_of({{"A", {0.05, 0.05, 0.2}}}, R"(, "search": "pose", "stop": {"tolerance_cm": 0.1, "tolerance_deg": 2})");
   // ||R - Rd|| / ||Rd|| of 1.9 deg is sqrt(8 / 3) sin(0.95 deg) = 0.0270748, of 2.1 deg it is 0.0299245.
-  study.solves.own()[0].orientation_error = 0.0270748;
-  study.solves.own()[1].orientation_error = 0.0299245;
-  study.solves.own()[1].status = study.solves.own()[2].status = Status::tolerance_missed;
+  study.solves.to_change()[0].orientation_error = 0.0270748;
+  study.solves.to_change()[1].orientation_error = 0.0299245;
+  study.solves.to_change()[1].status = study.solves.to_change()[2].status = Status::tolerance_missed;
   CHECK(values(study, Estimand::reliability).front() == Approx(1 / 3.0));
   CHECK(observations(study, error, Estimand::reliability).quantity ==
         "share of solves within 0.1 cm and 2 deg, inside the joint limits");
-  study.solves.own()[0].status = Status::limit_violated;
+  study.solves.to_change()[0].status = Status::limit_violated;
   CHECK(values(study, Estimand::reliability).front() == 0);
 }
 
 TEST_CASE("an answer that was refused or is not finite is within no distance, and leaves the typical value undefined",
           "[estimand]") {
   JudgedStudy study = study_of({{"A", {1e-3, 1e-3, never, 1e-3}}});
-  study.solves.own()[0].status = Status::refused;
+  study.solves.to_change()[0].status = Status::refused;
   CHECK(values(study, Estimand::reliability) == std::vector<double>{0.5});
   CHECK(std::isnan(values(study, Estimand::typical).front()));
   CHECK(std::isnan(values(study, Estimand::mean).front()));
@@ -153,7 +153,7 @@ TEST_CASE("error has all the plan's estimands, time its reliability with a deadl
   CHECK(estimands_of(timed, error) == All{Estimand::mean, Estimand::reliability});
   // With a tolerance, in time is who solves it in time.
   JudgedStudy solved = study_of({{"A", {0.1, 5}}}, R"(, "deadline_ms": 2000, "stop": {"tolerance_cm": 1})");
-  solved.solves.own()[1].status = Status::tolerance_missed;
+  solved.solves.to_change()[1].status = Status::tolerance_missed;
   const Observations in_time = observations(solved, Metric::seconds, Estimand::reliability);
   CHECK(in_time.quantity == "share of solves solved within 2 s");
   CHECK(in_time.groups[0].values == std::vector<double>{0.5});

@@ -78,7 +78,7 @@ TEST_CASE("what a tolerance costs, by running times and the survival curve", "[c
 
 TEST_CASE("dependent solves have neither an interval nor a test, runs do", "[cost]") {
   StudyResults study = eight_solves(chained);
-  for (Solve& solve : study.solves.own()) {
+  for (Solve& solve : study.solves.to_change()) {
     if (solve.run == 1) solve.position_error_cm = 0.1;
   }
   const Table table = evaluations_table(study);
@@ -117,7 +117,7 @@ TEST_CASE("where runs repeat their targets, a target is one trial and there is n
   CHECK(has_note(table, "targets repeat, so one trial is a target"));
   CHECK(!has_note(table, "Solves are independent"));
   // Half of the runs come to the fourth: the mean of the shares is 3.5 of 4.
-  for (Solve& solve : study.solves.own()) solve.position_error_cm = solve.point < 4 || solve.run % 2 == 0 ? 0 : 1;
+  for (Solve& solve : study.solves.to_change()) solve.position_error_cm = solve.point < 4 || solve.run % 2 == 0 ? 0 : 1;
   const double p = number_at(evaluations_table(study), 0, "share_low");
   CHECK(0.875 - p == Approx(1.959963984540054 * std::sqrt(p * (1 - p) / 4)));
 }
@@ -132,18 +132,18 @@ TEST_CASE("targets of the same place and another rotation, or that are no number
 
 TEST_CASE("a run with missing points is not counted among those that came to the tolerance", "[cost]") {
   StudyResults study = eight_solves(chained);
-  for (Solve& solve : study.solves.own()) solve.position_error_cm = 0;
-  study.solves.own().pop_back();
+  for (Solve& solve : study.solves.to_change()) solve.position_error_cm = 0;
+  study.solves.to_change().pop_back();
   CHECK(number_at(evaluations_table(study), 0, "runs") == 1);
 }
 
 TEST_CASE("the error of the verifier may be above the tolerance by its rounding, not by more", "[cost]") {
   StudyResults study = eight_solves(R"({"stop": {"tolerance_cm": 0.1}})");
-  study.solves.own().front().evaluations = 7;
-  study.solves.own().front().position_error_cm = 0.1 + 5e-8;
+  study.solves.to_change().front().evaluations = 7;
+  study.solves.to_change().front().position_error_cm = 0.1 + 5e-8;
   CHECK(censored_costs(study, Cost::evaluations).front().front().reached);
   CHECK(censored_costs(study, Cost::evaluations).front().front().spent == 7);
-  study.solves.own().front().position_error_cm = 0.1 + 2e-7;
+  study.solves.to_change().front().position_error_cm = 0.1 + 2e-7;
   CHECK(!censored_costs(study, Cost::evaluations).front().front().reached);
 }
 
@@ -172,7 +172,7 @@ TEST_CASE("costs in seconds are told only where times are comparable", "[cost]")
   StudyResults study = eight_solves(independent);
   CHECK(cost_tables(study).size() == 2);
   CHECK(cost_tables(study).back().name == "statistics-cost-seconds");
-  study.solves.own().front().timing = Timing::debug_build;
+  study.solves.to_change().front().timing = Timing::debug_build;
   CHECK(cost_tables(study).size() == 1);
 }
 
@@ -181,7 +181,7 @@ TEST_CASE("without a tolerance, or without solves, there is nothing to cost", "[
   CHECK(cost_tables(eight_solves(R"({"stop": {"tolerance_cm": 0}})")).empty());
   CHECK(!survival_figure_of(eight_solves("")));
   StudyResults study = eight_solves(independent);
-  study.solves.own().clear();
+  study.solves.to_change().clear();
   CHECK(cost_tables(study).empty());
 }
 
@@ -189,7 +189,7 @@ TEST_CASE("every row has a cell for every column, and a time that is no number i
   for (const char* definition : {independent, chained}) {
     StudyResults study = eight_solves(definition);
     study.solvers.push_back("without solves");
-    study.solves.own().front().seconds = not_a_number;
+    study.solves.to_change().front().seconds = not_a_number;
     const std::vector<Table> tables = cost_tables(study);
     REQUIRE(tables.size() == 4);
     for (const Table& table : tables) {

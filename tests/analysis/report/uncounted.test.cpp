@@ -84,7 +84,7 @@ TEST_CASE("evaluations that nobody counted are in no comparison and no table of 
 
 TEST_CASE("where nobody counts any evaluations there are costs in seconds alone", "[uncounted]") {
   StudyResults study = study_without_counts();
-  for (Solve& solve : study.solves.own()) {
+  for (Solve& solve : study.solves.to_change()) {
     solve.evaluations = 0;
     solve.counted_by = CountedBy::nobody;
   }
@@ -107,11 +107,11 @@ TEST_CASE("where everybody counts no solver is left out", "[uncounted]") {
 
 TEST_CASE("a solve without an answer reaches no tolerance, and is a column of its own", "[uncounted]") {
   StudyResults study = study_without_counts();
-  Solve& failed = study.solves.own().back();
+  Solve& failed = study.solves.to_change().back();
   failed.status = Status::timed_out;
   failed.position_error_cm = 0.01;  // where the arm happens to be
   StudyResults before = study_without_counts();
-  before.solves.own().back().position_error_cm = 0.01;
+  before.solves.to_change().back().position_error_cm = 0.01;
   const auto reached = [](const StudyResults& of) {
     return std::get<std::int64_t>(table_named(cost_tables(of), "statistics-cost-seconds").rows.back()[2]);
   };
@@ -187,14 +187,14 @@ TEST_CASE("beside times it is said who may evaluate one by one", "[uncounted]") 
   std::vector<SolveRecord> solves =
       synthetic::solves({.solvers = {"IK-BA", "BA", "mine", "so"}, .runs = 12, .points = 2});
   StudyResults study = make_study(entry, solves, sessions);
-  CHECK(study.outside == std::vector<std::string>{"BA", "mine", "so"});
+  CHECK(study.external == std::vector<std::string>{"BA", "mine", "so"});
   CHECK(
       evaluation_note(study) ==
       "Times depend on how candidates are evaluated: built-in swarms evaluate many at once, which costs less each; BA, "
       "mine, so (library, program or shared object) may evaluate one by one.");
   study = make_study(entry, solves);
-  CHECK(study.outside == std::vector<std::string>{"mine", "so"});
-  study.outside.clear();
+  CHECK(study.external == std::vector<std::string>{"mine", "so"});
+  study.external.clear();
   CHECK(evaluation_note(study).empty());
   for (SolveRecord& solve : solves) solve.timing = Timing::parallel;
   CHECK(evaluation_note(make_study(entry, std::move(solves), sessions)).empty());

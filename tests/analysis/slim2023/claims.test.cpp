@@ -278,7 +278,7 @@ TEST_CASE("Eq. 13 fails where nothing changes without it, and holds where joints
   }
   without = study_of(solves, "s-frequency");
   CHECK(claim().verdict == Verdict::holds);
-  for (Solve& solve : without.solves.own()) solve.variation_deg /= 4;
+  for (Solve& solve : without.solves.to_change()) solve.variation_deg /= 4;
   CHECK(claim().verdict == Verdict::fails);
   CHECK(claim().number == "400 of 400 answers change");
 }
@@ -288,7 +288,7 @@ TEST_CASE("what we asked besides stands apart and is not counted", "[claims]") {
   StudyResults limits = study_of(synthetic::solves({}), "s-limits");
   limits.definition = R"({"limits": "enforced"})";
   StudyResults context = make_study("s-context", synthetic::solves({.solvers = {"DLS"}}));
-  for (Solve& solve : context.solves.own()) {
+  for (Solve& solve : context.solves.to_change()) {
     solve.position_error_cm *= 1e-4;
     solve.variation_deg /= 2;
     solve.evaluations = 11;
@@ -299,8 +299,9 @@ TEST_CASE("what we asked besides stands apart and is not counted", "[claims]") {
   CHECK(claims_by(By::us, all).size() == 2);
   CHECK(tally(all) == tally(claims_of(study)));
 
-  for (Solve& solve : context.solves.own()) solve.evaluations = 20000;
-  for (Solve& solve : limits.solves.own()) solve.position_error_cm *= solver_of(limits, solve) == "IK-BA" ? 1000 : 1;
+  for (Solve& solve : context.solves.to_change()) solve.evaluations = 20000;
+  for (Solve& solve : limits.solves.to_change())
+    solve.position_error_cm *= solver_of(limits, solve) == "IK-BA" ? 1000 : 1;
   all = claims_of(study, {limits, context});
   CHECK(verdict_of(all, "accurate_inside_limits") == Verdict::fails);
   CHECK(verdict_of(all, "better_than_classical") == Verdict::in_part);
@@ -310,7 +311,7 @@ TEST_CASE("what we asked besides stands apart and is not counted", "[claims]") {
 TEST_CASE("with all clamped or none, each solver's numbers come from the study that has them so", "[claims]") {
   const StudyResults study = study_of(synthetic::solves({}), "s");  // IK-BA 0.0019 cm, K-ABC 0.232 and so on
   StudyResults bounds = study_of(synthetic::solves({}), "s-bounds");
-  for (Solve& solve : bounds.solves.own()) {
+  for (Solve& solve : bounds.solves.to_change()) {
     if (solver_of(bounds, solve) == "IK-BA") solve.position_error_cm *= 40;
     if (solver_of(bounds, solve) == "PSO") solve.position_error_cm *= 1e-6;
   }
@@ -318,7 +319,7 @@ TEST_CASE("with all clamped or none, each solver's numbers come from the study t
   CHECK(verdict_of(all, "accurate_all_clamped") == Verdict::holds);   // 0.076 cm against 0.232
   CHECK(verdict_of(all, "accurate_none_clamped") == Verdict::fails);  // 0.0019 cm against 4e-7
   CHECK(contains(claim_of(all, "accurate_none_clamped").evidence, "Position error: IK-BA 0.00"));
-  for (Solve& solve : bounds.solves.own()) {
+  for (Solve& solve : bounds.solves.to_change()) {
     if (solver_of(bounds, solve) == "IK-BA") solve.position_error_cm *= 100;
     if (solver_of(bounds, solve) == "PSO") solve.position_error_cm *= 1e6;
   }
@@ -331,7 +332,7 @@ TEST_CASE("a circle is led to rounding error where its errors are of the order o
   StudyResults circle = study_of(synthetic::solves({.solvers = {"IK-BA", "BA"}, .runs = 1}));
   circle.definition = R"({"path": {"kind": "circle"}})";
   const auto verdict = [&](double first, double second) {
-    for (Solve& solve : circle.solves.own())
+    for (Solve& solve : circle.solves.to_change())
       solve.position_error_cm = solver_of(circle, solve) == "IK-BA" ? first : second;
     return verdict_of(claims_of(circle), "circle");
   };
