@@ -1,16 +1,19 @@
 #include "analysis/inference/design.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <map>
+#include <set>
 #include <utility>
 #include <vector>
 
 #include "analysis/inference/definition.hpp"
 #include "analysis/inference/estimand.hpp"
+#include "analysis/inference/text.hpp"
 #include "analysis/statistics/quantile.hpp"
 
 namespace ikbench::inference {
@@ -160,6 +163,26 @@ void add_notes(Observations& result, const StudyResults& study, Metric metric) {
   if (std::string note = timing_note(study); !note.empty()) result.flaw = std::move(note);
 }
 
+bool is_imported(const StudyResults& study, std::string_view solver) {
+  const std::span<const Solve> solves = solves_of(study, solver);
+  return !solves.empty() && solves.front().timing == Timing::imported;
+}
+
+// Imports that lack runs which several others have in common: blocks of all would take those runs from the others.
+std::set<std::string_view> partial_imports(const StudyResults& study) {
+  const auto is_other = [&](std::string_view solver) { return !is_imported(study, solver); };
+  const auto number = std::ranges::count_if(study.solvers, is_other);
+  std::set<std::string_view> found;
+  if (number < 2 || number == std::ssize(study.solvers)) return found;
+  const StudyResults others = of_solvers(study, is_other);
+  const auto runs = static_cast<int>(common_runs(others).size());
+  for (const SolverCounts& count : counts(study)) {
+    if (count.complete_runs < runs && is_imported(study, count.solver))
+      found.insert(*std::ranges::find(study.solvers, count.solver));
+  }
+  return found;
+}
+
 }  // namespace
 
 std::string why_not_blocked(const StudyResults& study) {
@@ -176,6 +199,17 @@ std::string why_not_blocked(const StudyResults& study) {
 }
 
 std::optional<Observations> blocked_observations(const StudyResults& study, Metric metric, Estimand estimand) {
+  if (const std::set<std::string_view> partial = partial_imports(study); !partial.empty()) {
+    const auto is_kept = [&](std::string_view solver) { return !partial.contains(solver); };
+    std::optional<Observations> result = blocked_observations(of_solvers(study, is_kept), metric, estimand);
+    if (result) {
+      result->notes.push_back(fmt::format(
+          "Left out: {}, imported with fewer runs than the others have. ikbench compare holds two solvers against each "
+          "other over the runs that both have.",
+          one_line(fmt::format("{}", fmt::join(partial, ", ")))));
+    }
+    return result;
+  }
   if (!why_not_blocked(study).empty()) return std::nullopt;
   const Blocks blocks = blocks_of(study);
   const Quantity quantity = quantity_of(study, metric, estimand);

@@ -46,6 +46,7 @@ Observations observations(const StudyResults& study, Metric metric,
 // - targets drawn in every run, and chained: a block is a run, a value its mean;
 // - targets drawn in every run, each from the initial configuration: a block is a target, a value its only solve;
 // - a path, each of its targets from the initial configuration: a block is a target, a value the mean over the runs.
+// An import that would take runs from several other solvers is left out, and a note says so.
 std::optional<Observations> blocked_observations(const StudyResults& study, Metric metric,
                                                  results::Estimand estimand = results::Estimand::mean);
 
