@@ -248,10 +248,4 @@ std::vector<std::string> Recheck::damages() const {
   return sentences;
 }
 
-std::vector<std::string> damages(const StudyEntry& entry, const std::vector<SolveRecord>& solves) {
-  Recheck recheck(entry);
-  for (const SolveRecord& solve : solves) recheck.look_at(solve);
-  return recheck.damages();
-}
-
 }  // namespace ikbench::experiments

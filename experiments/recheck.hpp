@@ -39,7 +39,4 @@ class Recheck {
   std::unique_ptr<Looking> looking_;
 };
 
-// Of all these.
-std::vector<std::string> damages(const results::StudyEntry& entry, const std::vector<results::SolveRecord>& solves);
-
 }  // namespace ikbench::experiments

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <vector>
 
 #include "experiments/singular_values.hpp"
 #include "numerics/functions.hpp"
@@ -137,7 +139,7 @@ class Transforms {
   }
 
  private:
-  std::array<Matrix, 4> all_;
+  std::array<Matrix, 4> all_{};
   std::size_t count_ = 0;
 };
 
@@ -165,7 +167,7 @@ Transforms transforms_of(const DescribedJoint& joint, double value) {
 template <class Link>
 class Arm {
  public:
-  Arm(const Matrix& base, const std::vector<Link>& links, const Matrix& tool, const Eigen::VectorXd& q)
+  Arm(const Matrix& base, const std::vector<Link>& links, const std::optional<Matrix>& tool, const Eigen::VectorXd& q)
       : links_(links), tool_(tool) {
     Eigen::Index joint = 0;
     Matrix pose = base;
@@ -176,24 +178,26 @@ class Arm {
       transforms_.push_back(transforms_of(links[i], is_moved ? q[joint++] : 0));
       pose = transforms_.back().past(pose);
     }
-    pose_ = product(pose, tool);
+    pose_ = of_tool(pose);
   }
 
-  Eigen::Matrix4d pose() const { return as_eigen(pose_); }
+  Eigen::Matrix4d pose() const { return pose_; }
   // With one joint elsewhere.
   Eigen::Matrix4d pose_with(Eigen::Index joint, double value) const {
     std::size_t i = link_of_joint_[static_cast<std::size_t>(joint)];
     Matrix pose = transforms_of(links_[i], value).past(before_[i]);
     while (++i < links_.size()) pose = transforms_[i].past(pose);
-    return as_eigen(product(pose, tool_));
+    return of_tool(pose);
   }
 
  private:
+  Eigen::Matrix4d of_tool(const Matrix& flange) const { return as_eigen(tool_ ? product(flange, *tool_) : flange); }
   static bool moves(const DhLink&) { return true; }
   static bool moves(const DescribedJoint& joint) { return joint.motion != DescribedJoint::Motion::none; }
 
   const std::vector<Link>& links_;
-  Matrix tool_, pose_;
+  std::optional<Matrix> tool_;
+  Eigen::Matrix4d pose_;
   std::vector<Matrix> before_;  // each link
   std::vector<Transforms> transforms_;
   std::vector<std::size_t> link_of_joint_;
@@ -202,12 +206,12 @@ class Arm {
 // Gives `use` the arm by its table, or one from a URDF file by its origins and axes.
 template <class Use>
 auto with_arm(const Chain& chain, const Eigen::VectorXd& q, Use&& use) {
-  return use(Arm(pose_of(chain.base()), chain.links(), pose_of(chain.tool()), q));
+  return use(Arm<DhLink>(pose_of(chain.base()), chain.links(), pose_of(chain.tool()), q));
 }
 template <class Use>
 auto with_arm(const Robot& robot, const Eigen::VectorXd& q, Use&& use) {
   if (robot.description.empty()) return with_arm(robot.chain, q, use);
-  return use(Arm(identity, robot.description, identity, q));
+  return use(Arm<DescribedJoint>(identity, robot.description, std::nullopt, q));
 }
 
 double limit_margin(const JointLimits& limits, const Eigen::VectorXd& answer) {

@@ -71,6 +71,15 @@ bool is_same(const Session& a, const Session& b) {
   return a.began == b.began && facts(a) == facts(b);
 }
 
+// A store to be read: its tables, and its rows as they are.
+struct Source {
+  explicit Source(const fs::path& of) : place(of), store(of, Store::Mode::read), file(of, Store::Mode::read) {}
+
+  fs::path place;
+  Store store;
+  StoreFile file;
+};
+
 // The store that gets all, within one transaction.
 class MergedStore {
  public:
@@ -80,14 +89,15 @@ class MergedStore {
     sessions_ = before.sessions();
   }
 
-  // All of a store. Its solves are looked at by another thread meanwhile.
-  void take(const fs::path& place) {
-    const Store source(place, Store::Mode::read);
-    looks_.push_back({place, std::async(std::launch::async, check_, place)});
+  // All that a store has now. Its solves are looked at by another thread meanwhile.
+  void take(Source& source) {
+    const std::int64_t last = guarded(source.place.string(),
+                                      [&] { return source.file.number("SELECT coalesce(max(rowid), 0) FROM solves"); });
+    looks_.push_back({source.place, std::async(std::launch::async, check_, source.place)});
     std::vector<StudyEntry> studies;
-    source.at_one_moment([&] { studies = source.studies(); });
-    for (const StudyEntry& study : studies) take(study, place);
-    guarded(place.string(), [&] { take_solves(source, place); });
+    source.store.at_one_moment([&] { studies = source.store.studies(); });
+    for (const StudyEntry& study : studies) take(study, source.place);
+    take_solves(source, last);
     if (looks_.size() > std::thread::hardware_concurrency()) end_first_look();
   }
 
@@ -110,11 +120,12 @@ class MergedStore {
   };
 
   void end_first_look() {
-    const std::string wrong = looks_.front().wrong.get();
-    if (!wrong.empty())
-      throw std::invalid_argument(fmt::format("'{}': {} Nothing was merged; solve that part again into a new store",
-                                              looks_.front().place.string(), wrong));
+    Look look = std::move(looks_.front());
     looks_.pop_front();
+    const std::string wrong = look.wrong.get();
+    if (!wrong.empty())
+      throw std::invalid_argument(fmt::format("'{}': {} Nothing was merged; solve its studies again into a new store",
+                                              look.place.string(), wrong));
   }
 
   void take(const StudyEntry& study, const fs::path& place) {
@@ -164,15 +175,14 @@ class MergedStore {
     return known->id;
   }
 
-  void take_solves(const Store& source, const fs::path& place) {
-    std::map<std::int64_t, std::int64_t> numbers = take(source.sessions(), place);
-    StoreFile file(place, Store::Mode::read);
-    SQLite::Statement insert(file_.sqlite(), insert_solve(file.version()) + " ON CONFLICT DO NOTHING");
-    file.each_row([&](SQLite::Statement& row) {
+  void take_solves(Source& source, std::int64_t last) {
+    std::map<std::int64_t, std::int64_t> numbers = take(source.store.sessions(), source.place);
+    SQLite::Statement insert(file_.sqlite(), insert_solve(source.file.version()) + " ON CONFLICT DO NOTHING");
+    const auto take_row = [&](SQLite::Statement& row) {
       const int session = row.getColumnIndex("session");
       auto number = numbers.find(value_in<std::int64_t>(row.getColumn(session)));
       if (number == numbers.end()) {  // it has begun since
-        numbers = take(source.sessions(), place);
+        numbers = take(source.store.sessions(), source.place);
         number = numbers.find(row.getColumn(session).getInt64());
       }
       if (number == numbers.end()) throw Damage("a solve is of a session that the table of sessions does not have");
@@ -181,8 +191,9 @@ class MergedStore {
       const bool is_new = guarded(file_.name(), [&] { return insert.exec() == 1; });
       insert.reset();
       ++(is_new ? merged.added : merged.known);
-      if (!is_new) refuse_other_bits(solve_in(row), place);
-    });
+      if (!is_new) refuse_other_bits(solve_in(row), source.place);
+    };
+    guarded(source.place.string(), [&] { source.file.each_row(take_row, last); });
   }
 
   void refuse_other_bits(const SolveRecord& solve, const fs::path& place) {
@@ -190,17 +201,18 @@ class MergedStore {
       select_.emplace(file_.sqlite(), select_solves(schema_version) + " WHERE series = ? AND run = ? AND point = ?");
     SQLite::bind(*select_, solve.series, solve.run, solve.point);
     select_->executeStep();
-    const SolveRecord known = solve_in(*select_);
+    const auto origin = origins_.find(select_->getColumn(select_->getColumnIndex("session")).getInt64());
+    const std::string other = origin == origins_.end() ? file_.name() : origin->second.string();
+    std::vector<std::string_view> columns =
+        guarded(other, [&] { return at_solve(*select_, [&] { return differences(solve_in(*select_), solve); }); });
     select_->reset();
-    std::vector<std::string_view> columns = differences(known, solve);
     std::erase(columns, "study");  // the same solve may be of two
     if (columns.empty()) return;
-    const auto origin = origins_.find(known.session);
+    end_looks();  // rather than other bits they tell which are wrong
     throw std::invalid_argument(fmt::format(
         "the solve of run {}, point {} by {} has other bits in '{}' than in '{}' ({}); nothing was merged; find out "
         "which machine, compiler or edit changed them (ikbench fingerprint)",
-        solve.run, solve.point, excerpt(solve.solver), place.string(),
-        origin == origins_.end() ? file_.name() : origin->second.string(), fmt::join(columns, ", ")));
+        solve.run, solve.point, excerpt(solve.solver), place.string(), other, fmt::join(columns, ", ")));
   }
 
   StoreFile& file_;
@@ -219,11 +231,14 @@ Merged merge_into(const fs::path& file, const std::vector<fs::path>& stores, con
     SQLite::Transaction transaction(target.sqlite(), SQLite::TransactionBehavior::IMMEDIATE);
     MergedStore store(target, check);
     for (const fs::path& place : stores) {
+      std::optional<Source> source;
       try {
-        store.take(place);
+        guarded(place.string(), [&] { source.emplace(place); });
       } catch (const HalfWritten& error) {
         store.merged.half_written.emplace_back(error.what());
+        continue;
       }
+      store.take(*source);
     }
     if (!stores.empty() && store.merged.half_written.size() == stores.size())
       throw std::invalid_argument(store.merged.half_written.front());

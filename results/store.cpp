@@ -82,7 +82,7 @@ struct Last {
   std::int64_t run, point;
 };
 
-// What every study in a store is; returns its last run and point, if it says how many points there are.
+// What every study in a store is; returns its last run, and its last point where it says one.
 Last check_study(const StudyEntry& study) {
   const std::string name = excerpt(study.name);
   if (study.series.size() > most_series)
@@ -101,12 +101,13 @@ Last check_study(const StudyEntry& study) {
   const std::string what = fmt::format("the definition of study {}", name);
   const auto definition = object_in(study.definition, what);
   const std::int64_t runs = defined(definition, "runs", most_runs, what);
-  const std::int64_t points = definition.contains("points") ? defined(definition, "points", most_points, what) : 1;
+  const bool has_points = definition.contains("points");
+  const std::int64_t points = has_points ? defined(definition, "points", most_points, what) : 1;
   const std::int64_t solves = runs * points * static_cast<std::int64_t>(study.series.size());
   if (solves > most_solves)
     throw TooManySolves(fmt::format("study {} asks for {} solves ({} runs, {} points, {} series); expected at most {}",
                                     name, solves, runs, points, study.series.size(), most_solves));
-  return {.run = runs, .point = definition.contains("points") ? points : no_end};
+  return {.run = runs, .point = has_points ? points : no_end};
 }
 
 }  // namespace
@@ -157,6 +158,7 @@ struct Store::Database : StoreFile {
     SQLite::Statement query(
         sqlite(),
         select_solves(version()) + " WHERE series = ?1 AND (run, point) > (?2, ?3) ORDER BY run, point LIMIT ?4");
+    const int run_column = query.getColumnIndex("run");
     constexpr int at_once = 1000;  // who writes a store without a log waits for the end of a query, but not for long
     std::vector<SolveRecord> read;
     std::int64_t run = std::numeric_limits<std::int64_t>::min(), point = run;  // as nobody has stored them
@@ -164,8 +166,9 @@ struct Store::Database : StoreFile {
       read.clear();
       SQLite::bind(query, key, run, point, at_once);
       while (query.executeStep()) {
-        SolveRecord record = at_solve(query, [&] { return solve_in(query); });
-        if (record.run <= last_run) read.push_back(std::move(record));
+        at_solve(query, [&] {
+          if (value_in<int>(query.getColumn(run_column)) <= last_run) read.push_back(solve_in(query));
+        });
       }
       query.reset();
       if (!read.empty()) std::tie(run, point) = std::pair(read.back().run, read.back().point);

@@ -142,7 +142,8 @@ void copy(const SQLite::Column& column, SQLite::Statement& insert, int index) {
   } else if constexpr (std::is_integral_v<Value>) {
     insert.bind(index, column.getInt64());
   } else {
-    expect(text_in(column).find('\0') == std::string_view::npos, column, "text without a zero");  // it would end there
+    expect(text_in(column).find('\0') == std::string_view::npos, column,
+           "text without a NUL character");  // it would end there
     insert.bindNoCopy(index, column.getText());
   }
 }

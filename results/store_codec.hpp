@@ -20,7 +20,7 @@ struct Damage : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-// Text of the file within a sentence: in quotes, up to a zero, and not all of it where it is long.
+// Text of the file within a sentence: in quotes, up to a NUL character, and not all of it where it is long.
 std::string excerpt(std::string_view text);
 std::string excerpt(const SQLite::Column& column);
 

@@ -296,18 +296,19 @@ void StoreFile::refuse_blobs(const char* table, const char* column) {
     throw Damage(fmt::format("{} is a BLOB in a row of table {}, expected text", column, table));
 }
 
-void StoreFile::each_row(const std::function<void(SQLite::Statement& row)>& take) {
+void StoreFile::each_row(const std::function<void(SQLite::Statement& row)>& take, std::int64_t end) {
   // Some at a time: who writes without a log waits for the end of a query, and gives up some seconds later.
   SQLite::Statement ahead(sqlite_, "SELECT rowid FROM solves WHERE rowid >= ? ORDER BY rowid LIMIT 1 OFFSET 999");
   SQLite::Statement rows(sqlite_, select_solves(version()) + " WHERE rowid BETWEEN ? AND ? ORDER BY rowid");
-  constexpr std::int64_t end = std::numeric_limits<std::int64_t>::max();
-  for (std::int64_t first = std::numeric_limits<std::int64_t>::min(), last = first; last < end; first = last + 1) {
+  for (std::int64_t first = std::numeric_limits<std::int64_t>::min();;) {
     ahead.bind(1, first);
-    last = ahead.executeStep() ? ahead.getColumn(0).getInt64() : end;
+    const std::int64_t last = ahead.executeStep() ? std::min(ahead.getColumn(0).getInt64(), end) : end;
     ahead.reset();
     SQLite::bind(rows, first, last);
     while (rows.executeStep()) at_solve(rows, [&] { take(rows); });
     rows.reset();
+    if (last == end) return;
+    first = last + 1;
   }
 }
 

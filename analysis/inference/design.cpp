@@ -168,17 +168,17 @@ bool is_imported(const StudyResults& study, std::string_view solver) {
   return !solves.empty() && solves.front().timing == Timing::imported;
 }
 
-// Imports that lack runs which several others have in common: blocks of all would take those runs from the others.
+// Imports that lack a run which several others have in common: blocks of all would take that run from the others.
 std::set<std::string_view> partial_imports(const StudyResults& study) {
   const auto is_other = [&](std::string_view solver) { return !is_imported(study, solver); };
   const auto number = std::ranges::count_if(study.solvers, is_other);
   std::set<std::string_view> found;
   if (number < 2 || number == std::ssize(study.solvers)) return found;
-  const StudyResults others = of_solvers(study, is_other);
-  const auto runs = static_cast<int>(common_runs(others).size());
-  for (const SolverCounts& count : counts(study)) {
-    if (count.complete_runs < runs && is_imported(study, count.solver))
-      found.insert(*std::ranges::find(study.solvers, count.solver));
+  const auto runs = common_runs(of_solvers(study, is_other));
+  for (const std::string& solver : study.solvers) {
+    const auto is_this = [&](std::string_view name) { return name == solver; };
+    if (is_imported(study, solver) && !std::ranges::includes(common_runs(of_solvers(study, is_this)), runs))
+      found.insert(solver);
   }
   return found;
 }
@@ -186,6 +186,8 @@ std::set<std::string_view> partial_imports(const StudyResults& study) {
 }  // namespace
 
 std::string why_not_blocked(const StudyResults& study) {
+  if (const std::set<std::string_view> partial = partial_imports(study); !partial.empty())
+    return why_not_blocked(of_solvers(study, [&](std::string_view solver) { return !partial.contains(solver); }));
   const Blocks blocks = blocks_of(study);
   if (blocks == Blocks::none) {
     return Definition(study.definition).text("/path/kind").empty()
@@ -204,8 +206,8 @@ std::optional<Observations> blocked_observations(const StudyResults& study, Metr
     std::optional<Observations> result = blocked_observations(of_solvers(study, is_kept), metric, estimand);
     if (result) {
       result->notes.push_back(fmt::format(
-          "Left out: {}, imported with fewer runs than the others have. ikbench compare holds two solvers against each "
-          "other over the runs that both have.",
+          "Left out: {}, imported without runs that the others have. ikbench compare compares two solvers over the runs "
+          "that both have.",
           one_line(fmt::format("{}", fmt::join(partial, ", ")))));
     }
     return result;

@@ -141,8 +141,8 @@ std::string baselines_sentence(const StudyResults& other) {
     list += fmt::format("{}{} {} cm, {} deg, {}{} evaluations", i == 0 ? "" : "; ", other.solvers[i], error[i],
                         variation[i], comparable ? seconds[i] + " s and " : "and ", evaluations[i]);
   }
-  return fmt::format("Baselines: means{} of the study {} on the same targets: {}{}.",
-                     comparable ? ", of times medians," : "", other.name, list,
+  return fmt::format("Baselines: means{} in the study {} on the same targets: {}{}.",
+                     comparable ? " (of times, medians)" : "", other.name, list,
                      comparable ? "" : fmt::format("; its {}", times_not_judged));
 }
 

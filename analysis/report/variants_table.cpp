@@ -192,8 +192,8 @@ std::vector<std::string> variants_notes(std::span<const VariantComparison> compa
   };
   for (const VariantComparison& comparison : comparisons) add(comparison, comparison.design);
   notes.emplace_back(
-      "Means decide here, of times too; a report takes the median time of a run and the test of its plan, so the two may "
-      "disagree.");
+      "This comparison is decided by means, also of times. A report uses the median time of a run and the test of its "
+      "plan, so the two may disagree.");
   for (const VariantComparison& comparison : comparisons) {
     for (const std::string& note : comparison.notes) add(comparison, note);
   }

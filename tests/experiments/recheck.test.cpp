@@ -26,6 +26,12 @@ Study study_with(const std::string& robot) {
   return study;
 }
 
+std::vector<std::string> damages(const StudyEntry& entry, const std::vector<SolveRecord>& solves) {
+  Recheck recheck(entry);
+  for (const SolveRecord& solve : solves) recheck.look_at(solve);
+  return recheck.damages();
+}
+
 }  // namespace
 
 TEST_CASE("the solves of a study as they are made follow from their answers", "[recheck]") {

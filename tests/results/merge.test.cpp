@@ -346,11 +346,54 @@ TEST_CASE("all stores are looked at, also where they are more than threads that 
   CHECK(results::merge(folder.path / "out", stores, look).added == 29);
 }
 
-TEST_CASE("a text with a zero in it is not cut off there and taken for another", "[merge]") {
+TEST_CASE("a text with a NUL character in it is not cut off there and taken for another", "[merge]") {
   const ScratchFolder folder;
   make_store(folder.path / "a", "one", {1});
   edit(folder.path / "a", "UPDATE solves SET series = series || char(0) || 'x'");
   CHECK_THAT(complaint<std::invalid_argument>([&] { merge(folder.path / "out", {folder.path / "a"}); }),
-             ContainsSubstring("series") && ContainsSubstring("text without a zero"));
+             ContainsSubstring("series") && ContainsSubstring("text without a NUL character"));
   CHECK_FALSE(fs::exists(folder.path / "out"));
+}
+
+TEST_CASE("what a store gets while it is merged is left for the next merge, as nobody has checked it", "[merge]") {
+  const ScratchFolder folder;
+  make_store(folder.path / "a", "one", {1, 2});
+  const auto look = [](const fs::path& store) {
+    make_store(store, "one", {3});
+    return "";
+  };
+  CHECK(results::merge(folder.path / "out", {folder.path / "a"}, look).added == 2);
+  CHECK(merge(folder.path / "out", {folder.path / "a"}).added == 1);
+}
+
+TEST_CASE("a store that a kill leaves half-written while it is checked ends the merge", "[merge]") {
+  const ScratchFolder folder;
+  std::vector<fs::path> stores;
+  for (int run = 1; run <= 30; ++run) {
+    stores.push_back(folder.path / std::to_string(run));
+    make_store(stores.back(), "one", {run});
+  }
+  const auto look = [](const fs::path& store) -> std::string {
+    if (store.filename() == "1") throw HalfWritten("half-written since");
+    return "";
+  };
+  CHECK(complaint<std::invalid_argument>([&] { results::merge(folder.path / "out", stores, look); }) ==
+        "half-written since");
+  CHECK_FALSE(fs::exists(folder.path / "out"));
+}
+
+TEST_CASE("where two stores have a solve, the one that is damaged is named", "[merge]") {
+  const ScratchFolder folder;
+  make_store(folder.path / "a", "one", {1});
+  make_store(folder.path / "b", "two", {1});
+  const auto said = [&](const results::Checker& look) {
+    return complaint<std::invalid_argument>([&] {
+      results::merge(folder.path / "out", {folder.path / "a", folder.path / "b"}, look);
+    });
+  };
+  edit(folder.path / "a", "UPDATE solves SET evaluations = 7");
+  const auto is_wrong = [](const fs::path& store) { return store.filename() == "a" ? "It is wrong." : ""; };
+  CHECK_THAT(said(is_wrong), ContainsSubstring(quoted(folder.path / "a") + ": It is wrong."));
+  edit(folder.path / "a", "UPDATE solves SET status = 'nonsense'");
+  CHECK_THAT(said(read_all), ContainsSubstring(quoted(folder.path / "a") + " is damaged"));
 }

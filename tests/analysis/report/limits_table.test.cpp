@@ -149,5 +149,5 @@ TEST_CASE("answers that are not finite, refused throughout or not there leave no
 }
 
 TEST_CASE("the sentence on baselines says which average is of times", "[summary]") {
-  CHECK(baselines_sentence(enforced).starts_with("Baselines: means, of times medians, of the study held on "));
+  CHECK(baselines_sentence(enforced).starts_with("Baselines: means (of times, medians) in the study held on "));
 }
