@@ -46,8 +46,12 @@ StudyResults study_of(const Shape& shape, std::vector<SolveRecord> solves) {
   const std::string definition = R"({"path": {"kind": ")" + shape.path + R"("}, "start": ")" + shape.start +
                                  R"(", "runs": )" + std::to_string(shape.runs) + R"(, "points": )" +
                                  std::to_string(shape.points) + "}";
-  return make_study({.name = "s", .definition = definition, .series = {{.label = "A"}, {.label = "B"}}},
-                    std::move(solves));
+  StudyEntry entry{.name = "s", .definition = definition};
+  std::set<std::string> labels;
+  for (const SolveRecord& solve : solves) labels.insert(solve.solver);
+  if (labels.empty()) labels = {"A", "B"};
+  for (const std::string& label : labels) entry.series.push_back({.label = label});
+  return make_study(entry, std::move(solves));
 }
 
 StudyResults study_of(const Shape& shape) { return study_of(shape, solves_of(shape)); }
@@ -151,6 +155,27 @@ TEST_CASE("a run that is not complete for all solvers is in no block, and that i
   const Observations independent = observations(study_of({}, solves), error);
   CHECK(independent.groups[0].values == Values{102, 202});  // A loses nothing by what B has not done
   CHECK(independent.notes.back() == "B: 1 of its runs lack points and give no observation.");
+}
+
+TEST_CASE("an import takes no run from several other solvers, whichever it lacks", "[design]") {
+  const Shape shape{.start = "initial", .runs = 3};
+  for (const int lacking : {1, 2, 3}) {
+    std::vector<SolveRecord> solves = solves_of(shape);
+    for (SolveRecord solve : solves_of(shape)) {
+      if (solve.solver == "B" || solve.run == lacking) continue;
+      solve.solver = "C";
+      solve.timing = Timing::imported;
+      solves.push_back(solve);
+    }
+    const Observations found = *blocked_observations(study_of(shape, solves), error);
+    REQUIRE(found.groups.size() == 2);
+    CHECK(found.groups[0].values == Values{201, 202, 203});  // the means over three runs
+    REQUIRE(found.notes.size() == 1);
+    CHECK_THAT(found.notes.front(), Catch::Matchers::Contains("Left out: C, imported without runs that the others have."));
+    std::erase_if(solves, [](const SolveRecord& solve) { return solve.solver == "B"; });
+    CHECK(blocked_observations(study_of(shape, solves), error)->notes ==
+          Names{"Left out: 1 of 3 runs, because they are not complete for all solvers."});
+  }
 }
 
 TEST_CASE("with fewer than two blocks there is no blocked design, and why is said", "[design]") {
