@@ -163,11 +163,6 @@ void add_notes(Observations& result, const StudyResults& study, Metric metric) {
   if (std::string note = timing_note(study); !note.empty()) result.flaw = std::move(note);
 }
 
-bool is_imported(const StudyResults& study, std::string_view solver) {
-  const std::span<const Solve> solves = solves_of(study, solver);
-  return !solves.empty() && solves.front().timing == Timing::imported;
-}
-
 // Imports that lack a run which several others have in common: blocks of all would take that run from the others.
 std::set<std::string_view> partial_imports(const StudyResults& study) {
   const auto is_other = [&](std::string_view solver) { return !is_imported(study, solver); };

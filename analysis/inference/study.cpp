@@ -59,6 +59,11 @@ std::span<const Solve> solves_of(const StudyResults& study, std::string_view sol
           std::ranges::upper_bound(study.solves, number, {}, &Solve::solver)};
 }
 
+bool is_imported(const StudyResults& study, std::string_view solver) {
+  const std::span<const Solve> solves = solves_of(study, solver);
+  return !solves.empty() && solves.front().timing == Timing::imported;
+}
+
 const SolverFacts& gathered_of(const StudyResults& study, std::string_view solver) {
   static const SolverFacts none;
   const Gathered& all = *study.gathered;

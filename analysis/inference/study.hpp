@@ -55,6 +55,8 @@ struct StudyResults {
 const std::string& solver_of(const StudyResults& study, const Solve& solve);
 // The solves of one solver.
 std::span<const Solve> solves_of(const StudyResults& study, std::string_view solver);
+// Of somebody else, read from a file.
+bool is_imported(const StudyResults& study, std::string_view solver);
 const SolverFacts& gathered_of(const StudyResults& study, std::string_view solver);
 Problem problem_of(const StudyResults& study, const Solve& solve);
 // Of each place, which is a point of a run, the first solve that the study has of it; ordered by place.

@@ -148,6 +148,20 @@ std::string leaders_sentence(const JudgedStudy& study, Metric metric) {
 
 namespace {
 
+// Imports that lack solves: their values are of fewer than the others'.
+std::string partial_imports_sentence(const JudgedStudy& study) {
+  std::string list;
+  for (const SolverCounts& count : counts(study)) {
+    if (count.solves == count.expected || !is_imported(study, count.solver)) continue;
+    list +=
+        fmt::format("{}{} has {} of {} solves", list.empty() ? "" : ", ", count.solver, count.solves, count.expected);
+  }
+  if (list.empty()) return "";
+  return fmt::format(
+      "Not comparable: imported, {}; its values are of these alone. ikbench compare takes what two solvers both have.",
+      list);
+}
+
 // Where there are so few blocks that no pair can differ, whatever they hold.
 std::string too_few_sentence(const JudgedStudy& study) {
   const Evidence& evidence = study.evidence(Metric::position_error_cm, study.plan.estimands.front());
@@ -213,6 +227,7 @@ std::vector<std::string> own_verdict(const JudgedStudy& study) {
     if (std::string few = too_few_sentence(study); !few.empty()) sentences.insert(sentences.begin(), std::move(few));
     sentences.push_back(budgets_sentence(study));
   }
+  sentences.insert(sentences.begin(), partial_imports_sentence(study));
   std::erase(sentences, "");
   return sentences;
 }

@@ -105,7 +105,8 @@ std::string command_of(const StudyResults& study, const std::vector<Session>& se
   for (const auto& [session, count] : solves_of_sessions(study)) last = std::max(last, session);
   for (const Session& session : sessions) {
     const auto command = session.environment.find("command");
-    if (session.id == last && command != session.environment.end()) return command->second;
+    if (session.id != last || command == session.environment.end()) continue;
+    return command->second.substr(0, command->second.find(" --shard "));  // all of it, where the last was a part
   }
   return "";
 }

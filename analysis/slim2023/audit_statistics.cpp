@@ -49,7 +49,7 @@ std::vector<GroupSummary> summaries(std::string_view paper, Metric metric) {
 }
 
 // What half a unit of every printed mean and standard deviation may change F by, all in the same direction.
-double slack_of_F(std::string_view paper, Metric metric) {
+double slack_of_f(std::string_view paper, Metric metric) {
   const CsvTable table = published::table(paper, "table-3");
   const std::vector<GroupSummary> groups = summaries(paper, metric);
   const double F = anova_from_summaries(groups).F;
@@ -110,7 +110,7 @@ AuditItems anova_items(std::string_view paper) {
     const std::string& printed = table.rows[0][table.column("f")];
     const double F = anova_from_summaries(summaries(paper, metric)).F;
     items.push_back({lettered("3.1", i), fmt::format("{}: F of the {}", table_words(name), words), printed,
-                     fmt::format("{:.4f}", F), judged(printed, F, slack_of_F(paper, metric)),
+                     fmt::format("{:.4f}", F), judged(printed, F, slack_of_f(paper, metric)),
                      "F follows from the means and standard deviations of Table 3 with 20 values per group."});
   }
   for (std::size_t i = 0; i < measured_metrics.size(); ++i) {

@@ -76,6 +76,7 @@ has "$out" "fewer: 4 solves; 4 verified"
 succeeds status few
 has "$out" "Merged: 12 of 12 solves"
 succeeds report few/store.sqlite --no-figures
+has "$(<few/report.md)" "Not comparable: imported, fewer has 4 of 6 solves"
 has "$(<few/report.md)" "Left out: fewer, imported without runs that the others have."
 has_no "$(<few/report.md)" "Left out: 1 of 3 runs"
 succeeds merge merged few
