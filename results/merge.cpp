@@ -50,7 +50,13 @@ std::vector<std::string> own_configurations(const StudyEntry& study) {
 StudyEntry with_imports(StudyEntry study, const StudyEntry& other) {
   for (const Series& series : other.series) {
     const bool is_there = std::ranges::find(study.series, series.key, &Series::key) != study.series.end();
-    if (is_imported(series) && !is_there) study.series.push_back(series);
+    if (!is_imported(series) || is_there) continue;
+    if (std::ranges::find(study.series, series.label, &Series::label) != study.series.end())
+      throw std::invalid_argument(fmt::format(
+          "the study '{}' has two different imports of the label {}; nothing was merged; import one of them "
+          "with another --label",
+          study.name, excerpt(series.label)));
+    study.series.push_back(series);
   }
   return study;
 }
@@ -150,10 +156,11 @@ class MergedStore {
     std::map<std::int64_t, std::int64_t> numbers;
     std::set<std::int64_t> taken;  // two of one store are two
     for (const Session& session : sessions) {
+      const std::size_t before = sessions_.size();
       const std::int64_t number = guarded(file_.name(), [&] { return number_of(session, taken); });
       taken.insert(number);
       numbers[session.id] = number;
-      origins_.try_emplace(number, place);
+      if (sessions_.size() > before) origins_.emplace(number, place);
     }
     return numbers;
   }

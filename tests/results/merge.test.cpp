@@ -397,3 +397,24 @@ TEST_CASE("where two stores have a solve, the one that is damaged is named", "[m
   edit(folder.path / "a", "UPDATE solves SET status = 'nonsense'");
   CHECK_THAT(said(read_all), ContainsSubstring(quoted(folder.path / "a") + " is damaged"));
 }
+
+TEST_CASE("two imports of one label are refused, and what is wrong in the merged store is told of it", "[merge]") {
+  const ScratchFolder folder;
+  for (const char* name : {"a", "b"}) {
+    StudyEntry study = sample_study();
+    study.series.push_back({.key = std::string("imported-") + name,
+                            .label = "theirs",
+                            .algorithm = std::string(imported_algorithm),
+                            .options = "{}"});
+    Store(folder.path / name, Store::Mode::write).save_study(study);
+  }
+  CHECK_THAT(complaint<std::invalid_argument>([&] {
+               merge(folder.path / "out", {folder.path / "a", folder.path / "b"});
+             }),
+             ContainsSubstring("two different imports of the label 'theirs'"));
+  make_store(folder.path / "c", "one", {1});
+  merge(folder.path / "merged", {folder.path / "c"});
+  edit(folder.path / "merged", "UPDATE solves SET seconds = 'x'");
+  CHECK_THAT(complaint<std::invalid_argument>([&] { merge(folder.path / "merged", {folder.path / "c"}); }),
+             ContainsSubstring(quoted(folder.path / "merged") + " is damaged"));
+}
