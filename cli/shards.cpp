@@ -95,10 +95,10 @@ std::vector<fs::path> entries_of(const fs::path& folder) {
   return entries;
 }
 
-// Of a shard it may be out of reach: opening it says why.
+// Or may have one that is out of reach: opening it says why.
 bool has_store(const fs::path& folder) {
   std::error_code error;
-  return fs::exists(store_in(folder), error) || (error && shard_named(folder.filename().string()));
+  return fs::exists(store_in(folder), error) || error;
 }
 
 }  // namespace
