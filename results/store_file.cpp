@@ -178,6 +178,11 @@ StoreFile::StoreFile(const std::filesystem::path& path, Store::Mode mode)
 
 StoreFile::~StoreFile() {
   if (mode_ == Store::Mode::write) fold();
+  if (mode_ != Store::Mode::write_shared) return;
+  try {
+    number("SELECT count(*) FROM sqlite_master");  // after a write that failed SQLite only now undoes the transaction
+  } catch (const SQLite::Exception&) {             // whoever writes next undoes it
+  }
 }
 
 // SQLite goes on writing a file that was unlinked or moved away.
