@@ -3,15 +3,12 @@
 
 #include <fmt/format.h>
 
-#include <deque>
-#include <map>
 #include <memory>
 
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
 #include "cli/reporting.hpp"
 #include "cli/shards.hpp"
-#include "experiments/recheck.hpp"
 #include "results/files.hpp"
 
 namespace ikbench::cli {
@@ -36,29 +33,10 @@ std::vector<fs::path> stores_to_merge(const fs::path& out, const std::vector<std
   return stores;
 }
 
-// Computes all solves of a store again, each for every study that has it.
-std::string first_damage(const fs::path& place) {
-  const Store store(place, Store::Mode::read);
-  std::deque<experiments::Recheck> rechecks;
-  std::map<std::string, std::vector<experiments::Recheck*>> of_series;
-  for (const StudyEntry& study : store.studies()) {
-    rechecks.emplace_back(study);
-    for (const Series& series : study.series) of_series[series.key].push_back(&rechecks.back());
-  }
-  store.each_solve([&](const SolveRecord& solve) {
-    const auto found = of_series.find(solve.series);
-    if (found == of_series.end()) return;
-    for (experiments::Recheck* const recheck : found->second) recheck->look_at(solve);
-  });
-  for (const experiments::Recheck& recheck : rechecks)
-    for (const std::string& damage : recheck.damages()) return damage;
-  return "";
-}
-
 // The transaction ends somewhere within: who is stopped there cannot say on which side of its end.
 Merged merged_or_stopped(const fs::path& out, const std::vector<fs::path>& stores) {
   const EndOnSignal signals("Stopped. All was merged, or nothing; give the same command again.");
-  return merge(out, stores, first_damage);
+  return merge(out, stores);
 }
 
 }  // namespace
@@ -82,10 +60,10 @@ void add_merge(CLI::App& app, Invocation& invocation) {
       "Examples:\n"
       "  ikbench merge out/slim2023 out/slim2023/shards\n"
       "  ikbench merge out/both laptop/store.sqlite desktop/store.sqlite\n\n"
-      "A solve that two stores have must have the same bits in both, and numbers must follow from answers. A\n"
-      "store that a kill left half-written is left out, and named. What is missing is named, with the command\n"
-      "that solves it where that is known; the exit code is then 5. A merge that was killed has added nothing,\n"
-      "or all: give the same command again.");
+      "A solve that two stores have must have the same bits in both. Solves are copied as they are: `ikbench\n"
+      "report` and `compare` find what is damaged. A store that a kill left half-written is left out, and named.\n"
+      "What is missing is named, with the command that solves it where that is known; the exit code is then 5. A\n"
+      "merge that was killed has added nothing, or all: give the same command again.");
   command->callback([arguments, &invocation] {
     const fs::path out = store_in(arguments->out);
     const std::vector<fs::path> stores = stores_to_merge(out, arguments->places);

@@ -47,7 +47,8 @@ class Findings {
   void add(const char* column, const SolveRecord& solve, const std::string& what) {
     Finding& finding = of_column_[column];
     if (finding.solves++ == 0) {
-      finding.first = fmt::format("{}, run {}, point {}: {}", solve.solver, solve.run, solve.point, what);
+      finding.first = fmt::format("{}, run {}, point {}, session {}: {}", solve.solver, solve.run, solve.point,
+                                  solve.session, what);
     }
   }
   // The same number but for rounding, or not a number twice. An arm from a URDF file was verified by its origins and

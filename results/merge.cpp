@@ -5,13 +5,14 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <sqlite3.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cerrno>
 #include <cstdio>
-#include <deque>
-#include <future>
+#include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -19,12 +20,12 @@
 #include <stdexcept>
 #include <string>
 #include <system_error>
-#include <thread>
 #include <utility>
 
 #include "results/files.hpp"
 #include "results/fingerprint.hpp"
 #include "results/same_solves.hpp"
+#include "results/store_codec.hpp"
 #include "results/store_file.hpp"
 #include "results/store_tables.hpp"
 
@@ -77,39 +78,80 @@ bool is_same(const Session& a, const Session& b) {
   return a.began == b.began && facts(a) == facts(b);
 }
 
-// A store to be read: its tables, and its rows as they are.
+// A store to be taken. What others were put together into says where it has its studies and sessions from.
 struct Source {
-  explicit Source(const fs::path& of) : place(of), store(of, Store::Mode::read), file(of, Store::Mode::read) {}
+  const fs::path& of_study(const std::string& name) const {
+    const auto found = studies.find(name);
+    return found == studies.end() ? file : found->second;
+  }
+  const fs::path& of_session(std::int64_t number) const {
+    const auto found = sessions.find(number);
+    return found == sessions.end() ? file : found->second;
+  }
 
-  fs::path place;
-  Store store;
-  StoreFile file;
+  fs::path file;
+  std::map<std::string, fs::path> studies = {};
+  std::map<std::int64_t, fs::path> sessions = {};
 };
 
-// The store that gets all, within one transaction.
+// How SQLite opens a file to read only (https://www.sqlite.org/uri.html).
+std::string read_only(const fs::path& file) {
+  std::string uri = "file:";
+  for (const char c : fs::absolute(file).string()) {
+    const bool is_plain = std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '/';
+    uri += is_plain ? std::string(1, c) : fmt::format("%{:02X}", static_cast<unsigned char>(c));
+  }
+  return uri + "?mode=ro";
+}
+
+// The database `source` of a connection. Within a transaction that has read it, it stays until the connection ends.
+class Attached {
+ public:
+  Attached(SQLite::Database& sqlite, const fs::path& file) : sqlite_(sqlite) {
+    SQLite::Statement attach(sqlite_, "ATTACH ? AS source");
+    attach.bind(1, read_only(file));
+    attach.exec();
+  }
+  ~Attached() { sqlite_.tryExec("DETACH source"); }
+  Attached(const Attached&) = delete;
+  Attached& operator=(const Attached&) = delete;
+
+ private:
+  SQLite::Database& sqlite_;
+};
+
+// Solves by their rowids.
+struct Rows {
+  std::int64_t after = 0;
+  std::int64_t to = 0;
+};
+
+// The store that gets all.
 class MergedStore {
  public:
-  MergedStore(StoreFile& file, const Checker& check) : file_(file), check_(check) {
+  explicit MergedStore(StoreFile& file) : file_(file) {
     const Store before(file.name(), Store::Mode::read);
     for (const StudyEntry& study : before.studies()) studies_.emplace(study.name, Known{study, file.name()});
     sessions_ = before.sessions();
+    file_.sqlite().exec("CREATE TEMP TABLE numbers (theirs INTEGER PRIMARY KEY, ours INTEGER NOT NULL)");
   }
 
-  // All that a store has now. Its solves are looked at by another thread meanwhile.
-  void take(Source& source) {
-    const std::int64_t last = guarded(source.place.string(),
-                                      [&] { return source.file.number("SELECT coalesce(max(rowid), 0) FROM solves"); });
-    looks_.push_back({source.place, std::async(std::launch::async, check_, source.place)});
+  // All that a store has now.
+  void take(const Store& store, const Source& source) {
+    const Attached attached(file_.sqlite(), source.file);
+    const std::int64_t last = file_.number("SELECT coalesce(max(rowid), 0) FROM source.solves");
     std::vector<StudyEntry> studies;
-    source.store.at_one_moment([&] { studies = source.store.studies(); });
-    for (const StudyEntry& study : studies) take(study, source.place);
+    store.at_one_moment([&] { studies = store.studies(); });
+    for (const StudyEntry& study : studies) take(study, source);
+    take(store.sessions(), source);
     take_solves(source, last);
-    if (looks_.size() > std::thread::hardware_concurrency()) end_first_look();
   }
 
-  // std::invalid_argument where something is wrong with what was taken.
-  void end_looks() {
-    while (!looks_.empty()) end_first_look();
+  // Of this store, for a store that takes it.
+  Source as_source() const {
+    Source source{.file = file_.name(), .sessions = origins_};
+    for (const auto& [name, known] : studies_) source.studies.emplace(name, known.place);
+    return source;
   }
 
   Merged merged;
@@ -120,21 +162,8 @@ class MergedStore {
     fs::path place;
   };
 
-  struct Look {
-    fs::path place;
-    std::future<std::string> wrong;
-  };
-
-  void end_first_look() {
-    Look look = std::move(looks_.front());
-    looks_.pop_front();
-    const std::string wrong = look.wrong.get();
-    if (!wrong.empty())
-      throw std::invalid_argument(fmt::format("'{}': {} Nothing was merged; solve its studies again into a new store",
-                                              look.place.string(), wrong));
-  }
-
-  void take(const StudyEntry& study, const fs::path& place) {
+  void take(const StudyEntry& study, const Source& source) {
+    const fs::path& place = source.of_study(study.name);
     const auto [found, is_new] = studies_.try_emplace(study.name, Known{study, place});
     Known& known = found->second;
     const std::string why = why_not_one(known.study, study);
@@ -148,21 +177,22 @@ class MergedStore {
     known.study = is_larger ? with_imports(study, known.study) : with_imports(known.study, study);
     if (is_larger) known.place = place;
     const bool is_changed = is_larger || known.study.series.size() > before;
-    if (is_new || is_changed) guarded(file_.name(), [&] { write_study(file_.sqlite(), known.study); });
+    if (is_new || is_changed) write_study(file_.sqlite(), known.study);
   }
 
-  // The numbers of sessions, there and here.
-  std::map<std::int64_t, std::int64_t> take(const std::vector<Session>& sessions, const fs::path& place) {
-    std::map<std::int64_t, std::int64_t> numbers;
+  void take(const std::vector<Session>& sessions, const Source& source) {
+    file_.sqlite().exec("DELETE FROM temp.numbers");
+    SQLite::Statement note(file_.sqlite(), "INSERT INTO temp.numbers VALUES (?, ?)");
     std::set<std::int64_t> taken;  // two of one store are two
     for (const Session& session : sessions) {
       const std::size_t before = sessions_.size();
-      const std::int64_t number = guarded(file_.name(), [&] { return number_of(session, taken); });
+      const std::int64_t number = number_of(session, taken);
       taken.insert(number);
-      numbers[session.id] = number;
-      if (sessions_.size() > before) origins_.emplace(number, place);
+      SQLite::bind(note, session.id, number);
+      note.exec();
+      note.reset();
+      if (sessions_.size() > before) origins_.emplace(number, source.of_session(session.id));
     }
-    return numbers;
   }
 
   std::int64_t number_of(const Session& session, const std::set<std::int64_t>& taken) {
@@ -182,76 +212,120 @@ class MergedStore {
     return known->id;
   }
 
-  void take_solves(Source& source, std::int64_t last) {
-    std::map<std::int64_t, std::int64_t> numbers = take(source.store.sessions(), source.place);
-    SQLite::Statement insert(file_.sqlite(), insert_solve(source.file.version()) + " ON CONFLICT DO NOTHING");
-    const auto take_row = [&](SQLite::Statement& row) {
-      const int session = row.getColumnIndex("session");
-      auto number = numbers.find(value_in<std::int64_t>(row.getColumn(session)));
-      if (number == numbers.end()) {  // it has begun since
-        numbers = take(source.store.sessions(), source.place);
-        number = numbers.find(row.getColumn(session).getInt64());
-      }
-      if (number == numbers.end()) throw Damage("a solve is of a session that the table of sessions does not have");
-      bind_row(insert, row);
-      insert.bind(session + 1, number->second);
-      const bool is_new = guarded(file_.name(), [&] { return insert.exec() == 1; });
-      insert.reset();
-      ++(is_new ? merged.added : merged.known);
-      if (!is_new) refuse_other_bits(solve_in(row), source.place);
-    };
-    guarded(source.place.string(), [&] { source.file.each_row(take_row, last); });
+  // Some at a time: who writes to a store without a log waits for the end of a query, and gives up some seconds later.
+  void take_solves(const Source& source, std::int64_t last) {
+    SQLite::Statement next(file_.sqlite(),
+                           "SELECT max(rowid), count(*) FROM (SELECT rowid FROM source.solves WHERE rowid > ?1 AND "
+                           "rowid <= ?2 ORDER BY rowid LIMIT 1000)");
+    SQLite::Statement copy(file_.sqlite(), copy_of_solves());
+    for (Rows rows{.to = std::numeric_limits<std::int64_t>::min()}; rows.to < last;) {
+      SQLite::bind(next, rows.to, last);
+      next.executeStep();
+      rows = {rows.to, next.getColumn(0).getInt64()};
+      const std::int64_t number = next.getColumn(1).getInt64();
+      next.reset();
+      if (number == 0) return;
+      SQLite::bind(copy, rows.after, rows.to);
+      const std::int64_t added = copy.exec();
+      copy.reset();
+      merged.added += added;
+      merged.known += number - added;
+      if (added < number) refuse_other_bits(source, rows);
+    }
   }
 
-  void refuse_other_bits(const SolveRecord& solve, const fs::path& place) {
-    if (!select_)
-      select_.emplace(file_.sqlite(), select_solves(schema_version) + " WHERE series = ? AND run = ? AND point = ?");
-    SQLite::bind(*select_, solve.series, solve.run, solve.point);
-    select_->executeStep();
-    const auto origin = origins_.find(select_->getColumn(select_->getColumnIndex("session")).getInt64());
-    const std::string other = origin == origins_.end() ? file_.name() : origin->second.string();
-    std::vector<std::string_view> columns =
-        guarded(other, [&] { return at_solve(*select_, [&] { return differences(solve_in(*select_), solve); }); });
-    select_->reset();
+  // As they are: whether numbers follow from answers is found by who reads the store.
+  std::string copy_of_solves() {
+    const std::vector<std::string_view> columns = columns_of_solves(file_.number("PRAGMA source.user_version"));
+    std::vector<std::string> values(columns.begin(), columns.end());
+    std::ranges::replace(values, "session", "(SELECT ours FROM temp.numbers WHERE theirs = session)");
+    return fmt::format(
+        "INSERT INTO main.solves ({}) SELECT {} FROM source.solves WHERE rowid > ? AND rowid <= ? "
+        "ON CONFLICT DO NOTHING",
+        fmt::join(columns, ", "), fmt::join(values, ", "));
+  }
+
+  // Of these rows all are in this store now.
+  void refuse_other_bits(const Source& source, const Rows& rows) {
+    std::vector<std::string_view> columns(in_fingerprint.begin(), in_fingerprint.end());
     std::erase(columns, "study");  // the same solve may be of two
-    if (columns.empty()) return;
-    end_looks();  // rather than other bits they tell which are wrong
+    std::vector<std::string> differ;
+    for (const std::string_view column : columns) differ.push_back(fmt::format("theirs.{0} IS NOT ours.{0}", column));
+    SQLite::Statement query(
+        file_.sqlite(),
+        fmt::format("SELECT {}, theirs.run AS run, theirs.point AS point, theirs.solver AS label, theirs.session AS "
+                    "their_session, ours.session AS our_session FROM source.solves AS theirs JOIN main.solves AS "
+                    "ours USING (series, run, point) "
+                    "WHERE theirs.rowid > ? AND theirs.rowid <= ? AND ({}) LIMIT 1",
+                    fmt::join(differ, ", "), fmt::join(differ, " OR ")));
+    SQLite::bind(query, rows.after, rows.to);
+    if (!query.executeStep()) return;
+    int index = 0;
+    std::erase_if(columns, [&](std::string_view) { return query.getColumn(index++).getInt() == 0; });
+    const auto origin = origins_.find(query.getColumn("our_session").getInt64());
     throw std::invalid_argument(fmt::format(
         "the solve of run {}, point {} by {} has other bits in '{}' than in '{}' ({}); nothing was merged; find out "
         "which machine, compiler or edit changed them (ikbench fingerprint)",
-        solve.run, solve.point, excerpt(solve.solver), place.string(), other, fmt::join(columns, ", ")));
+        excerpt(query.getColumn("run")), excerpt(query.getColumn("point")), excerpt(query.getColumn("label")),
+        source.of_session(query.getColumn("their_session").getInt64()).string(),
+        origin == origins_.end() ? file_.name() : origin->second.string(), fmt::join(columns, ", ")));
   }
 
   StoreFile& file_;
-  const Checker& check_;
-  std::deque<Look> looks_;
-  std::optional<SQLite::Statement> select_;
   std::map<std::string, Known> studies_;
   std::vector<Session> sessions_;
   std::map<std::int64_t, fs::path> origins_;  // of sessions that are new
 };
 
-Merged merge_into(const fs::path& file, const std::vector<fs::path>& stores, const Checker& check) {
-  return guarded(file.string(), [&] {
+// What ends the copying of one store into another.
+[[noreturn]] void refuse_copy(const SQLite::Exception& error, const fs::path& from, const fs::path& to) {
+  const int code = error.getExtendedErrorCode();
+  if (code == SQLITE_CONSTRAINT_NOTNULL)
+    results::refuse(from.string(), Damage(fmt::format("a solve lacks a value, or is of a session that is not there: {}",
+                                                      error.what())));
+  const bool is_of_reading = code == SQLITE_IOERR_READ || code == SQLITE_IOERR_SHORT_READ;
+  const bool is_of_writing =
+      error.getErrorCode() == SQLITE_FULL || (error.getErrorCode() == SQLITE_IOERR && !is_of_reading);
+  results::refuse(is_of_writing ? to.string() : from.string(), error);
+}
+
+// All of them in a new store, which is nobody else's: it needs no journal.
+std::pair<Source, Merged> gather(const fs::path& file, const fs::path& out, const std::vector<fs::path>& stores) {
+  return guarded(out.string(), [&] {
     StoreFile target(file, Store::Mode::write_shared);
-    target.sqlite().exec("PRAGMA cache_size = -65536");
-    SQLite::Transaction transaction(target.sqlite(), SQLite::TransactionBehavior::IMMEDIATE);
-    MergedStore store(target, check);
+    target.sqlite().exec("PRAGMA journal_mode = MEMORY; PRAGMA synchronous = OFF");
+    MergedStore all(target);
     for (const fs::path& place : stores) {
-      std::optional<Source> source;
+      std::optional<Store> store;
       try {
-        guarded(place.string(), [&] { source.emplace(place); });
+        store.emplace(place, Store::Mode::read);
       } catch (const HalfWritten& error) {
-        store.merged.half_written.emplace_back(error.what());
+        all.merged.half_written.emplace_back(error.what());
         continue;
       }
-      store.take(*source);
+      try {
+        all.take(*store, {.file = place});
+      } catch (const SQLite::Exception& error) {
+        refuse_copy(error, place, out);
+      }
     }
-    if (!stores.empty() && store.merged.half_written.size() == stores.size())
-      throw std::invalid_argument(store.merged.half_written.front());
-    store.end_looks();
+    if (!stores.empty() && all.merged.half_written.size() == stores.size())
+      throw std::invalid_argument(all.merged.half_written.front());
+    target.sqlite().exec(
+        "PRAGMA synchronous = FULL; UPDATE meta SET value = value");  // what was written is on the disk
+    return std::pair(all.as_source(), all.merged);
+  });
+}
+
+// All or nothing.
+Merged take_into(const fs::path& out, const Source& gathered) {
+  return guarded(out.string(), [&] {
+    StoreFile target(out, Store::Mode::write_shared);
+    SQLite::Transaction transaction(target.sqlite(), SQLite::TransactionBehavior::IMMEDIATE);
+    MergedStore all(target);
+    all.take(Store(gathered.file, Store::Mode::read), gathered);
     target.commit(transaction);
-    return store.merged;
+    return all.merged;
   });
 }
 
@@ -272,17 +346,19 @@ std::string why_not_one(const StudyEntry& study, const StudyEntry& other) {
   return "the version of the solvers or of shared code is another, so use one version of ikbench for all";
 }
 
-Merged merge(const fs::path& out, const std::vector<fs::path>& stores, const Checker& check) {
-  std::error_code error;
-  if (fs::exists(out, error)) return merge_into(out, stores, check);
+Merged merge(const fs::path& out, const std::vector<fs::path>& stores) {
   const TemporaryFolder scratch(out.parent_path());
-  const fs::path made = scratch.path() / out.filename();
-  Merged merged = merge_into(made, stores, check);
-  error = publish(made, out);
+  const fs::path file = scratch.path() / out.filename();
+  auto [gathered, merged] = gather(file, out, stores);
+  const std::error_code error = publish(file, out);
   if (!error) return merged;
-  if (error == std::errc::file_exists) return merge_into(out, stores, check);  // another merge was faster
-  throw std::invalid_argument(
-      fmt::format("cannot write '{}': {}; choose a place that you can write to", out.string(), error.message()));
+  if (error != std::errc::file_exists)
+    throw std::invalid_argument(
+        fmt::format("cannot write '{}': {}; choose a place that you can write to", out.string(), error.message()));
+  const Merged into_it = take_into(out, gathered);
+  merged.added = into_it.added;
+  merged.known += into_it.known;
+  return merged;
 }
 
 }  // namespace ikbench::results

@@ -3,7 +3,6 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -17,19 +16,16 @@ struct Merged {
   std::vector<std::string> half_written;  // a sentence for each store that a kill left so: what it has is not merged
 };
 
-// Reads all solves of a store, and says in a sentence what is wrong with them; empty where nothing is. Several threads
-// ask at once, each of another store.
-using Checker = std::function<std::string(const std::filesystem::path& store)>;
-
 // Why two studies of one name cannot be merged; empty where they can: of two numbers of runs the larger is taken.
 std::string why_not_one(const StudyEntry& study, const StudyEntry& other);
 
 // Adds what `stores` have to the store `out`, which is made where it is missing: studies, solves and sessions, whose
 // numbers change where they are taken. A session that `out` has already is the same one: so merging again changes
-// nothing. All or nothing: a merge that fails or is killed has added nothing (what is half-written goes when the store
-// is opened to be written again), and what another merge has made stays.
+// nothing. Solves are copied as they are: who reads them finds what is damaged in them. All or nothing: a merge that
+// fails or is killed has added nothing (what is half-written goes when the store is opened to be written again), and
+// what another merge has made stays.
 // std::invalid_argument where two stores have another study of one name, or other bits of one solve (columns of the
-// fingerprint), where `check` finds something, where no store can be read, and as store.hpp says.
-Merged merge(const std::filesystem::path& out, const std::vector<std::filesystem::path>& stores, const Checker& check);
+// fingerprint), where no store can be read, and as store.hpp says.
+Merged merge(const std::filesystem::path& out, const std::vector<std::filesystem::path>& stores);
 
 }  // namespace ikbench::results

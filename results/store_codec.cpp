@@ -130,24 +130,6 @@ void read(const SQLite::Column& column, Value& value) {
   }
 }
 
-// Binds it as it is; the column must stay.
-template <class Value>
-void copy(const SQLite::Column& column, SQLite::Statement& insert, int index) {
-  expect_type<Value>(column);
-  if constexpr (std::is_floating_point_v<Value>) {
-    if (column.isNull())
-      insert.bind(index);
-    else
-      insert.bind(index, column.getDouble());
-  } else if constexpr (std::is_integral_v<Value>) {
-    insert.bind(index, column.getInt64());
-  } else {
-    expect(text_in(column).find('\0') == std::string_view::npos, column,
-           "text without a NUL character");  // it would end there
-    insert.bindNoCopy(index, column.getText());
-  }
-}
-
 struct SolveColumn {
   std::string_view name;
   std::string declaration;  // "run INTEGER NOT NULL"
@@ -211,8 +193,14 @@ std::vector<std::string> add_columns_after(std::int64_t version) {
   return sql;
 }
 
-std::string insert_solve(std::int64_t version) {
-  const std::vector<SolveColumn> columns = solve_columns(version);
+std::vector<std::string_view> columns_of_solves(std::int64_t version) {
+  std::vector<std::string_view> names;
+  for (const SolveColumn& column : solve_columns(version)) names.push_back(column.name);
+  return names;
+}
+
+std::string insert_solve() {
+  const std::vector<SolveColumn> columns = solve_columns(schema_version);
   return fmt::format("INSERT INTO solves ({}) VALUES ({})", listed(columns, name_in),
                      listed(columns, [](const SolveColumn&) { return "?"; }));
 }
@@ -221,15 +209,6 @@ void bind_solve(SQLite::Statement& insert, const SolveRecord& record) {
   int index = 0;
   for_each_column(
       [&](std::string_view, auto member, std::string_view) { insert.bind(++index, sql_value(record.*member)); });
-}
-
-void bind_row(SQLite::Statement& insert, SQLite::Statement& row) {
-  int index = 0;
-  for_each_column([&]<class Value>(std::string_view, Value SolveRecord::*, std::string_view) {
-    if (index == row.getColumnCount()) return;
-    const SQLite::Column column = row.getColumn(index++);
-    copy<Value>(column, insert, index);
-  });
 }
 
 SolveRecord solve_in(SQLite::Statement& row) {

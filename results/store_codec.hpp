@@ -38,13 +38,11 @@ constexpr std::int64_t schema_version = [] {
 std::string create_solves(std::int64_t version);
 std::string select_solves(std::int64_t version);
 std::vector<std::string> add_columns_after(std::int64_t version);
+std::vector<std::string_view> columns_of_solves(std::int64_t version);
 
-// An INSERT with a parameter for each column of a version of the schema. bind_solve fills those of this program's;
-// bind_row takes the values of a row of select_solves as they are, which are not copied: the row must stay. A value of
-// another type is Damage; whether the rest makes a solve, only solve_in says.
-std::string insert_solve(std::int64_t version = schema_version);
+// An INSERT with a parameter for each column, and their values.
+std::string insert_solve();
 void bind_solve(SQLite::Statement& insert, const SolveRecord& record);
-void bind_row(SQLite::Statement& insert, SQLite::Statement& row);
 
 // The row that a statement of select_solves stands at. What its version does not have is NaN for a number, else the
 // column's default. Damage names the column.
@@ -57,8 +55,8 @@ auto at_solve(SQLite::Statement& row, Action&& action) {
     return action();
   } catch (const Damage& error) {
     const auto said = [&](const char* column) { return excerpt(row.getColumn(row.getColumnIndex(column))); };
-    throw Damage(fmt::format("{}; in the solve of run {}, point {} of series {}", error.what(), said("run"),
-                             said("point"), said("series")));
+    throw Damage(fmt::format("{}; in the solve of run {}, point {} of series {}, which session {} made", error.what(),
+                             said("run"), said("point"), said("series"), said("session")));
   }
 }
 

@@ -154,7 +154,8 @@ StoreFile::StoreFile(const std::filesystem::path& path, Store::Mode mode)
       mode_(mode),
       sqlite_(checked_path(path, mode),
               (mode == Store::Mode::read ? SQLite::OPEN_READONLY : SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE) |
-                  SQLite::OPEN_NOMUTEX,  // a store belongs to one thread at a time
+                  SQLite::OPEN_NOMUTEX |  // a store belongs to one thread at a time
+                  SQLite::OPEN_URI,       // for what is attached; this path begins with a slash
               busy_timeout_ms),
       identity_(identity_of(sqlite_.getFilename())) {
   distrust();
@@ -301,13 +302,14 @@ void StoreFile::refuse_blobs(const char* table, const char* column) {
     throw Damage(fmt::format("{} is a BLOB in a row of table {}, expected text", column, table));
 }
 
-void StoreFile::each_row(const std::function<void(SQLite::Statement& row)>& take, std::int64_t end) {
+void StoreFile::each_row(const std::function<void(SQLite::Statement& row)>& take) {
+  constexpr std::int64_t end = std::numeric_limits<std::int64_t>::max();
   // Some at a time: who writes without a log waits for the end of a query, and gives up some seconds later.
   SQLite::Statement ahead(sqlite_, "SELECT rowid FROM solves WHERE rowid >= ? ORDER BY rowid LIMIT 1 OFFSET 999");
   SQLite::Statement rows(sqlite_, select_solves(version()) + " WHERE rowid BETWEEN ? AND ? ORDER BY rowid");
   for (std::int64_t first = std::numeric_limits<std::int64_t>::min();;) {
     ahead.bind(1, first);
-    const std::int64_t last = ahead.executeStep() ? std::min(ahead.getColumn(0).getInt64(), end) : end;
+    const std::int64_t last = ahead.executeStep() ? ahead.getColumn(0).getInt64() : end;
     ahead.reset();
     SQLite::bind(rows, first, last);
     while (rows.executeStep()) at_solve(rows, [&] { take(rows); });

@@ -7,7 +7,6 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
-#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
@@ -56,10 +55,8 @@ class StoreFile {
 
   // Blobs equal no text, so that a search would pass over them; they come after every text.
   void refuse_blobs(const char* table, const char* column);
-  // Passes on all solves in the order of their rowids, up to that of `end`, as rows of select_solves; Damage in one
-  // says which it is.
-  void each_row(const std::function<void(SQLite::Statement& row)>& take,
-                std::int64_t end = std::numeric_limits<std::int64_t>::max());
+  // Passes on all solves in the order of their rowids, as rows of select_solves; Damage in one says which it is.
+  void each_row(const std::function<void(SQLite::Statement& row)>& take);
   // std::runtime_error where the file is no longer in its place. It has so many new solves.
   void commit(SQLite::Transaction& transaction, std::int64_t solves = 0);
   // Store::finish.

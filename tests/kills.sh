@@ -217,17 +217,21 @@ kill_disk() {
   has "$err" "cannot use 'small/run/store.sqlite': database or disk is full"
   run_it merge small/run shards
   [ "$code" = 2 ] || fail "exit code $code of a merge on a full disk: $out $err"
-  has "$err" "disk is full"
+  has "$err" "cannot use 'small/run/store.sqlite': database or disk is full"
   mount -o remount,size=8m small
   succeeds run "${study[@]}" --out small/run --no-report
   as_whole small/run/store.sqlite "a full disk"
-  # More than a merge keeps in memory: the store that was there is as it was.
-  cp shards/1-of-3/store.sqlite large.sqlite
-  sqlite3 large.sqlite "UPDATE solves SET series = series || ' of before', robot = hex(zeroblob(60000000 / (SELECT count(*) FROM solves)))"
-  run_it merge small/run large.sqlite
-  [ "$code" = 2 ] || fail "exit code $code of a large merge on a full disk: $out $err"
-  [ ! -e small/run/store.sqlite-journal ] || fail "a merge on a full disk leaves its store half-written"
-  as_whole small/run/store.sqlite "a merge on a full disk"
+  # Full before what is merged is together, and after that: the store that was there is as it was.
+  local bytes
+  for bytes in 60000000 2500000; do
+    cp shards/1-of-3/store.sqlite large.sqlite
+    sqlite3 large.sqlite "UPDATE solves SET series = series || ' of before', robot = hex(zeroblob($bytes / (SELECT count(*) FROM solves)))"
+    run_it merge small/run large.sqlite
+    [ "$code" = 2 ] || fail "exit code $code of a large merge on a full disk: $out $err"
+    has "$err" "cannot use 'small/run/store.sqlite': database or disk is full"
+    [ "$(ls -A small/run)" = store.sqlite ] || fail "a merge on a full disk leaves $(ls -A small/run)"
+    as_whole small/run/store.sqlite "a merge on a full disk"
+  done
   rm large.sqlite
   mount -o remount,ro small
   refused "cannot open 'small/run/store.sqlite'" run "${study[@]}" --set runs=13 --out small/run --no-report

@@ -79,7 +79,7 @@ run_it report changed/store.sqlite --no-figures
 [ "$code" = 1 ] || fail "a changed store: exit code $code"
 has "$err" "the store is damaged"
 has "$(sed '/^## Warnings/q' changed/report.md)" "Believe nothing here"
-has "$(grep -A2 '^## Warnings' changed/report.md)" "Damaged: position_error_cm of 100 solves (first: BA, run 1, point 1: -1 is stored"
+has "$(grep -A2 '^## Warnings' changed/report.md)" "Damaged: position_error_cm of 100 solves (first: BA, run 1, point 1, session 1: -1 is stored"
 refused "Damaged: position_error_cm" compare IK-BA BA --store changed/store.sqlite
 
 # So do solves of a session that the store does not have.

@@ -137,7 +137,7 @@ has "$err" "make them with"
 
 # Two merges into one new folder, of which one is refused: the good one stays, whoever is first.
 cp -r drawn/7/shards/2-of-7 bad
-sqlite bad/store.sqlite "UPDATE solves SET position_error_cm = -1 WHERE solver = 'bat'"
+sqlite bad/store.sqlite "UPDATE solves SET session = 9 WHERE solver = 'bat'"
 for _ in 1 2 3 4 5 6; do
   rm -rf both
   "$program" merge both bad >.bad 2>&1 &
@@ -148,7 +148,7 @@ for _ in 1 2 3 4 5 6; do
   same_fingerprint both/store.sqlite drawn/one/store.sqlite
   [ "$(ls -A both)" = store.sqlite ] || fail "merges left $(ls -A both)"
 done
-has "$(<.bad)" "'bad/store.sqlite': Damaged: position_error_cm"
+has "$(<.bad)" "'bad/store.sqlite' is damaged (a solve lacks a value, or is of a session that is not there"
 
 # Stopped when all is merged and it cannot yet say so: it does not say that nothing was.
 mkdir late full
@@ -184,7 +184,20 @@ same_fingerprint drawn/7/store.sqlite drawn/one/store.sqlite
 refused "has other bits in 'edited/store.sqlite' than in 'drawn/7/shards/2-of-7/store.sqlite'" merge new drawn/7/shards/2-of-7 edited
 [ ! -e new/store.sqlite ] || fail "a refused merge left a store"
 sqlite edited/store.sqlite "UPDATE solves SET answer_rad = 'x'"
-refused "'edited/store.sqlite' is damaged (answer_rad: 'x' is not a list of numbers; in the solve of run 1, point 2" merge new edited
+
+# Damage within a solve is copied. Whoever reads it is told which session made it, so which shard is to be solved again.
+cp -r drawn/7/shards soiled
+sqlite soiled/5-of-7/store.sqlite "UPDATE solves SET position_error_cm = -1 WHERE solver = 'bat'"
+succeeds merge copied soiled
+session=$(sqlite3 copied/store.sqlite "SELECT session FROM environment WHERE key = 'command' AND value LIKE '%--shard 5/7%'")
+run_it report copied/store.sqlite --no-figures
+[ "$code" = 1 ] || fail "exit code $code of a report of damaged solves, expected 1: $err"
+has "$(<copied/report.md)" "session ${session:?}: -1 is stored"
+sqlite soiled/5-of-7/store.sqlite "UPDATE solves SET answer_rad = 'x'"
+succeeds merge unreadable soiled
+refused "'x' is not a list of numbers; in the solve of run" report unreadable/store.sqlite
+has "$err" "which session $session made"
+
 succeeds run drawn.toml --set seed=2 --out other --no-report
 refused "the study 'drawn' is not the same in 'drawn/7/store.sqlite' and 'other/store.sqlite': seed is 1 and 2" merge drawn/7 other
 sed 's/solver = "bat"/solver = "bat", options = { alpha = 0.7 }/' drawn.toml >optioned.toml

@@ -157,7 +157,8 @@ TEST_CASE("values that no store of ours has are damage", "[store][faults]") {
            {set("run = -9999999999 WHERE run = 1"), "run -9999999999"},
            // Values of another type than their column's.
            {set("position_error_cm = 'abc' WHERE run = 2"),
-            "(position_error_cm 'abc', expected a number; in the solve of run 2, point 1 of series 'key-a')"},
+            "(position_error_cm 'abc', expected a number; in the solve of run 2, point 1 of series 'key-a', "
+            "which session 1 made)"},
            {set("seconds = x'00'"), "seconds (BLOB), expected a number"},
            {set("evaluations = 'abc'"), "evaluations 'abc', expected a whole number"},
            {set("evaluations = 1.5e300"), "evaluations 1.5e+300, expected a whole number"},
