@@ -3,11 +3,14 @@
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <sqlite3.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
+#include <memory>
+#include <new>
 #include <nlohmann/json.hpp>
 #include <tuple>
 
@@ -278,47 +281,45 @@ std::string to_ompl_log(const ExportedStudy& exported) {
 
 void write_ompl_database(const std::filesystem::path& file, const ExportedStudy& exported) {
   const Benchmark benchmark = benchmark_of(exported);
-  const TemporaryFolder folder(file.has_parent_path() ? file.parent_path() : ".");
-  const std::filesystem::path made = folder.path() / "benchmark.db";
-  {
-    SQLite::Database sqlite(made.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
-    SQLite::Transaction transaction(sqlite);
-    sqlite.exec(schema);
-    Tables tables(sqlite);
-    std::vector<std::string> columns{"name",     "totaltime", "timelimit", "memorylimit", "runcount", "version",
-                                     "hostname", "cpuinfo",   "date",      "seed",        "setup"};
-    std::vector<std::string> values{benchmark.name,
-                                    benchmark.seconds,
-                                    benchmark.seconds_per_run,
-                                    "0",
-                                    std::to_string(benchmark.runs),
-                                    "ikbench " + benchmark.version,
-                                    benchmark.host,
-                                    benchmark.cpu,
-                                    benchmark.date,
-                                    benchmark.seed,
-                                    benchmark.setup};
-    for (const auto& [name, property] : benchmark.properties) {
-      sqlite.exec(fmt::format("ALTER TABLE experiments ADD {} {}", name, property.first));
-      columns.push_back(name);
-      values.push_back(property.second);
-    }
-    tables.insert("experiments", columns, values);
-    const std::string experiment = tables.last_id();
-    insert_enum(tables, "status", status_names);
-    insert_enum(tables, "stop_reason", stop_reason_names);
-    for (const Property& property : run_properties) {
-      sqlite.exec(fmt::format("ALTER TABLE runs ADD {} {}", property.name, property.type));
-    }
-    const auto is_traced = [](const Planner& planner) { return !planner.trace.empty(); };
-    if (std::ranges::any_of(benchmark.planners, is_traced)) {
-      sqlite.exec("ALTER TABLE progress ADD best_error_cm REAL");
-    }
-    for (const Planner& planner : benchmark.planners) insert_planner(tables, planner, experiment);
-    sqlite.exec(views);
-    transaction.commit();
+  SQLite::Database sqlite(":memory:", SQLite::OPEN_READWRITE);
+  sqlite.exec(schema);
+  Tables tables(sqlite);
+  std::vector<std::string> columns{"name",     "totaltime", "timelimit", "memorylimit", "runcount", "version",
+                                   "hostname", "cpuinfo",   "date",      "seed",        "setup"};
+  std::vector<std::string> values{benchmark.name,
+                                  benchmark.seconds,
+                                  benchmark.seconds_per_run,
+                                  "0",
+                                  std::to_string(benchmark.runs),
+                                  "ikbench " + benchmark.version,
+                                  benchmark.host,
+                                  benchmark.cpu,
+                                  benchmark.date,
+                                  benchmark.seed,
+                                  benchmark.setup};
+  for (const auto& [name, property] : benchmark.properties) {
+    sqlite.exec(fmt::format("ALTER TABLE experiments ADD {} {}", name, property.first));
+    columns.push_back(name);
+    values.push_back(property.second);
   }
-  write_through(file, read_file(made).value_or(""));
+  tables.insert("experiments", columns, values);
+  const std::string experiment = tables.last_id();
+  insert_enum(tables, "status", status_names);
+  insert_enum(tables, "stop_reason", stop_reason_names);
+  for (const Property& property : run_properties) {
+    sqlite.exec(fmt::format("ALTER TABLE runs ADD {} {}", property.name, property.type));
+  }
+  const auto is_traced = [](const Planner& planner) { return !planner.trace.empty(); };
+  if (std::ranges::any_of(benchmark.planners, is_traced)) {
+    sqlite.exec("ALTER TABLE progress ADD best_error_cm REAL");
+  }
+  for (const Planner& planner : benchmark.planners) insert_planner(tables, planner, experiment);
+  sqlite.exec(views);
+  sqlite3_int64 size = 0;
+  const std::unique_ptr<unsigned char, decltype(&sqlite3_free)> bytes(
+      sqlite3_serialize(sqlite.getHandle(), "main", &size, 0), sqlite3_free);
+  if (!bytes) throw std::bad_alloc();
+  write_through(file, {reinterpret_cast<const char*>(bytes.get()), static_cast<std::size_t>(size)});
 }
 
 }  // namespace ikbench::results

@@ -206,6 +206,16 @@ kill_report() {
 }
 
 # A disk that is full while solves are stored: exit code 2, the name of the store, and later all goes on.
+# Takes away what is in a place on the small disk, and leaves room for half of it.
+fill_but_half_of() {
+  local size
+  size=$(du -s --block-size=1 "small/$1" | cut -f1)
+  rm -r "small/$1"
+  local room
+  room=$(df --output=avail --block-size=1 small | tail -1)
+  head -c $((room - size / 2)) /dev/zero >small/filler
+}
+
 kill_disk() {
   mkdir small
   mount -t tmpfs -o size=256k none small 2>/dev/null || { echo "no full disk: only root can make a small one"; return; }
@@ -221,6 +231,30 @@ kill_disk() {
   mount -o remount,size=8m small
   succeeds run "${study[@]}" --out small/run --no-report
   as_whole small/run/store.sqlite "a full disk"
+  # Files that do not fit are told by name, and nothing is left of them.
+  local format
+  succeeds run slim2023 --set runs=2 --set trace=best_error --out traced --no-report
+  for format in csv json ompl ompl-log iohprofiler; do
+    succeeds export traced/store.sqlite --format $format -o small/$format
+    fill_but_half_of $format
+    run_it export traced/store.sqlite --format $format -o small/$format
+    [ "$code" = 2 ] || fail "exit code $code of $format on a full disk: $out $err"
+    has "$err" "cannot write 'small/$format"
+    [ ! -e small/$format ] || fail "$format on a full disk leaves $(find small/$format)"
+    rm small/filler
+  done
+  mount -o remount,size=200m small
+  succeeds report traced/store.sqlite --out small/report
+  fill_but_half_of report/figures
+  run_it report traced/store.sqlite --out small/report
+  [ "$code" = 2 ] || fail "exit code $code of a report on a full disk: $out $err"
+  has "$err" "cannot write 'small/report/figures/"
+  local picture
+  for picture in small/report/figures/*.svg; do
+    tail -c 9 "$picture" | grep -q '</svg>' || fail "half of a figure: $picture"
+  done
+  rm -r small/report small/filler
+  mount -o remount,size=8m small
   # Full before what is merged is together, and after that: the store that was there is as it was.
   local bytes
   for bytes in 60000000 2500000; do

@@ -7,6 +7,7 @@
 #include <array>
 #include <atomic>
 #include <cstddef>
+#include <exception>
 #include <optional>
 #include <stdexcept>
 #include <string_view>
@@ -26,13 +27,17 @@ using namespace results;
 
 namespace {
 
-constexpr std::array<std::string_view, 3> picture_types{"svg", "pdf", "png"};
+struct PictureType {
+  std::string_view name, end;  // with which a whole file ends
+};
+constexpr std::array<PictureType, 3> picture_types{
+    {{"svg", "</svg>\n\n"}, {"pdf", "%%EOF\n"}, {"png", "IEND\xAE\x42\x60\x82"}}};
 
 // Of an earlier report; a link or a device in their place is not ours to remove.
 void remove_pictures(const std::string& name, const std::filesystem::path& folder) {
   std::error_code ignored;
-  for (const std::string_view type : picture_types) {
-    const std::filesystem::path file = folder / fmt::format("{}.{}", name, type);
+  for (const PictureType& type : picture_types) {
+    const std::filesystem::path file = folder / fmt::format("{}.{}", name, type.name);
     if (std::filesystem::is_regular_file(std::filesystem::symlink_status(file, ignored)))
       std::filesystem::remove(file, ignored);
   }
@@ -55,7 +60,8 @@ void name_similar_fonts(std::string& svg) {
   }
 }
 
-// Draws in the workshop, then writes the pictures to their place. std::invalid_argument says why it could not.
+// Draws in the workshop, then writes the pictures to their place. std::invalid_argument says why it could not,
+// std::runtime_error that a disk is full.
 void draw(const Figure& figure, const std::filesystem::path& workshop, const std::string& gnuplot) {
   // -d: the same look whatever ~/.gnuplot says.
   const ProcessResult result = run_process({gnuplot, "-d", figure.name + ".gp"}, workshop);
@@ -63,13 +69,17 @@ void draw(const Figure& figure, const std::filesystem::path& workshop, const std
     throw std::invalid_argument(result.output.empty() ? fmt::format("{} failed without a message", gnuplot)
                                                       : result.output);
   }
-  for (const std::string_view type : picture_types) {
+  for (const auto& [type, end] : picture_types) {
     const std::string file = fmt::format("{}.{}", figure.name, type);
     std::optional<std::string> picture = read_file(workshop / file);
     if (!picture) throw std::invalid_argument(fmt::format("{} drew no {}: {}", gnuplot, file, result.output));
+    const std::filesystem::path place = workshop.parent_path() / file;
+    if (!picture->ends_with(end))  // gnuplot does not say that a disk is full
+      throw std::runtime_error(
+          fmt::format("cannot write '{}': {} wrote only a part of it; is the disk full?", place.string(), gnuplot));
     if (type == "pdf") blank_date(*picture);
     if (type == "svg") name_similar_fonts(*picture);
-    write_file(workshop.parent_path() / file, *picture);
+    write_file(place, *picture);
   }
 }
 
@@ -125,9 +135,9 @@ std::string script_of(const Figure& figure) {
   script += fmt::format("width_cm = {}\nheight_cm = {}\nload 'style.gp'\n\n", text_of(figure.width_cm),
                         text_of(figure.height_cm));
   script += figure.settings + '\n';
-  for (const std::string_view type : picture_types) {
-    script += fmt::format("set terminal @{}\nset output '{}.{}'\n", type, figure.name, type);
-    const bool is_to_be_said = type == picture_types.front() || figure.plot.starts_with("set multiplot");
+  for (const PictureType& type : picture_types) {
+    script += fmt::format("set terminal @{0}\nset output '{1}.{0}'\n", type.name, figure.name);
+    const bool is_to_be_said = &type == &picture_types.front() || figure.plot.starts_with("set multiplot");
     script += is_to_be_said ? figure.plot + '\n' : "replot\n";
   }
   return script + "unset output\n";
@@ -153,14 +163,18 @@ std::vector<FigureOutcome> write_figures(const std::vector<Figure>& figures, con
   const TemporaryFolder workshop(folder);
   write_sources(workshop.path());
   std::atomic<std::size_t> next = 0;
+  std::vector<std::exception_ptr> failures(figures.size());  // that end the report, and not only a figure
   const auto work = [&] {
     for (std::size_t i = next++; i < figures.size(); i = next++) {
       try {
         draw(figures[i], workshop.path(), options.gnuplot);
         outcomes[i].rendered = true;
-      } catch (const std::exception& error) {  // of a thread; what is wrong is told of the figure
+      } catch (const std::invalid_argument& error) {
         outcomes[i].error = error.what();
         remove_pictures(figures[i].name, folder);
+      } catch (...) {
+        failures[i] = std::current_exception();
+        next = figures.size();
       }
     }
   };
@@ -168,6 +182,9 @@ std::vector<FigureOutcome> write_figures(const std::vector<Figure>& figures, con
   for (int job = 1; job < options.jobs; ++job) others.emplace_back(work);
   work();
   others.clear();  // joins
+  for (const std::exception_ptr& failure : failures) {
+    if (failure) std::rethrow_exception(failure);
+  }
   return outcomes;
 }
 

@@ -41,7 +41,8 @@ struct FigureOutcome {
 };
 
 // Writes NAME.gp, NAME.dat and style.gp into the folder and draws NAME.svg, NAME.pdf, NAME.png. Pictures that could not
-// be drawn are not left over from before. A folder that cannot be written to is std::invalid_argument.
+// be drawn are not left over from before. A folder that cannot be written to is std::invalid_argument, a full disk
+// std::runtime_error.
 std::vector<FigureOutcome> write_figures(const std::vector<Figure>& figures, const std::filesystem::path& folder,
                                          const RenderOptions& options);
 
