@@ -2,6 +2,7 @@
 # Every script takes the path of the program as its argument; 77 is: skipped.
 set -uo pipefail
 export LC_ALL=C.UTF-8 # else, where no locale is set, bash writes $'\u202e' as letters
+PATH=/usr/bin:$PATH   # Debian's python3, which has what ./setup installs, and no shim that takes 0.2 s to find another
 program=$(realpath "$1")
 scripts=$(realpath "$(dirname "${BASH_SOURCE[0]}")")
 work=$(mktemp -d)
