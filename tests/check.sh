@@ -32,7 +32,7 @@ said() {
 }
 
 arguments=(-R anova)
-all=("setup check" "ctest --preset check -j $(($(nproc) + 1)) -R anova" "clang-format --dry-run -Werror a.cpp")
+all=("setup check" "ctest --preset check -j $(($(nproc) + 3)) -R anova" "clang-format --dry-run -Werror a.cpp")
 stages "nothing" 0 "${all[@]}"
 stages "ctest --preset check" 1 "${all[@]}"
 stages "clang-format" 1 "${all[@]}"
@@ -43,7 +43,7 @@ said "check: failed with check"
 ! grep -qF "ctest" "$work/calls" || { echo "FAILED: tests what was not built"; exit 1; }
 
 arguments=(--sanitized -R anova)
-stages "nothing" 0 "setup dev" "ctest --preset dev -j $(($(nproc) + 1)) -R anova" "clang-format"
+stages "nothing" 0 "setup dev" "ctest --preset dev -j $(($(nproc) + 3)) -R anova" "clang-format"
 stages "ctest --preset dev" 1
 said "check: failed with dev"
 
