@@ -8,25 +8,26 @@
 
 using namespace ikbench;
 using namespace ikbench::microbenchmarks;
-using nlohmann::json;
 
 namespace {
 
-json repetition(const std::string& name, int index, double time, const std::string& unit = "ns") {
+nlohmann::json repetition(const std::string& name, int index, double time, const std::string& unit = "ns") {
   return {{"name", name},      {"run_name", name}, {"run_type", "iteration"}, {"repetition_index", index},
           {"real_time", time}, {"cpu_time", time}, {"time_unit", unit}};
 }
 
-json with_counter(json entry, const std::string& counter, double value) {
+nlohmann::json with_counter(nlohmann::json entry, const std::string& counter, double value) {
   entry[counter] = value;
   return entry;
 }
 
-json document(const std::vector<json>& benchmarks, const std::string& peers = "KDL 1.5.1, pagmo 2.18.0") {
+nlohmann::json document(const std::vector<nlohmann::json>& benchmarks,
+                        const std::string& peers = "KDL 1.5.1, pagmo 2.18.0") {
   return {{"context", {{"instruction_set", "x86-64-v4"}, {"peers", peers}}}, {"benchmarks", benchmarks}};
 }
 
-Measurements measured(const std::vector<json>& benchmarks, const std::string& peers = "KDL 1.5.1, pagmo 2.18.0") {
+Measurements measured(const std::vector<nlohmann::json>& benchmarks,
+                      const std::string& peers = "KDL 1.5.1, pagmo 2.18.0") {
   Measurements measurements;
   measurements.add(document(benchmarks, peers));
   return measurements;
@@ -68,7 +69,7 @@ TEST_CASE("a time is compared in its unit, whatever the file's", "[goals]") {
 }
 
 TEST_CASE("the manner of a run is no part of a benchmark's name, and means are no repetitions", "[goals]") {
-  json mean = repetition("ik_bat/to_tolerance/iterations:1/manual_time", 0, 500, "us");
+  nlohmann::json mean = repetition("ik_bat/to_tolerance/iterations:1/manual_time", 0, 500, "us");
   mean["run_type"] = "aggregate";
   const Measurements all = measured({repetition("ik_bat/to_tolerance/iterations:1/manual_time", 0, 39, "us"), mean});
   CHECK(row(all, "G14").measured == "39 us");
@@ -77,7 +78,7 @@ TEST_CASE("the manner of a run is no part of a benchmark's name, and means are n
 
 TEST_CASE("CPU time counts, unless the benchmark asks for the clock's", "[goals]") {
   const auto disturbed = [](const std::string& name) {  // by another program, which had the core half of the time
-    json entry = repetition(name, 0, 2e9);
+    nlohmann::json entry = repetition(name, 0, 2e9);
     entry["cpu_time"] = 1e9;
     return entry;
   };
@@ -87,11 +88,11 @@ TEST_CASE("CPU time counts, unless the benchmark asks for the clock's", "[goals]
 }
 
 TEST_CASE("what was not measured says why", "[goals]") {
-  const std::vector<json> only_ours{repetition(ours, 0, 5)};
+  const std::vector<nlohmann::json> only_ours{repetition(ours, 0, 5)};
   CHECK(row(measured(only_ours), "G1").verdict == Verdict::not_measured);
   CHECK(row(measured(only_ours), "G1").why == "no run of forward_kinematics/kdl");
   CHECK(row(measured(only_ours, "pagmo 2.18.0"), "G1").why == "KDL is not installed");
-  json failed = repetition(kdl, 0, 0);
+  nlohmann::json failed = repetition(kdl, 0, 0);
   failed["error_occurred"] = true;
   failed["error_message"] = "the position is 1 m away";
   CHECK(row(measured({repetition(ours, 0, 5), failed}), "G1").why == "the position is 1 m away");
@@ -110,7 +111,7 @@ TEST_CASE("accuracy and allocations are judged by the worst, for every instructi
 
 TEST_CASE("results are the same where there is one hash only", "[goals]") {
   const auto hash = [](const std::string& name, const std::string& value) {
-    return json{{"name", "result_hash/" + name}, {"hash", value}};
+    return nlohmann::json{{"name", "result_hash/" + name}, {"hash", value}};
   };
   CHECK(row(measured({hash("a/threads:1", "17"), hash("a/threads:2", "17")}), "G11").verdict == Verdict::met);
   CHECK(row(measured({hash("a/threads:1", "17"), hash("a/threads:2", "18")}), "G11").verdict == Verdict::not_met);
@@ -127,8 +128,8 @@ TEST_CASE("growth is the dearest joint of a candidate over the cheapest", "[goal
 
 TEST_CASE("a file that no benchmark wrote is refused", "[goals]") {
   Measurements measurements;
-  CHECK_THROWS_AS(measurements.add(json::array()), std::invalid_argument);
-  CHECK_THROWS_AS(measurements.add(json{{"context", "none"}}), std::invalid_argument);
+  CHECK_THROWS_AS(measurements.add(nlohmann::json::array()), std::invalid_argument);
+  CHECK_THROWS_AS(measurements.add(nlohmann::json{{"context", "none"}}), std::invalid_argument);
 }
 
 TEST_CASE("the table has a line for each goal, as text and as Markdown", "[goals]") {

@@ -20,7 +20,7 @@ using namespace ikbench::experiments;
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 Eigen::Vector3d point(const Path& path, std::size_t k) { return poses_of(path).at(k).translation(); }
 

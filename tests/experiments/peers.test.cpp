@@ -11,10 +11,10 @@ using namespace ikbench::experiments;
 
 namespace {
 
-Study parsed(const std::string& toml) { return parse_study(toml, "my.toml"); }
+Study study_from(const std::string& toml) { return parse_study(toml, "my.toml"); }
 
-std::string said_of(const std::string& toml) {
-  return complaint<std::invalid_argument>([&] { parsed(toml); });
+std::string said_of_study(const std::string& toml) {
+  return complaint<std::invalid_argument>([&] { study_from(toml); });
 }
 
 std::vector<std::string> labels_of(const Study& study) {
@@ -28,12 +28,14 @@ const std::string own_entry = "[[solvers]]\nsolver = \"ik_bat\"\n";
 }  // namespace
 
 TEST_CASE("an entry says whether the study goes on where its solver was not built", "[study][peers]") {
-  const Study study = parsed(own_entry + "if_missing = \"leave_out\"\n");
+  const Study study = study_from(own_entry + "if_missing = \"leave_out\"\n");
   CHECK(study.solvers.front().if_missing == IfMissing::leave_out);
   CHECK(study.left_out.empty());
-  CHECK(parsed(to_toml(study)).solvers.front().if_missing == IfMissing::leave_out);
-  CHECK(series_key(study, study.solvers.front()) == series_key(parsed(own_entry), parsed(own_entry).solvers.front()));
-  CHECK_THROWS_WITH(parsed(own_entry + "if_missing = \"skip\"\n"), Catch::Contains("one of \"refuse\", \"leave_out\""));
+  CHECK(study_from(to_toml(study)).solvers.front().if_missing == IfMissing::leave_out);
+  CHECK(series_key(study, study.solvers.front()) ==
+        series_key(study_from(own_entry), study_from(own_entry).solvers.front()));
+  CHECK_THROWS_WITH(study_from(own_entry + "if_missing = \"skip\"\n"),
+                    Catch::Contains("one of \"refuse\", \"leave_out\""));
 }
 
 TEST_CASE("a study that names a peer that was not built is refused, or goes on without it if it says so",
@@ -41,10 +43,10 @@ TEST_CASE("a study that names a peer that was not built is refused, or goes on w
   for (const MissingPeer& peer : missing_peers()) {
     CAPTURE(peer.name);
     const std::string entry = "[[solvers]]\nsolver = \"" + peer.name + "\"\nlabel = \"theirs\"\n";
-    const std::string said = said_of(entry + own_entry);
+    const std::string said = said_of_study(entry + own_entry);
     CHECK(said.starts_with("my.toml:2"));
     CHECK(said.find(peer.how) != std::string::npos);
-    const Study without = parsed(entry + "if_missing = \"leave_out\"\n" + own_entry);
+    const Study without = study_from(entry + "if_missing = \"leave_out\"\n" + own_entry);
     REQUIRE(without.left_out.size() == 1);
     CHECK(without.left_out.front().label == "theirs");
     CHECK(without.left_out.front().why == peer.how);

@@ -20,11 +20,11 @@ namespace {
 
 const Eigen::Matrix3d down = Eigen::Vector3d(-1, 1, -1).asDiagonal();
 
-std::vector<Pose> read(const std::string& text) { return poses_from_csv(text, "path.csv"); }
+std::vector<Pose> poses_in(const std::string& text) { return poses_from_csv(text, "path.csv"); }
 
 std::string refusal(const std::string& text) {
   try {
-    read(text);
+    poses_in(text);
   } catch (const std::invalid_argument& error) {
     return error.what();
   }
@@ -44,14 +44,15 @@ std::string study_text(const std::string& file) {
 }  // namespace
 
 TEST_CASE("positions have the unit of their column, and quaternions are made exact", "[csv]") {
-  const std::vector<Pose> poses = read(quaternions);
+  const std::vector<Pose> poses = poses_in(quaternions);
   REQUIRE(poses.size() == 2);
   CHECK((poses[1].translation() - Eigen::Vector3d(0.6, -0.025, 0.35)).norm() < 1e-15);
   CHECK(poses[0].linear() == Eigen::Matrix3d::Identity());
   Eigen::Matrix3d quarter_turn;
   quarter_turn << 0, -1, 0, 1, 0, 0, 0, 0, 1;
   CHECK((poses[1].linear() - quarter_turn).norm() < 1e-15);
-  CHECK((read("z_mm,x_m,y_cm\n350,0.6,-2.5\n")[0].translation() - Eigen::Vector3d(0.6, -0.025, 0.35)).norm() < 1e-15);
+  CHECK((poses_in("z_mm,x_m,y_cm\n350,0.6,-2.5\n")[0].translation() - Eigen::Vector3d(0.6, -0.025, 0.35)).norm() <
+        1e-15);
 }
 
 TEST_CASE("roll, pitch and yaw turn about x, then y, then z", "[csv]") {
@@ -59,18 +60,18 @@ TEST_CASE("roll, pitch and yaw turn about x, then y, then z", "[csv]") {
   // Rz(90) Ry(0) Rx(90): x to y, y to z, z to x.
   Eigen::Matrix3d expected;
   expected << 0, 0, 1, 1, 0, 0, 0, 1, 0;
-  const Eigen::Matrix3d in_degrees = read("x_m,y_m,z_m,roll_deg,pitch_deg,yaw_deg\n0,0,0,90,0,90\n")[0].linear();
+  const Eigen::Matrix3d in_degrees = poses_in("x_m,y_m,z_m,roll_deg,pitch_deg,yaw_deg\n0,0,0,90,0,90\n")[0].linear();
   CHECK((in_degrees - expected).norm() < 1e-15);
   const std::string text = "x_m,y_m,z_m,roll_rad,pitch_rad,yaw_rad\n0,0,0," + std::to_string(half_pi) + ",0," +
                            std::to_string(half_pi) + "\n";
-  CHECK((read(text)[0].linear() - expected).norm() < 1e-6);
+  CHECK((poses_in(text)[0].linear() - expected).norm() < 1e-6);
 }
 
 TEST_CASE("a matrix is read row by row, and made a rotation", "[csv]") {
   const std::string head = "x_m,y_m,z_m,r11,r12,r13,r21,r22,r23,r31,r32,r33\n";
-  CHECK(read(head + "0,0,0,0,-1,0,1,0,0,0,0,1\n")[0].linear() ==
+  CHECK(poses_in(head + "0,0,0,0,-1,0,1,0,0,0,0,1\n")[0].linear() ==
         (Eigen::Matrix3d() << 0, -1, 0, 1, 0, 0, 0, 0, 1).finished());
-  const Eigen::Matrix3d R = read(head + "0,0,0,0.866,-0.5,0,0.5,0.866,0,0,0,1\n")[0].linear();
+  const Eigen::Matrix3d R = poses_in(head + "0,0,0,0.866,-0.5,0,0.5,0.866,0,0,0,1\n")[0].linear();
   CHECK(R.isUnitary(1e-15));
   CHECK(R(0, 0) == Approx(std::sqrt(0.75)).epsilon(1e-3));
   CHECK_THAT(refusal(head + "0,0,0,1,0,0,0,1,0,0,0,-1\n"),
@@ -80,16 +81,16 @@ TEST_CASE("a matrix is read row by row, and made a rotation", "[csv]") {
 }
 
 TEST_CASE("without a rotation the tool points straight down", "[csv]") {
-  CHECK(read("x_m,y_m,z_m\n1,2,3\n")[0].linear() == down);
+  CHECK(poses_in("x_m,y_m,z_m\n1,2,3\n")[0].linear() == down);
 }
 
 TEST_CASE("byte-order mark, carriage returns, blanks, quotes and empty lines change nothing", "[csv]") {
-  const std::vector<Pose> plain = read("x_m,y_m,z_m\n1,2,3\n4,5,6\n");
+  const std::vector<Pose> plain = poses_in("x_m,y_m,z_m\n1,2,3\n4,5,6\n");
   for (const std::string text :
        {"\xEF\xBB\xBFx_m,y_m,z_m\n1,2,3\n4,5,6", "x_m,y_m,z_m\r\n1,2,3\r\n4,5,6\r\n",
         "\n x_m , y_m,z_m\n\n1, 2,\t3\n\n4,5,6\n\n", "\"x_m\",\"y_m\",\"z_m\"\n\"1\",\"2\",\"3\"\n4,5,6\n"}) {
     CAPTURE(text);
-    const std::vector<Pose> poses = read(text);
+    const std::vector<Pose> poses = poses_in(text);
     REQUIRE(poses.size() == plain.size());
     for (std::size_t i = 0; i < poses.size(); ++i) CHECK(poses[i].matrix() == plain[i].matrix());
   }
@@ -126,7 +127,7 @@ TEST_CASE("every mistake is told with its line, its column and what was expected
   }
   std::string long_file = "x_m,y_m,z_m\n";
   for (int i = 0; i < 100'000; ++i) long_file += "1,2,3\n";
-  CHECK(read(long_file).size() == 100'000);
+  CHECK(poses_in(long_file).size() == 100'000);
   CHECK_THAT(refusal(long_file + "1,2,3\n"), ContainsSubstring("path.csv:100002: expected at most 100000 poses"));
 }
 

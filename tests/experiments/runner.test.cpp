@@ -139,7 +139,7 @@ TEST_CASE("every session remembers how the study was to be judged when its solve
   run_for(study, scratch.store, 3);
   study.analysis.significance = 0.01;
   run(study, scratch.store, {});
-  const std::vector<Session> sessions = scratch.store.sessions();
+  const std::vector<results::Session> sessions = scratch.store.sessions();
   REQUIRE(sessions.size() == 2);
   CHECK(nlohmann::json::parse(sessions[0].environment.at("analysis"))["significance"] == 0.05);
   CHECK(nlohmann::json::parse(sessions[1].environment.at("analysis"))["significance"] == 0.01);
@@ -859,7 +859,7 @@ TEST_CASE("every solve knows its session, and the session its machine and its jo
   ScratchStore scratch;
   run_for(small_study(), scratch.store, 6);
   run(small_study(), scratch.store, {.jobs = 2});
-  const std::vector<Session> sessions = scratch.store.sessions();
+  const std::vector<results::Session> sessions = scratch.store.sessions();
   REQUIRE(sessions.size() == 2);
   CHECK(sessions[0].environment.at("jobs") == "1");
   CHECK(sessions[1].environment.at("jobs") == "2");

@@ -81,7 +81,7 @@ class Changer final : public Fields {
   mutable InKey mark_ = InKey::by_name;
 };
 
-std::vector<std::string> keys_of(const Study& study) {
+std::vector<std::string> all_keys_of(const Study& study) {
   std::vector<std::string> keys;
   for (const SolverEntry& entry : study.solvers) keys.push_back(configuration_key(study, entry));
   return keys;
@@ -121,7 +121,7 @@ TEST_CASE("each field of a study decides the series, unless the list of fields s
     list_fields(changer, study.stop);
     if (changer.changed.empty()) break;
     INFO(changer.changed);
-    CHECK((keys_of(study) == keys_of(plain)) == (changer.in_key == InKey::no));
+    CHECK((all_keys_of(study) == all_keys_of(plain)) == (changer.in_key == InKey::no));
     if (changer.in_key == InKey::no) without_numbers.insert(changer.changed);
   }
   CHECK(fields >= 18);
@@ -133,7 +133,7 @@ TEST_CASE("each field of each kind of path decides the series", "[series][path]"
     for (int field = 0;; ++field) {
       Study study = small_study();
       study.path = path;
-      const std::vector<std::string> plain = keys_of(study);
+      const std::vector<std::string> plain = all_keys_of(study);
       Changer changer(field);
       study.path->list_fields(changer);
       if (changer.changed.empty()) {
@@ -141,7 +141,7 @@ TEST_CASE("each field of each kind of path decides the series", "[series][path]"
         break;
       }
       INFO(path->name() << "." << changer.changed);
-      CHECK((keys_of(study) == plain) == (changer.in_key == InKey::no));
+      CHECK((all_keys_of(study) == plain) == (changer.in_key == InKey::no));
     }
   }
 }
@@ -149,7 +149,7 @@ TEST_CASE("each field of each kind of path decides the series", "[series][path]"
 TEST_CASE("targets are the same whatever kind of path they are of", "[series][path]") {
   Study study = small_study();
   study.path = path_through(targets(study, 1));
-  CHECK(keys_of(study) == keys_of(small_study()));
+  CHECK(all_keys_of(study) == all_keys_of(small_study()));
 }
 
 TEST_CASE("a field that is added to a list is in the key by its name, and by that of a choice, unless it is marked",

@@ -17,7 +17,7 @@ using namespace ikbench::experiments;
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 std::vector<Eigen::Vector3d> points_of(const std::vector<std::string>& settings) {
   std::vector<Eigen::Vector3d> points;
@@ -33,14 +33,14 @@ void check_points(const std::vector<Eigen::Vector3d>& found, const std::vector<E
   }
 }
 
-Study study_with(const std::string& robot, const std::string& text) {
+Study study_of_robot(const std::string& robot, const std::string& text) {
   return parse_study(
       "robot = \"" + robot + "\"\nsearch = \"all_joints\"\n" + text + "\n[[solvers]]\nsolver = \"bat\"\n", "my.toml");
 }
 
-std::string refusal(const std::string& robot, const std::string& text) {
+std::string refusal_of(const std::string& robot, const std::string& text) {
   try {
-    study_with(robot, text);
+    study_of_robot(robot, text);
   } catch (const std::invalid_argument& error) {
     return error.what();
   }
@@ -48,7 +48,7 @@ std::string refusal(const std::string& robot, const std::string& text) {
 }
 
 Study random_targets(const std::string& robot, const std::string& set, int points = 50) {
-  return study_with(robot, "[path]\nkind = \"random\"\nset = \"" + set + "\"\npoints = " + std::to_string(points));
+  return study_of_robot(robot, "[path]\nkind = \"random\"\nset = \"" + set + "\"\npoints = " + std::to_string(points));
 }
 
 std::vector<Configuration> solutions_of(const Study& study, int run = 1) {
@@ -74,7 +74,7 @@ TEST_CASE("the points of a polyline are evenly spaced along its length", "[path]
 
 TEST_CASE("a polyline needs two corners of three numbers", "[path]") {
   for (const std::string corners : {"[]", "[1, 2, 3]", "[1, 2, 3, 4]", "[1, 2, 3, 4, 5, 6, 7]"}) {
-    CHECK_THAT(refusal("planar_3", "[path]\nkind = \"polyline\"\ncorners_cm = " + corners),
+    CHECK_THAT(refusal_of("planar_3", "[path]\nkind = \"polyline\"\ncorners_cm = " + corners),
                ContainsSubstring("my.toml:3:1: path.corners_cm has ") &&
                    ContainsSubstring("expected x, y, z of two corners or more"));
   }
@@ -168,7 +168,7 @@ TEST_CASE("at the edge the tool is beyond 95 % of the largest distance", "[path]
 }
 
 TEST_CASE("unreachable targets are beyond the reach by the share that is asked for", "[path][targets]") {
-  const Study study = study_with("ur5e", "[path]\nkind = \"random\"\nset = \"unreachable\"\nbeyond_percent = 25");
+  const Study study = study_of_robot("ur5e", "[path]\nkind = \"random\"\nset = \"unreachable\"\nbeyond_percent = 25");
   const Chain::Ball ball = arm_of(study).chain.reach();
   for (const Pose& pose : targets(study, 1)) {
     CHECK((pose.translation() - ball.centre).norm() == Approx(1.25 * ball.radius).epsilon(1e-12));
@@ -179,14 +179,14 @@ TEST_CASE("unreachable targets are beyond the reach by the share that is asked f
 }
 
 TEST_CASE("a set that an arm does not have is refused", "[path][targets]") {
-  CHECK_THAT(refusal("stanford", "[path]\nkind = \"random\"\nset = \"unreachable\""),
+  CHECK_THAT(refusal_of("stanford", "[path]\nkind = \"random\"\nset = \"unreachable\""),
              ContainsSubstring("my.toml:3:1: path.set is \"unreachable\", but the reach of stanford is not known"));
   const ScratchFolder folder;
   const std::string arm = (folder.path / "endless.toml").string();
   write_text(arm, "summary = \"s\"\nsource = \"s\"\nlinks = [{ a_m = 0.5, limits_deg = \"none\" }]\n");
-  CHECK_THAT(refusal(arm, "[path]\nkind = \"random\"\nset = \"near_limits\""),
+  CHECK_THAT(refusal_of(arm, "[path]\nkind = \"random\"\nset = \"near_limits\""),
              ContainsSubstring("no joint of endless has limits"));
-  CHECK(refusal("stanford", "[path]\nkind = \"random\"\nset = \"edge\"").empty());
+  CHECK(refusal_of("stanford", "[path]\nkind = \"random\"\nset = \"edge\"").empty());
 }
 
 TEST_CASE("every set is made of its solutions, the same again, and more of them begin with fewer", "[path][targets]") {
@@ -206,7 +206,7 @@ TEST_CASE("every set is made of its solutions, the same again, and more of them 
 // ---- starts -------------------------------------------------------------------------------------------------------
 
 TEST_CASE("solves start in the middle of the limits, or at zero where a joint turns without end", "[starts]") {
-  const Study study = study_with("kinova_gen3", "start = \"middle\"\n[path]\nkind = \"random\"\npoints = 2");
+  const Study study = study_of_robot("kinova_gen3", "start = \"middle\"\n[path]\nkind = \"random\"\npoints = 2");
   const Robot arm = arm_of(study);
   for (const Configuration& start : starts(study, arm, 1)) {
     for (Eigen::Index j = 0; j < start.size(); ++j) {
@@ -218,7 +218,7 @@ TEST_CASE("solves start in the middle of the limits, or at zero where a joint tu
 }
 
 TEST_CASE("random starts are within the limits, of their own for every run and point", "[starts]") {
-  const Study study = study_with("ur5e", "start = \"random\"\n[path]\nkind = \"line\"\npoints = 50");
+  const Study study = study_of_robot("ur5e", "start = \"random\"\n[path]\nkind = \"line\"\npoints = 50");
   const Robot arm = arm_of(study);
   const std::vector<Configuration> first = starts(study, arm, 1), again = starts(study, arm, 1),
                                    second = starts(study, arm, 2);
@@ -231,7 +231,7 @@ TEST_CASE("random starts are within the limits, of their own for every run and p
 }
 
 TEST_CASE("near starts are as far from the solution as near_deg allows, and inside the limits", "[starts]") {
-  const Study study = study_with(
+  const Study study = study_of_robot(
       "stanford", "start = \"near\"\nnear_deg = 2\n[path]\nkind = \"random\"\nset = \"near_limits\"\npoints = 100");
   const std::vector<Configuration> near = starts(study, arm_of(study), 3), solutions = solutions_of(study, 3);
   double farthest = 0;
@@ -248,7 +248,7 @@ TEST_CASE("near starts are as far from the solution as near_deg allows, and insi
 TEST_CASE("near starts need targets that are made of configurations", "[starts]") {
   for (const std::string path : {"kind = \"line\"", "kind = \"random\"\nset = \"unreachable\""}) {
     CHECK_THAT(
-        refusal("ur5e", "start = \"near\"\n[path]\n" + path),
+        refusal_of("ur5e", "start = \"near\"\n[path]\n" + path),
         ContainsSubstring("my.toml:3:9: start is \"near\", but the path's targets are not made of configurations"));
   }
 }
@@ -256,7 +256,7 @@ TEST_CASE("near starts need targets that are made of configurations", "[starts]"
 TEST_CASE("every solver starts where the study says, run after run and from a store that has some", "[starts]") {
   for (const std::string start : {"middle", "random", "near"}) {
     CAPTURE(start);
-    Study study = study_with(
+    Study study = study_of_robot(
         "ur5e", "start = \"" + start +
                     "\"\npopulation = 4\nruns = 2\n[stop]\niterations = 3\n[path]\nkind = \"random\"\npoints = 3");
     study.solvers.push_back({"other", "particle_swarm", {}});

@@ -20,7 +20,7 @@ using namespace ikbench::experiments;
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
@@ -28,7 +28,7 @@ Eigen::VectorXd angles(std::initializer_list<double> values) {
   return Eigen::Map<const Eigen::VectorXd>(values.begin(), static_cast<Eigen::Index>(values.size()));
 }
 
-Pose at(double x, double y, double z) { return Pose(Eigen::Translation3d(x, y, z)); }
+Pose place(double x, double y, double z) { return Pose(Eigen::Translation3d(x, y, z)); }
 
 constexpr Requirement any{.claimed_error = 0};
 
@@ -121,7 +121,7 @@ TEST_CASE("the iiwa with 90 degrees at the second joint points along x", "[verif
 }
 
 TEST_CASE("two links of half a metre at 0 and 90 degrees reach (0.5, 0.5)", "[verifier]") {
-  const Verification verified = verify(robot("planar_2"), at(0.5, 0.5, 0), angles({0, 0}), angles({0, pi / 2}));
+  const Verification verified = verify(robot("planar_2"), place(0.5, 0.5, 0), angles({0, 0}), angles({0, pi / 2}));
   CHECK(verified.position_error < 1e-15);
   CHECK(verified.variation == Approx(pi / 2));
   CHECK(verified.largest_move == Approx(pi / 2));
@@ -130,14 +130,14 @@ TEST_CASE("two links of half a metre at 0 and 90 degrees reach (0.5, 0.5)", "[ve
 
 TEST_CASE("the position error is the Euclidean distance", "[verifier][paper]") {
   // The tool is at (1, 0, 0); the target 0.3 m, 0.4 m, 1.2 m off: 1.3 m away (Eq. 1).
-  const Verification verified = verify(robot("planar_2"), at(1.3, 0.4, -1.2), angles({0, 0}), angles({0, 0}));
+  const Verification verified = verify(robot("planar_2"), place(1.3, 0.4, -1.2), angles({0, 0}), angles({0, 0}));
   CHECK(verified.position_error == Approx(1.3));
 }
 
 TEST_CASE("the orientation error is ||R - Rd|| / ||Rd||", "[verifier][paper]") {
   // R = 1, Rd = Rz(theta): ||R - Rd||^2 = 4 (1 - cos theta), ||Rd||^2 = 3 (Eq. 3 with Frobenius' norm).
   const auto error_at = [](double theta) {
-    Pose target = at(1, 0, 0);
+    Pose target = place(1, 0, 0);
     target.linear() = Eigen::AngleAxisd(theta, Eigen::Vector3d::UnitZ()).toRotationMatrix();
     return verify(robot("planar_2"), target, angles({0, 0}), angles({0, 0})).orientation_error;
   };
@@ -150,17 +150,17 @@ TEST_CASE("the orientation error is ||R - Rd|| / ||Rd||", "[verifier][paper]") {
 TEST_CASE("the variation is the norm of the joint moves over all joints, the largest move that of one",
           "[verifier][paper]") {
   const Eigen::VectorXd start = angles({0.1, 0.2, 0.3});
-  const Verification verified = verify(robot("planar_3"), at(0, 0, 0), start, start + angles({0.3, -0.4, 1.2}));
+  const Verification verified = verify(robot("planar_3"), place(0, 0, 0), start, start + angles({0.3, -0.4, 1.2}));
   CHECK(verified.variation == Approx(1.3));  // Eq. 12: sqrt(0.09 + 0.16 + 1.44)
   CHECK(verified.largest_move == Approx(1.2));
-  CHECK(verify(robot("planar_3"), at(0, 0, 0), start, start + angles({0.3, -0.4, 0.2})).largest_move ==
+  CHECK(verify(robot("planar_3"), place(0, 0, 0), start, start + angles({0.3, -0.4, 0.2})).largest_move ==
         Approx(0.4));  // a move down is a move
 }
 
 TEST_CASE("metres of joints that slide and radians of those that turn are never added", "[verifier]") {
   const Robot arm = robot("stanford");  // its third joint slides, from 0.3048 to 1.27 m
   const Eigen::VectorXd start = angles({0, 0, 0.5, 0, 0, 0});
-  const Verification verified = verify(arm, at(0, 0, 0), start, start + angles({0.3, 0, 0.8, 0, -0.4, 0}));
+  const Verification verified = verify(arm, place(0, 0, 0), start, start + angles({0.3, 0, 0.8, 0, -0.4, 0}));
   CHECK(verified.variation == Approx(0.5));
   CHECK(verified.variation_m == Approx(0.8));
   CHECK(verified.largest_move == Approx(0.4));
@@ -174,16 +174,16 @@ TEST_CASE("a joint without limits violates none, however far it turns, unless it
   const Robot arm = robot("kinova_gen3");
   Eigen::VectorXd q = Eigen::VectorXd::Zero(7);
   q[0] = -1e4;
-  CHECK(verify(arm, at(0, 0, 0), q, q).limit_violation == 0);
+  CHECK(verify(arm, place(0, 0, 0), q, q).limit_violation == 0);
   q[0] = infinity;
-  CHECK_FALSE(std::isfinite(verify(arm, at(0, 0, 0), q, q).limit_violation));
+  CHECK_FALSE(std::isfinite(verify(arm, place(0, 0, 0), q, q).limit_violation));
 }
 
 TEST_CASE("the limit violation is that of the worst joint, on either side", "[verifier]") {
   const double degree = pi / 180;  // limits of the iiwa: 170, 120, 170, 120, 170, 120, 175 deg, Table 2
   const auto violation_deg = [&](std::initializer_list<double> degrees) {
     const Eigen::VectorXd q = angles(degrees) * degree;
-    return verify(robot("kuka_iiwa14"), at(0, 0, 0), Eigen::VectorXd::Zero(7), q).limit_violation / degree;
+    return verify(robot("kuka_iiwa14"), place(0, 0, 0), Eigen::VectorXd::Zero(7), q).limit_violation / degree;
   };
   CHECK(violation_deg({170, -120, 170, -120, 170, -120, 175}) == Approx(0).margin(1e-12));
   CHECK(violation_deg({0, 121, 0, 0, 0, 0, 0}) == Approx(1));
@@ -196,7 +196,7 @@ TEST_CASE("an answer that is not finite gives errors that are not finite", "[ver
     for (int joint = 0; joint < 7; ++joint) {
       Eigen::VectorXd answer = Eigen::VectorXd::Zero(7);
       answer[joint] = bad;
-      const Verification verified = verify(robot("kuka_iiwa14"), at(0.5, 0, 0.5), Eigen::VectorXd::Zero(7), answer);
+      const Verification verified = verify(robot("kuka_iiwa14"), place(0.5, 0, 0.5), Eigen::VectorXd::Zero(7), answer);
       CHECK_FALSE((std::isfinite(verified.position_error) && std::isfinite(verified.orientation_error)));
       CHECK_FALSE(std::isfinite(verified.variation));
       CHECK_FALSE(std::isfinite(verified.largest_move));
@@ -221,7 +221,7 @@ TEST_CASE("an error above the tolerance is a missed tolerance, if one was asked 
 
 TEST_CASE("a joint outside its limits by more than rounding is a violation", "[verifier]") {
   const auto violated = [](double outside) {  // the limits of planar_2 are +-180 deg
-    return verify(robot("planar_2"), at(0, 0, 0), angles({0, 0}), angles({0, pi + outside})).limit_violation;
+    return verify(robot("planar_2"), place(0, 0, 0), angles({0, 0}), angles({0, pi + outside})).limit_violation;
   };
   CHECK(violated(2e-9) == Approx(2e-9));
   CHECK(violated(0.5e-9) == 0);

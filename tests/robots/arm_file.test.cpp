@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "numerics/units.hpp"
 #include "robots/robot.hpp"
 #include "tests/catch.hpp"
 #include "tests/mutator.hpp"
@@ -17,14 +18,14 @@ using namespace ikbench::robots;
 
 namespace {
 
-constexpr double degree = std::numbers::pi / 180;
+using numerics::degree;
 
-Robot read(const std::string& text) { return parse_robot(text, "my_arm.toml"); }
+Robot read_arm(const std::string& text) { return parse_robot(text, "my_arm.toml"); }
 
 // What is said of a file, or "" where it is an arm.
-std::string said_of(const std::string& text) {
+std::string said_of_arm(const std::string& text) {
   try {
-    read(text);
+    read_arm(text);
   } catch (const std::invalid_argument& error) {
     return error.what();
   }
@@ -45,7 +46,7 @@ tool = { position_m = [0, 0, 0.05], rpy_deg = [180, 0, 0] }
 }  // namespace
 
 TEST_CASE("an arm file says summary, source, links, limits, base and tool, and its name is the arm's", "[arm]") {
-  const Robot arm = read(scara);
+  const Robot arm = read_arm(scara);
   CHECK(arm.name == "my_arm");
   CHECK(arm.summary == "SCARA: two turns and a slide");
   CHECK(arm.source == "an example");
@@ -64,15 +65,15 @@ TEST_CASE("an arm file says summary, source, links, limits, base and tool, and i
 }
 
 TEST_CASE("an arm may be one link, written as a list or as tables", "[arm]") {
-  CHECK(read("links = [{}]").joints() == 1);
-  CHECK(read("[[links]]\na_m = 1\n[[links]]\njoint = 'coupled'\n").chain.links()[1].joint == Joint::coupled);
+  CHECK(read_arm("links = [{}]").joints() == 1);
+  CHECK(read_arm("[[links]]\na_m = 1\n[[links]]\njoint = 'coupled'\n").chain.links()[1].joint == Joint::coupled);
 }
 
 TEST_CASE("published arms on a base and with a turned tool are where their descriptions have them", "[arm]") {
   // Links of the makers' URDF files (Kinovarobotics/ros_kortex 6cd75d4, Kinovarobotics/kinova-ros 924781d), and the
   // tool at zeros and at (0.1, 0.2, ...) by the product of their transforms.
   const auto check = [](const std::string& text, const Eigen::Vector3d& at_zeros, const Eigen::Vector3d& at_tenths) {
-    const Chain arm = read(text).chain;
+    const Chain arm = read_arm(text).chain;
     const Eigen::VectorXd tenths = Eigen::VectorXd::LinSpaced(arm.joints(), 0.1, 0.1 * arm.joints());
     CHECK((arm.position(0 * tenths) - at_zeros).norm() < 1e-9);  // as many digits as are printed
     CHECK((arm.position(tenths) - at_tenths).norm() < 1e-9);     // as many digits as are printed
@@ -137,7 +138,7 @@ TEST_CASE("a mistake in an arm file is told with file, line, column, value and w
        "my_arm.toml:2:10: unknown key \"position_cm\"; did you mean \"position_m\"?"},
       {"links = [{}]\ntool = { rpy_deg = [0, inf, 0] }", "tool.rpy_deg is inf; expected a list of 3 numbers"}};
   for (const Mistake& mistake : mistakes) {
-    const std::string said = said_of(mistake.text);
+    const std::string said = said_of_arm(mistake.text);
     INFO(mistake.text);
     INFO(said);
     CHECK(said.starts_with("my_arm.toml:"));
@@ -166,7 +167,7 @@ TEST_CASE("an arm file with up to four random changes is an arm, or refused with
   for (int i = 0; i < 3000; ++i) {
     const std::string text = mutator.mutated(scara);
     try {
-      const Robot arm = read(text);
+      const Robot arm = read_arm(text);
       ++arms;
       REQUIRE(arm.joints() <= most_joints);
       REQUIRE((arm.limits.lower.array() < arm.limits.upper.array()).all());

@@ -24,11 +24,11 @@ constexpr std::array<std::array<double, 3>, 20> table_8{{
 }};
 
 // The closed form of docs/paper-notes.md 2.11, by which the solves of the first stores were made.
-struct ClosedForm {
+struct Written {
   static constexpr double upper_arm = 0.135, forearm = 0.147, wrist_to_tool = 0.061, height = 0.058;  // [m]
   double s1, c1, s2, c2, s3, c3;
 
-  explicit ClosedForm(const Eigen::Vector3d& q) {
+  explicit Written(const Eigen::Vector3d& q) {
     Eigen::Vector3d sines, cosines;
     sines_and_cosines(q, sines, cosines);
     s1 = sines[0], s2 = sines[1], s3 = sines[2], c1 = cosines[0], c2 = cosines[1], c3 = cosines[2];
@@ -64,7 +64,7 @@ TEST_CASE("the Dobot's errors, poses and Jacobians have the bits of its closed f
     dobot.position_errors(q, target, errors);
     Eigen::Matrix3Xd jacobian(3, 3);
     for (Eigen::Index i = 0; i < count; ++i) {
-      const ClosedForm expected(q.col(i));
+      const Written expected(q.col(i));
       REQUIRE(errors[i] == expected.error(target));
       const Pose pose = dobot.forward(q.col(i));
       REQUIRE(pose.translation() == expected.position());

@@ -20,12 +20,12 @@ using namespace ikbench::solvers;
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
 constexpr double largest = std::numeric_limits<double>::max();
 constexpr double tiniest = std::numeric_limits<double>::denorm_min();
 
-using Numbers = std::vector<double>;
+using Column = std::vector<double>;
 
 std::vector<std::size_t> sizes() {
   std::vector<std::size_t> sizes{1000};
@@ -35,12 +35,12 @@ std::vector<std::size_t> sizes() {
 
 // Mostly ordinary numbers, and sometimes one of the others.
 double drawn(Dice& dice) {
-  constexpr double others[] = {0.0, -0.0, infinity, -infinity, not_a_number, largest, -largest, tiniest, -tiniest};
+  constexpr double others[] = {0.0, -0.0, infinite, -infinite, no_number, largest, -largest, tiniest, -tiniest};
   return dice.below(20) == 0 ? others[dice.below(static_cast<int>(std::size(others)))] : dice.between(-7, 7);
 }
 
-Numbers drawn(Dice& dice, std::size_t count) {
-  Numbers numbers(count);
+Column drawn(Dice& dice, std::size_t count) {
+  Column numbers(count);
   for (double& number : numbers) number = drawn(dice);
   return numbers;
 }
@@ -48,7 +48,7 @@ Numbers drawn(Dice& dice, std::size_t count) {
 // Numbers between a page that may not be touched and, on their other side, some that may not change.
 class Row {
  public:
-  Row(const Numbers& numbers, Guarded::Page page)
+  Row(const Column& numbers, Guarded::Page page)
       : memory_(numbers.size() + margin, page),
         first_(page == Guarded::Page::after ? margin : 0),
         count_(numbers.size()) {
@@ -57,7 +57,7 @@ class Row {
   }
 
   double* data() { return memory_.data() + first_; }
-  Numbers numbers() { return {data(), data() + count_}; }
+  Column numbers() { return {data(), data() + count_}; }
   bool kept_within() {
     return std::count(memory_.data(), data(), untouched) == static_cast<ptrdiff_t>(first_) &&
            std::count(data() + count_, memory_.data() + memory_.size(), untouched) ==
@@ -73,14 +73,14 @@ class Row {
 };
 
 // To the last bit; but of a sum of two NaN no compiler promises which it is.
-bool same(const Numbers& a, const Numbers& b) {
+bool same_column(const Column& a, const Column& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](double x, double y) {
     return std::memcmp(&x, &y, sizeof x) == 0 || (std::isnan(x) && std::isnan(y));
   });
 }
 
 // A column of numbers that a kernel reads: they are what they were, and nothing beside them was touched.
-bool only_read(Row& row, const Numbers& numbers) {
+bool only_read(Row& row, const Column& numbers) {
   return row.kept_within() && same_bits(row.data(), numbers.data(), numbers.size());
 }
 
@@ -105,14 +105,14 @@ TEST_CASE("every instruction set flies as the plain loop does, also in place, an
   Dice dice;
   for_each_case([&](const solvers::Kernels& kernels, std::size_t size, Guarded::Page page, bool in_place) {
     const double pole = drawn(dice);
-    const Numbers frequency = drawn(dice, size), x = drawn(dice, size), v = drawn(dice, size);
-    Numbers x_next(size), v_next(size);
+    const Column frequency = drawn(dice, size), x = drawn(dice, size), v = drawn(dice, size);
+    Column x_next(size), v_next(size);
     for (std::size_t i = 0; i < size; ++i) {
       v_next[i] = v[i] + (x[i] - pole) * frequency[i];
       x_next[i] = x[i] + v_next[i];
     }
     Row frequency_row(frequency, page), x_row(x, page), v_row(v, page);
-    Row other_x(Numbers(size, 1), page), other_v(Numbers(size, 1), page);
+    Row other_x(Column(size, 1), page), other_v(Column(size, 1), page);
     Row &x_out = in_place ? x_row : other_x, &v_out = in_place ? v_row : other_v;
     kernels.fly({.pole = pole,
                  .frequency = frequency_row.data(),
@@ -121,8 +121,8 @@ TEST_CASE("every instruction set flies as the plain loop does, also in place, an
                  .x_next = x_out.data(),
                  .v_next = v_out.data(),
                  .count = static_cast<ptrdiff_t>(size)});
-    REQUIRE(same(x_out.numbers(), x_next));
-    REQUIRE(same(v_out.numbers(), v_next));
+    REQUIRE(same_column(x_out.numbers(), x_next));
+    REQUIRE(same_column(v_out.numbers(), v_next));
     REQUIRE((x_out.kept_within() && v_out.kept_within()));
     REQUIRE(only_read(frequency_row, frequency));
     if (!in_place) REQUIRE((only_read(x_row, x) && only_read(v_row, v)));
@@ -134,15 +134,15 @@ TEST_CASE("every instruction set swarms as the plain loop does, also in place, a
   for_each_case([&](const solvers::Kernels& kernels, std::size_t size, Guarded::Page page, bool in_place) {
     const double inertia = dice.between(0, 1), cognitive = dice.between(0, 3), social = dice.between(0, 3);
     const double best = drawn(dice);
-    const Numbers x = drawn(dice, size), v = drawn(dice, size), personal = drawn(dice, size);
-    const Numbers u1 = drawn(dice, size), u2 = drawn(dice, size);
-    Numbers x_next(size), v_next(size);
+    const Column x = drawn(dice, size), v = drawn(dice, size), personal = drawn(dice, size);
+    const Column u1 = drawn(dice, size), u2 = drawn(dice, size);
+    Column x_next(size), v_next(size);
     for (std::size_t i = 0; i < size; ++i) {
       v_next[i] = inertia * v[i] + cognitive * (u1[i] * (personal[i] - x[i])) + social * (u2[i] * (best - x[i]));
       x_next[i] = x[i] + v_next[i];
     }
     Row x_row(x, page), v_row(v, page), personal_row(personal, page), u1_row(u1, page), u2_row(u2, page);
-    Row other_x(Numbers(size, 1), page), other_v(Numbers(size, 1), page);
+    Row other_x(Column(size, 1), page), other_v(Column(size, 1), page);
     Row &x_out = in_place ? x_row : other_x, &v_out = in_place ? v_row : other_v;
     kernels.swarm({.inertia = inertia,
                    .cognitive = cognitive,
@@ -156,8 +156,8 @@ TEST_CASE("every instruction set swarms as the plain loop does, also in place, a
                    .x_next = x_out.data(),
                    .v_next = v_out.data(),
                    .count = static_cast<ptrdiff_t>(size)});
-    REQUIRE(same(x_out.numbers(), x_next));
-    REQUIRE(same(v_out.numbers(), v_next));
+    REQUIRE(same_column(x_out.numbers(), x_next));
+    REQUIRE(same_column(v_out.numbers(), v_next));
     REQUIRE((x_out.kept_within() && v_out.kept_within()));
     REQUIRE((only_read(personal_row, personal) && only_read(u1_row, u1) && only_read(u2_row, u2)));
     if (!in_place) REQUIRE((only_read(x_row, x) && only_read(v_row, v)));
@@ -169,13 +169,13 @@ TEST_CASE("every instruction set scatters as the plain loop does, also in place,
   Dice dice;
   for_each_case([&](const solvers::Kernels& kernels, std::size_t size, Guarded::Page page, bool in_place) {
     const double centre = drawn(dice), step = drawn(dice);
-    const Numbers draws = drawn(dice, size);
-    Numbers q(size);
+    const Column draws = drawn(dice, size);
+    Column q(size);
     for (std::size_t i = 0; i < size; ++i) q[i] = centre + step * draws[i];
-    Row draws_row(draws, page), other(Numbers(size, 1), page);
+    Row draws_row(draws, page), other(Column(size, 1), page);
     Row& out = in_place ? draws_row : other;
     kernels.scatter(centre, step, draws_row.data(), out.data(), static_cast<ptrdiff_t>(size));
-    REQUIRE(same(out.numbers(), q));
+    REQUIRE(same_column(out.numbers(), q));
     REQUIRE(out.kept_within());
     if (!in_place) REQUIRE(only_read(draws_row, draws));
   });
@@ -189,20 +189,20 @@ TEST_CASE("every instruction set clamps as the plain loop does, with every bit, 
   Dice dice;
   for (const auto& [lower, upper] :
        {Limits{-2, 3}, Limits{-2.9670597283903604, 2.9670597283903604}, Limits{1, 1}, Limits{0.0, 0.0},
-        Limits{-0.0, 0.0}, Limits{-0.0, -0.0}, Limits{0.0, 5}, Limits{-5, -0.0}, Limits{-infinity, infinity},
-        Limits{-infinity, 0}, Limits{0, infinity}, Limits{-largest, largest}}) {
+        Limits{-0.0, 0.0}, Limits{-0.0, -0.0}, Limits{0.0, 5}, Limits{-5, -0.0}, Limits{-infinite, infinite},
+        Limits{-infinite, 0}, Limits{0, infinite}, Limits{-largest, largest}}) {
     // At the limits, next to them, and NaN of any bits.
     const double more[] = {lower,
                            upper,
-                           std::nextafter(lower, -infinity),
-                           std::nextafter(upper, infinity),
-                           std::copysign(not_a_number, -1),
+                           std::nextafter(lower, -infinite),
+                           std::nextafter(upper, infinite),
+                           std::copysign(no_number, -1),
                            std::nan("2023")};
     for (const InstructionSet set : instruction_sets()) {
       for (const std::size_t size : sizes()) {
         for (const Guarded::Page page : {Guarded::Page::after, Guarded::Page::before}) {
           CAPTURE(name_of(set), lower, upper, size, page == Guarded::Page::after);
-          Numbers q = drawn(dice, size), expected(size);
+          Column q = drawn(dice, size), expected(size);
           for (double& x : q) {
             if (dice.below(4) == 0) x = more[dice.below(static_cast<int>(std::size(more)))];
           }
@@ -222,15 +222,15 @@ TEST_CASE("NaN, an infinity and -0.0 are clamped in whatever lane", "[kernels]")
     for (std::size_t place = 0; place < 21; ++place) {
       CAPTURE(name_of(set), place);
       const auto clamped = [&](double x) {
-        Numbers q(21, 0.5);
+        Column q(21, 0.5);
         q[place] = x;
         solvers::kernels(set).clamp(-2, 3, q.data(), 21);
         CHECK(std::count(q.begin(), q.end(), 0.5) == 20);
         return q[place];
       };
-      CHECK(std::isnan(clamped(not_a_number)));
-      CHECK(clamped(infinity) == 3);
-      CHECK(clamped(-infinity) == -2);
+      CHECK(std::isnan(clamped(no_number)));
+      CHECK(clamped(infinite) == 3);
+      CHECK(clamped(-infinite) == -2);
       CHECK(std::signbit(clamped(-0.0)));
     }
   }
@@ -242,9 +242,9 @@ TEST_CASE("every instruction set chooses by chance as the plain loop does, and t
     for (const std::size_t size : sizes()) {
       for (const Guarded::Page page : {Guarded::Page::after, Guarded::Page::before}) {
         CAPTURE(name_of(set), size, page == Guarded::Page::after);
-        const Numbers chance = drawn(dice, size), other = drawn(dice, size), before = drawn(dice, size);
+        const Column chance = drawn(dice, size), other = drawn(dice, size), before = drawn(dice, size);
         const double limit = size % 3 == 0 || size == 0 ? 0.5 : chance[size / 2];  // a chance that is the limit: other
-        Numbers expected(size);
+        Column expected(size);
         for (std::size_t i = 0; i < size; ++i) expected[i] = chance[i] < limit ? before[i] : other[i];
         Row chance_row(chance, page), other_row(other, page), row(before, page);
         solvers::kernels(set).choose(chance_row.data(), limit, other_row.data(), row.data(),

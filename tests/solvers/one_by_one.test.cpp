@@ -18,7 +18,7 @@ using namespace ikbench::solvers;
 
 namespace {
 
-constexpr int iterations = 30, population = 21;
+constexpr int iterations = 30, candidates_a_step = 21;
 constexpr std::uint64_t keys = 63;  // of each task and settings: eight pairs of these are 504 solves
 
 using Vector = std::vector<double>;
@@ -99,7 +99,7 @@ struct Loop {
 
 // Slim et al. 2023, Algorithm 2.
 void ik_bat(Loop& loop) {
-  const std::size_t bats = population;
+  const std::size_t bats = candidates_a_step;
   const double step_factor = loop.number("step_factor");
   const bool is_greedy = loop.is("acceptance", "greedy"), by_loudness = loop.is("acceptance", "loudness");
   loop.draw_first(bats);
@@ -170,7 +170,7 @@ void bat(Loop& loop) {
 
 // Kennedy and Eberhart 1995 with inertia; the swarm's best is told at once.
 void particle_swarm(Loop& loop) {
-  const std::size_t particles = population;
+  const std::size_t particles = candidates_a_step;
   const double inertia = loop.number("inertia"), cognitive = loop.number("cognitive"), social = loop.number("social");
   loop.draw_first(particles);
   loop.evaluate_first();
@@ -197,12 +197,12 @@ void particle_swarm(Loop& loop) {
 
 // rand/1/bin, a better trial in its place at once.
 void differential_evolution(Loop& loop) {
-  const std::size_t candidates = population;
+  const std::size_t candidates = candidates_a_step;
   const double crosses_below = loop.number("crossover"), weight = loop.number("weight");
   loop.draw_first(candidates);
   loop.evaluate_first();
   for (int t = 0; t < iterations; ++t) {
-    Candidates chance(3, population);
+    Candidates chance(3, candidates_a_step);
     loop.random.uniforms(chance);
     const std::vector<Vector> crossover = loop.each_uniform(candidates);
     const Vector forced = loop.uniforms(candidates);
@@ -238,14 +238,14 @@ void differential_evolution(Loop& loop) {
 
 // Karaboga 2005, and El-Sherbiny, Elhosseini and Haikal 2018 with the best source as everyone's neighbour.
 void k_artificial_bee_colony(Loop& loop) {
-  const std::size_t sources = loop.is("colony", "full") ? population : population / 2;
+  const std::size_t sources = loop.is("colony", "full") ? candidates_a_step : candidates_a_step / 2;
   loop.draw_first(sources);
   loop.evaluate_first();
   std::vector<int> failures(sources, 0);
   const auto set_limit = static_cast<int>(loop.number("limit"));
   const bool takes_random = loop.is("neighbour", "random");
   const double unit = loop.is("fitness_unit", "cm") ? centimetre : 1;
-  const int limit = set_limit > 0 ? set_limit : (population + static_cast<int>(loop.joints)) / 2;
+  const int limit = set_limit > 0 ? set_limit : (candidates_a_step + static_cast<int>(loop.joints)) / 2;
   for (int t = 0; t < iterations; ++t) {
     for (const bool onlookers : {false, true}) {
       const Vector joint = loop.uniforms(sources), phi = loop.uniforms(sources);
@@ -295,7 +295,7 @@ void k_artificial_bee_colony(Loop& loop) {
 // The iiwa's four joints to its wrist, or all seven to the flange; each key has a target of its own, within reach or
 // just outside.
 Task task_of(int joints, std::uint64_t key) {
-  Task task = iiwa_task(population);
+  Task task = iiwa_task(candidates_a_step);
   const Robot iiwa = robot("kuka_iiwa14");
   if (joints == 7) {
     task.chain = iiwa.chain;

@@ -11,6 +11,7 @@
 #include "tests/analysis/folder.hpp"
 #include "tests/analysis/synthetic.hpp"
 #include "tests/catch.hpp"
+#include "tests/contains.hpp"
 
 using namespace ikbench;
 using namespace ikbench::results;
@@ -51,8 +52,6 @@ const Figure& named(const std::vector<Figure>& figures, const std::string& name)
   REQUIRE(found != figures.end());
   return *found;
 }
-
-bool contains(const std::string& text, const std::string& words) { return text.find(words) != std::string::npos; }
 
 }  // namespace
 

@@ -14,6 +14,7 @@
 #include "analysis/statistics/kernel_density.hpp"
 #include "tests/analysis/folder.hpp"
 #include "tests/catch.hpp"
+#include "tests/contains.hpp"
 
 using namespace ikbench;
 using namespace ikbench::statistics;
@@ -26,8 +27,6 @@ namespace {
 
 const Texts hostile_names{"<b>bold</b>", "`touch pwned`", "$(touch pwned)", "two\nlines",
                           "%d {x}^2_y",  "'q\" \\ @svg",  "größe Δ",        ""};
-
-bool contains(const std::string& text, const std::string& words) { return text.find(words) != std::string::npos; }
 
 // The lines of a data file's part that begins with the comment, up to the next empty line.
 Texts lines_below(const std::string& data, const std::string& comment) {

@@ -32,7 +32,7 @@ struct Spent {
 };
 
 // Solver A, B, ...: by run and point. Every point has its own target; with `drawn_targets` every run too.
-StudyResults study_of(const std::vector<std::vector<std::vector<Spent>>>& solvers, const char* definition) {
+StudyResults clustered_study(const std::vector<std::vector<std::vector<Spent>>>& solvers, const char* definition) {
   std::vector<SolveRecord> solves;
   for (std::size_t s = 0; s < solvers.size(); ++s) {
     for (std::size_t run = 0; run < solvers[s].size(); ++run) {
@@ -81,7 +81,7 @@ double coverage(double truth, const char* definition, const std::function<Runs(s
   std::mt19937_64 engine(3);
   int covered = 0;
   for (int i = 0; i < repetitions; ++i) {
-    const StudyResults study = study_of({sample(engine)}, definition);
+    const StudyResults study = clustered_study({sample(engine)}, definition);
     const Clusters clusters(study);
     const Interval interval =
         clusters.interval(costs_of(study, Cost::evaluations, clusters).solvers[0].expected.replicates);
@@ -94,7 +94,8 @@ double coverage(double truth, const char* definition, const std::function<Runs(s
 
 TEST_CASE("chained solves are drawn by run, others by target", "[clusters]") {
   const Runs runs(12, {{100}, {200}});
-  const StudyResults by_run = study_of({runs, runs}, chained), by_target = study_of({runs, runs}, drawn_targets);
+  const StudyResults by_run = clustered_study({runs, runs}, chained),
+                     by_target = clustered_study({runs, runs}, drawn_targets);
   const Clusters of_runs(by_run), of_targets(by_target);
   CHECK(of_runs.noun() == "runs");
   CHECK(of_runs.drawn_at_once() == 12);
@@ -108,12 +109,12 @@ TEST_CASE("chained solves are drawn by run, others by target", "[clusters]") {
 }
 
 TEST_CASE("fewer than ten clusters have no intervals, and more than a thousand are drawn in groups", "[clusters]") {
-  const StudyResults few = study_of({Runs(9, {{100}})}, chained);
+  const StudyResults few = clustered_study({Runs(9, {{100}})}, chained);
   const Clusters of_few(few);
   CHECK(of_few.undefined() == "9 runs, and intervals need 10");
   CHECK(of_few.replicates().empty());
   CHECK(std::isnan(of_few.interval({}).low));
-  const StudyResults many = study_of({Runs(1500, {{100}})}, drawn_targets);
+  const StudyResults many = clustered_study({Runs(1500, {{100}})}, drawn_targets);
   const Clusters of_many(many);
   CHECK(of_many.drawn_at_once() == 1000);
   CHECK(of_many.of(many.solves[1200]) == 200);
@@ -174,7 +175,7 @@ TEST_CASE("an interval of expected running time covers but where no failure is i
 }
 
 TEST_CASE("where all runs are alike the band is the curve", "[clusters]") {
-  const StudyResults study = study_of({Runs(15, {{100}, {300}, {700}})}, chained);
+  const StudyResults study = clustered_study({Runs(15, {{100}, {300}, {700}})}, chained);
   const Clusters clusters(study);
   ClusteredValues values{.values = {}, .clusters = clusters.of(solves_by_solver(study)[0])};
   for (const Solve& solve : study.solves) values.values.push_back(static_cast<double>(solve.evaluations));
@@ -191,7 +192,7 @@ TEST_CASE("a band is wider where the points of a run depend on each other", "[cl
   Runs runs;
   for (int run = 0; run < 20; ++run) runs.emplace_back(10, Spent{run % 2 == 0 ? 100 : 900});
   const auto width_with = [&](const char* definition) {
-    const StudyResults study = study_of({runs}, definition);
+    const StudyResults study = clustered_study({runs}, definition);
     const Clusters clusters(study);
     ClusteredValues values{.values = {}, .clusters = clusters.of(solves_by_solver(study)[0])};
     for (const Solve& solve : study.solves) values.values.push_back(static_cast<double>(solve.evaluations));
@@ -208,7 +209,7 @@ TEST_CASE("of two that share their targets the ratio is known better than either
   // B takes one and a half times as long as A at every target, and targets differ much.
   const Runs a = twenty([](int run) { return Spent{100 * (run + 1)}; });
   const Runs b = twenty([](int run) { return Spent{150 * (run + 1)}; });
-  const StudyResults study = study_of({a, b}, drawn_targets);
+  const StudyResults study = clustered_study({a, b}, drawn_targets);
   const Clusters clusters(study);
   const Costs costs = costs_of(study, Cost::evaluations, clusters);
   CHECK(costs.solvers[0].expected.estimate == Approx(1050));
@@ -226,7 +227,7 @@ TEST_CASE("of two that share their targets the ratio is known better than either
 TEST_CASE("running times of two that are alike are open", "[clusters]") {
   const Runs a = twenty([](int run) { return Spent{100 * (run % 5 + 1)}; });
   const Runs b = twenty([](int run) { return Spent{100 * ((run + 2) % 5 + 1)}; });
-  const StudyResults study = study_of({a, b}, drawn_targets);
+  const StudyResults study = clustered_study({a, b}, drawn_targets);
   const CostPair pair = compare_costs(study, Cost::evaluations, Clusters(study)).front();
   CHECK(pair.answer == Answer::undecided);
   CHECK(pair.expected.interval.low < 1);
@@ -238,7 +239,7 @@ TEST_CASE("running times of two that are alike are open", "[clusters]") {
 TEST_CASE("who never succeeds has no running time, and the restricted mean decides", "[clusters]") {
   const Runs a = twenty([](int run) { return Spent{100 + run}; });
   const Runs b = twenty([](int) { return Spent{1000, false}; });
-  const StudyResults study = study_of({a, b}, drawn_targets);
+  const StudyResults study = clustered_study({a, b}, drawn_targets);
   const Clusters clusters(study);
   const CostPair pair = compare_costs(study, Cost::evaluations, clusters).front();
   CHECK(std::isnan(pair.expected.value));
@@ -253,7 +254,7 @@ TEST_CASE("the probability of improvement is that of two solves at the same targ
   // Two targets, two runs each from the same start. At the first A 1, 3 against B 2, 3: 1 < 2, 1 < 3, 3 > 2, 3 = 3 is
   // 2.5 of 4. At the second A 5, never against B never, 4: 5 wins and loses, never ties and loses: 1.5 of 4.
   const StudyResults study =
-      study_of({{{{1}, {5}}, {{3}, {9, false}}}, {{{2}, {9, false}}, {{3}, {4}}}}, fixed_targets);
+      clustered_study({{{{1}, {5}}, {{3}, {9, false}}}, {{{2}, {9, false}}, {{3}, {4}}}}, fixed_targets);
   const CostPair pair = compare_costs(study, Cost::evaluations, Clusters(study)).front();
   CHECK(pair.improvement.value == Approx((2.5 + 1.5) / 8));
   CHECK(std::isnan(pair.improvement.interval.low));  // two targets
@@ -273,7 +274,7 @@ TEST_CASE("with chained runs every run of one is held against every run of the o
   }
   REQUIRE(ahead == 64);
   REQUIRE(ties == 8);
-  const StudyResults study = study_of({a, b}, chained);
+  const StudyResults study = clustered_study({a, b}, chained);
   const CostPair pair = compare_costs(study, Cost::evaluations, Clusters(study)).front();
   CHECK(pair.improvement.value == Approx(0.68));
   CHECK(pair.improvement.interval.low < 0.68);
@@ -292,7 +293,7 @@ TEST_CASE("who is ahead depends on the budget", "[anytime]") {
   // Budget 1000. A: all at 80 evaluations or, every tenth, never. B: all at 250 to 290.
   const Runs a = twenty([](int run) { return run % 10 == 9 ? Spent{1000, false} : Spent{80}; });
   const Runs b = twenty([](int run) { return Spent{250 + 2 * run}; });
-  const StudyResults study = study_of({a, b}, drawn_targets);
+  const StudyResults study = clustered_study({a, b}, drawn_targets);
   const std::optional<Anytime> found = anytime(study, Clusters(study));
   REQUIRE(found);
   CHECK(found->budget == 1000);
@@ -315,7 +316,7 @@ TEST_CASE("who is ahead depends on the budget", "[anytime]") {
 
 TEST_CASE("without a tolerance traces say who is ahead, and without traces nobody does", "[anytime]") {
   Runs runs(12, {{1000, false}});
-  StudyResults study = study_of({runs, runs}, R"({"path": {"kind": "random"}, "start": "initial"})");
+  StudyResults study = clustered_study({runs, runs}, R"({"path": {"kind": "random"}, "start": "initial"})");
   for (Solve& solve : study.solves.to_change()) solve.iterations = 10;
   const Clusters clusters(study);
   CHECK(!anytime(study, clusters));
@@ -330,7 +331,7 @@ TEST_CASE("without a tolerance traces say who is ahead, and without traces nobod
   CHECK(found->standings[2][1].share == 0);
   CHECK(found->standings[4][0].position == Position::open);
   CHECK(found->standings[4][0].share == found->standings[4][1].share);
-  const StudyResults alone = study_of({runs}, drawn_targets);
+  const StudyResults alone = clustered_study({runs}, drawn_targets);
   CHECK(!anytime(alone, Clusters(alone)));
 }
 
@@ -342,7 +343,7 @@ TEST_CASE("figures of enough runs have bands, of few they say why not", "[cluste
       for (std::size_t run = 0; run < runs; ++run) of_solver.push_back({{100 + 7 * static_cast<int>(run) + more}});
       solvers.push_back(of_solver);
     }
-    const std::vector<figures::Figure> drawn = figures::convergence_figures(study_of(solvers, drawn_targets));
+    const std::vector<figures::Figure> drawn = figures::convergence_figures(clustered_study(solvers, drawn_targets));
     const auto found = std::ranges::find(drawn, "statistics-survival-evaluations", &figures::Figure::name);
     REQUIRE(found != drawn.end());
     return found->plot + found->data + found->caption;

@@ -11,6 +11,7 @@
 #include "tests/analysis/folder.hpp"
 #include "tests/analysis/synthetic.hpp"
 #include "tests/catch.hpp"
+#include "tests/contains.hpp"
 
 using namespace ikbench;
 using namespace ikbench::results;
@@ -34,7 +35,7 @@ SolveRecord record_with_trace(std::vector<double> trace_cm, std::int64_t evaluat
 }
 
 // A study of these alone, a run each.
-StudyResults study_of(std::vector<SolveRecord> solves) {
+StudyResults traced_study(std::vector<SolveRecord> solves) {
   for (std::size_t i = 0; i < solves.size(); ++i) solves[i].run = static_cast<int>(i) + 1;
   return make_study("s", std::move(solves));
 }
@@ -68,19 +69,17 @@ std::vector<SolveRecord> solves_with_traces(const synthetic::Shape& shape) {
   return solves;
 }
 
-std::vector<std::string> names_of(const std::vector<Figure>& figures) {
+std::vector<std::string> figure_names(const std::vector<Figure>& figures) {
   std::vector<std::string> names;
   for (const Figure& figure : figures) names.push_back(figure.name);
   return names;
 }
 
-const Figure& named(const std::vector<Figure>& figures, const std::string& name) {
+const Figure& figure_named(const std::vector<Figure>& figures, const std::string& name) {
   const auto found = std::ranges::find(figures, name, &Figure::name);
   REQUIRE(found != figures.end());
   return *found;
 }
-
-bool contains(const std::string& text, const std::string& words) { return text.find(words) != std::string::npos; }
 
 bool all_drawn(const std::vector<Figure>& figures) {
   const ScratchFolder folder;
@@ -97,7 +96,7 @@ bool all_drawn(const std::vector<Figure>& figures) {
 
 TEST_CASE("an error is reached when the first iteration that has it is done", "[convergence]") {
   // 4 iterations of 400 evaluations: 100 each. By hand.
-  const StudyResults study = study_of({record_with_trace({8, 3, 3, 0.5}, 400)});
+  const StudyResults study = traced_study({record_with_trace({8, 3, 3, 0.5}, 400)});
   const Solve& solve = study.solves.front();
   const std::vector<double> targets{10, 8, 5, 1, 0.5, 0.1};
   CHECK(costs_to_targets(study, solve, targets, Cost::evaluations) ==
@@ -106,7 +105,7 @@ TEST_CASE("an error is reached when the first iteration that has it is done", "[
 }
 
 TEST_CASE("a solve that ended before its first iteration has reached its error with all it cost", "[convergence]") {
-  StudyResults study = study_of({record_with_trace({}, 50)});
+  StudyResults study = traced_study({record_with_trace({}, 50)});
   Solve& solve = study.solves.to_change().front();
   solve.position_error_cm = 0.2;
   CHECK(has_trace(solve));
@@ -117,7 +116,7 @@ TEST_CASE("a solve that ended before its first iteration has reached its error w
 }
 
 TEST_CASE("a trace whose answer the verifier does not confirm reaches nothing", "[convergence]") {
-  StudyResults study = study_of({record_with_trace({8, 3, 0.5}, 300)});
+  StudyResults study = traced_study({record_with_trace({8, 3, 0.5}, 300)});
   Solve& solve = study.solves.to_change().front();
   for (const Status status : {Status::claimed_but_wrong, Status::refused, Status::not_finite, Status::crashed,
                               Status::timed_out, Status::broke_protocol, Status::declined}) {
@@ -133,8 +132,8 @@ TEST_CASE("a trace whose answer the verifier does not confirm reaches nothing", 
 
 TEST_CASE("the band at a number of evaluations is that of the errors that the solves had then", "[convergence]") {
   const StudyResults study =
-      study_of({record_with_trace({16, 8, 4, 2}, 400), record_with_trace({20, 10}, 200),
-                record_with_trace({12, 6, 3, 1}, 400), record_with_trace({40, 30, 20, 10}, 400)});
+      traced_study({record_with_trace({16, 8, 4, 2}, 400), record_with_trace({20, 10}, 200),
+                    record_with_trace({12, 6, 3, 1}, 400), record_with_trace({40, 30, 20, 10}, 400)});
   const std::vector<Band> bands =
       error_bands(study, solves_by_solver(study)[0], std::vector<double>{99, 100, 250, 400});
   CHECK(bands[0].median == censored);  // before the first iteration is done
@@ -154,7 +153,7 @@ TEST_CASE("the band at a number of evaluations is that of the errors that the so
 
 TEST_CASE("an answer that is not finite is worse than every number, not left out of a band", "[convergence]") {
   const StudyResults study =
-      study_of({record_with_trace({1}, 10), record_with_trace({2}, 10), record_with_trace({not_a_number}, 10)});
+      traced_study({record_with_trace({1}, 10), record_with_trace({2}, 10), record_with_trace({not_a_number}, 10)});
   const Band band = error_bands(study, solves_by_solver(study)[0], std::vector<double>{10}).front();
   CHECK(band.median == 2);
   CHECK(band.high == censored);
@@ -164,7 +163,7 @@ TEST_CASE("every iteration counts as done at its own number of evaluations, what
   for (const int n : {3, 7, 49, 200, 1000}) {
     std::vector<double> trace;
     for (int i = n; i > 0; --i) trace.push_back(i);
-    const StudyResults study = study_of({record_with_trace(trace, 12345)});
+    const StudyResults study = traced_study({record_with_trace(trace, 12345)});
     const Solve& solve = study.solves.front();
     for (int i = 1; i <= n; ++i) {
       const double target = trace[static_cast<std::size_t>(i) - 1];
@@ -175,13 +174,13 @@ TEST_CASE("every iteration counts as done at its own number of evaluations, what
 }
 
 TEST_CASE("the axis of evaluations goes from the cheapest first iteration to the dearest solve", "[convergence]") {
-  const StudyResults study = study_of({record_with_trace({3, 2, 1, 1, 1}, 60), record_with_trace({3, 2}, 5000)});
+  const StudyResults study = traced_study({record_with_trace({3, 2, 1, 1, 1}, 60), record_with_trace({3, 2}, 5000)});
   const std::vector<double> axis = evaluations_axis(study, {{&study.solves[0]}, {&study.solves[1]}});
   CHECK(axis.size() == most_positions);
   CHECK(axis.front() == 12);
   CHECK(axis.back() == 5000);
   CHECK(std::ranges::is_sorted(axis));
-  const StudyResults single = study_of({record_with_trace({3}, 60)});
+  const StudyResults single = traced_study({record_with_trace({3}, 60)});
   CHECK(evaluations_axis(single, {{&single.solves[0]}}) == std::vector<double>{60});
   CHECK(evaluations_axis(single, {{}, {}}).empty());
 }
@@ -312,7 +311,7 @@ TEST_CASE("the figures of convergence are those that a study has the data for", 
   const auto names = [](std::vector<SolveRecord> solves, const char* definition) {
     StudyResults study = make_study("s", std::move(solves));
     study.definition = definition;
-    return names_of(convergence_figures(study));
+    return figure_names(convergence_figures(study));
   };
   using Names = std::vector<std::string>;
   const synthetic::Shape two{.solvers = {"A", "B"}, .runs = 1}, one{.solvers = {"A"}, .runs = 1};
@@ -338,9 +337,10 @@ TEST_CASE("the trace of a pose is drawn as the error of the pose, and counts for
   StudyEntry entry{.name = "s", .definition = R"({"search": "pose", "stop": {"tolerance_cm": 0.5}})", .series = {}};
   const StudyResults study = make_study(entry, solves_with_traces({.solvers = {"A", "B"}, .runs = 2}));
   const std::vector<Figure> figures = convergence_figures(study);
-  CHECK(contains(named(figures, "statistics-convergence").caption, "Best error of the pose [cm] against evaluations"));
-  CHECK(contains(named(figures, "statistics-convergence").settings, "error of the pose [cm]"));
-  for (const std::string& name : names_of(figures)) CHECK(!contains(name, "statistics-ecdf-evaluations"));
+  CHECK(contains(figure_named(figures, "statistics-convergence").caption,
+                 "Best error of the pose [cm] against evaluations"));
+  CHECK(contains(figure_named(figures, "statistics-convergence").settings, "error of the pose [cm]"));
+  for (const std::string& name : figure_names(figures)) CHECK(!contains(name, "statistics-ecdf-evaluations"));
 }
 
 TEST_CASE("success is drawn against the budget and the time: failures count as never solved", "[convergence]") {
@@ -359,7 +359,7 @@ TEST_CASE("success is drawn against the budget and the time: failures count as n
   // The corners of each solver's stairs, from the left edge to the right.
   using Stairs = std::vector<std::pair<double, double>>;
   const auto stairs = [&](const char* name) {
-    std::istringstream lines(named(figures, name).data);
+    std::istringstream lines(figure_named(figures, name).data);
     std::vector<Stairs> found;
     for (std::string line; std::getline(lines, line);) {
       std::istringstream numbers(line);
@@ -382,7 +382,7 @@ TEST_CASE("success is drawn against the budget and the time: failures count as n
   REQUIRE(by_seconds[0].size() == 6);
   CHECK(Stairs(by_seconds[0].begin() + 1, by_seconds[0].end() - 1) ==
         Stairs{{0.5, 0}, {0.5, 0.25}, {2, 0.25}, {2, 0.5}});
-  CHECK(contains(named(figures, "statistics-solved-seconds").caption,
+  CHECK(contains(figure_named(figures, "statistics-solved-seconds").caption,
                  "the position error is 0.1 cm and the tool 2 deg from its orientation"));
 }
 
@@ -390,21 +390,24 @@ TEST_CASE("a caption says what a problem is and what the solves depend on", "[co
   StudyResults study = make_study("s", solves_with_traces({.runs = 2}));
   study.definition = R"({"path": {"kind": "helix"}, "start": "previous"})";
   const std::vector<Figure> chained = convergence_figures(study);
-  CHECK(contains(named(chained, "statistics-profile-error").caption, "starts where its previous answer left the arm"));
-  CHECK(contains(named(chained, "statistics-profile-error").caption, "The runs repeat the same targets"));
-  CHECK(contains(named(chained, "statistics-convergence").caption, "solves of a run depend on each other"));
+  CHECK(contains(figure_named(chained, "statistics-profile-error").caption,
+                 "starts where its previous answer left the arm"));
+  CHECK(contains(figure_named(chained, "statistics-profile-error").caption, "The runs repeat the same targets"));
+  CHECK(contains(figure_named(chained, "statistics-convergence").caption, "solves of a run depend on each other"));
   study.definition = with_tolerance;
   const std::vector<Figure> independent = convergence_figures(study);
-  CHECK(contains(named(independent, "statistics-profile-seconds").caption, "from the same start for all solvers"));
-  CHECK(contains(named(independent, "statistics-ecdf-evaluations").caption, "to 0.5 cm, the tolerance of the study"));
-  CHECK(!contains(named(independent, "statistics-convergence").caption, "depend on each other"));
+  CHECK(
+      contains(figure_named(independent, "statistics-profile-seconds").caption, "from the same start for all solvers"));
+  CHECK(contains(figure_named(independent, "statistics-ecdf-evaluations").caption,
+                 "to 0.5 cm, the tolerance of the study"));
+  CHECK(!contains(figure_named(independent, "statistics-convergence").caption, "depend on each other"));
 }
 
 TEST_CASE("solves without a trace among those with one are left out of the curves, and counted", "[convergence]") {
   std::vector<SolveRecord> solves = solves_with_traces({.solvers = {"A", "B"}, .runs = 1});
   solves[3].trace_cm.clear();
   const std::vector<Figure> figures = convergence_figures(make_study("s", std::move(solves)));
-  CHECK(contains(named(figures, "statistics-convergence").caption, "1 solves without a trace are left out"));
+  CHECK(contains(figure_named(figures, "statistics-convergence").caption, "1 solves without a trace are left out"));
 }
 
 TEST_CASE("no curve of a large study has more than some hundred rows", "[convergence]") {
@@ -476,7 +479,7 @@ TEST_CASE("a convergence curve ends with the longest solve of its solver, whatev
   solves[1].solver = "B";
   solves[1].series = "b";
   const std::vector<Figure> figures = convergence_figures(make_study("s", std::move(solves)));
-  std::istringstream lines(named(figures, "statistics-convergence").data);
+  std::istringstream lines(figure_named(figures, "statistics-convergence").data);
   std::vector<double> last;  // position of each curve
   for (std::string line; std::getline(lines, line);) {
     if (line == "# A" || line == "# B") last.push_back(0);

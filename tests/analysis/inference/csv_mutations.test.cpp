@@ -24,7 +24,7 @@ namespace {
 
 using Rows = std::vector<std::vector<std::string>>;
 
-const Rows wide{{"A", "B", "C"}, {"1", "2", "3"}, {"2.5", "3", "4.1"}, {"1.5", "2.5", "3.25"}};
+const Rows wide_rows{{"A", "B", "C"}, {"1", "2", "3"}, {"2.5", "3", "4.1"}, {"1.5", "2.5", "3.25"}};
 const Rows two_wide{{"A", "B"}, {"1", "2"}, {"2.5", "3"}, {"1.5", "2.5"}, {"1.1", "1.2"}};
 const Rows one_row{{"A", "B", "C"}, {"1", "2", "3"}};
 const Rows with_blocks{{"problem", "solver", "run", "error"},
@@ -34,9 +34,9 @@ const Rows with_blocks{{"problem", "solver", "run", "error"},
                        {"p2", "A", "2", "2"},
                        {"p2", "B", "2", "3"},
                        {"p2", "C", "2", "3"}};
-const Rows summaries{{"metric", "name", "mean", "sd", "n"}, {"error", "A", "1", "0.1", "20"},
-                     {"error", "B", "2", "0.2", "20"},      {"error", "C", "7", "", "1"},
-                     {"time", "A", "1", "0", "3"},          {"time", "B", "1", "0.5", "3"}};
+const Rows summary_rows{{"metric", "name", "mean", "sd", "n"}, {"error", "A", "1", "0.1", "20"},
+                        {"error", "B", "2", "0.2", "20"},      {"error", "C", "7", "", "1"},
+                        {"time", "A", "1", "0", "3"},          {"time", "B", "1", "0.5", "3"}};
 
 class Mutator {
  public:
@@ -132,8 +132,8 @@ struct Case {
 TEST_CASE("whatever is in a CSV, its statistics are words or one sentence that refuses it", "[assessment][mutations]") {
   const CsvRequest of_wide{.layout = Layout::one_column_a_group},
       of_rows{.layout = Layout::one_column_a_group, .rows = RowsOf::one_block};
-  const std::vector<Case> cases{{wide, of_wide},
-                                {wide, of_rows},
+  const std::vector<Case> cases{{wide_rows, of_wide},
+                                {wide_rows, of_rows},
                                 {two_wide, of_wide},
                                 {two_wide, of_rows},
                                 {one_row, of_rows},
@@ -156,7 +156,7 @@ TEST_CASE("whatever is in a CSV, its statistics are words or one sentence that r
     const AnalysisPlan plan{.test = static_cast<DecidingTest>(mutator.below(7)),
                             .control = mutator.below(8) == 0 ? "A" : ""};
     if (mutator.below(8) == 0) {
-      const std::string text = mutator.mutated(summaries);
+      const std::string text = mutator.mutated(summary_rows);
       CAPTURE(i, text);
       expect([&] {
         for (const Summaries& each : read_summaries(text, "m.csv")) expect_words(assess(each, plan));

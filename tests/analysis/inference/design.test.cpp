@@ -62,7 +62,7 @@ StudyResults by_point(StudyResults study) {
   return study;
 }
 
-constexpr Metric error = Metric::position_error_cm;
+constexpr Metric metric_of_errors = Metric::position_error_cm;
 using Values = std::vector<double>;
 using Names = std::vector<std::string>;
 
@@ -70,7 +70,7 @@ using Names = std::vector<std::string>;
 
 TEST_CASE("on a chained path observations are run means in independent groups, and there are no blocks", "[design]") {
   const StudyResults study = study_of({});
-  const Observations found = observations(study, error);
+  const Observations found = observations(study, metric_of_errors);
   CHECK(found.name == "error");
   CHECK(found.quantity == "position error [cm]");
   CHECK(found.better == Better::smaller);
@@ -84,15 +84,15 @@ TEST_CASE("on a chained path observations are run means in independent groups, a
   CHECK(found.notes ==
         Names{"There are no blocks: each solve starts where the solver's previous answer left the arm."});
   CHECK(found.flaw.empty());
-  CHECK(!blocked_observations(study, error));
+  CHECK(!blocked_observations(study, metric_of_errors));
   CHECK(why_not_blocked(study) == found.notes.front());
 }
 
 TEST_CASE("points as observations have a flaw, and the report says which", "[design]") {
-  const Observations found = observations(by_point(study_of({})), error);
+  const Observations found = observations(by_point(study_of({})), metric_of_errors);
   CHECK(found.groups[0].values == Values{101, 102, 103, 201, 202, 203});
   CHECK(found.flaw == "points of one run depend on each other; used as observations because --force was given");
-  CHECK(observations(by_point(study_of({.path = "random"})), error).blocks.empty());
+  CHECK(observations(by_point(study_of({.path = "random"})), metric_of_errors).blocks.empty());
 }
 
 TEST_CASE("a definition says whether targets were drawn, of any kind of path, older ones by the kind alone",
@@ -105,7 +105,8 @@ TEST_CASE("a definition says whether targets were drawn, of any kind of path, ol
 
 TEST_CASE("targets drawn anew in every run make a block of each run", "[design]") {
   const StudyResults study = study_of({.path = "random", .runs = 3});
-  for (const Observations& found : {observations(study, error), *blocked_observations(study, error)}) {
+  for (const Observations& found :
+       {observations(study, metric_of_errors), *blocked_observations(study, metric_of_errors)}) {
     CHECK(found.blocks == Names{"run 1", "run 2", "run 3"});
     CHECK(found.groups[0].values == Values{102, 202, 302});
     CHECK(found.groups[1].values == Values{204, 404, 604});
@@ -116,23 +117,23 @@ TEST_CASE("targets drawn anew in every run make a block of each run", "[design]"
 
 TEST_CASE("drawn targets that are solved from the same configuration are blocks each", "[design]") {
   const StudyResults study = study_of({.path = "random", .start = "initial", .runs = 1});
-  const Observations found = *blocked_observations(study, error);
+  const Observations found = *blocked_observations(study, metric_of_errors);
   CHECK(found.blocks == Names{"run 1, point 1", "run 1, point 2", "run 1, point 3"});
   CHECK(found.groups[1].values == Values{202, 204, 206});
   CHECK(found.replicate == "the only solve of a target");
-  CHECK(observations(study, error).blocks == found.blocks);
-  CHECK(observations(by_point(study), error).blocks.empty());
+  CHECK(observations(study, metric_of_errors).blocks == found.blocks);
+  CHECK(observations(by_point(study), metric_of_errors).blocks.empty());
 }
 
 TEST_CASE("targets of a path that are solved from the same configuration are blocks, with the mean over the runs",
           "[design]") {
   const StudyResults study = study_of({.start = "initial"});
-  const Observations found = *blocked_observations(study, error);
+  const Observations found = *blocked_observations(study, metric_of_errors);
   CHECK(found.blocks == Names{"point 1", "point 2", "point 3"});
   CHECK(found.groups[0].values == Values{151, 152, 153});  // of 101 and 201, ...
   CHECK(found.replicate == "the mean of a target over 2 runs");
-  CHECK(observations(study, error).blocks == found.blocks);
-  CHECK(observations(study, error).groups[0].values == found.groups[0].values);
+  CHECK(observations(study, metric_of_errors).blocks == found.blocks);
+  CHECK(observations(study, metric_of_errors).groups[0].values == found.groups[0].values);
   std::vector<SolveRecord> solves = solves_of({.points = 1});  // nothing is chained to
   for (SolveRecord& solve : solves) solve.start_rad = {0};
   CHECK(why_not_blocked(study_of({.points = 1}, solves)) ==
@@ -145,14 +146,14 @@ TEST_CASE("a run that is not complete for all solvers is in no block, and that i
     std::vector<SolveRecord> solves = solves_of(shape);
     solves.pop_back();  // B's last point of run 3
     const StudyResults study = study_of(shape, solves);
-    const Observations found = *blocked_observations(study, error);
+    const Observations found = *blocked_observations(study, metric_of_errors);
     CHECK(found.groups[0].values == (shape.path == "random" ? Values{102, 202} : Values{151, 152, 153}));
     CHECK(found.groups[0].values.size() == found.blocks.size());
     CHECK(found.notes == Names{"Left out: 1 of 3 runs, because they are not complete for all solvers."});
   }
   std::vector<SolveRecord> solves = solves_of({});
   solves.pop_back();
-  const Observations independent = observations(study_of({}, solves), error);
+  const Observations independent = observations(study_of({}, solves), metric_of_errors);
   CHECK(independent.groups[0].values == Values{102, 202});  // A loses nothing by what B has not done
   CHECK(independent.notes.back() == "B: 1 of its runs lack points and give no observation.");
 }
@@ -167,13 +168,13 @@ TEST_CASE("an import takes no run from several other solvers, whichever it lacks
       solve.timing = Timing::imported;
       solves.push_back(solve);
     }
-    const Observations found = *blocked_observations(study_of(shape, solves), error);
+    const Observations found = *blocked_observations(study_of(shape, solves), metric_of_errors);
     REQUIRE(found.groups.size() == 2);
     CHECK(found.groups[0].values == Values{201, 202, 203});  // the means over three runs
     REQUIRE(found.notes.size() == 1);
     CHECK(found.notes.front().starts_with("Left out: C, imported without runs that the others have."));
     std::erase_if(solves, [](const SolveRecord& solve) { return solve.solver == "B"; });
-    CHECK(blocked_observations(study_of(shape, solves), error)->notes ==
+    CHECK(blocked_observations(study_of(shape, solves), metric_of_errors)->notes ==
           Names{"Left out: 1 of 3 runs, because they are not complete for all solvers."});
   }
 }
@@ -181,16 +182,16 @@ TEST_CASE("an import takes no run from several other solvers, whichever it lacks
 TEST_CASE("with fewer than two blocks there is no blocked design, and why is said", "[design]") {
   CHECK(why_not_blocked(study_of({.path = "random", .runs = 1})) ==
         "There are no blocks to compare, because there is only one.");
-  const Observations alone = observations(study_of({.path = "random", .runs = 1}), error);
+  const Observations alone = observations(study_of({.path = "random", .runs = 1}), metric_of_errors);
   CHECK(alone.groups[0].values == Values{102});
   CHECK(alone.notes == Names{"There are no blocks to compare, because there is only one."});
-  CHECK(observations(by_point(study_of({.path = "random", .runs = 1})), error).notes.empty());
+  CHECK(observations(by_point(study_of({.path = "random", .runs = 1})), metric_of_errors).notes.empty());
   std::vector<SolveRecord> solves = solves_of({.path = "random", .runs = 1});
   solves.pop_back();
   CHECK(why_not_blocked(study_of({.path = "random", .runs = 1}, solves)) ==
         "There are no blocks: no run is complete for all solvers.");
   CHECK(!why_not_blocked(study_of({.path = "random"}, {})).empty());
-  CHECK(observations(study_of({.path = "random"}, {}), error).groups.size() == 2);
+  CHECK(observations(study_of({.path = "random"}, {}), metric_of_errors).groups.size() == 2);
   CHECK(why_not_blocked(make_study("a CSV", solves_of({}))) ==
         "There are no blocks: the study does not state its path.");
 }
@@ -202,7 +203,7 @@ TEST_CASE("a store that claims the same targets for all, and has others, has no 
         "There are no blocks: the solvers did not have the same targets.");
   solves = solves_of({.start = "initial"});
   solves.back().start_rad = {0.1};
-  CHECK(!blocked_observations(study_of({.start = "initial"}, solves), error));
+  CHECK(!blocked_observations(study_of({.start = "initial"}, solves), metric_of_errors));
 }
 
 TEST_CASE("what is not finite stays in its place and is counted, and times that are not clean are said", "[design]") {
@@ -210,7 +211,7 @@ TEST_CASE("what is not finite stays in its place and is counted, and times that 
   solves[0].position_error_cm = std::nan("");
   solves[1].timing = Timing::parallel;
   const StudyResults study = study_of({.path = "random"}, solves);
-  const Observations found = observations(study, error);
+  const Observations found = observations(study, metric_of_errors);
   CHECK(std::isnan(found.groups[0].values[0]));
   CHECK(found.groups[0].values[1] == 202);
   CHECK(found.notes == Names{"A: 1 of 2 observations are not finite."});

@@ -267,7 +267,7 @@ TEST_CASE("the better one is better by the statistic that decides", "[assessment
 
 namespace {
 
-std::string text_of(const Evidence& found) {
+std::string text_of_evidence(const Evidence& found) {
   std::string text;
   for (const std::string& sentence : sentences_of(found)) text += sentence + '\n';
   return text;
@@ -294,14 +294,15 @@ TEST_CASE("of two groups in blocks, the better is the one that the signed ranks 
   CHECK(found.test("Wilcoxon signed-rank test (normal approximation)")->statistic == 3724);
   CHECK(found.contrasts[0].p < 1e-4);
   CHECK(found.contrasts[0].relation == Relation::second_better);
-  INFO(text_of(found));
-  CHECK(text_of(found).find(
+  INFO(text_of_evidence(found));
+  CHECK(text_of_evidence(found).find(
             "In short: y is better than x (although the median and the share of blocks favour the other)") !=
         std::string::npos);
-  const std::string sentence = text_of(found).substr(text_of(found).find("Differences: y is better than x"));
+  const std::string sentence =
+      text_of_evidence(found).substr(text_of_evidence(found).find("Differences: y is better than x"));
   CHECK(sentence.find(", by 0.") < sentence.find(", although the median and the share of blocks favour the other, p"));
   CHECK(sentence.find(", although the median") < sentence.find('\n'));
-  CHECK(text_of(found).find("ahead in 49 % of blocks") != std::string::npos);
+  CHECK(text_of_evidence(found).find("ahead in 49 % of blocks") != std::string::npos);
   std::swap(pairs.groups[0], pairs.groups[1]);
   CHECK(evidence(pairs, {}).contrasts[0].relation == Relation::first_better);
 }
@@ -318,8 +319,8 @@ TEST_CASE("of several groups, who is better of two does not depend on the third"
   CHECK(pair.superiority.value == Approx(0.48));
   CHECK(pair.p_mean_ranks < 0.001);  // Dunn, for a
   CHECK(pair.relation == Relation::not_told_apart);
-  INFO(text_of(found));
-  CHECK(text_of(found).find("Dunn (mean ranks over all groups) also separates a vs b") != std::string::npos);
+  INFO(text_of_evidence(found));
+  CHECK(text_of_evidence(found).find("Dunn (mean ranks over all groups) also separates a vs b") != std::string::npos);
 }
 
 TEST_CASE("means and medians that rounding alone keeps apart point nowhere", "[assessment][directions]") {
@@ -330,7 +331,7 @@ TEST_CASE("means and medians that rounding alone keeps apart point nowhere", "[a
     found.groups[0].described.mean = found.groups[0].described.median = of_first;
     found.groups[1].described.mean = found.groups[1].described.median = 0.3;
     found.contrasts = {{.first = 0, .second = 1, .p = 0.01, .ahead = 1, .relation = Relation::first_better}};
-    return text_of(found);
+    return text_of_evidence(found);
   };
   REQUIRE(0.1 + 0.2 > 0.3);
   CHECK(text_with(0.1 + 0.2).find("x is better than y") != std::string::npos);

@@ -15,6 +15,7 @@
 #include "analysis/report/assessment.hpp"
 #include "analysis/report/leaders.hpp"
 #include "tests/catch.hpp"
+#include "tests/contains.hpp"
 
 using namespace ikbench;
 using namespace ikbench::results;
@@ -23,7 +24,7 @@ using namespace ikbench::report;
 
 namespace {
 
-constexpr Metric error = Metric::position_error_cm;
+constexpr Metric position_error = Metric::position_error_cm;
 constexpr double never = std::numeric_limits<double>::quiet_NaN();
 
 struct GivenRun {
@@ -31,7 +32,7 @@ struct GivenRun {
   std::vector<double> errors_cm;  // of its points
 };
 
-JudgedStudy study_of(const std::vector<GivenRun>& runs, const std::string& more = "") {
+JudgedStudy judged_runs(const std::vector<GivenRun>& runs, const std::string& more = "") {
   std::vector<SolveRecord> solves;
   std::vector<Series> series;
   std::map<std::string, int> count;
@@ -50,12 +51,10 @@ JudgedStudy study_of(const std::vector<GivenRun>& runs, const std::string& more 
 }
 
 std::vector<double> values(const StudyResults& study, Estimand estimand) {
-  return observations(study, error, estimand).groups.at(0).values;
+  return observations(study, position_error, estimand).groups.at(0).values;
 }
 
-bool contains(const std::string& text, const std::string& words) { return text.find(words) != std::string::npos; }
-
-std::string text_of(const Assessment& assessment) {
+std::string text_of_assessment(const Assessment& assessment) {
   std::string text;
   for (const std::string& sentence : assessment.sentences) text += sentence + '\n';
   return text;
@@ -77,7 +76,7 @@ std::vector<GivenRun> three_winners() {
 }  // namespace
 
 TEST_CASE("an observation is the mean, the mean of logarithms or the share within a distance", "[estimand]") {
-  const JudgedStudy study = study_of({{"A", {0.01, 1e-4}}, {"A", {0.1, 1e-9}}, {"A", {0.02, 0.2}}});
+  const JudgedStudy study = judged_runs({{"A", {0.01, 1e-4}}, {"A", {0.1, 1e-9}}, {"A", {0.02, 0.2}}});
   const std::vector<double> means = values(study, Estimand::mean);
   REQUIRE(means.size() == 3);
   CHECK(means[0] == Approx(0.00505));
@@ -92,12 +91,12 @@ TEST_CASE("an observation is the mean, the mean of logarithms or the share withi
   StudyResults by_point = study;
   by_point.plan.unit = Unit::point;
   CHECK(values(by_point, Estimand::reliability) == std::vector<double>{1, 1, 0, 1, 0, 0});
-  const Observations shares = observations(study, error, Estimand::reliability);
+  const Observations shares = observations(study, position_error, Estimand::reliability);
   CHECK(shares.name == "error-reliability");
   CHECK(shares.quantity == "share of solves within 0.01 cm");
   CHECK(shares.better == Better::larger);
   CHECK(shares.replicate == "the share of a run over its 2 points");
-  const Observations logarithms = observations(study, error, Estimand::typical);
+  const Observations logarithms = observations(study, position_error, Estimand::typical);
   CHECK(logarithms.name == "error-typical");
   CHECK(logarithms.quantity == "typical position error [cm]");
   CHECK(logarithms.replicate == "the geometric mean of a run over its 2 points");
@@ -106,23 +105,23 @@ TEST_CASE("an observation is the mean, the mean of logarithms or the share withi
 
 TEST_CASE("the distance of reliability is the study's tolerance, or else what its plan says", "[estimand]") {
   const std::vector<GivenRun> runs{{"A", {0.01, 0.05, 0.2}}};
-  CHECK(values(study_of(runs), Estimand::reliability).front() == Approx(1 / 3.0));
-  CHECK(values(study_of(runs, R"(, "analysis": {"within_cm": 0.1})"), Estimand::reliability).front() ==
+  CHECK(values(judged_runs(runs), Estimand::reliability).front() == Approx(1 / 3.0));
+  CHECK(values(judged_runs(runs, R"(, "analysis": {"within_cm": 0.1})"), Estimand::reliability).front() ==
         Approx(2 / 3.0));
-  CHECK(
-      values(study_of(runs, R"(, "stop": {"tolerance_cm": 1}, "analysis": {"within_cm": 0.1})"), Estimand::reliability)
-          .front() == 1);
+  CHECK(values(judged_runs(runs, R"(, "stop": {"tolerance_cm": 1}, "analysis": {"within_cm": 0.1})"),
+               Estimand::reliability)
+            .front() == 1);
 }
 
 TEST_CASE("a pose is within the distance where its angle is within the tolerance too", "[estimand]") {
-  JudgedStudy study =
-      study_of({{"A", {0.05, 0.05, 0.2}}}, R"(, "search": "pose", "stop": {"tolerance_cm": 0.1, "tolerance_deg": 2})");
+  JudgedStudy study = judged_runs({{"A", {0.05, 0.05, 0.2}}},
+                                  R"(, "search": "pose", "stop": {"tolerance_cm": 0.1, "tolerance_deg": 2})");
   // ||R - Rd|| / ||Rd|| of 1.9 deg is sqrt(8 / 3) sin(0.95 deg) = 0.0270748, of 2.1 deg it is 0.0299245.
   study.solves.to_change()[0].orientation_error = 0.0270748;
   study.solves.to_change()[1].orientation_error = 0.0299245;
   study.solves.to_change()[1].status = study.solves.to_change()[2].status = Status::tolerance_missed;
   CHECK(values(study, Estimand::reliability).front() == Approx(1 / 3.0));
-  CHECK(observations(study, error, Estimand::reliability).quantity ==
+  CHECK(observations(study, position_error, Estimand::reliability).quantity ==
         "share of solves within 0.1 cm and 2 deg, inside the joint limits");
   study.solves.to_change()[0].status = Status::limit_violated;
   CHECK(values(study, Estimand::reliability).front() == 0);
@@ -130,7 +129,7 @@ TEST_CASE("a pose is within the distance where its angle is within the tolerance
 
 TEST_CASE("an answer that was refused or is not finite is within no distance, and leaves the typical value undefined",
           "[estimand]") {
-  JudgedStudy study = study_of({{"A", {1e-3, 1e-3, never, 1e-3}}});
+  JudgedStudy study = judged_runs({{"A", {1e-3, 1e-3, never, 1e-3}}});
   study.solves.to_change()[0].status = Status::refused;
   CHECK(values(study, Estimand::reliability) == std::vector<double>{0.5});
   CHECK(std::isnan(values(study, Estimand::typical).front()));
@@ -141,18 +140,18 @@ TEST_CASE("error has all the plan's estimands, time its reliability with a deadl
           "[estimand]") {
   using All = std::vector<Estimand>;
   const std::vector<GivenRun> runs{{"A", {1, 2}}};
-  const JudgedStudy study = study_of(runs);
-  CHECK(estimands_of(study, error) == All{Estimand::mean, Estimand::typical, Estimand::reliability});
+  const JudgedStudy study = judged_runs(runs);
+  CHECK(estimands_of(study, position_error) == All{Estimand::mean, Estimand::typical, Estimand::reliability});
   CHECK(estimands_of(study, Metric::seconds) == All{Estimand::mean});
   CHECK(estimands_of(study, Metric::variation_deg) == All{Estimand::mean});
   const JudgedStudy timed =
-      study_of(runs, R"(, "stop": {"seconds": 1}, "analysis": {"estimands": ["reliability", "mean"]})");
+      judged_runs(runs, R"(, "stop": {"seconds": 1}, "analysis": {"estimands": ["reliability", "mean"]})");
   CHECK(estimands_of(timed, Metric::seconds) == All{Estimand::mean, Estimand::reliability});
   CHECK(observations(timed, Metric::seconds, Estimand::reliability).groups[0].values ==
         std::vector<double>{1});  // 1 s each
-  CHECK(estimands_of(timed, error) == All{Estimand::mean, Estimand::reliability});
+  CHECK(estimands_of(timed, position_error) == All{Estimand::mean, Estimand::reliability});
   // With a tolerance, in time is who solves it in time.
-  JudgedStudy solved = study_of({{"A", {0.1, 5}}}, R"(, "deadline_ms": 2000, "stop": {"tolerance_cm": 1})");
+  JudgedStudy solved = judged_runs({{"A", {0.1, 5}}}, R"(, "deadline_ms": 2000, "stop": {"tolerance_cm": 1})");
   solved.solves.to_change()[1].status = Status::tolerance_missed;
   const Observations in_time = observations(solved, Metric::seconds, Estimand::reliability);
   CHECK(in_time.quantity == "share of solves solved within 2 s");
@@ -161,9 +160,9 @@ TEST_CASE("error has all the plan's estimands, time its reliability with a deadl
 
 TEST_CASE("typical values are compared as logarithms and told as geometric means and ratios", "[estimand]") {
   const JudgedStudy study =
-      study_of({{"A", {1e-3}}, {"A", {1e-4}}, {"A", {1e-5}}, {"B", {1e-1}}, {"B", {1e-2}}, {"B", {1e-3}}},
-               R"(, "analysis": {"test": "welch"})");
-  const Evidence found = study.evidence(error, Estimand::typical);
+      judged_runs({{"A", {1e-3}}, {"A", {1e-4}}, {"A", {1e-5}}, {"B", {1e-1}}, {"B", {1e-2}}, {"B", {1e-3}}},
+                  R"(, "analysis": {"test": "welch"})");
+  const Evidence found = study.evidence(position_error, Estimand::typical);
   CHECK(found.groups[0].described.mean == Approx(1e-4));
   CHECK(found.groups[0].described.median == Approx(1e-4));
   CHECK(found.groups[0].described.std == Approx(1));  // of -3, -4 and -5
@@ -176,8 +175,8 @@ TEST_CASE("typical values are compared as logarithms and told as geometric means
   CHECK(pair.difference.high == Approx(std::pow(10, -2 + reach)).epsilon(1e-6));
   CHECK(judge(found, "B", "A").difference.value == Approx(100));
   CHECK(judge(found, "B", "A").difference.low == Approx(std::pow(10, 2 - reach)).epsilon(1e-6));
-  const std::string text = text_of(assess(observations(study, error, Estimand::typical),
-                                          AnalysisPlan{.test = DecidingTest::welch, .significance = 0.1}));
+  const std::string text = text_of_assessment(assess(observations(study, position_error, Estimand::typical),
+                                                     AnalysisPlan{.test = DecidingTest::welch, .significance = 0.1}));
   // t is 2.1318468
   CHECK(contains(text, "A is better than B: 0.0001 vs 0.01, by 1.82 to 5504 times, more than 5 %"));
   CHECK(contains(text, "a mean is a geometric mean, and a difference is a ratio"));
@@ -190,17 +189,17 @@ TEST_CASE("typical values are the same where their ratio is within the margin", 
     runs.push_back({"A", {1e-5 * f}});
     runs.push_back({"B", {1.01e-5 * f}});
   }
-  CHECK(judge(study_of(runs).evidence(error, Estimand::typical), "A", "B").answer != Answer::undecided);
-  const JudgedStudy study = study_of(runs, R"(, "analysis": {"margin_percent": 3})");
-  CHECK(study.evidence(error, Estimand::typical).contrasts[0].extent == Extent::within);
-  const JudgedStudy narrow = study_of(runs, R"(, "analysis": {"margin_percent": 1})");
-  CHECK(narrow.evidence(error, Estimand::typical).contrasts[0].extent != Extent::within);
+  CHECK(judge(judged_runs(runs).evidence(position_error, Estimand::typical), "A", "B").answer != Answer::undecided);
+  const JudgedStudy study = judged_runs(runs, R"(, "analysis": {"margin_percent": 3})");
+  CHECK(study.evidence(position_error, Estimand::typical).contrasts[0].extent == Extent::within);
+  const JudgedStudy narrow = judged_runs(runs, R"(, "analysis": {"margin_percent": 1})");
+  CHECK(narrow.evidence(position_error, Estimand::typical).contrasts[0].extent != Extent::within);
 }
 
 TEST_CASE("where each estimand has another winner, the first sentence names the estimand with its winner",
           "[estimand]") {
-  const JudgedStudy study = study_of(three_winners());
-  const std::string sentence = leaders_sentence(study, error);
+  const JudgedStudy study = judged_runs(three_winners());
+  const std::string sentence = leaders_sentence(study, position_error);
   CAPTURE(sentence);
   // Means 0.02, 0.5 and 2; geometric means 0.02, sqrt(1e-6) and 0.009^0.8 10^0.2 = 0.0366, each times 1.0105 at most.
   CHECK(sentence.starts_with("Smallest mean error (large errors dominate): A (0.0202 cm; next B 0.505 cm, p = "));
@@ -210,21 +209,22 @@ TEST_CASE("where each estimand has another winner, the first sentence names the 
 
 TEST_CASE("the verdict of a study without a paper counts who is better than every other, then says each",
           "[estimand]") {
-  const std::vector<std::string> lines = own_verdict(study_of(three_winners()));
+  const std::vector<std::string> lines = own_verdict(judged_runs(three_winners()));
   REQUIRE(lines.size() >= 4);
   CAPTURE(lines.front());
   CHECK(lines.front().starts_with(fmt::format("Of {} comparisons by the test of the plan, ", lines.size() - 1)));
   CHECK(lines.front().ends_with(": A in 1, B in 1, C in 1."));
   CHECK(lines[1].starts_with("Smallest mean error (large errors dominate): A ("));
   CHECK(lines.back().starts_with("Fewest evaluations: "));
-  const auto undecided = own_verdict(study_of({{"A", {1}}, {"A", {2}}, {"B", {1}}, {"B", {2}}}));
+  const auto undecided = own_verdict(judged_runs({{"A", {1}}, {"A", {2}}, {"B", {1}}, {"B", {2}}}));
   CHECK(undecided.front().starts_with("No solver is shown to be better than every other in any of "));
-  CHECK(own_verdict(study_of({{"A", {1}}, {"A", {2}}})).front().starts_with("Smallest mean error"));
+  CHECK(own_verdict(judged_runs({{"A", {1}}, {"A", {2}}})).front().starts_with("Smallest mean error"));
 }
 
 TEST_CASE("those that the test does not separate from the first share its place", "[estimand]") {
   const auto sentence_of = [](const std::vector<GivenRun>& runs) {
-    return leaders_sentence(study_of(runs, R"(, "analysis": {"test": "welch", "estimands": ["mean"]})"), error);
+    return leaders_sentence(judged_runs(runs, R"(, "analysis": {"test": "welch", "estimands": ["mean"]})"),
+                            position_error);
   };
   const std::string label = "Smallest mean error (large errors dominate): ";
   CHECK(sentence_of({{"A", {1}}, {"A", {2}}, {"A", {3}}, {"B", {1.5}}, {"B", {2}}, {"B", {3}}})
@@ -243,7 +243,7 @@ TEST_CASE("those that the test does not separate from the first share its place"
 }
 
 TEST_CASE("points as observations have a first and no test", "[estimand]") {
-  CHECK(contains(leaders_sentence(study_of(three_winners(), R"(, "analysis": {"unit": "point"})"), error),
+  CHECK(contains(leaders_sentence(judged_runs(three_winners(), R"(, "analysis": {"unit": "point"})"), position_error),
                  "Most often within 0.01 cm: C (80 %; next B 50 %, not tested)."));
 }
 
@@ -253,10 +253,10 @@ TEST_CASE("the caution about decades looks at the solves and not at the means of
     runs.push_back({"A", {1e-6, 1e-4, 1e-2, 1 + 0.01 * run}});  // the means are alike
     runs.push_back({"B", {0.1, 0.2, 0.3, 0.4 + 0.01 * run}});
   }
-  const JudgedStudy study = study_of(runs);
-  const std::string of_means = text_of(assess(observations(study, error), {}));
+  const JudgedStudy study = judged_runs(runs);
+  const std::string of_means = text_of_assessment(assess(observations(study, position_error), {}));
   CHECK(contains(of_means, "Caution: the single values of A (6) span more than two decades"));
   for (const Estimand estimand : {Estimand::typical, Estimand::reliability}) {
-    CHECK(!contains(text_of(assess(observations(study, error, estimand), {})), "Caution"));
+    CHECK(!contains(text_of_assessment(assess(observations(study, position_error, estimand), {})), "Caution"));
   }
 }

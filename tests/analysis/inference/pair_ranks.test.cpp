@@ -20,7 +20,7 @@ namespace {
 
 using Sets = std::vector<std::vector<double>>;
 
-Observations named(Sets values) {
+Observations named_sets(Sets values) {
   Observations observations{.name = "x", .quantity = "x"};
   for (std::size_t i = 0; i < values.size(); ++i) {
     observations.groups.push_back({fmt::format("g{}", i), std::move(values[i])});
@@ -29,7 +29,7 @@ Observations named(Sets values) {
 }
 
 Observations named_in_blocks(Sets values) {
-  Observations observations = named(std::move(values));
+  Observations observations = named_sets(std::move(values));
   observations.block = "a problem";
   for (std::size_t i = 0; i < observations.groups[0].values.size(); ++i) {
     observations.blocks.push_back(fmt::format("{}", i));
@@ -47,7 +47,7 @@ TEST_CASE("twenty values that are all below twenty others are found among six gr
           "[pair_ranks]") {
   Sets values(6);
   for (int i = 0; i < 120; ++i) values[static_cast<std::size_t>(i / 20)].push_back(i);
-  const Evidence found = tested(named(values), by_ranks);
+  const Evidence found = tested(named_sets(values), by_ranks);
   const Contrast& pair = found.contrasts[0];
   CHECK(pair.superiority.value == 1);
   CHECK(pair.relation == Relation::first_better);
@@ -64,7 +64,7 @@ TEST_CASE("the p of two groups does not depend on the others, but for the number
     const AnalysisPlan plan{.test = blocked ? DecidingTest::friedman : DecidingTest::kruskal_wallis,
                             .adjustment = Adjustment::bonferroni};
     const auto p_of = [&](Sets values) {
-      return tested(blocked ? named_in_blocks(std::move(values)) : named(std::move(values)), plan).contrasts[0].p;
+      return tested(blocked ? named_in_blocks(std::move(values)) : named_sets(std::move(values)), plan).contrasts[0].p;
     };
     CAPTURE(blocked);
     const double alone = p_of({a, b});
@@ -76,7 +76,7 @@ TEST_CASE("the p of two groups does not depend on the others, but for the number
 
 TEST_CASE("a pair that cannot be tested still counts among those that p is corrected for", "[pair_ranks]") {
   const Sets values{{1, 2, 3, 4, 5, 6, 7}, {8, 9, 10, 11, 12, 13, 14}, {}};
-  const Evidence found = tested(named(values), by_ranks);
+  const Evidence found = tested(named_sets(values), by_ranks);
   CHECK(found.contrasts[0].p == Approx(3 * 2.0 / 3432));  // 14! / 7!^2 = 3432 arrangements
   CHECK(found.contrasts[1].relation == Relation::undefined);
 }
@@ -90,12 +90,12 @@ TEST_CASE("where no outcome of so few observations could differ, it is said", "[
   };
   // Three pairs of four values: 3 * 2 / 70 > 0.05; of five 3 * 2 / 252 is below.
   const Sets four{{1, 2, 3, 4}, {5, 6, 7, 8}, {9, 10, 11, 12}};
-  CHECK(says(tested(named(four), by_ranks), "It takes at least 5 observations per group, and here are 4."));
-  CHECK(tested(named(four), by_ranks).contrasts[0].runs_to_decide >= 5);
+  CHECK(says(tested(named_sets(four), by_ranks), "It takes at least 5 observations per group, and here are 4."));
+  CHECK(tested(named_sets(four), by_ranks).contrasts[0].runs_to_decide >= 5);
   Sets five = four;
   for (std::size_t i = 0; i < 3; ++i) five[i].push_back(5.0 + 4 * static_cast<double>(i) - 0.5);
-  CHECK_FALSE(says(tested(named(five), by_ranks), "It takes at least"));
-  CHECK(any_differs(tested(named(five), by_ranks)));
+  CHECK_FALSE(says(tested(named_sets(five), by_ranks), "It takes at least"));
+  CHECK(any_differs(tested(named_sets(five), by_ranks)));
   // In blocks 2 / 2^n: three times that is below 0.05 from seven.
   CHECK(says(tested(named_in_blocks(four), {}), "It takes at least 7 blocks, and here are 4."));
   const Sets seven{{1, 2, 3, 4, 5, 6, 7}, {2, 3.1, 4.2, 5.3, 6.4, 7.5, 8.6}, {4, 4.5, 5, 5.6, 6.8, 8.2, 9.9}};
@@ -116,7 +116,7 @@ TEST_CASE("groups that differ in spread alone are rarely called better by ranks"
         values[group].push_back(std::exp2(static_cast<double>(group)) * symmetric());
       }
     }
-    const Evidence found = tested(named(values), by_ranks);
+    const Evidence found = tested(named_sets(values), by_ranks);
     wrong += any_differs(found) ? 1 : 0;
     wrong_by_mann_whitney +=
         std::ranges::any_of(found.contrasts, [](const Contrast& pair) { return pair.p_mann_whitney < 0.05; }) ? 1 : 0;

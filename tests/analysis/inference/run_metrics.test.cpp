@@ -47,7 +47,7 @@ std::vector<SolveRecord> run_through(const std::vector<std::vector<double>>& ans
   return solves;
 }
 
-StudyResults study_of(std::vector<SolveRecord> solves, const std::string& definition = "{}") {
+StudyResults recorded_study(std::vector<SolveRecord> solves, const std::string& definition = "{}") {
   StudyEntry entry{.name = "s", .definition = definition, .series = {}};
   return make_study(entry, std::move(solves));
 }
@@ -70,31 +70,31 @@ const std::vector<std::vector<double>> corner{{10, 0}, {13, 4}, {13, 44}, {10, 0
 
 TEST_CASE("the path of the joints is measured from the first answer on", "[run_metrics]") {
   // Moves of 5, 40 and sqrt(9 + 1936) deg; that to the first point, 10 deg, is none of the path.
-  const StudyResults study = study_of(run_through(corner));
+  const StudyResults study = recorded_study(run_through(corner));
   CHECK(only_value(study, "path_length_deg") == Approx(45 + std::sqrt(9 + 44 * 44)));
   CHECK(only_value(study, "largest_jump_deg") == Approx(44));
   CHECK(only_value(study, "jumps") == 2);  // beyond 30 deg
-  CHECK(only_value(study_of(run_through(corner), R"({"analysis": {"jump_deg": 42}})"), "jumps") == 1);
+  CHECK(only_value(recorded_study(run_through(corner), R"({"analysis": {"jump_deg": 42}})"), "jumps") == 1);
   // (13, 44) - 2 (13, 4) + (10, 0) = (-3, 36), and (10, 0) - 2 (13, 44) + (13, 4) = (-3, -84).
   CHECK(only_value(study, "second_difference_deg") == Approx((std::hypot(3, 36) + std::hypot(3, 84)) / 2));
-  CHECK(only_value(study_of(run_through({{0, 0}, {1, 2}, {2, 4}, {3, 6}})), "second_difference_deg") ==
+  CHECK(only_value(recorded_study(run_through({{0, 0}, {1, 2}, {2, 4}, {3, 6}})), "second_difference_deg") ==
         Approx(0).margin(1e-12));
 }
 
 TEST_CASE("a closed path has a return, and any other has none", "[run_metrics]") {
   std::vector<SolveRecord> solves = run_through({{10, 0}, {40, 40}, {13, 4}});
-  CHECK(std::isnan(only_value(study_of(solves), "return_deg")));
+  CHECK(std::isnan(only_value(recorded_study(solves), "return_deg")));
   solves.back().target_position_m = {0.1 + 1e-12, 0, 0};
-  CHECK(only_value(study_of(solves), "return_deg") == Approx(5));
+  CHECK(only_value(recorded_study(solves), "return_deg") == Approx(5));
   solves.back().target_rotation = {0, -1, 0, 1, 0, 0, 0, 0, 1};  // there, but turned
-  CHECK(std::isnan(only_value(study_of(solves), "return_deg")));
+  CHECK(std::isnan(only_value(recorded_study(solves), "return_deg")));
 }
 
 TEST_CASE("joints that slide are apart from those that turn", "[run_metrics]") {
   std::vector<SolveRecord> solves = run_through({{10, 0}, {13, 400}, {10, 0}});
   solves.back().target_position_m = solves.front().target_position_m;
   for (SolveRecord& solve : solves) solve.variation_m = 0.25;
-  const StudyResults study = study_of(solves, R"({"arm": {"links": [{"joint": "turns"}, {"joint": "slides"}]}})");
+  const StudyResults study = recorded_study(solves, R"({"arm": {"links": [{"joint": "turns"}, {"joint": "slides"}]}})");
   CHECK(only_value(study, "second_difference_deg") == Approx(6));
   CHECK(only_value(study, "return_deg") == Approx(0).margin(1e-12));
   CHECK(only_value(study, "path_length_m") == 0.5);
@@ -112,18 +112,18 @@ TEST_CASE("what is no path has no jumps: drawn targets, solves with starts of th
   not_finite[1].answer_rad[0] = not_defined;
   for (const std::string& column : columns) {
     CAPTURE(column);
-    CHECK(std::isnan(only_value(study_of(run_through(corner), R"({"path": {"kind": "random"}})"), column)));
-    CHECK(std::isnan(only_value(study_of(anew), column)));
-    CHECK(std::isnan(only_value(study_of(without), column)));
-    CHECK(std::isnan(only_value(study_of(not_finite), column)));
-    CHECK(std::isnan(only_value(study_of(run_through({{1, 2}})), column)));
+    CHECK(std::isnan(only_value(recorded_study(run_through(corner), R"({"path": {"kind": "random"}})"), column)));
+    CHECK(std::isnan(only_value(recorded_study(anew), column)));
+    CHECK(std::isnan(only_value(recorded_study(without), column)));
+    CHECK(std::isnan(only_value(recorded_study(not_finite), column)));
+    CHECK(std::isnan(only_value(recorded_study(run_through({{1, 2}})), column)));
   }
 }
 
 TEST_CASE("the order of the records does not matter to a run", "[run_metrics]") {
   std::vector<SolveRecord> solves = run_through(corner);
   std::ranges::reverse(solves);
-  CHECK(only_value(study_of(solves), "jumps") == 2);
+  CHECK(only_value(recorded_study(solves), "jumps") == 2);
 }
 
 TEST_CASE("the angle of an orientation error is that of the rotation", "[run_metrics]") {
@@ -131,25 +131,25 @@ TEST_CASE("the angle of an orientation error is that of the rotation", "[run_met
   for (const double angle : {1e-9, 0.001, 1.0, 60.0, 90.0, 179.0, 180.0}) {
     std::vector<SolveRecord> solves = run_through({{1, 2}});
     solves[0].orientation_error = 2 * std::sqrt(2.0) * std::sin(angle * degree / 2) / std::sqrt(3.0);
-    CHECK(only_value(study_of(solves), "orientation_error_deg") == Approx(angle).epsilon(1e-6));
-    CHECK(std::isnan(only_value(study_of(solves, R"({"search": "all_joints"})"), "orientation_error_deg")));
+    CHECK(only_value(recorded_study(solves), "orientation_error_deg") == Approx(angle).epsilon(1e-6));
+    CHECK(std::isnan(only_value(recorded_study(solves, R"({"search": "all_joints"})"), "orientation_error_deg")));
   }
 }
 
 TEST_CASE("the excess is the error beyond the unavoidable, of targets beyond the reach alone", "[run_metrics]") {
   std::vector<SolveRecord> solves = run_through(corner);
   for (SolveRecord& solve : solves) solve.position_error_cm = 7;
-  CHECK(std::isnan(only_value(study_of(solves), "excess_error_cm")));
+  CHECK(std::isnan(only_value(recorded_study(solves), "excess_error_cm")));
   solves[1].unavoidable_error_cm = 5;
   solves[2].unavoidable_error_cm = 6;
-  CHECK(only_value(study_of(solves), "excess_error_cm") == 1.5);
+  CHECK(only_value(recorded_study(solves), "excess_error_cm") == 1.5);
 }
 
 TEST_CASE("observations and comparisons have the numbers of whole runs", "[run_metrics]") {
   std::vector<SolveRecord> solves = run_through(corner);
   std::ranges::copy(run_through({{10, 0}, {13, 4}}, 2), std::back_inserter(solves));  // two points are missing
   std::ranges::copy(run_through({{10, 0}, {13, 4}, {16, 8}, {19, 12}}, 3), std::back_inserter(solves));
-  const StudyResults study = study_of(solves, R"({"points": 4, "runs": 3, "path": {"kind": "line"}})");
+  const StudyResults study = recorded_study(solves, R"({"points": 4, "runs": 3, "path": {"kind": "line"}})");
   const Observations jumps = observations(study, metric("jumps"));
   CHECK(jumps.groups[0].values == std::vector<double>{2, 0});
   CHECK(jumps.replicate == "the value of a run over its 4 points");
@@ -166,7 +166,7 @@ TEST_CASE("a report shows what differs between runs, and names what it leaves ou
     solve.limit_margin = 0.1 * solve.run;
     solve.orientation_error = 1e-12 * solve.run;  // rounding: the closed form of the wrist
   }
-  const StudyResults study = study_of(solves);
+  const StudyResults study = recorded_study(solves);
   const ShownMetrics shown = shown_metrics(study);
   const auto has = [](const std::vector<Metric>& metrics, std::string_view column) {
     return std::ranges::find(metrics, metric(column)) != metrics.end();
@@ -202,7 +202,7 @@ TEST_CASE("solved solves are counted with Wilson's interval, by what is independ
   // Wilson's score interval of 16 of 20 and of 8 of 10, by its formula: centre p + z^2/2n, reach z sqrt(p q/n +
   // z^2/4n^2).
   const auto row = [&](const char* definition) {
-    return report::solved_table(study_of(solves, definition)).rows.at(0);
+    return report::solved_table(recorded_study(solves, definition)).rows.at(0);
   };
   const auto of_targets = row(R"({"start": "middle", "path": {"kind": "random"}})");
   CHECK(std::get<double>(of_targets[3]) == 0.8);
@@ -221,7 +221,7 @@ TEST_CASE("times are told by quantiles, the longest, and the share over the dead
     solves.push_back(solve);
   }
   const auto times = [&](const char* definition) {
-    return report::times_table(study_of(solves, definition)).rows.at(0);
+    return report::times_table(recorded_study(solves, definition)).rows.at(0);
   };
   const auto row = times(R"({"deadline_ms": 90})");
   CHECK(std::get<double>(row[1]) == Approx(50.5));

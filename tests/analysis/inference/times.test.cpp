@@ -26,7 +26,7 @@ std::vector<SolveRecord> solves() {
   return all;
 }
 
-StudyResults study_of(std::vector<SolveRecord> solves, const char* stolen = "0.25") {
+StudyResults timed_study(std::vector<SolveRecord> solves, const char* stolen = "0.25") {
   return make_study(StudyEntry{.name = "t", .definition = "{}", .series = {}}, std::move(solves),
                     {{.id = 1, .environment = {{"stolen_seconds", stolen}}},
                      {.id = 2, .environment = {{"stolen_seconds", "7"}}}});  // of no solve
@@ -35,13 +35,13 @@ StudyResults study_of(std::vector<SolveRecord> solves, const char* stolen = "0.2
 }  // namespace
 
 TEST_CASE("a repeat that was interrupted is named, with what the machine did", "[times]") {
-  CHECK(outliers_note(study_of(solves())) ==
+  CHECK(outliers_note(timed_study(solves())) ==
         "1 of 100 solves took more than 3 times as long as usual in one of their repeats. The worst is A, run 1, point "
         "2: 50 ms instead of 1 ms. The system interrupted the solves 2 times. Meanwhile the host kept 0.25 s of "
         "processor time from this machine. Medians and ranks judge the times, so such a solve decides nothing.");
   std::vector<SolveRecord> quiet = solves();
   quiet[1].largest_seconds = 0.003;
-  CHECK(outliers_note(study_of(quiet)).empty());
+  CHECK(outliers_note(timed_study(quiet)).empty());
 }
 
 TEST_CASE("of a store that knows no repeats, a time stands out by its solver's speed", "[times]") {
@@ -52,19 +52,19 @@ TEST_CASE("of a store that knows no repeats, a time stands out by its solver's s
   }
   all[70].seconds = 0.004;
   all[70].evaluations *= 4;  // so much more was to be done
-  CHECK(outliers_note(study_of(all, "nonsense")).empty());
+  CHECK(outliers_note(timed_study(all, "nonsense")).empty());
   all[70].evaluations /= 4;
-  CHECK(outliers_note(study_of(all, "nonsense")) ==
+  CHECK(outliers_note(timed_study(all, "nonsense")) ==
         "1 of 100 solves took more than 3 times as long as usual. The worst is B, run 1, point 21: 4 ms instead of 1 "
         "ms. Medians and ranks judge the times, so such a solve decides nothing.");
 }
 
 TEST_CASE("a machine is loaded where more than a twentieth of the solves stand out, and never by one", "[times]") {
   std::vector<SolveRecord> all = solves();
-  CHECK(load_warning(study_of(all)).empty());
-  CHECK(load_warning(study_of({all[0], all[1]})).empty());
+  CHECK(load_warning(timed_study(all)).empty());
+  CHECK(load_warning(timed_study({all[0], all[1]})).empty());
   for (std::size_t i = 0; i < 6; ++i) all[10 * i].largest_seconds = 0.01;
-  CHECK(load_warning(study_of(all)).starts_with("The machine was loaded. 7 of 100 solves took more than 3 times"));
+  CHECK(load_warning(timed_study(all)).starts_with("The machine was loaded. 7 of 100 solves took more than 3 times"));
 }
 
 TEST_CASE("at the median speed a solve takes what its evaluations take", "[times]") {
@@ -73,7 +73,7 @@ TEST_CASE("at the median speed a solve takes what its evaluations take", "[times
   all[3].evaluations = 20000;
   all[4].seconds = not_defined;
   all[5].evaluations = 0;
-  const StudyResults study = at_median_speed(study_of(all));
+  const StudyResults study = at_median_speed(timed_study(all));
   CHECK(seconds_of(study, study.solves[0]) == Approx(0.001));
   CHECK(seconds_of(study, study.solves[3]) == Approx(0.002));
   CHECK(std::isnan(seconds_of(study, study.solves[4])));
@@ -84,5 +84,5 @@ TEST_CASE("the time of a run is the median of its points", "[times]") {
   std::vector<SolveRecord> all = synthetic::solves({.solvers = {"A"}, .runs = 2, .points = 3});
   for (SolveRecord& solve : all) solve.seconds = 0.001 * solve.point;
   all[2].seconds = 5;
-  CHECK(samples(study_of(all), Metric::seconds).front().values == std::vector<double>{0.002, 0.002});
+  CHECK(samples(timed_study(all), Metric::seconds).front().values == std::vector<double>{0.002, 0.002});
 }

@@ -17,7 +17,7 @@ using namespace ikbench::variant_samples;
 
 namespace {
 
-const std::vector<std::string> error{"position_error_cm"};
+const std::vector<std::string> errors_alone{"position_error_cm"};
 
 std::vector<double> first(const std::vector<double>& values, std::size_t number) {
   return {values.begin(), values.begin() + static_cast<std::ptrdiff_t>(number)};
@@ -26,7 +26,7 @@ std::vector<double> first(const std::vector<double>& values, std::size_t number)
 SequentialComparison looked_at(const std::vector<double>& a, const std::vector<double>& b, const Looks& looks,
                                const MarginQuestion& question = {}) {
   const Variant of_a = variant(a), of_b = variant(b);
-  return compare_sequentially({{of_a, of_b}}, error, question, looks);
+  return compare_sequentially({{of_a, of_b}}, errors_alone, question, looks);
 }
 
 }  // namespace
@@ -86,7 +86,8 @@ TEST_CASE("looks that are too many, too early or without runs are refused", "[va
                     ContainsSubstring("4 complete runs in common, and the first look is after 5"));
   const Solved targets{.runs = 6, .points = 3, .definition = R"({"path": {"kind": "helix"}, "start": "initial"})"};
   const Variant each = variant(targets, [](int run, int point) { return run + point; });
-  CHECK_THROWS_WITH(compare_sequentially({{each, each}}, error, {}, {}), ContainsSubstring("runs add no targets"));
+  CHECK_THROWS_WITH(compare_sequentially({{each, each}}, errors_alone, {}, {}),
+                    ContainsSubstring("runs add no targets"));
 }
 
 TEST_CASE("labels that did not change fail a gate that looks five times in at most 5 % of repetitions",
@@ -103,7 +104,8 @@ TEST_CASE("labels that did not change fail a gate that looks five times in at mo
     }
     std::vector<VariantPair> pairs;
     for (std::size_t label = 0; label < labels; ++label) pairs.push_back({all[label], all[labels + label]});
-    const SequentialComparison found = compare_sequentially(pairs, error, {.margin = 0}, {.step = 4, .most = 20});
+    const SequentialComparison found =
+        compare_sequentially(pairs, errors_alone, {.margin = 0}, {.step = 4, .most = 20});
     failed += count(found.comparisons, Outcome::worse) > 0 ? 1 : 0;
   }
   CHECK(failed > 0);

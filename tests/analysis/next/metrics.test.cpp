@@ -13,6 +13,7 @@
 #include "tests/analysis/folder.hpp"
 #include "tests/analysis/synthetic.hpp"
 #include "tests/catch.hpp"
+#include "tests/contains.hpp"
 
 using namespace ikbench;
 using namespace ikbench::results;
@@ -44,8 +45,6 @@ bool has_file(const std::filesystem::path& folder, const std::string& start) {
   return std::ranges::any_of(std::filesystem::directory_iterator(folder),
                              [&](const auto& entry) { return entry.path().filename().string().starts_with(start); });
 }
-
-bool contains(const std::string& text, const std::string& words) { return text.find(words) != std::string::npos; }
 
 }  // namespace
 

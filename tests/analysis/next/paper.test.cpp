@@ -11,6 +11,7 @@
 #include "tests/analysis/folder.hpp"
 #include "tests/analysis/synthetic.hpp"
 #include "tests/catch.hpp"
+#include "tests/contains.hpp"
 
 using namespace ikbench;
 using namespace ikbench::results;
@@ -18,8 +19,6 @@ using namespace ikbench::inference;
 using namespace ikbench::report;
 
 namespace {
-
-bool contains(const std::string& text, const std::string& words) { return text.find(words) != std::string::npos; }
 
 // Saves a study of two solvers, of which alpha needs fewer evaluations.
 void save(Store& store, const std::string& name, const std::string& published) {

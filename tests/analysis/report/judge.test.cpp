@@ -19,6 +19,7 @@
 #include "results/store.hpp"
 #include "tests/analysis/folder.hpp"
 #include "tests/catch.hpp"
+#include "tests/contains.hpp"
 
 using namespace ikbench;
 using namespace ikbench::results;
@@ -27,8 +28,6 @@ using namespace ikbench::report;
 
 namespace {
 
-bool contains(const std::string& text, const std::string& words) { return text.find(words) != std::string::npos; }
-
 // 20 values with that mean and a standard deviation of 1, of i = 0 to 19, whose own is sqrt(35).
 double value_in(int run, double mean) { return mean + (run - 10.5) / std::sqrt(35.0); }
 
@@ -36,7 +35,7 @@ double value_in(int run, double mean) { return mean + (run - 10.5) / std::sqrt(3
 constexpr double apart = 2.3 * 0.31622776601683794;
 
 // A study of the paper's, in which IK-BA is ahead of MO-PSO in everything with p = 0.027.
-void save(Store& store, const std::string& name, double significance, const std::string& limits) {
+void save_solves(Store& store, const std::string& name, double significance, const std::string& limits) {
   StudyEntry entry{.name = name,
                    .definition = R"({"path": {"kind": "helix", "points": 1}, "runs": 20, "published": "slim2023",)"
                                  R"( "limits": ")" +
@@ -65,7 +64,7 @@ void save(Store& store, const std::string& name, double significance, const std:
   store.append(solves);
 }
 
-struct Told {
+struct Judged {
   std::vector<std::string> relations;  // of everything that was observed but the shares, which are all 0
   std::string text;                    // of the whole report
   std::string page;                    // report.md alone
@@ -78,16 +77,16 @@ struct Significance {
   std::optional<double> given = {};
 };
 
-Told told_at(const Significance& at) {
+Judged told_at(const Significance& at) {
   const ScratchFolder folder;
   Store store(folder.path / "store.db", Store::Mode::write);
-  save(store, "own", at.study, "recorded");
-  save(store, "own-limits", at.companion, "enforced");
+  save_solves(store, "own", at.study, "recorded");
+  save_solves(store, "own-limits", at.companion, "enforced");
   const std::filesystem::path out = folder.path / "report";
   ReportRequest request{.study = "own", .folder = out, .figures = {.render = false}, .papers = analysis::papers()};
   if (at.given) request.plan = AnalysisPlan{.significance = *at.given, .margin = 0};
   write_report(store, request);
-  Told told;
+  Judged told;
   for (const auto& found : nlohmann::json::parse(text_of_file(out / "statistics.json"))) {
     if (found.at("from_summaries") || found.at("better") == "larger") continue;  // no error is within 0.01 cm
     for (const auto& contrast : found.at("contrasts")) told.relations.push_back(contrast.at("relation"));
@@ -104,7 +103,7 @@ Told told_at(const Significance& at) {
 }
 
 // The cell beside the claim.
-std::string verdict_of(const Told& told, const std::string& claim) {
+std::string verdict_of(const Judged& told, const std::string& claim) {
   const std::size_t claimed = told.page.find(claim + " | ");
   REQUIRE(claimed != std::string::npos);
   const std::size_t start = claimed + claim.size() + 3;
@@ -117,7 +116,7 @@ constexpr std::array<const char*, 3> judged_claims{"IK-BA is the most accurate",
 }  // namespace
 
 TEST_CASE("where the plan says 0.05, p = 0.027 decides", "[judge]") {
-  const Told told = told_at({.study = 0.05, .companion = 0.05});
+  const Judged told = told_at({.study = 0.05, .companion = 0.05});
   CHECK(told.relations == std::vector<std::string>(5, "first is better"));
   for (const char* claim : judged_claims) CHECK(verdict_of(told, claim) == "holds");
   CHECK(contains(told.text, "Here it is smaller than that of MO-PSO"));
@@ -129,7 +128,7 @@ TEST_CASE("where the plan says 0.01, nothing is decided at 0.05: in no claim, ta
           "[judge]") {
   // The plan is the study's, or one that is given for the report; its companion is judged by it whatever it says
   // itself.
-  const Told told =
+  const Judged told =
       told_at(GENERATE(Significance{.study = 0.01, .companion = 0.01}, Significance{.study = 0.01, .companion = 0.05},
                        Significance{.study = 0.05, .companion = 0.05, .given = 0.01}));
   CHECK(told.relations == std::vector<std::string>(5, "undecided"));

@@ -15,16 +15,16 @@ using namespace ikbench::report;
 
 namespace {
 
-struct Answer {
+struct Given {
   std::string solver;
   double error_cm;
   double variation_deg;
   Status status = Status::ok;
 };
 
-StudyResults study_of(const std::string& name, const char* limits, const std::vector<Answer>& answers) {
+StudyResults limited_study(const std::string& name, const char* limits, const std::vector<Given>& answers) {
   std::vector<SolveRecord> solves;
-  for (const Answer& answer : answers) {
+  for (const Given& answer : answers) {
     SolveRecord solve;
     solve.solver = answer.solver;
     solve.position_error_cm = answer.error_cm;
@@ -47,13 +47,13 @@ std::optional<Table> limits_of(const std::vector<StudyResults>& studies) {
   return limits_table({judged.begin(), judged.end()});
 }
 
-const StudyResults recorded = study_of("free", "recorded",
-                                       {{"IK-BA", 1, 40, Status::limit_violated},
-                                        {"IK-BA", 3, 60},
-                                        {"DE", 4, 300},
-                                        {"DE", 4, 300, Status::limit_violated},
-                                        {"only here", 9, 9}});
-const StudyResults enforced = study_of(
+const StudyResults recorded = limited_study("free", "recorded",
+                                            {{"IK-BA", 1, 40, Status::limit_violated},
+                                             {"IK-BA", 3, 60},
+                                             {"DE", 4, 300},
+                                             {"DE", 4, 300, Status::limit_violated},
+                                             {"only here", 9, 9}});
+const StudyResults enforced = limited_study(
     "held", "enforced",
     {{"IK-BA", 21, 0, Status::refused}, {"IK-BA", 1, 80}, {"DE", 3, 310}, {"DE", 3, 290}, {"only there", 1, 1}});
 
@@ -94,15 +94,15 @@ TEST_CASE("what survives is said of every solver", "[limits]") {
 }
 
 TEST_CASE("a solver gains no place in variation by being refused", "[limits]") {
-  const Table table =
-      *limits_of({study_of("free", "recorded", {{"IK-BA", 1, 40}, {"IK-BA", 1, 40}, {"DE", 1, 300}, {"DE", 1, 300}}),
-                  study_of("held", "enforced",
-                           {{"IK-BA", 1, 42},
-                            {"IK-BA", 1, 44},
-                            {"DE", 9, 0, Status::refused},
-                            {"DE", 9, 0, Status::refused},
-                            {"DE", 9, 0, Status::refused},
-                            {"DE", 1, 120}})});
+  const Table table = *limits_of(
+      {limited_study("free", "recorded", {{"IK-BA", 1, 40}, {"IK-BA", 1, 40}, {"DE", 1, 300}, {"DE", 1, 300}}),
+       limited_study("held", "enforced",
+                     {{"IK-BA", 1, 42},
+                      {"IK-BA", 1, 44},
+                      {"DE", 9, 0, Status::refused},
+                      {"DE", 9, 0, Status::refused},
+                      {"DE", 9, 0, Status::refused},
+                      {"DE", 1, 120}})});
   CHECK(number_at(table, 3, "mean_variation_deg") == 30);  // less than 43 of IK-BA, by three refusals
   CHECK(number_at(table, 3, "mean_accepted_variation_deg") == 120);
   CHECK(number_at(table, 1, "rank_variation") == 1);
@@ -115,8 +115,8 @@ TEST_CASE("a solver gains no place in variation by being refused", "[limits]") {
 }
 
 TEST_CASE("a place that is shared makes no solver the first", "[limits]") {
-  const StudyResults alike = study_of("free", "recorded", {{"IK-BA", 1, 40}, {"DE", 1, 40}});
-  const Table table = *limits_of({alike, study_of("held", "enforced", {{"IK-BA", 1, 40}, {"DE", 2, 40}})});
+  const StudyResults alike = limited_study("free", "recorded", {{"IK-BA", 1, 40}, {"DE", 1, 40}});
+  const Table table = *limits_of({alike, limited_study("held", "enforced", {{"IK-BA", 1, 40}, {"DE", 2, 40}})});
   CHECK(has_note(table,
                  "rank by error: 1 (shared) -> 1 of 2, now ranked first; rank by variation: 1 (shared) -> 1 (shared) "
                  "of 2, unchanged."));
@@ -135,13 +135,14 @@ TEST_CASE("without a counterpart there is no limits table", "[limits]") {
   CHECK(!limits_table({}));
   CHECK(!limits_of({recorded}));
   CHECK(!limits_of({enforced, enforced}));
-  CHECK(!limits_of({recorded, study_of("s", "enforced", {{"another", 1, 1}})}));
-  CHECK(!limits_of({recorded, study_of("s", "what", {{"IK-BA", 1, 1}})}));
+  CHECK(!limits_of({recorded, limited_study("s", "enforced", {{"another", 1, 1}})}));
+  CHECK(!limits_of({recorded, limited_study("s", "what", {{"IK-BA", 1, 1}})}));
 }
 
 TEST_CASE("answers that are not finite, refused throughout or not there leave no place", "[limits]") {
-  const Table table = *limits_of(
-      {recorded, study_of("s", "enforced", {{"IK-BA", NAN, 1, Status::not_finite}, {"DE", 7, 0, Status::refused}})});
+  const Table table =
+      *limits_of({recorded, limited_study("s", "enforced",
+                                          {{"IK-BA", NAN, 1, Status::not_finite}, {"DE", 7, 0, Status::refused}})});
   CHECK(has_note(table, "IK-BA: position error 2 -> not defined cm, not defined cm for accepted answers"));
   CHECK(has_note(table, "not ranked by error in both studies"));
   CHECK(has_note(table, "DE: position error 4 -> 7 cm (1.75 x), not defined cm for accepted answers"));

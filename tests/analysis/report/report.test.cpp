@@ -14,6 +14,7 @@
 #include "tests/analysis/folder.hpp"
 #include "tests/analysis/synthetic.hpp"
 #include "tests/catch.hpp"
+#include "tests/contains.hpp"
 
 using namespace ikbench;
 using namespace ikbench::results;
@@ -21,8 +22,6 @@ using namespace ikbench::inference;
 using namespace ikbench::report;
 
 namespace {
-
-bool contains(const std::string& text, const std::string& words) { return text.find(words) != std::string::npos; }
 
 struct Example {
   std::string name = "slim2023";

@@ -13,6 +13,7 @@
 #include "tests/analysis/folder.hpp"
 #include "tests/analysis/synthetic.hpp"
 #include "tests/catch.hpp"
+#include "tests/contains.hpp"
 
 using namespace ikbench;
 using namespace ikbench::results;
@@ -20,11 +21,7 @@ using namespace ikbench::statistics;
 using namespace ikbench::inference;
 using namespace ikbench::report;
 
-namespace {
-
-bool contains(const std::string& text, const std::string& words) { return text.find(words) != std::string::npos; }
-
-}  // namespace
+namespace {}  // namespace
 
 TEST_CASE("bytes and digests are written in base64 as RFC 4648 and FIPS 180-4 have them", "[report]") {
   CHECK(base64("") == "");

@@ -14,6 +14,7 @@
 #include "analysis/report/cost_tables.hpp"
 #include "analysis/report/leaders.hpp"
 #include "analysis/report/study_tables.hpp"
+#include "tests/analysis/cells.hpp"
 #include "tests/analysis/synthetic.hpp"
 #include "tests/catch.hpp"
 
@@ -52,11 +53,6 @@ Table table_named(const std::vector<Table>& tables, const std::string& name) {
   const auto found = std::ranges::find(tables, name, &Table::name);
   REQUIRE(found != tables.end());
   return *found;
-}
-
-bool has_note(const Table& table, std::string_view words) {
-  return std::ranges::any_of(table.notes,
-                             [&](const std::string& note) { return note.find(words) != std::string::npos; });
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "tests/analysis/folder.hpp"
 #include "tests/analysis/synthetic.hpp"
 #include "tests/catch.hpp"
+#include "tests/contains.hpp"
 
 using namespace ikbench;
 using namespace ikbench::results;
@@ -23,11 +24,10 @@ namespace {
 
 constexpr double degree = std::numbers::pi / 180;
 
-StudyResults study_of(std::vector<SolveRecord> solves, const std::string& definition = synthetic::dobot_definition) {
+StudyResults circle_study(std::vector<SolveRecord> solves,
+                          const std::string& definition = synthetic::dobot_definition) {
   return make_study(StudyEntry{.name = "s", .definition = definition, .series = {}}, std::move(solves));
 }
-
-bool contains(const std::string& text, const std::string& words) { return text.find(words) != std::string::npos; }
 
 std::vector<std::string> names_of(const std::vector<Figure>& figures) {
   std::vector<std::string> names;
@@ -50,7 +50,7 @@ void check_drawn(const std::vector<Figure>& figures) {
 }  // namespace
 
 TEST_CASE("angles by the closed form are the 60 printed ones of Table 8", "[circle]") {
-  const StudyResults study = study_of(synthetic::dobot_solves());
+  const StudyResults study = circle_study(synthetic::dobot_solves());
   const Table table = *table_8(study);
   REQUIRE(table.rows.size() == 20);
   for (std::size_t row = 0; row < 20; ++row) {
@@ -71,57 +71,57 @@ TEST_CASE("the verdict on the printed angles is counted", "[circle]") {
   std::vector<SolveRecord> solves = synthetic::dobot_solves();
   solves[4].answer_rad[0] += 0.2 * degree;  // theta1
   solves[6].answer_rad[2] -= 40 * degree;
-  const std::string verdict = printed_angles_verdict(study_of(solves));
+  const std::string verdict = printed_angles_verdict(circle_study(solves));
   CHECK(contains(verdict, "Table 8: 58 of the 60 printed angles"));
   CHECK(contains(verdict, "the largest difference is 40 deg"));
   CHECK(contains(verdict, "points with an angle that does not agree: 5, 7."));
   solves.pop_back();
-  CHECK(contains(printed_angles_verdict(study_of(solves)), "55 of the 60"));
-  CHECK(contains(printed_angles_verdict(study_of(solves)), "unsolved points: 1."));
+  CHECK(contains(printed_angles_verdict(circle_study(solves)), "55 of the 60"));
+  CHECK(contains(printed_angles_verdict(circle_study(solves)), "unsolved points: 1."));
   solves[0].answer_rad[1] = NAN;
-  CHECK(contains(printed_angles_verdict(study_of(solves)), "54 of the 60"));
-  CHECK(contains(printed_angles_verdict(study_of(solves)), "some of our angles are not finite"));
+  CHECK(contains(printed_angles_verdict(circle_study(solves)), "54 of the 60"));
+  CHECK(contains(printed_angles_verdict(circle_study(solves)), "some of our angles are not finite"));
 }
 
 TEST_CASE("Table 8 tells of our mean error and of the printed errors' two means", "[circle]") {
   std::vector<SolveRecord> solves = synthetic::dobot_solves();
   for (SolveRecord& solve : solves) solve.position_error_cm = solve.point * 1e-15;  // mean 10.5e-15
-  const Table table = *table_8(study_of(solves));
+  const Table table = *table_8(circle_study(solves));
   CHECK(has_note(table, "The mean of our errors is 1.05e-14 cm."));
   CHECK(has_note(
       table,
       "mean of the printed errors is 2.55e-14 cm; the paper's text says 2.1196e-14 cm. With 9.61e-15 instead of 9.61e-14 cm at point "
       "12 it would be 2.12e-14 cm."));
   solves[3].position_error_cm = HUGE_VAL;
-  CHECK(has_note(*table_8(study_of(solves)), "Some of our answers are not finite"));
+  CHECK(has_note(*table_8(circle_study(solves)), "Some of our answers are not finite"));
 }
 
 TEST_CASE("only a circle that claims to be the paper's has a Table 8, and it is not held against Table 3", "[circle]") {
-  CHECK(!table_8(study_of(synthetic::dobot_solves(), R"({"path": {"kind": "circle"}})")));
-  CHECK(!table_8(study_of(synthetic::dobot_solves(), R"({"published": "slim2023", "path": {"kind": "helix"}})")));
-  CHECK(!table_8(study_of(synthetic::dobot_solves(), "no JSON")));
-  CHECK(printed_angles_verdict(study_of(synthetic::dobot_solves(), "{}")).empty());
-  for (const Comparison& row : compare(study_of(synthetic::dobot_solves()))) {
+  CHECK(!table_8(circle_study(synthetic::dobot_solves(), R"({"path": {"kind": "circle"}})")));
+  CHECK(!table_8(circle_study(synthetic::dobot_solves(), R"({"published": "slim2023", "path": {"kind": "helix"}})")));
+  CHECK(!table_8(circle_study(synthetic::dobot_solves(), "no JSON")));
+  CHECK(printed_angles_verdict(circle_study(synthetic::dobot_solves(), "{}")).empty());
+  for (const Comparison& row : compare(circle_study(synthetic::dobot_solves()))) {
     CHECK(!std::isfinite(row.paper_mean));
   }
 }
 
 TEST_CASE("Table 8 of nothing solved, of other numbers of points and joints stands", "[circle]") {
-  CHECK(table_8(study_of({}))->rows.empty());
-  CHECK(contains(printed_angles_verdict(study_of({})), "0 of the 60 printed angles"));
-  const Table longer = *table_8(study_of(synthetic::dobot_solves(23)));
+  CHECK(table_8(circle_study({}))->rows.empty());
+  CHECK(contains(printed_angles_verdict(circle_study({})), "0 of the 60 printed angles"));
+  const Table longer = *table_8(circle_study(synthetic::dobot_solves(23)));
   REQUIRE(longer.rows.size() == 23);
   CHECK(is_empty(longer, 22, "paper_theta1_deg"));
   std::vector<SolveRecord> solves = synthetic::dobot_solves(2);
   solves[0].answer_rad = {};
   solves[1].answer_rad.push_back(0.5);
-  const Table others = *table_8(study_of(solves));
+  const Table others = *table_8(circle_study(solves));
   CHECK(!std::isfinite(number_at(others, 0, "largest_difference_deg")));
   CHECK(number_at(others, 1, "theta4_deg") == Approx(0.5 / degree));  // its own, where the arm has it
 }
 
 TEST_CASE("a circle has figures 14 to 18, and every one is drawn", "[circle]") {
-  const auto figures = circle_figures(study_of(synthetic::dobot_solves()));
+  const auto figures = circle_figures(circle_study(synthetic::dobot_solves()));
   CHECK(names_of(figures) == std::vector<std::string>{"figure-14", "figure-15", "figure-16", "figure-17", "figure-18"});
   check_drawn(figures);
   CHECK(contains(figures[1].caption, "with the arm at points 1, 8, 15."));
@@ -134,11 +134,11 @@ TEST_CASE("a circle has figures 14 to 18, and every one is drawn", "[circle]") {
 }
 
 TEST_CASE("another path has none of these figures, and no trace no convergence", "[circle]") {
-  CHECK(circle_figures(study_of(synthetic::dobot_solves(), R"({"path": {"kind": "helix"}})")).empty());
-  CHECK(circle_figures(study_of({})).empty());
+  CHECK(circle_figures(circle_study(synthetic::dobot_solves(), R"({"path": {"kind": "helix"}})")).empty());
+  CHECK(circle_figures(circle_study({})).empty());
   std::vector<SolveRecord> solves = synthetic::dobot_solves();
   for (SolveRecord& solve : solves) solve.trace_cm.clear();
-  CHECK(circle_figures(study_of(solves)).size() == 4);
+  CHECK(circle_figures(circle_study(solves)).size() == 4);
 }
 
 TEST_CASE("the convergence is the mean over the solves, one that ended keeps its last error", "[circle]") {
@@ -146,21 +146,21 @@ TEST_CASE("the convergence is the mean over the solves, one that ended keeps its
   solves[0].trace_cm = {8, 4, 1};
   solves[1].trace_cm = {2};
   solves[2].trace_cm = {};
-  const Figure figure = convergence_figure(study_of(solves));
+  const Figure figure = convergence_figure(circle_study(solves));
   CHECK(contains(figure.data, "# iteration, mean of the best position error [cm]\n1 5\n2 3\n3 1.5\n"));
 }
 
 TEST_CASE("the order of rounding is 2^-52 of the farthest target's distance", "[circle]") {
   std::vector<SolveRecord> solves = synthetic::dobot_solves(1);
   solves[0].target_position_m = {0.03, 0.04, 0};  // 5 cm
-  const Figure figure = convergence_figure(study_of(solves));
+  const Figure figure = convergence_figure(circle_study(solves));
   CHECK(contains(figure.caption, "Dashed: 1.1e-15 cm"));  // 5 / 4503599627370496 = 1.1102e-15
   CHECK(contains(figure.plot, "1.1102230246251565e-15 with lines"));
 }
 
 TEST_CASE("figures of a circle are drawn whatever is missing from the study", "[circle]") {
   std::vector<SolveRecord> solves = synthetic::dobot_solves();
-  SECTION("a single point") { check_drawn(circle_figures(study_of(synthetic::dobot_solves(1)))); }
+  SECTION("a single point") { check_drawn(circle_figures(circle_study(synthetic::dobot_solves(1)))); }
   SECTION("all missed, as far as errors go") {
     for (SolveRecord& solve : solves) {
       solve.position_error_cm = NAN;
@@ -168,7 +168,7 @@ TEST_CASE("figures of a circle are drawn whatever is missing from the study", "[
       solve.reached_position_m.assign(3, NAN);
       solve.trace_cm.assign(5, NAN);
     }
-    const auto figures = circle_figures(study_of(solves));
+    const auto figures = circle_figures(circle_study(solves));
     CHECK(contains(figures[0].caption, "Some of its answers are not finite."));
     check_drawn(figures);
   }
@@ -177,7 +177,7 @@ TEST_CASE("figures of a circle are drawn whatever is missing from the study", "[
       solve.position_error_cm = 0;
       solve.trace_cm.assign(5, 0);
     }
-    check_drawn(circle_figures(study_of(solves)));
+    check_drawn(circle_figures(circle_study(solves)));
   }
   SECTION("no positions and no angles") {
     for (SolveRecord& solve : solves) {
@@ -185,13 +185,13 @@ TEST_CASE("figures of a circle are drawn whatever is missing from the study", "[
       solve.reached_position_m.clear();
       solve.answer_rad.clear();
     }
-    check_drawn(circle_figures(study_of(solves)));
+    check_drawn(circle_figures(circle_study(solves)));
   }
   SECTION("a definition of the circle alone") {
-    check_drawn(circle_figures(study_of(solves, R"({"path": {"kind": "circle"}})")));
+    check_drawn(circle_figures(circle_study(solves, R"({"path": {"kind": "circle"}})")));
   }
   SECTION("a definition of the wrong types") {
-    check_drawn(circle_figures(study_of(solves, R"({"path": {"kind": "circle", "centre_cm": "x", "radius_cm": []},
+    check_drawn(circle_figures(circle_study(solves, R"({"path": {"kind": "circle", "centre_cm": "x", "radius_cm": []},
         "arm": {"kind": "dobot_magician", "upper_arm_m": [], "lower_deg": [1e308, "a"], "upper_deg": {}}})")));
   }
 }
@@ -200,7 +200,7 @@ TEST_CASE("a label does nothing in the figures of a circle", "[circle]") {
   for (const char* label : {"`touch pwned`", "'; system('touch pwned'); '", "a\nsystem 'touch pwned'", "@svg %d {x}"}) {
     std::vector<SolveRecord> solves = synthetic::dobot_solves(3);
     for (SolveRecord& solve : solves) solve.solver = label;
-    const auto figures = circle_figures(study_of(solves));
+    const auto figures = circle_figures(circle_study(solves));
     check_drawn(figures);
     for (const Figure& figure : figures) CHECK(!contains(figure.data, "\nsystem"));
   }

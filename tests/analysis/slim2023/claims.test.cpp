@@ -11,6 +11,7 @@
 #include "analysis/statistics/descriptive.hpp"
 #include "tests/analysis/synthetic.hpp"
 #include "tests/catch.hpp"
+#include "tests/contains.hpp"
 
 using namespace ikbench;
 using namespace ikbench::results;
@@ -20,8 +21,6 @@ using namespace ikbench::report;
 using namespace ikbench::slim2023;
 
 namespace {
-
-bool contains(const std::string& text, const std::string& words) { return text.find(words) != std::string::npos; }
 
 StudyResults study_of(std::vector<SolveRecord> solves, const std::string& name = "s") {
   StudyResults study = make_study(name, std::move(solves));

@@ -19,7 +19,7 @@ using namespace ikbench::slim2023;
 
 namespace {
 
-StudyResults study_of(std::vector<SolveRecord> solves) {
+StudyResults paper_study(std::vector<SolveRecord> solves) {
   StudyResults study = make_study("synthetic", std::move(solves));
   study.published = "slim2023";
   return study;
@@ -72,7 +72,7 @@ TEST_CASE("one observation is one run's mean over its points", "[study]") {
 }
 
 TEST_CASE("six solvers of 20 runs have 5 and 114 degrees of freedom, as in the paper", "[paper]") {
-  const StudyResults study = study_of(synthetic::solves({}));
+  const StudyResults study = paper_study(synthetic::solves({}));
   const AnovaTable table = anova(study, Metric::variation_deg).table;
   CHECK(table.df_between == 5);
   CHECK(table.df_within == 114);
@@ -81,7 +81,7 @@ TEST_CASE("six solvers of 20 runs have 5 and 114 degrees of freedom, as in the p
 TEST_CASE("a run with missing points gives no run mean, and is counted", "[study]") {
   std::vector<SolveRecord> solves = synthetic::solves({.runs = 3, .points = 4});
   solves.pop_back();  // the last point of MO-PSO's third run
-  const StudyResults study = study_of(solves);
+  const StudyResults study = paper_study(solves);
   const Sample sample = samples(study, Metric::position_error_cm).back();
   CHECK(sample.solver == "MO-PSO");
   CHECK(sample.values.size() == 2);
@@ -151,35 +151,35 @@ TEST_CASE("without repetitions a mean is close or differs, by its ratio", "[pape
     if (solve.solver == "DE") solve.position_error_cm = 0.3653 * 1.9 * wobble;
     if (solve.solver == "BA") solve.position_error_cm = 1.6849 * 2.1 * wobble;
   }
-  const auto rows = compare(study_of(solves));
+  const auto rows = compare(paper_study(solves));
   CHECK(row_of(rows, "DE", Metric::position_error_cm).remark == "close");
   CHECK(row_of(rows, "BA", Metric::position_error_cm).remark == "differs");
   CHECK(row_of(rows, "BA", Metric::position_error_cm).ratio == Approx(2.1));
 }
 
 TEST_CASE("the printed ANOVA stands beside ours only where both ask the same", "[paper]") {
-  StudyResults six = study_of(synthetic::solves({}));
+  StudyResults six = paper_study(synthetic::solves({}));
   CHECK(comparable_printed_anova(six, Metric::variation_deg)->F == Approx(388.9396));  // as printed
   six.plan.unit = Unit::point;
   CHECK(!comparable_printed_anova(six, Metric::variation_deg));
-  CHECK(!comparable_printed_anova(study_of(synthetic::solves({.solvers = {"IK-BA", "BA"}})), Metric::variation_deg));
+  CHECK(!comparable_printed_anova(paper_study(synthetic::solves({.solvers = {"IK-BA", "BA"}})), Metric::variation_deg));
 }
 
 TEST_CASE("times taken while other programs were at work are said to be so", "[study]") {
   std::vector<SolveRecord> solves = synthetic::solves({.solvers = {"IK-BA"}, .runs = 2});
   for (SolveRecord& solve : solves) solve.cpu_seconds = solve.seconds / 1.05;
-  CHECK(timing_note(study_of(solves)).empty());
+  CHECK(timing_note(paper_study(solves)).empty());
   for (SolveRecord& solve : solves) solve.cpu_seconds = solve.seconds / 2;
-  CHECK(timing_note(study_of(solves)) ==
+  CHECK(timing_note(paper_study(solves)) ==
         "Times are not comparable: 40 of 40 solves took more than 1.1 times their CPU time, so other programs were "
         "running.");
   for (std::size_t i = 0; i < solves.size(); ++i) {  // a tenth is not yet many, and one is never
     solves[i].cpu_seconds = solves[i].seconds / (i % 10 == 0 ? 50 : 1);
   }
-  CHECK(timing_note(study_of(solves)).empty());
+  CHECK(timing_note(paper_study(solves)).empty());
   solves[1].cpu_seconds /= 50;
-  CHECK(!timing_note(study_of(solves)).empty());
-  CHECK(timing_note(study_of({solves[0]})).empty());
+  CHECK(!timing_note(paper_study(solves)).empty());
+  CHECK(timing_note(paper_study({solves[0]})).empty());
 }
 
 TEST_CASE("times of a study that was solved on two CPUs are not comparable", "[study]") {
@@ -200,7 +200,7 @@ TEST_CASE("times of a study that was solved on two CPUs are not comparable", "[s
 TEST_CASE("computing time is compared relative to IK-BA only", "[paper]") {
   std::vector<SolveRecord> solves = synthetic::solves({});
   for (SolveRecord& solve : solves) solve.seconds = solve.solver == "MO-PSO" ? 0.010 : 0.001;
-  const StudyResults study = study_of(solves);
+  const StudyResults study = paper_study(solves);
   // Ours 10; printed 1.2853 / 0.2439 = 5.26978.
   CHECK(row_of(compare(study), "MO-PSO", Metric::seconds).ratio == Approx(10 / 5.26978).epsilon(1e-5));
   const Table table = table_3(study);
@@ -209,7 +209,7 @@ TEST_CASE("computing time is compared relative to IK-BA only", "[paper]") {
 }
 
 TEST_CASE("without IK-BA there is no relative time, and the verdict says so", "[paper]") {
-  const Table table = table_3(study_of(synthetic::solves({.solvers = {"BA", "DE"}})));
+  const Table table = table_3(paper_study(synthetic::solves({.solvers = {"BA", "DE"}})));
   CHECK(std::get<std::string>(table.rows.back().back()) == "no time of IK-BA to compare with");
 }
 
@@ -223,7 +223,7 @@ TEST_CASE("without published numbers their columns are empty", "[paper]") {
 }
 
 TEST_CASE("a solver that is not in the paper has empty published cells", "[paper]") {
-  const Table table = table_3(study_of(synthetic::solves({.solvers = {"IK-BA", "my own"}})));
+  const Table table = table_3(paper_study(synthetic::solves({.solvers = {"IK-BA", "my own"}})));
   CHECK(std::holds_alternative<std::monostate>(table.rows[1][7]));
   CHECK(std::holds_alternative<double>(table.rows[0][7]));
 }
@@ -234,7 +234,7 @@ TEST_CASE("an answer that is not finite is never dropped", "[paper]") {
   REQUIRE(bad.solver == "BA");
   bad.position_error_cm = not_defined;
   bad.status = Status::not_finite;
-  const StudyResults study = study_of(solves);
+  const StudyResults study = paper_study(solves);
   const Comparison row = row_of(compare(study), "BA", Metric::position_error_cm);
   CHECK(row.ours.not_finite == 1);
   CHECK(std::isnan(row.ours.mean));
@@ -282,7 +282,7 @@ TEST_CASE("every shape of study has its tables and not one cell of NaN", "[paper
                     "s29", "s30", "s31", "s32", "s33", "s34", "s35", "s36", "s37", "s38", "s39", "s40"},
         .runs = 2,
         .points = 2}}));
-  StudyResults study = study_of(synthetic::solves(shape));
+  StudyResults study = paper_study(synthetic::solves(shape));
   study.plan.unit = GENERATE(Unit::run, Unit::point);
   for (const Table& table : paper_tables(study)) {
     for (const auto& row : table.rows) CHECK(row.size() == table.columns.size());

@@ -26,7 +26,7 @@ struct Timed {
   int iterations = 100;
 };
 
-StudyResults study_of(const std::vector<Timed>& timed, const char* as_defined = definition) {
+StudyResults timed_study(const std::vector<Timed>& timed, const char* as_defined = definition) {
   std::vector<SolveRecord> solves;
   for (const Timed& one : timed) {
     SolveRecord solve;
@@ -51,7 +51,7 @@ const std::vector<Timed> by_hand{{"12 bats", 2}, {"12 bats", 4}, {"12 bats", 6},
 }  // namespace
 
 TEST_CASE("Table 7 has the times in milliseconds beside the printed ones", "[time]") {
-  const Table table = *table_7(study_of(by_hand));
+  const Table table = *table_7(timed_study(by_hand));
   CHECK(table.name == "table-7");
   REQUIRE(table.rows.size() == 2);
   CHECK(number_at(table, 0, "mean_ms") == Approx(5));
@@ -72,7 +72,7 @@ TEST_CASE("Table 7 has the times in milliseconds beside the printed ones", "[tim
 }
 
 TEST_CASE("what the tolerance costs in time counts unsuccessful solves too", "[time]") {
-  const Table table = *table_7_cost(study_of(by_hand));
+  const Table table = *table_7_cost(timed_study(by_hand));
   CHECK(table.name == "table-7-cost");
   CHECK(number_at(table, 0, "ert_ms") == Approx(5));
   CHECK(number_at(table, 1, "ert_ms") == Approx(100.0 / 3));
@@ -95,7 +95,7 @@ TEST_CASE("a ratio of successful solves may have the other sign, and does not de
   std::vector<Timed> timed;
   for (int i = 0; i < 23; ++i) timed.push_back({"12 bats", i % 2 == 0 ? 9.5 : i == 1 ? 11 : 10.5});
   for (int i = 0; i < 23; ++i) timed.push_back(i < 18 ? Timed{"30 bats", 2.8} : Timed{"30 bats", 39.96, 5, 1000});
-  const StudyResults study = study_of(timed);
+  const StudyResults study = timed_study(timed);
   const Table table = *table_7_cost(study);
   CHECK(number_at(table, 1, "ratio_reached") == Approx(0.28));
   CHECK(number_at(table, 1, "ert_ratio") == Approx(1.39));
@@ -111,32 +111,32 @@ TEST_CASE("a ratio of successful solves may have the other sign, and does not de
 }
 
 TEST_CASE("solves that never reach the tolerance are counted, and their times stay in", "[time]") {
-  CHECK(has_note(*table_7(study_of(by_hand)), "Here 1 never reach the tolerance: 12 bats 0 of 4, 15 bats 1 of 4."));
-  CHECK(has_note(*table_7(study_of({{"12 bats", 1}})), "Here every solve reaches the tolerance."));
-  const Table not_finite = *table_7(study_of({{"12 bats", 1, NAN}}));
+  CHECK(has_note(*table_7(timed_study(by_hand)), "Here 1 never reach the tolerance: 12 bats 0 of 4, 15 bats 1 of 4."));
+  CHECK(has_note(*table_7(timed_study({{"12 bats", 1}})), "Here every solve reaches the tolerance."));
+  const Table not_finite = *table_7(timed_study({{"12 bats", 1, NAN}}));
   CHECK(number_at(not_finite, 0, "never_reached") == 1);
   CHECK(number_at(not_finite, 0, "mean_ms") == 1);
-  CHECK(!std::isfinite(number_at(*table_7_cost(study_of({{"12 bats", 1, NAN}})), 0, "mean_reached_ms")));
+  CHECK(!std::isfinite(number_at(*table_7_cost(timed_study({{"12 bats", 1, NAN}})), 0, "mean_reached_ms")));
   // As the verifier: what rounding makes of the tolerance is within it.
-  CHECK(number_at(*table_7(study_of({{"12 bats", 1, 0.1 + 1e-8}})), 0, "never_reached") == 0);
+  CHECK(number_at(*table_7(timed_study({{"12 bats", 1, 0.1 + 1e-8}})), 0, "never_reached") == 0);
 }
 
 TEST_CASE("the real-time verdict names who is not in time, and the worst", "[time]") {
-  CHECK(real_time_verdict(study_of(by_hand)) ==
+  CHECK(real_time_verdict(timed_study(by_hand)) ==
         "Real time here, 0.1 cm reached in less than 50 ms: 7 of 8 solves (12 bats 4 of 4, 15 bats 3 of 4); the "
         "longest solve took 87 ms (15 bats). Printed times, in MATLAB on another machine: 12 bats: mean 48.01 ms, "
         "maximum 67.2 ms; on average yes, in the worst case no.");
-  CHECK(real_time_verdict(study_of({{"12 bats", 2}, {"30 bats", 3.25}}))
+  CHECK(real_time_verdict(timed_study({{"12 bats", 2}, {"30 bats", 3.25}}))
             .find("all 2 solves; the longest solve took 3.25 ms (30 bats).") != std::string::npos);
   // Quick, but the tolerance is never reached: not in time.
-  const StudyResults quick = study_of({{"12 bats", 2}, {"12 bats", 3, 7.5}});
+  const StudyResults quick = timed_study({{"12 bats", 2}, {"12 bats", 3, 7.5}});
   CHECK(real_time_verdict(quick).find("1 of 2 solves (12 bats 1 of 2)") != std::string::npos);
   CHECK(number_at(*table_7(quick), 0, "share_in_time") == Approx(0.5));
-  CHECK(has_note(*table_7(study_of(by_hand)), "Real time here"));
+  CHECK(has_note(*table_7(timed_study(by_hand)), "Real time here"));
 }
 
 TEST_CASE("Table 7 tells of the printed mean beyond its maximum and of the printed time per bat", "[time]") {
-  const Table table = *table_7(study_of(by_hand));
+  const Table table = *table_7(timed_study(by_hand));
   CHECK(has_note(table, "20 bats (83.75 by 80.06)"));
   CHECK(has_note(table, "printed: 12 bats 4, 15 bats 4.07, 20 bats 4.19, 30 bats 6.03."));  // 48.01 / 12 and so on
   CHECK(has_note(table, "its longest solves take at most 2.5 times the mean"));             // 448.44 / 180.94
@@ -149,7 +149,7 @@ TEST_CASE("Table 7 tells whether our time grows with the bats as the printed doe
     std::vector<Timed> timed;
     for (int i = 0; i < 20; ++i) timed.push_back({"12 bats", i % 2 == 0 ? 9.0 : 11.0});
     for (int i = 0; i < 20; ++i) timed.push_back({"30 bats", i % 4 < 2 ? ms - 1 : ms + 1, 0.09, i < 10 ? 100 : 50});
-    return *table_7_cost(study_of(timed));
+    return *table_7_cost(timed_study(timed));
   };
   const Table flat = cost_of(10);
   CHECK(has_note(flat, "expected running time does not grow as printed: 1 times (interval 0.9"));
@@ -158,8 +158,8 @@ TEST_CASE("Table 7 tells whether our time grows with the bats as the printed doe
   CHECK(has_note(cost_of(38), "is compatible with the printed growth: 3.8 times"));
   CHECK(has_note(cost_of(20), "grows, but less than printed: 2 times"));
   CHECK(has_note(cost_of(200), "grows more than printed: 20 times"));
-  CHECK(!has_note(*table_7_cost(study_of(by_hand)), "Scaling:"));
-  CHECK(has_note(*table_7_cost(study_of({{"12 bats", 4}, {"12 bats", 6}, {"30 bats", 5}})),
+  CHECK(!has_note(*table_7_cost(timed_study(by_hand)), "Scaling:"));
+  CHECK(has_note(*table_7_cost(timed_study({{"12 bats", 4}, {"12 bats", 6}, {"30 bats", 5}})),
                  "Scaling: open, with 2 targets, and intervals need 10."));
 }
 
@@ -169,14 +169,14 @@ TEST_CASE("where the restricted mean contradicts the running time nothing is sai
   std::vector<Timed> timed;
   for (int i = 0; i < 400; ++i) timed.push_back({"12 bats", i % 2 == 0 ? 9.5 : 10.5});
   for (int i = 0; i < 400; ++i) timed.push_back(i % 2 == 0 ? Timed{"30 bats", 1} : Timed{"30 bats", 15, 5});
-  const Table table = *table_7_cost(study_of(timed));
+  const Table table = *table_7_cost(timed_study(timed));
   CHECK(number_at(table, 1, "ert_ratio") == Approx(1.6));
   CHECK(number_at(table, 1, "restricted_mean_ratio") == Approx(0.8));
   CHECK(has_note(table, "is open, because the restricted mean contradicts it"));
 }
 
 TEST_CASE("times that are not clean are told beside Table 7, and judge nothing", "[time]") {
-  StudyResults study = study_of(by_hand);
+  StudyResults study = timed_study(by_hand);
   for (Solve& solve : study.solves.to_change()) solve.timing = Timing::debug_build;
   const Table table = *table_7(study);
   CHECK(has_note(table, "Times are not comparable"));
@@ -186,31 +186,31 @@ TEST_CASE("times that are not clean are told beside Table 7, and judge nothing",
 }
 
 TEST_CASE("Table 7 stands without the printed reference, a tolerance, or anything solved", "[time]") {
-  const Table others = *table_7(study_of({{"40 bats", 1}, {"<b>`|", 2}}));
-  const Table costs = *table_7_cost(study_of({{"40 bats", 1}, {"<b>`|", 2}}));
+  const Table others = *table_7(timed_study({{"40 bats", 1}, {"<b>`|", 2}}));
+  const Table costs = *table_7_cost(timed_study({{"40 bats", 1}, {"<b>`|", 2}}));
   CHECK(!std::isfinite(number_at(costs, 0, "ratio_reached")));
   CHECK(!std::isfinite(number_at(costs, 0, "ert_ratio")));
   CHECK(is_empty(costs, 0, "paper_ratio"));
   CHECK(readable(cell_at(others, 0, "mean_ms")) == "1");
   CHECK(to_markdown(others).find("<b>") == std::string::npos);
   const char* const no_tolerance = R"({"published": "slim2023", "path": {"kind": "random"}})";
-  CHECK(is_empty(*table_7(study_of({{"12 bats", 1}}, no_tolerance)), 0, "never_reached"));
-  CHECK(!table_7_cost(study_of({{"12 bats", 1}}, no_tolerance)));
-  CHECK(!table_7_cost(study_of({})));
-  CHECK(table_7(study_of({}))->rows.empty());
-  CHECK(real_time_verdict(study_of({})) == "Real time: there are no solves yet.");
+  CHECK(is_empty(*table_7(timed_study({{"12 bats", 1}}, no_tolerance)), 0, "never_reached"));
+  CHECK(!table_7_cost(timed_study({{"12 bats", 1}}, no_tolerance)));
+  CHECK(!table_7_cost(timed_study({})));
+  CHECK(table_7(timed_study({}))->rows.empty());
+  CHECK(real_time_verdict(timed_study({})) == "Real time: there are no solves yet.");
 }
 
 TEST_CASE("only random targets that claim to be the paper's have a Table 7", "[time]") {
-  CHECK(!table_7(study_of(by_hand, R"({"published": "slim2023", "path": {"kind": "helix"}})")));
-  CHECK(!table_7(study_of(by_hand, R"({"path": {"kind": "random"}})")));
-  CHECK(!table_7(study_of(by_hand, R"({"published": "nothing", "path": {"kind": "random"}})")));
-  CHECK(!table_7(study_of(by_hand, "no JSON")));
-  CHECK(real_time_verdict(study_of(by_hand, "{}")).empty());
+  CHECK(!table_7(timed_study(by_hand, R"({"published": "slim2023", "path": {"kind": "helix"}})")));
+  CHECK(!table_7(timed_study(by_hand, R"({"path": {"kind": "random"}})")));
+  CHECK(!table_7(timed_study(by_hand, R"({"published": "nothing", "path": {"kind": "random"}})")));
+  CHECK(!table_7(timed_study(by_hand, "no JSON")));
+  CHECK(real_time_verdict(timed_study(by_hand, "{}")).empty());
 }
 
 TEST_CASE("a study of random targets is not held against Table 3", "[time]") {
-  StudyResults study = study_of({{"IK-BA", 1}});
+  StudyResults study = timed_study({{"IK-BA", 1}});
   for (const Comparison& row : compare(study)) CHECK(!std::isfinite(row.paper_mean));
   std::vector<std::string> names;
   for (const Table& table : paper_tables(study)) names.push_back(table.name);

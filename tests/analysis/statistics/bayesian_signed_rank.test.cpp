@@ -22,14 +22,16 @@ SignedRankPosterior posterior(const Values& values, double rope) {
 }
 
 // Demsar, J. Machine Learning Research 7 (2006) 1, Table 6: AUC of C4.5, C4.5+m, C4.5+cf and C4.5+m+cf.
-const std::vector<Values> demsar{{.763, .599, .954, .628, .882, .936, .661, .583, .775, 1, .940, .619, .972, .957},
-                                 {.768, .591, .971, .661, .888, .931, .668, .583, .838, 1, .962, .666, .981, .978},
-                                 {.771, .590, .968, .654, .886, .916, .609, .563, .866, 1, .965, .614, .975, .946},
-                                 {.798, .569, .967, .657, .898, .931, .685, .625, .875, 1, .962, .669, .975, .970}};
+const std::vector<Values> demsar_errors{
+    {.763, .599, .954, .628, .882, .936, .661, .583, .775, 1, .940, .619, .972, .957},
+    {.768, .591, .971, .661, .888, .931, .668, .583, .838, 1, .962, .666, .981, .978},
+    {.771, .590, .968, .654, .886, .916, .609, .563, .866, 1, .965, .614, .975, .946},
+    {.798, .569, .967, .657, .898, .931, .685, .625, .875, 1, .962, .669, .975, .970}};
 
 Values gained(std::size_t from, std::size_t to) {
   Values differences;
-  for (std::size_t i = 0; i < demsar[from].size(); ++i) differences.push_back(demsar[to][i] - demsar[from][i]);
+  for (std::size_t i = 0; i < demsar_errors[from].size(); ++i)
+    differences.push_back(demsar_errors[to][i] - demsar_errors[from][i]);
   return differences;
 }
 

@@ -5,17 +5,14 @@
 
 #include "analysis/statistics/studentized_range.hpp"
 #include "analysis/statistics/welch.hpp"
+#include "tests/analysis/statistics/samples.hpp"
 #include "tests/catch.hpp"
 
 using namespace ikbench;
 using namespace ikbench::statistics;
+using samples::plant_growth;
 
 namespace {
-
-// R's data set PlantGrowth: control, treatment 1, treatment 2.
-const std::vector<std::vector<double>> plant_growth{{4.17, 5.58, 5.18, 6.11, 4.50, 4.61, 5.17, 4.53, 5.33, 5.14},
-                                                    {4.81, 4.17, 4.41, 3.59, 5.87, 3.83, 6.03, 4.89, 4.32, 4.69},
-                                                    {6.31, 5.12, 5.54, 5.50, 5.37, 5.29, 4.92, 6.15, 5.80, 5.26}};
 
 std::vector<GroupSummary> summaries(const std::vector<std::vector<double>>& groups) {
   std::vector<GroupSummary> result;

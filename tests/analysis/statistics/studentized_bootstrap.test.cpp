@@ -23,7 +23,7 @@ bool says(const MeanDifference& pair, std::string_view words) {
   return std::isnan(pair.p) && std::isnan(pair.low) && pair.undefined.find(words) != std::string::npos;
 }
 
-Groups scaled(Groups groups, double factor) {
+Groups in_units(Groups groups, double factor) {
   for (auto& group : groups) {
     for (double& value : group) value *= factor;
   }
@@ -111,7 +111,7 @@ TEST_CASE("an interval excludes 0 where p is below the level, whatever the scale
 TEST_CASE("the unit of the values changes no p, and scales the interval", "[studentized_bootstrap]") {
   const auto one = compared(two)[0];
   for (const double factor : {0x1p-600, 0x1p600}) {
-    const auto other = compared(scaled(two, factor))[0];
+    const auto other = compared(in_units(two, factor))[0];
     CHECK(other.p == one.p);
     CHECK(other.low == Approx(one.low * factor).epsilon(1e-9));
     CHECK(other.high == Approx(one.high * factor).epsilon(1e-9));
@@ -132,7 +132,7 @@ TEST_CASE("a value of any size makes no winner: the means are hard to tell apart
 
 TEST_CASE("groups keep their digits beside one that is larger by any power of ten", "[studentized_bootstrap]") {
   // Two groups of which one value is below 0, so that means are compared, and the same ones beside a third.
-  const Groups tiny = scaled({{-1.2, 3.4, 0.7, 5.9, 2.2}, two[1]}, 1e-290);
+  const Groups tiny = in_units({{-1.2, 3.4, 0.7, 5.9, 2.2}, two[1]}, 1e-290);
   const auto alone = compared(tiny)[0];
   const auto beside = compared({tiny[0], tiny[1], {1e300, 2e300, 3e300, 1.5e300, 2.5e300, 4e300}});
   REQUIRE(beside[0].undefined.empty());
