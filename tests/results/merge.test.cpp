@@ -197,8 +197,6 @@ TEST_CASE("a solve of a session that its store does not have is damage, named wi
   CHECK_THAT(complaint<std::invalid_argument>(merging),
              ContainsSubstring(quoted(folder.path / "b") + " is damaged (a solve lacks a value, or is of a session"));
   CHECK_FALSE(fs::exists(folder.path / "out"));
-  CHECK_THAT(complaint<std::invalid_argument>([&] { merge(folder.path / "b", {folder.path / "a"}); }),
-             ContainsSubstring(quoted(folder.path / "b") + " is damaged (solves are of a session"));
 }
 
 TEST_CASE("whatever else is in a row is copied, and found with its session by who reads it", "[merge]") {
