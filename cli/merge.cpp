@@ -71,8 +71,8 @@ void add_merge(CLI::App& app, Invocation& invocation) {
     const Merged merged = merged_or_stopped(out, stores);
     const EndOnSignal signals("Stopped. All was merged; give the same command again to see what is missing.");
     const std::size_t taken = stores.size() - merged.half_written.size();
-    fmt::print("{}: {} solves added from {} store{}, {} were there with the same bits\n", printable(out.string()),
-               merged.added, taken, taken == 1 ? "" : "s", merged.known);
+    fmt::print("{}: {} solve{} added from {} store{}, {} were there with the same bits\n", printable(out.string()),
+               merged.added, merged.added == 1 ? "" : "s", taken, taken == 1 ? "" : "s", merged.known);
     for (const std::string& sentence : merged.half_written) say("warning: left out: " + sentence);
     const Store store(out, Store::Mode::read);
     for (const StudyEntry& study : store.studies()) {

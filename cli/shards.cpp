@@ -11,7 +11,7 @@
 
 #include "cli/console.hpp"
 #include "cli/reporting.hpp"
-#include "results/merge.hpp"
+#include "results/same_solves.hpp"
 #include "results/writer_mark.hpp"
 
 namespace ikbench::cli {
@@ -54,6 +54,15 @@ struct Commands {
   }
 };
 
+// What a text says; nothing where it is no shard: folders and stores may be anybody's.
+std::optional<Shard> shard_said(const std::string& text) {
+  try {
+    return shard_from(text);
+  } catch (const std::invalid_argument&) {
+    return std::nullopt;
+  }
+}
+
 Commands commands_of(const Store& store, const StudyEntry& study) {
   const std::vector<std::int64_t> of_study = store.sessions_of(study.series);
   const std::string runs = std::to_string(size_of(study).runs);
@@ -65,9 +74,10 @@ Commands commands_of(const Store& store, const StudyEntry& study) {
     };
     if (!std::ranges::binary_search(of_study, session.id)) continue;
     if (fact("study") != study.name || fact("runs") != runs || fact("command").empty()) continue;
-    const Shard shard = fact("shard").empty() ? Shard{} : shard_from(fact("shard"));
-    if (shard.count != commands.count) commands = {.count = shard.count, .of_shard = {}};
-    commands.of_shard[shard.index] = fact("command");
+    const std::optional<Shard> shard = fact("shard").empty() ? Shard{} : shard_said(fact("shard"));
+    if (!shard) continue;
+    if (shard->count != commands.count) commands = {.count = shard->count, .of_shard = {}};
+    commands.of_shard[shard->index] = fact("command");
   }
   return commands;
 }
@@ -75,12 +85,7 @@ Commands commands_of(const Store& store, const StudyEntry& study) {
 // What the name I-of-N of a folder says.
 std::optional<Shard> shard_named(std::string name) {
   const std::size_t middle = name.find("-of-");
-  if (middle == std::string::npos) return std::nullopt;
-  try {
-    return shard_from(name.replace(middle, 4, "/"));
-  } catch (const std::invalid_argument&) {
-    return std::nullopt;
-  }
+  return middle == std::string::npos ? std::nullopt : shard_said(name.replace(middle, 4, "/"));
 }
 
 // What is in a folder; nothing where there is none. std::invalid_argument where it cannot be read.

@@ -88,6 +88,10 @@ Eigen::VectorXd vector_of(const std::vector<double>& values) {
 void look_at_counts(const SolveRecord& solve, Findings& found) {
   found.expect_at_least("evaluations", solve, static_cast<double>(solve.evaluations), 0);
   found.expect_at_least("iterations", solve, static_cast<double>(solve.iterations), 0);
+  const std::vector<double>& at = solve.improved_at;
+  const bool is_course = std::ranges::all_of(at, [](double count) { return count >= 1 && std::isfinite(count); }) &&
+                         std::ranges::is_sorted(at) && at.size() == solve.improved_to_cm.size();
+  if (!is_course) found.add("improved_at", solve, "not growing numbers of evaluations, each with an error");
   if (solve.timing == Timing::imported) return;  // what the file does not say is not known
   found.expect_at_least("seconds", solve, solve.seconds, 0);
   found.expect_at_least("cpu_seconds", solve, solve.cpu_seconds, 0);

@@ -89,18 +89,6 @@ std::string fingerprint(std::vector<SolveRecord> records) {
   return hash.text();
 }
 
-std::vector<std::string_view> differences(const SolveRecord& a, const SolveRecord& b) {
-  std::vector<std::string_view> columns;
-  for_each_column([&](std::string_view name, auto member, std::string_view) {
-    if (std::ranges::find(in_fingerprint, name) == in_fingerprint.end()) return;
-    Hash of_a, of_b;
-    add_column(of_a, a.*member);
-    add_column(of_b, b.*member);
-    if (of_a.text() != of_b.text()) columns.push_back(name);
-  });
-  return columns;
-}
-
 std::string_view reference_fingerprint(std::string_view study) {
   const auto* const found = std::ranges::find(references, study, &Reference::study);
   return found == std::end(references) ? std::string_view() : found->fingerprint;

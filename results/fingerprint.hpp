@@ -40,9 +40,6 @@ constexpr std::array<std::string_view, 22> in_fingerprint{"study",
 // configuration counts: which source gave the bits says nothing of them.
 std::string fingerprint(std::vector<SolveRecord> records);
 
-// The columns of a fingerprint in which two solves have other bits.
-std::vector<std::string_view> differences(const SolveRecord& a, const SolveRecord& b);
-
 // The committed fingerprint of a built-in study (results/reference.inc); empty where there is none.
 std::string_view reference_fingerprint(std::string_view study);
 

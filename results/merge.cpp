@@ -1,6 +1,7 @@
 #include "results/merge.hpp"
 
 #include <SQLiteCpp/SQLiteCpp.h>
+#include <SQLiteCpp/Savepoint.h>
 #include <SQLiteCpp/VariadicBind.h>
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -9,14 +10,13 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cerrno>
 #include <cstdio>
 #include <limits>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <optional>
-#include <set>
 #include <stdexcept>
 #include <string>
 #include <system_error>
@@ -32,71 +32,39 @@
 namespace ikbench::results {
 namespace {
 
-// Of what was solved by ikbench.
-std::vector<std::string> own_keys(const StudyEntry& study) {
-  std::vector<std::string> keys;
-  for (const Series& series : study.series) {
-    if (!is_imported(series)) keys.push_back(series.key);
-  }
-  return keys;
-}
-
-std::vector<std::string> own_configurations(const StudyEntry& study) {
-  std::vector<std::string> keys = own_keys(study);
-  for (std::string& key : keys) key = configuration_of(key);
-  return keys;
-}
-
-// What was imported stays, whichever of two definitions is taken.
-StudyEntry with_imports(StudyEntry study, const StudyEntry& other) {
-  for (const Series& series : other.series) {
-    const bool is_there = std::ranges::find(study.series, series.key, &Series::key) != study.series.end();
-    if (!is_imported(series) || is_there) continue;
-    if (std::ranges::find(study.series, series.label, &Series::label) != study.series.end())
-      throw std::invalid_argument(fmt::format(
-          "the study '{}' has two different imports of the label {}; nothing was merged; import one of them "
-          "with another --label",
-          study.name, excerpt(series.label)));
-    study.series.push_back(series);
-  }
-  return study;
-}
-
 namespace fs = std::filesystem;
 
-int runs_of(const StudyEntry& study) { return nlohmann::json::parse(study.definition).at("runs").get<int>(); }
-
-// Whether two are one session: all facts are the same, but for those that are known at its end.
-bool is_same(const Session& a, const Session& b) {
-  const auto facts = [](const Session& session) {
-    auto environment = session.environment;
-    std::erase_if(environment, [](const auto& fact) {
-      return fact.first == "stolen_seconds" || fact.first.starts_with("program.");
-    });
-    return environment;
-  };
-  return a.began == b.began && facts(a) == facts(b);
+// All facts of a session but those that are known at its end: where they are the same, two are one session.
+std::string facts_of(const Session& session) {
+  std::string facts = session.began;
+  for (const auto& [key, value] : session.environment) {
+    if (key == "stolen_seconds" || key.starts_with("program.")) continue;
+    for (const std::string& text : {key, value}) facts += fmt::format(" {}:{}", text.size(), text);
+  }
+  return facts;
 }
 
-// A store to be taken. What others were put together into says where it has its studies and sessions from.
+// A store to be taken. A merged store names the stores that its studies and sessions came from.
 struct Source {
-  const fs::path& of_study(const std::string& name) const {
+  std::string of_study(const std::string& name) const {
     const auto found = studies.find(name);
-    return found == studies.end() ? file : found->second;
+    return found == studies.end() ? quoted(file) : found->second;
   }
-  const fs::path& of_session(std::int64_t number) const {
+  std::string of_session(std::int64_t number) const {
     const auto found = sessions.find(number);
-    return found == sessions.end() ? file : found->second;
+    return found == sessions.end() ? quoted(file) : found->second;
   }
+  static std::string quoted(const fs::path& place) { return fmt::format("'{}'", place.string()); }
 
   fs::path file;
-  std::map<std::string, fs::path> studies = {};
-  std::map<std::int64_t, fs::path> sessions = {};
+  std::optional<StoreFile::Identity> identity = StoreFile::identity_of(file.string());
+  std::map<std::string, std::string> studies = {};
+  std::map<std::int64_t, std::string> sessions = {};
 };
 
 // How SQLite opens a file to read only (https://www.sqlite.org/uri.html).
 std::string read_only(const fs::path& file) {
-  std::string uri = "file:";
+  std::string uri = "file://";
   for (const char c : fs::absolute(file).string()) {
     const bool is_plain = std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '/';
     uri += is_plain ? std::string(1, c) : fmt::format("%{:02X}", static_cast<unsigned char>(c));
@@ -120,10 +88,10 @@ class Attached {
   SQLite::Database& sqlite_;
 };
 
-// Solves by their rowids.
+// Solves by their rowids, both included.
 struct Rows {
-  std::int64_t after = 0;
-  std::int64_t to = 0;
+  std::int64_t first = std::numeric_limits<std::int64_t>::min();
+  std::int64_t last = std::numeric_limits<std::int64_t>::max();
 };
 
 // The store that gets all.
@@ -131,20 +99,29 @@ class MergedStore {
  public:
   explicit MergedStore(StoreFile& file) : file_(file) {
     const Store before(file.name(), Store::Mode::read);
-    for (const StudyEntry& study : before.studies()) studies_.emplace(study.name, Known{study, file.name()});
-    sessions_ = before.sessions();
+    for (const StudyEntry& study : before.studies())
+      studies_.emplace(study.name, Known{study, Source::quoted(file.name())});
+    for (const Session& session : before.sessions()) {
+      same_[facts_of(session)].push_back(session.id);
+      environments_[session.id] = session.environment;
+    }
     file_.sqlite().exec("CREATE TEMP TABLE numbers (theirs INTEGER PRIMARY KEY, ours INTEGER NOT NULL)");
   }
 
   // All that a store has now.
   void take(const Store& store, const Source& source) {
     const Attached attached(file_.sqlite(), source.file);
-    const std::int64_t last = file_.number("SELECT coalesce(max(rowid), 0) FROM source.solves");
+    const std::int64_t number = file_.number("SELECT count(*) FROM source.solves");
+    const Rows rows{.last = file_.number("SELECT coalesce(max(rowid), 0) FROM source.solves")};
+    if (StoreFile::identity_of(source.file.string()) != source.identity)
+      throw std::runtime_error(fmt::format("{} was replaced while it was merged; nothing was merged; merge again",
+                                           Source::quoted(source.file)));
     std::vector<StudyEntry> studies;
     store.at_one_moment([&] { studies = store.studies(); });
     for (const StudyEntry& study : studies) take(study, source);
     take(store.sessions(), source);
-    take_solves(source, last);
+    if (const std::int64_t taken = take_solves(source, rows); taken < number)
+      throw Damage(fmt::format("{} of its {} solves are not in their order", number - taken, number));
   }
 
   // Of this store, for a store that takes it.
@@ -159,88 +136,111 @@ class MergedStore {
  private:
   struct Known {
     StudyEntry study;
-    fs::path place;
+    std::string place;
   };
 
   void take(const StudyEntry& study, const Source& source) {
-    const fs::path& place = source.of_study(study.name);
+    const std::string place = source.of_study(study.name);
     const auto [found, is_new] = studies_.try_emplace(study.name, Known{study, place});
     Known& known = found->second;
     const std::string why = why_not_one(known.study, study);
     if (!why.empty())
-      throw std::invalid_argument(fmt::format(
-          "the study '{}' is not the same in '{}' and '{}': {}; nothing was merged; solve one of them again "
-          "as the other is, or leave one store out",
-          study.name, known.place.string(), place.string(), why));
-    const bool is_larger = runs_of(study) > runs_of(known.study);
-    const std::size_t before = known.study.series.size();
-    known.study = is_larger ? with_imports(study, known.study) : with_imports(known.study, study);
+      throw std::invalid_argument(
+          fmt::format("the study '{}' is not the same in {} and {}: {}; nothing was merged; solve one of them again "
+                      "as the other is, or leave one store out",
+                      study.name, known.place, place, why));
+    const std::string before = known.study.definition;
+    const std::size_t series = known.study.series.size();
+    known.study = joined(known.study, study);
+    const bool is_larger = known.study.definition != before;
     if (is_larger) known.place = place;
-    const bool is_changed = is_larger || known.study.series.size() > before;
+    const bool is_changed = is_larger || known.study.series.size() > series;
     if (is_new || is_changed) write_study(file_.sqlite(), known.study);
   }
 
+  // Of several sessions with the same facts the first is our first, and so on.
   void take(const std::vector<Session>& sessions, const Source& source) {
+    SQLite::Savepoint all_at_once(file_.sqlite(), "sessions");
     file_.sqlite().exec("DELETE FROM temp.numbers");
     SQLite::Statement note(file_.sqlite(), "INSERT INTO temp.numbers VALUES (?, ?)");
-    std::set<std::int64_t> taken;  // two of one store are two
+    std::map<std::string, std::size_t> seen;
     for (const Session& session : sessions) {
-      const std::size_t before = sessions_.size();
-      const std::int64_t number = number_of(session, taken);
-      taken.insert(number);
-      SQLite::bind(note, session.id, number);
+      const std::string facts = facts_of(session);
+      std::vector<std::int64_t>& same = same_[facts];
+      const std::size_t place = seen[facts]++;
+      const bool is_new = place == same.size();
+      if (is_new) same.push_back(begin(session));
+      add_facts(same[place], session);
+      SQLite::bind(note, session.id, same[place]);
       note.exec();
       note.reset();
-      if (sessions_.size() > before) origins_.emplace(number, source.of_session(session.id));
+      note_origin(same[place], is_new, source.of_session(session.id));
     }
+    all_at_once.release();
   }
 
-  std::int64_t number_of(const Session& session, const std::set<std::int64_t>& taken) {
-    auto known = std::ranges::find_if(
-        sessions_, [&](const Session& ours) { return is_same(ours, session) && !taken.contains(ours.id); });
-    if (known == sessions_.end()) {
-      SQLite::Statement add(file_.sqlite(), "INSERT INTO sessions (began) VALUES (?)");
-      add.bind(1, session.began);
-      add.exec();
-      sessions_.push_back({.id = file_.sqlite().getLastInsertRowid(), .began = session.began});
-      known = sessions_.end() - 1;
-    }
+  std::int64_t begin(const Session& session) {
+    SQLite::Statement add(file_.sqlite(), "INSERT INTO sessions (began) VALUES (?)");
+    add.bind(1, session.began);
+    add.exec();
+    return file_.sqlite().getLastInsertRowid();
+  }
+
+  void add_facts(std::int64_t number, const Session& session) {
+    std::map<std::string, std::string>& known = environments_[number];
     std::map<std::string, std::string> further = session.environment;
-    std::erase_if(further, [&](const auto& fact) { return known->environment.contains(fact.first); });
-    write_environment(file_.sqlite(), known->id, further);
-    known->environment.merge(further);
-    return known->id;
+    std::erase_if(further, [&](const auto& fact) { return known.contains(fact.first); });
+    write_environment(file_.sqlite(), number, further);
+    known.merge(further);
+  }
+
+  // Several stores may have the same session.
+  void note_origin(std::int64_t number, bool is_new, const std::string& place) {
+    if (is_new)
+      origins_[number] = place;
+    else if (const auto found = origins_.find(number);
+             found != origins_.end() && found->second.find(place) == std::string::npos)
+      found->second += " or " + place;
   }
 
   // Some at a time: who writes to a store without a log waits for the end of a query, and gives up some seconds later.
-  void take_solves(const Source& source, std::int64_t last) {
-    SQLite::Statement next(file_.sqlite(),
-                           "SELECT max(rowid), count(*) FROM (SELECT rowid FROM source.solves WHERE rowid > ?1 AND "
-                           "rowid <= ?2 ORDER BY rowid LIMIT 1000)");
+  // Gives how many there were.
+  std::int64_t take_solves(const Source& source, Rows all) {
+    SQLite::Statement next(
+        file_.sqlite(),
+        "SELECT max(rowid), count(*), count(*) FILTER (WHERE typeof(series) = 'text' AND typeof(run) "
+        "= 'integer' AND typeof(point) = 'integer' AND min(run, point) >= 1 AND max(run, point) <= "
+        "2147483647) FROM (SELECT rowid, series, run, point FROM source.solves WHERE rowid "
+        "BETWEEN ? AND ? ORDER BY rowid LIMIT 1000)");
     SQLite::Statement copy(file_.sqlite(), copy_of_solves());
-    for (Rows rows{.to = std::numeric_limits<std::int64_t>::min()}; rows.to < last;) {
-      SQLite::bind(next, rows.to, last);
+    for (std::int64_t taken = 0;; ++all.first) {
+      SQLite::bind(next, all.first, all.last);
       next.executeStep();
-      rows = {rows.to, next.getColumn(0).getInt64()};
-      const std::int64_t number = next.getColumn(1).getInt64();
+      const Rows rows{.first = all.first, .last = next.getColumn(0).getInt64()};
+      const std::int64_t number = next.getColumn(1).getInt64(), whole = next.getColumn(2).getInt64();
       next.reset();
-      if (number == 0) return;
-      SQLite::bind(copy, rows.after, rows.to);
+      if (number == 0) return taken;
+      if (whole < number)
+        throw Damage("the series of a solve is no text, or its run or point is no whole number from 1 to 2147483647");
+      SQLite::bind(copy, rows.first, rows.last);
       const std::int64_t added = copy.exec();
       copy.reset();
       merged.added += added;
       merged.known += number - added;
       if (added < number) refuse_other_bits(source, rows);
+      taken += number;
+      if (rows.last == all.last) return taken;
+      all.first = rows.last;
     }
   }
 
-  // As they are: whether numbers follow from answers is found by who reads the store.
+  // As they are: who reads the store finds whether numbers follow from answers.
   std::string copy_of_solves() {
-    const std::vector<std::string_view> columns = columns_of_solves(file_.number("PRAGMA source.user_version"));
+    const std::vector<std::string_view> columns = column_names(file_.number("PRAGMA source.user_version"));
     std::vector<std::string> values(columns.begin(), columns.end());
     std::ranges::replace(values, "session", "(SELECT ours FROM temp.numbers WHERE theirs = session)");
     return fmt::format(
-        "INSERT INTO main.solves ({}) SELECT {} FROM source.solves WHERE rowid > ? AND rowid <= ? "
+        "INSERT INTO main.solves ({}) SELECT {} FROM source.solves WHERE rowid BETWEEN ? AND ? "
         "ON CONFLICT DO NOTHING",
         fmt::join(columns, ", "), fmt::join(values, ", "));
   }
@@ -255,26 +255,26 @@ class MergedStore {
         file_.sqlite(),
         fmt::format("SELECT {}, theirs.run AS run, theirs.point AS point, theirs.solver AS label, theirs.session AS "
                     "their_session, ours.session AS our_session FROM source.solves AS theirs JOIN main.solves AS "
-                    "ours USING (series, run, point) "
-                    "WHERE theirs.rowid > ? AND theirs.rowid <= ? AND ({}) LIMIT 1",
+                    "ours USING (series, run, point) WHERE theirs.rowid BETWEEN ? AND ? AND ({}) LIMIT 1",
                     fmt::join(differ, ", "), fmt::join(differ, " OR ")));
-    SQLite::bind(query, rows.after, rows.to);
+    SQLite::bind(query, rows.first, rows.last);
     if (!query.executeStep()) return;
     int index = 0;
     std::erase_if(columns, [&](std::string_view) { return query.getColumn(index++).getInt() == 0; });
     const auto origin = origins_.find(query.getColumn("our_session").getInt64());
     throw std::invalid_argument(fmt::format(
-        "the solve of run {}, point {} by {} has other bits in '{}' than in '{}' ({}); nothing was merged; find out "
+        "the solve of run {}, point {} by {} has other bits in {} than in {} ({}); nothing was merged; find out "
         "which machine, compiler or edit changed them (ikbench fingerprint)",
         excerpt(query.getColumn("run")), excerpt(query.getColumn("point")), excerpt(query.getColumn("label")),
-        source.of_session(query.getColumn("their_session").getInt64()).string(),
-        origin == origins_.end() ? file_.name() : origin->second.string(), fmt::join(columns, ", ")));
+        source.of_session(query.getColumn("their_session").getInt64()),
+        origin == origins_.end() ? Source::quoted(file_.name()) : origin->second, fmt::join(columns, ", ")));
   }
 
   StoreFile& file_;
   std::map<std::string, Known> studies_;
-  std::vector<Session> sessions_;
-  std::map<std::int64_t, fs::path> origins_;  // of sessions that are new
+  std::map<std::string, std::vector<std::int64_t>> same_;                    // sessions, by their facts
+  std::map<std::int64_t, std::map<std::string, std::string>> environments_;  // of sessions
+  std::map<std::int64_t, std::string> origins_;                              // of sessions that are new
 };
 
 // What ends the copying of one store into another.
@@ -283,9 +283,9 @@ class MergedStore {
   if (code == SQLITE_CONSTRAINT_NOTNULL)
     results::refuse(from.string(), Damage(fmt::format("a solve lacks a value, or is of a session that is not there: {}",
                                                       error.what())));
-  const bool is_of_reading = code == SQLITE_IOERR_READ || code == SQLITE_IOERR_SHORT_READ;
-  const bool is_of_writing =
-      error.getErrorCode() == SQLITE_FULL || (error.getErrorCode() == SQLITE_IOERR && !is_of_reading);
+  constexpr std::array writing{SQLITE_IOERR_WRITE, SQLITE_IOERR_FSYNC, SQLITE_IOERR_DIR_FSYNC, SQLITE_IOERR_TRUNCATE,
+                               SQLITE_IOERR_DELETE};
+  const bool is_of_writing = error.getErrorCode() == SQLITE_FULL || std::ranges::find(writing, code) != writing.end();
   results::refuse(is_of_writing ? to.string() : from.string(), error);
 }
 
@@ -296,6 +296,7 @@ std::pair<Source, Merged> gather(const fs::path& file, const fs::path& out, cons
     target.sqlite().exec("PRAGMA journal_mode = MEMORY; PRAGMA synchronous = OFF");
     MergedStore all(target);
     for (const fs::path& place : stores) {
+      const Source source{.file = place};
       std::optional<Store> store;
       try {
         store.emplace(place, Store::Mode::read);
@@ -304,15 +305,17 @@ std::pair<Source, Merged> gather(const fs::path& file, const fs::path& out, cons
         continue;
       }
       try {
-        all.take(*store, {.file = place});
+        all.take(*store, source);
       } catch (const SQLite::Exception& error) {
         refuse_copy(error, place, out);
+      } catch (const Damage& damage) {
+        results::refuse(place.string(), damage);
       }
     }
     if (!stores.empty() && all.merged.half_written.size() == stores.size())
       throw std::invalid_argument(all.merged.half_written.front());
-    target.sqlite().exec(
-        "PRAGMA synchronous = FULL; UPDATE meta SET value = value");  // what was written is on the disk
+    // A change, so that SQLite waits until all is on the disk.
+    target.sqlite().exec(fmt::format("PRAGMA synchronous = FULL; PRAGMA user_version = {}", schema_version));
     return std::pair(all.as_source(), all.merged);
   });
 }
@@ -321,6 +324,7 @@ std::pair<Source, Merged> gather(const fs::path& file, const fs::path& out, cons
 Merged take_into(const fs::path& out, const Source& gathered) {
   return guarded(out.string(), [&] {
     StoreFile target(out, Store::Mode::write_shared);
+    target.sqlite().exec("PRAGMA cache_size = -65536");  // readers are locked out from when it is full
     SQLite::Transaction transaction(target.sqlite(), SQLite::TransactionBehavior::IMMEDIATE);
     MergedStore all(target);
     all.take(Store(gathered.file, Store::Mode::read), gathered);
@@ -338,15 +342,11 @@ std::error_code publish(const fs::path& file, const fs::path& name) {
 
 }  // namespace
 
-std::string why_not_one(const StudyEntry& study, const StudyEntry& other) {
-  const std::string difference = difference_in_solves(study.definition, other.definition);
-  if (!difference.empty()) return difference;
-  if (own_keys(study) == own_keys(other)) return "";
-  if (own_configurations(study) != own_configurations(other)) return "its solvers or their options are others";
-  return "the version of the solvers or of shared code is another, so use one version of ikbench for all";
-}
-
 Merged merge(const fs::path& out, const std::vector<fs::path>& stores) {
+  try {
+    if (fs::exists(out)) Store(out, Store::Mode::read);  // what is no store is refused before all is copied
+  } catch (const HalfWritten&) {                         // it will be mended
+  }
   const TemporaryFolder scratch(out.parent_path());
   const fs::path file = scratch.path() / out.filename();
   auto [gathered, merged] = gather(file, out, stores);

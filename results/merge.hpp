@@ -16,14 +16,11 @@ struct Merged {
   std::vector<std::string> half_written;  // a sentence for each store that a kill left so: what it has is not merged
 };
 
-// Why two studies of one name cannot be merged; empty where they can: of two numbers of runs the larger is taken.
-std::string why_not_one(const StudyEntry& study, const StudyEntry& other);
-
 // Adds what `stores` have to the store `out`, which is made where it is missing: studies, solves and sessions, whose
 // numbers change where they are taken. A session that `out` has already is the same one: so merging again changes
 // nothing. Solves are copied as they are: who reads them finds what is damaged in them. All or nothing: a merge that
 // fails or is killed has added nothing (what is half-written goes when the store is opened to be written again), and
-// what another merge has made stays.
+// what another merge has made stays. A store that becomes half-written or is replaced while it is copied ends it.
 // std::invalid_argument where two stores have another study of one name, or other bits of one solve (columns of the
 // fingerprint), where no store can be read, and as store.hpp says.
 Merged merge(const std::filesystem::path& out, const std::vector<std::filesystem::path>& stores);

@@ -10,8 +10,8 @@
 #include <cmath>
 #include <map>
 #include <memory>
-#include <new>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
 #include <tuple>
 
 #include "numerics/number.hpp"
@@ -318,7 +318,9 @@ void write_ompl_database(const std::filesystem::path& file, const ExportedStudy&
   sqlite3_int64 size = 0;
   const std::unique_ptr<unsigned char, decltype(&sqlite3_free)> bytes(
       sqlite3_serialize(sqlite.getHandle(), "main", &size, 0), sqlite3_free);
-  if (!bytes) throw std::bad_alloc();
+  if (!bytes)
+    throw std::runtime_error(
+        fmt::format("cannot write '{}': the database has more than 2 GB; export a study of fewer runs", file.string()));
   write_through(file, {reinterpret_cast<const char*>(bytes.get()), static_cast<std::size_t>(size)});
 }
 

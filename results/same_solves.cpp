@@ -8,6 +8,27 @@
 
 namespace ikbench::results {
 
+namespace {
+
+// Of what was solved by ikbench.
+std::vector<std::string> own_keys(const StudyEntry& study) {
+  std::vector<std::string> keys;
+  for (const Series& series : study.series) {
+    if (!is_imported(series)) keys.push_back(series.key);
+  }
+  return keys;
+}
+
+std::vector<std::string> own_configurations(const StudyEntry& study) {
+  std::vector<std::string> keys = own_keys(study);
+  for (std::string& key : keys) key = configuration_of(key);
+  return keys;
+}
+
+int runs_of(const StudyEntry& study) { return nlohmann::json::parse(study.definition).at("runs").get<int>(); }
+
+}  // namespace
+
 std::string difference_in_solves(const std::string& definition, const std::string& other) {
   const auto left = nlohmann::json::parse(definition, nullptr, false);
   const auto right = nlohmann::json::parse(other, nullptr, false);
@@ -25,6 +46,31 @@ std::string difference_in_solves(const std::string& definition, const std::strin
     return fmt::format("{} is {} and {}", key, text_of(left, key), text_of(right, key));
   }
   return "";
+}
+
+std::string why_not_one(const StudyEntry& study, const StudyEntry& other) {
+  const std::string difference = difference_in_solves(study.definition, other.definition);
+  if (!difference.empty()) return difference;
+  if (own_configurations(study) != own_configurations(other)) return "its solvers or their options are others";
+  if (own_keys(study) != own_keys(other))
+    return "the version of the solvers or of shared code is another, so use one version of ikbench for all";
+  for (const Series& series : study.series) {
+    const auto same = std::ranges::find(other.series, series.label, &Series::label);
+    if (same != other.series.end() && same->key != series.key)
+      return fmt::format("they are two imports of the label '{}', so import one of them with another --label",
+                         series.label);
+  }
+  return "";
+}
+
+StudyEntry joined(const StudyEntry& study, const StudyEntry& other) {
+  const bool is_larger = runs_of(other) > runs_of(study);
+  StudyEntry both = is_larger ? other : study;
+  for (const Series& series : (is_larger ? study : other).series) {
+    const bool is_there = std::ranges::find(both.series, series.key, &Series::key) != both.series.end();
+    if (is_imported(series) && !is_there) both.series.push_back(series);
+  }
+  return both;
 }
 
 }  // namespace ikbench::results

@@ -291,10 +291,6 @@ void Store::at_one_moment(const std::function<void()>& action) const {
   });
 }
 
-void Store::each_solve(const std::function<void(SolveRecord)>& take) const {
-  guarded(database_->name(), [&] { database_->each_row([&](SQLite::Statement& row) { take(solve_in(row)); }); });
-}
-
 void Store::each_of_series(const std::string& key, const std::function<void(SolveRecord)>& take) const {
   guarded(database_->name(), [&] { database_->read_solves(key, no_end, take); });
 }

@@ -85,10 +85,8 @@ class Store {
 
   // What `action` reads of the store is of one moment, whatever others write meanwhile.
   void at_one_moment(const std::function<void()>& action) const;
-  // Calls `take` with every solve, also of series that no study has any more, in the order in which they were stored.
-  // Who writes meanwhile does not wait for the end, and what it adds may be among them.
-  void each_solve(const std::function<void(SolveRecord)>& take) const;
-  // Calls `take` with every solve of one series, ordered by run and point.
+  // Calls `take` with every solve of one series, ordered by run and point. Who writes meanwhile does not wait for the
+  // end, and what it adds may be among them.
   void each_of_series(const std::string& key, const std::function<void(SolveRecord)>& take) const;
   // The same, but only run and point.
   void each_place(const std::string& key, const std::function<void(int run, int point)>& take) const;

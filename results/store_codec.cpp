@@ -193,7 +193,7 @@ std::vector<std::string> add_columns_after(std::int64_t version) {
   return sql;
 }
 
-std::vector<std::string_view> columns_of_solves(std::int64_t version) {
+std::vector<std::string_view> column_names(std::int64_t version) {
   std::vector<std::string_view> names;
   for (const SolveColumn& column : solve_columns(version)) names.push_back(column.name);
   return names;

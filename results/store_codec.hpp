@@ -38,7 +38,7 @@ constexpr std::int64_t schema_version = [] {
 std::string create_solves(std::int64_t version);
 std::string select_solves(std::int64_t version);
 std::vector<std::string> add_columns_after(std::int64_t version);
-std::vector<std::string_view> columns_of_solves(std::int64_t version);
+std::vector<std::string_view> column_names(std::int64_t version);
 
 // An INSERT with a parameter for each column, and their values.
 std::string insert_solve();

@@ -123,6 +123,9 @@ void refuse(const std::string& file, const SQLite::Exception& error) {
           "cannot open '{}' ({}): you may not read or write the file, its folder or the '-wal' file beside it; change "
           "the permissions, or copy the store with its '-wal' file to a folder where you can write",
           file, error.what()));
+    case SQLITE_FULL:
+      throw std::runtime_error(fmt::format("cannot use '{}': {}; make room on its disk and give the same command again",
+                                           file, error.what()));
     case SQLITE_BUSY:
     case SQLITE_LOCKED:
       throw std::runtime_error(fmt::format("another process has kept '{}' locked for {} s; wait until it has ended",
@@ -300,23 +303,6 @@ void StoreFile::migrate() {
 void StoreFile::refuse_blobs(const char* table, const char* column) {
   if (SQLite::Statement(sqlite_, fmt::format("SELECT 1 FROM {} WHERE {} >= x'' LIMIT 1", table, column)).executeStep())
     throw Damage(fmt::format("{} is a BLOB in a row of table {}, expected text", column, table));
-}
-
-void StoreFile::each_row(const std::function<void(SQLite::Statement& row)>& take) {
-  constexpr std::int64_t end = std::numeric_limits<std::int64_t>::max();
-  // Some at a time: who writes without a log waits for the end of a query, and gives up some seconds later.
-  SQLite::Statement ahead(sqlite_, "SELECT rowid FROM solves WHERE rowid >= ? ORDER BY rowid LIMIT 1 OFFSET 999");
-  SQLite::Statement rows(sqlite_, select_solves(version()) + " WHERE rowid BETWEEN ? AND ? ORDER BY rowid");
-  for (std::int64_t first = std::numeric_limits<std::int64_t>::min();;) {
-    ahead.bind(1, first);
-    const std::int64_t last = ahead.executeStep() ? ahead.getColumn(0).getInt64() : end;
-    ahead.reset();
-    SQLite::bind(rows, first, last);
-    while (rows.executeStep()) at_solve(rows, [&] { take(rows); });
-    rows.reset();
-    if (last == end) return;
-    first = last + 1;
-  }
 }
 
 }  // namespace ikbench::results

@@ -55,17 +55,15 @@ class StoreFile {
 
   // Blobs equal no text, so that a search would pass over them; they come after every text.
   void refuse_blobs(const char* table, const char* column);
-  // Passes on all solves in the order of their rowids, as rows of select_solves; Damage in one says which it is.
-  void each_row(const std::function<void(SQLite::Statement& row)>& take);
   // std::runtime_error where the file is no longer in its place. It has so many new solves.
   void commit(SQLite::Transaction& transaction, std::int64_t solves = 0);
   // Store::finish.
   std::vector<std::filesystem::path> finish();
 
- private:
   using Identity = std::pair<dev_t, ino_t>;  // which file a path leads to: its device and number there
   static std::optional<Identity> identity_of(const std::string& path);
 
+ private:
   void distrust();
   void check_header();
   void check_tables();

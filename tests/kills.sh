@@ -205,7 +205,6 @@ kill_report() {
   done
 }
 
-# A disk that is full while solves are stored: exit code 2, the name of the store, and later all goes on.
 # Takes away what is in a place on the small disk, and leaves room for half of it.
 fill_but_half_of() {
   local size
@@ -216,6 +215,7 @@ fill_but_half_of() {
   head -c $((room - size / 2)) /dev/zero >small/filler
 }
 
+# A disk that is full while solves are stored: exit code 2, the name of the store, and later all goes on.
 kill_disk() {
   mkdir small
   mount -t tmpfs -o size=256k none small 2>/dev/null || { echo "no full disk: only root can make a small one"; return; }

@@ -31,7 +31,7 @@ struct PictureType {
   std::string_view name, end;  // with which a whole file ends
 };
 constexpr std::array<PictureType, 3> picture_types{
-    {{"svg", "</svg>\n\n"}, {"pdf", "%%EOF\n"}, {"png", "IEND\xAE\x42\x60\x82"}}};
+    {{"svg", "</svg>"}, {"pdf", "%%EOF"}, {"png", "IEND\xAE\x42\x60\x82"}}};
 
 // Of an earlier report; a link or a device in their place is not ours to remove.
 void remove_pictures(const std::string& name, const std::filesystem::path& folder) {
@@ -74,7 +74,8 @@ void draw(const Figure& figure, const std::filesystem::path& workshop, const std
     std::optional<std::string> picture = read_file(workshop / file);
     if (!picture) throw std::invalid_argument(fmt::format("{} drew no {}: {}", gnuplot, file, result.output));
     const std::filesystem::path place = workshop.parent_path() / file;
-    if (!picture->ends_with(end))  // gnuplot does not say that a disk is full
+    if (picture->find(end, picture->size() - std::min(picture->size(), end.size() + 2)) == std::string::npos)
+      // gnuplot does not say that a disk is full
       throw std::runtime_error(
           fmt::format("cannot write '{}': {} wrote only a part of it; is the disk full?", place.string(), gnuplot));
     if (type == "pdf") blank_date(*picture);
@@ -171,11 +172,11 @@ std::vector<FigureOutcome> write_figures(const std::vector<Figure>& figures, con
         outcomes[i].rendered = true;
       } catch (const std::invalid_argument& error) {
         outcomes[i].error = error.what();
-        remove_pictures(figures[i].name, folder);
       } catch (...) {
         failures[i] = std::current_exception();
         next = figures.size();
       }
+      if (!outcomes[i].rendered) remove_pictures(figures[i].name, folder);
     }
   };
   std::vector<std::jthread> others;

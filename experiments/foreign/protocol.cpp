@@ -74,7 +74,8 @@ double number_at(const Json& object, const char* key, double fallback) {
 std::int64_t count_at(const Json& object, const char* key) {
   if (!object.contains(key)) return -1;
   const double number = number_at(object, key, 0);
-  if (!(number >= 0 && number <= largest_count)) throw Breach(fmt::format("its {} is not a count", key));
+  if (!(number >= 0 && number <= largest_count) || number != std::floor(number))
+    throw Breach(fmt::format("its {} is not a count", key));
   return static_cast<std::int64_t>(number);
 }
 

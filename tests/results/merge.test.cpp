@@ -199,9 +199,53 @@ TEST_CASE("a solve of a session that its store does not have is damage, named wi
   CHECK_FALSE(fs::exists(folder.path / "out"));
 }
 
-TEST_CASE("whatever else is in a row is copied, and found with its session by who reads it", "[merge]") {
+TEST_CASE("a place of a solve that no study has is damage, named with its store", "[merge]") {
   for (const char* what :
-       {"answer_rad = x'00'", "status = 'nonsense'", "answer_rad = 'x'", "seconds = 'soon'", "run = 'one'"}) {
+       {"run = 'one'", "run = 1.5", "run = 0", "point = -1", "point = 2147483648", "series = x'00'"}) {
+    CAPTURE(what);
+    const ScratchFolder folder;
+    make_store(folder.path / "out", "one", {1});
+    make_store(folder.path / "b", "two", {2});
+    edit(folder.path / "b", fmt::format("UPDATE solves SET {}", what));
+    CHECK_THAT(complaint<std::invalid_argument>([&] { merge(folder.path / "out", {folder.path / "b"}); }),
+               ContainsSubstring(quoted(folder.path / "b") + " is damaged"));
+    CHECK(series_of(Store(folder.path / "out", Store::Mode::read), "key-a").size() == 1);
+  }
+}
+
+TEST_CASE("solves have any rowids", "[merge]") {
+  const ScratchFolder folder;
+  make_store(folder.path / "a", "one", {1, 2, 3});
+  edit(folder.path / "a", "UPDATE solves SET rowid = -9223372036854775807 - 1 WHERE run = 3");
+  edit(folder.path / "a", "UPDATE solves SET rowid = 9223372036854775807 WHERE run = 1");
+  CHECK(merge(folder.path / "out", {folder.path / "a"}).added == 3);
+}
+
+TEST_CASE("where a solve differs, all stores that have its session are named", "[merge]") {
+  const ScratchFolder folder;
+  make_store(folder.path / "out", "one", {1, 2});
+  for (const char* name : {"a", "b"}) fs::copy_file(folder.path / "out", folder.path / name);
+  edit(folder.path / "a", "DELETE FROM solves WHERE run = 1");
+  edit(folder.path / "b", "UPDATE solves SET evaluations = 7 WHERE run = 1");
+  CHECK_THAT(complaint<std::invalid_argument>([&] {
+               merge(folder.path / "out", {folder.path / "a", folder.path / "b"});
+             }),
+             ContainsSubstring("other bits in " + quoted(folder.path / "a") + " or " + quoted(folder.path / "b") +
+                               " than in " + quoted(folder.path / "out")));
+}
+
+TEST_CASE("ten thousand sessions are merged, and merged again", "[merge]") {
+  const ScratchFolder folder;
+  make_store(folder.path / "a", "one", {1});
+  edit(folder.path / "a",
+       "WITH RECURSIVE n(i) AS (SELECT 2 UNION ALL SELECT i + 1 FROM n WHERE i < 10000) "
+       "INSERT INTO sessions SELECT i, '2026-01-01T00:00:00Z' FROM n");
+  for (int time = 0; time < 2; ++time) merge(folder.path / "out", {folder.path / "a"});
+  CHECK(Store(folder.path / "out", Store::Mode::read).sessions().size() == 10'000);
+}
+
+TEST_CASE("whatever else is in a row is copied, and found with its session by who reads it", "[merge]") {
+  for (const char* what : {"answer_rad = x'00'", "status = 'nonsense'", "answer_rad = 'x'", "seconds = 'soon'"}) {
     CAPTURE(what);
     const ScratchFolder folder;
     make_store(folder.path / "a", "one", {1});
@@ -209,7 +253,7 @@ TEST_CASE("whatever else is in a row is copied, and found with its session by wh
     edit(folder.path / "b", fmt::format("UPDATE solves SET {}", what));
     CHECK(merge(folder.path / "out", {folder.path / "a", folder.path / "b"}).added == 2);
     const Store store(folder.path / "out", Store::Mode::read);
-    CHECK_THAT(complaint<std::invalid_argument>([&] { store.each_solve([](const SolveRecord&) {}); }),
+    CHECK_THAT(complaint<std::invalid_argument>([&] { series_of(store, "key-a"); }),
                ContainsSubstring("is damaged") && ContainsSubstring("which session 2 made"));
   }
 }
@@ -300,7 +344,7 @@ TEST_CASE("who writes to a store in a shared folder does not wait until another 
   std::atomic<int> seen{0}, seen_when_written{0};
   std::string wrong;
   std::thread writer;
-  Store(file, Store::Mode::read).each_solve([&](const SolveRecord&) {
+  Store(file, Store::Mode::read).each_of_series("key-a", [&](const SolveRecord&) {
     if (++seen == 1) {
       writer = std::thread([&] {
         wrong = complaint<std::exception>(
@@ -371,5 +415,5 @@ TEST_CASE("two imports of one label are refused", "[merge]") {
   CHECK_THAT(complaint<std::invalid_argument>([&] {
                merge(folder.path / "out", {folder.path / "a", folder.path / "b"});
              }),
-             ContainsSubstring("two different imports of the label 'theirs'"));
+             ContainsSubstring("they are two imports of the label 'theirs'"));
 }
