@@ -76,8 +76,14 @@ TEST_CASE("a changed number of a solve is damage, named by its column and the fi
       {"manipulability", [](SolveRecord& solve) { solve.manipulability = 2; }},
       {"evaluations", [](SolveRecord& solve) { solve.evaluations = -1; }},
       {"iterations", [](SolveRecord& solve) { solve.iterations = -7; }},
-      {"improved_at", [](SolveRecord& solve) { solve.improved_at = {1, 7}, solve.improved_to_cm = {5}; }},
-      {"improved_at", [](SolveRecord& solve) { solve.improved_at = {7, 1}, solve.improved_to_cm = {5, 4}; }},
+      {"improved_at",
+       [](SolveRecord& solve) {
+         solve.improved_at = {1, 7}, solve.improved_to_cm = {5};
+       }},
+      {"improved_at",
+       [](SolveRecord& solve) {
+         solve.improved_at = {7, 1}, solve.improved_to_cm = {5, 4};
+       }},
       {"improved_at", [](SolveRecord& solve) { solve.improved_at = {-1}, solve.improved_to_cm = {5}; }},
       {"seconds", [](SolveRecord& solve) { solve.seconds = -1; }},
       {"cpu_seconds", [](SolveRecord& solve) { solve.cpu_seconds = std::numeric_limits<double>::infinity(); }},
