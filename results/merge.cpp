@@ -344,8 +344,9 @@ std::error_code publish(const fs::path& file, const fs::path& name) {
 
 Merged merge(const fs::path& out, const std::vector<fs::path>& stores) {
   try {
-    if (fs::exists(out)) Store(out, Store::Mode::read);  // what is no store is refused before all is copied
-  } catch (const HalfWritten&) {                         // it will be mended
+    std::error_code none;
+    if (fs::exists(out, none)) Store(out, Store::Mode::read);  // what is no store is refused before all is copied
+  } catch (const HalfWritten&) {                               // it will be mended
   }
   const TemporaryFolder scratch(out.parent_path());
   const fs::path file = scratch.path() / out.filename();
