@@ -179,7 +179,8 @@ void write_and_announce(const Store& store, WrittenReport wanted) {
   if (!report.is_damaged) return;
   std::fflush(stdout);
   throw std::invalid_argument(
-      "the store is damaged, and the report begins with what is wrong; solve the study again into another folder");
+      "the store is damaged, and the report begins with what is wrong; its sessions say which commands made the damaged "
+      "solves: give these again into another folder");
 }
 
 std::vector<std::string> damages_of(const Store& store, const std::string& study) {

@@ -44,11 +44,25 @@ std::vector<OverviewMark> beside(const std::vector<OverviewMark>& ours, const st
   return marks;
 }
 
+constexpr double largest_size = 1.6, smallest_size = 0.4;
+
+double longest_time(const std::vector<OverviewMark>& marks) {
+  double longest = 0;
+  for (const OverviewMark& mark : marks) longest = std::max(longest, mark.seconds);
+  return longest;
+}
+
+// What the sizes say.
+std::string words_of_sizes(const std::vector<OverviewMark>& marks, bool has_times) {
+  if (!has_times) return "Without times.";
+  const double longest = longest_time(marks), least = longest * std::pow(smallest_size / largest_size, 2);
+  const bool is_cut = std::ranges::any_of(marks, [&](const OverviewMark& mark) { return mark.seconds < least; });
+  return is_cut ? "Area: median time; all times below a sixteenth of the longest look the same." : "Area: median time.";
+}
+
 // Lines of variation, error and size. The area is in proportion to the time, but for a smallest that can be seen.
 std::string disc_lines(const std::vector<OverviewMark>& marks, bool has_times) {
-  constexpr double largest_size = 1.6, smallest_size = 0.4;
-  double slowest = 0;
-  for (const OverviewMark& mark : marks) slowest = std::max(slowest, mark.seconds);
+  const double slowest = longest_time(marks);
   std::string lines;
   for (const OverviewMark& mark : marks) {
     const double size = has_times && slowest > 0 && mark.seconds >= 0
@@ -65,7 +79,7 @@ Figure overview_figure(const StudyResults& study, const std::vector<OverviewMark
   const std::vector<OverviewMark> ours = means_of(study);
   const std::vector<OverviewMark> rings = beside(ours, printed);
   const bool has_times = times_are_comparable(study);
-  Figure figure{.name = "overview", .caption = has_times ? "Area: median time." : "Without times.", .height_cm = 6.6};
+  Figure figure{.name = "overview", .caption = words_of_sizes(ours, has_times), .height_cm = 6.6};
   std::vector<double> errors, variations;
   for (const auto* marks : {&ours, &rings}) {
     for (const OverviewMark& mark : *marks) {
