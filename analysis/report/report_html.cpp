@@ -35,7 +35,7 @@ constexpr std::string_view at_a_glance = "overview";  // the figure beside the v
 Data topics_data(const std::vector<std::string>& sentences) {
   Data list(Data::type::list);
   for (const std::string& sentence : sentences) {
-    constexpr std::size_t longest_topic = 45;
+    constexpr std::size_t longest_topic = 60;
     const std::size_t colon = sentence.find(": ");
     const std::size_t length = colon == std::string::npos || colon > longest_topic ? 0 : colon + 1;
     Data data;
