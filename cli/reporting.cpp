@@ -138,7 +138,8 @@ void add_report_options(CLI::App& command, ReportArguments& arguments) {
       ->description("significance level of the tests, also for companion studies; default: as in the study")
       ->default_str("");
   command.add_flag("--force", arguments.forced, "allow points as observations; every table says so");
-  command.add_flag("--no-figures", arguments.without_figures, "write tables, but draw no figures");
+  command.add_flag("--no-figures", arguments.without_figures,
+                   "write tables, but draw no figures; those that are there stay");
 }
 
 void refuse_points(const ReportArguments& arguments) {

@@ -15,6 +15,7 @@
 #include <thread>
 
 #include "analysis/figures/dark.hpp"
+#include "analysis/figures/edited.hpp"
 #include "analysis/figures/process.hpp"
 #include "analysis/inference/text.hpp"
 #include "numerics/number.hpp"
@@ -26,6 +27,8 @@ using namespace numerics;
 using namespace results;
 
 namespace {
+
+const std::string style_file = "style.gp";
 
 struct PictureType {
   std::string_view name, end;  // with which a whole file ends
@@ -84,11 +87,38 @@ void draw(const Figure& figure, const std::filesystem::path& workshop, const std
   }
 }
 
+struct Source {
+  std::string file, text;
+  bool is_edited = false;  // by the user, so it stays
+};
+
+// What a report writes beside its pictures, or what the user has made of its scripts.
+std::vector<Source> sources_of(const std::vector<Figure>& figures, const std::filesystem::path& folder) {
+  std::vector<Source> sources;
+  const auto add_script = [&](const std::string& file, const std::string& script) {
+    const std::optional<std::string> edited = edited_script(folder / file);
+    sources.push_back({file, edited.value_or(with_digest(script)), edited.has_value()});
+  };
+  add_script(style_file, figure_style());
+  for (const Figure& figure : figures) {
+    add_script(figure.name + ".gp", script_of(figure));
+    sources.push_back({.file = figure.name + ".dat", .text = figure.data});
+  }
+  return sources;
+}
+
 }  // namespace
+
+std::vector<std::string> edited_scripts(const std::vector<Figure>& figures, const std::filesystem::path& folder) {
+  std::vector<std::string> files;
+  for (const Source& source : sources_of(figures, folder)) {
+    if (source.is_edited) files.push_back(source.file);
+  }
+  return files;
+}
 
 std::string figure_style() {
   std::string style = R"(# The look of every figure in this folder. Change it here, then draw again: gnuplot NAME.gp
-# A new report writes this file anew.
 set encoding utf8
 
 # Characters that mean something to gnuplot, for labels.
@@ -146,23 +176,16 @@ std::string script_of(const Figure& figure) {
 
 std::vector<FigureOutcome> write_figures(const std::vector<Figure>& figures, const std::filesystem::path& folder,
                                          const RenderOptions& options) {
-  const auto write_sources = [&](const std::filesystem::path& place) {
-    write_file(place / "style.gp", figure_style());
-    for (const Figure& figure : figures) {
-      write_file(place / (figure.name + ".gp"), script_of(figure));
-      write_file(place / (figure.name + ".dat"), figure.data);
-    }
-  };
-  write_sources(folder);
-  std::vector<FigureOutcome> outcomes;
-  for (const Figure& figure : figures) {
-    if (!options.render) remove_pictures(figure.name, folder);
-    outcomes.push_back({.name = figure.name});
+  const std::vector<Source> sources = sources_of(figures, folder);
+  for (const Source& source : sources) {
+    if (!source.is_edited) write_file(folder / source.file, source.text);
   }
+  std::vector<FigureOutcome> outcomes;
+  for (const Figure& figure : figures) outcomes.push_back({.name = figure.name});
   if (!options.render) return outcomes;
 
   const TemporaryFolder workshop(folder);
-  write_sources(workshop.path());
+  for (const Source& source : sources) write_file(workshop.path() / source.file, source.text);
   std::atomic<std::size_t> next = 0;
   std::vector<std::exception_ptr> failures(figures.size());  // that end the report, and not only a figure
   const auto work = [&] {

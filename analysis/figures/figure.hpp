@@ -29,7 +29,7 @@ struct Figure {
 };
 
 struct RenderOptions {
-  bool render = true;               // else only scripts and data are written
+  bool render = true;               // else only scripts and data are written, and pictures stay
   std::string gnuplot = "gnuplot";  // the program, sought on the PATH
   int jobs = 2;                     // figures drawn at once
 };
@@ -40,11 +40,14 @@ struct FigureOutcome {
   std::string error = {};  // gnuplot's message, where it should have been rendered and was not
 };
 
-// Writes NAME.gp, NAME.dat and style.gp into the folder and draws NAME.svg, NAME.pdf, NAME.png. Pictures that could not
-// be drawn are not left over from before. A folder that cannot be written to is std::invalid_argument, a full disk
-// std::runtime_error.
+// Writes NAME.gp, NAME.dat and style.gp into the folder and draws NAME.svg, NAME.pdf, NAME.png. Scripts that the user
+// has edited stay, and are drawn with. Pictures that could not be drawn are not left over from before. A folder that
+// cannot be written to is std::invalid_argument, a full disk std::runtime_error.
 std::vector<FigureOutcome> write_figures(const std::vector<Figure>& figures, const std::filesystem::path& folder,
                                          const RenderOptions& options);
+
+// The scripts in the folder that the user has edited.
+std::vector<std::string> edited_scripts(const std::vector<Figure>& figures, const std::filesystem::path& folder);
 
 // The complete script of a figure, and the style that all scripts load.
 std::string script_of(const Figure& figure);

@@ -1,6 +1,7 @@
 #include "analysis/report/publish.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <iterator>
@@ -36,6 +37,13 @@ std::vector<std::string> failures_of(const std::vector<FigureOutcome>& outcomes)
   return warnings;
 }
 
+// What of the figures is not the program's; empty where all is.
+std::string edited_warning(const std::vector<std::string>& scripts) {
+  if (scripts.empty()) return "";
+  return fmt::format("edited scripts of figures stay and are drawn with: {}; delete one to have it written anew",
+                     fmt::join(scripts, ", "));
+}
+
 // What a reader may take along, of the files in the report's folder.
 std::vector<std::string> downloads_in(const std::filesystem::path& folder) {
   std::vector<std::string> files;
@@ -68,6 +76,9 @@ Report publish(Publication publication, const std::filesystem::path& folder, con
   for (const std::filesystem::path& place : {folder, folder / "tables", folder / "figures"}) remove_litter(place);
   for (const Table& table : tables) write_table(table, folder / "tables");
   if (!assessments.empty()) write_file(folder / "statistics.json", json_of(assessments));
+  if (std::string warning = edited_warning(edited_scripts(figures, folder / "figures")); !warning.empty()) {
+    content.warnings.push_back(std::move(warning));
+  }
   const std::vector<FigureOutcome> outcomes = write_figures(figures, folder / "figures", options);
   std::ranges::move(failures_of(outcomes), std::back_inserter(content.warnings));
 
