@@ -15,14 +15,15 @@ namespace {
 
 constexpr int exact_pairs_below = 50;
 
-// Of V: each rank is in the sum or not, with equal chances.
-std::vector<double> probabilities(int n) {
+// Of 2 V, a whole number also where equal sizes share a rank: each rank is in the sum or not, with equal chances.
+std::vector<double> probabilities_of_twice(const std::vector<double>& ranks) {
   std::vector<double> distribution{1};
-  for (int rank = 1; rank <= n; ++rank) {
-    std::vector<double> next(distribution.size() + static_cast<std::size_t>(rank), 0.0);
+  for (const double rank : ranks) {
+    const auto twice = static_cast<std::size_t>(std::lround(2 * rank));
+    std::vector<double> next(distribution.size() + twice, 0.0);
     for (std::size_t v = 0; v < distribution.size(); ++v) {
       next[v] += distribution[v] / 2;
-      next[v + static_cast<std::size_t>(rank)] += distribution[v] / 2;
+      next[v + twice] += distribution[v] / 2;
     }
     distribution = std::move(next);
   }
@@ -55,13 +56,14 @@ WilcoxonSignedRank wilcoxon_signed_rank(std::span<const double> differences) {
   }
   const auto n = static_cast<double>(test.n);
   RankDistribution distribution{.mean = n * (n + 1) / 4};
-  if (test.n < exact_pairs_below && test.zeros == 0 && ranking.ties.empty()) {
-    distribution.probabilities = probabilities(test.n);
+  test.direction = distribution.direction(test.V);
+  if (test.n < exact_pairs_below) {
+    distribution = {.probabilities = probabilities_of_twice(ranking.ranks), .mean = 2 * distribution.mean};
+    test.p = distribution.two_sided(2 * test.V);
   } else {
     distribution.standard_deviation = std::sqrt(n * (n + 1) * (2 * n + 1) / 24 - ranking.tie_sum() / 48);
+    test.p = distribution.two_sided(test.V);
   }
-  test.p = distribution.two_sided(test.V);
-  test.direction = distribution.direction(test.V);
   test.method = distribution.method();
   return test;
 }

@@ -14,8 +14,8 @@ struct WilcoxonSignedRank {
   double V = not_defined;  // the sum of the ranks, by size, of the positive differences
   double p = not_defined;  // two-sided
   int direction = 0;       // 1 where V is above its mean: the differences are above zero; -1 below, 0 at it
-  std::string method;      // "exact": n < 50, no zeros, no two differences of one size; else "normal approximation",
-                           // corrected for ties and continuity
+  std::string method;      // "exact": n < 50, given the ties; else "normal approximation", corrected for ties and
+                           // continuity
   std::string undefined;   // why there is no p; empty where there is
 };
 

@@ -1,5 +1,6 @@
 #include "analysis/statistics/wilcoxon_signed_rank.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -23,19 +24,31 @@ TEST_CASE("the depression data have the exact p of R", "[wilcoxon_signed_rank]")
   CHECK(test.p == Approx(20.0 / 512).epsilon(1e-14));
 }
 
-TEST_CASE("zeros are dropped and counted, and ties make the test approximate", "[wilcoxon_signed_rank]") {
-  // Sizes 1 1 2 3 4 of 1 -1 2 3 4: V = 1.5 + 3 + 4 + 5 = 13.5; mean 7.5, variance 5 * 6 * 11 / 24 - 6 / 48 = 13.625.
+TEST_CASE("zeros are dropped and counted, and with ties the test is exact too", "[wilcoxon_signed_rank]") {
+  // Sizes 1 1 2 3 4 of 1 -1 2 3 4: V = 1.5 + 3 + 4 + 5 = 13.5. Of the 32 signs of the ranks 1.5 1.5 3 4 5 one has a sum
+  // of 15 and two have 13.5, and as many 0 and 1.5.
   const WilcoxonSignedRank test = wilcoxon_signed_rank(Sample{1, 0, -1, 2, 0, 3, 4});
   CHECK(test.n == 5);
   CHECK(test.zeros == 2);
   CHECK(test.V == 13.5);
-  CHECK(test.method == "normal approximation");
-  CHECK(test.p == Approx(std::erfc(5.5 / std::sqrt(13.625) / std::sqrt(2.0))).epsilon(1e-13));
+  CHECK(test.direction == 1);
+  CHECK(test.method == "exact");
+  CHECK(test.p == Approx(6.0 / 32).epsilon(1e-14));
 }
 
-TEST_CASE("a zero alone makes the test approximate", "[wilcoxon_signed_rank]") {
-  CHECK(wilcoxon_signed_rank(Sample{1, 2, 3, -4}).method == "exact");
-  CHECK(wilcoxon_signed_rank(Sample{1, 2, 3, -4, 0}).method == "normal approximation");
+TEST_CASE("five equal differences have no smaller p than any five", "[wilcoxon_signed_rank]") {
+  CHECK(wilcoxon_signed_rank(Sample{1, 1, 1, 1, 1}).p == Approx(2.0 / 32).epsilon(1e-14));
+  CHECK(wilcoxon_signed_rank(Sample{1, 2, 3, -4, 0}).p == wilcoxon_signed_rank(Sample{1, 2, 3, -4}).p);
+}
+
+TEST_CASE("of fifty differences or more the test is approximate, corrected for ties", "[wilcoxon_signed_rank]") {
+  // By hand: 60 differences of one size, 40 above 0: V = 40 * 30.5, mean 915, variance
+  // 60 * 61 * 121 / 24 - (60^3 - 60) / 48 = 13953.75.
+  Sample differences(60, 1.0);
+  std::fill_n(differences.begin(), 20, -1.0);
+  const WilcoxonSignedRank test = wilcoxon_signed_rank(differences);
+  CHECK(test.method == "normal approximation");
+  CHECK(test.p == Approx(std::erfc(304.5 / std::sqrt(13953.75) / std::sqrt(2.0))).epsilon(1e-12));
 }
 
 TEST_CASE("differences of one sign: exactly one of the 2^n signs, twice", "[wilcoxon_signed_rank]") {
