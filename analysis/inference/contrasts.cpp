@@ -163,6 +163,11 @@ double chance_of_order(const Evidence& evidence, const Contrast& contrast) {
   return std::min(1.0, chance);
 }
 
+// Of what so many observations without a failure do not exclude. Where each is 0 or 1, it is the failures that differ.
+double unseen_failures(const Evidence& evidence, int observations) {
+  return most_without_success(observations, evidence.plan.significance / static_cast<double>(evidence.family()));
+}
+
 // Two groups of one value each. So many values are needed to find a difference, and as many to find that there is none.
 void judge_constants(const Evidence& evidence, Contrast& contrast) {
   const Description& first = evidence.groups[contrast.first].described;
@@ -179,8 +184,16 @@ void judge_constants(const Evidence& evidence, Contrast& contrast) {
     return;
   }
   contrast.difference = {difference, difference, difference};
+  const bool are_shares = evidence.scale == ValueScale::plain && (first.mean == 0 || first.mean == 1);
+  if (difference == 0 && are_shares) {
+    contrast.difference.low = -unseen_failures(evidence, first.n);
+    contrast.difference.high = unseen_failures(evidence, second.n);
+    contrast.runs_to_decide = trials_to_exclude(evidence.plan.margin * first.mean,
+                                                evidence.plan.significance / static_cast<double>(evidence.family()));
+  }
   contrast.extent = extent_of(evidence, contrast);
   contrast.relation = relation_of(evidence, contrast, contrast.p);
+  if (contrast.relation != Relation::not_told_apart) contrast.runs_to_decide = not_defined;
 }
 
 void judge(const Evidence& evidence, Contrast& contrast) {

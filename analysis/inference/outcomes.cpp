@@ -45,6 +45,11 @@ void compare_shares(const Evidence& evidence, std::span<const std::vector<double
     const PairedSuccesses counts = paired_successes(first, second);
     contrast.p = mcnemar_exact(counts);
     difference = newcombe_paired(counts, 1 - alpha);
+    if (counts.first_only + counts.second_only == 0) {  // where the two agree in every block, the others may not
+      const double unseen = most_without_success(counts.trials(), alpha);
+      difference.low = std::min(difference.low, -unseen);
+      difference.high = std::max(difference.high, unseen);
+    }
     contrast.runs_to_decide =
         pairs_to_see(standard_deviation(differences_without_rounding(first, second)), to_see, goal).n;
     // Only blocks in which the two differ count.

@@ -10,6 +10,7 @@
 #include "analysis/inference/judge.hpp"
 #include "analysis/inference/margin.hpp"
 #include "analysis/inference/text.hpp"
+#include "analysis/inference/unseen.hpp"
 #include "analysis/statistics/p_adjust.hpp"
 
 namespace ikbench::inference {
@@ -80,6 +81,11 @@ std::string remark_on(const MetricComparison& comparison, const Corrected& corre
   add(comparison.remark);
   const bool is_open = comparison.outcome == Outcome::undecided || comparison.outcome == Outcome::not_worse;
   add(is_open ? what_is_known(comparison, corrected, question) : comparison.ratio.undefined);
+  if (comparison.outcome == Outcome::same) {
+    const int n = std::min(comparison.a.n, comparison.b.n);
+    add(fmt::format("as far as {} {}s can show: a failure in up to {} of them is not excluded", n,
+                    comparison.observation, unseen_share_words(n, question.significance)));
+  }
   add(ranks_remark(comparison, corrected, question.significance));
   return fmt::format("{}", fmt::join(remarks, "; "));
 }

@@ -112,10 +112,12 @@ bool is_within_margin(const MetricComparison& result, double margin) {
 
 // That no run of either fails shows less than that measured values are equal: where the chance to fail is the margin,
 // n runs without a failure have the probability (1 - margin)^n, and A's, where it is A that fails, 1 / (1 + margin)^n.
-void limit_by_failures(MetricComparison& result, double margin) {
+void limit_by_failures(MetricComparison& result, const MarginQuestion& question) {
   if (result.a.mean != 1 || result.b.mean != 1) return;
+  const double margin = question.margin;
   result.p_not_worse = std::pow(1 - margin, result.b.n);
   result.ratio.p_equivalent = std::max(result.p_not_worse, std::pow(1 + margin, -result.a.n));
+  if (margin > 0) result.n_to_decide = std::ceil(-std::log(question.significance) / std::log1p(margin));
 }
 
 void compare_ratio(MetricComparison& result, const MetricSamples& samples, const MarginQuestion& question) {
@@ -160,7 +162,7 @@ void compare_means(MetricComparison& result, const MetricSamples& samples, const
     return settle(result, Outcome::same, "constant in both and within the margin");
   }
   compare_ratio(result, samples, question);
-  if (is_constant && info_of(samples.metric).kind == Kind::share) limit_by_failures(result, question.margin);
+  if (is_constant && info_of(samples.metric).kind == Kind::share) limit_by_failures(result, question);
 }
 
 bool are_rounding(const MetricSamples& samples) {

@@ -95,6 +95,11 @@ VariantComparison examined(const VariantPair& pair, const std::vector<Metric>& a
                                .design = sentence_of(design, a.study.points)};
   const std::string why_not_timed = why_times_differ(a, b);
   const bool is_counted = uncounted_note(a.study).empty() && uncounted_note(b.study).empty();
+  // All solves of two may succeed, and be different solves: of shares, the errors have to be the same too.
+  const auto is_same = [&](Metric metric) {
+    const auto has_same = [&](Metric one) { return has_same_bits(a.study, study_of_b, design, one); };
+    return has_same(metric) && (info_of(metric).kind != Kind::share || has_same(Metric::position_error_cm));
+  };
   for (const Metric metric : asked) {
     const std::vector<double> of_a = values_of(a.study, design.a, metric);
     const std::vector<double> of_b = values_of(study_of_b, design.b, metric);
@@ -104,7 +109,7 @@ VariantComparison examined(const VariantPair& pair, const std::vector<Metric>& a
                                                  .b = of_b,
                                                  .observation = is_of_targets ? "target" : "run",
                                                  .paired = comparison.paired,
-                                                 .same_bits = has_same_bits(a.study, study_of_b, design, metric),
+                                                 .same_bits = is_same(metric),
                                                  .tests = static_cast<int>(tests),
                                                  .not_compared = is_refused ? "see below" : "",
                                                  .is_counted = is_counted || metric != Metric::evaluations},

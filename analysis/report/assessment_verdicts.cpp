@@ -4,12 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "analysis/inference/contrasts.hpp"
 #include "analysis/inference/deciding.hpp"
 #include "analysis/inference/judge.hpp"
 #include "analysis/inference/text.hpp"
+#include "analysis/inference/unseen.hpp"
 #include "analysis/report/assessment_doubts.hpp"
 #include "analysis/report/assessment_words.hpp"
 
@@ -243,14 +245,24 @@ std::string lead_words(const Evidence& evidence, std::size_t group, const std::v
   return with_remark(std::move(text), is_exact ? p_words(largest_p) : "p at most " + at_most(largest_p));
 }
 
+// Observations of the smallest group of these.
+int fewest_of(const Evidence& evidence, const std::vector<const Contrast*>& pairs) {
+  int fewest = std::numeric_limits<int>::max();
+  for (const Contrast* pair : pairs) {
+    fewest = std::min({fewest, evidence.groups[pair->first].described.n, evidence.groups[pair->second].described.n});
+  }
+  return fewest;
+}
+
 std::string same_words(const Evidence& evidence, std::size_t group, const std::vector<const Contrast*>& pairs) {
   std::string text =
       fmt::format("{} and {} are the same within {}", name_words(evidence, group), others_of(evidence, group, pairs),
                   pairs.size() == 1 ? margin_words(evidence, *pairs.front()) : margin_words(evidence));
-  if (pairs.size() > 1) return text;
   const Estimate& difference = pairs.front()->difference;
-  return difference.low == difference.high ? text
-                                           : fmt::format("{} ({})", text, interval_words_of(evidence, *pairs.front()));
+  if (pairs.size() == 1 && difference.low != difference.high) {
+    text = with_remark(std::move(text), interval_words_of(evidence, *pairs.front()));
+  }
+  return evidence.of_outcomes ? text : with_remark(std::move(text), unseen_words(evidence, fewest_of(evidence, pairs)));
 }
 
 std::string open_pairs_words(const Evidence& evidence, std::size_t group, const std::vector<const Contrast*>& pairs) {
@@ -324,19 +336,26 @@ std::vector<std::string> who_differs(const Evidence& evidence) {
   if (evidence.contrasts.empty()) return {};
   const std::size_t best = evidence.reference.value_or(best_group(evidence));
   std::vector<std::string> with_best, of_others, open, same;
-  std::vector<const Contrast*> undefined;
+  std::vector<const Contrast*> undefined, equivalent;
   for (const Contrast& contrast : evidence.contrasts) {
     const bool of_best = contrast.first == best || contrast.second == best;
     if (is_decided(contrast)) (of_best ? with_best : of_others).push_back(better_words(evidence, contrast));
     if (contrast.relation == Relation::not_told_apart) {
       open.push_back(fmt::format("{} ({})", pair_words(evidence, contrast), open_words(evidence, contrast)));
     }
-    if (contrast.relation == Relation::equivalent) same.push_back(pair_words(evidence, contrast));
+    if (contrast.relation == Relation::equivalent) {
+      same.push_back(pair_words(evidence, contrast));
+      equivalent.push_back(&contrast);
+    }
     if (contrast.relation == Relation::undefined) undefined.push_back(&contrast);
   }
   std::vector<std::string> sentences;
   sentences.push_back(fmt::format("Differences: {}.", who_differs_words(evidence, with_best, of_others)));
-  if (!same.empty()) sentences.push_back(fmt::format("The same within {}: {}.", margin_words(evidence), clauses(same)));
+  if (!same.empty()) {
+    const std::string limit =
+        evidence.of_outcomes ? "" : fmt::format(" ({})", unseen_words(evidence, fewest_of(evidence, equivalent)));
+    sentences.push_back(fmt::format("The same within {}: {}{}.", margin_words(evidence), clauses(same), limit));
+  }
   if (!open.empty()) sentences.push_back(fmt::format("Undecided: {}.", clauses(open)));
   if (!undefined.empty()) {
     const auto name = [&](const Contrast& contrast) { return pair_words(evidence, contrast); };
@@ -371,7 +390,14 @@ std::string in_short(const Evidence& evidence) {
   std::string text = fmt::format("{}.", fmt::join(parts, "; "));
   if (const std::string others = other_pairs_words(evidence, pairs); !others.empty()) text += " " + others;
   if (evidence.constant) return text;
-  return fmt::format("{} Decided by: {}.", text, decided_by(evidence));
+  text += fmt::format(" Decided by: {}.", decided_by(evidence));
+  const bool by_means = !evidence.of_outcomes && !evidence.ranks_decide();
+  std::vector<const Contrast*> decided = pairs.ahead;
+  decided.insert(decided.end(), pairs.behind.begin(), pairs.behind.end());
+  if (!by_means || decided.empty()) return text;
+  const int n = fewest_of(evidence, decided);
+  return text + fmt::format(" {} {} do not exclude a failure in up to {} of them.", n, replicates_words(evidence),
+                            unseen_share_words(n, evidence.plan.significance));
 }
 
 }  // namespace ikbench::report

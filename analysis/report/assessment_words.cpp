@@ -8,6 +8,7 @@
 
 #include "analysis/inference/margin.hpp"
 #include "analysis/inference/text.hpp"
+#include "analysis/inference/unseen.hpp"
 
 namespace ikbench::report {
 
@@ -123,6 +124,11 @@ std::string runs_words(const Evidence& evidence, double runs_to_decide) {
                                         [&](const GroupEvidence& group) { return runs_to_decide > group.described.n; });
   if (!more) return "";
   return fmt::format("about {:.0f} {} would decide", runs_to_decide, replicates_words(evidence));
+}
+
+std::string unseen_words(const Evidence& evidence, int observations) {
+  return fmt::format("as far as {} {} can show: a failure in up to {} of them is not excluded", observations,
+                     replicates_words(evidence), unseen_share_words(observations, evidence.plan.significance));
 }
 
 bool has_too_few(const Evidence& evidence) {

@@ -33,6 +33,8 @@ std::string_view replicates_words(
     const inference::Evidence& evidence);  // "observations per group", or what blocks are: "targets"
 // Of a pair that is undecided: "about 57 observations per group would decide"; empty where it is not known.
 std::string runs_words(const inference::Evidence& evidence, double runs_to_decide);
+// "as far as 20 observations per group can show: a failure in up to 14 % of them is not excluded"
+std::string unseen_words(const inference::Evidence& evidence, int observations);
 // Where ranks decide: whether there are so few observations that no pair can be told apart, whatever they are.
 bool has_too_few(const inference::Evidence& evidence);
 std::size_t corrected_for(const inference::Evidence& evidence);  // so many pairs the deciding p-values are

@@ -90,4 +90,13 @@ FisherExact fisher_exact(Successes first, Successes second) {
   return test;
 }
 
+double most_without_success(int trials, double significance) {
+  return trials < 1 ? 1 : 1 - std::pow(significance, 1.0 / trials);
+}
+
+double trials_to_exclude(double share, double significance) {
+  if (!(share > 0 && share < 1)) return not_defined;
+  return std::ceil(std::log(significance) / std::log1p(-share));
+}
+
 }  // namespace ikbench::statistics

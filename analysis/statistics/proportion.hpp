@@ -40,4 +40,9 @@ struct FisherExact {
 
 FisherExact fisher_exact(Successes first, Successes second);
 
+// The largest chance that so many trials without a success do not exclude, one-sided: 1 - significance^(1 / trials).
+double most_without_success(int trials, double significance);
+// From how many trials on that chance is at most `share`; NaN where no number is enough.
+double trials_to_exclude(double share, double significance);
+
 }  // namespace ikbench::statistics

@@ -361,7 +361,8 @@ degenerate "Not defined: A vs B (A has fewer than 3 values, of which the bootstr
 degenerate "Welch's ANOVA (without B, whose variance is 0 or not defined): F(1, 4) = 1.5" A "1 2 3" B 7 C "2 3 4" # t^2 = 1 / (2 / 3)
 degenerate "All values within a group are equal" A "1 1 1 1 1" B "2 2 2 2 2"
 has "$out" "A is better than B: 1 vs 2, by 1, more than 5 %, ahead in 100 % of pairs of observations (p = 0.00794)" # 2 of 252 arrangements
-degenerate "The same within 5 %: A vs B" A "1 1 1 1" B "1 1 1 1"
+degenerate "The same within 5 %: A vs B (as far as 4 observations per group can show: a failure in up to 53 % of them is not excluded)" A "7 7 7 7" B "7 7 7 7"
+degenerate "Undecided: A vs B (p > 0.999; difference between -0.527 and 0.527; about 59 observations per group would decide)" A "1 1 1 1" B "1 1 1 1" # 1 - 0.05^(1 / 4)
 degenerate "Undecided: A vs B (all observations are equal, but there are too few to call the groups the same; about 4 observations per group would decide)" A "1 1 1" B "1 1 1"
 degenerate "equal variances cannot be tested" A "1.1 1.4" B "2.3 9.7" C "0.1 0.7"
 degenerate "1 of the 3 pairs differs. None of them includes A: B is better than C: 2 vs 3, by 1" A "1 2 3 1 2 3" B "2 2 2 2 2 2" C "3 3 3 3 3 3"

@@ -12,6 +12,7 @@
 #include "tests/catch.hpp"
 
 using namespace ikbench;
+using namespace ikbench::results;
 using namespace ikbench::inference;
 using namespace ikbench::report;
 
@@ -45,15 +46,15 @@ bool any_is_the_same(const Evidence& found) {
 TEST_CASE("equal values are the same within the margin where so many are not equal by chance",
           "[assessment][equivalence]") {
   // All of the one on one side and all of the other on the other: 2 of 6, 20 and 70 arrangements.
-  const Evidence two = evidence(with({{1, 1}, {1, 1}}), {});
+  const Evidence two = evidence(with({{7, 7}, {7, 7}}), {});
   CHECK(two.contrasts[0].relation == Relation::not_told_apart);
   CHECK(two.contrasts[0].p == 1);
   CHECK(two.contrasts[0].extent == Extent::unknown);
-  CHECK_FALSE(is_same(evidence(with({{1, 1, 1}, {1, 1, 1}}), {})));
-  CHECK(is_same(evidence(with({{1, 1, 1, 1}, {1, 1, 1, 1}}), {})));
+  CHECK_FALSE(is_same(evidence(with({{7, 7, 7}, {7, 7, 7}}), {})));
+  CHECK(is_same(evidence(with({{7, 7, 7, 7}, {7, 7, 7, 7}}), {})));
   // Of three groups there are three pairs: 3 * 2 / 70 is not below 0.05, 3 * 2 / 252 is.
-  CHECK_FALSE(is_same(evidence(with({{1, 1, 1, 1}, {1, 1, 1, 1}, {2, 2, 2, 2}}), {})));
-  CHECK(is_same(evidence(with({{1, 1, 1, 1, 1}, {1, 1, 1, 1, 1}, {2, 2, 2, 2, 2}}), {})));
+  CHECK_FALSE(is_same(evidence(with({{7, 7, 7, 7}, {7, 7, 7, 7}, {2, 2, 2, 2}}), {})));
+  CHECK(is_same(evidence(with({{7, 7, 7, 7, 7}, {7, 7, 7, 7, 7}, {2, 2, 2, 2, 2}}), {})));
   // Nor is a difference that is not found a small one.
   CHECK(evidence(with({{100, 100}, {101, 101}}), {}).contrasts[0].extent == Extent::unknown);
   CHECK(evidence(with({{100, 100, 100, 100}, {101, 101, 101, 101}}), {}).contrasts[0].extent == Extent::within);
@@ -81,8 +82,8 @@ TEST_CASE("what is equal in every block is the same where there are enough block
   CHECK(two_equal_in(5).contrasts[0].relation == Relation::not_told_apart);  // 2 / 32
   CHECK(is_same(two_equal_in(6)));                                           // 2 / 64
   CHECK(two_equal_in(6).contrasts[0].p == 1);
-  CHECK_FALSE(is_same(evidence(in_blocks({{1, 1, 1, 1, 1}, {1, 1, 1, 1, 1}}), {})));  // constants too
-  CHECK(is_same(evidence(in_blocks({{1, 1, 1, 1, 1, 1}, {1, 1, 1, 1, 1, 1}}), {})));
+  CHECK_FALSE(is_same(evidence(in_blocks({{7, 7, 7, 7, 7}, {7, 7, 7, 7, 7}}), {})));  // constants too
+  CHECK(is_same(evidence(in_blocks({{7, 7, 7, 7, 7, 7}, {7, 7, 7, 7, 7, 7}}), {})));
 }
 
 TEST_CASE("equal values that are too few are said to be equal, and no more", "[assessment][equivalence]") {
@@ -95,6 +96,59 @@ TEST_CASE("equal values that are too few are said to be equal, and no more", "[a
   CHECK(text.find("In short: g0 against g1 is undecided " + why) != std::string::npos);
   CHECK(text.find("Undecided: g0 vs g1 " + why) != std::string::npos);
   CHECK(text.find("same within") == std::string::npos);
+}
+
+TEST_CASE("shares that are all 1 are the same only where so many exclude that a margin of them fails",
+          "[assessment][equivalence]") {
+  const auto all_succeed = [](std::size_t n, AnalysisPlan plan = {}) {
+    return evidence(with({std::vector<double>(n, 1.0), std::vector<double>(n, 1.0)}), plan);
+  };
+  CHECK_FALSE(is_same(all_succeed(4)));
+  CHECK_FALSE(is_same(all_succeed(58)));            // 0.95^58 = 0.0510
+  CHECK(is_same(all_succeed(59)));                  // 0.95^59 = 0.0485
+  CHECK(is_same(all_succeed(6, {.margin = 0.4})));  // 0.6^6 = 0.0467
+  CHECK_FALSE(is_same(all_succeed(5, {.margin = 0.4})));
+  const Contrast open = all_succeed(10).contrasts[0];
+  CHECK(open.p == 1);
+  CHECK(open.runs_to_decide == 59);
+  CHECK(open.difference.high == Approx(1 - std::pow(0.05, 0.1)));
+  CHECK(open.difference.low == -open.difference.high);
+  std::vector<double> failures(100, 0.0);  // of none, no margin is a share
+  CHECK_FALSE(is_same(evidence(with({failures, failures}), {})));
+  // In blocks the third group makes them outcomes of 0 and 1; the first two agree in each.
+  const auto agree_in = [](std::size_t blocks) {
+    std::vector<double> half(blocks, 1.0);
+    std::fill_n(half.begin(), blocks / 2, 0.0);
+    return evidence(in_blocks({half, half}), {.margin = 0.4});
+  };
+  CHECK_FALSE(is_same(agree_in(4)));
+  CHECK(is_same(agree_in(30)));
+}
+
+TEST_CASE("what n observations cannot exclude stands beside the finding", "[assessment][equivalence]") {
+  const auto text_of = [](const Evidence& found) {
+    std::string text;
+    for (const std::string& sentence : sentences_of(found)) text += sentence + '\n';
+    return text;
+  };
+  std::vector<double> near(20), other(20), far(20);
+  for (std::size_t i = 0; i < 20; ++i) {
+    near[i] = 100 + 0.01 * static_cast<double>(i);
+    other[i] = 100 + 0.01 * static_cast<double>(i * 7 % 20) + 0.003;
+    far[i] = 2 * near[i];
+  }
+  // 1 - 0.05^(1 / 20) = 0.139
+  const std::string limit =
+      "as far as 20 observations per group can show: a failure in up to 14 % of them is not excluded";
+  const Evidence same = evidence(with({near, other}), {.test = DecidingTest::welch});
+  REQUIRE(is_same(same));
+  CAPTURE(text_of(same));
+  CHECK(text_of(same).find("; " + limit + ")") != std::string::npos);
+  CHECK(text_of(same).find("The same within 5 %: g0 vs g1 (" + limit + ").") != std::string::npos);
+  const Evidence better = evidence(with({near, far}), {});
+  REQUIRE(is_decided(better.contrasts[0]));
+  CHECK(text_of(better).find("20 observations per group do not exclude a failure in up to 14 % of them.") !=
+        std::string::npos);
 }
 
 TEST_CASE("groups whose means differ by more than the margin are rarely called the same, however few and tied",

@@ -237,9 +237,9 @@ TEST_CASE("those that the test does not separate from the first share its place"
   const auto same = [](const char* solver, double value) {
     return std::vector<GivenRun>(5, GivenRun{solver, {value}});
   };
-  std::vector<GivenRun> runs = same("A", 1), others = same("B", 1);
+  std::vector<GivenRun> runs = same("A", 2), others = same("B", 2);
   runs.insert(runs.end(), others.begin(), others.end());
-  CHECK(sentence_of(runs) == label + "A and B (1 cm and 1 cm; the same within 5 %).");
+  CHECK(sentence_of(runs) == label + "A and B (2 cm and 2 cm; the same within 5 %).");
 }
 
 TEST_CASE("points as observations have a first and no test", "[estimand]") {

@@ -34,6 +34,22 @@ TEST_CASE("identical variants are the same to the bit in every metric", "[varian
   }
 }
 
+TEST_CASE("two that always succeed, but by other solves, are not the same after two runs", "[variants]") {
+  const std::vector<double> two{1, 1.1}, others{1.1, 1};
+  const MetricComparison few = compared(variant(two), variant(others), {"solved"}).metrics.front();
+  CHECK(few.outcome == Outcome::undecided);
+  CHECK(few.n_to_decide == 62);  // 1.05^-62 = 0.0486
+  std::vector<double> one(65), other(65);
+  for (std::size_t i = 0; i < 65; ++i) {
+    one[i] = 1 + 0.01 * static_cast<double>(i);
+    other[i] = 2 * one[i];
+  }
+  // 1 - 0.05^(1 / 65) = 0.0450
+  const MetricComparison many = compared(variant(one), variant(other), {"solved"}).metrics.front();
+  CHECK(many.outcome == Outcome::same);
+  CHECK(many.remark == "as far as 65 runs can show: a failure in up to 4.5 % of them is not excluded");
+}
+
 TEST_CASE("times are compared where both are clean and of one CPU", "[variants]") {
   const auto slower = [](SolveRecord& solve) { solve.cpu_seconds = solve.seconds *= 10; };
   const Variant a = variant(about(1, 0.1)), b = variant(about(1, 0.1), slower);
@@ -143,8 +159,8 @@ TEST_CASE("the verdict names every regression, or counts what is not decided", "
   CHECK(
       variants_verdict(comparisons, {}) ==
       fmt::format(
-          "No regression beyond 5 % was found. Of 5 comparisons: 4 the same within 5 %, 1 undecided (about {:.0f} runs would "
-          "decide).",
+          "No regression beyond 5 % was found. Of 5 comparisons: 3 the same within 5 %, 2 undecided (about 62 runs would "
+          "decide the first, {:.0f} the last).",
           comparisons.front().metrics.front().n_to_decide));
 }
 

@@ -91,3 +91,13 @@ TEST_CASE("the difference of two shares has Newcombe's interval", "[proportion]"
   CHECK(newcombe({56, 70}, {48, 80}, 0.95).estimate == Approx(0.2));
   CHECK(says(newcombe({1, 2}, {0, 0}, 0.95).undefined, "no trials"));
 }
+
+TEST_CASE("so many trials without a success exclude a larger chance, and no smaller one", "[proportion]") {
+  // 0.05^(1 / 20) = 0.8609: a chance of 0.1391 has no success in 20 trials with probability 0.05.
+  CHECK(most_without_success(20, 0.05) == Approx(0.13911).epsilon(1e-4));
+  CHECK(std::pow(1 - most_without_success(7, 0.01), 7) == Approx(0.01));
+  CHECK(most_without_success(0, 0.05) == 1);
+  CHECK(trials_to_exclude(0.05, 0.05) == 59);  // 0.95^59 = 0.0485, 0.95^58 = 0.0510
+  CHECK(std::isnan(trials_to_exclude(0, 0.05)));
+  CHECK(std::isnan(trials_to_exclude(1, 0.05)));
+}
