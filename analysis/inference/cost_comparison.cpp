@@ -121,6 +121,12 @@ std::vector<AtTargets> costs_at_targets(const StudyResults& study, Cost cost, co
 // Above or below 0, or neither. An interval without width is a difference that every cluster has.
 int side_of(const Interval& interval) { return interval.low > 0 ? 1 : interval.high < 0 ? -1 : 0; }
 
+// Whether the clusters are runs, and those of both solvers copies of one, which show no variation.
+bool are_copies(const StudyResults& study, const std::pair<std::size_t, std::size_t>& pair, const Clusters& clusters) {
+  return clusters.noun() == "runs" && repeats_itself(study, study.solvers[pair.first]) &&
+         repeats_itself(study, study.solvers[pair.second]);
+}
+
 Compared of_logarithm(double logarithm, const Interval& interval) {
   return {std::exp(logarithm), {std::exp(interval.low), std::exp(interval.high)}};
 }
@@ -196,9 +202,9 @@ std::vector<CostPair> compare_costs(const StudyResults& study, Cost cost, const 
          .restricted = of_logarithm(restricted.estimates[i], of_restricted[i]),
          .improvement = {improvement.estimates[i],
                          {std::clamp(of_improvement[i].low, 0.0, 1.0), std::clamp(of_improvement[i].high, 0.0, 1.0)}},
-         .answer = side * by_restricted < 0 || side == 0 ? Answer::undecided
-                   : side < 0                            ? Answer::better
-                                                         : Answer::worse});
+         .answer = side * by_restricted < 0 || side == 0 || are_copies(study, pairs[i], clusters) ? Answer::undecided
+                   : side < 0                                                                     ? Answer::better
+                                                                                                  : Answer::worse});
   }
   return result;
 }

@@ -163,6 +163,20 @@ void add_notes(Observations& result, const StudyResults& study, Metric metric) {
   if (std::string note = timing_note(study); !note.empty()) result.flaw = std::move(note);
 }
 
+// Of solvers that repeat themselves; empty where none does.
+std::string copies_note(const std::vector<Sample>& samples) {
+  std::vector<std::string> names;
+  for (const Sample& sample : samples) {
+    if (sample.equal_runs > 0) names.push_back(fmt::format("{} ({} runs)", one_line(sample.solver), sample.equal_runs));
+  }
+  if (names.empty()) return "";
+  return fmt::format(
+      "Equal runs are one observation: {} gave the same answers in every run, to the last bit, so no test uses its runs "
+      "as repetitions. For a test, give every run targets of its own (path.kind = \"random\"), or start every solve from "
+      "the same configuration (start = \"initial\"), so that a target is an observation.",
+      fmt::join(names, ", "));
+}
+
 // Imports that lack a run which several others have in common: blocks of all would take that run from the others.
 std::set<std::string_view> partial_imports(const StudyResults& study) {
   const auto is_other = [&](std::string_view solver) { return !is_imported(study, solver); };
@@ -236,13 +250,16 @@ Observations observations(const StudyResults& study, Metric metric, Estimand est
   result.replicate = replicate_of(study, unit, quantity.average);
   if (unit == Unit::point) result.flaw = points_flaw;
   if (unit == Unit::run) result.notes.push_back(why_not_blocked(study));
-  for (Sample& sample : samples(study, quantity.value)) {
+  std::vector<Sample> all = samples(study, quantity.value);
+  result.notes.push_back(copies_note(all));
+  for (Sample& sample : all) {
     if (sample.incomplete_runs > 0) {
       result.notes.push_back(fmt::format("{}: {} of its runs lack points and give no observation.", sample.solver,
                                          sample.incomplete_runs));
     }
     result.groups.push_back({.name = std::move(sample.solver), .values = std::move(sample.values)});
   }
+  std::erase(result.notes, "");
   add_decades(result, study, metric, estimand);
   add_notes(result, study, metric);
   return result;

@@ -29,6 +29,7 @@ std::uint64_t hash_of(std::span<const double> numbers) {
 }
 
 std::uint32_t digest_of(std::vector<double> numbers) {
+  if (numbers.empty()) return no_digest;
   for (double& number : numbers) {
     if (std::isnan(number)) return no_digest;
     number += 0.0;  // -0 is 0

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
 #include <optional>
 #include <span>
@@ -278,6 +279,36 @@ void add_run_notes(const CsvFile& file, const CsvRequest& request, const Content
   }
 }
 
+bool is_constant(const Group& group) {
+  const auto is_first = [&](double value) { return value == group.values.front(); };
+  return group.values.size() > 1 && std::ranges::all_of(group.values, is_first);
+}
+
+// Equal measurements are copies of one. Whole numbers may be equal by chance, as counts are, unless no group varies and
+// yet they differ; zeros and ones are outcomes.
+void join_equal(Observations& result, std::string_view what) {
+  const auto given = [&](double value) { return result.scale == ValueScale::log10 ? std::pow(10, value) : value; };
+  const auto is_outcome = [&](double value) { return given(value) == 0 || given(value) == 1; };
+  const auto is_other = [&](const Group& group) { return group.values != result.groups.front().values; };
+  const bool none_varies =
+      std::ranges::all_of(result.groups, is_constant) && std::ranges::any_of(result.groups, is_other);
+  const bool are_outcomes =
+      std::ranges::all_of(result.groups, [&](const Group& group) { return std::ranges::all_of(group.values, is_outcome); });
+  std::vector<std::string> names;
+  for (Group& group : result.groups) {
+    if (!is_constant(group) || are_outcomes || !std::isfinite(group.values.front())) continue;
+    const double value = given(group.values.front());
+    if (value == std::round(value) && !none_varies) continue;
+    names.push_back(fmt::format("{} ({})", one_line(group.name), group.values.size()));
+    group.values.resize(1);
+  }
+  if (names.empty()) return;
+  result.notes.push_back(
+      fmt::format("Equal {0} are one observation: all {0} of {1} have the same value, to the last bit, so no test uses "
+                  "them as repetitions. For a test, compare over several problems (--block COLUMN).",
+                  what, fmt::join(names, ", ")));
+}
+
 }  // namespace
 
 Observations read_observations(std::string_view text, std::string_view source, const CsvRequest& request) {
@@ -321,6 +352,7 @@ Observations read_observations(std::string_view text, std::string_view source, c
     const std::string words = in_words(lacks_of(contents), request.run.empty() ? "values" : "runs", contents.groups);
     if (!words.empty())
       add_flaw(result, fmt::format("{}: {}; {}", request.run.empty() ? "missing" : "incomplete", words, flattered));
+    join_equal(result, what);
     return result;
   }
   if (request.run.empty() && request.replicates == Replicates::checked) expect_one_a_block(file, contents, result);

@@ -35,7 +35,7 @@ struct Solve {
   int run = 1;
   int point = 1;
   std::uint32_t problem = 0;  // its target and start: the number in Gathered::problems
-  std::uint32_t answer = 0;   // digest of answer_rad; no_digest where a number of it is NaN
+  std::uint32_t answer = 0;   // digest of answer_rad; no_digest where there is none, or a number of it is NaN
   std::uint32_t iterations = 0;
   std::uint16_t solver = 0;   // its number in Gathered::labels
   std::uint16_t session = 0;  // its number in Gathered::sessions

@@ -46,6 +46,26 @@ bool complete(std::span<const Solve> run, const StudyResults& study) {
   return static_cast<int>(run.size()) == study.points;
 }
 
+bool are_copies(std::span<const Solve> run, std::span<const Solve> other) {
+  return std::ranges::equal(run, other, [](const Solve& a, const Solve& b) {
+    const bool has_no_answer = is_without_answer(a.status) || a.status == Status::not_verified;
+    return a.problem == b.problem && a.status == b.status &&
+           (has_same_answer(a, b) || (has_no_answer && a.position_error_cm == b.position_error_cm));
+  });
+}
+
+// Of runs that are copies: what was measured anew in each, as times are, stays.
+void join_equal_runs(Sample& sample, std::size_t runs) {
+  if (sample.incomplete_runs > 0 || runs == 0 || sample.values.size() % runs != 0) return;
+  const auto of_a_run = static_cast<std::ptrdiff_t>(sample.values.size() / runs);
+  const auto is_same = [](double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); };
+  for (auto run = sample.values.begin(); run != sample.values.end(); run += of_a_run) {
+    if (!std::equal(run, run + of_a_run, sample.values.begin(), is_same)) return;
+  }
+  sample.values.resize(static_cast<std::size_t>(of_a_run));
+  sample.equal_runs = static_cast<int>(runs);
+}
+
 }  // namespace
 
 const std::string& solver_of(const StudyResults& study, const Solve& solve) {
@@ -140,7 +160,9 @@ std::vector<Sample> samples(const StudyResults& study, const OfRun& value_of) {
   std::vector<const Solve*> solves;
   for (const std::string& solver : study.solvers) {
     Sample sample{.solver = solver};
+    std::size_t complete_runs = 0;
     for (const std::span<const Solve> run : runs_of(study, solver)) {
+      complete_runs += complete(run, study) ? 1 : 0;
       solves.clear();
       for (const Solve& solve : run) solves.push_back(&solve);
       if (study.plan.unit == Unit::point) {
@@ -151,9 +173,18 @@ std::vector<Sample> samples(const StudyResults& study, const OfRun& value_of) {
         ++sample.incomplete_runs;
       }
     }
+    if (repeats_itself(study, solver)) join_equal_runs(sample, complete_runs);
     result.push_back(std::move(sample));
   }
   return result;
+}
+
+bool repeats_itself(const StudyResults& study, std::string_view solver) {
+  std::vector<std::span<const Solve>> runs = runs_of(study, solver);
+  std::erase_if(runs, [&](std::span<const Solve> run) { return !complete(run, study); });
+  return runs.size() > 1 && std::ranges::all_of(runs, [&](std::span<const Solve> run) {
+           return run.data() == runs.front().data() || are_copies(runs.front(), run);
+         });
 }
 
 Average average_of(Metric metric) { return info_of(metric).kind == Kind::time ? median : mean; }

@@ -79,8 +79,14 @@ struct Sample {
   std::string solver;
   std::vector<double> values = {};
   int incomplete_runs = 0;
+  int equal_runs = 0;  // that the values are of, where these repeat each other; else 0
 };
 
+// Whether its complete runs, of which there are several, were given the same targets and answered them alike to the
+// last bit: such runs are copies, so that all of them together say what one does.
+bool repeats_itself(const StudyResults& study, std::string_view solver);
+
+// Where a solver repeats itself, equal runs are one.
 std::vector<Sample> samples(const StudyResults& study, Metric metric);
 // The same of anything else that solves have.
 using OfRun = std::function<double(Run)>;

@@ -227,6 +227,18 @@ void compare_not_finite(MetricComparison& result, const MetricSamples& samples, 
   result.p_not_worse = result.ratio.p_equivalent = result.n_to_decide = not_defined;
 }
 
+// Of one answer each, however often it was repeated: which is better is no matter of chance.
+void compare_copies(MetricComparison& result, const MetricSamples& samples, const MarginQuestion& question) {
+  const double ahead = (result.a.mean - result.b.mean) * (info_of(samples.metric).better == Better::smaller ? 1 : -1);
+  const double room = std::max(question.margin * std::abs(result.a.mean), question.margin_cm);
+  const bool is_small = without_rounding(std::abs(ahead) - room, std::abs(result.a.mean)) <= 0;
+  settle(result,
+         is_small    ? Outcome::same
+         : ahead > 0 ? Outcome::better
+                     : Outcome::worse,
+         "all runs of each are equal: a fact of these targets, without a test");
+}
+
 }  // namespace
 
 MarginQuestion question_about(std::string_view metric, const MarginQuestion& question) {
@@ -256,6 +268,8 @@ MetricComparison compare_metric(const MetricSamples& samples, const MarginQuesti
   }
   if (samples.same_bits) {
     settle(result, Outcome::same, "equal bit for bit");
+  } else if (samples.are_copies && result.a.std == 0 && result.b.std == 0) {
+    compare_copies(result, samples, question);
   } else if (not_finite(samples.a) + not_finite(samples.b) > 0) {
     compare_not_finite(result, samples, question);
   } else if (are_rounding(samples)) {

@@ -53,6 +53,7 @@ struct MetricSamples {
   std::string_view observation = "run";  // what one value is of: "run" or "target"
   bool paired = false;                   // a[i] and b[i] had the same targets, and those of i other than those of j
   bool same_bits = false;                // every solve has the same value in both; of a share, the same error too
+  bool are_copies = false;               // the runs of a repeat each other to the bit, and so do those of b
   int tests = 1;                         // how many are decided together, of all labels and metrics
   std::string not_compared = {};         // why the two cannot be compared; empty where they can
   bool is_counted = true;                // of evaluations: somebody counted them in every solve of both

@@ -100,6 +100,8 @@ VariantComparison examined(const VariantPair& pair, const std::vector<Metric>& a
     const auto has_same = [&](Metric one) { return has_same_bits(a.study, study_of_b, design, one); };
     return has_same(metric) && (info_of(metric).kind != Kind::share || has_same(Metric::position_error_cm));
   };
+  const bool are_copies = design.pairs == Blocks::none && repeats_itself(a.study, a.series.label) &&
+                          repeats_itself(b.study, b.series.label);
   for (const Metric metric : asked) {
     const std::vector<double> of_a = values_of(a.study, design.a, metric);
     const std::vector<double> of_b = values_of(study_of_b, design.b, metric);
@@ -110,6 +112,7 @@ VariantComparison examined(const VariantPair& pair, const std::vector<Metric>& a
                                                  .observation = is_of_targets ? "target" : "run",
                                                  .paired = comparison.paired,
                                                  .same_bits = is_same(metric),
+                                                 .are_copies = are_copies,
                                                  .tests = static_cast<int>(tests),
                                                  .not_compared = is_refused ? "see below" : "",
                                                  .is_counted = is_counted || metric != Metric::evaluations},

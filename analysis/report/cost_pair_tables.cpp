@@ -76,7 +76,7 @@ Table cost_pair_table(const StudyResults& study, Cost cost, const Clusters& clus
   }
   table.notes = {
       "Ratios are first / second: below 1 the first spends less. The interval of the ert ratio decides, or without one "
-      "that of the restricted_mean ratio; if the two contradict each other, the pair is open. probability of "
+      "that of the restricted_mean ratio; if the two contradict each other, or all runs of each solver are equal, the pair is open. probability of "
       "improvement: how often the first spends less than the second at the same target; ties count half, and solves "
       "that do not reach the tolerance tie.",
       together_note(clusters, study.plan.significance)};

@@ -85,7 +85,7 @@ std::string regression(const MetricComparison& metric, const MarginQuestion& que
     facts.push_back(fmt::format("{} interval {} to {}", percent(1 - 2 * question.significance), short_number(ratio.low),
                                 short_number(ratio.high)));
   }
-  facts.push_back(fmt::format("p {}", short_number(metric.p_worse)));
+  facts.push_back(metric.is_fact ? "no test" : fmt::format("p {}", short_number(metric.p_worse)));
   return fmt::format("{} ({})", metric.metric, fmt::join(facts, ", "));
 }
 

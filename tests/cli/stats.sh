@@ -359,8 +359,7 @@ degenerate "; 1 group (A) with 1 observation each" A 1
 degenerate "nothing can be judged, because no group has more than one observation" A 1 B 2 C 3
 degenerate "Not defined: A vs B (A has fewer than 3 values, of which the bootstrap learns too little)" A 1 B "2 3"
 degenerate "Welch's ANOVA (without B, whose variance is 0 or not defined): F(1, 4) = 1.5" A "1 2 3" B 7 C "2 3 4" # t^2 = 1 / (2 / 3)
-degenerate "All values within a group are equal" A "1 1 1 1 1" B "2 2 2 2 2"
-has "$out" "A is better than B: 1 vs 2, by 1, more than 5 %, ahead in 100 % of pairs of observations (p = 0.00794)" # 2 of 252 arrangements
+degenerate "Equal rows are one observation: all rows of A (5), B (5) have the same value" A "1 1 1 1 1" B "2 2 2 2 2"
 degenerate "The same within 5 %: A vs B (as far as 4 observations per group can show: a failure in up to 53 % of them is not excluded)" A "7 7 7 7" B "7 7 7 7"
 degenerate "Undecided: A vs B (p > 0.999; difference between -0.527 and 0.527; about 59 observations per group would decide)" A "1 1 1 1" B "1 1 1 1" # 1 - 0.05^(1 / 4)
 degenerate "Undecided: A vs B (all observations are equal, but there are too few to call the groups the same; about 4 observations per group would decide)" A "1 1 1" B "1 1 1"

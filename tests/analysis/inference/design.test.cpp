@@ -95,6 +95,36 @@ TEST_CASE("points as observations have a flaw, and the report says which", "[des
   CHECK(observations(by_point(study_of({.path = "random"})), metric_of_errors).blocks.empty());
 }
 
+TEST_CASE("equal runs of a solver are one observation, and what is measured anew in each stays", "[design]") {
+  std::vector<SolveRecord> solves = solves_of({.runs = 3});
+  for (SolveRecord& solve : solves) {
+    solve.seconds = solve.cpu_seconds = 0.1 * solve.run;
+    if (solve.solver == "A") solve.position_error_cm = solve.start_rad[0] = 100.0 + solve.point;
+    solve.answer_rad = {solve.position_error_cm};
+  }
+  const StudyResults study = study_of({.runs = 3}, solves);
+  CHECK(repeats_itself(study, "A"));
+  CHECK_FALSE(repeats_itself(study, "B"));
+  const Observations found = observations(study, metric_of_errors);
+  CHECK(found.groups[0].values == Values{102});
+  CHECK(found.groups[1].values == Values{204, 404, 604});
+  REQUIRE(found.notes.size() == 2);
+  CHECK(found.notes[1].starts_with("Equal runs are one observation: A (3 runs) gave the same answers in every run"));
+  CHECK(observations(study, Metric::seconds).groups[0].values.size() == 3);
+  CHECK(observations(by_point(study), metric_of_errors).groups[0].values == Values{101, 102, 103});
+
+  SECTION("one point of one run that differs makes all runs count") {
+    for (SolveRecord& solve : solves) {
+      if (solve.solver == "A" && solve.run == 2 && solve.point == 3) solve.answer_rad = {104};
+    }
+    CHECK_FALSE(repeats_itself(study_of({.runs = 3}, solves), "A"));
+  }
+  SECTION("another target makes another run") {
+    for (SolveRecord& solve : solves) solve.target_position_m[1] = 0.1 * solve.run;
+    CHECK_FALSE(repeats_itself(study_of({.runs = 3}, solves), "A"));
+  }
+}
+
 TEST_CASE("a definition says whether targets were drawn, of any kind of path, older ones by the kind alone",
           "[design]") {
   CHECK(Definition(R"({"path": {"kind": "spiral", "targets": "drawn"}})").draws_targets());

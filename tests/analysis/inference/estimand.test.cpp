@@ -242,6 +242,25 @@ TEST_CASE("those that the test does not separate from the first share its place"
   CHECK(sentence_of(runs) == label + "A and B (2 cm and 2 cm; the same within 5 %).");
 }
 
+TEST_CASE("of two solvers that repeat themselves there is no test, however many runs there are", "[estimand]") {
+  std::vector<GivenRun> runs;
+  for (int run = 0; run < 20; ++run) {
+    runs.push_back({"A", {0.1, 0.3}});
+    runs.push_back({"B", {0.2, 0.6}});
+  }
+  JudgedStudy study = judged_runs(runs);
+  for (Solve& solve : study.solves.to_change()) solve.answer = 1 + solve.solver;  // one for all its runs
+  CHECK(leaders_sentence(study, position_error)
+            .starts_with("Smallest mean error (large errors dominate): A (0.2 cm; next B 0.4 cm, not tested)."));
+  const Evidence& found = study.evidence(position_error, Estimand::mean);
+  CHECK(found.groups[0].described.n == 1);
+  CHECK(std::isnan(found.contrasts.at(0).p));
+  CHECK(found.contrasts[0].relation == Relation::undefined);
+  const std::string text = text_of_assessment(assess(study, position_error, Estimand::mean));
+  CHECK(contains(text, "Equal runs are one observation: A (20 runs), B (20 runs) gave the same answers in every run"));
+  CHECK(!contains(text, "p = "));
+}
+
 TEST_CASE("points as observations have a first and no test", "[estimand]") {
   CHECK(contains(leaders_sentence(judged_runs(three_winners(), R"(, "analysis": {"unit": "point"})"), position_error),
                  "Most often within 0.01 cm: C (80 %; next B 50 %, not tested)."));

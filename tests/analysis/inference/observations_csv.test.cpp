@@ -474,8 +474,31 @@ TEST_CASE("summaries that cannot be are refused", "[csv]") {
   CHECK(says(summary_refusal("name,mean,sd,n\n"), {"no rows below the header"}));
 }
 
+TEST_CASE("rows of a group that are equal to the bit are one observation", "[csv]") {
+  const auto sizes = [](const std::string& rows) {
+    const Observations found = read_observations("group,e\n" + rows, "f.csv", {.value = "e"});
+    std::vector<std::size_t> result;
+    for (const Group& group : found.groups) result.push_back(group.values.size());
+    result.push_back(found.notes.size());
+    return result;
+  };
+  using Sizes = std::vector<std::size_t>;
+  CHECK(sizes("A,0.25\nA,0.25\nA,0.25\nB,0.5\nB,0.5\n") == Sizes{1, 1, 1});
+  CHECK(sizes("A,0.25\nA,0.25\nB,0.5\nB,0.75\n") == Sizes{1, 2, 1});
+  CHECK(sizes("A,0.25\nA,0.5\nB,0.5\nB,0.75\n") == Sizes{2, 2, 0});
+  CHECK(sizes("A,137\nA,137\nB,245\nB,245\n") == Sizes{1, 1, 1});
+  CHECK(sizes("A,100\nA,100\nB,98\nB,97\n") == Sizes{2, 2, 0});  // counts may be equal by chance
+  CHECK(sizes("A,1\nA,1\nB,0\nB,0\n") == Sizes{2, 2, 0});        // outcomes
+  const Observations found =
+      read_observations("group,e,seed\nA,0.25,1\nA,0.5,1\nA,0.25,2\nA,0.5,2\nB,1,1\nB,2,1\nB,1,2\nB,4,2\n", "f.csv",
+                        {.value = "e", .run = "seed"});
+  CHECK(found.groups[0].values == std::vector<double>{0.375});
+  CHECK(found.groups[1].values == std::vector<double>{1.5, 2.5});
+  CHECK(found.notes.back().starts_with("Equal runs are one observation: all runs of A (2) have the same value"));
+}
+
 TEST_CASE("typical values of a CSV are geometric means of its positive values", "[csv]") {
-  const std::string csv = "solver,run,error\nA,1,1\nA,1,100\nA,2,10\nA,2,10\nB,1,2\nB,1,2\nB,2,2\nB,2,2\n";
+  const std::string csv = "solver,run,error\nA,1,1\nA,1,100\nA,2,10\nA,2,10\nB,1,2\nB,1,2\nB,2,2\nB,2,3\n";
   CsvRequest request{.value = "error", .run = "run", .scale = ValueScale::log10};
   const Observations found = read_observations(csv, "a.csv", request);
   CHECK(found.name == "typical-error");

@@ -50,6 +50,24 @@ TEST_CASE("two that always succeed, but by other solves, are not the same after 
   CHECK(many.remark == "as far as 65 runs can show: a failure in up to 4.5 % of them is not excluded");
 }
 
+TEST_CASE("of variants that repeat themselves the difference is a fact, and no p is made of copies", "[variants]") {
+  const auto with = [](double error_cm) {
+    return variant(std::vector<double>(20, error_cm), [](SolveRecord& solve) { solve.answer_rad = {1, 2}; });
+  };
+  const auto told = [&](double error_cm) {
+    return compared(with(1), with(error_cm), {"position_error_cm"}).metrics.front();
+  };
+  CHECK(told(2).outcome == Outcome::worse);
+  CHECK(told(0.5).outcome == Outcome::better);
+  CHECK(told(1.01).outcome == Outcome::same);
+  CHECK(told(2).is_fact);
+  CHECK(std::isnan(told(2).p_worse));
+  CHECK(told(2).remark == "all runs of each are equal: a fact of these targets, without a test");
+  const std::vector<VariantComparison> all{compared(with(1), with(2), {"position_error_cm"})};
+  CHECK_THAT(variants_verdict(all, {}),
+             ContainsSubstring("Regression beyond 5 %: position_error_cm (2 times A's, no test)"));
+}
+
 TEST_CASE("times are compared where both are clean and of one CPU", "[variants]") {
   const auto slower = [](SolveRecord& solve) { solve.cpu_seconds = solve.seconds *= 10; };
   const Variant a = variant(about(1, 0.1)), b = variant(about(1, 0.1), slower);
