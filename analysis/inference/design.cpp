@@ -142,10 +142,11 @@ void fill_blocks(Observations& result, const StudyResults& study, const std::vec
 // Whether the worst cases decide a mean, the solves alone show.
 void add_decades(Observations& result, const StudyResults& study, Metric metric, Estimand estimand) {
   if (is_of_run(metric)) return;
+  const ValueOf counted = counted_value(study, metric);
   for (Group& group : result.groups) {
     std::vector<double> values;
     for (const Solve& solve : solves_of(study, group.name)) {
-      const double value = value_of(study, solve, metric), least = info_of(metric).rounding;
+      const double value = counted(solve), least = info_of(metric).rounding;
       values.push_back(value < least ? least : value);
     }
     group.decades = estimand == Estimand::mean ? decades(values) : 0;

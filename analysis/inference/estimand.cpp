@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "analysis/inference/convergence.hpp"
+#include "analysis/inference/definition.hpp"
 #include "analysis/inference/text.hpp"
 
 namespace ikbench::inference {
@@ -15,13 +16,81 @@ using namespace statistics;
 
 namespace {
 
+// Up to which errors of the metric are all alike, in its unit; not defined where the study has no such tolerance.
+double tolerance_of(const StudyResults& study, Metric metric) {
+  if (!is_error(metric)) return not_defined;
+  const Tolerance found = tolerance(study);
+  if (metric != Metric::orientation_error_deg) return found.cm;
+  return std::isfinite(found.cm) && std::isfinite(found.deg) ? found.deg : not_defined;
+}
+
+bool has_tolerance(const StudyResults& study) { return std::isfinite(tolerance_cm(study)); }
+
+bool is_ok(const Solve* solve) { return solve->status == Status::ok; }
+
+// What a solve may cost at most: the study's limit, or without one what its dearest solve cost.
+double limit_of(const StudyResults& study, Metric metric) {
+  double limit = not_defined;
+  if (metric == Metric::evaluations) limit = Definition(study.definition).number("/stop/evaluations");
+  if (metric == Metric::seconds) limit = deadline_seconds(study);
+  if (limit > 0) return limit;
+  double most = 0;
+  for (const Solve& solve : study.solves) {
+    const double value = value_of(study, solve, metric);
+    if (std::isfinite(value)) most = std::max(most, value);
+  }
+  return most;
+}
+
+// In a study with a tolerance, so that none gains by answers that solve nothing.
+void penalise(Quantity& result, const StudyResults& study, Metric metric) {
+  if (is_of_run(metric)) {
+    result.value = [&study, metric](Run run) {
+      return std::ranges::any_of(run, is_ok) ? value_of(study, run, metric) : not_defined;
+    };
+    result.notes.emplace_back("A run counts if at least one of its solves has status ok.");
+    return;
+  }
+  const double limit = limit_of(study, metric);
+  result.text = "penalised " + result.text;
+  result.value = averaged(
+      [&study, metric, limit](const Solve& solve) {
+        const bool is_known = metric != Metric::evaluations || solve.counted_by != CountedBy::nobody;
+        return is_ok(&solve) || !is_known ? value_of(study, solve, metric) : penalty * limit;
+      },
+      average_of(metric));
+  result.notes.push_back(fmt::format(
+      "A solve without status ok costs {0:g} times the limit, {0:g} times {1} (PAR10), so that no solver "
+      "gains by answers that solve nothing. The limit is the study's, or without one what the dearest solve "
+      "cost.",
+      penalty, rounded_number(limit, 6)));
+}
+
+std::string tolerance_note(double least, std::string_view unit) {
+  return fmt::format("An error below the tolerance of {0} {1} counts as {0} {1}: below it solvers are the same.",
+                     rounded_number(least, 4), unit);
+}
+
 Quantity mean_quantity(const StudyResults& study, Metric metric) {
   const MetricInfo& info = info_of(metric);
-  return {.name = std::string(info.slug),
-          .text = quantity(metric),
-          .better = info.better,
-          .average = is_of_run(metric) ? "value" : std::string(average_name(metric)),
-          .value = [&study, metric](Run run) { return value_of(study, run, metric); }};
+  Quantity result{.name = std::string(info.slug),
+                  .text = quantity(metric),
+                  .better = info.better,
+                  .average = is_of_run(metric) ? "value" : std::string(average_name(metric)),
+                  .value = [&study, metric](Run run) { return value_of(study, run, metric); }};
+  if (is_cost(metric) && has_tolerance(study)) penalise(result, study, metric);
+  const double least = tolerance_of(study, metric);
+  if (!std::isfinite(least)) return result;
+  result.notes.push_back(tolerance_note(least, info.unit));
+  if (is_of_run(metric)) {
+    result.value = [&study, metric, least](Run run) {
+      const double value = value_of(study, run, metric);
+      return value < least ? least : value;
+    };
+  } else {
+    result.value = averaged(counted_value(study, metric));
+  }
+  return result;
 }
 
 Quantity typical_quantity(const StudyResults& study, Metric metric) {
@@ -31,11 +100,13 @@ Quantity typical_quantity(const StudyResults& study, Metric metric) {
                   .better = info.better,
                   .scale = ValueScale::log10,
                   .average = "geometric mean"};
-  result.value = averaged([&study, metric, least = info.rounding](const Solve& solve) {
-    const double value = value_of(study, solve, metric);
+  result.value = averaged([counted = counted_value(study, metric), least = info.rounding](const Solve& solve) {
+    const double value = counted(solve);
     return std::log10(value < least ? least : value);
   });
-  if (info.rounding > 0) {
+  if (const double least = tolerance_of(study, metric); std::isfinite(least)) {
+    result.notes.push_back(tolerance_note(least, info.unit));
+  } else if (info.rounding > 0) {
     result.notes.push_back(fmt::format("A value below {0} {1} counts as {0} {1}, because below that it is rounding.",
                                        rounded_number(info.rounding, 3), info.unit));
   }
@@ -49,17 +120,16 @@ Quantity reliability_quantity(const StudyResults& study, Metric metric) {
                   .better = Better::larger,
                   .average = "share"};
   const double most = distance_of(study, metric) + info.rounding;
-  const bool has_tolerance = std::isfinite(tolerance_cm(study));
-  const bool is_error = metric == Metric::position_error_cm;
-  result.value = averaged([&study, metric, most, has_tolerance, is_error](const Solve& solve) {
-    const bool counts = has_tolerance ? solve.status == Status::ok : !stays(solve.status);
-    return counts && ((is_error && has_tolerance) || value_of(study, solve, metric) <= most) ? 1.0 : 0.0;
+  const bool is_solved = has_tolerance(study), is_position = metric == Metric::position_error_cm;
+  result.value = averaged([&study, metric, most, is_solved, is_position](const Solve& solve) {
+    const bool counts = is_solved ? solve.status == Status::ok : !stays(solve.status);
+    return counts && ((is_position && is_solved) || value_of(study, solve, metric) <= most) ? 1.0 : 0.0;
   });
-  if (has_tolerance) {
+  if (is_solved) {
     result.notes.emplace_back("Only a solve with status ok counts: inside the joint limits and within the tolerance.");
     return result;
   }
-  if (is_error) {
+  if (is_position) {
     result.notes.emplace_back(
         "The study has no tolerance, so an answer counts by its position alone, inside the joint limits or not.");
   }
@@ -68,6 +138,19 @@ Quantity reliability_quantity(const StudyResults& study, Metric metric) {
 }
 
 }  // namespace
+
+Estimand primary_estimand(const StudyResults& study) {
+  const std::vector<Estimand>& planned = study.plan.estimands;
+  const bool has_share = std::ranges::find(planned, Estimand::reliability) != planned.end();
+  return has_share && has_tolerance(study) ? Estimand::reliability : planned.front();
+}
+
+ValueOf counted_value(const StudyResults& study, Metric metric) {
+  return [&study, metric, least = tolerance_of(study, metric)](const Solve& solve) {
+    const double value = value_of(study, solve, metric);
+    return value < least ? least : value;
+  };
+}
 
 double distance_of(const StudyResults& study, Metric metric) {
   if (metric == Metric::position_error_cm) {

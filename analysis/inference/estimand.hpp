@@ -11,6 +11,8 @@
 
 namespace ikbench::inference {
 
+constexpr double penalty = 10;
+
 struct Quantity {
   std::string name;  // of files and anchors: "error", "error-typical", "error-reliability"
   std::string text;  // with its unit in brackets: "typical position error [cm]"
@@ -25,10 +27,20 @@ struct Quantity {
 // computing time, whose average is the median, the reliability too where the study has a deadline.
 std::vector<results::Estimand> estimands_of(const StudyResults& study, Metric metric);
 
-// `study` outlives the result. mean: the average of the value (average_of), or what a run has as a whole. typical: its
-// logarithm to base 10, where a value up to the metric's rounding counts as that. reliability: 1 within the distance,
-// else 0; where the study has a tolerance only with status ok, else also 0 where there is no new answer or it is not
-// finite.
+// By which the study says who is better: the share of solves within the tolerance, where it has one and its plan asks
+// for that, else the first estimand of its plan. The others are exploratory.
+results::Estimand primary_estimand(const StudyResults& study);
+
+// What of a solve counts: in a study with a tolerance an error up to the tolerance counts as the tolerance. Any other
+// value is what it is. `study` outlives the result.
+ValueOf counted_value(const StudyResults& study, Metric metric);
+
+// `study` outlives the result. mean: the average of the counted value (average_of), or what a run has as a whole. In a
+// study with a tolerance a cost of a solve that is not ok counts `penalty` times the study's limit (PAR10), or without
+// a limit the largest that any solve has; what a run costs as a whole is not defined where none of its solves is ok.
+// typical: its logarithm to base 10, where a value up to the metric's rounding counts as that. reliability: 1 within
+// the distance, else 0; where the study has a tolerance only with status ok, else also 0 where there is no new answer
+// or it is not finite.
 Quantity quantity_of(const StudyResults& study, Metric metric, results::Estimand estimand);
 
 // The distance of reliability, in the metric's unit: the study's tolerance, or the plan's within_cm where it has none;

@@ -45,6 +45,9 @@ static_assert(row(Metric::variation_deg).column == "variation_deg");
 static_assert(row(Metric::seconds).column == "seconds");
 static_assert(row(Metric::evaluations).column == "evaluations");
 static_assert(row(Metric::solved).column == "solved");
+static_assert(row(Metric::orientation_error_deg).column == "orientation_error_deg");
+static_assert(row(Metric::variation_m).column == "variation_m");
+static_assert(row(Metric::excess_error_cm).column == "excess_error_cm");
 
 // Those of the table that are shown in one of the ways.
 std::vector<Metric> metrics_shown(std::initializer_list<Shown> ways) {
@@ -65,6 +68,15 @@ std::string quantity(Metric metric) {
 }
 
 bool is_of_run(Metric metric) { return row(metric).of_run != nullptr; }
+
+bool is_error(Metric metric) {
+  return metric == Metric::position_error_cm || metric == Metric::orientation_error_deg ||
+         metric == Metric::excess_error_cm;
+}
+
+bool is_cost(Metric metric) {
+  return !is_error(metric) && row(metric).better == Better::smaller && row(metric).kind != Kind::share;
+}
 
 double value_of(const StudyResults& study, const Solve& solve, Metric metric) {
   if (!is_of_run(metric)) return row(metric).value(solve, study);

@@ -13,7 +13,16 @@
 namespace ikbench::inference {
 
 // A row of the table, by its place. Those that some code says something particular of have a name.
-enum class Metric : std::size_t { position_error_cm, variation_deg, seconds, evaluations, solved };
+enum class Metric : std::size_t {
+  position_error_cm,
+  variation_deg,
+  seconds,
+  evaluations,
+  solved,
+  orientation_error_deg,
+  variation_m,
+  excess_error_cm
+};
 
 // count: how often a solver does something, which is a fact where it is constant. time: compared only where times are
 // comparable. share: of what can fail, so that never having failed is no proof.
@@ -46,6 +55,8 @@ const MetricInfo& info_of(Metric metric);
 std::string_view name_of(Metric metric);  // the column's name
 std::string quantity(Metric metric);      // "position error [cm]"
 bool is_of_run(Metric metric);            // alone: a single solve has no value
+bool is_error(Metric metric);             // how far an answer is from its target
+bool is_cost(Metric metric);              // what an answer takes: a solver that does nothing has the least
 // Of a solve, and of what is one observation. Not defined where the metric has no meaning in the study.
 double value_of(const StudyResults& study, const Solve& solve, Metric metric);
 double value_of(const StudyResults& study, Run run, Metric metric);

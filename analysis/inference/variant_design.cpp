@@ -12,6 +12,8 @@
 #include <stdexcept>
 #include <string_view>
 
+#include "analysis/inference/estimand.hpp"
+
 namespace ikbench::inference {
 
 using namespace results;
@@ -179,13 +181,14 @@ std::string sentence_of(const VariantDesign& design, int points) {
 
 std::vector<double> values_of(const StudyResults& study, const std::vector<Observed>& observed, Metric metric) {
   std::vector<double> result;
+  const ValueOf counted = counted_value(study, metric);
   for (const Observed& one : observed) {
     if (is_of_run(metric)) {
       result.push_back(value_of(study, one.solves, metric));
       continue;
     }
     std::vector<double> values;
-    for (const Solve* solve : one.solves) values.push_back(value_of(study, *solve, metric));
+    for (const Solve* solve : one.solves) values.push_back(counted(*solve));
     result.push_back(mean(values));
   }
   return result;
