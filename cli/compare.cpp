@@ -83,11 +83,21 @@ void write_output(const Compared& compared, const std::string& file) {
                                        : variants_json(compared.comparisons, compared.question));
 }
 
+// Times that nobody asked for are advice: of two sessions they cannot be compared.
+bool is_open(const Compared& compared, const CompareArguments& arguments) {
+  const auto counts = [&](const MetricComparison& metric) {
+    const bool is_advice = arguments.metrics.empty() && metric.metric == name_of(Metric::seconds);
+    return !is_advice && (metric.outcome == Outcome::undecided || metric.outcome == Outcome::not_compared);
+  };
+  return std::ranges::any_of(compared.comparisons, [&](const VariantComparison& comparison) {
+    return std::ranges::any_of(comparison.metrics, counts);
+  });
+}
+
 int exit_code(const Compared& compared, const CompareArguments& arguments) {
-  const auto is_there = [&](Outcome outcome) { return count(compared.comparisons, outcome) > 0; };
-  if (is_there(Outcome::worse)) return regression;
+  if (count(compared.comparisons, Outcome::worse) > 0) return regression;
   if (compared.state == LookState::open) return more_runs;
-  return arguments.strict && (is_there(Outcome::undecided) || is_there(Outcome::not_compared)) ? undecided : 0;
+  return arguments.strict && is_open(compared, arguments) ? undecided : 0;
 }
 
 int tell(const Compared& compared, const CompareArguments& arguments) {
@@ -210,8 +220,10 @@ void add_compare(CLI::App& app, Invocation& invocation) {
                    "with two stores: compare only this label; repeat for more; default: all that both stores have")
       ->allow_extra_args(false);
   command
-      ->add_option("--metric", arguments->metrics,
-                   metric_names() + ", which are the default, or another of ikbench list metrics; repeat for more")
+      ->add_option(
+          "--metric", arguments->metrics,
+          metric_names() +
+              ", which are the default (of poses also orientation_error_deg), or another of ikbench list metrics; repeat for more")
       ->allow_extra_args(false);
   const CLI::Option *margin = add_margin_option(*command, arguments->plan.margin),
                     *margin_cm = add_margin_cm_option(*command, arguments->plan.margin_cm),
@@ -219,7 +231,8 @@ void add_compare(CLI::App& app, Invocation& invocation) {
   command->get_option("--significance")
       ->description("significance level of all tests together; intervals have level 1 minus twice this");
   command->add_flag("--strict", arguments->strict,
-                    "exit with 4 if nothing is worse but a metric is undecided or not compared");
+                    "exit with 4 if nothing is worse but a metric is undecided or not compared; times count only with "
+                    "--metric seconds");
   command->add_option("-o,--output", arguments->output, "also write the full table to this .md, .csv or .json file");
   add_sequential_options(*command, *arguments, {store, study});
   command->footer(
@@ -229,9 +242,7 @@ void add_compare(CLI::App& app, Invocation& invocation) {
       "  ikbench compare IK-BA mine --run my.toml --sequential    # solves until it is decided, at most 50 runs\n"
       "In continuous integration, with the store of the last release as base.sqlite:\n"
       "  ikbench run my.toml --no-report --out new\n"
-      "  ikbench compare base.sqlite new/store.sqlite --metric position_error_cm --metric evaluations --metric solved "
-      "\\\n"
-      "    --strict -o comparison.md\n\n"
+      "  ikbench compare base.sqlite new/store.sqlite --strict -o comparison.md\n\n"
       "Tests of the ratio of means against the margin decide whether B is better, the same or worse. Otherwise the\n"
       "metric is undecided, and the table says how many runs or targets would decide. All labels and metrics are judged\n"
       "together: if nothing is worse, the probability of exit code 3 is at most --significance. --margin, --margin-cm and\n"

@@ -21,9 +21,16 @@ using namespace results;
 
 namespace {
 
+// Where none is named: of poses the orientation too.
+std::vector<Metric> by_default(const std::vector<VariantPair>& pairs) {
+  std::vector<Metric> result = compared_metrics();
+  const auto is_of_poses = [](const VariantPair& pair) { return pair.a.study.task.pose; };
+  if (std::ranges::any_of(pairs, is_of_poses)) result.insert(result.begin() + 1, Metric::orientation_error_deg);
+  return result;
+}
+
 // In the order in which they were asked for, once each.
 std::vector<Metric> chosen(std::span<const std::string> names) {
-  if (names.empty()) return compared_metrics();
   const std::vector<Metric> all = all_metrics();
   const auto column = [](Metric metric) { return name_of(metric); };
   std::vector<Metric> result;
@@ -152,7 +159,7 @@ std::vector<Variant> variants(const Store& store, const StudyEntry& study) {
 
 std::vector<VariantComparison> examine_variants(const std::vector<VariantPair>& pairs,
                                                 std::span<const std::string> metrics, const MarginQuestion& question) {
-  const std::vector<Metric> asked = chosen(metrics);
+  const std::vector<Metric> asked = metrics.empty() ? by_default(pairs) : chosen(metrics);
   std::vector<VariantComparison> result;
   for (const VariantPair& pair : pairs) result.push_back(examined(pair, asked, question, asked.size() * pairs.size()));
   return result;

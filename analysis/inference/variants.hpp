@@ -37,13 +37,14 @@ struct VariantComparison {
   std::vector<std::string> notes;  // what is left out, and in what the two differ beside their numbers
 };
 
-// The metrics named, or all where none is. Observations are paired where both were given the same problems, as those of
-// a report are (analysis/inference/design.hpp): targets drawn in every run are paired run by run, and target by target
-// where each starts from the initial configuration; so are the targets of a path then, whose values are means over the
-// runs. Runs chained along a path are independent samples. Runs with points missing give nothing. Times are compared
-// only where both are clean, of one CPU and of the same sessions, evaluations only where they were counted. All pairs
-// are decided together. std::invalid_argument where a metric is unknown, one side has no complete run, or the two were
-// not given the same to do: another robot, other targets, another configuration to start from.
+// The metrics named, or where none is those of compared_metrics(), and of poses the orientation error. Observations are
+// paired where both were given the same problems, as those of a report are (analysis/inference/design.hpp): targets
+// drawn in every run are paired run by run, and target by target where each starts from the initial configuration; so
+// are the targets of a path then, whose values are means over the runs. Runs chained along a path are independent
+// samples. Runs with points missing give nothing. Times are compared only where both are clean, of one CPU and of the
+// same sessions, evaluations only where they were counted. All pairs are decided together. std::invalid_argument where
+// a metric is unknown, one side has no complete run, or the two were not given the same to do: another robot, other
+// targets, another configuration to start from.
 std::vector<VariantComparison> compare_variants(const std::vector<VariantPair>& pairs,
                                                 std::span<const std::string> metrics, const MarginQuestion& question);
 // The same before anything is decided: p-values uncorrected, and undecided whatever is not a fact.

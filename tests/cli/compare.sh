@@ -72,6 +72,11 @@ run_it compare $base $fewer --label IK-BA --label K-ABC --metric position_error_
 has "$out" "undecided"
 has_no "$(answer)" "With --strict"
 succeeds compare $base $again --label IK-BA --metric solved --strict
+# Times of two sessions are not comparable; with the default metrics that is no failure, where they are asked for it is.
+succeeds compare $base $again --label IK-BA --strict
+has "$(answer)" "not compared"
+run_it compare $base $again --label IK-BA --metric seconds --strict
+[ "$code" = 4 ] || fail "--strict, times of two sessions: exit code $code, expected 4"
 make single --set runs=1
 succeeds compare single/store.sqlite single/store.sqlite --label BA --metric evaluations
 succeeds compare $base single/store.sqlite --label BA --metric position_error_cm

@@ -68,6 +68,19 @@ TEST_CASE("of variants that repeat themselves the difference is a fact, and no p
              ContainsSubstring("Regression beyond 5 %: position_error_cm (2 times A's, no test)"));
 }
 
+TEST_CASE("poses are compared by their orientation too, where no metric is named", "[variants]") {
+  Variant a = variant(about(1, 0.1)), b = variant(about(1, 0.1));
+  const auto columns = [&] {
+    std::vector<std::string_view> result;
+    for (const MetricComparison& metric : compared(a, b).metrics) result.push_back(metric.metric);
+    return result;
+  };
+  CHECK(columns().size() == compared_metrics().size());
+  a.study.task.pose = b.study.task.pose = true;
+  CHECK(columns().size() == compared_metrics().size() + 1);
+  CHECK(columns()[1] == "orientation_error_deg");
+}
+
 TEST_CASE("times are compared where both are clean and of one CPU", "[variants]") {
   const auto slower = [](SolveRecord& solve) { solve.cpu_seconds = solve.seconds *= 10; };
   const Variant a = variant(about(1, 0.1)), b = variant(about(1, 0.1), slower);
