@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "analysis/inference/analysis_plan.hpp"
+#include "analysis/inference/look_note.hpp"
 #include "analysis/inference/margin.hpp"
 #include "analysis/inference/text.hpp"
 #include "numerics/names.hpp"
@@ -79,6 +80,16 @@ void refuse_damaged(const Store& store, const std::string& study, const std::fil
   if (!damages.empty()) throw std::invalid_argument(fmt::format("'{}': {}", file.string(), fmt::join(damages, " ")));
 }
 
+// Whether the two were compared before with fewer runs; this look is remembered.
+void look(Asked& asked, const std::string& study, const std::filesystem::path& store) {
+  const Variant &a = asked.a.front(), &b = asked.b.front();
+  const std::string what = looked_at("compare", study, {a.series, b.series});
+  const int runs = std::max(runs_looked_at(a.study), runs_looked_at(b.study));
+  std::string note = look_note(looks_at(what, store), runs, asked.question.significance);
+  if (!note.empty()) asked.notes.push_back(std::move(note));
+  remember_look(what, runs, store);
+}
+
 // How to be sure, and by what.
 std::string rules(const MarginQuestion& question) {
   return fmt::format("margin {}; if nothing is worse, the probability of any \"worse\" is at most {}",
@@ -92,11 +103,13 @@ Asked labels_of_store(const CompareArguments& arguments, const std::filesystem::
   const StudyEntry study = chosen_study(store, name);
   refuse_damaged(store, study.name, file);
   const std::vector<Variant> all = variants(store, study);
-  return {.headline = fmt::format("B: {}, against A: {}, in study {}", arguments.b, arguments.a, study.name),
-          .question = question_of(arguments, study),
-          .a = {the(all, arguments.a, "A: ")},
-          .b = {the(all, arguments.b, "B: ")},
-          .notes = {}};
+  Asked asked{.headline = fmt::format("B: {}, against A: {}, in study {}", arguments.b, arguments.a, study.name),
+              .question = question_of(arguments, study),
+              .a = {the(all, arguments.a, "A: ")},
+              .b = {the(all, arguments.b, "B: ")},
+              .notes = {}};
+  if (!arguments.sequential) look(asked, study.name, file);
+  return asked;
 }
 
 Asked labels_of_stores(const CompareArguments& arguments) {

@@ -55,6 +55,26 @@ cmp -s insisted/tables/table-4.csv points/tables/table-4.csv && fail "--unit run
 succeeds report insisted/store.sqlite --no-figures --force
 has "$(<insisted/tables/table-4.md)" "One observation is one point."
 
+# A report of more runs than an earlier one had says that it is another look. The same look again changes no byte, and
+# forgets nothing.
+grown=(slim2023 "${small[@]}" --no-figures --out grown)
+succeeds run "${grown[@]}"
+has_no "$err" "look"
+succeeds run "${grown[@]}" --set runs=4
+has "$err" "warning: This is look 2 at these solves: earlier ones were after 2 ("
+has "$err" "only p below 0.025 here (0.05 divided by 2 looks)"
+has "$(head -n 20 grown/report.md)" "This is look 2 at these solves"
+before=$(cat grown/store.sqlite grown/report.md grown/statistics.json | sha256sum)
+succeeds report grown/store.sqlite --no-figures
+[ "$(cat grown/store.sqlite grown/report.md grown/statistics.json | sha256sum)" = "$before" ] || fail "the same look changed a byte"
+succeeds compare IK-BA DE --store grown/store.sqlite --metric evaluations
+has_no "$out" "This is look"
+succeeds run "${grown[@]}" --set runs=5 --no-report
+run_it compare IK-BA DE --store grown/store.sqlite --metric evaluations
+has "$out" "This is look 2 at these solves: earlier ones were after 4 ("
+run_it compare IK-BA PSO --store grown/store.sqlite --metric evaluations
+has_no "$out" "This is look"
+
 # Two studies in a store: the first, unless another is asked for.
 succeeds run slim2023-context "${small[@]}" --no-report --out made
 has "$out" "12 solves"

@@ -1,0 +1,18 @@
+// What a look at more runs than an earlier one had is worth.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "analysis/inference/study.hpp"
+#include "results/looks.hpp"
+
+namespace ikbench::inference {
+
+// How many runs of a study are complete for some solver: what a look is at.
+int runs_looked_at(const StudyResults& study);
+
+// Empty where no look was at fewer runs.
+std::string look_note(const std::vector<results::Look>& looks, int runs, double significance);
+
+}  // namespace ikbench::inference
