@@ -289,11 +289,13 @@ bool is_constant(const Group& group) {
 void join_equal(Observations& result, std::string_view what) {
   const auto given = [&](double value) { return result.scale == ValueScale::log10 ? std::pow(10, value) : value; };
   const auto is_outcome = [&](double value) { return given(value) == 0 || given(value) == 1; };
-  const auto is_other = [&](const Group& group) { return group.values != result.groups.front().values; };
+  const auto is_other = [&](const Group& group) {
+    return group.values.front() != result.groups.front().values.front();
+  };
   const bool none_varies =
       std::ranges::all_of(result.groups, is_constant) && std::ranges::any_of(result.groups, is_other);
-  const bool are_outcomes =
-      std::ranges::all_of(result.groups, [&](const Group& group) { return std::ranges::all_of(group.values, is_outcome); });
+  const bool are_outcomes = std::ranges::all_of(
+      result.groups, [&](const Group& group) { return std::ranges::all_of(group.values, is_outcome); });
   std::vector<std::string> names;
   for (Group& group : result.groups) {
     if (!is_constant(group) || are_outcomes || !std::isfinite(group.values.front())) continue;

@@ -69,4 +69,27 @@ std::string doubt_words(const Evidence& evidence, const Contrast& contrast) {
   return fmt::format("{}", fmt::join(doubts, " and "));
 }
 
+std::string change_words(const Evidence& evidence) {
+  double most = 0;
+  bool is_small = false, is_doubted = false;
+  for (const Contrast& contrast : evidence.contrasts) {
+    if (contrast.relation == Relation::not_told_apart) most = std::fmax(most, contrast.runs_to_decide);
+    if (!is_decided(contrast)) continue;
+    is_small = is_small || contrast.extent == Extent::within || contrast.extent == Extent::across;
+    is_doubted = is_doubted || !doubt_words(evidence, contrast).empty();
+  }
+  if (evidence.contrasts.empty() || has_single_values(evidence)) return "";
+  std::vector<std::string> parts;
+  if (!evidence.flaw.empty()) parts.emplace_back("observations without the flaw");
+  if (!runs_words(evidence, most).empty()) {
+    parts.push_back(
+        fmt::format("a new study of about {:.0f} {}, fixed before it is seen", most, replicates_words(evidence)));
+  }
+  if (is_doubted) parts.emplace_back("another measure, because the mean, the median or ranks favour another group");
+  if (is_small)
+    parts.push_back(fmt::format("a margin above {}, because a difference may be smaller", margin_words(evidence)));
+  parts.emplace_back("other targets, arms, budgets or settings");
+  return fmt::format("What would change it: {}.", fmt::join(parts, "; "));
+}
+
 }  // namespace ikbench::report

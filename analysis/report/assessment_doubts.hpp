@@ -17,4 +17,8 @@ bool mean_favours_other(const inference::Evidence& evidence, const inference::Co
 // with the test.
 std::string doubt_words(const inference::Evidence& evidence, const inference::Contrast& contrast);
 
+// "What would change it: a new study of about 57 observations per group; ...": which other choice or data the answer
+// hangs on. Empty where no pair is compared.
+std::string change_words(const inference::Evidence& evidence);
+
 }  // namespace ikbench::report

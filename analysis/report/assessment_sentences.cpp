@@ -9,6 +9,7 @@
 #include "analysis/inference/deciding.hpp"
 #include "analysis/inference/text.hpp"
 #include "analysis/report/assessment_disagreements.hpp"
+#include "analysis/report/assessment_doubts.hpp"
 #include "analysis/report/assessment_verdicts.hpp"
 #include "analysis/report/assessment_words.hpp"
 #include "analysis/report/outcome_words.hpp"
@@ -200,6 +201,7 @@ std::vector<std::string> sentences_of(const Evidence& evidence) {
   }
   if (!evidence.flaw.empty()) sentences.push_back(flaw_words(evidence));
   if (std::string words = in_short(evidence); !words.empty()) sentences.push_back("In short: " + words);
+  if (std::string words = change_words(evidence); !words.empty()) sentences.push_back(std::move(words));
   sentences.push_back(design(evidence));
   for (const std::string& note : evidence.notes) sentences.push_back("Note: " + note);
   if (evidence.of_outcomes) sentences.push_back(shares_words(evidence));

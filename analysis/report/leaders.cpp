@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <map>
 #include <vector>
 
 #include "analysis/figures/figure_parts.hpp"
@@ -12,6 +14,7 @@
 #include "analysis/inference/judge.hpp"
 #include "analysis/inference/shown_metrics.hpp"
 #include "analysis/inference/text.hpp"
+#include "analysis/report/assessment_doubts.hpp"
 #include "analysis/report/assessment_words.hpp"
 #include "analysis/statistics/descriptive.hpp"
 
@@ -26,62 +29,70 @@ namespace {
 std::string first_by_words(const StudyResults& study, Metric metric, Estimand estimand) {
   if (estimand == Estimand::reliability) return fmt::format("Most often {}", within_words(study, metric));
   const MetricInfo& info = info_of(metric);
-  if (info.kind == Kind::count) return fmt::format("Fewest {}", is_of_run(metric) ? info.name : info.slug);
-  if (info.kind == Kind::time) return fmt::format("Shortest {} {}", average_name(metric), info.slug);
+  const bool is_penalised = is_cost(metric) && !is_of_run(metric) && std::isfinite(tolerance_cm(study));
+  const std::string_view penalised = is_penalised ? "penalised " : "";
+  if (info.kind == Kind::count) return fmt::format("Fewest {}{}", penalised, is_of_run(metric) ? info.name : info.slug);
+  if (info.kind == Kind::time) return fmt::format("Shortest {} {}{}", average_name(metric), penalised, info.slug);
   if (is_of_run(metric)) return fmt::format("Smallest {}", info.name);
-  const std::string words = fmt::format("Smallest {} {}", name_of(estimand), info.slug);
+  const std::string words = fmt::format("Smallest {} {}{}", name_of(estimand), penalised, info.slug);
   if (metric != Metric::position_error_cm || estimand != Estimand::mean) return words;
   return words + " (large errors dominate)";
 }
 
-// Which solver is first, who shares its place, and what sets it apart from the next.
+// What of a cost a reader has to know: how far from their targets the answers are that took so much, or how many of
+// them are solved.
+class Achieved {
+ public:
+  Achieved(const StudyResults& study, Metric metric) {
+    if (!is_cost(metric)) return;
+    const bool has_tolerance = std::isfinite(tolerance_cm(study));
+    if (has_tolerance && !is_of_run(metric)) return;  // what is not solved is penalised
+    for (const Metric other : {Metric::position_error_cm, Metric::orientation_error_deg}) {
+      if (other == Metric::orientation_error_deg && (has_tolerance || !study.task.pose)) continue;
+      for (const Sample& sample : samples(study, has_tolerance ? Metric::solved : other)) {
+        const double mean = statistics::mean(sample.values);
+        std::string& text = words_[sample.solver];
+        text += (text.empty() ? "" : " and ") +
+                (has_tolerance ? percent(mean) + " solved" : "error " + figures::value_words(other, mean));
+      }
+    }
+  }
+  // " with error 87 cm", " with 30 % solved"; empty where the metric is no cost.
+  std::string of(const std::string& solver) const {
+    const auto found = words_.find(solver);
+    return found == words_.end() ? "" : " with " + found->second;
+  }
+
+ private:
+  std::map<std::string, std::string> words_ = {};
+};
+
+// Which solver is first by the test that decides, who shares its place, and what sets it apart from the next.
 class Leader {
  public:
-  Leader(const Evidence& evidence, Metric metric, Estimand estimand)
-      : evidence_(evidence),
+  Leader(const JudgedStudy& study, Metric metric, Estimand estimand)
+      : evidence_(study.evidence(metric, estimand)),
         is_median_(estimand == Estimand::mean && info_of(metric).kind == Kind::time),
-        metric_(metric) {}
-
-  // The first, where it is found better than every other; else empty.
-  std::string alone() const {
-    const std::vector<std::size_t> order = order_of_groups();
-    const auto is_beaten = [&](std::size_t other) {
-      return other == order[0] || against(order[0], other).answer == Answer::better;
-    };
-    return order.size() > 1 && std::ranges::all_of(order, is_beaten) ? name(order[0]) : "";
-  }
+        metric_(metric),
+        achieved_(study, metric) {}
 
   std::string words() const {
     const std::vector<std::size_t> order = order_of_groups();
     if (order.empty()) return "";
-    const std::string own = name(order[0]);
-    if (order.size() == 1) return fmt::format("{} ({})", own, value(order[0]));
-    std::vector<std::size_t> beside{order[0]};
-    std::string reversed;
-    bool all_same = true;
-    const std::vector<std::size_t> others(order.begin() + 1, order.end());
-    const auto is_tested = [&](std::size_t other) { return against(order[0], other).undefined.empty(); };
-    const bool any_tested = std::ranges::any_of(others, is_tested);
-    for (const std::size_t other : others) {
-      const Judgement found = against(order[0], other);
-      // Whom no test can set apart from the first is not beaten, unless no one is tested at all.
-      if (found.answer == Answer::better || (!any_tested && !found.undefined.empty())) continue;
-      if (found.answer == Answer::worse) {
-        reversed += fmt::format("; but the test finds {} better", name(other));
-        continue;
-      }
-      beside.push_back(other);
-      all_same = all_same && found.answer == Answer::same;
-    }
-    if (beside.size() > 1) return shared(beside, all_same) + reversed + ')';
-    const Judgement next = against(order[0], order[1]);
-    const std::string first = value(order[0]), second = value(order[1]);
-    return fmt::format("{} ({}; next {} {}, {}{})", own, first, name(order[1]),
-                       first == second ? "with the same digits" : second,
-                       std::isfinite(next.p) ? p_words(next.p) : "not tested", reversed);
+    if (!evidence_.plan.control.empty() && evidence_.reference) return against_control(*evidence_.reference);
+    if (order.size() == 1) return fmt::format("{} ({})", name(order[0]), value(order[0]));
+    const auto first = std::ranges::find_if(order, [&](std::size_t group) { return is_unbeaten(group, order); });
+    if (first == order.end()) return "no solver, because the tests find each worse than another";
+    return first_words(*first, order);
   }
 
  private:
+  // What the tests say of the first, held against each of the others.
+  struct Others {
+    std::vector<std::size_t> beaten = {}, beside = {}, open = {}, untested = {};
+    bool all_same = true;  // those beside
+  };
+
   double average(std::size_t group) const {
     const statistics::Description& of = evidence_.groups[group].described;
     return is_median_ ? of.median : of.mean;
@@ -99,10 +110,61 @@ class Leader {
   Judgement against(std::size_t first, std::size_t other) const {
     return judge(evidence_, evidence_.groups[first].name, evidence_.groups[other].name);
   }
+  bool is_unbeaten(std::size_t group, const std::vector<std::size_t>& all) const {
+    return std::ranges::none_of(
+        all, [&](std::size_t other) { return other != group && against(group, other).answer == Answer::worse; });
+  }
   std::string name(std::size_t group) const { return name_words(evidence_, group); }
   std::string value(std::size_t group) const {
-    if (evidence_.better == Better::larger) return percent(average(group));
-    return figures::value_words(metric_, average(group));
+    const double mean = average(group);
+    if (!std::isfinite(mean)) return "no value";
+    return (evidence_.better == Better::larger ? percent(mean) : figures::value_words(metric_, mean)) +
+           achieved_.of(evidence_.groups[group].name);
+  }
+  std::string names(const std::vector<std::size_t>& groups) const {
+    std::vector<std::string> all;
+    for (const std::size_t group : groups) all.push_back(name(group));
+    return listed(all);
+  }
+
+  Others others_of(std::size_t first, const std::vector<std::size_t>& order) const {
+    Others result;
+    for (const std::size_t other : order) {
+      if (other == first) continue;
+      const Judgement found = against(first, other);
+      if (found.answer == Answer::better) {
+        result.beaten.push_back(other);
+      } else if (!found.undefined.empty()) {
+        result.untested.push_back(other);
+      } else if (is_unbeaten(other, order)) {
+        result.beside.push_back(other);
+        result.all_same = result.all_same && found.answer == Answer::same;
+      } else {
+        result.open.push_back(other);
+      }
+    }
+    return result;
+  }
+
+  std::string first_words(std::size_t first, const std::vector<std::size_t>& order) const {
+    const Others others = others_of(first, order);
+    const bool any_tested = others.untested.size() + 1 < order.size();
+    std::string remarks;
+    if (!others.open.empty()) remarks += fmt::format("; undecided against {}", names(others.open));
+    if (any_tested && !others.untested.empty())
+      remarks += fmt::format("; not tested against {}", names(others.untested));
+    if (order[0] != first) remarks += fmt::format("; the test decides, the average would name {}", name(order[0]));
+    if (!others.beside.empty()) {
+      std::vector<std::size_t> groups{first};
+      groups.insert(groups.end(), others.beside.begin(), others.beside.end());
+      return shared(groups, others.all_same) + remarks + ')';
+    }
+    const std::size_t second = order[0] == first ? order[1] : order[0];
+    const Judgement next = against(first, second);
+    const std::string own = value(first), of_second = value(second);
+    return fmt::format("{} ({}; next {} {}, {}{})", name(first), own, name(second),
+                       own == of_second ? "with the same digits" : of_second,
+                       std::isfinite(next.p) ? p_words(next.p) : "not tested", remarks);
   }
 
   // "IK-BA or DE (0.0017 cm and 0.0018 cm; undecided, p = 0.4", without the bracket at the end.
@@ -116,24 +178,56 @@ class Leader {
       return fmt::format("{} or one of {} others ({}; {}", name(groups[0]), groups.size() - 1, value(groups[0]),
                          finding);
     }
-    std::vector<std::string> names, values;
+    std::vector<std::string> all, values;
     for (const std::size_t group : groups) {
-      names.push_back(name(group));
+      all.push_back(name(group));
       values.push_back(value(group));
     }
-    return fmt::format("{} {} {} ({}; {}", fmt::join(names.begin(), names.end() - 1, ", "), all_same ? "and" : "or",
-                       names.back(), listed(values), finding);
+    return fmt::format("{} {} {} ({}; {}", fmt::join(all.begin(), all.end() - 1, ", "), all_same ? "and" : "or",
+                       all.back(), listed(values), finding);
+  }
+
+  // "DE is better than the control IK-BA (0.0019 cm); worse: BA 1.68 cm; undecided: PSO 0.438 cm (p = 0.1)". Only these
+  // pairs are tested.
+  std::string against_control(std::size_t control) const {
+    std::map<Answer, std::vector<std::string>> found;
+    std::vector<std::string> better, untested;
+    for (std::size_t i = 0; i < evidence_.groups.size(); ++i) {
+      if (i == control) continue;
+      const Judgement judged = against(i, control);
+      if (judged.answer == Answer::better) {
+        better.push_back(fmt::format("{} ({})", name(i), value(i)));
+      } else if (judged.answer == Answer::undecided && !judged.undefined.empty()) {
+        untested.push_back(fmt::format("{} {}", name(i), value(i)));
+      } else {
+        found[judged.answer].push_back(
+            fmt::format("{} {}{}", name(i), value(i),
+                        judged.answer == Answer::undecided ? fmt::format(" ({})", p_words(judged.p)) : ""));
+      }
+    }
+    std::string text =
+        fmt::format("{} {} better than the control {} ({})", better.empty() ? "no solver" : listed(better),
+                    better.size() > 1 ? "are" : "is", name(control), value(control));
+    const auto add = [&](const std::string& what, const std::vector<std::string>& who) {
+      if (!who.empty()) text += fmt::format("; {}: {}", what, listed(who));
+    };
+    add("worse", found[Answer::worse]);
+    add("the same within " + margin_words(evidence_), found[Answer::same]);
+    add("undecided", found[Answer::undecided]);
+    add("not tested", untested);
+    return text;
   }
 
   const Evidence& evidence_;
   bool is_median_;
   Metric metric_;
+  Achieved achieved_;
 };
 
 }  // namespace
 
 std::string leader_sentence(const JudgedStudy& study, Metric metric, Estimand estimand) {
-  const std::string words = Leader(study.evidence(metric, estimand), metric, estimand).words();
+  const std::string words = Leader(study, metric, estimand).words();
   return words.empty() ? "" : fmt::format("{}: {}.", first_by_words(study, metric, estimand), words);
 }
 
@@ -164,7 +258,7 @@ std::string partial_imports_sentence(const JudgedStudy& study) {
 
 // Where there are so few blocks that no pair can differ, whatever they hold.
 std::string too_few_sentence(const JudgedStudy& study) {
-  const Evidence& evidence = study.evidence(Metric::position_error_cm, study.plan.estimands.front());
+  const Evidence& evidence = study.evidence(Metric::position_error_cm, primary_estimand(study));
   if (!has_too_few(evidence)) return "";
   return fmt::format("With so few {} no two of {} solvers can be told apart, whatever they do: it takes at least {}.",
                      replicates_words(evidence), evidence.groups.size(), evidence.fewest);
@@ -195,39 +289,39 @@ std::string budgets_sentence(const StudyResults& study) {
       one_line(least), rounded_number(smallest, 6), one_line(most), rounded_number(largest, 6));
 }
 
-}  // namespace
-
-std::vector<std::string> own_verdict(const JudgedStudy& study) {
-  std::vector<std::string> sentences, alone;
+// Of every quantity but the one that the study is judged by.
+std::vector<std::string> exploratory_sentences(const JudgedStudy& study) {
+  std::vector<std::string> sentences;
   for (const Metric metric : shown_metrics(study).judged) {
     const bool is_reported = info_of(metric).shown == Shown::everywhere;
     if (!is_comparable(study, metric) || !(is_reported || is_of_run(metric))) continue;
     for (const Estimand estimand : estimands_of(study, metric)) {
-      std::string sentence = leader_sentence(study, metric, estimand);
-      if (sentence.empty()) continue;
-      sentences.push_back(std::move(sentence));
-      alone.push_back(Leader(study.evidence(metric, estimand), metric, estimand).alone());
+      if (metric == Metric::position_error_cm && estimand == primary_estimand(study)) continue;
+      sentences.push_back(leader_sentence(study, metric, estimand));
     }
   }
-  std::string counted;
-  for (auto each = alone.begin(); each != alone.end(); ++each) {
-    if (each->empty() || std::find(alone.begin(), each, *each) != each) continue;  // counted before
-    counted += fmt::format("{}{} in {}", counted.empty() ? "" : ", ", *each, std::ranges::count(alone, *each));
-  }
-  if (study.solvers.size() > 1 && !sentences.empty()) {
-    sentences.insert(
-        sentences.begin(),
-        counted.empty()
-            ? fmt::format("No solver is shown to be better than every other in any of {} comparisons. The best values:",
-                          alone.size())
-            : fmt::format("Of {} comparisons by the test of the plan, better than every other: {}.", alone.size(),
-                          counted));
-  }
+  std::erase(sentences, "");
+  return sentences;
+}
+
+}  // namespace
+
+std::vector<std::string> own_verdict(const JudgedStudy& study) {
+  std::vector<std::string> sentences{partial_imports_sentence(study),
+                                     study.solvers.size() > 1 ? too_few_sentence(study) : "",
+                                     leader_sentence(study, Metric::position_error_cm, primary_estimand(study)),
+                                     change_words(study.evidence(Metric::position_error_cm, primary_estimand(study)))};
+  std::vector<std::string> others = exploratory_sentences(study);
   if (study.solvers.size() > 1) {
-    if (std::string few = too_few_sentence(study); !few.empty()) sentences.insert(sentences.begin(), std::move(few));
-    sentences.push_back(budgets_sentence(study));
+    if (!others.empty()) {
+      others.front() = fmt::format(
+          "Exploratory, because the study is judged by the first quantity and these {} are not corrected for being "
+          "several: {}",
+          others.size(), others.front());
+    }
+    others.push_back(budgets_sentence(study));
   }
-  sentences.insert(sentences.begin(), partial_imports_sentence(study));
+  std::ranges::move(others, std::back_inserter(sentences));
   std::erase(sentences, "");
   return sentences;
 }

@@ -8,13 +8,14 @@
 
 namespace ikbench::report {
 
-// "Smallest mean error (large errors dominate): IK-BA (0.0017 cm; next K-ABC 0.208 cm, p = 0.0003)." Those that
-// the plan's test does not separate from the first share its place. Empty where no solver has a value.
+// "Smallest mean error (large errors dominate): IK-BA (0.0017 cm; next K-ABC 0.208 cm, p = 0.0003)." The first is whom
+// the plan's test finds worse than nobody; those that it does not separate from it share its place. With a control: who
+// is better than it, and who is not. A cost has beside it how large the errors are. Empty where no solver has a value.
 std::string leader_sentence(const inference::JudgedStudy& study, inference::Metric metric, results::Estimand estimand);
 // One for each of estimands_of(study, metric).
 std::string leaders_sentence(const inference::JudgedStudy& study, inference::Metric metric);
-// Who is better, by how much, and at what cost: in how many comparisons a solver is better than every other, then a
-// sentence for each.
+// What makes all numbers doubtful; who is better by the quantity that the study is judged by
+// (primary_estimand); and who leads in each of the others, which are exploratory.
 std::vector<std::string> own_verdict(const inference::JudgedStudy& study);
 
 }  // namespace ikbench::report

@@ -16,6 +16,7 @@
 #include "analysis/inference/definition.hpp"
 #include "analysis/inference/design.hpp"
 #include "analysis/inference/estimand.hpp"
+#include "analysis/inference/look_note.hpp"
 #include "analysis/inference/make_study.hpp"
 #include "analysis/inference/shown_metrics.hpp"
 #include "analysis/inference/text.hpp"
@@ -213,6 +214,7 @@ std::string out_of_reach_warning(const StudyResults& study) {
 std::vector<std::string> warnings_of(const StudyResults& study, const JudgedStudies& companions,
                                      std::span<const Paper> papers) {
   std::vector<std::string> warnings;
+  if (std::string warning = wrong_claims_sentence(study); !warning.empty()) warnings.push_back(std::move(warning));
   if (std::string warning = out_of_reach_warning(study); !warning.empty()) warnings.push_back(std::move(warning));
   if (!study.published.empty() && paper_of(study, papers).name.empty()) {
     std::vector<std::string> names;
@@ -312,6 +314,11 @@ Report write_report(const Store& store, const ReportRequest& request) {
                     "means decides instead. {}",
                     why_not_blocked(study)));
   }
+  const int runs = runs_looked_at(study);
+  const std::string looked = looked_at("report", entry.name, entry.series);
+  if (std::string note = look_note(looks_at(looked, store.name()), runs, study.plan.significance); !note.empty()) {
+    content.warnings.insert(content.warnings.begin(), std::move(note));
+  }
   if (study.plan.unit == Unit::point) content.warnings.insert(content.warnings.begin(), capitalised(points_flaw) + '.');
   std::ranges::move(imported_warnings(entry, study), std::back_inserter(content.warnings));
   content.warnings.insert(content.warnings.begin(), checked.damages().begin(), checked.damages().end());
@@ -342,6 +349,7 @@ Report write_report(const Store& store, const ReportRequest& request) {
                           request.folder, request.figures);
   report.results = results;
   report.is_damaged = !checked.damages().empty();
+  remember_look(looked, runs, store.name());
   return report;
 }
 

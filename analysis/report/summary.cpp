@@ -8,6 +8,7 @@
 
 #include "analysis/figures/figure_parts.hpp"
 #include "analysis/inference/definition.hpp"
+#include "analysis/inference/estimand.hpp"
 #include "analysis/inference/text.hpp"
 #include "analysis/statistics/descriptive.hpp"
 
@@ -32,12 +33,6 @@ std::string no_tolerance_sentence(const StudyResults& study) {
          "answer is inside the joint limits, however far it is from the target.";
 }
 
-std::string wrong_claims_sentence(const StudyResults& study) {
-  int wrong = 0;
-  for (const SolverCounts& count : counts(study)) wrong += count.of(Status::claimed_but_wrong);
-  return wrong == 0 ? "" : fmt::format("{} answers do not have the error that their solver claimed.", wrong);
-}
-
 // Of a study without a paper.
 std::vector<std::string> rankings(const Reported& reported) {
   std::vector<std::string> sentences;
@@ -54,7 +49,7 @@ std::vector<std::string> rankings(const Reported& reported) {
 
 std::vector<Standing> standings(const StudyResults& study, Metric metric) {
   std::vector<Standing> result;
-  for (const Sample& sample : samples(study, metric)) {
+  for (const Sample& sample : samples(study, quantity_of(study, metric, Estimand::mean).value)) {
     const double average = average_in(statistics::describe(sample.values), metric);
     if (std::isfinite(average)) result.push_back({sample.solver, average});
   }
@@ -74,6 +69,17 @@ std::string ranking_sentence(const StudyResults& study, Metric metric) {
     text += fmt::format("; {} without a {}", study.solvers.size() - ours.size(), average_name(metric));
   }
   return text + ".";
+}
+
+std::string wrong_claims_sentence(const StudyResults& study) {
+  std::string list;
+  for (const SolverCounts& count : counts(study)) {
+    const int wrong = count.of(Status::claimed_but_wrong);
+    if (wrong == 0) continue;
+    list +=
+        fmt::format("{}{} in {} of {} solves", list.empty() ? "" : ", ", one_line(count.solver), wrong, count.solves);
+  }
+  return list.empty() ? "" : fmt::format("Wrong claims: the error is not what the solver said: {}.", list);
 }
 
 std::string limits_sentence(const StudyResults& study) {
@@ -102,7 +108,6 @@ std::vector<std::string> summary(const Reported& reported, const Paper& paper) {
   for (std::string& sentence : paper.summary ? paper.summary(reported) : rankings(reported)) {
     sentences.push_back(std::move(sentence));
   }
-  sentences.push_back(wrong_claims_sentence(study));
   sentences.push_back(no_tolerance_sentence(study));
   for (std::string& note : status_notes(study)) sentences.push_back(std::move(note));
   std::erase(sentences, "");

@@ -306,7 +306,7 @@ readable false
 # nothing of a paper.
 cat >own.js <<'E2'
 const lines = [...document.querySelectorAll('.own li')], texts = lines.map(line => line.textContent);
-return [/^Of \d+ comparisons by the test of the plan, better than every other: \w/.test(texts[0]), texts.filter(text => text.includes('error')).length > 0,
+return [/^(Smallest|Most often) [^:]+: \w/.test(texts[0]), texts.filter(text => text.includes('error')).length > 0,
   texts.some(text => text.startsWith('Fewest evaluations: damped_least_squares (')), lines.at(-1).getBoundingClientRect().bottom < 700,
   document.querySelectorAll('.claims').length, /helix|slim|paper|printed/i.test(document.body.innerText)].join(' ');
 E2

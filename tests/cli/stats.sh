@@ -89,7 +89,7 @@ has "$out" "All groups share 3 blocks"
 has "$out" "Left out because incomplete: 1 of 4 blocks ('p4' has no value of 'B')."
 
 # Geometric means, of runs too.
-printf 'solver,run,error\nA,1,1\nA,1,100\nA,2,10\nA,2,10\nB,1,2\nB,1,2\nB,2,2\nB,2,2\n' >decades.csv
+printf 'solver,run,error\nA,1,1\nA,1,100\nA,2,10\nA,2,10\nB,1,2\nB,1,2\nB,2,2\nB,2,3\n' >decades.csv
 succeeds stats decades.csv --value error --run run --estimand typical --no-figures --out decades
 quiet
 has "$out" "Statistics: typical error"
