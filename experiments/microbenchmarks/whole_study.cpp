@@ -1,5 +1,5 @@
-// The whole helix study: six solvers, 2400 solves, timing and verifier included, store and report excluded; by one
-// thread and by two.
+// The whole helix study, slim2023: six solvers, 2400 solves, timing and verifier included, store and report excluded;
+// by one thread and by two.
 #include "experiments/microbenchmarks/harness.hpp"
 #include "experiments/runner.hpp"
 #include "experiments/study_reader.hpp"
@@ -11,14 +11,20 @@ using namespace experiments;
 
 namespace {
 
+constexpr double solves_of_study = 2400;  // as the goals G9 and G10 say
+
 void whole_study(benchmark::State& state) {
-  const Study study = studies().front();
+  const Study study = load_study("slim2023");
   double solves = 0;
   for (auto _ : state) {
     solve_study(study, static_cast<int>(state.range(0)), [&](const SolveRecord& record) {
       benchmark::DoNotOptimize(record.position_error_cm);
       ++solves;
     });
+  }
+  if (solves != static_cast<double>(state.iterations()) * solves_of_study) {
+    state.SkipWithError("slim2023 has another number of solves");
+    return;
   }
   state.counters["solves"] = benchmark::Counter(solves, benchmark::Counter::kAvgIterations);
 }
