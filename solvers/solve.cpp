@@ -39,6 +39,7 @@ Solution solve(Solver& solver, const Problem& problem, Objective& objective, Ran
   Tolerance tolerance(stop.tolerance, stop.angle_tolerance, objective);
   Problem told = problem;
   told.stop = stop;
+  told.iterations = planned_iterations(stop, problem.population);
   Improvements& improved = solution.improved;
   if (trace == Trace::best_error) told.improvements = &improved;
   solver.start(told, objective, random);

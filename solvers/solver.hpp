@@ -2,6 +2,7 @@
 // (solve.hpp) owns those.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <limits>
 #include <vector>
@@ -20,6 +21,13 @@ struct StopRule {
   double seconds = 0;            // wall time, checked after each iteration
 };
 
+// How many iterations fit into a solve, where each evaluates a population: at least one, if it may take any.
+inline int planned_iterations(const StopRule& stop, int population) {
+  if (stop.evaluations <= 0) return stop.iterations;
+  const std::int64_t fit = std::max<std::int64_t>(1, stop.evaluations / population);
+  return static_cast<int>(std::min<std::int64_t>(stop.iterations, fit));
+}
+
 // Where the best error became smaller: the evaluations until then, and the best error [m].
 struct Improvements {
   std::vector<std::int64_t> at;
@@ -35,10 +43,10 @@ struct Improvements {
 struct Problem {
   robots::Configuration
       start;  // Theta_s: the configuration the arm is in [rad]; its size is the number of joints searched
-  robots::Configuration lower;  // joint limits [rad], Eq. 4
+  robots::Configuration lower;  // joint limits [rad], Eq. 4; infinite where a joint turns without end
   robots::Configuration upper;
   int population = 50;   // candidates an iteration
-  int iterations = 200;  // planned; for schedules that end with the solve
+  int iterations = 200;  // planned_iterations, told by `solve`; for schedules that end with the solve
   // `solve` applies it to every solver. It is for those that hand it to a library, one call of which is one step.
   StopRule stop = {};
   Improvements* improvements = nullptr;  // likewise: gets what becomes better within a step; null: not asked for

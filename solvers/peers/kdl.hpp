@@ -41,9 +41,9 @@ inline KDL::Chain kdl_chain(const robots::Chain& arm) {
   return chain;
 }
 
-// As a solver's option says, or else the study.
+// As a solver's option says, or else the study: one iteration of KDL is no generation of a population.
 inline int kdl_iterations(int option, const Problem& problem) {
-  return option > 0 ? option : std::min(problem.iterations, 1'000'000);
+  return option > 0 ? option : std::min(problem.stop.iterations, 1'000'000);
 }
 
 // The answer of one of KDL's solvers of positions.

@@ -123,3 +123,43 @@ TEST_CASE("an unknown solver is told the nearest name", "[solve]") {
   CHECK_THROWS_WITH(solver("ik_bta"),
                     Catch::Matchers::StartsWith("unknown solver \"ik_bta\"; did you mean \"ik_bat\"?"));
 }
+
+TEST_CASE("planned are the iterations that the evaluations allow, if each has a whole population", "[solve]") {
+  CHECK(planned_iterations({.iterations = 300}, 50) == 300);
+  CHECK(planned_iterations({.iterations = 100'000, .evaluations = 10'000}, 50) == 200);
+  CHECK(planned_iterations({.iterations = 100, .evaluations = 10'000}, 50) == 100);
+  CHECK(planned_iterations({.iterations = 100, .evaluations = 20}, 50) == 1);
+  CHECK(planned_iterations({.iterations = 0, .evaluations = 20}, 50) == 0);
+}
+
+TEST_CASE("every solver is told the planned iterations", "[solve]") {
+  struct Told final : Solver {
+    void start(const Problem& problem, Objective& objective, Random&) override {
+      best_ = {problem.start, objective.error(problem.start)};
+      planned_ = problem.iterations;
+    }
+    void step(Objective&, Random&) override {}
+    const Best& best() const override { return best_; }
+    int planned_ = 0;
+    Best best_;
+  };
+  Task task = iiwa_task(20);
+  Objective objective(task.chain, task.target);
+  Random random{Key(1)};
+  Told solver;
+  solve(solver, task.problem, objective, random, {.iterations = 5, .evaluations = 40});
+  CHECK(solver.planned_ == 2);
+}
+
+TEST_CASE("MO-PSO's mutation ends with the budget, whichever rule ends it", "[solve][mo_pso]") {
+  const auto answer = [](const StopRule& stop) {
+    const Task task = iiwa_task(50);
+    Objective objective(task.chain, task.target);
+    Random random{Key(1)};
+    return solve(*solver("multi_objective_swarm").make({}), task.problem, objective, random, stop).best;
+  };
+  // The first population is evaluated too: 39 iterations and it are 2000 evaluations, of which 40 are planned.
+  const Best least = answer({.iterations = 40, .evaluations = 2000}),
+             most = answer({.iterations = 100'000, .evaluations = 2000});
+  CHECK(least.q == most.q);
+}
