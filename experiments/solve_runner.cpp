@@ -126,12 +126,10 @@ Goal Task::goal(const Pose& target) const {
 
 Problem Task::problem(const Configuration& start, int population) const {
   const int joints = arm().joints();
-  const JointLimits range = arm_.limits.around(start);
   return {.start = start.head(joints),
-          .lower = range.lower.head(joints),
-          .upper = range.upper.head(joints),
-          .population = population,
-          .iterations = study_.stop.iterations};
+          .lower = arm_.limits.lower.head(joints),
+          .upper = arm_.limits.upper.head(joints),
+          .population = population};
 }
 
 Configuration Task::completed(const Configuration& found, const Pose& target, const Configuration& start) const {

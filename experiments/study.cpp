@@ -73,7 +73,7 @@ std::vector<Configuration> starts(const Study& study, const Robot& arm, int run)
       if (study.start == Start::random) start[j] = random.uniform(range.lower[j], range.upper[j]);
       if (study.start == Start::near && !slides) {
         const double moved = start[j] + random.uniform(-study.near, study.near);
-        start[j] = std::clamp(moved, range.lower[j], range.upper[j]);
+        start[j] = std::clamp(moved, arm.limits.lower[j], arm.limits.upper[j]);
       }
     }
   }

@@ -85,6 +85,15 @@ Eigen::VectorXd of_joints(const Robot& robot, Eigen::VectorXd values, Kind kind)
   return values;
 }
 
+// From start to answer; where a joint turns without end, the shorter way round.
+Eigen::VectorXd move_between(const JointLimits& limits, const Eigen::VectorXd& start, const Eigen::VectorXd& answer) {
+  Eigen::VectorXd move = answer - start;
+  for (Eigen::Index j = 0; j < move.size(); ++j) {
+    if (is_endless(limits.lower[j], limits.upper[j])) move[j] = std::remainder(move[j], whole_turn);
+  }
+  return move;
+}
+
 double beyond_rounding(double violation) { return violation <= rounding ? 0 : violation; }
 
 // Of two rotations, whose difference has the norm sqrt(8) sin(angle / 2).
@@ -246,7 +255,7 @@ Verification verify(const Robot& robot, const Pose& target, const Eigen::VectorX
   });
   const Eigen::Matrix4d wanted = target.matrix();
   const Eigen::Matrix3d R = reached.topLeftCorner<3, 3>(), R_wanted = wanted.topLeftCorner<3, 3>();
-  const Eigen::VectorXd move = answer - start;
+  const Eigen::VectorXd move = move_between(robot.limits, start, answer);
   const Eigen::VectorXd outside =
       answer.allFinite() ? (robot.limits.lower - answer).cwiseMax(answer - robot.limits.upper).cwiseMax(0) : answer;
   const Eigen::VectorXd turned = of_joints(robot, move, Kind::turns), slid = of_joints(robot, move, Kind::slides);

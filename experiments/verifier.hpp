@@ -14,7 +14,8 @@ struct Verification {
   double angle = 0;                                   // between R and Rd [rad], 0 to pi
   // By how much the tool is off: its x, y and z axes, as unit vectors, and its point [m].
   Eigen::Matrix<double, 3, 4> off = Eigen::Matrix<double, 3, 4>::Zero();
-  // Of the joints that turn [rad], and of those that slide [m]; never added.
+  // Of the joints that turn [rad], and of those that slide [m]; never added. A joint that turns without end moves the
+  // shorter way round.
   double variation = 0, variation_m = 0;              // Eq. 12, over all joints
   double largest_move = 0, largest_move_m = 0;        // of a single joint
   double limit_violation = 0, limit_violation_m = 0;  // of the worst joint; 0 inside, and up to 1e-9

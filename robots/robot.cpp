@@ -90,12 +90,12 @@ double JointLimits::violation(const ConfigurationRef& q) const {
   return std::max({0.0, (lower - q).maxCoeff(), (q - upper).maxCoeff()});
 }
 
-JointLimits JointLimits::around(const ConfigurationRef& middle) const {
+JointLimits JointLimits::around(const ConfigurationRef& middle, double each_way) const {
   JointLimits range = *this;
   for (Eigen::Index j = 0; j < lower.size(); ++j) {
-    if (std::isfinite(upper[j] - lower[j])) continue;
-    range.lower[j] = middle[j] - 180 * degree;
-    range.upper[j] = middle[j] + 180 * degree;
+    if (!is_endless(lower[j], upper[j])) continue;
+    range.lower[j] = middle[j] - each_way;
+    range.upper[j] = middle[j] + each_way;
   }
   return range;
 }

@@ -1,7 +1,9 @@
 // An arm by name: its chain and its joint limits, from a file of robots/arms/ or of one's own.
 #pragma once
 
+#include <cmath>
 #include <filesystem>
+#include <numbers>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -11,14 +13,21 @@
 
 namespace ikbench::robots {
 
+constexpr double half_turn = std::numbers::pi, whole_turn = 2 * std::numbers::pi;  // [rad]
+
 struct JointLimits {
   Configuration lower, upper;  // [rad], or [m] where a joint slides; Eq. 4; infinite where it turns without end
 
   // How far the worst joint is outside, in its unit; 0 inside.
   double violation(const ConfigurationRef& q) const;
-  // What to draw joints from: a joint that turns without end gets half a turn each way of its value in `middle`.
-  JointLimits around(const ConfigurationRef& middle) const;
+  // Finite for every joint: one that turns without end gets so much each way of its value in `middle`. Half a turn is
+  // what to draw from. A whole turn is for those that need limits: every direction of the joint is in it at least half
+  // a turn from both ends.
+  JointLimits around(const ConfigurationRef& middle, double each_way = half_turn) const;
 };
+
+// Whether a joint with these limits turns without end.
+inline bool is_endless(double lower, double upper) { return !std::isfinite(upper - lower); }
 
 struct Robot {
   std::string name;

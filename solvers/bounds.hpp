@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "robots/robot.hpp"
 #include "solvers/kernels.hpp"
 #include "solvers/options.hpp"
 #include "solvers/solver.hpp"
@@ -32,19 +33,39 @@ inline double turned_inside(double q, double lower, double upper) {
   return turned >= lower && turned <= upper ? turned : q;
 }
 
+// What a joint is drawn from: its limits, or where it turns without end half a turn each way of the start.
+struct DrawnFrom {
+  DrawnFrom(const Problem& problem, Eigen::Index j) : lower(problem.lower[j]), upper(problem.upper[j]) {
+    if (!robots::is_endless(lower, upper)) return;
+    lower = problem.start[j] - robots::half_turn;
+    upper = problem.start[j] + robots::half_turn;
+  }
+  double lower, upper;
+};
+
+// Limits that are finite, for a library or a program that needs such: where a joint turns without end, a whole turn
+// each way of the start.
+inline robots::JointLimits finite_limits(const Problem& problem) {
+  return robots::JointLimits{problem.lower, problem.upper}.around(problem.start, robots::whole_turn);
+}
+
 // Uniform between the limits.
 inline void draw_within_limits(const Problem& problem, numerics::Random& random, robots::Candidates& out) {
   random.uniforms(out);
   for (Eigen::Index j = 0; j < out.rows(); ++j) {
     double* const q = &out(j, 0);
-    kernels().scatter(problem.lower[j], problem.upper[j] - problem.lower[j], q, q, out.cols());
+    const DrawnFrom from(problem, j);
+    kernels().scatter(from.lower, from.upper - from.lower, q, q, out.cols());
   }
 }
 
 // The same of one configuration (a vector, or a column), joint after joint.
 template <class Some>
 void draw_one_within_limits(const Problem& problem, numerics::Random& random, Some&& q) {
-  for (Eigen::Index j = 0; j < q.size(); ++j) q[j] = random.uniform(problem.lower[j], problem.upper[j]);
+  for (Eigen::Index j = 0; j < q.size(); ++j) {
+    const DrawnFrom from(problem, j);
+    q[j] = random.uniform(from.lower, from.upper);
+  }
 }
 
 // Candidates (a vector, or columns of Candidates) back inside, where the reading says so.

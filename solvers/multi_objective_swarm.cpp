@@ -1,7 +1,7 @@
 // MO-PSO, multi-objective particle swarm optimisation: Coello, Pulido and Lechuga 2004, in the form of
 // Martinez-Cagigal's public code, whose labels Table 1 of Slim et al. 2023 uses. The two objectives are the position
-// error and the variation, the norm of the joints' way from the start. The reading is argued in
-// docs/paper-notes.md 2.8.
+// error and the variation, the norm of the joints' way from the start, the shorter way round where a joint turns
+// without end. The reading is argued in docs/paper-notes.md 2.8.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -232,7 +232,11 @@ class MultiObjectiveSwarm final : public Solver {
     leader_.resize(particles);
     costs_.resize(static_cast<std::size_t>(particles));
     order_.resize(static_cast<std::size_t>(particles));
-    velocity_limit_ = options_.velocity_limit_percent / 100 * (problem.upper - problem.lower);
+    velocity_limit_.resize(problem.joints());
+    for (Eigen::Index j = 0; j < x_.rows(); ++j) {
+      const DrawnFrom range(problem, j);
+      velocity_limit_[j] = options_.velocity_limit_percent / 100 * (range.upper - range.lower);
+    }
     archive_.start(problem.joints(), options_.archive, particles);
     generation_ = 0;
     best_ = {problem.start};
@@ -283,7 +287,14 @@ class MultiObjectiveSwarm final : public Solver {
   void evaluate(Objective& objective) {
     objective.errors(x_, errors_);
     variations_.setZero();
-    for (Eigen::Index j = 0; j < x_.rows(); ++j) variations_ += (x_.row(j).array() - problem_.start[j]).square();
+    for (Eigen::Index j = 0; j < x_.rows(); ++j) {
+      const auto way = x_.row(j).array() - problem_.start[j];
+      if (is_endless(problem_.lower[j], problem_.upper[j])) {
+        variations_ += way.unaryExpr([](double q) { return std::remainder(q, whole_turn); }).square();
+      } else {
+        variations_ += way.square();
+      }
+    }
     variations_ = variations_.sqrt();
     for (Eigen::Index i = 0; i < x_.cols(); ++i) costs_[static_cast<std::size_t>(i)] = {errors_[i], variations_[i]};
     archive_.add(x_, costs_);

@@ -2,7 +2,6 @@
 // g++ -std=c++17 -O2 -I/usr/include/eigen3 -o descent descent.cpp
 #include <Eigen/Geometry>
 #include <chrono>
-#include <cmath>
 #include <iostream>
 #include <nlohmann/json.hpp>
 
@@ -46,12 +45,13 @@ Json solved(const Json& arm, const Json& problem) {
   return {{"message", "solved"}, {"id", problem["id"]}, {"q", q}, {"error", error()}, {"iterations", iteration}};
 }
 int main() {
-  std::cout << R"({"ikbench":1,"message":"hello","name":"cpp_descent","version":"1.1","modes":["solve"],)"
+  std::cout << R"({"ikbench":1,"message":"hello","name":"cpp_descent","version":"1.2","modes":["solve"],)"
             << R"("deterministic":true})" << std::endl;
   Json arm;
   for (std::string line; std::getline(std::cin, line);) {
     const Json told = Json::parse(line);
-    if (told["message"] == "robot") arm = told, std::cout << R"({"message":"ready"})" << std::endl;
+    const bool can = line.find("\"prismatic\"") == line.npos && line.find("\"coupled\"") == line.npos;
+    if (told["message"] == "robot") arm = told, std::cout << Json{{"message", can ? "ready" : "declined"}} << std::endl;
     if (told["message"] == "ping") std::cout << Json{{"message", "pong"}, {"id", told["id"]}} << std::endl;
     if (told["message"] == "solve") std::cout << solved(arm, told) << std::endl;
     if (told["message"] == "bye") break;

@@ -26,20 +26,30 @@ constexpr double slack = 1e-9;  // m and rad
 constexpr int many_solves = 1000;
 constexpr double most_growth = 8e6;  // bytes over so many solves
 
-// An arm of some joints, about a metre long, whose axes are turned by a right angle from one to the next.
+// An arm of some joints, about a metre long, whose axes are turned by a right angle from one to the next. All turn,
+// some of them without end, or the second slides.
 struct SomeArm {
-  explicit SomeArm(int joints) : chain(links(joints)), limits{Configuration(joints), Configuration(joints)} {
+  enum class Kind { limited, endless, sliding };
+
+  explicit SomeArm(int joints, Kind kind = Kind::limited)
+      : chain(links(joints, kind)), limits{Configuration(joints), Configuration(joints)} {
     limits.lower.setConstant(-std::numbers::pi);
     limits.upper.setConstant(std::numbers::pi);
+    for (int j = 0; kind == Kind::endless && j < joints; j += 2) {
+      limits.lower[j] = -std::numeric_limits<double>::infinity();
+      limits.upper[j] = std::numeric_limits<double>::infinity();
+    }
+    if (kind == Kind::sliding) limits.lower[1] = 0, limits.upper[1] = 1;
     for (int j = 1; j <= joints; ++j) names.push_back(fmt::format("joint_{}", j));
   }
 
-  static std::vector<DhLink> links(int joints) {
+  static std::vector<DhLink> links(int joints, Kind kind) {
     std::vector<DhLink> all;
     for (int j = 0; j < joints; ++j) {
       const double twist = j + 1 == joints ? 0 : j % 2 == 0 ? std::numbers::pi / 2 : -std::numbers::pi / 2;
       all.push_back({.a = 1.0 / joints, .alpha = twist});
     }
+    if (kind == Kind::sliding) all[1].joint = Joint::slides;
     return all;
   }
 
@@ -128,11 +138,7 @@ class Checker {
   Tried solve(ForeignSolver& solver, const SomeArm& arm, const Asked& asked) const {
     const int joints = arm.chain.joints();
     const Configuration start = Configuration::Constant(joints, 0.1);
-    const Problem problem{.start = start,
-                          .lower = arm.limits.lower,
-                          .upper = arm.limits.upper,
-                          .population = 20,
-                          .iterations = asked.stop.iterations};
+    const Problem problem{.start = start, .lower = arm.limits.lower, .upper = arm.limits.upper, .population = 20};
     Objective objective(arm.chain, asked.is_reachable ? arm.target() : Eigen::Vector3d(10, 0, 0));
     Random random(Key(0).with(asked.seed));
     solver.prepare(problem, objective);
@@ -181,7 +187,33 @@ class Checker {
     const double outside = arm_->limits.violation(tried.q);
     line("its answer is inside the joint limits", outside <= slack,
          outside <= slack ? "" : fmt::format("{:.3g} rad outside", outside));
+    solves_for("whose joints turn without end", SomeArm(7, SomeArm::Kind::endless));
+    solves_for("with a joint that slides", SomeArm(7, SomeArm::Kind::sliding));
     return true;
+  }
+
+  // What goes wrong with joints that many a program does not know.
+  void solves_for(std::string_view which, const SomeArm& arm) {
+    const Tried tried = solve_afresh(arm, {});
+    const double outside = tried.q.allFinite() ? arm.limits.violation(tried.q) : 0, claimed = tried.account.word.error;
+    std::string wrong = tried.trouble;
+    if (tried.account.failure == Status::declined) {
+      wrong.clear();
+    } else if (wrong.empty() && !tried.q.allFinite()) {
+      wrong = "its answer is not finite";
+    } else if (wrong.empty() && outside > slack) {
+      wrong = fmt::format("{:.3g} rad or m outside the limits", outside);
+    } else if (wrong.empty() && std::abs(claimed - tried.error) > slack) {
+      wrong = claim(tried);
+    }
+    line(fmt::format("it solves for an arm {}, or declines", which), wrong.empty(),
+         !wrong.empty()                              ? wrong
+         : tried.account.failure == Status::declined ? tried.trouble
+                                                     : fmt::format("to {:.2g} m", tried.error));
+  }
+
+  static std::string claim(const Tried& tried) {
+    return fmt::format("it says {:.9g} m, and is {:.9g} m off", tried.account.word.error, tried.error);
   }
 
   void seeds() {
@@ -214,7 +246,7 @@ class Checker {
          tried.trouble.empty() && (is_silent || std::abs(claimed - tried.error) <= slack),
          !tried.trouble.empty() ? tried.trouble
          : is_silent            ? "it claims none"
-                                : fmt::format("it says {:.9g} m, and is {:.9g} m off", claimed, tried.error));
+                                : claim(tried));
     const Tried far = solve_afresh(*arm_, {.is_reachable = false});
     line("a target that nothing reaches ends too", far.trouble.empty(), far.trouble);
   }

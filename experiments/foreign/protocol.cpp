@@ -11,6 +11,7 @@
 #include "numerics/names.hpp"
 #include "numerics/number.hpp"
 #include "numerics/toml_table.hpp"
+#include "solvers/bounds.hpp"
 
 namespace ikbench::experiments {
 
@@ -311,20 +312,22 @@ std::string robot_message(const ArmToSearch& arm, const Hello& hello, const Sett
 
 std::string solve_message(Mode mode, const AskedSolve& asked) {
   const Problem& problem = asked.problem;
+  const JointLimits limits = finite_limits(problem);
   Json target{{"position", numbers(asked.goal.target.translation())}};
   if (asked.goal.is_pose()) target["rotation"] = row_by_row(asked.goal.target.linear());
   Json json{{"message", mode == Mode::solve ? "solve" : "start"},
             {"id", asked.id},
             {"target", target},
             {"start", numbers(problem.start)},
-            {"lower", numbers(problem.lower)},
-            {"upper", numbers(problem.upper)},
+            {"lower", numbers(limits.lower)},
+            {"upper", numbers(limits.upper)},
             {"tolerance", {{"position", asked.stop.tolerance}, {"rotation", asked.stop.angle_tolerance}}},
             {"budget",
              {{"iterations", asked.stop.iterations},
               {"evaluations", asked.stop.evaluations},
               {"seconds", asked.stop.seconds}}},
             {"population", problem.population},
+            {"planned_iterations", problem.iterations},
             {"seed", asked.seed}};
   if (asked.hosted.repeats > 0) {
     json["stream"] = asked.hosted.stream;

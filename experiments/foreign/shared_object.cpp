@@ -9,6 +9,8 @@
 #include <cfenv>
 #include <chrono>
 
+#include "solvers/bounds.hpp"
+
 #if defined(__SSE2__)
 #include <xmmintrin.h>
 #endif
@@ -202,6 +204,7 @@ void SharedSolver::start(const Problem& problem, Objective& objective, Random& r
   stop_ = problem.stop;
   started_ = std::chrono::steady_clock::now();
   changed_mode_ = false;
+  const JointLimits limits = finite_limits(problem);
   best_.q = problem.start;
   best_.error = std::numeric_limits<double>::infinity();
   ikbench_problem told{.size = sizeof(ikbench_problem),
@@ -211,13 +214,14 @@ void SharedSolver::start(const Problem& problem, Objective& objective, Random& r
                        .position_tolerance = stop_.tolerance,
                        .rotation_tolerance = stop_.angle_tolerance,
                        .start = problem.start.data(),
-                       .lower = problem.lower.data(),
-                       .upper = problem.upper.data(),
+                       .lower = limits.lower.data(),
+                       .upper = limits.upper.data(),
                        .population = problem.population,
                        .iterations = stop_.iterations,
                        .evaluations = stop_.evaluations,
                        .seconds = stop_.seconds,
-                       .seed = seed_};
+                       .seed = seed_,
+                       .planned_iterations = problem.iterations};
   write_pose(objective.goal().target, told.target);
   answer(objective, random, [&] { return table_.start(solver_, &told, &callbacks_, best_.q.data(), &best_.error); });
 }

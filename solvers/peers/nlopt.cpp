@@ -84,17 +84,41 @@ class NloptSolver final : public Solver {
   // The answer is the best that was evaluated, so how the library ended, or that it refuses (one joint, for some), is
   // of no account.
   void call(Evaluations& evaluations, Configuration q) {
+    const Problem& problem = solve_.problem;
+    const JointLimits limits =
+        searches_everywhere() ? finite_limits(problem) : JointLimits{problem.lower, problem.upper};
     const NloptHandle opt(nlopt_create(options_.algorithm, static_cast<unsigned>(q.size())));
     Call call{*this, evaluations, opt.get()};
     nlopt_set_min_objective(opt.get(), merit, &call);
-    nlopt_set_lower_bounds(opt.get(), solve_.problem.lower.data());
-    nlopt_set_upper_bounds(opt.get(), solve_.problem.upper.data());
+    nlopt_set_lower_bounds(opt.get(), limits.lower.data());
+    nlopt_set_upper_bounds(opt.get(), limits.upper.data());
+    set_first_steps(opt.get(), q);
     nlopt_set_xtol_rel(opt.get(), 0);
     nlopt_set_xtol_abs1(opt.get(), options_.small_move);
     nlopt_set_population(opt.get(), static_cast<unsigned>(solve_.problem.population));
     nlopt_set_maxeval(opt.get(), static_cast<int>(std::min<std::int64_t>(evaluations.left(), 1'000'000'000)));
     double reached = 0;
     nlopt_optimize(opt.get(), q.data(), &reached);
+  }
+
+  // Those need finite limits; a whole turn each way of the start holds every direction of a joint without end well
+  // inside.
+  bool searches_everywhere() const {
+    return options_.algorithm == NLOPT_GN_DIRECT_L || options_.algorithm == NLOPT_GN_CRS2_LM ||
+           options_.algorithm == NLOPT_GN_ISRES || options_.algorithm == NLOPT_GN_ESCH;
+  }
+
+  // NLopt's first step is a quarter of the range of a joint, and without limits the joint's own value, however small:
+  // so a joint without end gets a quarter of its turn.
+  void set_first_steps(nlopt_opt opt, const Configuration& q) const {
+    const Problem& problem = solve_.problem;
+    if (problem.lower.allFinite() && problem.upper.allFinite()) return;
+    Configuration steps = q;
+    nlopt_get_initial_step(opt, q.data(), steps.data());
+    for (Eigen::Index j = 0; j < q.size(); ++j) {
+      if (is_endless(problem.lower[j], problem.upper[j])) steps[j] = half_turn / 2;
+    }
+    nlopt_set_initial_step(opt, steps.data());
   }
 
   static double merit(unsigned joints, const double* x, double* gradient, void* data) {

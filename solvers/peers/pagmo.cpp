@@ -1,5 +1,7 @@
 // pagmo (Biscani and Izzo 2020), which evolves a population by our objective. One step is one call of the library, for
-// as many generations as the study has iterations; the study's budgets and tolerances end it too.
+// as many generations as iterations are planned; the study's budgets and tolerances end it too. Its algorithms need
+// finite limits: where a joint turns without end, a whole turn each way of the start holds every direction of it well
+// inside.
 #include <fmt/format.h>
 
 #include <pagmo/algorithm.hpp>
@@ -19,6 +21,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "solvers/bounds.hpp"
 #include "solvers/peers/evaluations.hpp"
 #include "solvers/registry.hpp"
 
@@ -83,11 +86,11 @@ class PagmoSolver final : public Solver {
     solve_.has_ended = true;
     const auto seed = static_cast<unsigned>(random.index(std::numeric_limits<int>::max()));
     Evaluations evaluations(solve_, objective);
-    const Configuration start = solve_.problem.start.cwiseMax(solve_.problem.lower).cwiseMin(solve_.problem.upper);
+    const JointLimits limits = finite_limits(solve_.problem);
+    const Configuration start = solve_.problem.start.cwiseMax(limits.lower).cwiseMin(limits.upper);
     try {
-      const pagmo::problem target{PagmoTarget{&evaluations,
-                                              {solve_.problem.lower.begin(), solve_.problem.lower.end()},
-                                              {solve_.problem.upper.begin(), solve_.problem.upper.end()}}};
+      const pagmo::problem target{PagmoTarget{
+          &evaluations, {limits.lower.begin(), limits.lower.end()}, {limits.upper.begin(), limits.upper.end()}}};
       pagmo::population population(target, static_cast<unsigned>(solve_.problem.population - 1), seed);
       population.push_back({start.begin(), start.end()});
       algorithm(seed).evolve(population);

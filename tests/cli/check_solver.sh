@@ -52,7 +52,11 @@ for line in sys.stdin:
     told = json.loads(line)
     if told["message"] == "robot":
         robot = told
+        if any(joint["type"] != "revolute" for joint in told["joints"]) and "slides" != FAULT:
+            say(message="declined", why="it slides")
+            continue
         if "long" == FAULT and len(robot["joints"]) > 7: os._exit(1)
+        if "endless" == FAULT and None in [joint["upper"] for joint in robot["joints"]]: os._exit(1)
         say(message="ready")
     elif told["message"] == "ping": say(message="pong", id=told["id"])
     elif told["message"] == "solve": solve(told)
@@ -86,13 +90,15 @@ outside 1 inside the joint limits: 0.858 rad outside
 remembers 1 the same seed gives the same answer in the same process
 of-process 1 the same seed gives the same answer in a fresh process
 one-seed 1 another seed gives another answer.*: the answer is the same, and it does not say so
-lies 1 the error that it claims is true: it says
+endless 1 an arm whose joints turn without end, or declines: crashed
+lies 2 or declines: it says\|the error that it claims is true: it says
 hangs 1 a target that nothing reaches ends too: timed_out
 empty-budget 1 a budget of 0 iterations: crashed
 late 1 it keeps a budget of 1 ms within ten times: 
 leaks 1 its memory does not grow over 1000 solves: +'
 finds "$alike
 nan 1 its answer is finite
+slides 1 an arm with a joint that slides, or declines: it says
 id 3 joints*, or declines: broke_protocol: its solved does not have the id
 deaf 1 it ends when it is told bye: it still runs
 stays 1 it ends with its standard input: it had to be ended: signal 9
@@ -135,6 +141,8 @@ struct Planted {
   explicit Planted(const ikbench_robot& robot) : joints(robot.joints) {
     if (has("long") && joints > 7) std::abort();
     if (has("throws") && joints > 7) throw 7;
+    if (has("endless") && std::isinf(robot.upper[0])) std::abort();
+    if (std::count(robot.types, robot.types + joints, 1) > 0) throw ikbench_plugin::Declined("it slides");
   }
   void start(const ikbench_problem& told, ikbench_plugin::Objective& objective, ikbench_plugin::Best& best) {
     static int solves = 0;

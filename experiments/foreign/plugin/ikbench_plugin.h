@@ -14,7 +14,7 @@ typedef struct ikbench_robot {
   size_t size;
   const char *name, *urdf, *base_link, *tip_link; /* the last three "" where there is no URDF text */
   int32_t joints; /* the length of the next two lines */
-  const double *theta, *d, *a, *alpha, *lower, *upper; /* of one: Rz(theta) Tz(d) Tx(a) Rx(alpha) */
+  const double *theta, *d, *a, *alpha, *lower, *upper; /* of one: Rz(theta) Tz(d) Tx(a) Rx(alpha); no limit: infinite */
   const int32_t *types; /* its value is added 0: to theta; 1: to d; 2: coupled */
   double base[16], tool[16];
   const double *options; /* as ikbench_solver lists them; a choice by number */
@@ -25,11 +25,12 @@ typedef struct ikbench_problem {
   int32_t joints;
   double target[16], rotation_weight; /* weight 0: only the position is asked for */
   double position_tolerance, rotation_tolerance; /* 0: none */
-  const double *start, *lower, *upper;
+  const double *start, *lower, *upper; /* finite: a joint without limits has a whole turn each way of the start */
   int32_t population, iterations;
   int64_t evaluations; /* 0: no such budget */
   double seconds; /* the same */
   uint32_t seed; /* for a generator of your own */
+  int32_t planned_iterations; /* of a whole population each, for schedules that end with the solve */
 } ikbench_problem;
 
 typedef struct ikbench_objective { /* `suite` is the first argument of all */

@@ -1,0 +1,136 @@
+// Arms whose joints turn without end: what their solvers are told, what becomes of their answers, how far they move.
+#include <cmath>
+#include <limits>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "experiments/foreign/protocol.hpp"
+#include "experiments/solve_runner.hpp"
+#include "tests/catch.hpp"
+#include "tests/experiments/samples.hpp"
+
+using namespace ikbench;
+using namespace ikbench::numerics;
+using namespace ikbench::robots;
+using namespace ikbench::solvers;
+using namespace ikbench::results;
+using namespace ikbench::experiments;
+
+namespace {
+
+using ParsedJson = nlohmann::json;
+
+constexpr double without_end = std::numeric_limits<double>::infinity(), half = std::numbers::pi;
+
+Study study_of_gen3(const std::string& more) {
+  return parse_study(
+      "robot = \"kinova_gen3\"\nsearch = \"pose\"\nruns = 60\n" + more + "[path]\nkind = \"random\"\npoints = 1\n",
+      "my.toml");
+}
+
+std::string an_entry(const std::string& label, const std::string& solver, const std::string& options) {
+  return "[[solvers]]\nlabel = \"" + label + "\"\nsolver = \"" + solver +
+         "\"\nif_missing = \"leave_out\"\noptions = { " + options + " }\n";
+}
+
+}  // namespace
+
+TEST_CASE("a problem has the limits of the arm, and none where a joint turns without end", "[endless]") {
+  const Study study = study_of_gen3("[[solvers]]\nsolver = \"bat\"\n");
+  const Robot arm = arm_of(study);
+  const Configuration start = Configuration::Constant(7, 0.2);
+  const Problem problem = Task(study, arm).problem(start, 50);
+  CHECK(problem.lower == arm.limits.lower);
+  CHECK(problem.upper == arm.limits.upper);
+  CHECK(problem.lower[0] == -without_end);
+}
+
+TEST_CASE("no solver's answer is held at half a turn from the start", "[endless]") {
+  const Study study = study_of_gen3(
+      "start = \"middle\"\nbounds = \"clamp\"\n[stop]\niterations = 100\ntolerance_cm = 0.01\ntolerance_deg = 0.1\n" +
+      an_entry("Newton", "newton", "restarts = \"none\"") + an_entry("wrapped", "newton", "bounds = \"wrap\"") +
+      an_entry("DLS", "damped_least_squares", "") + an_entry("LM", "levenberg_marquardt", "") +
+      an_entry("PSO", "particle_swarm", "") + an_entry("K-ABC", "k_artificial_bee_colony", "") +
+      an_entry("MO-PSO", "multi_objective_swarm", "") + an_entry("KDL", "kdl_newton", "") +
+      an_entry("SLSQP", "nlopt", "restarts = \"random\"") + an_entry("BOBYQA", "nlopt", "algorithm = \"bobyqa\"") +
+      an_entry("CRS2", "nlopt", "algorithm = \"crs2_lm\"") + an_entry("GWO", "pagmo", "algorithm = \"gwo\""));
+  const Robot arm = arm_of(study);
+  std::map<std::string, int> held, beyond;
+  solve_study(study, 1, [&](const SolveRecord& solve) {
+    CHECK(solve.largest_move_deg <= 180 * (1 + 1e-12));
+    CHECK(solve.status != Status::limit_violated);
+    for (Eigen::Index j = 0; j < arm.joints(); ++j) {
+      if (std::isfinite(arm.limits.lower[j])) continue;
+      const auto at = static_cast<std::size_t>(j);
+      const double moved = std::abs(solve.answer_rad[at] - solve.start_rad[at]);
+      held[solve.solver] += std::abs(moved - half) < 1e-9 ? 1 : 0;
+      beyond[solve.solver] += moved > half ? 1 : 0;
+    }
+  });
+  for (const SolverEntry& entry : study.solvers) {
+    CAPTURE(entry.label);
+    CHECK(held[entry.label] == 0);
+  }
+  for (const char* label : {"Newton", "wrapped", "DLS", "PSO"}) {
+    CAPTURE(label);
+    CHECK(beyond[label] > 0);
+  }
+}
+
+TEST_CASE("a joint without end moves the shorter way round, and any other as far as it goes", "[endless][verifier]") {
+  Robot arm = robot("planar_2");
+  arm.limits = {Eigen::Vector2d(-without_end, -9), Eigen::Vector2d(without_end, 9)};
+  const Eigen::VectorXd start = Eigen::Vector2d(0.5, 0.5);
+  const auto verified = [&](double first, double second) {
+    return verify(arm, Pose::Identity(), start, Eigen::VectorXd(start + Eigen::Vector2d(first, second)));
+  };
+  CHECK(verified(2 * half + 0.3, 0).variation == Approx(0.3));
+  CHECK(verified(-4 * half - 0.3, 0).largest_move == Approx(0.3));
+  CHECK(verified(1.5 * half, 0).variation == Approx(half / 2));
+  CHECK(verified(3, 0).variation == 3);
+  CHECK(verified(0, 1.5 * half).variation == Approx(1.5 * half));
+  CHECK(verified(100, 0).limit_violation == 0);
+}
+
+TEST_CASE("starts near a solution are as near where a joint turns without end", "[endless][starts]") {
+  const Study study = parse_study(
+      "robot = \"kinova_gen3\"\nsearch = \"pose\"\nstart = \"near\"\nnear_deg = 90\n[path]\nkind = \"random\"\npoints = "
+      "200\n[[solvers]]\nsolver = \"bat\"\n",
+      "my.toml");
+  const Robot arm = arm_of(study);
+  int beyond = 0;
+  for (const Configuration& start : starts(study, arm, 1)) {
+    CHECK(arm.limits.violation(start) == 0);
+    CHECK(std::abs(start[0]) != half);
+    beyond += std::abs(start[0]) > half ? 1 : 0;
+  }
+  CHECK(beyond > 0);
+}
+
+TEST_CASE("a program gets null for a limit that there is not, and a whole turn each way to search in", "[endless]") {
+  const Robot arm = robot("kinova_gen3");
+  const ParsedJson robot_told = ParsedJson::parse(robot_message({.name = "gen3",
+                                                                 .arm = arm.chain,
+                                                                 .limits = arm.limits,
+                                                                 .joint_names = std::vector<std::string>(7, "joint"),
+                                                                 .urdf = {},
+                                                                 .base_link = {},
+                                                                 .tip_link = {}},
+                                                                {}, {}));
+  CHECK(robot_told["joints"][0]["lower"].is_null());
+  CHECK(robot_told["joints"][1]["upper"] == arm.limits.upper[1]);
+  const Problem problem{.start = Configuration::Constant(7, 0.2),
+                        .lower = arm.limits.lower,
+                        .upper = arm.limits.upper,
+                        .population = 20,
+                        .iterations = 30};
+  const ParsedJson told = ParsedJson::parse(solve_message(
+      Mode::solve,
+      {.id = 1, .problem = problem, .goal = Eigen::Vector3d(0, 0, 0.5), .stop = {.iterations = 1000}, .seed = 1}));
+  CHECK(told["lower"][0] == 0.2 - 2 * half);
+  CHECK(told["upper"][0] == 0.2 + 2 * half);
+  CHECK(told["upper"][1] == arm.limits.upper[1]);
+  CHECK(told["budget"]["iterations"] == 1000);
+  CHECK(told["planned_iterations"] == 30);
+}
