@@ -21,12 +21,13 @@ constexpr const char* of_readme = "README of TRAC-IK, table of solve rates";
 // Where another rate was to be expected, why.
 std::string_view known_reason(std::string_view arm) {
   if (arm == "KUKA LBR iiwa 14 R820") {
-    return " The middle of its limits is a singular configuration, from which rounding decides where a pseudo-inverse "
-           "goes.";
+    return " The middle of its limits, where all solves start, is a singular configuration: a start 0.001 deg away already "
+           "gives another rate (docs/paper-notes.md). Which rounding the authors' program had there is not known.";
   }
   if (arm == "Jaco2") {
-    return " Four of its joints turn without end: the authors drew their angles from the whole range of floating-point "
-           "numbers, we draw one turn.";
+    return " Four of its joints turn without end. Its file gives them limits of a whole turn all the same: with these, or "
+           "with fewer iterations, the rate is near the printed one (docs/paper-notes.md). Which limits the authors had, "
+           "and how many iterations fit into their 5 ms, is not known.";
   }
   if (arm == "Baxter arm") return " Which tip and which limits the authors took is not said.";
   return "";

@@ -273,6 +273,13 @@ std::vector<std::string> status_notes(const StudyResults& study) {
                     "are observations.",
                     incomplete_runs));
   }
+  const auto by_time = std::ranges::count(study.solves, StopReason::time, &Solve::stop_reason);
+  if (by_time > 0) {
+    notes.push_back(fmt::format(
+        "{} of {} solves ended by their time. Schedules that end with a solve did not end in these: they were planned "
+        "for its iterations.",
+        by_time, study.solves.size()));
+  }
   if (by_status[static_cast<std::size_t>(Status::refused)] > 0) {
     notes.push_back(
         "A refused answer leaves the arm where it was: the error that counts is the one it has there, and its "

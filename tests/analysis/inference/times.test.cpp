@@ -1,6 +1,7 @@
 // What one interruption adds to a time: it is told, and decides nothing.
 #include "analysis/inference/times.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "analysis/inference/make_study.hpp"
@@ -85,4 +86,15 @@ TEST_CASE("the time of a run is the median of its points", "[times]") {
   for (SolveRecord& solve : all) solve.seconds = 0.001 * solve.point;
   all[2].seconds = 5;
   CHECK(samples(timed_study(all), Metric::seconds).front().values == std::vector<double>{0.002, 0.002});
+}
+
+TEST_CASE("where solves end by their time it is said that schedules did not end", "[times]") {
+  const auto has_note = [](const StudyResults& study, std::string_view sentence) {
+    const std::vector<std::string> notes = status_notes(study);
+    return std::ranges::any_of(notes, [&](const std::string& note) { return note.starts_with(sentence); });
+  };
+  std::vector<SolveRecord> all = solves();
+  CHECK_FALSE(has_note(timed_study(all), "0 of 100"));
+  all[0].stop_reason = all[3].stop_reason = StopReason::time;
+  CHECK(has_note(timed_study(all), "2 of 100 solves ended by their time. Schedules that end with a solve did not end"));
 }
