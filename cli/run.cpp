@@ -18,25 +18,26 @@ using namespace experiments;
 
 namespace {
 
-// Before hours are spent on what cannot be decided: exact tests of ranks need so many blocks, whatever is in them.
+// Before hours are spent on what cannot be decided: tests within blocks need so many, whatever is in them.
 void warn_of_too_few(const Study& study) {
   const AnalysisPlan& plan = study.analysis;
-  const bool by_ranks = plan.test == DecidingTest::by_design || plan.test == DecidingTest::friedman;
+  const bool by_design = plan.test == DecidingTest::by_design;
+  const bool within_blocks = by_design || plan.test == DecidingTest::bootstrap || plan.test == DecidingTest::friedman;
   const bool one_step = plan.adjustment == Adjustment::holm || plan.adjustment == Adjustment::bonferroni;
-  if (!by_ranks || !one_step || study.solvers.size() < 2 || !why_no_blocks(study).empty()) return;
+  if (!within_blocks || !one_step || study.solvers.size() < 2 || !why_no_blocks(study).empty()) return;
   const bool starts_anew = study.start != Start::previous;
   const auto points = static_cast<std::size_t>(study.path->points()), runs = static_cast<std::size_t>(study.runs);
   const std::size_t solvers = study.solvers.size();
   inference::Evidence planned;
   planned.plan = plan;
+  if (by_design) planned.plan.test = DecidingTest::bootstrap;
   planned.blocks = !study.path->is_drawn() ? points : starts_anew ? runs * points : runs;
   planned.groups.resize(solvers);
   planned.pairs = solvers * (solvers - 1) / 2;
   const auto fewest = static_cast<std::size_t>(inference::fewest_to_differ(planned));
   if (planned.blocks < 2 || planned.blocks >= fewest) return;
-  say(fmt::format(
-      "warning: with {} {} no two of {} solvers can be told apart, whatever they do; the tests of ranks need at least {}",
-      planned.blocks, starts_anew ? "targets" : "runs", solvers, fewest));
+  say(fmt::format("warning: with {} {} no two of {} solvers can be told apart, whatever they do; it takes at least {}",
+                  planned.blocks, starts_anew ? "targets" : "runs", solvers, fewest));
 }
 
 }  // namespace

@@ -10,8 +10,8 @@
 
 namespace ikbench::results {
 
-// Which test decides. by_design: Friedman where the same targets are given to all (blocks), else the studentized
-// bootstrap of the means, or Tamhane's test where only summaries are known; the data have no say in it. The others are
+// Which test decides. by_design: the studentized bootstrap of the means, within blocks where the same targets are given
+// to all, or Tamhane's test where only summaries are known; of times ranks. The data have no say in it. The others are
 // computed beside it, all but the bootstrap.
 enum class DecidingTest { by_design, anova, welch, kruskal_wallis, friedman, tamhane, bootstrap };
 

@@ -18,6 +18,7 @@
 #include "analysis/statistics/power.hpp"
 #include "analysis/statistics/proportion.hpp"
 #include "analysis/statistics/rounding.hpp"
+#include "analysis/statistics/studentized_bootstrap.hpp"
 #include "analysis/statistics/studentized_range.hpp"
 #include "analysis/statistics/welch.hpp"
 
@@ -98,10 +99,10 @@ void compare_in_blocks(const Evidence& evidence, Values values, Contrast& contra
   if (std::isnan(test.p)) contrast.p_paired = not_defined;
   const bool is_equal = values[contrast.first] == values[contrast.second];  // in every block
   if (is_equal) contrast.p_paired = 1;
-  if (evidence.plan.test != DecidingTest::friedman) return;
-  contrast.difference = {.value = test.difference, .low = test.low, .high = test.high};
+  if (!evidence.decides_within_blocks()) return;
+  if (evidence.ranks_decide()) contrast.difference = {.value = test.difference, .low = test.low, .high = test.high};
   if (!is_equal) return;
-  contrast.p_ranks = 1;  // no difference has a rank
+  (evidence.ranks_decide() ? contrast.p_ranks : contrast.p_bootstrap) = 1;  // no difference is above or below 0
   contrast.undefined.clear();
   if (chance_of_unanimity(evidence, contrast) < evidence.plan.significance) contrast.difference = {0, 0, 0};
 }
@@ -110,13 +111,15 @@ int ahead_by_means(const Evidence& evidence, double difference) {
   return evidence.better == Better::smaller ? -sign_of(difference) : sign_of(difference);
 }
 
-// Of the bootstrap's pairs those that do not overlap, where a group has one value alone, or both so few that the
-// bootstrap has no spread to judge by.
+// Of the bootstrap's pairs those that do not overlap, or differ alike in every block, where a group has one value
+// alone, or there are so few that the bootstrap has no spread to judge by.
 bool has_order(const Evidence& evidence, const Contrast& contrast) {
   const Description &first = evidence.groups[contrast.first].described,
                     &second = evidence.groups[contrast.second].described;
   if (evidence.plan.test != DecidingTest::bootstrap || evidence.of_outcomes) return false;
   if (!std::isfinite(first.mean) || !std::isfinite(second.mean)) return false;
+  const double ahead = contrast.superiority.value;
+  if (evidence.blocks > 0) return std::isnan(contrast.p_bootstrap) && (ahead == 0 || ahead == 1);
   const bool lacks_spread = std::isnan(contrast.p_bootstrap) || is_constant(first) != is_constant(second);
   return lacks_spread && (first.max < second.min || second.max < first.min);
 }
@@ -131,7 +134,8 @@ bool are_constants(const Evidence& evidence, const Contrast& contrast) {
 int fewest_to_differ(const Evidence& evidence) {
   int n = 2;
   while (chance_of_unanimity(evidence, n, n) >= evidence.plan.significance) ++n;
-  return n;
+  const bool by_bootstrap = evidence.plan.test == DecidingTest::bootstrap && !evidence.of_outcomes;
+  return by_bootstrap ? std::min(n, fewest_blocks(evidence.family(), 1 - evidence.plan.significance)) : n;
 }
 
 Relation relation_of(const Evidence& evidence, const Contrast& contrast, double p) {
@@ -180,7 +184,7 @@ void judge_constants(const Evidence& evidence, Contrast& contrast) {
   contrast.difference = {.value = difference};
   contrast.relation = Relation::not_told_apart;
   if (by_chance >= evidence.plan.significance) {
-    contrast.runs_to_decide = fewest_to_differ(evidence);
+    contrast.runs_to_decide.value = fewest_to_differ(evidence);
     return;
   }
   contrast.difference = {difference, difference, difference};
@@ -188,12 +192,12 @@ void judge_constants(const Evidence& evidence, Contrast& contrast) {
   if (difference == 0 && are_shares) {
     contrast.difference.low = -unseen_failures(evidence, first.n);
     contrast.difference.high = unseen_failures(evidence, second.n);
-    contrast.runs_to_decide = trials_to_exclude(evidence.plan.margin * first.mean,
-                                                evidence.plan.significance / static_cast<double>(evidence.family()));
+    contrast.runs_to_decide.value = trials_to_exclude(
+        evidence.plan.margin * first.mean, evidence.plan.significance / static_cast<double>(evidence.family()));
   }
   contrast.extent = extent_of(evidence, contrast);
   contrast.relation = relation_of(evidence, contrast, contrast.p);
-  if (contrast.relation != Relation::not_told_apart) contrast.runs_to_decide = not_defined;
+  if (contrast.relation != Relation::not_told_apart) contrast.runs_to_decide = {};
 }
 
 void judge(const Evidence& evidence, Contrast& contrast) {
@@ -220,19 +224,28 @@ void judge(const Evidence& evidence, Contrast& contrast) {
   contrast.relation = relation_of(evidence, contrast, contrast.p);
 }
 
-// If the difference is what it seems, either it is found or it is shown to be within the margin: whichever is nearer.
-double runs_to_decide(const Evidence& evidence, const Contrast& contrast, std::span<const GroupSummary> summaries,
-                      Values values) {
+// What a difference of the margin takes where values spread as they seem to, and as they plausibly do. The difference
+// that was seen has no say: it may be chance.
+Estimate runs_to_decide(const Evidence& evidence, const Contrast& contrast, std::span<const GroupSummary> summaries,
+                        Values values) {
   const PowerGoal goal{.power = evidence.plan.power,
                        .alpha = evidence.plan.significance / static_cast<double>(evidence.family())};
-  const double apart = std::abs(contrast.difference.value);
-  const double to_see = std::max(apart, margin_of(evidence, contrast) - apart);
-  const std::size_t i = contrast.first, j = contrast.second;
-  const RunsNeeded runs =
-      evidence.plan.test == DecidingTest::friedman
-          ? pairs_to_see(standard_deviation(differences_without_rounding(values[i], values[j])), to_see, goal)
-          : runs_to_see(summaries[i], summaries[j], to_see, goal);
-  return std::fmax(runs.n, evidence.fewest > 0 ? evidence.fewest : not_defined);
+  const double to_see = margin_of(evidence, contrast), outside = evidence.plan.significance / 2;
+  const auto runs = [&](double probability) {
+    GroupSummary first = summaries[contrast.first], second = summaries[contrast.second];
+    if (evidence.decides_within_blocks()) {
+      const double std =
+          standard_deviation(differences_without_rounding(values[contrast.first], values[contrast.second]));
+      return pairs_to_see(plausible_deviation(std, first.n, probability), to_see, goal).n;
+    }
+    first.std = plausible_deviation(first.std, first.n, probability);
+    second.std = plausible_deviation(second.std, second.n, probability);
+    return runs_to_see(first, second, to_see, goal).n;
+  };
+  const double fewest = evidence.fewest > 0 ? evidence.fewest : not_defined;
+  return {.value = std::fmax(runs(0.5), fewest),
+          .low = std::fmax(runs(outside), fewest),
+          .high = std::fmax(runs(1 - outside), fewest)};
 }
 
 double deciding_p(const Evidence& evidence, const Contrast& contrast) {
@@ -329,7 +342,7 @@ void add_contrasts(Evidence& evidence, std::span<const GroupSummary> summaries, 
   const auto ahead = smaller_is_better(evidence, values);
   add_rank_tests(evidence, ahead, all);
 
-  if (evidence.ranks_decide()) evidence.fewest = fewest_to_differ(evidence);
+  if (evidence.ranks_decide() || evidence.decides_within_blocks()) evidence.fewest = fewest_to_differ(evidence);
 
   const double level = 1 - evidence.plan.significance;
   const TestsOfMeans tests = tests_of_means(evidence, summaries, values);
@@ -358,7 +371,7 @@ void add_contrasts(Evidence& evidence, std::span<const GroupSummary> summaries, 
     }
     contrast.p = deciding_p(evidence, contrast);
     judge(evidence, contrast);
-    if (contrast.relation == Relation::not_told_apart && std::isnan(contrast.runs_to_decide)) {
+    if (contrast.relation == Relation::not_told_apart && std::isnan(contrast.runs_to_decide.value)) {
       contrast.runs_to_decide = runs_to_decide(evidence, contrast, summaries, values);
     }
   }

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "analysis/inference/outcomes.hpp"
+#include "analysis/inference/tests_of_means.hpp"
 
 namespace ikbench::inference {
 
@@ -22,6 +23,10 @@ std::string_view deciding_words(const Evidence& evidence) {
                                                   "Welch's ANOVA with Tamhane's test",
                                                   "Studentized bootstrap of the means"};
   if (evidence.groups.size() == 2 && evidence.ranks_decide()) return pair_test_words(evidence);
+  if (evidence.decides_within_blocks() && !evidence.ranks_decide()) {
+    return resamples_of(evidence) > 0 ? "Studentized bootstrap of the differences within blocks"
+                                      : "Paired t-test within blocks";
+  }
   return words[static_cast<std::size_t>(evidence.plan.test)];
 }
 
@@ -36,7 +41,9 @@ std::string_view pair_test_words(const Evidence& evidence) {
     case DecidingTest::friedman:
       return "Wilcoxon signed-rank test";
     case DecidingTest::bootstrap:
-      return "studentized bootstrap";
+      return evidence.blocks == 0         ? "studentized bootstrap"
+             : resamples_of(evidence) > 0 ? "studentized bootstrap of the differences within blocks"
+                                          : "paired t-test within blocks";
     case DecidingTest::tamhane:
       return is_of_two ? "Welch's test" : "Tamhane's test";
     default:
@@ -92,7 +99,7 @@ std::string_view interval_words(const Evidence& evidence) {
     case DecidingTest::tamhane:
       return "Tamhane, separate variances";
     case DecidingTest::bootstrap:
-      return "studentized bootstrap";
+      return pair_test_words(evidence);
     default:
       return "Games-Howell, separate variances";
   }

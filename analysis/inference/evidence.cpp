@@ -69,9 +69,7 @@ void check_control(const Evidence& evidence) {
 void settle_test(Evidence& evidence) {
   DecidingTest& test = evidence.plan.test;
   if (test == DecidingTest::by_design) {
-    test = evidence.blocks > 0       ? DecidingTest::friedman
-           : evidence.from_summaries ? DecidingTest::tamhane
-                                     : DecidingTest::bootstrap;
+    test = evidence.from_summaries ? DecidingTest::tamhane : DecidingTest::bootstrap;
   }
   if (test == DecidingTest::friedman && evidence.blocks == 0) {
     throw std::invalid_argument(
@@ -82,7 +80,9 @@ void settle_test(Evidence& evidence) {
         fmt::format("the {} needs single values; expected anova, welch or tamhane for summaries",
                     test == DecidingTest::bootstrap ? "bootstrap" : "Kruskal-Wallis test"));
   }
-  if (test == DecidingTest::bootstrap && resamples_of(evidence) == 0) test = DecidingTest::tamhane;
+  if (test == DecidingTest::bootstrap && evidence.blocks == 0 && resamples_of(evidence) == 0) {
+    test = DecidingTest::tamhane;
+  }
 }
 
 // Greatest and least variance of those that are known.

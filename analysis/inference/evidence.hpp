@@ -94,9 +94,9 @@ struct Contrast {
   Estimate superiority = {};  // A12: the chance that an observation of first is better than one of second
   Estimate shift = {};        // Hodges and Lehmann's: the median of all differences first - second; not in blocks
   double g = statistics::not_defined;  // Hedges; positive where the mean of first is larger
-  // Of a pair that is undecided: observations a group, or blocks, that would decide it with the planned power if the
-  // difference is what it seems; no fewer than the test needs to find any.
-  double runs_to_decide = statistics::not_defined;
+  // Of a pair that is undecided: observations a group, or blocks, with which a difference of the margin is found with
+  // the planned power where values spread as they do here, and as they plausibly do; no fewer than the test needs.
+  Estimate runs_to_decide = {};
   Posterior posterior = {};  // within blocks
   Relation relation = Relation::undefined;
   Extent extent = Extent::unknown;
@@ -141,6 +141,11 @@ struct Evidence {
   bool ranks_decide() const {
     return !of_outcomes &&
            (plan.test == results::DecidingTest::kruskal_wallis || plan.test == results::DecidingTest::friedman);
+  }
+  // Whether the test that decides looks at the differences within blocks.
+  bool decides_within_blocks() const {
+    return blocks > 0 && (of_outcomes || plan.test == results::DecidingTest::friedman ||
+                          plan.test == results::DecidingTest::bootstrap);
   }
   // That p-values and intervals are corrected for: the pairs with the control, else all pairs.
   std::size_t family() const { return plan.control.empty() ? pairs : groups.size() - 1; }

@@ -13,8 +13,8 @@ namespace {
 // Unless the plan names a test, ranks decide of times: one interruption of the program would decide a mean.
 AnalysisPlan judging(AnalysisPlan plan, Metric metric, const Observations& observed) {
   const bool is_time = info_of(metric).kind == Kind::time;
-  if (is_time && plan.test == DecidingTest::by_design && observed.blocks.empty()) {
-    plan.test = DecidingTest::kruskal_wallis;
+  if (is_time && plan.test == DecidingTest::by_design) {
+    plan.test = observed.blocks.empty() ? DecidingTest::kruskal_wallis : DecidingTest::friedman;
   }
   return feasible(std::move(plan), observed);
 }

@@ -32,15 +32,29 @@ PairedSuccesses paired_successes(const std::vector<double>& first, const std::ve
   return counts;
 }
 
+// As contrasts have it, for a difference of shares of the margin.
+Estimate runs_to_decide(const Evidence& evidence, const Contrast& contrast,
+                        std::span<const std::vector<double>> values) {
+  const std::vector<double>&first = values[contrast.first], &second = values[contrast.second];
+  const PowerGoal goal{.power = evidence.plan.power,
+                       .alpha = evidence.plan.significance / static_cast<double>(evidence.family())};
+  double fewest = evidence.fewest;
+  if (evidence.blocks > 0) {
+    const PairedSuccesses counts = paired_successes(first, second);
+    // Only blocks in which the two differ count.
+    const int differ = counts.first_only + counts.second_only;
+    if (differ > 0) fewest = std::ceil(fewest * counts.trials() / differ);
+    const double std = standard_deviation(differences_without_rounding(first, second));
+    return {.value = std::fmax(fewest, pairs_to_see(std, evidence.plan.margin, goal).n)};
+  }
+  return {.value = std::fmax(fewest, runs_to_see(summarise(first), summarise(second), evidence.plan.margin, goal).n)};
+}
+
 // p is of this pair alone as yet.
 void compare_shares(const Evidence& evidence, std::span<const std::vector<double>> values, Contrast& contrast) {
   const std::vector<double>&first = values[contrast.first], &second = values[contrast.second];
   const double alpha = evidence.plan.significance / static_cast<double>(evidence.family());
-  const PowerGoal goal{.power = evidence.plan.power, .alpha = alpha};
-  const double apart = std::abs(mean(first) - mean(second));
-  const double to_see = std::max(apart, evidence.plan.margin - apart);  // found, or shown to be within the margin
   Proportion difference;
-  double fewest = evidence.fewest;
   if (evidence.blocks > 0) {
     const PairedSuccesses counts = paired_successes(first, second);
     contrast.p = mcnemar_exact(counts);
@@ -50,18 +64,11 @@ void compare_shares(const Evidence& evidence, std::span<const std::vector<double
       difference.low = std::min(difference.low, -unseen);
       difference.high = std::max(difference.high, unseen);
     }
-    contrast.runs_to_decide =
-        pairs_to_see(standard_deviation(differences_without_rounding(first, second)), to_see, goal).n;
-    // Only blocks in which the two differ count.
-    if (counts.first_only + counts.second_only > 0) {
-      fewest = std::ceil(fewest * counts.trials() / (counts.first_only + counts.second_only));
-    }
   } else {
     contrast.p = fisher_exact(successes_of(first), successes_of(second)).p;
     difference = newcombe(successes_of(first), successes_of(second), 1 - alpha);
-    contrast.runs_to_decide = runs_to_see(summarise(first), summarise(second), to_see, goal).n;
   }
-  if (apart > 0) contrast.runs_to_decide = std::fmax(contrast.runs_to_decide, fewest);
+  contrast.runs_to_decide = runs_to_decide(evidence, contrast, values);
   contrast.difference = {.value = difference.estimate, .low = difference.low, .high = difference.high};
   contrast.ahead = sign_of(difference.estimate) * (evidence.better == Better::smaller ? -1 : 1);
   contrast.extent = extent_of(evidence, contrast);
@@ -112,7 +119,7 @@ void compare_outcomes(Evidence& evidence, std::span<const std::vector<double>> v
   correct(evidence, &Contrast::p, evidence.contrasts);
   for (Contrast& contrast : evidence.contrasts) {
     contrast.relation = relation_of(evidence, contrast, contrast.p);
-    if (contrast.relation != Relation::not_told_apart) contrast.runs_to_decide = not_defined;
+    if (contrast.relation != Relation::not_told_apart) contrast.runs_to_decide = {};
   }
 }
 

@@ -85,7 +85,9 @@ Json contrast_json(const Evidence& evidence, const Contrast& contrast) {
               {evidence.blocks > 0 ? "share_of_blocks_ahead" : "a12", estimate(contrast.superiority)},
               {"hodges_lehmann_shift", estimate(contrast.shift)},
               {"hedges_g", effect_of(evidence, contrast)},
-              {"runs_to_decide", json_number(contrast.runs_to_decide)},
+              {"runs_to_decide", json_number(contrast.runs_to_decide.value)},
+              {"runs_to_decide_low", json_number(contrast.runs_to_decide.low)},
+              {"runs_to_decide_high", json_number(contrast.runs_to_decide.high)},
               {"relation", name_of(contrast.relation)},
               {"extent", name_of(contrast.extent)},
               {"verdict", verdict_words(evidence, contrast)}};

@@ -13,6 +13,7 @@
 #include "analysis/report/assessment_verdicts.hpp"
 #include "analysis/report/assessment_words.hpp"
 #include "analysis/report/outcome_words.hpp"
+#include "analysis/statistics/power.hpp"
 
 namespace ikbench::report {
 
@@ -46,6 +47,20 @@ std::string design(const Evidence& evidence) {
   return text;
 }
 
+// What so many observations can see, whatever was seen: by the t-test, which needs no more than the others.
+std::string sensitivity(const Evidence& evidence) {
+  const int n =
+      std::ranges::min_element(evidence.groups, {}, [](const GroupEvidence& g) { return g.described.n; })->described.n;
+  if (n < 2 || evidence.constant || has_too_few(evidence)) return "";
+  const PowerGoal goal{.power = evidence.plan.power,
+                       .alpha = evidence.plan.significance / static_cast<double>(evidence.family())};
+  const bool in_blocks = evidence.decides_within_blocks();
+  return fmt::format(" With {} {} this test finds differences of at least {} standard deviations{} with {} power.", n,
+                     replicates_words(evidence),
+                     rounded_number(in_blocks ? least_mean_difference(n, goal) : least_difference(n, goal), 2),
+                     in_blocks ? " of the differences" : "", percent(evidence.plan.power));
+}
+
 std::string methods(const Evidence& evidence) {
   const std::string_view by = deciding_words(evidence);
   const bool is_one = by.find(" with ") != std::string_view::npos || !by.ends_with("tests");
@@ -63,7 +78,7 @@ std::string methods(const Evidence& evidence) {
                         whose[static_cast<std::size_t>(evidence.plan.adjustment)]);
   }
   return text + "; differences below " + margin_words(evidence) +
-         " do not matter. The other methods are shown for comparison.";
+         " do not matter. The other methods are shown for comparison." + sensitivity(evidence);
 }
 
 // "F(5, 44.3) = 142, p = 4e-26"
@@ -161,21 +176,15 @@ std::string too_few(const Evidence& evidence) {
 
 std::vector<std::string> limits(const Evidence& evidence) {
   std::vector<std::string> parts;
-  double most = 0;
-  std::size_t open = 0;
+  std::vector<const Contrast*> open;
   for (const Contrast& contrast : evidence.contrasts) {
-    if (contrast.relation != Relation::not_told_apart) continue;
-    ++open;
-    most = std::fmax(most, contrast.runs_to_decide);
+    if (contrast.relation == Relation::not_told_apart) open.push_back(&contrast);
   }
-  if (open > 0) {
-    parts.push_back(fmt::format(
-        "undecided does not mean equal: {}",
-        most == 0 ? "a difference remains possible"
-                  : fmt::format("if {}, {:.0f} {} decide {} with {} power",
-                                open == 1 ? "the difference is what it seems" : "the differences are what they seem",
-                                most, replicates_words(evidence), open == 1 ? "that pair" : "all those pairs",
-                                percent(evidence.plan.power))));
+  if (!open.empty()) {
+    const std::string runs = runs_words(evidence, runs_of_all(open));
+    parts.push_back(fmt::format("undecided does not mean equal: {}",
+                                runs.empty() ? "a difference remains possible"
+                                             : fmt::format("{}, with {} power", runs, percent(evidence.plan.power))));
   }
   if (!evidence.flaw.empty()) parts.push_back("with flawed observations the p-values are no evidence");
   if (evidence.from_summaries)

@@ -178,7 +178,7 @@ Table contrasts_table(const Evidence& evidence) {
       }
     }
     for (const PairMethod& method : methods) row.push_back(or_nothing(PValue{contrast.*method.p}));
-    const double runs = contrast.runs_to_decide;
+    const double runs = contrast.runs_to_decide.value;
     row.push_back(std::isfinite(runs) ? Cell(static_cast<std::int64_t>(runs)) : Cell());
   }
   table.notes.push_back(family_note(evidence));

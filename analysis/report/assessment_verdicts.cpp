@@ -32,16 +32,6 @@ std::string mean_words(const Evidence& evidence, std::size_t group) {
                      of.not_finite == 1 ? "is" : "are");
 }
 
-// "0.0019 vs 0.365", with as many digits as tell them apart.
-std::string against(double mean, double other) {
-  std::string one = rounded_number(mean, 3), two = rounded_number(other, 3);
-  for (int digits = 4; one == two && digits <= 12; ++digits) {
-    one = rounded_number(mean, digits);
-    two = rounded_number(other, digits);
-  }
-  return fmt::format("{} vs {}", one, two);
-}
-
 // "by 0.156 to 0.57, more than 5 %"; empty where neither is known. An interval that is not for the better one is left
 // out.
 std::string amount_words(const Evidence& evidence, const Contrast& contrast) {
@@ -73,19 +63,6 @@ std::size_t better_of(const Contrast& contrast) {
   return contrast.relation == Relation::first_better ? contrast.first : contrast.second;
 }
 
-// ": mean 0.0019 vs 0.365, by 0.156 to 0.57, more than 5 %", with "mean " as the kind; " (A has the mean 1.25; B has no
-// mean: ...)".
-std::string effect_of(const Evidence& evidence, const Contrast& contrast, std::size_t group, std::string_view kind) {
-  const std::size_t other = other_than(group, contrast);
-  const double mean = evidence.groups[group].described.mean, of_other = evidence.groups[other].described.mean;
-  if (!std::isfinite(mean) || !std::isfinite(of_other))
-    return fmt::format(" ({}; {})", mean_words(evidence, group), mean_words(evidence, other));
-  const std::string amount = amount_words(evidence, contrast);
-  const std::string means =
-      evidence.of_outcomes ? fmt::format("{} vs {}", percent(mean), percent(of_other)) : against(mean, of_other);
-  return fmt::format(": {}{}{}{}", kind, means, amount.empty() ? "" : ", ", amount);
-}
-
 // ", ahead in 98 % of blocks", of the better one; empty where only summaries are known.
 std::string ahead_words(const Evidence& evidence, const Contrast& contrast) {
   const double share = contrast.superiority.value;
@@ -94,12 +71,36 @@ std::string ahead_words(const Evidence& evidence, const Contrast& contrast) {
                      evidence.blocks > 0 ? std::string_view(evidence.block_noun) : "pairs of observations");
 }
 
+// By what the one is better, where it is not the mean.
+std::string by_words(const Evidence& evidence) {
+  if (!evidence.ranks_decide()) return "";
+  return evidence.decides_within_blocks() ? " by ranks of the differences within blocks" : " by ranks";
+}
+
+// ": mean 0.0019 vs 0.365, by 0.156 to 0.57, more than 5 %", with "mean " as the kind; " (A has the mean 1.25; B has no
+// mean: ...)".
+std::string effect_of(const Evidence& evidence, const Contrast& contrast, std::size_t group, std::string_view kind) {
+  const std::size_t other = other_than(group, contrast);
+  const double mean = evidence.groups[group].described.mean, of_other = evidence.groups[other].described.mean;
+  if (!std::isfinite(mean) || !std::isfinite(of_other))
+    return fmt::format(" ({}; {}){}", mean_words(evidence, group), mean_words(evidence, other),
+                       ahead_words(evidence, contrast));
+  const std::string amount = amount_words(evidence, contrast);
+  const std::string means =
+      evidence.of_outcomes ? fmt::format("{} vs {}", percent(mean), percent(of_other)) : against(mean, of_other);
+  const std::string ahead = ahead_words(evidence, contrast);
+  if (evidence.ranks_decide()) {
+    return fmt::format("{} ({}{}, which ranks do not compare)", ahead, kind.empty() ? "mean " : kind, means);
+  }
+  return fmt::format(": {}{}{}{}{}", kind, means, amount.empty() ? "" : ", ", amount, kind.empty() ? ahead : "");
+}
+
 // "IK-BA is better than DE: 0.0019 vs 0.365, by 0.156 to 0.57, more than 5 % (p = 0.000297), although ..."
 std::string better_words(const Evidence& evidence, const Contrast& contrast) {
   const std::size_t winner = better_of(contrast);
-  std::string text = fmt::format("{} is better than {}{}{}", name_words(evidence, winner),
-                                 name_words(evidence, other_than(winner, contrast)),
-                                 effect_of(evidence, contrast, winner, ""), ahead_words(evidence, contrast));
+  std::string text =
+      fmt::format("{} is better{} than {}{}", name_words(evidence, winner), by_words(evidence),
+                  name_words(evidence, other_than(winner, contrast)), effect_of(evidence, contrast, winner, ""));
   if (std::isfinite(contrast.p)) text = with_remark(std::move(text), p_words(contrast.p));
   const std::string doubt = doubt_words(evidence, contrast);
   return doubt.empty() ? text : fmt::format("{}, although {}", text, doubt);
@@ -216,12 +217,6 @@ std::string others_of(const Evidence& evidence, std::size_t group, const std::ve
   return listed(names);
 }
 
-// Two digits, and no less than it is.
-std::string at_most(double p) {
-  const double unit = std::pow(10, std::floor(std::log10(p)) - 1);
-  return rounded_number(std::ceil(p / unit) * unit, 2);
-}
-
 // "IK-BA is better than BA and DE; against DE, the best of these: 0.0019 vs 0.365, by 0.156 to 0.57, more than 5 % (p
 // at most 0.0003)". What is known of one pair, and how sure all are.
 std::string lead_words(const Evidence& evidence, std::size_t group, const std::vector<const Contrast*>& pairs,
@@ -239,7 +234,6 @@ std::string lead_words(const Evidence& evidence, std::size_t group, const std::v
                                 : evidence.scale == ValueScale::log10 ? "geometric mean "
                                                                       : "mean ";
   text += effect_of(evidence, best, group, kind);
-  if (evidence.ranks_decide()) text += ahead_words(evidence, best);
   if (std::isnan(largest_p)) return text;
   const bool is_exact = pairs.size() == 1 || largest_p < 1e-300;
   return with_remark(std::move(text), is_exact ? p_words(largest_p) : "p at most " + at_most(largest_p));
@@ -273,9 +267,7 @@ std::string open_pairs_words(const Evidence& evidence, std::size_t group, const 
   }
   const std::string text =
       fmt::format("{} against {} is undecided", name_words(evidence, group), others_of(evidence, group, pairs));
-  double most = 0;
-  for (const Contrast* pair : pairs) most = std::max(most, pair->runs_to_decide);  // NaN does not count
-  const std::string runs = runs_words(evidence, most);
+  const std::string runs = runs_words(evidence, runs_of_all(pairs));
   return runs.empty() ? text : fmt::format("{} ({})", text, runs);
 }
 
@@ -370,8 +362,8 @@ std::string in_short(const Evidence& evidence) {
   const PairsOf pairs = pairs_of(evidence, best);
   if (has_single_values(evidence)) return "nothing can be judged, because no group has more than one observation.";
   std::vector<std::string> parts;
-  if (!pairs.ahead.empty()) parts.push_back(lead_words(evidence, best, pairs.ahead, "is better"));
-  if (!pairs.behind.empty()) parts.push_back(lead_words(evidence, best, pairs.behind, "is worse"));
+  if (!pairs.ahead.empty()) parts.push_back(lead_words(evidence, best, pairs.ahead, "is better" + by_words(evidence)));
+  if (!pairs.behind.empty()) parts.push_back(lead_words(evidence, best, pairs.behind, "is worse" + by_words(evidence)));
   if (!pairs.same.empty()) parts.push_back(same_words(evidence, best, pairs.same));
   if (!pairs.open.empty()) parts.push_back(open_pairs_words(evidence, best, pairs.open));
   if (!pairs.undefined.empty()) {

@@ -26,6 +26,20 @@ std::string p_words(double p) {
   return p > 0.9995 ? "p > 0.999" : fmt::format("p = {}", rounded_number(p, 3));
 }
 
+std::string against(double mean, double other) {
+  std::string one = rounded_number(mean, 3), two = rounded_number(other, 3);
+  for (int digits = 4; one == two && digits <= 12; ++digits) {
+    one = rounded_number(mean, digits);
+    two = rounded_number(other, digits);
+  }
+  return fmt::format("{} vs {}", one, two);
+}
+
+std::string at_most(double p) {
+  const double unit = std::pow(10, std::floor(std::log10(p)) - 1);
+  return rounded_number(std::ceil(p / unit) * unit, 2);
+}
+
 // "a, b and c"; of many the first, and how many more.
 std::string listed(const std::vector<std::string>& items) {
   std::string text;
@@ -76,6 +90,7 @@ std::pair<double, double> interval_sizes(const Evidence& evidence, const Contras
 std::string extent_words(const Evidence& evidence, const Contrast& contrast) {
   constexpr double most_in_percent = 10;  // times the smaller mean
   if (evidence.plan.margin == 0 && !has_absolute_margin(evidence)) return "";
+  if (evidence.ranks_decide()) return "";  // the interval is of means
   const std::string margin = margin_words(evidence, contrast);
   switch (contrast.extent) {
     case Extent::within:
@@ -114,16 +129,30 @@ std::string verdict_words(const Evidence& evidence, const Contrast& contrast) {
 }
 
 std::string_view replicates_words(const Evidence& evidence) {
-  const bool are_blocks = evidence.ranks_within_blocks() && evidence.ranks_decide();
-  return are_blocks || (evidence.of_outcomes && evidence.blocks > 0) ? std::string_view(evidence.block_noun)
-                                                                     : "observations per group";
+  return evidence.decides_within_blocks() ? std::string_view(evidence.block_noun) : "observations per group";
 }
 
-std::string runs_words(const Evidence& evidence, double runs_to_decide) {
-  const bool more = std::ranges::any_of(evidence.groups,
-                                        [&](const GroupEvidence& group) { return runs_to_decide > group.described.n; });
+std::string runs_words(const Evidence& evidence, const Estimate& runs) {
+  const double most = std::fmax(runs.value, runs.high);
+  const bool more =
+      std::ranges::any_of(evidence.groups, [&](const GroupEvidence& group) { return most > group.described.n; });
   if (!more) return "";
-  return fmt::format("about {:.0f} {} would decide", runs_to_decide, replicates_words(evidence));
+  const std::string_view of = replicates_words(evidence);
+  if (!std::isfinite(runs.low)) return fmt::format("it takes at least {:.0f} {}", runs.value, of);
+  return fmt::format("a difference of {} takes {:.0f}{} {}", margin_words(evidence), runs.low,
+                     !std::isfinite(runs.high) ? " or more"
+                     : runs.high == runs.low   ? ""
+                                               : fmt::format(" to {:.0f}", runs.high),
+                     of);
+}
+
+Estimate runs_of_all(const std::vector<const Contrast*>& pairs) {
+  Estimate all;
+  for (const Contrast* pair : pairs) {
+    const Estimate& own = pair->runs_to_decide;
+    all = {std::fmax(all.value, own.value), std::fmin(all.low, own.low), std::fmax(all.high, own.high)};
+  }
+  return all;
 }
 
 std::string unseen_words(const Evidence& evidence, int observations) {

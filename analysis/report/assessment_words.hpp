@@ -13,7 +13,9 @@ namespace ikbench::report {
 constexpr std::size_t longest_name_in_text = 60;
 
 std::string p_words(double p);
-std::string listed(const std::vector<std::string>& items);   // "a, b and c"; of many the first, and how many more
+std::string at_most(double p);                              // two digits, and no less than it is
+std::string against(double mean, double other);             // "0.0019 vs 0.365", with as many digits as tell them apart
+std::string listed(const std::vector<std::string>& items);  // "a, b and c"; of many the first, and how many more
 std::string clauses(const std::vector<std::string>& items);  // the same of clauses that have commas themselves
 std::string name_words(const inference::Evidence& evidence, std::size_t group);  // in quotes where a list would break
 std::string pair_words(const inference::Evidence& evidence, const inference::Contrast& contrast);  // "IK-BA vs DE"
@@ -31,8 +33,11 @@ std::string extent_words(const inference::Evidence& evidence, const inference::C
 std::string verdict_words(const inference::Evidence& evidence, const inference::Contrast& contrast);
 std::string_view replicates_words(
     const inference::Evidence& evidence);  // "observations per group", or what blocks are: "targets"
-// Of a pair that is undecided: "about 57 observations per group would decide"; empty where it is not known.
-std::string runs_words(const inference::Evidence& evidence, double runs_to_decide);
+// Of a pair that is undecided: "a difference of 5 % takes 31 to 122 observations per group", of constants and outcomes
+// "it takes at least 4 ..."; empty where it is not known, or there are as many.
+std::string runs_words(const inference::Evidence& evidence, const inference::Estimate& runs);
+// What each of these takes, at least and at most.
+inference::Estimate runs_of_all(const std::vector<const inference::Contrast*>& pairs);
 // "as far as 20 observations per group can show: a failure in up to 14 % of them is not excluded"
 std::string unseen_words(const inference::Evidence& evidence, int observations);
 // Where ranks decide: whether there are so few observations that no pair can be told apart, whatever they are.

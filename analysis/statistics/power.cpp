@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <boost/math/distributions/chi_squared.hpp>
 #include <cmath>
 #include <stdexcept>
 
@@ -42,7 +43,39 @@ RunsNeeded smallest_n(double goal, Power power_at) {
   return {.n = enough};
 }
 
+// Where power reaches the goal; it rises with the difference.
+template <class Power>
+double least(double goal, Power power_at) {
+  double enough = 1;
+  while (power_at(enough) < goal) enough *= 2;
+  double too_little = 0;
+  for (int i = 0; i < 60; ++i) {
+    const double middle = (too_little + enough) / 2;
+    (power_at(middle) >= goal ? enough : too_little) = middle;
+  }
+  return enough;
+}
+
 }  // namespace
+
+double least_difference(int n, const PowerGoal& goal) {
+  check(goal);
+  if (n < 2) return not_defined;
+  return least(goal.power,
+               [&](double apart) { return two_sided_power(apart * std::sqrt(n / 2.0), 2.0 * n - 2, goal.alpha); });
+}
+
+double least_mean_difference(int n, const PowerGoal& goal) {
+  check(goal);
+  if (n < 2) return not_defined;
+  return least(goal.power, [&](double apart) { return two_sided_power(apart * std::sqrt(n), n - 1.0, goal.alpha); });
+}
+
+double plausible_deviation(double std, int n, double probability) {
+  if (n < 2 || !(std >= 0) || !std::isfinite(std)) return not_defined;
+  const boost::math::chi_squared of_squares(n - 1.0);
+  return std * std::sqrt((n - 1) / boost::math::quantile(boost::math::complement(of_squares, probability)));
+}
 
 RunsNeeded runs_to_see(const GroupSummary& a, const GroupSummary& b, double difference, const PowerGoal& goal) {
   check(goal);

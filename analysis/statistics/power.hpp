@@ -24,4 +24,12 @@ RunsNeeded runs_to_see(const GroupSummary& a, const GroupSummary& b, double diff
 // The smallest number of pairs with which the paired test shows it, where differences within pairs spread by `std`.
 RunsNeeded pairs_to_see(double std, double difference, const PowerGoal& goal);
 
+// The least difference of two means of n values each, in their standard deviations, that Student's test shows with that
+// power, and the least mean of n differences, in their standard deviation. NaN of fewer than two.
+double least_difference(int n, const PowerGoal& goal);
+double least_mean_difference(int n, const PowerGoal& goal);
+
+// The standard deviation that is `probability` likely to be below the true one, where n normal values have `std`.
+double plausible_deviation(double std, int n, double probability);
+
 }  // namespace ikbench::statistics

@@ -7,10 +7,12 @@
 #include <cstdint>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 
 #include "analysis/statistics/draw.hpp"
 #include "analysis/statistics/pairs.hpp"
 #include "analysis/statistics/quantile.hpp"
+#include "analysis/statistics/rounding.hpp"
 #include "analysis/statistics/tails.hpp"
 
 namespace ikbench::statistics {
@@ -93,9 +95,13 @@ bool is_of(const MeanDifference& pair, std::optional<std::size_t> group) {
   return !group || pair.first == *group || pair.second == *group;
 }
 
-bool has_spread(const MeanDifference& pair, const std::vector<Mean>& means) {
-  return means[pair.first].spread > 0 || means[pair.second].spread > 0;
-}
+// A pair and what is resampled of it: the means of its groups, or within blocks that of its differences and nothing.
+struct Compared {
+  MeanDifference pair;
+  const Mean* first = nullptr;
+  const Mean* second = nullptr;
+  bool within_blocks = false;
+};
 
 // Squared deviations of a pair in squared standard errors, of every resample; infinite where it has no spread. Both
 // units are powers of two, so that nothing is rounded; that of a constant does not count.
@@ -116,32 +122,37 @@ int enough_values(double tolerated_share, int groups) {
   return n;
 }
 
-std::string too_little_spread(const MeanDifference& pair, const std::vector<Mean>& means, std::size_t pairs,
-                              double tolerated_share) {
+std::string too_little_spread(const Compared& of, std::size_t pairs, double tolerated_share) {
   const std::string for_all = fmt::format("for the bootstrap of {} pair{}", pairs, pairs == 1 ? "" : "s");
-  const bool first_varies = means[pair.first].spread > 0, second_varies = means[pair.second].spread > 0;
+  if (of.within_blocks) {
+    return fmt::format(
+        "too few differences within blocks, or too few that are not equal, {}; {} different ones are enough", for_all,
+        enough_values(tolerated_share, 1));
+  }
+  const bool first_varies = of.first->spread > 0, second_varies = of.second->spread > 0;
   if (first_varies && second_varies) {
     return fmt::format("too few values, or too few that are not equal, {}; {} different values a group are enough",
                        for_all, enough_values(tolerated_share, 2));
   }
   return fmt::format(
       "the values of group {} are all equal, and the other group has too few different values {}; {} would be enough",
-      (first_varies ? pair.second : pair.first) + 1, for_all, enough_values(tolerated_share, 1));
+      (first_varies ? of.pair.second : of.pair.first) + 1, for_all, enough_values(tolerated_share, 1));
 }
+
+// Of resamples without spread, for each pair: half of what may be beyond the critical value, for all pairs together.
+double tolerated_share(std::size_t pairs, double level) { return (1 - level) / 2 / static_cast<double>(pairs); }
 
 // The largest of any pair of every resample, ascending. A pair of which too many are infinite says why and takes no
 // part.
-std::vector<double> largest_deviations(std::vector<MeanDifference>& pairs, const std::vector<Mean>& means,
-                                       const Resampling& settings) {
+std::vector<double> largest_deviations(std::vector<Compared>& all, const Resampling& settings) {
   std::vector<double> largest(static_cast<std::size_t>(settings.resamples)), own(largest.size());
-  // Half of what may be beyond the critical value, for all pairs together.
-  const double tolerated = (1 - settings.level) / 2 / static_cast<double>(pairs.size()) * settings.resamples;
-  for (MeanDifference& pair : pairs) {
-    if (!pair.undefined.empty()) continue;
-    studentize(means[pair.first], means[pair.second], own);
+  const double tolerated = tolerated_share(all.size(), settings.level) * settings.resamples;
+  for (Compared& each : all) {
+    if (!each.pair.undefined.empty()) continue;
+    studentize(*each.first, *each.second, own);
     const auto without_spread = std::ranges::count(own, infinite);
     if (static_cast<double>(without_spread) > tolerated) {
-      pair.undefined = too_little_spread(pair, means, pairs.size(), tolerated / settings.resamples);
+      each.pair.undefined = too_little_spread(each, all.size(), tolerated / settings.resamples);
       continue;
     }
     std::ranges::transform(own, largest, largest.begin(),
@@ -192,38 +203,41 @@ int affordable_resamples(std::size_t values, std::size_t groups, double level) {
   return possible < fewest_resamples ? 0 : static_cast<int>(std::lround(possible));
 }
 
-std::vector<MeanDifference> studentized_bootstrap(Groups groups, const PairFamily& family, const Resampling& settings) {
+int fewest_blocks(std::size_t pairs, double level) {
+  int n = static_cast<int>(fewest_resampled);
+  while (std::pow(n, 1 - n) > tolerated_share(pairs, level)) ++n;
+  return n;
+}
+
+namespace {
+
+std::vector<MeanDifference> pairs_of(Groups groups, const PairFamily& family, const Resampling& settings) {
   check_level(settings.level);
   if (settings.resamples < 2) throw std::invalid_argument("fewer than two resamples");
   auto pairs = all_pairs<MeanDifference>(groups.size());
   std::erase_if(pairs, [&](const MeanDifference& pair) { return !is_of(pair, family.control); });
-  const bool positive = std::ranges::all_of(groups, [](const std::vector<double>& group) {
-    return std::ranges::all_of(group, [](double value) { return value > 0 || !std::isfinite(value); });
-  });
-  const Scale scale = positive && family.by == CompareBy::ratios ? Scale::logarithm : Scale::mean;
-
-  std::vector<Mean> means(groups.size());
   std::vector<std::string> undefined;
-  for (std::size_t i = 0; i < groups.size(); ++i) {
-    undefined.push_back(group_undefined(groups[i], i));
-    if (!undefined.back().empty()) continue;
-    const std::uint64_t own = settings.seed + i;  // other numbers for each group, the same whatever the others are
-    means[i] = resampled(groups[i], scale, {.resamples = settings.resamples, .seed = own});
-  }
+  for (std::size_t i = 0; i < groups.size(); ++i) undefined.push_back(group_undefined(groups[i], i));
   for (MeanDifference& pair : pairs) {
     pair.undefined = undefined[pair.first].empty() ? undefined[pair.second] : undefined[pair.first];
-    if (pair.undefined.empty() && !has_spread(pair, means)) pair.undefined = "both groups are constant";
   }
+  return pairs;
+}
 
-  const std::vector<double> largest = largest_deviations(pairs, means, settings);
+// p and interval of those that are wanted.
+std::vector<MeanDifference> judged(std::vector<Compared> all, const PairFamily& family, const Resampling& settings,
+                                   Scale scale) {
+  const std::vector<double> largest = largest_deviations(all, settings);
   // p < 1 - level where fewer than so many of the resamples reach as far.
   const double reaching = std::ceil((1 - settings.level) * (settings.resamples + 1) * (1 - tie)) - 1;
   const double critical =
       reaching < 1 ? infinite : std::sqrt(largest[largest.size() - static_cast<std::size_t>(reaching)]);
-  std::erase_if(pairs, [&](const MeanDifference& pair) { return !is_of(pair, family.only_with); });
-  for (MeanDifference& pair : pairs) {
+  std::vector<MeanDifference> result;
+  for (const Compared& each : all) {
+    if (!is_of(each.pair, family.only_with)) continue;
+    MeanDifference& pair = result.emplace_back(each.pair);
     if (!pair.undefined.empty()) continue;
-    const Mean &first = means[pair.first], &second = means[pair.second];
+    const Mean &first = *each.first, &second = *each.second;
     pair.difference = first.value - second.value;
     pair.standard_error = std::hypot(first.error, second.error);
     const double found = std::abs(apart(first, second, 0, scale));
@@ -235,7 +249,48 @@ std::vector<MeanDifference> studentized_bootstrap(Groups groups, const PairFamil
     pair.p = (1 + static_cast<double>(reach)) / (settings.resamples + 1);
     add_interval(pair, first, second, critical * (1 + tie), scale);
   }
-  return pairs;
+  return result;
+}
+
+}  // namespace
+
+std::vector<MeanDifference> studentized_bootstrap(Groups groups, const PairFamily& family, const Resampling& settings) {
+  const bool positive = std::ranges::all_of(groups, [](const std::vector<double>& group) {
+    return std::ranges::all_of(group, [](double value) { return value > 0 || !std::isfinite(value); });
+  });
+  const Scale scale = positive && family.by == CompareBy::ratios ? Scale::logarithm : Scale::mean;
+  std::vector<Mean> means(groups.size());
+  for (std::size_t i = 0; i < groups.size(); ++i) {
+    if (!group_undefined(groups[i], i).empty()) continue;
+    const std::uint64_t own = settings.seed + i;  // other numbers for each group, the same whatever the others are
+    means[i] = resampled(groups[i], scale, {.resamples = settings.resamples, .seed = own});
+  }
+  std::vector<Compared> all;
+  for (MeanDifference& pair : pairs_of(groups, family, settings)) {
+    const Mean &first = means[pair.first], &second = means[pair.second];
+    if (pair.undefined.empty() && !(first.spread > 0 || second.spread > 0)) pair.undefined = "both groups are constant";
+    all.push_back({.pair = std::move(pair), .first = &first, .second = &second});
+  }
+  return judged(std::move(all), family, settings, scale);
+}
+
+std::vector<MeanDifference> bootstrap_within_blocks(Groups groups, const PairFamily& family,
+                                                    const Resampling& settings) {
+  std::vector<MeanDifference> pairs = pairs_of(groups, family, settings);
+  const std::vector<double> zeros(static_cast<std::size_t>(settings.resamples), 0.0);
+  const Mean nothing{.value = 0, .error = 0, .spread = 0, .unit = 0, .deviations = zeros, .squares = zeros};
+  std::vector<Mean> means(pairs.size());
+  std::vector<Compared> all;
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    MeanDifference& pair = pairs[i];
+    if (pair.undefined.empty()) {
+      const std::vector<double> differences = differences_without_rounding(groups[pair.first], groups[pair.second]);
+      if (group_undefined(differences, 0).empty()) means[i] = resampled(differences, Scale::mean, settings);
+      if (!(means[i].spread > 0)) pair.undefined = "the differences within blocks are all equal, or too far apart";
+    }
+    all.push_back({.pair = std::move(pair), .first = &means[i], .second = &nothing, .within_blocks = true});
+  }
+  return judged(std::move(all), family, settings, Scale::mean);
 }
 
 MeanInterval studentized_interval(std::span<const double> sample, const Resampling& settings) {

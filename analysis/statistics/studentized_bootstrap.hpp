@@ -38,6 +38,13 @@ int affordable_resamples(std::size_t values, std::size_t groups, double level);
 std::vector<MeanDifference> studentized_bootstrap(std::span<const std::vector<double>> groups, const PairFamily& family,
                                                   const Resampling& settings);
 
+// The same of the differences within blocks, groups[g][i] being of block i: each resample draws whole blocks, the same
+// for all pairs. Differences are compared, whatever the family says. All groups have equally many values.
+std::vector<MeanDifference> bootstrap_within_blocks(std::span<const std::vector<double>> groups,
+                                                    const PairFamily& family, const Resampling& settings);
+// From how many blocks on it can judge a pair of so many.
+int fewest_blocks(std::size_t pairs, double level);
+
 // Interval of one mean, equally likely to miss it on either side.
 MeanInterval studentized_interval(std::span<const double> sample, const Resampling& settings);
 

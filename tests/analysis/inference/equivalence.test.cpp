@@ -91,8 +91,8 @@ TEST_CASE("equal values that are too few are said to be equal, and no more", "[a
   for (const std::string& sentence : sentences_of(evidence(with({{1, 1}, {1, 1}}), {}))) text += sentence + '\n';
   INFO(text);
   const std::string why =
-      "(all observations are equal, but there are too few to call the groups the same; about 4 observations per group "
-      "would decide)";
+      "(all observations are equal, but there are too few to call the groups the same; it takes at least 4 "
+      "observations per group)";
   CHECK(text.find("In short: g0 against g1 is undecided " + why) != std::string::npos);
   CHECK(text.find("Undecided: g0 vs g1 " + why) != std::string::npos);
   CHECK(text.find("same within") == std::string::npos);
@@ -110,7 +110,7 @@ TEST_CASE("shares that are all 1 are the same only where so many exclude that a 
   CHECK_FALSE(is_same(all_succeed(5, {.margin = 0.4})));
   const Contrast open = all_succeed(10).contrasts[0];
   CHECK(open.p == 1);
-  CHECK(open.runs_to_decide == 59);
+  CHECK(open.runs_to_decide.value == 59);
   CHECK(open.difference.high == Approx(1 - std::pow(0.05, 0.1)));
   CHECK(open.difference.low == -open.difference.high);
   std::vector<double> failures(100, 0.0);  // of none, no margin is a share

@@ -91,15 +91,17 @@ TEST_CASE("where no outcome of so few observations could differ, it is said", "[
   // Three pairs of four values: 3 * 2 / 70 > 0.05; of five 3 * 2 / 252 is below.
   const Sets four{{1, 2, 3, 4}, {5, 6, 7, 8}, {9, 10, 11, 12}};
   CHECK(says(tested(named_sets(four), by_ranks), "It takes at least 5 observations per group, and here are 4."));
-  CHECK(tested(named_sets(four), by_ranks).contrasts[0].runs_to_decide >= 5);
+  CHECK(tested(named_sets(four), by_ranks).contrasts[0].runs_to_decide.value >= 5);
   Sets five = four;
   for (std::size_t i = 0; i < 3; ++i) five[i].push_back(5.0 + 4 * static_cast<double>(i) - 0.5);
   CHECK_FALSE(says(tested(named_sets(five), by_ranks), "It takes at least"));
   CHECK(any_differs(tested(named_sets(five), by_ranks)));
   // In blocks 2 / 2^n: three times that is below 0.05 from seven.
-  CHECK(says(tested(named_in_blocks(four), {}), "It takes at least 7 blocks, and here are 4."));
+  const AnalysisPlan in_blocks{.test = DecidingTest::friedman};
+  CHECK(says(tested(named_in_blocks(four), in_blocks), "It takes at least 7 blocks, and here are 4."));
   const Sets seven{{1, 2, 3, 4, 5, 6, 7}, {2, 3.1, 4.2, 5.3, 6.4, 7.5, 8.6}, {4, 4.5, 5, 5.6, 6.8, 8.2, 9.9}};
-  CHECK(says(tested(named_in_blocks(seven), {}), "ahead in 100 % of blocks (p at most 0.047)"));  // 6 / 128
+  CHECK(says(tested(named_in_blocks(seven), in_blocks), "by ranks of the differences within blocks than g1 and g2"));
+  CHECK(says(tested(named_in_blocks(seven), in_blocks), "which ranks do not compare; p at most 0.047)"));  // 6 / 128
 }
 
 TEST_CASE("groups that differ in spread alone are rarely called better by ranks", "[pair_ranks]") {

@@ -138,8 +138,8 @@ TEST_CASE("on the printed Table 3 IK-BA and MO-PSO do not differ in variation, a
 }
 
 TEST_CASE("in blocks Friedman's ranks decide, as Demsar has them", "[assessment]") {
-  const Evidence found = evidence(demsar(), {.significance = 0.1});
-  CHECK(found.plan.test == DecidingTest::friedman);
+  CHECK(evidence(demsar(), {}).plan.test == DecidingTest::bootstrap);  // unless the plan asks for ranks, means decide
+  const Evidence found = evidence(demsar(), {.test = DecidingTest::friedman, .significance = 0.1});
   const std::vector<double> ranks{3.143, 2.000, 2.893, 1.964};  // Demsar 2006, Table 6
   for (std::size_t i = 0; i < ranks.size(); ++i) CHECK(found.groups[i].average_rank == Approx(ranks[i]).epsilon(1e-3));
   CHECK(found.critical_difference == Approx(1.11806).epsilon(1e-4));  // 0.10
@@ -256,7 +256,7 @@ TEST_CASE("methods are said to agree only where no p that is shown is on the oth
         sets.groups[2].values.push_back(9 + 0.2 * shift + (5 * i) % 4 + 0.007 * i);
         if (blocked) sets.blocks.push_back(fmt::format("{}", i));
       }
-      const Evidence found = evidence(sets, {});
+      const Evidence found = evidence(sets, {.test = blocked ? DecidingTest::friedman : DecidingTest::by_design});
       bool disagree = false;
       for (const Contrast& pair : found.contrasts) {
         for (const PairMethod& method : pair_methods(found)) {
@@ -477,7 +477,7 @@ TEST_CASE("in blocks, the paired t test is told of where it separates what the r
                            .groups = {{"A", {1, 2, 3}}, {"B", {2, 3.1, 4.2}}, {"C", {9, 8, 7}}},
                            .blocks = {"1", "2", "3"},
                            .block = "a problem"};
-  const Evidence found = evidence(three, {});
+  const Evidence found = evidence(three, {.test = DecidingTest::friedman});
   CHECK(says(found, "paired t (means within blocks) also separates A vs B (p = 0.00823, deciding p = "));
 }
 
@@ -488,9 +488,10 @@ TEST_CASE("two groups in few blocks are told apart by the exact test alone", "[a
                     .groups = {{"A", {1, 2, 3, 4}}, {"B", {2, 3.5, 5, 7}}},
                     .blocks = {"1", "2", "3", "4"},
                     .block = "a problem"};
-  CHECK(evidence(four, {}).contrasts[0].p == Approx(0.125));
-  CHECK(evidence(four, {}).contrasts[0].relation == Relation::not_told_apart);
-  CHECK(says(evidence(four, {}), "Methods: Wilcoxon signed-rank test decides"));
+  const Evidence by_ranks = evidence(four, {.test = DecidingTest::friedman});
+  CHECK(by_ranks.contrasts[0].p == Approx(0.125));
+  CHECK(by_ranks.contrasts[0].relation == Relation::not_told_apart);
+  CHECK(says(by_ranks, "Methods: Wilcoxon signed-rank test decides"));
   Observations three = four;
   three.blocks.clear();
   three.groups = {{"A", {1, 2, 3}}, {"B", {4, 5, 6}}};
@@ -517,14 +518,17 @@ TEST_CASE("in blocks, what decides, its p, its interval and its words go togethe
   const Evidence by_ranks = evidence(demsar(), {.test = DecidingTest::kruskal_wallis});
   CHECK(by_ranks.contrasts[0].p == by_ranks.contrasts[0].p_ranks);
   CHECK(by_ranks.contrasts[0].p > 0.5);  // the ranks of all values together, whatever the blocks
-  const Evidence by_friedman = evidence(demsar(), {});
+  const Evidence by_friedman = evidence(demsar(), {.test = DecidingTest::friedman});
   CHECK(by_friedman.contrasts[0].p < 0.2);
   CHECK(interval_words(by_friedman).starts_with("paired t"));
+  const Evidence by_means = evidence(demsar(), {});
+  CHECK(by_means.contrasts[0].p == by_means.contrasts[0].p_bootstrap);
+  CHECK(interval_words(by_means) == "studentized bootstrap of the differences within blocks");
 }
 
 TEST_CASE("with a control, ranks are corrected for its pairs alone, larger or smaller being better", "[assessment]") {
   // Demsar 2006, Sec. 3.2.2: z of C4.5 against the three, here with the ranks of the data; Holm of three.
-  const Evidence found = evidence(demsar(), {.control = "C4.5"});
+  const Evidence found = evidence(demsar(), {.test = DecidingTest::friedman, .control = "C4.5"});
   double smallest = 1, smallest_of_ranks = 1;
   for (const Contrast& each : found.contrasts) {
     smallest = std::min(smallest, each.p);
@@ -540,7 +544,9 @@ TEST_CASE("with a control, ranks are corrected for its pairs alone, larger or sm
   for (Group& group : negated.groups) {
     for (double& value : group.values) value = -value;
   }
-  CHECK(contrast(evidence(negated, {.control = "C4.5"}), "C4.5", "C4.5+m+cf").relation == Relation::second_better);
+  CHECK(
+      contrast(evidence(negated, {.test = DecidingTest::friedman, .control = "C4.5"}), "C4.5", "C4.5+m+cf").relation ==
+      Relation::second_better);
 }
 
 TEST_CASE("equivalence does not depend on the order of the groups", "[assessment]") {
@@ -548,7 +554,7 @@ TEST_CASE("equivalence does not depend on the order of the groups", "[assessment
   const Observations one{.name = "x", .quantity = "x", .groups = {{"a", a}, {"b", b}}};
   const Observations other{.name = "x", .quantity = "x", .groups = {{"b", b}, {"a", a}}};
   CHECK(evidence(one, {.margin = 0.9}).contrasts[0].relation == evidence(other, {.margin = 0.9}).contrasts[0].relation);
-  CHECK(evidence(one, {}).contrasts[0].runs_to_decide == evidence(other, {}).contrasts[0].runs_to_decide);
+  CHECK(evidence(one, {}).contrasts[0].runs_to_decide.value == evidence(other, {}).contrasts[0].runs_to_decide.value);
 }
 
 TEST_CASE("two hundred groups are compared with the best, corrected for all pairs", "[assessment]") {

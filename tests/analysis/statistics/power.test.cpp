@@ -59,3 +59,22 @@ TEST_CASE("where no number of runs will do it says why", "[power]") {
   CHECK_THROWS_AS(runs_to_see(good, good, 1, {.power = 0.8, .alpha = 0}), std::invalid_argument);
   CHECK_THROWS_AS(runs_to_see(good, good, 1, {.power = 0.01, .alpha = 0.05}), std::invalid_argument);
 }
+
+TEST_CASE("the least difference that n values show is that of R's power.t.test", "[power]") {
+  // The n of a difference has that difference as its least one: two groups of 64 see half a deviation (Cohen 1988).
+  CHECK(least_difference(64, {}) == Approx(0.5).margin(0.003));
+  CHECK(least_mean_difference(34, {}) == Approx(0.5).margin(0.008));
+  for (const int n : {3, 5, 20}) {
+    const double least = least_difference(n, {.alpha = 0.05 / 15});
+    CHECK(runs_to_see({.std = 1, .n = n}, {.std = 1, .n = n}, least * (1 + 1e-9), {.alpha = 0.05 / 15}).n == n);
+    CHECK(pairs_to_see(1, least_mean_difference(n, {}) * (1 + 1e-9), {}).n == n);
+  }
+  CHECK(std::isnan(least_difference(1, {})));
+}
+
+TEST_CASE("a standard deviation is plausible from one end of its interval to the other", "[power]") {
+  // Chi-square of 9 degrees of freedom: 2.700 and 19.023 at 0.025 and 0.975 (tables).
+  CHECK(plausible_deviation(2, 10, 0.025) == Approx(2 * std::sqrt(9 / 19.0228)).epsilon(1e-4));
+  CHECK(plausible_deviation(2, 10, 0.975) == Approx(2 * std::sqrt(9 / 2.70039)).epsilon(1e-4));
+  CHECK(std::isnan(plausible_deviation(1, 1, 0.5)));
+}

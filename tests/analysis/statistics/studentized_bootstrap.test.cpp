@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <random>
+#include <span>
 #include <stdexcept>
 
 #include "tests/catch.hpp"
@@ -75,6 +76,44 @@ TEST_CASE("of three groups, p is of the largest deviation of any pair of the fam
   REQUIRE(shown.size() == 2);
   CHECK(shown[0].p == pairs[1].p);
   CHECK(shown[1].p == pairs[2].p);
+}
+
+TEST_CASE("within blocks ten thousand resamples come close to all 46656 of six", "[studentized_bootstrap]") {
+  // Enumerated by a script in Python: p of the difference of two groups, and of the three pairs of three together.
+  const Groups blocks{{1.2, 3.4, 0.7, 5.9, 2.2, 4.1}, {1.9, 4.6, 0.9, 7.7, 2.4, 5.6}, {1.3, 3.1, 1.5, 6.4, 1.9, 5.0}};
+  const auto alone = bootstrap_within_blocks(std::span(blocks).first(2), {}, {});
+  REQUIRE(alone.size() == 1);
+  CHECK(alone[0].p == Approx(0.036137).margin(0.0075));
+  CHECK(alone[0].difference == Approx(-5.6 / 6));
+  CHECK(alone[0].high < 0);
+  const auto together = bootstrap_within_blocks(blocks, {}, {});
+  CHECK(together[0].p == Approx(0.091049).margin(0.0115));
+  CHECK(together[1].p == Approx(0.484525).margin(0.02));
+  CHECK(together[2].p == Approx(0.219264).margin(0.0166));
+  CHECK(bootstrap_within_blocks(blocks, {.control = 0}, {}).size() == 2);
+  CHECK(bootstrap_within_blocks(blocks, {.only_with = 2}, {})[1].p == together[2].p);
+}
+
+TEST_CASE("what is common to a block has no say in what is compared within it", "[studentized_bootstrap]") {
+  const Groups plain{{1, 3, 2, 5, 4, 6, 2.5, 3.5}, {1.5, 3.25, 2.75, 5.75, 4.25, 6.5, 3.5, 3.75}};
+  Groups shifted = plain;
+  for (std::size_t i = 0; i < 8; ++i) {
+    for (auto& group : shifted) group[i] += 64 * static_cast<double>(i);
+  }
+  const auto one = bootstrap_within_blocks(plain, {}, {}), other = bootstrap_within_blocks(shifted, {}, {});
+  CHECK(one[0].p == other[0].p);
+  CHECK(one[0].p < 0.05);
+  CHECK(compared(plain)[0].p > 0.05);  // without the blocks
+}
+
+TEST_CASE("within blocks a pair that cannot be resampled says why", "[studentized_bootstrap]") {
+  const auto of = [](Groups groups) { return bootstrap_within_blocks(groups, {}, {})[0]; };
+  CHECK(says(of({{1, 2}, {3, 5}}), "group 1 has fewer than 3 values"));
+  CHECK(says(of({{1, 2, 3}, {3, 5, HUGE_VAL}}), "group 2 has values that are not finite"));
+  CHECK(says(of({{1, 2, 3, 4}, {2, 3, 4, 5}}), "the differences within blocks are all equal"));
+  CHECK(says(of({{1, 2, 3}, {3, 5, 9}}), "too few differences within blocks"));  // 3^-2 of the resamples have no spread
+  CHECK(fewest_blocks(1, 0.95) == 4);                                            // 4^-3 is below 0.025
+  CHECK(fewest_blocks(15, 0.95) == 5);                                           // 5^-4 is below 0.025 / 15
 }
 
 TEST_CASE("the interval of a skewed mean is that of all resamples", "[studentized_bootstrap]") {
