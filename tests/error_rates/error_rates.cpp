@@ -8,11 +8,8 @@
 #include <atomic>
 #include <charconv>
 #include <cmath>
-#include <cstdint>
 #include <cstdio>
 #include <functional>
-#include <numbers>
-#include <random>
 #include <span>
 #include <string>
 #include <string_view>
@@ -22,39 +19,16 @@
 #include "analysis/inference/judge.hpp"
 #include "analysis/statistics/studentized_bootstrap.hpp"
 #include "tests/error_rates/bca.hpp"
+#include "tests/error_rates/draws.hpp"
+#include "tests/error_rates/limits.hpp"
 
 namespace {
 
 using namespace ikbench;
 using namespace ikbench::inference;
+using namespace ikbench::error_rates;
 using results::AnalysisPlan;
 using results::DecidingTest;
-
-// The same numbers on every machine but for the last bit of a logarithm.
-class Random {
- public:
-  // Other numbers for every simulation of every row, by its words (FNV-1a).
-  Random(std::string_view row, int simulation) {
-    std::uint64_t hash = 14695981039346656037u;
-    for (const char c : row) hash = (hash ^ static_cast<std::uint64_t>(c)) * 1099511628211u;
-    engine_.seed(hash + static_cast<std::uint64_t>(simulation));
-  }
-
-  double uniform() { return (static_cast<double>(engine_() >> 11) + 0.5) * 0x1p-53; }
-  double exponential() { return -std::log(uniform()); }
-  double normal() {
-    const double radius = std::sqrt(2 * exponential());
-    return radius * std::cos(2 * std::numbers::pi * uniform());
-  }
-  double lognormal(double sigma) { return std::exp(sigma * normal() - sigma * sigma / 2); }  // of mean 1
-  double student_3() {
-    const double x = normal(), a = normal(), b = normal(), c = normal();
-    return x / std::sqrt((a * a + b * b + c * c) / 3);
-  }
-
- private:
-  std::mt19937_64 engine_;
-};
 
 // Groups of one population each, by whose draws they differ.
 struct Scenario {
@@ -129,11 +103,6 @@ Shares shares(const Scenario& scenario, DecidingTest test, Counts counts, int si
     for (const Shares& one : found) result.*share += one.*share / simulations;
   }
   return result;
-}
-
-// "0.051 +- 0.006": a share of so many simulations and its standard error.
-std::string with_error(double share, int simulations) {
-  return fmt::format("{:.3f} ± {:.3f}", share, std::sqrt(share * (1 - share) / simulations));
 }
 
 // Of the test that decides, which does not judge every pair.
@@ -362,5 +331,6 @@ int main(int argc, char** argv) {
   print_power(simulations);
   print_ranks(simulations);
   print_coverage(simulations);
+  print_limits(simulations);
   return 0;
 }
