@@ -63,6 +63,7 @@ void add_export(CLI::App& app) {
     const StudyEntry study = chosen_study(store, arguments->study);
     if (arguments->file != "-") refuse_store(arguments->file, arguments->store);
     const ExportedStudy exported{study, store.sessions(), store.solves(study.name)};
+    for (const std::string& damage : damages_of(store, study.name)) say("warning: " + damage);
     if (arguments->format == "ompl") {
       if (arguments->file == "-") throw std::invalid_argument("--format ompl is a database; expected -o benchmark.db");
       write_ompl_database(arguments->file, exported);

@@ -85,6 +85,9 @@ void add_import(CLI::App& app, Invocation& invocation) {
     const std::string text = text_in(file);
     Store store(place, Store::Mode::write);
     const std::string study = chosen_study(store, arguments->study).name;
+    // What is imported is verified by the targets and the definition, which are saved anew.
+    if (const std::vector<std::string> damages = damages_of(store, study); !damages.empty())
+      throw std::invalid_argument(fmt::format("'{}': {}", place.string(), fmt::join(damages, " ")));
     const Imported imported =
         import_solves(store, {.study = study,
                               .source = file.filename().string(),

@@ -61,7 +61,7 @@ void add_merge(CLI::App& app, Invocation& invocation) {
       "  ikbench merge out/slim2023 out/slim2023/shards\n"
       "  ikbench merge out/both laptop/store.sqlite desktop/store.sqlite\n\n"
       "A solve that two stores have must have the same bits in both. Solves are copied as they are: `ikbench\n"
-      "report` and `compare` find what is damaged. A store that a kill left half-written is left out, and named.\n"
+      "report` and `compare` find what is damaged. A store whose sessions or studies were changed is refused. A store that a kill left half-written is left out, and named.\n"
       "What is missing is named, with the command that solves it where that is known; the exit code is then 5. A\n"
       "merge that was killed has added nothing, or all: give the same command again.");
   command->callback([arguments, &invocation] {

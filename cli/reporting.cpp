@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <iterator>
 #include <memory>
 #include <thread>
 
@@ -78,12 +79,26 @@ std::string unknown_sessions(const Store& store, const StudyEntry& entry) {
                      unknown.size(), unknown.size() == 1 ? "" : "s", unknown.front());
 }
 
+// What was changed since it was written. A store of an older program keeps no digests.
+std::vector<std::string> changes_in(const Store& store, const StudyEntry& entry) {
+  Changes changes = store.changes({entry.name});
+  if (!changes.are_known) {
+    say(fmt::format(
+        "warning: {} has no digests of some of study {}, because an older ikbench wrote it: whether that was "
+        "changed since does not show",
+        store.name(), entry.name));
+  }
+  for (std::string& sentence : changes.sentences) sentence = fmt::format("Damaged: {}.", sentence);
+  return std::move(changes.sentences);
+}
+
 SolveCheck check_of(const Store& store, const StudyEntry& entry) {
   const auto recheck = std::make_shared<Recheck>(entry);
   return {.look_at = [=](const SolveRecord& solve) { recheck->look_at(solve); },
           .damages =
               [=, &store] {
                 std::vector<std::string> sentences = recheck->damages();
+                std::ranges::move(changes_in(store, entry), std::back_inserter(sentences));
                 sentences.push_back(unknown_sessions(store, entry));
                 std::erase(sentences, "");
                 for (std::string& sentence : sentences) sentence = fmt::format("Study {}: {}", entry.name, sentence);

@@ -57,8 +57,8 @@ void write_and_announce(const results::Store& store, WrittenReport wanted);
 void draw(const std::vector<figures::Figure>& figures, const std::filesystem::path& folder,
           const figures::RenderOptions& options);
 
-// What of a study in the store does not follow from its answers (experiments/recheck.hpp), and sessions of its solves
-// that the store does not have, in sentences.
+// What of a study in the store does not follow from its answers (experiments/recheck.hpp), was changed since it was
+// written, or names a session that the store does not have, in sentences.
 std::vector<std::string> damages_of(const results::Store& store, const std::string& study);
 
 // The study of that name, or the first of the store where the name is empty.

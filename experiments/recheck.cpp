@@ -9,7 +9,9 @@
 #include <stdexcept>
 #include <utility>
 
+#include "experiments/asked_again.hpp"
 #include "numerics/units.hpp"
+#include "results/digest.hpp"
 #include "robots/spherical_wrist.hpp"
 
 namespace ikbench::experiments {
@@ -18,10 +20,8 @@ using namespace numerics;
 using namespace robots;
 using namespace results;
 
-namespace {
-
-// As TOML has it, in a line. The store is anybody's: keys and texts are quoted, and nothing is deeper than an arm is.
-std::string toml_of(const nlohmann::json& json, int levels = 4) {
+// The store is anybody's: keys and texts are quoted, and nothing is deeper than an arm is.
+std::string toml_of(const nlohmann::json& json, int levels) {
   if (levels == 0) throw std::invalid_argument("an arm that is nested too deeply");
   std::string text;
   if (json.is_array()) {
@@ -38,8 +38,6 @@ std::string toml_of(const nlohmann::json& json, int levels = 4) {
   }
   return json.dump();
 }
-
-}  // namespace
 
 // Of this file alone, like all in unnamed namespaces; but Recheck::Looking has them as members.
 class Findings {
@@ -225,12 +223,23 @@ struct Recheck::Looking {
     const auto definition = nlohmann::json::parse(entry.definition, nullptr, false);
     is_from_urdf = definition.is_object() && definition.contains("urdf");
     if (arm) checked.emplace(*arm, requirement);
+    if (arm) asked.emplace(entry, *arm);
+  }
+
+  void look_at_digest(const SolveRecord& solve) {
+    if (solve.digest != 0 && solve.digest != digest_of(solve))
+      found.add("digest", solve, "the solve was changed since it was written");
+  }
+  void look_at_question(const SolveRecord& solve) {
+    const char* const column = asked ? asked->other_than_asked(solve) : nullptr;
+    if (column != nullptr) found.add(column, solve, "it is not what the definition of the study gives");
   }
 
   const std::optional<Robot> arm;
   const Requirement requirement;
   bool is_from_urdf = false;
   std::optional<Checked> checked = {};  // by these
+  std::optional<AskedAgain> asked = {};
   bool has_solves = false;
   Findings found = {};
 };
@@ -240,6 +249,8 @@ Recheck::~Recheck() = default;
 
 void Recheck::look_at(const SolveRecord& solve) {
   looking_->has_solves = true;
+  looking_->look_at_digest(solve);
+  looking_->look_at_question(solve);
   look_at_counts(solve, looking_->found);
   if (looking_->checked) look_at_answer(*looking_->checked, solve, looking_->found);
 }

@@ -8,7 +8,8 @@
 #include <cstdint>
 #include <limits>
 #include <tuple>
-#include <type_traits>
+
+#include "results/hashed_column.hpp"
 
 namespace ikbench::results {
 
@@ -55,22 +56,6 @@ class Hash {
 
   std::uint64_t first_ = 1, second_ = 2;
 };
-
-template <class Value>
-void add_column(Hash& hash, const Value& value) {
-  if constexpr (std::is_enum_v<Value>) {
-    hash.add(name_of(value));
-  } else if constexpr (std::is_integral_v<Value>) {
-    hash.add(static_cast<std::uint64_t>(value));
-  } else if constexpr (std::is_floating_point_v<Value>) {
-    hash.add(value == 0 ? 0.0 : value);
-  } else if constexpr (std::is_same_v<Value, std::vector<double>>) {
-    hash.add(std::uint64_t{value.size()});
-    for (const double number : value) hash.add(number);
-  } else {
-    hash.add(std::string_view(value));
-  }
-}
 
 }  // namespace
 

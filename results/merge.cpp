@@ -17,6 +17,7 @@
 #include <limits>
 #include <map>
 #include <optional>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <system_error>
@@ -26,6 +27,7 @@
 #include "results/fingerprint.hpp"
 #include "results/same_solves.hpp"
 #include "results/store_codec.hpp"
+#include "results/store_digests.hpp"
 #include "results/store_file.hpp"
 #include "results/store_tables.hpp"
 
@@ -88,6 +90,21 @@ class Attached {
   SQLite::Database& sqlite_;
 };
 
+// The studies of a store, in which nothing was changed since it was written. A merge would hide that: it writes digests
+// of what it finds.
+std::vector<StudyEntry> unchanged_studies(const Store& store) {
+  std::vector<StudyEntry> studies;
+  store.at_one_moment([&] { studies = store.studies(); });
+  std::vector<std::string> names;
+  for (const StudyEntry& study : studies) names.push_back(study.name);
+  const std::vector<std::string> changes = store.changes(names).sentences;
+  if (changes.empty()) return studies;
+  throw std::invalid_argument(
+      fmt::format("'{}' was changed since it was written: {}; nothing was merged; take it from "
+                  "where it was solved, or solve it again",
+                  store.name(), changes.front()));
+}
+
 // Solves by their rowids, both included.
 struct Rows {
   std::int64_t first = std::numeric_limits<std::int64_t>::min();
@@ -99,12 +116,13 @@ class MergedStore {
  public:
   explicit MergedStore(StoreFile& file) : file_(file) {
     const Store before(file.name(), Store::Mode::read);
-    for (const StudyEntry& study : before.studies())
+    for (const StudyEntry& study : unchanged_studies(before))
       studies_.emplace(study.name, Known{study, Source::quoted(file.name())});
     for (const Session& session : before.sessions()) {
       same_[facts_of(session)].push_back(session.id);
-      environments_[session.id] = session.environment;
+      sessions_[session.id] = session;
     }
+    with_digest_ = sessions_with_digest(file_.sqlite(), "main");
     file_.sqlite().exec("CREATE TEMP TABLE numbers (theirs INTEGER PRIMARY KEY, ours INTEGER NOT NULL)");
   }
 
@@ -116,12 +134,22 @@ class MergedStore {
     if (StoreFile::identity_of(source.file.string()) != source.identity)
       throw std::runtime_error(fmt::format("{} was replaced while it was merged; nothing was merged; merge again",
                                            Source::quoted(source.file)));
-    std::vector<StudyEntry> studies;
-    store.at_one_moment([&] { studies = store.studies(); });
-    for (const StudyEntry& study : studies) take(study, source);
+    for (const StudyEntry& study : unchanged_studies(store)) take(study, source);
     take(store.sessions(), source);
     if (const std::int64_t taken = take_solves(source, rows); taken < number)
       throw Damage(fmt::format("{} of its {} solves are not in their order", number - taken, number));
+  }
+
+  // What is here now is what was written, by whomever.
+  void write_digests() {
+    const std::map<std::int64_t, SessionDigest> solves =
+        summed_solves(file_.sqlite(), std::numeric_limits<std::int64_t>::max());
+    for (const std::int64_t session : with_digest_) {
+      const auto found = solves.find(session);
+      SessionDigest digest = found == solves.end() ? SessionDigest() : found->second;
+      digest.sum += digest_of(sessions_[session]);
+      write_digest(file_.sqlite(), session, digest);
+    }
   }
 
   // Of this store, for a store that takes it.
@@ -164,6 +192,7 @@ class MergedStore {
     file_.sqlite().exec("DELETE FROM temp.numbers");
     SQLite::Statement note(file_.sqlite(), "INSERT INTO temp.numbers VALUES (?, ?)");
     std::map<std::string, std::size_t> seen;
+    const std::set<std::int64_t> with_digest = sessions_with_digest(file_.sqlite(), "source");
     for (const Session& session : sessions) {
       const std::string facts = facts_of(session);
       std::vector<std::int64_t>& same = same_[facts];
@@ -171,6 +200,7 @@ class MergedStore {
       const bool is_new = place == same.size();
       if (is_new) same.push_back(begin(session));
       add_facts(same[place], session);
+      if (with_digest.contains(session.id)) with_digest_.insert(same[place]);
       SQLite::bind(note, session.id, same[place]);
       note.exec();
       note.reset();
@@ -183,11 +213,13 @@ class MergedStore {
     SQLite::Statement add(file_.sqlite(), "INSERT INTO sessions (began) VALUES (?)");
     add.bind(1, session.began);
     add.exec();
-    return file_.sqlite().getLastInsertRowid();
+    const std::int64_t number = file_.sqlite().getLastInsertRowid();
+    sessions_[number] = {.id = number, .began = session.began};
+    return number;
   }
 
   void add_facts(std::int64_t number, const Session& session) {
-    std::map<std::string, std::string>& known = environments_[number];
+    std::map<std::string, std::string>& known = sessions_[number].environment;
     std::map<std::string, std::string> further = session.environment;
     std::erase_if(further, [&](const auto& fact) { return known.contains(fact.first); });
     write_environment(file_.sqlite(), number, further);
@@ -272,9 +304,10 @@ class MergedStore {
 
   StoreFile& file_;
   std::map<std::string, Known> studies_;
-  std::map<std::string, std::vector<std::int64_t>> same_;                    // sessions, by their facts
-  std::map<std::int64_t, std::map<std::string, std::string>> environments_;  // of sessions
-  std::map<std::int64_t, std::string> origins_;                              // of sessions that are new
+  std::map<std::string, std::vector<std::int64_t>> same_;  // sessions, by their facts
+  std::map<std::int64_t, Session> sessions_;
+  std::set<std::int64_t> with_digest_;
+  std::map<std::int64_t, std::string> origins_;  // of sessions that are new
 };
 
 // What ends the copying of one store into another.
@@ -315,6 +348,7 @@ std::pair<Source, Merged> gather(const fs::path& file, const fs::path& out, cons
     if (!stores.empty() && all.merged.half_written.size() == stores.size())
       throw std::invalid_argument(all.merged.half_written.front());
     // A change, so that SQLite waits until all is on the disk.
+    all.write_digests();
     target.sqlite().exec(fmt::format("PRAGMA synchronous = FULL; PRAGMA user_version = {}", schema_version));
     return std::pair(all.as_source(), all.merged);
   });
@@ -328,6 +362,7 @@ Merged take_into(const fs::path& out, const Source& gathered) {
     SQLite::Transaction transaction(target.sqlite(), SQLite::TransactionBehavior::IMMEDIATE);
     MergedStore all(target);
     all.take(Store(gathered.file, Store::Mode::read), gathered);
+    all.write_digests();
     target.commit(transaction);
     return all.merged;
   });

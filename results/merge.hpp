@@ -21,8 +21,9 @@ struct Merged {
 // nothing. Solves are copied as they are: who reads them finds what is damaged in them. All or nothing: a merge that
 // fails or is killed has added nothing (what is half-written goes when the store is opened to be written again), and
 // what another merge has made stays. A store that becomes half-written or is replaced while it is copied ends it.
-// std::invalid_argument where two stores have another study of one name, or other bits of one solve (columns of the
-// fingerprint), where no store can be read, and as store.hpp says.
+// std::invalid_argument where sessions or studies were changed since they were written (digest.hpp), where two stores
+// have another study of one name, or other bits of one solve (columns of the fingerprint), where no store can be read,
+// and as store.hpp says.
 Merged merge(const std::filesystem::path& out, const std::vector<std::filesystem::path>& stores);
 
 }  // namespace ikbench::results

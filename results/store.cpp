@@ -2,6 +2,7 @@
 #include "results/store.hpp"
 
 #include <SQLiteCpp/SQLiteCpp.h>
+#include <SQLiteCpp/Savepoint.h>
 #include <SQLiteCpp/VariadicBind.h>
 #include <fmt/format.h>
 
@@ -16,6 +17,7 @@
 #include <vector>
 
 #include "results/store_codec.hpp"
+#include "results/store_digests.hpp"
 #include "results/store_file.hpp"
 #include "results/store_tables.hpp"
 
@@ -231,9 +233,7 @@ std::int64_t Store::begin_session(const std::map<std::string, std::string>& envi
   return guarded(database_->name(), [&] {
     SQLite::Database& sqlite = database_->sqlite();
     SQLite::Transaction transaction(sqlite, SQLite::TransactionBehavior::IMMEDIATE);
-    sqlite.exec("INSERT INTO sessions (began) VALUES (strftime('%Y-%m-%dT%H:%M:%SZ', 'now'))");
-    const std::int64_t id = sqlite.getLastInsertRowid();
-    write_environment(sqlite, id, environment);
+    const std::int64_t id = write_session(sqlite, environment);
     database_->commit(transaction);
     return id;
   });
@@ -243,6 +243,7 @@ void Store::add_to_session(std::int64_t id, const std::map<std::string, std::str
   guarded(database_->name(), [&] {
     SQLite::Transaction transaction(database_->sqlite(), SQLite::TransactionBehavior::IMMEDIATE);
     write_environment(database_->sqlite(), id, environment);
+    add_to_digest(database_->sqlite(), id, {.sum = digest_of(environment)});
     database_->commit(transaction);
   });
 }
@@ -269,12 +270,7 @@ std::vector<Session> Store::sessions() const {
 void Store::append(const std::vector<SolveRecord>& records) {
   guarded(database_->name(), [&] {
     SQLite::Transaction transaction(database_->sqlite(), SQLite::TransactionBehavior::IMMEDIATE);
-    SQLite::Statement insert(database_->sqlite(), insert_solve());
-    for (const SolveRecord& record : records) {
-      bind_solve(insert, record);
-      insert.exec();
-      insert.reset();
-    }
+    write_solves(database_->sqlite(), records);
     database_->commit(transaction, static_cast<std::int64_t>(records.size()));
   });
 }
@@ -351,6 +347,17 @@ std::vector<SolveRecord> Store::solves(const std::string& study_name) const {
   std::vector<SolveRecord> list;
   each_of_study(study(study_name), [&](SolveRecord record) { list.push_back(std::move(record)); });
   return list;
+}
+
+Changes Store::changes(const std::vector<std::string>& studies) const {
+  return guarded(database_->name(), [&] {
+    SQLite::Savepoint one_moment(database_->sqlite(), "one_moment");
+    Written written = written_in(database_->sqlite());
+    for (const std::string& name : studies) written.studies.push_back(study(name));
+    written.sessions = sessions();
+    one_moment.release();
+    return changes_since(database_->sqlite(), written);
+  });
 }
 
 std::int64_t Store::solves_of(const std::vector<Series>& series) const {

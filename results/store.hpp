@@ -51,6 +51,12 @@ struct HalfWritten : std::invalid_argument {
   using std::invalid_argument::invalid_argument;
 };
 
+// What in a store is not as it was written (digest.hpp).
+struct Changes {
+  std::vector<std::string> sentences = {};
+  bool are_known = true;  // false: a program that kept no digests wrote some of it, of which no change shows
+};
+
 class Store {
  public:
   // write creates the file and its folders where missing, and gives a store of an older schema the columns it lacks;
@@ -76,6 +82,7 @@ class Store {
 
   // All of them in one transaction, which outlives the process, however that ends. A solve that is already there
   // (series, run, point), because another process solves the same, is std::invalid_argument; then none of them is kept.
+  // Each gets its digest, whatever it had.
   void append(const std::vector<SolveRecord>& records);
 
   // The end of writing: makes the store one plain file, and waits some seconds for others who have it open. Gives the
@@ -99,6 +106,8 @@ class Store {
   void each_of_study(const StudyEntry& study, const std::function<void(SolveRecord)>& take) const;
   // All of these at once, for a study that is small, or not walked in this order.
   std::vector<SolveRecord> solves(const std::string& study) const;
+  // Of these studies, and of the sessions that solved for them. What is in a solve, its own digest shows.
+  Changes changes(const std::vector<std::string>& studies) const;
   // How many solves these series have, of any run.
   std::int64_t solves_of(const std::vector<Series>& series) const;
 

@@ -1,6 +1,10 @@
 #include "results/store_tables.hpp"
 
 #include <SQLiteCpp/VariadicBind.h>
+#include <fmt/format.h>
+
+#include "results/store_codec.hpp"
+#include "results/store_digests.hpp"
 
 namespace ikbench::results {
 
@@ -22,6 +26,16 @@ void write_study(SQLite::Database& sqlite, const StudyEntry& study) {
     add.exec();
     add.reset();
   }
+  write_digest(sqlite, study);
+}
+
+std::int64_t write_session(SQLite::Database& sqlite, const std::map<std::string, std::string>& environment) {
+  sqlite.exec("INSERT INTO sessions (began) VALUES (strftime('%Y-%m-%dT%H:%M:%SZ', 'now'))");
+  const std::int64_t id = sqlite.getLastInsertRowid();
+  write_environment(sqlite, id, environment);
+  const std::string began = sqlite.execAndGet(fmt::format("SELECT began FROM sessions WHERE id = {}", id)).getString();
+  write_digest(sqlite, id, {.sum = digest_of({.id = id, .began = began, .environment = environment})});
+  return id;
 }
 
 void write_environment(SQLite::Database& sqlite, std::int64_t session,
@@ -32,6 +46,21 @@ void write_environment(SQLite::Database& sqlite, std::int64_t session,
     add.exec();
     add.reset();
   }
+}
+
+void write_solves(SQLite::Database& sqlite, const std::vector<SolveRecord>& records) {
+  SQLite::Statement insert(sqlite, insert_solve());
+  std::map<std::int64_t, SessionDigest> of_sessions;
+  for (SolveRecord record : records) {
+    record.digest = digest_of(record);
+    bind_solve(insert, record);
+    insert.exec();
+    insert.reset();
+    SessionDigest& sum = of_sessions[record.session];
+    ++sum.solves;
+    sum.sum += record.digest + digest_of_place(record.series, record.run, record.point);
+  }
+  for (const auto& [session, sum] : of_sessions) add_to_digest(sqlite, session, sum);
 }
 
 }  // namespace ikbench::results

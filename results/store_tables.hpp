@@ -1,4 +1,4 @@
-// What is written into the tables of studies and sessions, within the caller's transaction.
+// What is written into the tables, with its digests, within the caller's transaction.
 #pragma once
 
 #include <SQLiteCpp/SQLiteCpp.h>
@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <map>
 #include <string>
+#include <vector>
 
 #include "results/store.hpp"
 
@@ -14,8 +15,13 @@ namespace ikbench::results {
 // Replaces one of the same name.
 void write_study(SQLite::Database& sqlite, const StudyEntry& study);
 
-// The session has none of these keys yet.
+// A session that begins now; returns its number.
+std::int64_t write_session(SQLite::Database& sqlite, const std::map<std::string, std::string>& environment);
+
+// Without a digest. The session has none of these keys yet.
 void write_environment(SQLite::Database& sqlite, std::int64_t session,
                        const std::map<std::string, std::string>& environment);
+
+void write_solves(SQLite::Database& sqlite, const std::vector<SolveRecord>& records);
 
 }  // namespace ikbench::results

@@ -79,8 +79,73 @@ run_it report changed/store.sqlite --no-figures
 [ "$code" = 1 ] || fail "a changed store: exit code $code"
 has "$err" "the store is damaged"
 has "$(sed '/^## Warnings/q' changed/report.md)" "Believe nothing here"
-has "$(grep -A2 '^## Warnings' changed/report.md)" "Damaged: position_error_cm of 100 solves (first: BA, run 1, point 1, session 1: -1 is stored"
+warnings=$(sed -n '/^## Warnings/,/^## [^W]/p' changed/report.md)
+has "$warnings" "Damaged: position_error_cm of 100 solves (first: BA, run 1, point 1, session 1: -1 is stored"
 refused "Damaged: position_error_cm" compare IK-BA BA --store changed/store.sqlite
+
+# Whatever else is changed is told too, where nothing can compute it again: by digests, by the definition, by the answer.
+mkdir edited
+cat >edits.py <<'PYTHON'
+import sqlite3, sys
+
+columns = """evaluations=evaluations+1 | evaluations=evaluations*10 | iterations=iterations+1 | iterations=0 | seconds=seconds/2
+cpu_seconds=cpu_seconds/2 | smallest_seconds=smallest_seconds/2 | largest_seconds=largest_seconds*2 | interruptions=0.5
+repeats=repeats+1 | timing='clean' where timing<>'clean' | timing='parallel' | stop_reason='tolerance' | trace_cm='[1]'
+improved_at='[1]', improved_to_cm='[1]' | claimed_error_cm=0 | counted_by='solver' | robot='other' | digest=0 | digest=1
+run=run+100 | run=run+100 where run=3 | series=substr(series,2) where run=3 | session=session+1 | waited_seconds=1 | transport_seconds=1 | claimed_seconds=1 | round_trips=1
+position_error_cm=NULL | orientation_error=NULL | seconds=NULL | smallest_seconds=NULL | manipulability=NULL
+variation_m=NULL | limit_margin=NULL | variation_deg=NULL | status='tolerance_missed' where status='ok'""".replace("\n", "|")
+whole = ["update solves set " + (edit.strip() if " where " in edit else edit.strip() + " where solver='BA'")
+         for edit in columns.split("|")]
+whole += [
+    "delete from solves where run=2",
+    "delete from solves where solver='BA' and point=3",
+    "delete from solves where solver='BA'",
+    "delete from solves where session=(select max(id) from sessions)",
+    "update environment set value='other' where key='source'",
+    "update environment set value='other' where key='cpu'",
+    "update environment set value='other' where key='command'",
+    "update environment set value='other' where key='commit'",
+    "update environment set value='0' where key='stolen_seconds'",
+    "delete from environment where key='analysis'",
+    "update sessions set began='2020-01-01T00:00:00Z'",
+    "update studies set definition=json_set(definition,'$.runs',1)",
+    "update studies set definition=json_set(definition,'$.points',2)",
+    "update studies set definition=json_set(definition,'$.analysis.significance',0.2)",
+    "update studies set definition=json_set(definition,'$.stop.iterations',7)",
+    "update studies set definition=json_set(definition,'$.title','Other')",
+    "update series set options='{}' where label='BA'",
+    "delete from series where label='BA'",
+    "update series set label='x' where label='BA'; update solves set solver='x' where solver='BA';"
+    "update series set label='BA' where label='DE'; update solves set solver='BA' where solver='DE';"
+    "update series set label='DE' where label='x'; update solves set solver='DE' where solver='x'",
+    "update series set key='x' where label='BA'; update series set key='y' where label='DE';"
+    "update series set key=(select min(series) from solves where solver='DE') where key='x'",
+]
+if sys.argv[1] == "count":
+    print(len(whole))
+else:
+    store = sqlite3.connect("edited/store.sqlite")
+    edit = whole[int(sys.argv[1])]
+    before = store.total_changes
+    store.executescript(edit)
+    store.commit()
+    print(edit if store.total_changes > before else "")
+PYTHON
+succeeds run slim2023 "${small[@]}" --set repeats=3 --no-report --out pristine
+succeeds run slim2023 "${small[@]}" --set repeats=3 --set runs=3 --no-figures --out pristine
+has_no "$err" "Damaged"
+[ "$(sqlite3 pristine/store.sqlite 'SELECT count(*) FROM sessions')" = 2 ] || fail "not two sessions"
+for ((edit = 0; edit < $(python3 edits.py count); ++edit)); do
+  cp pristine/store.sqlite edited/
+  sql=$(python3 edits.py $edit) || fail "edit $edit"
+  [ -n "$sql" ] || continue # it changes nothing of this store
+  run_it compare IK-BA PSO --store edited/store.sqlite
+  [ "$code" = 1 ] || fail "believed by compare, exit code $code: $sql"
+  [[ $err == *Damaged* || $err == *damaged* ]] || fail "compare says nothing of an edit: $sql: $err"
+done
+cp pristine/store.sqlite edited/
+succeeds report edited/store.sqlite --no-figures
 
 # So do solves of a session that the store does not have.
 mkdir astray
@@ -94,8 +159,7 @@ store.commit()
 PYTHON
 run_it report astray/store.sqlite --no-figures
 [ "$code" = 1 ] || fail "an unknown session: exit code $code"
-has "$(grep -A2 '^## Warnings' astray/report.md)" \
-  "Damaged: its solves name 1 session that the table of sessions does not have (first: 99)."
+has "$(sed -n '/^## Warnings/,/^## [^W]/p' astray/report.md)" "Damaged: its solves name 1 session that the table of sessions does not have (first: 99)."
 refused "(first: 99)" compare IK-BA DE --store astray/store.sqlite
 
 # A reader that does not end keeps the log from being folded in.

@@ -15,7 +15,12 @@ using namespace ikbench::experiments;
 
 namespace {
 
-StudyEntry entry_of(const Study& study) { return {.name = study.name, .definition = to_json(study), .series = {}}; }
+StudyEntry entry_of(const Study& study) {
+  StudyEntry entry{.name = study.name, .definition = to_json(study), .series = {}};
+  for (const SolverEntry& solver : study.solvers)
+    entry.series.push_back({.key = series_key(study, solver), .label = solver.label, .algorithm = solver.solver});
+  return entry;
+}
 
 Study study_with(const std::string& robot) {
   Study study = small_study();
@@ -108,8 +113,61 @@ TEST_CASE("numbers that an older store does not have are no damage", "[recheck]"
     solve.limit_margin = solve.smallest_singular_value = solve.manipulability = none;
     solve.smallest_seconds = solve.largest_seconds = solve.variation_m = solve.largest_move_m = none;
     solve.limit_violation_m = none;
+    solve.digest = 0;
   }
   CHECK(damages(entry_of(study), solves).empty());
+}
+
+TEST_CASE("a solve that does not fit its digest is damage, whatever was changed in it", "[recheck]") {
+  const Study study = study_with("stanford");
+  std::vector<SolveRecord> solves = solves_of(study);
+  solves[4].evaluations += 1;
+  solves[7].seconds *= 1.5;
+  solves[7].largest_seconds *= 2;
+  const std::vector<std::string> said = damages(entry_of(study), solves);
+  REQUIRE(said.size() == 1);
+  CHECK_THAT(said[0], ContainsSubstring("Damaged: digest of 2 solves (first: " + solves[4].solver + ", run " +
+                                        std::to_string(solves[4].run) + ", point ") &&
+                          ContainsSubstring("the solve was changed since it was written"));
+}
+
+TEST_CASE("targets and starts are those that the definition gives", "[recheck]") {
+  for (const char* path : {"kind=random", "kind=helix", "kind=circle", "kind=polyline", "kind=lissajous"}) {
+    for (const Start start : {Start::previous, Start::initial, Start::middle, Start::random, Start::near}) {
+      CAPTURE(path, static_cast<int>(start));
+      Study study = small_study();
+      study.path = path_of({path, "points=3"});
+      study.start = start;
+      if (start == Start::near && !study.path->is_drawn()) continue;
+      const std::vector<SolveRecord> good = solves_of(study);
+      CHECK(damages(entry_of(study), good).empty());
+      const auto said_of = [&](const std::function<void(SolveRecord&)>& change) {
+        std::vector<SolveRecord> solves = good;
+        change(solves[4]);
+        std::string said;
+        for (const std::string& sentence : damages(entry_of(study), solves)) said += sentence;
+        return said;
+      };
+      CHECK_THAT(said_of([](SolveRecord& solve) { solve.target_position_m[0] += 1e-6; }),
+                 ContainsSubstring("Damaged: target_position_m of 1 solve") &&
+                     ContainsSubstring("it is not what the definition of the study gives"));
+      CHECK_THAT(said_of([](SolveRecord& solve) { solve.start_rad[0] += 1e-6; }),
+                 ContainsSubstring("Damaged: start_rad of 1 solve"));
+      CHECK_THAT(said_of([](SolveRecord& solve) { solve.start_rad.assign(100, 1e300); }),
+                 ContainsSubstring("Damaged: answer_rad of 1 solve"));
+    }
+  }
+}
+
+TEST_CASE("targets that another version of the source drew are not drawn again", "[recheck]") {
+  const Study study = study_with("stanford");
+  std::vector<SolveRecord> solves = solves_of(study);
+  StudyEntry entry = entry_of(study);
+  for (Series& series : entry.series) series.key.back() = series.key.back() == '0' ? '1' : '0';
+  solves[4].digest = 0;
+  solves[4].target_position_m[0] += 1e-6;
+  for (const std::string& sentence : damages(entry, solves))
+    CHECK_THAT(sentence, !ContainsSubstring("target_position_m"));
 }
 
 TEST_CASE("an arm that cannot be read is said, and nothing else is made of it", "[recheck]") {

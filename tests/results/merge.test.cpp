@@ -35,8 +35,10 @@ void make_store(const fs::path& file, const std::string& machine, const std::vec
   }
 }
 
+// As a program could have written it that kept no digests.
 void edit(const fs::path& store, const std::string& sql) {
-  SQLite::Database(store.string(), SQLite::OPEN_READWRITE).exec(sql);
+  SQLite::Database(store.string(), SQLite::OPEN_READWRITE)
+      .exec(sql + "; UPDATE solves SET digest = 0; DELETE FROM meta WHERE key GLOB 'digest of *'");
 }
 
 // A store as a kill in the middle of a transaction leaves it.
