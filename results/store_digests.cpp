@@ -41,11 +41,12 @@ std::string change_of(const Written& written, const Session& session, const Sess
   return fits ? "" : "what is known of it, or its solves, are not what was stored";
 }
 
-// A session that does not say for which study it solved may have solved for any.
-bool is_of(const Session& session, const std::vector<StudyEntry>& studies) {
+// A session may be of any study, unless it says that it solved another one of the store.
+bool may_be_of(const Session& session, const Written& written) {
   const auto study = session.environment.find("study");
-  return study == session.environment.end() ||
-         std::ranges::find(studies, study->second, &StudyEntry::name) != studies.end();
+  if (study == session.environment.end()) return true;
+  return std::ranges::find(written.studies, study->second, &StudyEntry::name) != written.studies.end() ||
+         !written.digests.contains(digest_key(StudyEntry{.name = study->second}));
 }
 
 }  // namespace
@@ -128,7 +129,7 @@ Changes changes_since(SQLite::Database& sqlite, const Written& written) {
   }
   std::map<std::int64_t, SessionDigest> sums = summed_solves(sqlite, written.last_row);
   for (const Session& session : written.sessions) {
-    if (!is_of(session, written.studies)) continue;
+    if (!may_be_of(session, written)) continue;
     changes.are_known = changes.are_known && written.digests.contains(digest_key(session.id));
     const std::string change = change_of(written, session, sums[session.id]);
     if (!change.empty())

@@ -43,7 +43,7 @@ Written written_in(SQLite::Database& sqlite);  // digests and last row
 // a query; those that came after `last_row` are left out.
 std::map<std::int64_t, SessionDigest> summed_solves(SQLite::Database& sqlite, std::int64_t last_row);
 
-// What does not fit: of the studies, and of the sessions that solved for one of them.
+// What does not fit: of the studies, and of all sessions but those of other studies.
 Changes changes_since(SQLite::Database& sqlite, const Written& written);
 
 }  // namespace ikbench::results
