@@ -26,11 +26,16 @@ enum class Unit { run, point };
 // decades. typical: the mean of their logarithms, so the geometric mean. reliability: the share within a distance.
 enum class Estimand { mean, typical, reliability };
 
+// Whether times of programs, which have messages and another language in them, are ranked with those taken here.
+enum class ProgramTimes { apart, compared };
+
 constexpr std::array<std::string_view, 7> deciding_test_names{"by_design", "anova",   "welch",    "kruskal_wallis",
                                                               "friedman",  "tamhane", "bootstrap"};
 constexpr std::array<std::string_view, 4> adjustment_names{"holm", "hochberg", "bonferroni", "benjamini_hochberg"};
 constexpr std::array<std::string_view, 2> unit_names{"run", "point"};
 constexpr std::array<std::string_view, 3> estimand_names{"mean", "typical", "reliability"};
+
+constexpr std::array<std::string_view, 2> program_times_names{"apart", "compared"};
 
 constexpr std::string_view name_of(DecidingTest test) { return deciding_test_names[static_cast<std::size_t>(test)]; }
 constexpr std::string_view name_of(Adjustment adjustment) {
@@ -38,6 +43,7 @@ constexpr std::string_view name_of(Adjustment adjustment) {
 }
 constexpr std::string_view name_of(Unit unit) { return unit_names[static_cast<std::size_t>(unit)]; }
 constexpr std::string_view name_of(Estimand estimand) { return estimand_names[static_cast<std::size_t>(estimand)]; }
+constexpr std::string_view name_of(ProgramTimes times) { return program_times_names[static_cast<std::size_t>(times)]; }
 
 struct AnalysisPlan {
   DecidingTest test = DecidingTest::by_design;
@@ -52,6 +58,7 @@ struct AnalysisPlan {
   std::vector<Estimand> estimands{Estimand::mean, Estimand::typical, Estimand::reliability};  // in this order
   double within_cm = 0.01;  // distance of reliability in a study without a tolerance; 0.1 mm, an arm's repeatability
   double jump_deg = 30;     // a joint that moves farther between two points of a path has jumped
+  ProgramTimes program_times = ProgramTimes::apart;
 };
 
 }  // namespace ikbench::results

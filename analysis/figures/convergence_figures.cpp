@@ -10,6 +10,7 @@
 #include "analysis/figures/figure_parts.hpp"
 #include "analysis/figures/share_curves.hpp"
 #include "analysis/inference/clusters.hpp"
+#include "analysis/inference/comparable.hpp"
 #include "analysis/inference/convergence.hpp"
 #include "analysis/inference/definition.hpp"
 #include "analysis/inference/text.hpp"
@@ -275,9 +276,10 @@ Figure survival_figure(const StudyResults& study, const Clusters& clusters) {
 
 std::vector<Figure> convergence_figures(const StudyResults& measured) {
   if (measured.solves.empty()) return {};
-  const StudyResults study = at_median_speed(measured), of_evaluations = counted(study);
+  const StudyResults study = at_median_speed(measured), of_evaluations = compared_in(study, Metric::evaluations),
+                     of_seconds = compared_in(study, Metric::seconds);
   const bool has_clean_times = times_are_comparable(study);
-  const Clusters clusters(study), clusters_of_evaluations(of_evaluations);
+  const Clusters clusters(study), clusters_of_evaluations(of_evaluations), clusters_of_seconds(of_seconds);
   std::vector<Figure> figures;
   const auto add = [&](std::optional<Figure> figure) {
     if (figure) figures.push_back(std::move(*figure));
@@ -286,13 +288,18 @@ std::vector<Figure> convergence_figures(const StudyResults& measured) {
     if (of_evaluations.solves.empty()) return;
     std::optional<Figure> figure = draw(of_evaluations, clusters_of_evaluations);
     if (!figure) return;
-    if (const std::string note = uncounted_note(study); !note.empty()) figure->caption += " " + note;
+    if (const std::string note = left_out(study, Metric::evaluations).note; !note.empty())
+      figure->caption += " " + note;
     add(std::move(figure));
   };
   const auto add_of_both = [&](auto draw) {
     add_of_evaluations(
         [&](const StudyResults& known, const Clusters& drawn) { return draw(known, drawn, Cost::evaluations); });
-    if (has_clean_times) add(draw(study, clusters, Cost::seconds));
+    if (!has_clean_times) return;
+    std::optional<Figure> figure = draw(of_seconds, clusters_of_seconds, Cost::seconds);
+    const std::string note = left_out(study, Metric::seconds).note;
+    if (figure && !note.empty()) figure->caption += " " + note;
+    add(std::move(figure));
   };
   if (std::ranges::any_of(study.solves, [](const Solve& solve) { return !trace_cm(solve).empty(); })) {
     add_of_evaluations(

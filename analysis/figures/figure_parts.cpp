@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "analysis/inference/comparable.hpp"
 #include "analysis/inference/text.hpp"
 #include "analysis/statistics/descriptive.hpp"
 #include "numerics/number.hpp"
@@ -47,7 +48,7 @@ std::string with_notes(std::string caption, const StudyResults& study, Metric me
                               : " Values of zero are drawn at the lower edge.";
   }
   if (info_of(metric).kind == Kind::time) {
-    if (const std::string note = timing_note(study); !note.empty()) caption += ' ' + note;
+    if (const std::string note = times_note(study); !note.empty()) caption += ' ' + note;
   }
   return caption;
 }

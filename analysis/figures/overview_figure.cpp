@@ -9,6 +9,7 @@
 #include "analysis/figures/axis.hpp"
 #include "analysis/figures/dark.hpp"
 #include "analysis/figures/figure_parts.hpp"
+#include "analysis/inference/comparable.hpp"
 #include "analysis/inference/text.hpp"
 #include "analysis/statistics/descriptive.hpp"
 #include "numerics/number.hpp"

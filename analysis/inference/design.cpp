@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "analysis/inference/comparable.hpp"
 #include "analysis/inference/definition.hpp"
 #include "analysis/inference/estimand.hpp"
 #include "analysis/inference/text.hpp"
@@ -236,10 +237,9 @@ std::optional<Observations> blocked_observations(const StudyResults& study, Metr
 }
 
 Observations observations(const StudyResults& study, Metric metric, Estimand estimand) {
-  if (std::string note = uncounted_note(study); metric == Metric::evaluations && !note.empty()) {
-    const StudyResults known = counted(study);
-    Observations result = observations(known, metric, estimand);
-    result.notes.push_back(std::move(note));
+  if (LeftOut without = left_out(study, metric); is_comparable(study, metric) && !without.solvers.empty()) {
+    Observations result = observations(compared_in(study, metric), metric, estimand);
+    result.notes.push_back(std::move(without.note));
     return result;
   }
   const Unit unit = study.plan.unit;

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 #include <utility>
 
 #include "analysis/inference/deciding.hpp"
@@ -17,10 +16,10 @@ using namespace statistics;
 
 namespace {
 
+// The number of groups where it is none of them.
 std::size_t place_of(const Evidence& evidence, std::string_view group) {
-  const auto found = std::ranges::find(evidence.groups, group, &GroupEvidence::name);
-  if (found != evidence.groups.end()) return static_cast<std::size_t>(found - evidence.groups.begin());
-  throw std::invalid_argument(fmt::format("there is no group '{}'", group));
+  return static_cast<std::size_t>(std::ranges::find(evidence.groups, group, &GroupEvidence::name) -
+                                  evidence.groups.begin());
 }
 
 Answer turned(Answer answer) {
@@ -60,6 +59,11 @@ Answer answer_of(const Tested& tested, double significance) {
 Judgement judge(const Evidence& evidence, std::string_view first, std::string_view second) {
   const std::size_t one = place_of(evidence, first), other = place_of(evidence, second);
   Judgement result{.test = std::string(pair_test_words(evidence))};
+  for (const auto& [place, name] : {std::pair(one, first), std::pair(other, second)}) {
+    if (place < evidence.groups.size()) continue;
+    result.undefined = fmt::format("{} is left out of the comparison", name);
+    return result;
+  }
   const bool has_mean = std::isfinite(evidence.groups[one].described.mean),
              other_has_mean = std::isfinite(evidence.groups[other].described.mean);
   // Contrasts have the smaller place first.

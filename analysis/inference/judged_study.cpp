@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "analysis/inference/comparable.hpp"
 #include "analysis/inference/design.hpp"
 
 namespace ikbench::inference {

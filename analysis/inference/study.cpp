@@ -33,15 +33,6 @@ std::vector<std::span<const Solve>> runs_of(const StudyResults& study, std::stri
   return runs;
 }
 
-// The solvers of which not all evaluations were counted.
-std::set<std::string_view> uncounted(const StudyResults& study) {
-  std::set<std::string_view> found;
-  for (const Solve& solve : study.solves) {
-    if (solve.counted_by == CountedBy::nobody) found.insert(solver_of(study, solve));
-  }
-  return found;
-}
-
 bool complete(std::span<const Solve> run, const StudyResults& study) {
   return static_cast<int>(run.size()) == study.points;
 }
@@ -140,9 +131,9 @@ double deadline_seconds(const StudyResults& study) {
 std::vector<Sample> samples(const StudyResults& study, Metric metric) {
   std::vector<Sample> result = samples(study, [&](Run run) { return value_of(study, run, metric); });
   if (metric != Metric::evaluations) return result;
-  const std::set<std::string_view> without = uncounted(study);
   for (Sample& sample : result) {
-    if (without.contains(sample.solver)) sample.values.clear();
+    const std::span<const Solve> solves = solves_of(study, sample.solver);
+    if (std::ranges::find(solves, CountedBy::nobody, &Solve::counted_by) != solves.end()) sample.values.clear();
   }
   return result;
 }
@@ -236,19 +227,6 @@ StudyResults of_solvers(StudyResults study, const std::function<bool(std::string
   return study;
 }
 
-StudyResults counted(StudyResults study) {
-  const std::set<std::string_view> without = uncounted(study);
-  if (without.empty()) return study;
-  return of_solvers(std::move(study), [&](std::string_view solver) { return !without.contains(solver); });
-}
-
-std::string uncounted_note(const StudyResults& study) {
-  const std::set<std::string_view> without = uncounted(study);
-  return without.empty() ? ""
-                         : fmt::format("Nobody counted the evaluations of {}.",
-                                       one_line(fmt::format("{}", fmt::join(without, ", "))));
-}
-
 std::vector<std::string> status_notes(const StudyResults& study) {
   std::vector<int> by_status(status_names.size());
   const std::vector<Status> shown = shown_statuses(study);
@@ -299,88 +277,6 @@ std::vector<std::string> status_notes(const StudyResults& study) {
         "and quartiles, and leaves the mean, standard deviation and maximum of its solver not defined.");
   }
   return notes;
-}
-
-namespace {
-
-struct Disturbed {
-  std::ptrdiff_t solves = 0, timed = 0;
-};
-
-Disturbed disturbed(const StudyResults& study) {
-  const auto is_timed = [](const Solve& solve) {
-    return solve.timing == Timing::clean || solve.timing == Timing::process;
-  };
-  return {std::ranges::count_if(study.solves, [](const Solve& solve) { return solve.is_disturbed; }),
-          std::ranges::count_if(study.solves, is_timed)};
-}
-
-// Where solves end by their wall time, more than times depend on the machine.
-std::string and_errors(const StudyResults& study) {
-  return Definition(study.definition).number("/stop/seconds") > 0
-             ? " Solves end by their wall time, so that errors depend on that too."
-             : "";
-}
-
-}  // namespace
-
-bool times_were_disturbed(const StudyResults& study) {
-  const Disturbed found = disturbed(study);
-  return found.solves > 1 && 10 * found.solves > found.timed;
-}
-
-std::string timing_note(const StudyResults& study) {
-  const auto timed = [&](Timing how) { return std::ranges::count(study.solves, how, &Solve::timing); };
-  const auto parallel = timed(Timing::parallel), debug = timed(Timing::debug_build);
-  if (parallel + debug > 0) {
-    return fmt::format(
-        "Times are not comparable: of {} solves, {} ran in parallel with others and {} in a debug build.{}",
-        study.solves.size(), parallel, debug, and_errors(study));
-  }
-  if (const auto imported = timed(Timing::imported); imported > 0) {
-    return fmt::format("Times are not comparable: {} of {} solves were imported, so their times were taken elsewhere.",
-                       imported, study.solves.size());
-  }
-  if (std::string note = cpu_note(study.cpus); !note.empty()) return note + and_errors(study);
-  if (!times_were_disturbed(study)) return "";
-  const Disturbed found = disturbed(study);
-  return fmt::format(
-      "Times are not comparable: {} of {} solves took more than 1.1 times their CPU time{}, so other programs were "
-      "running.{}",
-      found.solves, found.timed,
-      timed(Timing::process) > 0 ? ", or waited for a processor for more than a tenth of it" : "", and_errors(study));
-}
-
-std::string transport_note(const StudyResults& study) {
-  std::vector<std::string> found;
-  for (const std::string& solver : study.solvers) {
-    const std::vector<double>& shares = gathered_of(study, solver).transport_shares;
-    if (!shares.empty() && median(shares) >= 0.5) found.push_back(one_line(solver));
-  }
-  return found.empty() ? ""
-                       : fmt::format("At least half of the time of {} is transport: messages to the program and back.",
-                                     fmt::join(found, ", "));
-}
-
-std::string evaluation_note(const StudyResults& study) {
-  const bool has_both = !study.external.empty() && study.external.size() < study.solvers.size();
-  if (!has_both || !times_are_comparable(study)) return "";
-  return fmt::format(
-      "Times depend on how candidates are evaluated: built-in swarms evaluate many at once, which costs less each; {} "
-      "(library, program or shared object) may evaluate one by one.",
-      one_line(fmt::format("{}", fmt::join(study.external, ", "))));
-}
-
-std::string cpu_note(const std::set<std::string>& cpus) {
-  return cpus.size() < 2
-             ? ""
-             : fmt::format("Times are not comparable: they come from different machines ({}).", fmt::join(cpus, ", "));
-}
-
-bool times_are_comparable(const StudyResults& study) { return timing_note(study).empty(); }
-
-bool is_comparable(const StudyResults& study, Metric metric) {
-  return info_of(metric).kind != Kind::time || times_are_comparable(study);
 }
 
 }  // namespace ikbench::inference

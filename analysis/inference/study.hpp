@@ -124,28 +124,8 @@ std::vector<results::Status> shown_statuses(const StudyResults& study);
 
 // The study of some of its solvers.
 StudyResults of_solvers(StudyResults study, const std::function<bool(std::string_view)>& is_kept);
-// What is said of evaluations is said of this study: without the solvers of which a solve's evaluations nobody counted.
-StudyResults counted(StudyResults study);
-// Who these are, as a sentence; empty where there are none.
-std::string uncounted_note(const StudyResults& study);
 
 // The counts as sentences, to stand beside every table and figure: statuses, what is missing.
 std::vector<std::string> status_notes(const StudyResults& study);
-
-// Whether the times of a study can be compared is decided here alone, and for all of them together: all that is said of
-// them follows it. The note says why they cannot be; it is empty where they can.
-std::string timing_note(const StudyResults& study);
-bool times_are_comparable(const StudyResults& study);
-bool is_comparable(const StudyResults& study, Metric metric);  // all metrics are but times
-// Whether other programs were at work while the solves ran that are recorded as clean or as those of a program: whether
-// many of these took longer than their CPU time, or waited as long for a processor. One does not matter.
-bool times_were_disturbed(const StudyResults& study);
-// Times of several CPUs cannot be compared; empty where there are not several.
-std::string cpu_note(const std::set<std::string>& cpus);
-// Of the programs whose time is for the most part that of their messages; empty where there are none.
-std::string transport_note(const StudyResults& study);
-// Whose candidates are evaluated in another way than those of built-in solvers, where there are both; else empty.
-std::string evaluation_note(const StudyResults& study);
-constexpr std::string_view times_not_judged = "times are not comparable";
 
 }  // namespace ikbench::inference

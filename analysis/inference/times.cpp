@@ -10,6 +10,7 @@
 #include <tuple>
 #include <vector>
 
+#include "analysis/inference/comparable.hpp"
 #include "analysis/inference/definition.hpp"
 #include "analysis/inference/text.hpp"
 #include "analysis/statistics/descriptive.hpp"
@@ -107,7 +108,7 @@ StudyResults at_median_speed(StudyResults study) {
 }
 
 std::string speed_note(const StudyResults& study) {
-  const std::string uncounted = uncounted_note(study);
+  const std::string uncounted = left_out(study, Metric::evaluations).note;
   return uncounted.empty() ? std::string(median_speed_words)
                            : fmt::format("{} {} Their times are as measured.", median_speed_words, uncounted);
 }

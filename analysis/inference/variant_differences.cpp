@@ -12,6 +12,7 @@
 #include <string_view>
 #include <vector>
 
+#include "analysis/inference/comparable.hpp"
 #include "analysis/inference/definition.hpp"
 #include "analysis/inference/machines.hpp"
 #include "analysis/inference/text.hpp"
@@ -80,6 +81,13 @@ std::string why_times_differ(const Variant& a, const Variant& b) {
   for (const Variant* side : {&a, &b}) {
     if (!side->timing.empty()) return fmt::format("{}: {}", side == &a ? "A" : "B", side->timing);
   }
+  const bool is_first = is_program(a.study, a.series.label), is_second = is_program(b.study, b.series.label);
+  if (is_first != is_second && a.study.plan.program_times == ProgramTimes::apart) {
+    return fmt::format(
+        "Times are not comparable: those of {} have messages and another process in them. analysis.program_times = "
+        "\"compared\" compares them all the same.",
+        is_first ? "A" : "B");
+  }
   std::set<std::string> cpus = values_of(a, "cpu");
   cpus.merge(values_of(b, "cpu"));
   if (a.sessions.empty() || b.sessions.empty() || cpus.contains("unknown")) {
@@ -94,6 +102,15 @@ std::string why_times_differ(const Variant& a, const Variant& b) {
   if (std::ranges::equal(a.sessions, b.sessions, is_same)) return "";
   return "Times are not comparable: A and B were solved in separate sessions, and a machine that is slower in one of "
          "them slows all its runs. Run both as labels of one study.";
+}
+
+std::string why_counts_differ(const Variant& a, const Variant& b) {
+  const auto claims = [](const Variant& side) {
+    return std::ranges::find(side.study.solves, CountedBy::solver, &Solve::counted_by) != side.study.solves.end();
+  };
+  if (claims(a) == claims(b)) return "";
+  return fmt::format("Evaluations are not comparable: those of {} are its own word, and the other's were counted.",
+                     claims(a) ? "A" : "B");
 }
 
 std::string differences(const Variant& a, const Variant& b) {

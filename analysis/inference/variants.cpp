@@ -10,6 +10,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "analysis/inference/comparable.hpp"
 #include "analysis/inference/make_study.hpp"
 #include "analysis/inference/variant_decision.hpp"
 #include "analysis/inference/variant_design.hpp"
@@ -87,6 +88,10 @@ void note_failures(VariantComparison& comparison, const Variant& a, const Varian
       fmt::format("Solves without an answer: {}; {}.", failures_of(a, "A"), failures_of(b, "B")));
 }
 
+bool are_counted(const StudyResults& study) {
+  return std::ranges::find(study.solves, CountedBy::nobody, &Solve::counted_by) == study.solves.end();
+}
+
 VariantComparison examined(const VariantPair& pair, const std::vector<Metric>& asked, const MarginQuestion& question,
                            std::size_t tests) {
   const auto& [a, b] = pair;
@@ -101,7 +106,8 @@ VariantComparison examined(const VariantPair& pair, const std::vector<Metric>& a
                                .paired = design.pairs != Blocks::none,
                                .design = sentence_of(design, a.study.points)};
   const std::string why_not_timed = why_times_differ(a, b);
-  const bool is_counted = uncounted_note(a.study).empty() && uncounted_note(b.study).empty();
+  const bool is_counted = are_counted(a.study) && are_counted(b.study);
+  const std::string why_not_counted = why_counts_differ(a, b);
   // All solves of two may succeed, and be different solves: of shares, the errors have to be the same too.
   const auto is_same = [&](Metric metric) {
     const auto has_same = [&](Metric one) { return has_same_bits(a.study, study_of_b, design, one); };
@@ -112,7 +118,9 @@ VariantComparison examined(const VariantPair& pair, const std::vector<Metric>& a
   for (const Metric metric : asked) {
     const std::vector<double> of_a = values_of(a.study, design.a, metric);
     const std::vector<double> of_b = values_of(study_of_b, design.b, metric);
-    const bool is_refused = info_of(metric).kind == Kind::time && !why_not_timed.empty();
+    const std::string why_not = info_of(metric).kind == Kind::time ? why_not_timed
+                                : metric == Metric::evaluations    ? why_not_counted
+                                                                   : "";
     comparison.metrics.push_back(compare_metric({.metric = metric,
                                                  .a = of_a,
                                                  .b = of_b,
@@ -121,10 +129,10 @@ VariantComparison examined(const VariantPair& pair, const std::vector<Metric>& a
                                                  .same_bits = is_same(metric),
                                                  .are_copies = are_copies,
                                                  .tests = static_cast<int>(tests),
-                                                 .not_compared = is_refused ? "see below" : "",
+                                                 .not_compared = why_not.empty() ? "" : "see below",
                                                  .is_counted = is_counted || metric != Metric::evaluations},
                                                 question));
-    if (is_refused) comparison.notes.push_back(why_not_timed);
+    if (!why_not.empty()) comparison.notes.push_back(why_not);
   }
   note_failures(comparison, a, b);
   note_single(comparison, design);
@@ -143,11 +151,10 @@ VariantComparison examined(const VariantPair& pair, const std::vector<Metric>& a
 std::vector<Variant> variants(const Store& store, const StudyEntry& study) {
   const StudyResults whole = read_study(store, study);
   const std::vector<Session> sessions = store.sessions();
-  const std::string timing = timing_note(whole);
   std::vector<Variant> result;
   for (const Series& series : study.series) {
     const auto is_this = [&](std::string_view solver) { return solver == series.label; };
-    Variant variant{.series = series, .study = of_solvers(whole, is_this), .timing = timing};
+    Variant variant{.series = series, .study = of_solvers(whole, is_this), .timing = timing_note(whole, series.label)};
     const SolvesOfSessions used = solves_of_sessions(variant.study);
     for (const Session& session : sessions) {
       if (used.contains(session.id)) variant.sessions.push_back(session);

@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "analysis/inference/clusters.hpp"
+#include "analysis/inference/comparable.hpp"
 #include "analysis/inference/cost_comparison.hpp"
 #include "analysis/inference/text.hpp"
 #include "analysis/inference/times.hpp"
@@ -193,10 +194,11 @@ Table cost_table(const StudyResults& study, Cost cost, const Clusters& clusters)
 
 std::vector<Table> cost_tables(const StudyResults& measured) {
   if (measured.solves.empty()) return {};
-  const StudyResults study = at_median_speed(measured), of_evaluations = counted(study);
-  const Clusters clusters(study), clusters_of_evaluations(of_evaluations);
+  const StudyResults study = at_median_speed(measured), of_evaluations = compared_in(study, Metric::evaluations),
+                     of_seconds = compared_in(study, Metric::seconds);
+  const Clusters clusters(of_seconds), clusters_of_evaluations(of_evaluations);
   const auto study_of = [&](Cost cost) -> const StudyResults& {
-    return cost == Cost::evaluations ? of_evaluations : study;
+    return cost == Cost::evaluations ? of_evaluations : of_seconds;
   };
   const auto clusters_of = [&](Cost cost) -> const Clusters& {
     return cost == Cost::evaluations ? clusters_of_evaluations : clusters;
@@ -216,10 +218,10 @@ std::vector<Table> cost_tables(const StudyResults& measured) {
   if (std::optional<Table> table = anytime_table(of_evaluations, clusters_of_evaluations)) {
     tables.push_back(std::move(*table));
   }
-  if (const std::string note = uncounted_note(study); !note.empty()) {
-    for (Table& table : tables) {
-      if (table.name.find("-seconds") == std::string::npos) table.notes.push_back(note);
-    }
+  for (Table& table : tables) {
+    const bool is_of_seconds = table.name.find("-seconds") != std::string::npos;
+    const std::string note = left_out(study, is_of_seconds ? Metric::seconds : Metric::evaluations).note;
+    if (!note.empty()) table.notes.push_back(note);
   }
   return tables;
 }

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "analysis/figures/figure_parts.hpp"
+#include "analysis/inference/comparable.hpp"
 #include "analysis/inference/definition.hpp"
 #include "analysis/inference/estimand.hpp"
 #include "analysis/inference/judge.hpp"

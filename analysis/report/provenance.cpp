@@ -7,6 +7,7 @@
 #include <set>
 #include <utility>
 
+#include "analysis/inference/comparable.hpp"
 #include "analysis/statistics/descriptive.hpp"
 
 namespace ikbench::report {
@@ -149,7 +150,7 @@ Table baselines_table(const JudgedStudies& studies) {
       }
     }
     for (const std::string& note : status_notes(study)) table.notes.push_back(study.name + ": " + note);
-    if (const std::string note = timing_note(study); !note.empty()) table.notes.push_back(study.name + ": " + note);
+    if (const std::string note = times_note(study); !note.empty()) table.notes.push_back(study.name + ": " + note);
   }
   return table;
 }

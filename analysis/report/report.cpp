@@ -12,6 +12,7 @@
 #include "analysis/figures/convergence_figures.hpp"
 #include "analysis/figures/figure_parts.hpp"
 #include "analysis/inference/analysis_plan.hpp"
+#include "analysis/inference/comparable.hpp"
 #include "analysis/inference/convergence.hpp"
 #include "analysis/inference/definition.hpp"
 #include "analysis/inference/design.hpp"
@@ -19,6 +20,7 @@
 #include "analysis/inference/look_note.hpp"
 #include "analysis/inference/make_study.hpp"
 #include "analysis/inference/shown_metrics.hpp"
+#include "analysis/inference/speeds.hpp"
 #include "analysis/inference/text.hpp"
 #include "analysis/inference/times.hpp"
 #include "analysis/report/assessment.hpp"
@@ -240,9 +242,9 @@ std::vector<std::string> warnings_of(const StudyResults& study, const JudgedStud
     notes.push_back(companion.empty() ? note : fmt::format("{} ({})", note, companion));
     others.emplace_back();
   };
-  for (const std::string& note : {timing_note(study), load_warning(study)}) note_on(note, "");
+  for (const std::string& note : {times_note(study), speeds_note(study), load_warning(study)}) note_on(note, "");
   for (const StudyResults& companion : companions) {
-    for (const std::string& note : {out_of_reach_warning(companion), timing_note(companion), load_warning(companion)}) {
+    for (const std::string& note : {out_of_reach_warning(companion), times_note(companion), load_warning(companion)}) {
       note_on(note, companion.name);
     }
   }

@@ -9,6 +9,8 @@
 #include <utility>
 
 #include "analysis/inference/clusters.hpp"
+#include "analysis/inference/comparable.hpp"
+#include "analysis/inference/speeds.hpp"
 #include "analysis/inference/text.hpp"
 #include "analysis/inference/times.hpp"
 #include "analysis/statistics/descriptive.hpp"
@@ -45,8 +47,8 @@ void add_notes(Table& table, const StudyResults& study, std::span<const Metric> 
 }
 
 void add_timing_notes(Table& table, const StudyResults& study) {
-  for (const std::string& note :
-       {timing_note(study), outliers_note(study), repeats_note(study), transport_note(study), evaluation_note(study)}) {
+  for (const std::string& note : {times_note(study), speeds_note(study), outliers_note(study), repeats_note(study),
+                                  transport_note(study), evaluation_note(study)}) {
     if (!note.empty()) table.notes.push_back(note);
   }
 }
@@ -121,19 +123,20 @@ Table anova_table(const StudyResults& study, Metric metric) {
   Table table{.name = fmt::format("anova-{}", info_of(metric).slug),
               .caption = fmt::format("One-way ANOVA of the {}", quantity(metric)),
               .columns = {{"source", Align::left}, {"SS"}, {"df"}, {"MS"}, {"F"}, {"p"}}};
-  const StudyAnova ours = anova(study, metric);
+  const bool is_judged = is_comparable(study, metric);
+  const StudyAnova ours = anova(is_judged ? compared_in(study, metric) : study, metric);
   const auto cells = anova_cells(ours.table);
   for (std::size_t i = 0; i < anova_sources.size(); ++i) {
     std::vector<Cell>& row = table.rows.emplace_back(1, std::string(anova_sources[i]));
     row.insert(row.end(), cells[i].begin(), cells[i].end());
   }
-  const bool is_judged = is_comparable(study, metric);
   if (!is_judged) leave_out_test(table);
   if (is_judged && !ours.table.undefined.empty())
     table.notes.push_back("F and p are not defined: " + ours.table.undefined + ".");
   table.notes.insert(table.notes.end(), ours.left_out.begin(), ours.left_out.end());
   add_notes(table, study, std::span(&metric, 1));
   if (!is_judged) table.notes.push_back(timing_note(study) + " So our F and p are left out.");
+  if (const std::string note = left_out(study, metric).note; is_judged && !note.empty()) table.notes.push_back(note);
   return table;
 }
 
@@ -225,7 +228,6 @@ Table status_table(const StudyResults& study) {
     table.columns.push_back({name});
   }
   if (has_processes) table.columns.push_back({"timing_process"});
-  const bool disturbed = times_were_disturbed(study);
   for (const SolverCounts& solver : counts(study)) {
     std::vector<Cell> row{solver.solver};
     for (const Status status : statuses) row.push_back(count(solver.of(status)));
@@ -234,6 +236,7 @@ Table status_table(const StudyResults& study) {
       row.push_back(count(number));
     }
     row.emplace_back(solver.worst_outside_deg);
+    const bool disturbed = times_were_disturbed(study, solver.solver);
     const int alone = solver.of(Timing::clean);
     for (const int number :
          {disturbed ? 0 : alone, disturbed ? alone : 0, solver.of(Timing::parallel), solver.of(Timing::debug_build)}) {

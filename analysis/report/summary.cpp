@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "analysis/figures/figure_parts.hpp"
+#include "analysis/inference/comparable.hpp"
 #include "analysis/inference/definition.hpp"
 #include "analysis/inference/estimand.hpp"
 #include "analysis/inference/text.hpp"
@@ -58,15 +59,19 @@ std::vector<Standing> standings(const StudyResults& study, Metric metric) {
 
 std::string ranking_sentence(const StudyResults& study, Metric metric) {
   const std::string_view name = info_of(metric).name;
-  const auto ours = standings(study, metric);
+  const StudyResults compared = compared_in(study, metric);
+  const auto ours = standings(compared, metric);
   if (ours.empty()) return "";
   std::string text =
       fmt::format("{}, smallest first): {}",
                   metric == Metric::position_error_cm ? fmt::format("Accuracy (mean {}", name)
                                                       : fmt::format("{} ({}", capitalised(name), average_name(metric)),
                   order_words(ours));
-  if (ours.size() < study.solvers.size()) {
-    text += fmt::format("; {} without a {}", study.solvers.size() - ours.size(), average_name(metric));
+  if (ours.size() < compared.solvers.size()) {
+    text += fmt::format("; {} without a {}", compared.solvers.size() - ours.size(), average_name(metric));
+  }
+  if (const LeftOut without = left_out(study, metric); !without.solvers.empty()) {
+    text += fmt::format("; not compared: {}", fmt::join(without.solvers, ", "));
   }
   return text + ".";
 }

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "analysis/inference/comparable.hpp"
 #include "analysis/inference/deciding.hpp"
 #include "analysis/inference/design.hpp"
 #include "analysis/inference/text.hpp"

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "analysis/inference/comparable.hpp"
 #include "analysis/inference/text.hpp"
 #include "analysis/slim2023/circle.hpp"
 #include "analysis/slim2023/claim_comparison.hpp"

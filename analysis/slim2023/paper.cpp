@@ -7,6 +7,7 @@
 #include <string_view>
 #include <utility>
 
+#include "analysis/inference/comparable.hpp"
 #include "analysis/inference/convergence.hpp"
 #include "analysis/inference/text.hpp"
 #include "analysis/report/leaders.hpp"

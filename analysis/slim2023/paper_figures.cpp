@@ -9,6 +9,7 @@
 
 #include "analysis/figures/overview_figure.hpp"
 #include "analysis/figures/study_figures.hpp"
+#include "analysis/inference/comparable.hpp"
 #include "analysis/inference/text.hpp"
 #include "analysis/slim2023/circle_figures.hpp"
 #include "analysis/slim2023/paper_tables.hpp"

@@ -8,6 +8,7 @@
 #include <span>
 #include <utility>
 
+#include "analysis/inference/comparable.hpp"
 #include "analysis/inference/deciding.hpp"
 #include "analysis/inference/judge.hpp"
 #include "analysis/inference/ranking.hpp"

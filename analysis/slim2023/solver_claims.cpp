@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "analysis/figures/figure_parts.hpp"
+#include "analysis/inference/comparable.hpp"
 #include "analysis/inference/convergence.hpp"
 #include "analysis/inference/deciding.hpp"
 #include "analysis/inference/estimand.hpp"

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "analysis/inference/clusters.hpp"
+#include "analysis/inference/comparable.hpp"
 #include "analysis/inference/cost_comparison.hpp"
 #include "analysis/inference/definition.hpp"
 #include "analysis/inference/judge.hpp"
@@ -228,7 +229,7 @@ std::vector<std::string> table_7_notes(const StudyResults& study, const std::vec
   notes.push_back(fmt::format("Mean time per bat [ms], printed: {}.", listed(printed, [](const PrintedTime& row) {
                                 return fmt::format("{} {}", label_of(row), rounded_number(row.mean_ms / row.bats, 3));
                               })));
-  for (const std::string& note : {timing_note(study), outliers_note(study)}) {
+  for (const std::string& note : {times_note(study), outliers_note(study)}) {
     if (!note.empty()) notes.push_back(note);
   }
   const std::string misprinted = listed(printed, [](const PrintedTime& row) {

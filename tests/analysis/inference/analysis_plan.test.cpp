@@ -44,7 +44,7 @@ TEST_CASE("the plan is what the study's definition says, in its units", "[analys
   const AnalysisPlan plan = plan_of(entry_with(
       R"({"test": "kruskal_wallis", "adjustment": "bonferroni", "control": "IK-BA", "significance": 0.01,
           "margin_percent": 20, "margin_cm": 0.01, "power": 0.9, "quartiles": 7, "unit": "point",
-          "estimands": ["typical", "mean"], "within_cm": 0.02, "jump_deg": 12})"));
+          "estimands": ["typical", "mean"], "within_cm": 0.02, "jump_deg": 12, "program_times": "compared"})"));
   CHECK(plan.test == DecidingTest::kruskal_wallis);
   CHECK(plan.adjustment == Adjustment::bonferroni);
   CHECK(plan.control == "IK-BA");
@@ -57,6 +57,7 @@ TEST_CASE("the plan is what the study's definition says, in its units", "[analys
   CHECK(plan.estimands == std::vector{Estimand::mean, Estimand::typical});
   CHECK(plan.within_cm == 0.02);
   CHECK(plan.jump_deg == 12);
+  CHECK(plan.program_times == ProgramTimes::compared);
 }
 
 TEST_CASE("a store without a plan, or with one that is nonsense, is judged by the defaults", "[analysis_plan]") {
@@ -90,7 +91,7 @@ TEST_CASE("a plan that was there before the first solve is said to be so", "[ana
       std::vector<std::string>{
           "The methods were fixed in the study before its first solve in this store (test by_design, adjustment holm, "
           "control none, significance 0.01, margin_percent 5, margin_cm 0, power 0.8, quartiles 5, unit run, "
-          "estimands mean + typical + reliability, within_cm 0.01, jump_deg 30)."});
+          "estimands mean + typical + reliability, within_cm 0.01, jump_deg 30, program_times apart)."});
   CHECK(plan_changes(entry_with(plan), sessions_with({plan, plan}), solves_by_session({3, 2})).empty());
   CHECK(plan_notes(entry_with(plan), {}, {})
             .at(0)
@@ -122,7 +123,7 @@ TEST_CASE("solves of a version that recorded no plan are counted", "[analysis_pl
 TEST_CASE("the table of the plan has every field with its value and meaning", "[analysis_plan]") {
   const Table table = plan_table(entry_with("{}"), AnalysisPlan{.margin = 0.1}, {"a note"});
   CHECK(table.name == "analysis-plan");
-  REQUIRE(table.rows.size() == 12);  // the fields of AnalysisPlan
+  REQUIRE(table.rows.size() == 13);  // the fields of AnalysisPlan
   CHECK(readable(table.rows[4][0]) == "margin_percent");
   CHECK(readable(table.rows[4][1]) == "10");
   for (const auto& row : table.rows) CHECK(!readable(row[2]).empty());

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "analysis/inference/comparable.hpp"
 #include "analysis/inference/make_study.hpp"
 #include "analysis/inference/variants.hpp"
 

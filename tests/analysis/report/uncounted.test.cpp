@@ -6,6 +6,7 @@
 #include <variant>
 #include <vector>
 
+#include "analysis/inference/comparable.hpp"
 #include "analysis/inference/design.hpp"
 #include "analysis/inference/judge.hpp"
 #include "analysis/inference/judged_study.hpp"
@@ -14,6 +15,7 @@
 #include "analysis/report/cost_tables.hpp"
 #include "analysis/report/leaders.hpp"
 #include "analysis/report/study_tables.hpp"
+#include "analysis/report/summary.hpp"
 #include "tests/analysis/cells.hpp"
 #include "tests/analysis/synthetic.hpp"
 #include "tests/catch.hpp"
@@ -40,11 +42,16 @@ StudyResults study_without_counts(double transport = 0.6, double waited = 0) {
   }
   StudyResults study = make_study("synthetic", std::move(solves));
   study.definition = R"({"stop": {"tolerance_cm": 1}})";
+  study.plan.program_times = ProgramTimes::compared;
   return study;
 }
 
 bool has_row(const Table& table, const std::string& solver) {
   return std::ranges::any_of(table.rows, [&](const auto& row) { return std::get<std::string>(row[0]) == solver; });
+}
+
+bool has(const std::vector<std::string>& notes, const std::string& note) {
+  return std::ranges::find(notes, note) != notes.end();
 }
 
 bool is_of_pairs(const Table& table) { return table.name.ends_with("-pairs"); }
@@ -96,9 +103,10 @@ TEST_CASE("where nobody counts any evaluations there are costs in seconds alone"
 
 TEST_CASE("where everybody counts no solver is left out", "[uncounted]") {
   const StudyResults study = make_study("synthetic", synthetic::solves({.runs = 3, .points = 2}));
-  CHECK(counted(study).solvers == study.solvers);
-  CHECK(counted(study).solves.size() == study.solves.size());
-  CHECK(uncounted_note(study).empty());
+  const StudyResults compared = compared_in(study, Metric::evaluations);
+  CHECK(compared.solvers == study.solvers);
+  CHECK(compared.solves.size() == study.solves.size());
+  CHECK(left_out(study, Metric::evaluations).note.empty());
 }
 
 TEST_CASE("a solve without an answer reaches no tolerance, and is a column of its own", "[uncounted]") {
@@ -149,13 +157,79 @@ TEST_CASE("that programs waited for a processor is told, and that errors depend 
           "[uncounted]") {
   CHECK(times_are_comparable(study_without_counts(0.05, 0.14)));  // a tenth, and what messages cost
   StudyResults study = study_without_counts(0.05, 0.16);
-  CHECK(times_were_disturbed(study));
-  const std::string note = timing_note(study);
+  CHECK(times_were_disturbed(study, "program"));
+  CHECK(times_are_comparable(study));  // of the others
+  const std::string note = times_note(study);
   CHECK(note ==
-        "Times are not comparable: 24 of 72 solves took more than 1.1 times their CPU time, or waited for a "
+        "Times of program are not compared: 24 of 24 solves took more than 1.1 times their CPU time, or waited for a "
         "processor for more than a tenth of it, so other programs were running.");
   study.definition = R"({"stop": {"tolerance_cm": 1, "seconds": 0.1}})";
-  CHECK(timing_note(study) == note + " Solves end by their wall time, so that errors depend on that too.");
+  CHECK(times_note(study) == note + " Solves end by their wall time, so that errors depend on that too.");
+}
+
+TEST_CASE("times of a program are ranked with those of built-in solvers only where the plan says so", "[uncounted]") {
+  StudyResults study = study_without_counts(0.05);
+  CHECK(left_out(study, Metric::seconds).solvers.empty());
+  CHECK(observations(study, Metric::seconds).groups.size() == 3);
+  study.plan.program_times = ProgramTimes::apart;
+  CHECK(left_out(study, Metric::seconds).solvers == std::set<std::string, std::less<>>{"program"});
+  CHECK(times_note(study) ==
+        "Times of program are not compared: they have messages and another process in them. analysis.program_times = "
+        "\"compared\" ranks them all the same.");
+  CHECK(observations(study, Metric::seconds).groups.size() == 2);
+  CHECK(observations(study, Metric::position_error_cm).groups.size() == 3);
+  CHECK(samples(study, Metric::seconds)[2].values.size() == 12);  // tables show them
+  CHECK(ranking_sentence(study, Metric::seconds).find("; not compared: program.") != std::string::npos);
+  const auto is_other = [](std::string_view solver) { return solver != "BA"; };
+  CHECK(timing_note(of_solvers(study, is_other)).starts_with("Times are not comparable: those of program have"));
+  CHECK(times_are_comparable(of_solvers(study, [](std::string_view solver) { return solver == "program"; })));
+}
+
+TEST_CASE("evaluations that a program claims are not held against those that were counted", "[uncounted]") {
+  std::vector<SolveRecord> solves =
+      synthetic::solves({.solvers = {"IK-BA", "BA", "one", "two"}, .runs = 12, .points = 2});
+  for (SolveRecord& solve : solves) {
+    if (solve.solver != "one" && solve.solver != "two") continue;
+    solve.counted_by = CountedBy::solver;
+    solve.evaluations = 1;
+  }
+  const JudgedStudy study(make_study("synthetic", solves));
+  const Observations observed = observations(study, Metric::evaluations);
+  CHECK(observed.groups.size() == 2);
+  CHECK(has(observed.notes,
+            "Evaluations of one, two are not compared: they are its own word, and the others' were counted."));
+  CHECK(samples(study, Metric::evaluations)[2].values.size() == 12);
+  CHECK(ranking_sentence(study, Metric::evaluations).find("one") >
+        ranking_sentence(study, Metric::evaluations).find("; not compared: "));
+  CHECK(judge(study.evidence(Metric::evaluations), "one", "BA").undefined == "one is left out of the comparison");
+  const auto is_program = [](std::string_view solver) { return solver == "one" || solver == "two"; };
+  CHECK(observations(of_solvers(study, is_program), Metric::evaluations).groups.size() == 2);
+}
+
+TEST_CASE("one disturbed solver takes no times from the others", "[uncounted]") {
+  std::vector<SolveRecord> solves = synthetic::solves({});
+  for (SolveRecord& solve : solves) {
+    if (solve.solver == "PSO") solve.cpu_seconds = solve.seconds / 2;
+  }
+  const JudgedStudy study(make_study("synthetic", solves));
+  CHECK(times_are_comparable(study));
+  CHECK(times_note(study) ==
+        "Times of PSO are not compared: 400 of 400 solves took more than 1.1 times their CPU time, so other programs "
+        "were running.");
+  CHECK(study.evidence(Metric::seconds).groups.size() == 5);
+  CHECK(judge(study.evidence(Metric::seconds), "IK-BA", "DE").answer == Answer::better);
+  CHECK(ranking_sentence(study, Metric::seconds).find("; not compared: PSO.") != std::string::npos);
+}
+
+TEST_CASE("imported solves take no times from several others", "[uncounted]") {
+  std::vector<SolveRecord> solves = synthetic::solves({.solvers = {"IK-BA", "BA", "theirs"}, .runs = 12, .points = 2});
+  for (SolveRecord& solve : solves) {
+    if (solve.solver == "theirs") solve.timing = Timing::imported;
+  }
+  const StudyResults study = make_study("synthetic", std::move(solves));
+  CHECK(times_are_comparable(study));
+  CHECK(times_note(study) ==
+        "Times of theirs are not compared: its solves were imported, so their times were taken elsewhere.");
 }
 
 TEST_CASE("times of imported solves are judged with no others, also where the file says none", "[uncounted]") {

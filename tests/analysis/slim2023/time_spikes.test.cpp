@@ -1,6 +1,7 @@
 // Another program that has the processor for a moment changes no verdict on times: whichever solve it met.
 #include <fmt/format.h>
 
+#include "analysis/inference/comparable.hpp"
 #include "analysis/inference/cost_comparison.hpp"
 #include "analysis/inference/judge.hpp"
 #include "analysis/inference/make_study.hpp"
