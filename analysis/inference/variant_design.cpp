@@ -111,13 +111,14 @@ std::string observation_of(const VariantDesign& design, int points) {
     const std::string runs = design.runs_of_a == design.runs_of_b
                                  ? fmt::format("the {} runs of each", design.runs_of_a)
                                  : fmt::format("the {} runs of A and the {} of B", design.runs_of_a, design.runs_of_b);
-    return fmt::format("one observation is the mean of a target over {}", runs);
+    return fmt::format("one observation is the mean (of times the median) of a target over {}", runs);
   }
   if (design.pairs == Blocks::path_targets || design.pairs == Blocks::drawn_targets) {
     return "one observation is the only solve of a target";
   }
-  return points == 1 ? "one observation is the only solve of a run"
-                     : fmt::format("one observation is the mean of a run over its {} points", points);
+  return points == 1
+             ? "one observation is the only solve of a run"
+             : fmt::format("one observation is the mean (of times the median) of a run over its {} points", points);
 }
 
 }  // namespace
@@ -189,7 +190,7 @@ std::vector<double> values_of(const StudyResults& study, const std::vector<Obser
     }
     std::vector<double> values;
     for (const Solve* solve : one.solves) values.push_back(counted(*solve));
-    result.push_back(mean(values));
+    result.push_back(average_of(metric)(values));
   }
   return result;
 }

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "analysis/inference/comparable.hpp"
 #include "analysis/inference/text.hpp"
 #include "analysis/slim2023/paper_tables.hpp"
 #include "analysis/slim2023/published_numbers.hpp"
@@ -65,14 +66,10 @@ const Sample* sample_of(const std::vector<Sample>& all, const std::string& solve
   return found == all.end() || found->values.empty() ? nullptr : &*found;
 }
 
-constexpr double near_ratio = 1.5;  // times as much or as little
-
 Cell cell_of(const Agreement& agreement) {
   Beside cell{.ours = agreement.ours, .printed = agreement.printed, .nearness = Beside::Nearness::within};
   if (agreement.is_expected) return cell;
-  const bool is_near =
-      std::isfinite(agreement.ratio) && agreement.ratio < near_ratio && agreement.ratio > 1 / near_ratio;
-  cell.nearness = is_near ? Beside::Nearness::near : Beside::Nearness::far;
+  cell.nearness = is_near(agreement.ratio) ? Beside::Nearness::near : Beside::Nearness::far;
   cell.words = words_of(agreement);
   return cell;
 }
@@ -106,6 +103,8 @@ void add_times(Table& table, const StudyResults& study) {
 }
 
 }  // namespace
+
+bool is_near(double ratio) { return std::isfinite(ratio) && ratio < near_ratio && ratio > 1 / near_ratio; }
 
 std::string words_of(const Agreement& agreement) {
   if (agreement.is_expected) return "in our range";

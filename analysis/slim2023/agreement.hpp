@@ -26,6 +26,10 @@ struct Agreement {
   bool is_expected = false;  // what may have been rounded to the printed digits lies within the range
 };
 
+// Of ours by the printed: near is less than that many times as much or as little.
+constexpr double near_ratio = 1.5;
+bool is_near(double ratio);
+
 // "in our range", "1.8 times, outside our range 0.6213 to 0.8254"
 std::string words_of(const Agreement& agreement);
 

@@ -8,6 +8,7 @@
 #include <optional>
 #include <set>
 
+#include "analysis/inference/comparable.hpp"
 #include "analysis/slim2023/agreement.hpp"
 #include "analysis/slim2023/circle.hpp"
 #include "analysis/slim2023/published_numbers.hpp"
@@ -27,7 +28,7 @@ Cell text(std::string_view words) { return std::string(words); }
 
 std::string by_ratio(double ratio) {
   if (!std::isfinite(ratio)) return "not defined";
-  return ratio >= 0.5 && ratio <= 2 ? "close" : "differs";
+  return is_near(ratio) ? "near" : "far";
 }
 
 double mean_of(const std::vector<Comparison>& rows, std::string_view solver, Metric metric) {
@@ -44,7 +45,7 @@ void hold_against_printed_time(Comparison& row, double our_reference, const Stud
   if (!printed || !printed_reference) return;
   row.paper_mean = printed->summary.mean;
   row.remark = times_not_judged;
-  if (!times_are_comparable(study)) return;
+  if (!times_are_comparable(study) || left_out(study, Metric::seconds).solvers.contains(row.solver)) return;
   row.ratio = (row.ours.mean / our_reference) / (row.paper_mean / printed_reference->summary.mean);
   row.remark = row.solver == time_reference   ? "relative only: the reference"
                : std::isfinite(our_reference) ? "relative only: " + by_ratio(row.ratio)
@@ -116,8 +117,10 @@ Table table_3(const StudyResults& study, std::span<const RepeatedSolver> repetit
   std::string note = fmt::format(
       "Verdict: {} Computing times are compared relative to {}: our t / t_{} divided by the printed t / t_{}.",
       repetitions.empty()
-          ? "close if our mean divided by the printed one is within 0.5 to 2; otherwise differs. "
-            "(`ikbench reproduce` says which numbers repetitions of the study would give.)"
+          ? fmt::format(
+                "near if our mean is less than {} times as much or as little as the printed one; otherwise far. "
+                "(`ikbench reproduce` says which numbers repetitions of the study would give.)",
+                near_ratio)
           : "whether the printed mean lies within the 95 % predictive range of our studies (table agreement).",
       time_reference, time_reference, time_reference);
   table.notes.push_back(std::move(note));

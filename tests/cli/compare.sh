@@ -92,14 +92,14 @@ for folder in chained chained_again; do
   succeeds run slim2023-time --set runs=6 --set path.points=2 --set start=previous --set stop.iterations=10 --no-report --out $folder
 done
 succeeds compare chained/store.sqlite chained_again/store.sqlite --metric evaluations
-has "$out" "6 pairs of runs, one observation is the mean of a run over its 2 points"
+has "$out" "6 pairs of runs, one observation is the mean (of times the median) of a run over its 2 points"
 refused 'they have different start configurations' compare drawn/store.sqlite chained/store.sqlite
 
 # A path whose targets are each solved from the initial configuration: target by target.
 make each --set start=initial
 make each_fewer --set start=initial --set stop.iterations=5
 is_worse each/store.sqlite each_fewer/store.sqlite --label K-ABC --metric position_error_cm --significance 0.2
-has "$out" "3 pairs of targets, one observation is the mean of a target over the 8 runs of each"
+has "$out" "3 pairs of targets, one observation is the mean (of times the median) of a target over the 8 runs of each"
 succeeds run slim2023-time --set runs=6 --set path.points=2 --set stop.iterations=10 --set seed=2 --no-report --out elsewhere
 refused 'they have different targets (run 1 and 1, point 1: ' compare drawn/store.sqlite elsewhere/store.sqlite
 make longer --set path.points=4

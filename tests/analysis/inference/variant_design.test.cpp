@@ -38,9 +38,10 @@ TEST_CASE("targets of a path that are each solved from the same configuration ar
   CHECK(error.a.mean == Approx(5.5 + 0.02));        // of runs 1, 2 and 3
   CHECK(error.b.mean == Approx(1.2 * 5.5 + 0.05));  // of runs 1 and 2: (0.02 + 0.08) / 2
   CHECK(error.outcome == Outcome::worse);
-  CHECK(comparison.design ==
-        "10 pairs of targets, one observation is the mean of a target over the 3 runs of A and the 2 of B: A and B "
-        "solve each target of the path from the same configuration.");
+  CHECK(
+      comparison.design ==
+      "10 pairs of targets, one observation is the mean (of times the median) of a target over the 3 runs of A and the 2 of B: A and B "
+      "solve each target of the path from the same configuration.");
   CHECK(comparison.notes.size() == 1);  // nothing is left out
 }
 
@@ -77,7 +78,8 @@ TEST_CASE("drawn targets are pairs by run where they are chained, else each for 
   CHECK(alone.design.starts_with("8 pairs of targets, one observation is the only solve of a target: "));
   CHECK(alone.notes.front().starts_with("A: 1 of 3 runs are left out"));
   CHECK(chained.metrics.front().a.n == 2);
-  CHECK(chained.design.starts_with("2 pairs of runs, one observation is the mean of a run over its 4 points: "));
+  CHECK(chained.design.starts_with(
+      "2 pairs of runs, one observation is the mean (of times the median) of a run over its 4 points: "));
 }
 
 TEST_CASE("runs that are chained along a path, or have a single target, are independent", "[variants]") {

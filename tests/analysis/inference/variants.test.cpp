@@ -106,6 +106,36 @@ TEST_CASE("times are compared where both are clean and of one CPU", "[variants]"
   CHECK_THAT(refused(later), ContainsSubstring("separate sessions"));
 }
 
+TEST_CASE("a program's times and claims are held against no numbers of ours", "[variants]") {
+  const auto is_program = [](SolveRecord& solve) {
+    solve.timing = Timing::process;
+    solve.counted_by = CountedBy::solver;
+    solve.evaluations = 1;
+  };
+  const Variant ours = variant(about(1, 0.1));
+  Variant program = variant(about(1, 0.1), is_program);
+  VariantComparison comparison = compared(ours, program, {"seconds", "evaluations"});
+  for (const MetricComparison& metric : comparison.metrics) CHECK(metric.outcome == Outcome::not_compared);
+  CHECK(comparison.notes[0] ==
+        "Times are not comparable: those of B have messages and another process in them. analysis.program_times = "
+        "\"compared\" compares them all the same.");
+  CHECK(comparison.notes[1] ==
+        "Evaluations are not comparable: those of B are its own word, and the other's were counted.");
+  comparison = compared(program, program, {"seconds", "evaluations"});
+  for (const MetricComparison& metric : comparison.metrics) CHECK(metric.outcome == Outcome::same);
+  program.study.plan.program_times = ProgramTimes::compared;
+  CHECK(compared(program, ours, {"seconds"}).metrics.front().outcome == Outcome::same);
+}
+
+TEST_CASE("the time of a run is the median of its points, as in a report", "[variants]") {
+  const auto one_is_late = [](SolveRecord& solve) {
+    solve.seconds = solve.cpu_seconds = solve.point == 2 ? 60 : 0.001 * solve.point;
+  };
+  const auto error = [](int, int) { return 1.0; };
+  const Variant a = variant({.runs = 4, .points = 5, .definition = "{}"}, error, one_is_late);
+  CHECK(compared(a, a, {"seconds"}).metrics.front().a.mean == Approx(0.004));
+}
+
 TEST_CASE("evaluations that nobody counted are no regression, and solves without an answer are told", "[variants]") {
   const auto uncounted = [](SolveRecord& solve) {
     solve.counted_by = CountedBy::nobody;

@@ -277,7 +277,7 @@ TEST_CASE("what is said of times follows one state of them, in every part of a r
   CHECK(!contains(clean, "not comparable"));
   CHECK(contains(clean, "ANOVA of seconds: F(5, 114)"));
   CHECK(contains(clean, "- computing time \\[s\\]: "));
-  CHECK(contains(table("clean", "table-3"), "relative only: close"));
+  CHECK(contains(table("clean", "table-3"), "relative only: near"));
   CHECK(contains(table("clean", "status"), "| 400 | 0 | 0 | 0 |"));  // clean, disturbed, parallel, debug build
 
   const std::string busy = report_of(2, "busy");
@@ -296,7 +296,7 @@ TEST_CASE("what is said of times follows one state of them, in every part of a r
       head,
       "| undecided | holds in part | times are not comparable | Table 3 | Here: not ranked, because times are not comparable (see the warnings)."));
   CHECK(contains(head, "Computing time: not tested, because times are not comparable (see the warnings)."));
-  CHECK(!contains(table("busy", "table-3"), "relative only: close"));
+  CHECK(!contains(table("busy", "table-3"), "relative only: near"));
   CHECK(!contains(table("busy", "table-3"), "relative only: differs"));
   CHECK(contains(table("busy", "table-3"), "| not defined | times are not comparable |"));
   CHECK(contains(table("busy", "status"), "| 0 | 400 | 0 | 0 |"));
@@ -357,7 +357,7 @@ TEST_CASE("times that are not comparable have no verdict anywhere in a report", 
     for (const char* verdict :
          {"<li>computing time [s]: ", "- computing time \\[s\\]: ", "Pairwise comparisons: computing time [s]",
           "Tests of all groups: computing time [s]", "ANOVA of seconds", "Computing time (median, smallest first)",
-          "relative only: close", "relative only: differs"}) {
+          "relative only: near", "relative only: differs"}) {
       CAPTURE(verdict);
       CHECK(!contains(whole, verdict));
     }
