@@ -112,7 +112,9 @@ void look_at_status(const SolveRecord& solve, const Verification& computed, Requ
   if ((stays(solve.status) && stayed) || solve.status == Status::claimed_but_wrong) return;
   const Status follows =
       solve.stop_reason == StopReason::not_finite ? Status::not_finite : judge(computed, requirement);
-  if (solve.status == follows) return;
+  const bool is_in_order = follows == Status::ok || follows == Status::tolerance_missed;
+  const bool is_over_budget = is_in_order && is_over(solve, requirement.budget);
+  if (solve.status == follows || (solve.status == Status::over_budget && is_over_budget)) return;
   found.add("status", solve,
             fmt::format("{} is stored, {} follows from the answer", name_of(solve.status), name_of(follows)));
 }
@@ -198,7 +200,8 @@ Requirement requirement_of(const StudyEntry& entry) {
   return {.tolerance = number("/stop/tolerance_cm") * centimetre,
           .angle_tolerance = number("/stop/tolerance_deg") * degree,
           .orientation_is_exact = is("search", "wrist"),
-          .limits_are_enforced = is("limits", "enforced")};
+          .limits_are_enforced = is("limits", "enforced"),
+          .budget = {number("/stop/seconds"), number("/stop/evaluations")}};
 }
 
 std::optional<Robot> stored_arm(const StudyEntry& entry) {

@@ -306,7 +306,12 @@ SolveRecord SolveRunner::solve(Solver& solver, const Pose& target, const Configu
     record.improved_at.assign(solution.improved.at.begin(), solution.improved.at.end());
     for (const double error : solution.improved.to) record.improved_to_cm.push_back(error / centimetre);
   }
-  if (median.account) add_account(record, *median.account);
+  if (!median.account) return record;
+  add_account(record, *median.account);
+  const bool is_in_order = status == Status::ok || status == Status::tolerance_missed;
+  if (is_in_order && is_over(record, {study_.stop.seconds, static_cast<double>(study_.stop.evaluations)})) {
+    record.status = Status::over_budget;
+  }
   return record;
 }
 

@@ -38,6 +38,12 @@ Verification verify(const robots::Robot& robot, const robots::Pose& target, cons
 // Into the columns that say it.
 void write_verified(const Verification& verified, results::SolveRecord& solve);
 
+// What the study gives a program that stops by itself; 0: no end.
+struct Budget {
+  double seconds = 0;
+  double evaluations = 0;
+};
+
 // What is asked of an answer besides being a finite configuration.
 struct Requirement {
   double claimed_error = 0;           // [m], as the solver reports it
@@ -47,7 +53,12 @@ struct Requirement {
   double angle_tolerance = 0;         // [rad]; 0: none
   bool orientation_is_exact = false;  // the closed form of the wrist sets it
   bool limits_are_enforced = false;   // otherwise a violation is only recorded
+  Budget budget = {};                 // of a program; is_over() asks it
 };
+
+constexpr double most_of_budget = 1.5;
+// Whether a program took more than that many times its budget. Messages, and waiting for a processor, are not its own.
+bool is_over(const results::SolveRecord& solve, const Budget& budget);
 
 // The most severe thing that is wrong with an answer, in the order of Status' description (results/record.hpp).
 // A difference of 1e-9 (m, rad) is rounding.

@@ -17,7 +17,8 @@ enum class StopReason : std::uint8_t { iterations, tolerance, evaluations, time,
 // What the verifier says of an answer; the first that applies, in the order of severity
 // not_finite, claimed_but_wrong, refused, limit_violated, tolerance_missed, ok. Where a study enforces the joint
 // limits, an answer that violates them is refused: the arm stays where it was, and the record's answer is that.
-// The others are of programs that solve outside of this one and gave no answer; the arm stays where it was, too.
+// The others, up to declined, are of programs that solve outside of this one and gave no answer; the arm stays where
+// it was, too.
 enum class Status : std::uint8_t {
   ok,
   tolerance_missed,
@@ -29,7 +30,8 @@ enum class Status : std::uint8_t {
   timed_out,       // it did not answer within its patience
   broke_protocol,  // it said what makes no sense
   declined,        // it says that it cannot solve this
-  not_verified     // of somebody else's solve of which the error is known, but not the answer
+  not_verified,    // of somebody else's solve of which the error is known, but not the answer
+  over_budget      // of a program: in order, but for far more time or evaluations than the study gives
 };
 
 // Under what circumstances the times were taken; only `clean` times are comparable, and `process`, those of another
@@ -41,9 +43,9 @@ enum class CountedBy : std::uint8_t { suite, solver, nobody };
 
 constexpr std::array<std::string_view, 6> stop_reason_names{"iterations", "tolerance",  "evaluations",
                                                             "time",       "not_finite", "finished"};
-constexpr std::array<std::string_view, 11> status_names{
+constexpr std::array<std::string_view, 12> status_names{
     "ok",      "tolerance_missed", "limit_violated", "refused",  "claimed_but_wrong", "not_finite",
-    "crashed", "timed_out",        "broke_protocol", "declined", "not_verified"};
+    "crashed", "timed_out",        "broke_protocol", "declined", "not_verified",      "over_budget"};
 constexpr std::array<std::string_view, 5> timing_names{"clean", "parallel", "debug_build", "process", "imported"};
 constexpr std::array<std::string_view, 3> counted_by_names{"suite", "solver", "nobody"};
 

@@ -105,7 +105,8 @@ std::string words(const Tolerance& tolerance) {
 }
 
 bool reaches(const Solve& solve, const Tolerance& tolerance) {
-  if (is_without_answer(solve.status) || !(final_error_cm(solve) <= tolerance.cm + verifier_rounding_cm)) return false;
+  if (is_without_answer(solve.status) || solve.status == Status::over_budget) return false;
+  if (!(final_error_cm(solve) <= tolerance.cm + verifier_rounding_cm)) return false;
   return !(tolerance.deg < 180) ||
          solve.orientation_error <= orientation_error_of(tolerance.deg) + verifier_rounding_rad;
 }

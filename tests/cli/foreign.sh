@@ -40,7 +40,9 @@ def solve(problem):
                 if math.dist(tool(other), target) < error:
                     q, error = other, math.dist(tool(other), target)
         step *= 0.8
-    say(message="solved", id=problem["id"], q=q, error=error + (0.01 if FAULT == "lies" else 0))
+    if FAULT == "late": time.sleep(0.3)
+    counted = {"boasts": {"evaluations": 1}, "spends": {"evaluations": 1000}}.get(FAULT, {})
+    say(message="solved", id=problem["id"], q=q, error=error + (0.01 if FAULT == "lies" else 0), **counted)
 
 say(ikbench=1, message="hello", name="faulty", version="1", modes=["solve"], deterministic=True, options=[
     {"name": "w", "type": "number", "default": 0.5, "low": 0, "high": 1, "meaning": "nothing"}])
@@ -232,6 +234,25 @@ chmod +x rights.py
 succeeds run rights.toml --no-report --out rights
 [ "$(column rights/store.sqlite status rights | grep -c crashed)" = 1 ] || fail "$(column rights/store.sqlite status rights | counted)"
 [ "$(solves rights/store.sqlite)" = 32 ] || fail "$(solves rights/store.sqlite) solves"
+
+# Who overruns the budget is not ok, and who claims one evaluation is not first.
+study budgets "$(program_entry late late)" "$(program_entry boasts boasts)" "$(program_entry spends spends)"
+sed -i 's/^iterations = 8$/iterations = 8\nseconds = 0.1\nevaluations = 100\ntolerance_cm = 1000/' budgets.toml
+succeeds run budgets.toml --no-figures --out budgets
+over=0
+for label in late spends; do
+  status=$(column budgets/store.sqlite status $label)
+  grep -qx -e ok -e tolerance_missed <<<"$status" && fail "$label: $(counted <<<"$status")"
+  ((over += $(grep -cx over_budget <<<"$status")))
+done
+((over > 0)) || fail "no solve is over its budget"
+has_no "$(column budgets/store.sqlite status boasts)" over_budget
+has "$(<budgets/report.md)" "$over solves of programs took more than 1.5 times their budget of time or evaluations (over_budget)."
+has "$(<budgets/report.md)" "Evaluations of boasts, spends are not compared: they are its own word, and the others' were counted."
+grep -q '^| late | 16 | 0 |' budgets/tables/solved.md || fail "a late solve counts as solved: $(<budgets/tables/solved.md)"
+has_no "$(<budgets/tables/statistics-cost.md)" boasts
+succeeds report budgets/store.sqlite --no-figures
+has_no "$out$err" damaged
 
 # Several at once: the same answers.
 succeeds run edited.toml --no-report --out parallel --jobs 2

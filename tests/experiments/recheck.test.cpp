@@ -73,6 +73,7 @@ TEST_CASE("a changed number of a solve is damage, named by its column and the fi
       {"limit_violation_deg", [](SolveRecord& solve) { solve.limit_violation_deg = -3; }},
       {"limit_violation_m", [](SolveRecord& solve) { solve.limit_violation_m += 0.1; }},
       {"status", [](SolveRecord& solve) { solve.status = solve.status == Status::ok ? Status::refused : Status::ok; }},
+      {"status", [](SolveRecord& solve) { solve.status = Status::over_budget; }},
       {"unavoidable_error_cm", [](SolveRecord& solve) { solve.unavoidable_error_cm = 500; }},
       {"reached_position_m", [](SolveRecord& solve) { solve.reached_position_m[1] += 1; }},
       {"smallest_seconds", [](SolveRecord& solve) { solve.smallest_seconds = 99; }},

@@ -387,3 +387,27 @@ TEST_CASE("an answer that is not finite has no Jacobian", "[verifier]") {
   CHECK(std::isnan(verified.smallest_singular_value));
   CHECK(std::isnan(verified.manipulability));
 }
+
+TEST_CASE("a program is over its budget by its own time and its own word, and built-in solvers are never",
+          "[verifier]") {
+  const Budget budget{.seconds = 1, .evaluations = 100};
+  SolveRecord solve{.round_trips = 2, .transport_seconds = 0.1, .counted_by = CountedBy::solver};
+  for (const auto& [seconds, waited, is_late] :
+       {std::tuple(1.69, 0.0, false), {1.71, 0.0, true}, {1.71, 0.02, false}, {1.71, std::nan(""), true}}) {
+    solve.seconds = seconds;
+    solve.waited_seconds = waited;
+    CHECK(is_over(solve, budget) == is_late);
+    CHECK_FALSE(is_over(solve, {.evaluations = 100}));
+  }
+  solve.seconds = 0.5;
+  solve.evaluations = 150;
+  CHECK_FALSE(is_over(solve, budget));
+  solve.evaluations = 151;
+  CHECK(is_over(solve, budget));
+  solve.counted_by = CountedBy::suite;
+  CHECK_FALSE(is_over(solve, budget));
+  solve = {.counted_by = CountedBy::solver};
+  solve.seconds = 99;
+  solve.evaluations = 1000;
+  CHECK_FALSE(is_over(solve, budget));
+}
