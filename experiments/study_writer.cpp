@@ -197,20 +197,21 @@ nlohmann::ordered_json arm_definition(const Robot& arm) {
   return json;
 }
 
-// The settings in which a study differs from the built-in one that claims to be of the same paper and has a path of the
-// same kind, or else from the first that does. A name, a title, a
-// seed, a trace, repeats and how the solves are judged make no difference to that claim; further solvers neither.
+// The settings in which a study differs from the built-in one that claims to be of the same paper and is most like it:
+// by the kind of path, then by the arm. A name, a title, a seed, a trace, repeats and how the solves are judged make no
+// difference to that claim; further solvers neither.
 std::vector<std::string> departures(const Study& study) {
   const std::vector<Study> known = studies();
   const auto is_of_same_paper = [&](const Study& candidate) {
     return !study.published.empty() && candidate.published == study.published;
   };
-  auto original = std::find_if(known.begin(), known.end(), [&](const Study& candidate) {
-    return is_of_same_paper(candidate) && candidate.path->name() == study.path->name();
-  });
-  if (original == known.end()) original = std::find_if(known.begin(), known.end(), is_of_same_paper);
+  const auto likeness = [&](const Study& candidate) {
+    if (!is_of_same_paper(candidate)) return 0;
+    return 1 + (candidate.path->name() == study.path->name() ? 2 : 0) + (candidate.robot == study.robot ? 1 : 0);
+  };
+  const auto original = std::ranges::max_element(known, {}, likeness);  // the first of those
   std::vector<std::string> found;
-  if (original == known.end()) return found;
+  if (original == known.end() || likeness(*original) == 0) return found;
   const auto ours = definition(study).flatten(), theirs = definition(*original).flatten();
   for (const auto& [pointer, value] : theirs.items()) {
     const bool is_free = pointer == "/name" || pointer == "/title" || pointer == "/seed" || pointer == "/trace" ||

@@ -76,6 +76,8 @@ StudyResults of_entry(const StudyEntry& entry) {
       if (departure.is_string()) study.departures.push_back(departure.get<std::string>());
     }
   }
+  const auto is_of_task = [](const std::string& departure) { return departure == "robot" || departure == "path.kind"; };
+  if (std::ranges::any_of(study.departures, is_of_task)) study.departed_from = std::exchange(study.published, "");
   for (const Series& series : entry.series) study.solvers.push_back(series.label);
   return study;
 }

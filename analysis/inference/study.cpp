@@ -115,6 +115,11 @@ double seconds_of(const StudyResults& study, const Solve& solve) {
   return study.seconds_per_evaluation[solve.solver] * static_cast<double>(solve.evaluations);
 }
 
+bool departs_from_paper(const StudyResults& study) {
+  const auto is_without = [](const std::string& departure) { return departure.starts_with("no "); };
+  return !study.departed_from.empty() || std::ranges::any_of(study.departures, is_without);
+}
+
 bool enforces_limits(const StudyResults& study) { return Definition(study.definition).text("/limits") == "enforced"; }
 
 double tolerance_cm(const StudyResults& study) {

@@ -40,6 +40,7 @@ struct StudyResults {
   int points = 0;                         // as defined, per run
   std::string published = {};             // paper whose printed tables it is held against (results/published), or empty
   std::vector<std::string> departures = {};         // what of the published study's definition was changed
+  std::string departed_from = {};                   // paper that it names, but of whose arm or task it is not
   results::AnalysisPlan plan = {};                  // how it is judged
   std::set<std::string> cpus = {};                  // of the sessions in which it was solved, as far as these say
   double stolen_seconds = statistics::not_defined;  // processor time that its sessions' hosts kept from their machines
@@ -67,6 +68,8 @@ double seconds_of(const StudyResults& study, const Solve& solve);
 // With an answer, evaluations that somebody counted, and a time.
 bool has_pace(const StudyResults& study, const Solve& solve);
 
+// Whether a solver of the paper's study is missing, or the arm or the task is another.
+bool departs_from_paper(const StudyResults& study);
 bool enforces_limits(const StudyResults& study);
 // The position error at which a solve ends; not defined where the study has none.
 double tolerance_cm(const StudyResults& study);

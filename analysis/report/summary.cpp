@@ -24,8 +24,14 @@ namespace {
 
 std::string departures_sentence(const StudyResults& study) {
   if (study.departures.empty()) return "";
-  return fmt::format("This study departs from the built-in study of the paper in: {}.",
-                     fmt::join(study.departures, ", "));
+  if (!study.departed_from.empty()) {
+    return fmt::format(
+        "This study names the paper {}, but has another arm or task ({}): it is not held against the paper.",
+        study.departed_from, fmt::join(study.departures, ", "));
+  }
+  return fmt::format("This study departs from the built-in study of the paper in: {}.{}",
+                     fmt::join(study.departures, ", "),
+                     departs_from_paper(study) ? " Only claims that it has the solvers for are judged." : "");
 }
 
 std::string no_tolerance_sentence(const StudyResults& study) {
@@ -130,7 +136,7 @@ std::vector<std::string> studied(const StudyResults& study, const Paper& paper) 
   if (const std::string kind = definition.text("/path/kind"); !kind.empty()) run += fmt::format(" ({})", kind);
   if (const std::string robot = definition.text("/robot"); !robot.empty()) run += fmt::format(", {}", robot);
   if (const double seed = definition.number("/seed"); std::isfinite(seed)) run += fmt::format(", seed {}", seed);
-  std::vector<std::string> sentences{paper.citation, run + '.', paper.not_reproduced};
+  std::vector<std::string> sentences{paper.citation, run + '.', departs_from_paper(study) ? "" : paper.not_reproduced};
   std::erase(sentences, "");
   return sentences;
 }

@@ -49,6 +49,10 @@ std::vector<Claim> judged_claims(const Reported& reported, const std::vector<Cla
       }
     }
   }
+  // What another study could test is no shortcoming of the paper's.
+  if (departs_from_paper(reported.study)) {
+    std::erase_if(claims, [](const Claim& claim) { return claim.verdict == Verdict::untested; });
+  }
   return claims;
 }
 

@@ -149,6 +149,39 @@ TEST_CASE("a study with the same targets is shown as a baseline, one with others
   CHECK(!contains(csv, "elsewhere"));
 }
 
+TEST_CASE("a study of another arm is not held against the paper that it names, and says so in a line", "[report]") {
+  const ScratchFolder folder;
+  Store store(folder.path / "store.db", Store::Mode::write);
+  save(store, {.name = "mine",
+               .definition = R"({"robot": "arm", "path": {"kind": "helix", "points": 20}, "runs": 3,
+                                 "published": "slim2023", "departures": ["robot", "runs"]})",
+               .shape = {.runs = 3}});
+  const Report report =
+      written_report(store, {.study = "mine", .folder = folder.path / "out", .figures = {.render = false}});
+  const std::string text = text_of_file(report.file);
+  CHECK(contains(text,
+                 "This study names the paper slim2023, but has another arm or task (robot, runs): it is not held "
+                 "against the paper."));
+  for (const char* of_paper : {"Dobot", "untestable", "Robotics 2023", "As printed"}) CHECK(!contains(text, of_paper));
+  CHECK(!std::filesystem::exists(folder.path / "out/tables/table-3.csv"));
+}
+
+TEST_CASE("of the paper's claims a study is judged by those that it has the solvers for", "[report]") {
+  const ScratchFolder folder;
+  Store store(folder.path / "store.db", Store::Mode::write);
+  save(store, {.name = "mine",
+               .definition = R"({"robot": "iiwa", "path": {"kind": "helix", "points": 20}, "runs": 5,
+                                 "published": "slim2023", "departures": ["runs", "no DE", "no PSO", "no MO-PSO"]})",
+               .shape = {.solvers = {"IK-BA", "BA", "mine"}, .runs = 5}});
+  const Report report =
+      written_report(store, {.study = "mine", .folder = folder.path / "out", .figures = {.render = false}});
+  const std::string text = text_of_file(report.file);
+  CHECK(contains(text, "Only claims that it has the solvers for are judged."));
+  CHECK(contains(text, "Of 1"));
+  for (const char* of_paper : {"No real Dobot", "untestable", "cannot be tested here"})
+    CHECK(!contains(text, of_paper));
+}
+
 TEST_CASE("without gnuplot the tables are written and the report says what is missing", "[report]") {
   const ScratchFolder folder;
   Store store(folder.path / "store.db", Store::Mode::write);
