@@ -6,6 +6,7 @@
 #include <chrono>
 #include <iterator>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <stdexcept>
 
@@ -212,6 +213,13 @@ std::vector<std::string> tell_of_programs(const Plan& plan, Store& store, std::i
   return sentences;
 }
 
+// As JSON. The study may be saved with fewer later.
+std::string labels_of(const Study& study) {
+  nlohmann::json labels = nlohmann::json::array();
+  for (const SolverEntry& entry : study.solvers) labels.push_back(entry.label);
+  return labels.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
 void solve_missing(Plan& plan, Store& store, const RunRequest& request, Progress& progress) {
   std::map<std::string, std::string> session = environment();
   for (const SolverEntry& entry : plan.study.solvers) {
@@ -225,6 +233,7 @@ void solve_missing(Plan& plan, Store& store, const RunRequest& request, Progress
   if (request.shard.count > 1) session["shard"] = request.shard.text();
   session["study"] = plan.study.name;
   session["runs"] = std::to_string(plan.study.runs);
+  session["solvers"] = labels_of(plan.study);
   const std::int64_t session_id = store.begin_session(session);
   const double stolen_before = stolen_seconds();
   std::vector<SolveRecord> waiting;

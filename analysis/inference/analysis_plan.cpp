@@ -10,6 +10,7 @@
 #include <string_view>
 #include <utility>
 
+#include "analysis/inference/text.hpp"
 #include "results/analysis_plan_fields.hpp"
 
 namespace ikbench::inference {
@@ -150,6 +151,28 @@ std::string unreadable_note(const StudyEntry& entry) {
                      fmt::join(reader.unreadable, ", "));
 }
 
+// What sessions of the study solved and it no longer has.
+std::string dropped_note(const StudyEntry& entry, const std::vector<Session>& sessions) {
+  std::vector<std::string> dropped;
+  for (const Session& session : sessions) {
+    const auto study = session.environment.find("study"), solvers = session.environment.find("solvers");
+    if (study == session.environment.end() || study->second != entry.name || solvers == session.environment.end())
+      continue;
+    const Json labels = Json::parse(solvers->second, nullptr, false);
+    for (const Json& label : labels.is_array() ? labels : Json::array()) {
+      if (!label.is_string()) continue;
+      const auto name = label.get<std::string>();
+      const bool is_there = std::ranges::find(entry.series, name, &Series::label) != entry.series.end();
+      if (!is_there && std::ranges::find(dropped, name) == dropped.end()) dropped.push_back(name);
+    }
+  }
+  if (dropped.empty()) return "";
+  return fmt::format(
+      "The study had more solvers when its solves were made: {}. The correction for several comparisons counts only those "
+      "that are left.",
+      one_line(fmt::format("{}", fmt::join(dropped, ", "))));
+}
+
 std::int64_t all_of(const SolvesOfSessions& solves) {
   std::int64_t all = 0;
   for (const auto& [session, count] : solves) all += count;
@@ -216,6 +239,7 @@ std::vector<std::string> plan_changes(const StudyEntry& entry, const std::vector
     sentences.push_back(fmt::format("The analysis plan was changed after {} of {} solves were made: {}.", count,
                                     all_of(solves), changes));
   }
+  if (std::string note = dropped_note(entry, sessions); !note.empty()) sentences.push_back(std::move(note));
   if (std::string note = unreadable_note(entry); !note.empty()) sentences.push_back(std::move(note));
   return sentences;
 }

@@ -101,13 +101,48 @@ Table environment_table(const StudyResults& study, const std::vector<Session>& s
   return table;
 }
 
+namespace {
+
+// As a shell takes them apart, with their quotes.
+std::vector<std::string> shell_words(std::string_view command) {
+  std::vector<std::string> words(1);
+  bool is_quoted = false;
+  for (std::size_t i = 0; i < command.size(); ++i) {
+    if (command[i] == ' ' && !is_quoted) {
+      words.emplace_back();
+      continue;
+    }
+    if (command[i] == '\'') is_quoted = !is_quoted;
+    if (command[i] == '\\' && !is_quoted && i + 1 < command.size()) words.back() += command[i++];
+    words.back() += command[i];
+  }
+  return words;
+}
+
+// The command of the whole study, where this was a part: without the part, and without its folder.
+std::string of_whole(std::string_view command) {
+  std::string whole;
+  bool is_value = false;
+  for (const std::string& word : shell_words(command)) {
+    const bool is_option = word == "--shard" || word == "--out";
+    const std::string_view unquoted = std::string_view(word).substr(word.starts_with('\'') ? 1 : 0);
+    if (!is_option && !is_value && !unquoted.starts_with("--shard=") && !unquoted.starts_with("--out=")) {
+      whole += (whole.empty() ? "" : " ") + word;
+    }
+    is_value = is_option;
+  }
+  return whole;
+}
+
+}  // namespace
+
 std::string command_of(const StudyResults& study, const std::vector<Session>& sessions) {
   std::int64_t last = 0;
   for (const auto& [session, count] : solves_of_sessions(study)) last = std::max(last, session);
   for (const Session& session : sessions) {
     const auto command = session.environment.find("command");
     if (session.id != last || command == session.environment.end()) continue;
-    return command->second.substr(0, command->second.find(" --shard "));  // all of it, where the last was a part
+    return session.environment.contains("shard") ? of_whole(command->second) : command->second;
   }
   return "";
 }

@@ -109,6 +109,42 @@ TEST_CASE("a plan that was changed after some of the solves is said to be, with 
                      "point -> run."});
 }
 
+TEST_CASE("solvers that were dropped after they had solved are told, and those of other studies are not",
+          "[analysis_plan]") {
+  std::vector<Session> sessions = sessions_with({"{}", "{}", "{}", "{}"});
+  const auto said = [&](std::size_t session, const char* study, const char* solvers) {
+    sessions[session].environment["study"] = study;
+    sessions[session].environment["solvers"] = solvers;
+  };
+  said(0, "s", R"(["IK-BA"])");
+  said(1, "another", R"(["IK-BA", "BA"])");
+  said(2, "s", R"(nonsense)");
+  CHECK(plan_changes(entry_with("{}"), sessions, solves_by_session({3, 2, 1, 1})).empty());
+  said(3, "s", R"(["IK-BA", "PSO", 7, "DE", "PSO"])");
+  CHECK(plan_changes(entry_with("{}"), sessions, solves_by_session({3, 2, 1, 1})) ==
+        std::vector<std::string>{"The study had more solvers when its solves were made: PSO, DE. The correction for "
+                                 "several comparisons counts only those that are left."});
+}
+
+TEST_CASE("to repeat a study that was merged of shards is to repeat all of it", "[analysis_plan]") {
+  StudyResults study;
+  Gathered gathered;
+  gathered.sessions = {1};
+  study.gathered = std::make_shared<const Gathered>(std::move(gathered));
+  study.solves = SolveList({Solve{}});
+  const auto repeated = [&](const char* command, bool is_shard) {
+    std::map<std::string, std::string> environment{{"command", command}};
+    if (is_shard) environment["shard"] = "3/3";
+    return command_of(study, {{.id = 1, .environment = std::move(environment)}});
+  };
+  CHECK(repeated("ikbench run a.toml --shard 3/3 --out parts/3 --set runs=3", true) ==
+        "ikbench run a.toml --set runs=3");
+  CHECK(repeated("ikbench run a.toml --out='my parts/3' --set runs=3 --shard=3/3", true) ==
+        "ikbench run a.toml --set runs=3");
+  CHECK(repeated(R"(ikbench run 'it'\''s.toml' '--out=a b' --shard 1/3)", true) == R"(ikbench run 'it'\''s.toml')");
+  CHECK(repeated("ikbench run a.toml --out all", false) == "ikbench run a.toml --out all");
+}
+
 TEST_CASE("solves of a version that recorded no plan are counted", "[analysis_plan]") {
   const auto notes =
       plan_notes(entry_with("{}"), sessions_with({"", "{}", "garbage"}), solves_by_session({3, 4, 2, 1}));
