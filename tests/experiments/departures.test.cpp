@@ -44,7 +44,8 @@ TEST_CASE("a reading of the paper with limits departs from it in what it enforce
   CHECK(departures({"limits=enforced"}) == departures({}, "slim2023-limits"));
 }
 
-TEST_CASE("another arm, another path and a missing solver are departures; a paper's other arms are not", "[study]") {
+TEST_CASE("another arm, another path and a missing solver are departures, and the other arms of a paper are none",
+          "[study]") {
   CHECK(departures({"robot=franka_panda", "search=all_joints"}).front() == "robot");
   for (const char* name : {"beeson2015", "beeson2015-panda", "beeson2015-jaco2"}) {
     for (const std::string& departure : departures({}, name)) CHECK(departure != "robot");
