@@ -84,9 +84,48 @@ std::error_code write_into(const fs::path& file, const Contents& contents) {
 
 constexpr std::string_view half_mark = ".half-", scratch_mark = ".drawing-";
 
+fs::path half_of(const fs::path& place) { return fmt::format("{}{}{}", place.string(), half_mark, ::getpid()); }
+
+bool is_half(std::string_view name) {
+  const std::size_t mark = name.rfind(half_mark);
+  return mark != std::string::npos && mark + half_mark.size() < name.size() &&
+         name.find_first_not_of("0123456789", mark + half_mark.size()) == std::string::npos;
+}
+
+// The lock of what `path` names, which is no link; negative where another process has it, or it cannot be opened.
+int locked(const fs::path& path) {
+  const int descriptor = ::open(path.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
+  if (descriptor < 0 || ::flock(descriptor, LOCK_EX | LOCK_NB) == 0) return descriptor;
+  const int why = errno;
+  ::close(descriptor);
+  errno = why;
+  return -1;
+}
+
+// Removes it unless a living process has it.
+void remove_unlocked(const fs::path& path) {
+  const int descriptor = locked(path);
+  if (descriptor < 0) return;
+  std::error_code ignored;
+  fs::remove_all(path, ignored);
+  ::close(descriptor);
+}
+
+// What killed processes left that wrote the same.
+void remove_halves_of(const fs::path& place) {
+  const fs::path folder = place.has_parent_path() ? place.parent_path() : fs::path(".");
+  const std::string begin = place.filename().string() + std::string(half_mark);
+  std::error_code error;
+  for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
+    const std::string name = entry->path().filename().string();
+    if (name.starts_with(begin) && is_half(name)) remove_unlocked(entry->path());
+  }
+}
+
 // Whole or not at all. `former` is the file whose place it takes.
 std::error_code replace(const fs::path& file, const Contents& contents, const struct stat* former) {
-  const fs::path half = fmt::format("{}{}{}", file.string(), half_mark, ::getpid());
+  remove_halves_of(file);
+  const fs::path half = half_of(file);
   std::error_code ignored;
   fs::remove(half, ignored);  // of a process that had our number
   const int descriptor = ::open(half.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, former == nullptr ? 0666 : 0600);
@@ -177,24 +216,12 @@ std::optional<std::string> read_file(const fs::path& file) {
 
 namespace {
 
-// The lock of what `path` names, which is no link; negative where another process has it, or it cannot be opened.
-int locked(const fs::path& path) {
-  const int descriptor = ::open(path.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
-  if (descriptor < 0 || ::flock(descriptor, LOCK_EX | LOCK_NB) == 0) return descriptor;
-  const int why = errno;
-  ::close(descriptor);
-  errno = why;
-  return -1;
-}
-
 bool is_litter(const fs::directory_entry& entry) {
   const std::string name = entry.path().filename().string();
   std::error_code error;
   const fs::file_type type = entry.symlink_status(error).type();
   if (type == fs::file_type::directory) return name.starts_with(scratch_mark);
-  const std::size_t mark = name.rfind(half_mark);
-  return type == fs::file_type::regular && mark != std::string::npos && mark + half_mark.size() < name.size() &&
-         name.find_first_not_of("0123456789", mark + half_mark.size()) == std::string::npos;
+  return type == fs::file_type::regular && is_half(name);
 }
 
 // Of this process: a signal ends it wherever it is, and they must not stay.
@@ -245,13 +272,39 @@ void remove_temporary_folders() {
 void remove_litter(const fs::path& folder) {
   std::error_code error;
   for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
-    if (!is_litter(*entry)) continue;
-    const int descriptor = locked(entry->path());
-    if (descriptor < 0) continue;
-    std::error_code ignored;
-    fs::remove_all(entry->path(), ignored);
-    ::close(descriptor);
+    if (is_litter(*entry)) remove_unlocked(entry->path());
   }
+}
+
+void write_folder(const fs::path& folder, const std::function<void(const fs::path&)>& fill) {
+  std::error_code error, ignored;
+  fs::path place = folder.has_filename() ? folder : folder.parent_path();
+  if (fs::exists(place, ignored)) place = fs::canonical(place, ignored);
+  remove_halves_of(place);
+  const fs::path half = half_of(place);
+  fs::remove_all(half, ignored);  // of a process that had our number
+  fs::create_directories(half, error);
+  if (error) refuse(fmt::format("'{}'", folder.string()), error.message(), error);
+  const auto note = [&](auto&& action) {
+    const std::scoped_lock lock(temporary_mutex);
+    action();
+  };
+  note([&] { temporary_folders.insert(half); });
+  const int lock = locked(half);
+  const auto end = [&] {
+    note([&] { temporary_folders.erase(half); });
+    fs::remove_all(half, ignored);
+    if (lock >= 0) ::close(lock);
+  };
+  try {
+    fill(half);
+    fs::rename(half, place, error);
+  } catch (...) {
+    end();
+    throw;
+  }
+  end();
+  if (error) refuse(fmt::format("'{}'", folder.string()), error.message(), error);
 }
 
 }  // namespace ikbench::results

@@ -158,22 +158,16 @@ std::vector<std::string> write_iohprofiler(const std::filesystem::path& folder, 
         "ikbench run STUDY --set trace=best_error --out another folder",
         study.name));
   refuse_full(folder);
-  std::error_code ignored;
-  const bool is_new = !std::filesystem::exists(folder, ignored);
-  std::set<std::string> used;
-  try {
+  write_folder(folder, [&](const std::filesystem::path& place) {
+    std::set<std::string> used;
     for (const Series& series : study.series) {
       if (!functions.contains(series.label)) continue;
       std::string name = plain_name(series.label);
       for (int next = 2; !used.insert(name).second; ++next) name = fmt::format("{}-{}", plain_name(series.label), next);
-      const SolverFolder solver_folder(folder / name, study, series);
+      const SolverFolder solver_folder(place / name, study, series);
       for (const auto& [point, by_dimension] : functions[series.label]) solver_folder.write(point, by_dimension);
     }
-  } catch (...) {
-    for (const std::string& name : used) std::filesystem::remove_all(folder / name, ignored);
-    if (is_new) std::filesystem::remove(folder, ignored);
-    throw;
-  }
+  });
   return {left_out.begin(), left_out.end()};
 }
 

@@ -152,7 +152,7 @@ TEST_CASE("sessions of other studies are theirs", "[digest][store]") {
     store.save_study(other);
     store.begin_session({{"study", "other"}});
   }
-  tamper(folder.path / "a", "UPDATE environment SET value = 'x' WHERE session = 1");
+  tamper(folder.path / "a", "UPDATE environment SET value = 'x' WHERE session = 1 AND key = 'machine'");
   const Store store(folder.path / "a", Store::Mode::read);
   CHECK(store.changes({"other"}).sentences.empty());
   CHECK(store.changes({"table-3"}).sentences.size() == 1);

@@ -3,6 +3,9 @@
 #include <signal.h>
 
 #include <filesystem>
+#include <functional>
+#include <set>
+#include <stdexcept>
 #include <system_error>
 
 #include "tests/catch.hpp"
@@ -51,6 +54,54 @@ TEST_CASE("a scratch folder is litter as soon as its process is killed", "[files
   REQUIRE_FALSE(fs::is_empty(folder.path));
   remove_litter(folder.path);
   CHECK(fs::is_empty(folder.path));
+}
+
+TEST_CASE("who writes a file or folder again removes what a killed process left of it, and nothing else", "[files]") {
+  const ScratchFolder folder;
+  const auto killed = [](const std::function<void()>& action) {
+    CHECK(exit_code(in_a_process([&] {
+            action();
+            return false;
+          })) == -1);
+  };
+  const auto names = [&] {
+    std::set<std::string> found;
+    for (const auto& entry : fs::directory_iterator(folder.path)) found.insert(entry.path().filename().string());
+    return found;
+  };
+  write_text(folder.path / "other.csv.half-1", "of another file");
+  killed([&] {
+    write_file(folder.path / "a.csv", [](const Write& write) {
+      write("half");
+      raise(SIGKILL);
+    });
+  });
+  killed([&] {
+    write_folder(folder.path / "b", [](const fs::path& place) {
+      write_file(place / "c", "half");
+      raise(SIGKILL);
+    });
+  });
+  CHECK(names().size() == 3);
+  CHECK_FALSE(fs::exists(folder.path / "a.csv"));
+  CHECK_FALSE(fs::exists(folder.path / "b"));
+  write_file(folder.path / "a.csv", "whole");
+  write_folder(folder.path / "b", [](const fs::path& place) { write_file(place / "c", "whole"); });
+  CHECK(names() == std::set<std::string>{"a.csv", "b", "other.csv.half-1"});
+  CHECK(text_in(folder.path / "b" / "c") == "whole");
+}
+
+TEST_CASE("a folder is whole or not there, and takes the place of an empty one alone", "[files]") {
+  const ScratchFolder folder;
+  CHECK_THROWS_AS(write_folder(folder.path / "a", [](const fs::path&) { throw std::logic_error("no"); }),
+                  std::logic_error);
+  CHECK(fs::is_empty(folder.path));
+  fs::create_directory(folder.path / "empty");
+  write_folder(folder.path / "empty/", [](const fs::path& place) { write_file(place / "c", "whole"); });
+  CHECK(text_in(folder.path / "empty" / "c") == "whole");
+  CHECK_THAT(complaint<std::invalid_argument>([&] { write_folder(folder.path / "empty", [](const fs::path&) {}); }),
+             ContainsSubstring("cannot write " + quoted(folder.path / "empty")));
+  CHECK(text_in(folder.path / "empty" / "c") == "whole");
 }
 
 TEST_CASE("litter in a folder that does not exist is none", "[files]") {
