@@ -70,10 +70,10 @@ std::string doubt_words(const Evidence& evidence, const Contrast& contrast) {
 }
 
 std::string change_words(const Evidence& evidence) {
-  double most = 0;
+  std::vector<const Contrast*> open;
   bool is_small = false, is_doubted = false;
   for (const Contrast& contrast : evidence.contrasts) {
-    if (contrast.relation == Relation::not_told_apart) most = std::fmax(most, contrast.runs_to_decide);
+    if (contrast.relation == Relation::not_told_apart) open.push_back(&contrast);
     if (!is_decided(contrast)) continue;
     is_small = is_small || contrast.extent == Extent::within || contrast.extent == Extent::across;
     is_doubted = is_doubted || !doubt_words(evidence, contrast).empty();
@@ -81,9 +81,8 @@ std::string change_words(const Evidence& evidence) {
   if (evidence.contrasts.empty() || has_single_values(evidence)) return "";
   std::vector<std::string> parts;
   if (!evidence.flaw.empty()) parts.emplace_back("observations without the flaw");
-  if (!runs_words(evidence, most).empty()) {
-    parts.push_back(
-        fmt::format("a new study of about {:.0f} {}, fixed before it is seen", most, replicates_words(evidence)));
+  if (const std::string runs = runs_words(evidence, runs_of_all(open)); !runs.empty()) {
+    parts.push_back(fmt::format("a larger new study, planned before it is seen ({})", runs));
   }
   if (is_doubted) parts.emplace_back("another measure, because the mean, the median or ranks favour another group");
   if (is_small)
