@@ -3,14 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cctype>
-#include <cmath>
 #include <cstddef>
 #include <iterator>
+#include <span>
 #include <sstream>
 #include <string_view>
-#include <utility>
 #include <variant>
 #include <vector>
 
@@ -22,26 +20,10 @@ using namespace inference;
 
 namespace {
 
-// Lengths are in em of the table's own font. They are estimates from above: LaTeX alone knows its fonts.
-constexpr double gap = 0.4;                // on both sides of a column
-constexpr double worth_wrapping = 10;      // texts that are wider may be broken into lines
-constexpr double narrowest_text = 7;       // of a column of such texts
+constexpr std::size_t longest_line = 24;   // of a cell, in characters; a longer text may be broken into lines
+constexpr std::size_t longest_head = 12;   // of a line of a head, in characters
 constexpr std::size_t longest_chunk = 10;  // of an unbroken word, in characters
-
-double width_of(char c) {
-  constexpr std::string_view narrow = " ijlt.,:;'|!()[]", wide = "mwMW%@<>=+-^_~";
-  if (narrow.find(c) != std::string_view::npos) return 0.4;
-  if (wide.find(c) != std::string_view::npos) return 0.85;
-  if (c >= '0' && c <= '9') return 0.5;
-  if ((static_cast<unsigned char>(c) & 0xC0) == 0x80) return 0;  // the rest of a character
-  return c >= 'a' && c <= 'z' ? 0.56 : 0.8;
-}
-
-double width_of(std::string_view text) {
-  double width = 0;
-  for (const char c : text) width += width_of(c);
-  return width;
-}
+constexpr std::size_t widest_upright = 9;  // columns; a wider table is turned
 
 std::vector<std::string> words_of(std::string_view text) {
   std::istringstream words{std::string(text)};
@@ -126,88 +108,30 @@ bool is_words(const Cell& cell, const std::string& text) {
          text == "not defined";
 }
 
-double cell_width(const Cell& cell) {
-  const std::string text = readable(cell);
-  if (is_words(cell, text)) return width_of(text);
-  if (text.starts_with('<')) return 4.5;
-  return width_of(text) + static_cast<double>(std::ranges::count(text, 'e'));
-}
-
 struct LatexColumn {
   std::size_t index;  // in the table
   bool is_text;
-  std::vector<std::string> head;  // its lines
-  double head_width = 0;
-  double natural = 0;  // of the widest cell, unbroken
-  bool wraps() const { return is_text && natural > worth_wrapping; }
-  double width(double widest_text) const {
-    return std::max(head_width, wraps() ? std::min(natural, widest_text) : natural);
-  }
+  bool wraps = false;
 };
 
 std::string cell_latex(const Cell& cell, const LatexColumn& column) {
   const std::string text = readable(cell);
-  if (is_words(cell, text)) return column.wraps() ? breakable(text) : words_in_latex(text);
+  if (is_words(cell, text)) return column.wraps ? breakable(text) : words_in_latex(text);
   if (text.starts_with('<')) return "$<10^{-300}$";
   const std::size_t to = text.find(" to ");  // of a range
   return to == std::string::npos ? latex_number(text)
                                  : latex_number(text.substr(0, to)) + " to " + latex_number(text.substr(to + 4));
 }
 
-// A head is as wide as its cells are, or as its longest word.
-void break_head(LatexColumn& column, const std::string& name) {
-  const std::vector<std::string> words = words_of(in_words(name));
-  for (const std::string& word : words) column.head_width = std::max(column.head_width, width_of(word));
-  const double width = std::max(column.head_width, std::min(column.natural, 2 * worth_wrapping));
-  column.head_width = 0;
-  for (const std::string& word : words) {
-    if (!column.head.empty() && width_of(column.head.back() + ' ' + word) <= width) {
-      column.head.back() += ' ' + word;
-    } else {
-      column.head.push_back(word);
-    }
-    column.head_width = std::max(column.head_width, width_of(column.head.back()));
-  }
-}
-
 std::vector<LatexColumn> columns_of(const Table& table) {
   std::vector<LatexColumn> columns;
   for (const std::size_t c : columns_in_use(table)) {
-    LatexColumn column{.index = c, .is_text = table.columns[c].align == Align::left, .head = {}};
-    for (const auto& row : table.rows) column.natural = std::max(column.natural, cell_width(row[c]));
-    break_head(column, table.columns[c].name);
-    columns.push_back(std::move(column));
+    const bool is_text = table.columns[c].align == Align::left;
+    const bool is_long =
+        std::ranges::any_of(table.rows, [c](const auto& row) { return readable(row[c]).size() > longest_line; });
+    columns.push_back({.index = c, .is_text = is_text, .wraps = is_long});
   }
   return columns;
-}
-
-double total_width(const std::vector<LatexColumn>& columns, double widest_text) {
-  double total = 0;
-  for (const LatexColumn& column : columns) total += column.width(widest_text) + 2 * gap;
-  return total;
-}
-
-// How wide texts may be so that the table fits; the narrowest where it does not.
-double fitting_text(const std::vector<LatexColumn>& columns, double available) {
-  double widest = narrowest_text;
-  for (const LatexColumn& column : columns) widest = std::max(widest, column.natural);
-  while (widest > narrowest_text && total_width(columns, widest) > available) widest -= 0.5;
-  return std::max(widest, narrowest_text);
-}
-
-double lines_of(std::string_view text, double width) { return std::max(1.0, std::ceil(width_of(text) / width)); }
-
-double lines_of_rows(const Table& table, const std::vector<LatexColumn>& columns, double widest_text) {
-  double lines = 0;
-  for (const LatexColumn& column : columns) lines = std::max(lines, static_cast<double>(column.head.size()));
-  for (const auto& row : table.rows) {
-    double most = 1;
-    for (const LatexColumn& column : columns) {
-      if (column.wraps()) most = std::max(most, lines_of(readable(row[column.index]), column.width(widest_text)));
-    }
-    lines += most;
-  }
-  return lines;
 }
 
 // "Table 3: errors" as "errors": LaTeX counts tables itself.
@@ -218,134 +142,84 @@ std::string without_number(const std::string& caption) {
   return numbered ? caption.substr(colon + 2) : caption;
 }
 
-std::string caption_of(const Table& table) {
-  return fmt::format("\\caption{{{}}}\\label{{tab:{}}}", words_in_latex(without_number(table.caption)), table.name);
-}
-
-std::string preamble(const std::vector<LatexColumn>& columns, double widest_text) {
+// Columns of long texts share the line.
+std::string preamble(const std::vector<LatexColumn>& columns) {
+  const std::ptrdiff_t wrapping = std::ranges::count(columns, true, &LatexColumn::wraps);
   std::string text;
   for (const LatexColumn& column : columns) {
-    text += column.wraps()   ? fmt::format(">{{\\raggedright\\arraybackslash}}p{{{:.1f}em}}", column.width(widest_text))
+    text += column.wraps     ? fmt::format(">{{\\raggedright\\arraybackslash}}p{{{}em}}",
+                                           std::max<std::ptrdiff_t>(12, 36 / wrapping))
             : column.is_text ? "l"
                              : "r";
   }
   return text;
 }
 
-std::string head_of(const std::vector<LatexColumn>& columns) {
-  std::string text;
-  for (const LatexColumn& column : columns) {
-    std::vector<std::string> lines;
-    for (const std::string& line : column.head) lines.push_back(words_in_latex(line));
-    if (!text.empty()) text += " & ";
-    text += lines.size() == 1
-                ? lines.front()
-                : fmt::format("\\shortstack[{}]{{{}}}", column.is_text ? "l" : "r", fmt::join(lines, "\\\\"));
+std::string head_of(const LatexColumn& column, const std::string& name) {
+  std::vector<std::string> lines;
+  for (const std::string& word : words_of(in_words(name))) {
+    const bool fits = !lines.empty() && lines.back().size() + 1 + word.size() <= longest_head;
+    fits ? lines.back() += ' ' + word : lines.emplace_back(word);
   }
-  return text + " \\\\\n";
+  for (std::string& line : lines) line = words_in_latex(line);
+  if (lines.size() == 1) return lines.front();
+  return fmt::format("\\shortstack[{}]{{{}}}", column.is_text ? "l" : "r", fmt::join(lines, "\\\\"));
 }
 
-std::string rows_of(const Table& table, const std::vector<LatexColumn>& columns) {
-  std::string text;
-  for (const auto& row : table.rows) {
+using Rows = std::span<const std::vector<Cell>>;
+
+std::string tabular(const Table& table, const std::vector<LatexColumn>& columns, Rows rows) {
+  std::vector<std::string> heads;
+  for (const LatexColumn& column : columns) heads.push_back(head_of(column, table.columns[column.index].name));
+  std::string text = fmt::format("\\begin{{tabular}}{{{}}}\n\\toprule\n{} \\\\\n\\midrule\n", preamble(columns),
+                                 fmt::join(heads, " & "));
+  for (const auto& row : rows) {
     std::vector<std::string> cells;
     for (const LatexColumn& column : columns) cells.push_back(cell_latex(row[column.index], column));
     text += fmt::format("{} \\\\\n", fmt::join(cells, " & "));
   }
-  return text;
+  return text + "\\bottomrule\n\\end{tabular}";
+}
+
+std::string caption_of(const Table& table, bool is_first) {
+  return is_first ? fmt::format("\\caption{{{}}}\\label{{tab:{}}}\n", words_in_latex(without_number(table.caption)),
+                                table.name)
+                  : fmt::format("Table~\\ref{{tab:{}}}, continued\n\n\\smallskip\n", table.name);
 }
 
 // Under the table, each a paragraph.
-std::string notes_of(const Table& table, std::string_view font) {
+std::string notes_of(const Table& table) {
   if (table.notes.empty()) return "";
-  std::string text = fmt::format("\\par\\smallskip{}\\raggedright\n", font);
+  std::string text = "\\par\\smallskip\\footnotesize\\raggedright\n";
   for (const std::string& note : table.notes) {
     text += fmt::format("{}\\par\n", words_in_latex(with_columns_in_words(note, table)));
   }
   return text;
 }
 
-// A page of A4 with margins of 2 cm, upright or turned, in points.
-struct Page {
-  double width;
-  double height;
-};
-constexpr Page upright{483, 731}, turned{731, 483};
-
-double notes_height(const Table& table, double width) {
-  double lines = 0;
-  for (const std::string& note : table.notes) lines += lines_of(note, width / 8.5) + 0.2;
-  return 9.5 * lines;
-}
-
-// On one page, scaled into the line.
-std::string floating(const Table& table, const std::vector<LatexColumn>& columns, double widest_text,
-                     const char* environment) {
-  return fmt::format(
-      "\\begin{{{0}}}\n\\centering\n{1}\n\\setlength{{\\tabcolsep}}{{{6}em}}\n"
-      "\\resizebox{{\\ifdim\\width>\\linewidth\\linewidth\\else\\width\\fi}}{{!}}{{%\n"
-      "\\begin{{tabular}}{{{2}}}\n\\toprule\n{3}\\midrule\n{4}\\bottomrule\n\\end{{tabular}}}}\n"
-      "{5}\\end{{{0}}}\n",
-      environment, caption_of(table), preamble(columns, widest_text), head_of(columns), rows_of(table, columns),
-      notes_of(table, "\\footnotesize"), gap);
-}
-
-// Over as many pages as it takes, in a font in which it fits.
-std::string paged(const Table& table, const std::vector<LatexColumn>& columns) {
-  struct Way {
-    Page page;
-    int points;   // of the font
-    double em;    // [pt]
-    double text;  // the narrowest that is still read with ease [em]
-  };
-  constexpr std::array<Way, 7> ways{{{upright, 9, 9.25, 18},
-                                     {upright, 8, 8.5, 14},
-                                     {turned, 9, 9.25, 14},
-                                     {turned, 8, 8.5, 12},
-                                     {upright, 7, 7.97, 10},
-                                     {turned, 7, 7.97, 9},
-                                     {turned, 5, 6.81, narrowest_text}}};
-  const auto fits = [&](const Way& way) { return total_width(columns, way.text) <= way.page.width / way.em; };
-  const auto found = std::ranges::find_if(ways, fits);
-  const Way& way = found == ways.end() ? ways.back() : *found;
-  const std::string_view landscape = way.page.width > upright.width ? "landscape" : "";
-  const auto bracket = [&](const char* which) {
-    return landscape.empty() ? std::string() : fmt::format("\\{}{{{}}}\n", which, landscape);
-  };
-  const std::string head = fmt::format("\\toprule\n{}\\midrule\n", head_of(columns));
-  return fmt::format(
-      "{0}\\begingroup\n\\fontsize{{{1}}}{{{2}}}\\selectfont\n\\setlength{{\\tabcolsep}}{{{3}em}}\n"
-      "\\setlength{{\\LTcapwidth}}{{\\linewidth}}\n\\begin{{longtable}}{{{4}}}\n{5}\\\\\n{6}\\endfirsthead\n"
-      "{6}\\endhead\n\\bottomrule\n\\endlastfoot\n{7}\\end{{longtable}}\n{8}\\endgroup\n{9}",
-      bracket("begin"), way.points, way.points + 2, gap,
-      preamble(columns, fitting_text(columns, way.page.width / way.em)), caption_of(table), head,
-      rows_of(table, columns), notes_of(table, ""), bracket("end"));
-}
-
-std::string needs(std::vector<std::string> packages, const std::string& text) {
-  if (text.find("{sidewaystable}") != std::string::npos) packages.emplace_back("rotating");
-  if (text.find("\\arraybackslash") != std::string::npos) packages.emplace_back("array");
-  if (text.find("{landscape}") != std::string::npos) packages.emplace_back("pdflscape");
-  return fmt::format("% Needs \\usepackage{{{}}}\n{}", fmt::join(packages, ","), text);
-}
-
 }  // namespace
 
 std::string to_latex(const Table& table) {
   const std::vector<LatexColumn> columns = columns_of(table);
-  constexpr double em = 10, line = 12, caption = 40, smallest_scale = 0.6;
-  for (const Page& page : {upright, turned}) {
-    const double available = page.width / em;
-    const double widest_text = std::max(fitting_text(columns, available), 2 * worth_wrapping);
-    const double scale = std::min(1.0, available / total_width(columns, widest_text));
-    const double height =
-        scale * line * lines_of_rows(table, columns, widest_text) + notes_height(table, page.width) + caption;
-    const bool is_turned = page.width > upright.width;
-    if (height > 0.95 * page.height || (scale < smallest_scale && !is_turned)) continue;
-    return needs({"booktabs", "graphicx"},
-                 floating(table, columns, widest_text, is_turned ? "sidewaystable" : "table"));
+  const bool is_turned = columns.size() > widest_upright;
+  const bool has_long_texts = std::ranges::count(columns, true, &LatexColumn::wraps) > 0;
+  const std::string_view environment = is_turned ? "sidewaystable" : "table";
+  const std::size_t all = table.rows.size(), most_rows = has_long_texts ? 15 : is_turned ? 25 : 40;
+  const std::size_t pages = std::max<std::size_t>(1, (all + most_rows - 1) / most_rows);
+  const std::size_t rows_a_page = (all + pages - 1) / pages;
+  std::string text = fmt::format("% Needs \\usepackage{{booktabs,array,adjustbox{}}}\n", is_turned ? ",rotating" : "");
+  for (std::size_t page = 0; page < pages; ++page) {
+    const std::size_t first = page * rows_a_page;
+    const Rows rows = Rows(table.rows).subspan(first, std::min(rows_a_page, all - first));
+    const bool is_last = page + 1 == pages;
+    text += fmt::format(
+        "\\begin{{{0}}}{1}\n\\centering\n{2}"
+        "\\begin{{adjustbox}}{{max width=\\linewidth,max totalheight=0.6\\{3}}}\n{4}\n\\end{{adjustbox}}\n{5}\\end{{{0}}}\n",
+        environment, pages > 1 ? "[p]" : "", caption_of(table, page == 0), is_turned ? "textwidth" : "textheight",
+        tabular(table, columns, rows), is_last ? notes_of(table) : "");
+    if (!is_last) text += "\\clearpage\n";
   }
-  return needs({"booktabs", "longtable"}, paged(table, columns));
+  return text;
 }
 
 }  // namespace ikbench::report

@@ -1,5 +1,5 @@
-// A table as LaTeX that fits its page: scaled into the line, turned on its side, or, where it is long, over several
-// pages. Its first line says which packages it needs.
+// A table as LaTeX that fits its page: the package adjustbox scales it into the line. A wide table is turned on its side,
+// and a long one is divided into pages. The first line says which packages it needs.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace ikbench::report {
 
-// Fits an A4 page with margins of 2 cm. Columns that are empty in every row are left out; their names are words.
+// Columns that are empty in every row are left out. Heads are words: "mean_reached_ms" becomes "mean reached [ms]".
 std::string to_latex(const Table& table);
 
 }  // namespace ikbench::report

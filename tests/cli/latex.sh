@@ -2,7 +2,7 @@
 # Every LaTeX table of a report compiles, and fits an A4 page with margins of 2 cm.
 source "$(dirname "$0")/common.sh"
 command -v pdflatex >/dev/null || exit 77
-for package in booktabs graphicx array longtable rotating pdflscape geometry; do
+for package in booktabs array adjustbox rotating geometry; do
   kpsewhich "$package.sty" >/dev/null || exit 77
 done
 command -v mf >/dev/null || exit 77 # makes fonts, and keeps them in the home folder
@@ -26,7 +26,7 @@ compiles() {
     done
     echo '\end{document}'
   } >all.tex
-  for _ in 1 2; do # longtable finds its widths in several
+  for _ in 1 2; do # the second knows the numbers of tables
     pdflatex -interaction=nonstopmode -halt-on-error all.tex >.pdflatex 2>&1 || fail "$folder: $(grep -A 5 '^!' all.log)"
   done
   ! grep -q 'Overfull \\hbox' all.log || fail "$folder: $(grep -E '^Table |Overfull \\hbox' all.log | grep -B 1 Overfull)"

@@ -40,7 +40,7 @@ TEST_CASE("CSV has every digit, every column, and an empty field for what is not
 
 TEST_CASE("LaTeX has booktabs rules, names its packages and escapes every special character", "[table]") {
   const std::string text = to_latex(small_table());
-  CHECK(text.find("% Needs \\usepackage{booktabs,graphicx}\n\\begin{table}\n") == 0);
+  CHECK(text.find("% Needs \\usepackage{booktabs,array,adjustbox}\n\\begin{table}\n") == 0);
   CHECK(text.find("\\caption{A \\textless{}small\\textgreater{} table}\\label{tab:small}") != std::string::npos);
   CHECK(text.find("\\begin{tabular}{lrrr}\n\\toprule\nsolver & error {[}cm{]} & p & n \\\\\n\\midrule\n") !=
         std::string::npos);
@@ -73,18 +73,19 @@ TEST_CASE("LaTeX names columns and statistics in words, also where a note speaks
   CHECK(text.find("mean\\_reached\\_ms &") == std::string::npos);
 }
 
-TEST_CASE("LaTeX turns a wide table, and breaks a long one over pages with its notes behind", "[table]") {
+TEST_CASE("LaTeX turns a wide table, and divides a long one into pages, the notes on the last", "[table]") {
   Table wide{.name = "t", .caption = "t"};
   for (int i = 0; i < 20; ++i) wide.columns.push_back({"x"});
   wide.rows.emplace_back(20, std::int64_t{12345678});
-  CHECK(to_latex(wide).find("% Needs \\usepackage{booktabs,graphicx,rotating}\n\\begin{sidewaystable}\n") == 0);
+  CHECK(to_latex(wide).find("% Needs \\usepackage{booktabs,array,adjustbox,rotating}\n\\begin{sidewaystable}\n") == 0);
 
   Table tall{.name = "t", .caption = "t", .columns = {{"x"}}, .notes = {"a note"}};
   for (int i = 0; i < 100; ++i) tall.rows.push_back({std::int64_t{i}});
   const std::string text = to_latex(tall);
-  CHECK(text.find("% Needs \\usepackage{booktabs,longtable}\n") == 0);
-  CHECK(text.find("\\endhead") != std::string::npos);
-  CHECK(text.find("a note") > text.find("\\end{longtable}"));
+  CHECK(text.find("\\begin{table}[p]\n") != std::string::npos);
+  CHECK(text.find("Table~\\ref{tab:t}, continued") != std::string::npos);
+  CHECK(text.find("\n99 \\\\\n") != std::string::npos);
+  CHECK(text.find("a note") > text.rfind("\\end{tabular}"));
 }
 
 TEST_CASE("an interval is one column to read and two to compute with", "[table]") {
