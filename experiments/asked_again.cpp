@@ -27,7 +27,7 @@ namespace {
 
 // A target near a singularity takes up to a tenth of a millisecond.
 constexpr std::size_t most_poses = 5000;
-constexpr double rounding = 1e-9;
+constexpr double most_apart = 1e-9;
 
 // Whether the source of this program made a series. What a program outside or a library solved is not told apart.
 bool is_by_this_source(const Series& series) {
@@ -71,7 +71,7 @@ Path path_in(const nlohmann::json& json) {
 // What is not a number is never the same.
 template <class Stored, class Given>
 bool is_same(const Stored& stored, const Given& given) {
-  return stored.size() == given.size() && ((stored - given).array().abs() <= rounding).all();
+  return stored.size() == given.size() && ((stored - given).array().abs() <= most_apart).all();
 }
 
 Configuration joints_in(const std::vector<double>& joints) {
