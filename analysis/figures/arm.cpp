@@ -133,10 +133,9 @@ constexpr std::size_t about_x = 0, about_y = 1, about_z = 2;
 
 }  // namespace
 
-std::optional<Arm> arm_of(const Definition& definition) {
-  const json* const written = definition.find("/arm");
-  if (written == nullptr || !written->is_object()) return std::nullopt;
-  const json arm = written->contains("kind") ? of_older_store(*written) : *written;
+std::optional<Arm> arm_of(const StudyFacts& facts) {
+  if (!facts.arm.is_object()) return std::nullopt;
+  const json arm = facts.arm.contains("kind") ? of_older_store(facts.arm) : facts.arm;
   if (!arm.is_object()) return std::nullopt;
   const json links = arm.value("links", json());
   const std::optional<ArmFrame> base = frame_of(arm, "base"), tool = frame_of(arm, "tool");
@@ -150,8 +149,8 @@ std::optional<Arm> arm_of(const Definition& definition) {
   return known;
 }
 
-std::vector<Point> arm_points(const Definition& definition, const std::vector<double>& angles_rad) {
-  const std::optional<Arm> arm = arm_of(definition);
+std::vector<Point> arm_points(const StudyFacts& facts, const std::vector<double>& angles_rad) {
+  const std::optional<Arm> arm = arm_of(facts);
   const auto is_finite = [](double value) { return std::isfinite(value); };
   if (!arm || angles_rad.size() != arm->links.size() || !std::ranges::all_of(angles_rad, is_finite)) return {};
   Carried frame;

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "analysis/inference/definition.hpp"
+#include "analysis/inference/study_facts.hpp"
 
 namespace ikbench::figures {
 
@@ -31,10 +31,10 @@ struct Arm {
 
 // None where the definition has no arm whose every length and angle is known and within 3600; an older store's is read
 // as what it is today.
-std::optional<Arm> arm_of(const inference::Definition& definition);
+std::optional<Arm> arm_of(const inference::StudyFacts& facts);
 
 // The corners of the arm from the base to the tool. None where the definition has no arm, or the angles are not those
 // of its joints.
-std::vector<Point> arm_points(const inference::Definition& definition, const std::vector<double>& angles_rad);
+std::vector<Point> arm_points(const inference::StudyFacts& facts, const std::vector<double>& angles_rad);
 
 }  // namespace ikbench::figures

@@ -12,7 +12,7 @@
 #include "analysis/inference/clusters.hpp"
 #include "analysis/inference/comparable.hpp"
 #include "analysis/inference/convergence.hpp"
-#include "analysis/inference/definition.hpp"
+#include "analysis/inference/study_facts.hpp"
 #include "analysis/inference/text.hpp"
 #include "analysis/inference/times.hpp"
 #include "analysis/statistics/survival.hpp"
@@ -51,7 +51,7 @@ std::optional<Figure> convergence_figure(const StudyResults& study, const std::v
   const std::vector<double> positions = evaluations_axis(study, traces);
   if (positions.empty()) return std::nullopt;
   Figure figure{.name = "statistics-convergence"};
-  const std::string error = study.task.pose ? "error of the pose" : "position error";
+  const std::string error = study.facts.pose ? "error of the pose" : "position error";
   figure.data = fmt::format("# evaluations; 25, 50 and 75 % quantiles over the solves of the best {} [cm]\n", error);
   const bool has_bands = study.solvers.size() <= most_bands;
   std::vector<std::string> fills, lines, labels = study.solvers;
@@ -95,8 +95,8 @@ std::optional<Figure> convergence_figure(const StudyResults& study, const std::v
       "answer that is not finite, refused or worse than claimed ranks last; if half of the solves have no error, there "
       "is no line.{}{}",
       error, has_bands ? ", and the quartiles as a band" : " (the quartiles are in the data file)",
-      study.task.pose ? " It is what the solvers reduce: the root mean square distance of three points of the tool."
-                      : "",
+      study.facts.pose ? " It is what the solvers reduce: the root mean square distance of three points of the tool."
+                       : "",
       dependence(study), without_trace(study));
   const Axis axis = value_axis(all, error + " [cm]", Scale::logarithmic);
   figure.caption = with_notes(figure.caption, study, Metric::position_error_cm, axis);
@@ -161,16 +161,14 @@ Figure error_figure(const StudyResults& study, const Clusters& clusters) {
 
 // What a problem is, for the caption.
 std::string problem(const StudyResults& study) {
-  const Definition definition(study.definition);
-  const std::string start = definition.text("/start");
   std::string words = " A problem is one target in one run";
-  if (definition.starts_anew() || study.points == 1) words += ", from the same start for all solvers.";
-  if (start == "previous" && study.points > 1) {
+  if (study.facts.starts_anew() || study.points == 1) words += ", from the same start for all solvers.";
+  if (study.facts.start == "previous" && study.points > 1) {
     words += "; after the first, each solver starts where its previous answer left the arm.";
   }
-  if (start.empty() && study.points > 1) words += ".";
-  const bool is_known = !definition.text("/path/kind").empty();
-  if (is_known && !definition.draws_targets() && study.runs > 1) words += " The runs repeat the same targets.";
+  if (study.facts.start.empty() && study.points > 1) words += ".";
+  if (!study.facts.path.kind.empty() && !study.facts.draws_targets && study.runs > 1)
+    words += " The runs repeat the same targets.";
   return words;
 }
 
@@ -304,7 +302,7 @@ std::vector<Figure> convergence_figures(const StudyResults& measured) {
   if (std::ranges::any_of(study.solves, [](const Solve& solve) { return !trace_cm(solve).empty(); })) {
     add_of_evaluations(
         [](const StudyResults& known, const Clusters&) { return convergence_figure(known, traced_by_solver(known)); });
-    if (!study.task.pose) add_of_both(runtime_figure);  // whose traces have another error than the tolerance
+    if (!study.facts.pose) add_of_both(runtime_figure);  // whose traces have another error than the tolerance
   }
   add(error_figure(study, clusters));
   if (!std::isfinite(tolerance_cm(study))) {

@@ -15,7 +15,7 @@
 #include "analysis/figures/axis.hpp"
 #include "analysis/figures/figure_parts.hpp"
 #include "analysis/figures/share_curves.hpp"
-#include "analysis/inference/definition.hpp"
+#include "analysis/inference/study_facts.hpp"
 #include "analysis/inference/text.hpp"
 #include "analysis/statistics/descriptive.hpp"
 #include "analysis/statistics/quantile.hpp"
@@ -32,19 +32,18 @@ namespace {
 
 // A helix as its definition has it (experiments/paths/helix.cpp), as lines of x, y, z [cm]; empty where it is none, or
 // somebody's own.
-std::string helix_lines(const Definition& definition) {
-  const auto of = [&](const char* name) { return definition.number(fmt::format("/path/{}", name)); };
-  const std::vector<double> centre = definition.numbers("/path/centre_cm");
-  const double turns = of("turns"), length = of("length_cm"), radius = of("radius_cm");
-  const bool is_helix = definition.text("/path/kind") == "helix" && centre.size() == 3 &&
-                        std::isfinite(length + radius + of("start_deg")) && std::abs(turns) <= 1000;
+std::string helix_lines(const StudyFacts::Path& path) {
+  const std::vector<double>& centre = path.centre_cm;
+  const double turns = path.turns, length = path.length_cm, radius = path.radius_cm;
+  const bool is_helix = path.kind == "helix" && centre.size() == 3 && std::isfinite(length + radius + path.start_deg) &&
+                        std::abs(turns) <= 1000;
   if (!is_helix) return "";
-  const bool sine_first = definition.text("/path/phase") != "cos_sin";
+  const bool sine_first = path.phase != "cos_sin";
   const int corners = 1 + static_cast<int>(60 * std::abs(turns));
   std::string lines;
   for (int i = 0; i <= corners; ++i) {
     const double fraction = static_cast<double>(i) / corners;
-    const double t = of("start_deg") * std::numbers::pi / 180 + 2 * std::numbers::pi * turns * fraction;
+    const double t = path.start_deg * std::numbers::pi / 180 + 2 * std::numbers::pi * turns * fraction;
     const double first = sine_first ? std::sin(t) : std::cos(t), second = sine_first ? std::cos(t) : std::sin(t);
     lines += fmt::format("{} {} {}\n", text_of(centre[0] + radius * first), text_of(centre[1] + radius * second),
                          text_of(centre[2] + length * fraction));
@@ -67,8 +66,7 @@ std::string line_of(const std::vector<double>& position_m, std::array<std::vecto
 
 Figure path_figure(const StudyResults& study, const std::string& name) {
   const std::string solver = solver_of(study, study.solves.front());
-  const Definition definition(study.definition);
-  const bool is_path = !definition.draws_targets();
+  const bool is_path = !study.facts.draws_targets;
   Figure figure{.name = name,
                 .caption = fmt::format("Targets, and positions that {} reached in its first run.", solver),
                 .height_cm = 8.0};
@@ -89,10 +87,10 @@ Figure path_figure(const StudyResults& study, const std::string& name) {
                         : " Some of its answers are not finite.";
   std::vector<std::string> clauses, labels{"target", "reached"};
   const auto add = [&](std::string_view what) { clauses.push_back(fmt::format("'{}.dat' {}", name, what)); };
-  const std::string helix = helix_lines(definition);
+  const std::string helix = helix_lines(study.facts.path);
   figure.data += "\n\n# the path: x, y, z [cm]\n" + (helix.empty() ? "NaN NaN NaN\n" : helix);
   figure.data += "\n\n# the arm at the first point, from the base to the tool: x, y, z [cm]\n";
-  const std::vector<Point> corners = arm_points(definition, solves.begin()->second->answer_rad);
+  const std::vector<Point> corners = arm_points(study.facts, solves.begin()->second->answer_rad);
   for (const Point& corner : corners) {
     figure.data += line_of({corner.begin(), corner.end()}, coordinates) + '\n';
   }
@@ -222,10 +220,9 @@ constexpr std::size_t most_panels = 12;
 
 // The limits of an arm, each pair once, with the joints that have it: "-120 to 120 deg (joints 2, 4, 6)". Only those
 // that turn, and only where the definition has an arm of so many joints.
-std::map<std::pair<double, double>, std::vector<std::size_t>> limits_deg(const Definition& definition,
-                                                                         std::size_t joints) {
+std::map<std::pair<double, double>, std::vector<std::size_t>> limits_deg(const StudyFacts& facts, std::size_t joints) {
   std::map<std::pair<double, double>, std::vector<std::size_t>> limits;
-  const std::optional<Arm> arm = arm_of(definition);
+  const std::optional<Arm> arm = arm_of(facts);
   if (!arm || arm->links.size() != joints) return limits;
   for (std::size_t joint = 0; joint < joints; ++joint) {
     const ArmLink& link = arm->links[joint];
@@ -249,7 +246,7 @@ std::vector<Panel> panels_of(const StudyResults& study) {
     if (solves.empty()) continue;
     panels.push_back({solver, solves.begin()->second->run, joint_angles_deg(solves)});
     for (auto& [point, joints] : panels.back().joints) {
-      for (const std::size_t joint : study.task.slides) {
+      for (const std::size_t joint : study.facts.slides) {
         if (joint < joints.size()) joints[joint] *= 100 * std::numbers::pi / 180;
       }
     }
@@ -278,12 +275,12 @@ std::optional<Figure> joints_figure(const StudyResults& study, const std::string
   const std::size_t all = panels.size(), joints = panels.front().joints.begin()->second.size();
   panels.resize(std::min(all, most_panels), panels.front());
   const std::size_t columns = std::min<std::size_t>(panels.size(), 3), rows = (panels.size() + columns - 1) / columns;
-  const std::size_t legend_rows = 1 + (joints - 1) / (study.task.slides.empty() ? 8 : 6);
+  const std::size_t legend_rows = 1 + (joints - 1) / (study.facts.slides.empty() ? 8 : 6);
   const double more_legend = 0.45 * static_cast<double>(legend_rows - 1);  // [cm]
   Figure figure{.name = name,
                 .caption = fmt::format("Joint angles{} {}, in the first run of each solver.",
-                                       study.task.slides.empty() ? "" : " [deg] and positions of slides [cm]",
-                                       study.task.is_path ? "along the path" : "at each target"),
+                                       study.facts.slides.empty() ? "" : " [deg] and positions of slides [cm]",
+                                       !study.facts.draws_targets ? "along the path" : "at each target"),
                 .width_cm = two_columns_cm,
                 .height_cm = 1.6 + more_legend + 4.2 * static_cast<double>(rows)};
   double range = 180;
@@ -300,7 +297,7 @@ std::optional<Figure> joints_figure(const StudyResults& study, const std::string
                                                    "bottom center vertical maxrows {3}\n",
                                                    -range, range, range <= 180 ? "set ytics 60\n" : "", legend_rows);
   std::vector<std::string> limits;
-  for (const auto& [pair, of_joints] : limits_deg(Definition(study.definition), joints)) {
+  for (const auto& [pair, of_joints] : limits_deg(study.facts, joints)) {
     limits.push_back(fmt::format("{} to {} deg (joint{} {})", rounded_number(pair.first, 4),
                                  rounded_number(pair.second, 4), of_joints.size() == 1 ? "" : "s",
                                  fmt::join(of_joints, ", ")));
@@ -321,7 +318,7 @@ std::optional<Figure> joints_figure(const StudyResults& study, const std::string
   for (std::size_t i = 0; i < panels.size(); ++i) {
     figure.plot += fmt::format("set xlabel '{}'\nset ylabel '{}'\n", i + columns < panels.size() ? "" : "point",
                                i % columns > 0 ? "" : "joint angle [deg]");
-    figure.plot += panel_commands(panels[i], fmt::format("'{}.dat'", name), i, study.task.slides);
+    figure.plot += panel_commands(panels[i], fmt::format("'{}.dat'", name), i, study.facts.slides);
   }
   figure.plot += "unset multiplot";
   return figure;

@@ -8,7 +8,7 @@
 
 #include "analysis/inference/convergence.hpp"
 #include "analysis/inference/cost_comparison.hpp"
-#include "analysis/inference/definition.hpp"
+#include "analysis/inference/study_facts.hpp"
 
 namespace ikbench::inference {
 
@@ -25,7 +25,7 @@ ClusteredValues evaluations_to_reach(const Solves& solves, const StudyResults& s
     std::vector<double> costs;
     if (std::isfinite(within.cm)) {
       costs.push_back(reaches(*solve, within) ? total_cost(study, *solve, Cost::evaluations) : censored);
-    } else if (has_trace(*solve) && !study.task.pose) {
+    } else if (has_trace(*solve) && !study.facts.pose) {
       costs = costs_to_targets(study, *solve, target_errors_cm(study), Cost::evaluations);
     }
     for (const double cost : costs) {
@@ -98,7 +98,7 @@ void place(std::vector<AtBudget>& standings, std::size_t leader) {
 }  // namespace
 
 std::optional<Anytime> anytime(const StudyResults& study, const Clusters& clusters) {
-  const double of_study = Definition(study.definition).number("/stop/evaluations");
+  const double of_study = study.facts.stop.evaluations;
   Anytime result{.budget = of_study > 0 ? of_study : budget_of(study), .is_of_study = of_study > 0, .standings = {}};
   if (!(result.budget > 0)) return std::nullopt;
   std::vector<double> budgets;

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "analysis/inference/definition.hpp"
+#include "analysis/inference/study_facts.hpp"
 #include "analysis/inference/text.hpp"
 #include "analysis/statistics/descriptive.hpp"
 
@@ -56,9 +56,7 @@ Disturbed disturbed(std::span<const Solve> solves) {
 
 // Where solves end by their wall time, more than times depend on the machine.
 std::string and_errors(const StudyResults& study) {
-  return Definition(study.definition).number("/stop/seconds") > 0
-             ? " Solves end by their wall time, so that errors depend on that too."
-             : "";
+  return study.facts.stop.seconds > 0 ? " Solves end by their wall time, so that errors depend on that too." : "";
 }
 
 // Why times of solvers are left out, one kind after another. Those of a kind lack nothing else.

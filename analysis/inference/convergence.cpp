@@ -8,7 +8,7 @@
 #include <string>
 #include <utility>
 
-#include "analysis/inference/definition.hpp"
+#include "analysis/inference/study_facts.hpp"
 #include "analysis/inference/text.hpp"
 #include "analysis/statistics/quantile.hpp"
 #include "results/orientation.hpp"
@@ -72,7 +72,7 @@ std::vector<Solves> solves_by_solver(const StudyResults& study) {
   return result;
 }
 
-bool is_chained(const StudyResults& study) { return study.points > 1 && !Definition(study.definition).starts_anew(); }
+bool is_chained(const StudyResults& study) { return study.points > 1 && !study.facts.starts_anew(); }
 
 const std::vector<double>& trace_cm(const Solve& solve) {
   static const std::vector<double> none;
@@ -85,7 +85,7 @@ std::vector<Solves> traced_by_solver(const StudyResults& study) {
   std::vector<Solves> result = solves_by_solver(study);
   for (Solves& solves : result) {
     std::erase_if(solves,
-                  [&](const Solve* solve) { return study.task.pose ? trace_cm(*solve).empty() : !has_trace(*solve); });
+                  [&](const Solve* solve) { return study.facts.pose ? trace_cm(*solve).empty() : !has_trace(*solve); });
   }
   return result;
 }
@@ -94,7 +94,7 @@ double final_error_cm(const Solve& solve) { return or_censored(solve.position_er
 
 Tolerance tolerance(const StudyResults& study) {
   Tolerance found{.cm = tolerance_cm(study)};
-  if (const double angle = Definition(study.definition).number("/stop/tolerance_deg"); angle > 0) found.deg = angle;
+  if (const double angle = study.facts.stop.tolerance_deg; angle > 0) found.deg = angle;
   return found;
 }
 

@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "analysis/inference/comparable.hpp"
-#include "analysis/inference/definition.hpp"
 #include "analysis/inference/estimand.hpp"
+#include "analysis/inference/study_facts.hpp"
 #include "analysis/inference/text.hpp"
 #include "analysis/statistics/quantile.hpp"
 
@@ -52,10 +52,9 @@ bool were_given_the_same(const StudyResults& study, Blocks blocks) {
 }  // namespace
 
 Blocks blocks_of(const StudyResults& study) {
-  const Definition definition(study.definition);
-  const bool starts_anew = definition.starts_anew();
-  if (definition.draws_targets()) return starts_anew ? Blocks::drawn_targets : Blocks::runs;
-  if (definition.text("/path/kind").empty()) return Blocks::none;
+  const bool starts_anew = study.facts.starts_anew();
+  if (study.facts.draws_targets) return starts_anew ? Blocks::drawn_targets : Blocks::runs;
+  if (study.facts.path.kind.empty()) return Blocks::none;
   return starts_anew || study.points == 1 ? Blocks::path_targets : Blocks::none;
 }
 
@@ -201,7 +200,7 @@ std::string why_not_blocked(const StudyResults& study) {
     return why_not_blocked(of_solvers(study, [&](std::string_view solver) { return !partial.contains(solver); }));
   const Blocks blocks = blocks_of(study);
   if (blocks == Blocks::none) {
-    return Definition(study.definition).text("/path/kind").empty()
+    return study.facts.path.kind.empty()
                ? "There are no blocks: the study does not state its path."
                : "There are no blocks: each solve starts where the solver's previous answer left the arm.";
   }

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "analysis/inference/convergence.hpp"
-#include "analysis/inference/definition.hpp"
+#include "analysis/inference/study_facts.hpp"
 #include "analysis/inference/text.hpp"
 
 namespace ikbench::inference {
@@ -31,7 +31,7 @@ bool is_ok(const Solve* solve) { return solve->status == Status::ok; }
 // What a solve may cost at most: the study's limit, or without one what its dearest solve cost.
 double limit_of(const StudyResults& study, Metric metric) {
   double limit = not_defined;
-  if (metric == Metric::evaluations) limit = Definition(study.definition).number("/stop/evaluations");
+  if (metric == Metric::evaluations) limit = study.facts.stop.evaluations;
   if (metric == Metric::seconds) limit = deadline_seconds(study);
   if (limit > 0) return limit;
   double most = 0;
@@ -164,7 +164,7 @@ std::string within_words(const StudyResults& study, Metric metric) {
   const std::string words =
       fmt::format("within {} {}", rounded_number(distance_of(study, metric), 4), info_of(metric).unit);
   const Tolerance at_most = tolerance(study);
-  const bool is_half_a_pose = metric == Metric::position_error_cm && study.task.pose;
+  const bool is_half_a_pose = metric == Metric::position_error_cm && study.facts.pose;
   if (!std::isfinite(at_most.cm)) return is_half_a_pose ? words + ", however turned" : words;
   if (metric != Metric::position_error_cm) return "solved " + words;
   return std::isfinite(at_most.deg)

@@ -12,8 +12,8 @@
 #include <utility>
 
 #include "analysis/inference/analysis_plan.hpp"
-#include "analysis/inference/definition.hpp"
 #include "analysis/inference/machines.hpp"
+#include "analysis/inference/study_facts.hpp"
 #include "numerics/number.hpp"
 
 namespace ikbench::inference {
@@ -50,34 +50,13 @@ int defined_number(const std::string& study, const nlohmann::json& definition, c
   return 0;
 }
 
-TaskFacts task_of(const Definition& definition) {
-  const std::string search = definition.text("/search");
-  TaskFacts facts{
-      .is_path = !definition.draws_targets(), .orientation = search != "all_joints", .pose = search == "pose"};
-  for (std::size_t joint = 0; joint < most_joints; ++joint) {
-    if (definition.text(fmt::format("/arm/links/{}/joint", joint)) == "slides") facts.slides.insert(joint);
-  }
-  return facts;
-}
-
 StudyResults of_entry(const StudyEntry& entry) {
   const auto json = nlohmann::json::parse(entry.definition, nullptr, false);
-  const Definition definition(entry.definition);
   StudyResults study{.name = entry.name,
-                     .title = definition.text("/title"),
                      .runs = defined_number(entry.name, json, "runs", most_runs),
                      .points = defined_number(entry.name, json, "points", most_points),
-                     .published = definition.text("/published"),
                      .plan = plan_of(entry),
-                     .definition = entry.definition,
-                     .task = task_of(definition)};
-  if (json.is_object() && json.contains("departures") && json["departures"].is_array()) {
-    for (const auto& departure : json["departures"]) {
-      if (departure.is_string()) study.departures.push_back(departure.get<std::string>());
-    }
-  }
-  const auto is_of_task = [](const std::string& departure) { return departure == "robot" || departure == "path.kind"; };
-  if (std::ranges::any_of(study.departures, is_of_task)) study.departed_from = std::exchange(study.published, "");
+                     .facts = facts_of(entry.definition)};
   for (const Series& series : entry.series) study.solvers.push_back(series.label);
   return study;
 }
@@ -90,10 +69,10 @@ void add_sessions(StudyResults& study, const std::vector<Series>& series, const 
                        [&](const Session& each) { return std::ranges::find(used, each.id) != used.end(); });
   study.cpus = machines_of(solving);
   for (const Series& one : series) {
-    const Definition options(one.options);
     const bool is_of_library = std::ranges::any_of(
         solving, [&](const Session& each) { return each.environment.contains("library." + one.algorithm); });
-    if (is_of_library || !options.text("/process").empty() || !options.text("/shared_object").empty()) {
+    if (is_of_library || !text_option(one.options, "process").empty() ||
+        !text_option(one.options, "shared_object").empty()) {
       study.external.push_back(one.label);
     }
   }
@@ -128,9 +107,7 @@ StudyResults made(StudyMaker maker, const std::vector<SolveRecord>& solves, cons
 }  // namespace
 
 StudyMaker::StudyMaker(const StudyEntry& entry, std::size_t solves)
-    : study_(of_entry(entry)),
-      series_(entry.series),
-      gatherer_(study_.task.slides, Definition(entry.definition).starts_anew()) {
+    : study_(of_entry(entry)), series_(entry.series), gatherer_(study_.facts.slides, study_.facts.starts_anew()) {
   solves_.reserve(solves);
 }
 

@@ -16,7 +16,7 @@ using namespace statistics;
 namespace {
 
 bool is_followed(Run run, const StudyResults& study) {
-  if (!study.task.is_path || run.size() < 2) return false;
+  if (study.facts.draws_targets || run.size() < 2) return false;
   if (std::ranges::any_of(run, is_without_answer, &Solve::status)) return false;
   for (std::size_t k = 1; k < run.size(); ++k) {
     const Solve &before = *run[k - 1], &solve = *run[k];
@@ -47,7 +47,7 @@ RunShape shape_of(Run run, const StudyResults& study) {
 }  // namespace
 
 double orientation_error_deg(const Solve& solve, const StudyResults& study) {
-  return study.task.orientation ? orientation_angle_deg(solve.orientation_error) : not_defined;
+  return study.facts.orientation ? orientation_angle_deg(solve.orientation_error) : not_defined;
 }
 
 double variation_m(const Solve& solve) { return solve.extras == nullptr ? 0 : solve.extras->variation_m; }

@@ -30,7 +30,7 @@ Telling telling(const StudyResults& study, Metric metric) {
 
 ShownMetrics shown_metrics(const StudyResults& study) {
   ShownMetrics shown{.judged = reported_metrics(), .listed = {}, .left_out = ""};
-  if (!study.published.empty()) return shown;
+  if (!study.facts.published.empty()) return shown;
   std::vector<std::string_view> equal, undefined;
   for (const Metric metric : all_metrics()) {
     const MetricInfo& info = info_of(metric);

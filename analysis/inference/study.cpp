@@ -10,7 +10,7 @@
 #include <map>
 #include <set>
 
-#include "analysis/inference/definition.hpp"
+#include "analysis/inference/study_facts.hpp"
 #include "analysis/inference/text.hpp"
 #include "analysis/statistics/descriptive.hpp"
 
@@ -117,19 +117,18 @@ double seconds_of(const StudyResults& study, const Solve& solve) {
 
 bool departs_from_paper(const StudyResults& study) {
   const auto is_without = [](const std::string& departure) { return departure.starts_with("no "); };
-  return !study.departed_from.empty() || std::ranges::any_of(study.departures, is_without);
+  return !study.departed_from.empty() || std::ranges::any_of(study.facts.departures, is_without);
 }
 
-bool enforces_limits(const StudyResults& study) { return Definition(study.definition).text("/limits") == "enforced"; }
+bool enforces_limits(const StudyResults& study) { return study.facts.enforces_limits; }
 
 double tolerance_cm(const StudyResults& study) {
-  const double tolerance = Definition(study.definition).number("/stop/tolerance_cm");
+  const double tolerance = study.facts.stop.tolerance_cm;
   return tolerance > 0 ? tolerance : not_defined;
 }
 
 double deadline_seconds(const StudyResults& study) {
-  const Definition definition(study.definition);
-  const double deadline = definition.number("/deadline_ms") / 1000, stop = definition.number("/stop/seconds");
+  const double deadline = study.facts.deadline_ms / 1000, stop = study.facts.stop.seconds;
   return deadline > 0 ? deadline : stop > 0 ? stop : not_defined;
 }
 

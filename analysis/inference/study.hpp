@@ -18,34 +18,23 @@
 #include "analysis/inference/gathered.hpp"
 #include "analysis/inference/metrics.hpp"
 #include "analysis/inference/solve.hpp"
+#include "analysis/inference/study_facts.hpp"
 #include "analysis/statistics/descriptive.hpp"
 #include "results/analysis_plan.hpp"
 #include "results/record.hpp"
 
 namespace ikbench::inference {
 
-// What metrics ask of a study's definition, read once.
-struct TaskFacts {
-  bool is_path = true;                // the targets of a run follow each other, and are not drawn one by one
-  bool orientation = true;            // is searched for, and not the position alone
-  bool pose = false;                  // is searched for with all joints: traces are of its error, not of the position's
-  std::set<std::size_t> slides = {};  // the joints that slide, from 0
-};
-
 struct StudyResults {
   std::string name;
-  std::string title = {};
-  std::vector<std::string> solvers = {};  // labels, in the order of the study
-  int runs = 0;                           // as defined, per solver
-  int points = 0;                         // as defined, per run
-  std::string published = {};             // paper whose printed tables it is held against (results/published), or empty
-  std::vector<std::string> departures = {};         // what of the published study's definition was changed
+  std::vector<std::string> solvers = {};            // labels, in the order of the study
+  int runs = 0;                                     // as defined, per solver
+  int points = 0;                                   // as defined, per run
   std::string departed_from = {};                   // paper that it names, but of whose arm or task it is not
   results::AnalysisPlan plan = {};                  // how it is judged
   std::set<std::string> cpus = {};                  // of the sessions in which it was solved, as far as these say
   double stolen_seconds = statistics::not_defined;  // processor time that its sessions' hosts kept from their machines
-  std::string definition = {};  // JSON, as the store has it (analysis/inference/definition.hpp); empty where none
-  TaskFacts task = {};          // of it
+  StudyFacts facts = {};                            // of its definition
   std::vector<std::string> external = {};  // of the solvers, those that are programs, shared objects or of libraries
   SolveList solves = {};
   std::shared_ptr<const Gathered> gathered = std::make_shared<const Gathered>();

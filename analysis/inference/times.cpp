@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "analysis/inference/comparable.hpp"
-#include "analysis/inference/definition.hpp"
+#include "analysis/inference/study_facts.hpp"
 #include "analysis/inference/text.hpp"
 #include "analysis/statistics/descriptive.hpp"
 
@@ -116,9 +116,8 @@ std::string speed_note(const StudyResults& study) {
 std::string outliers_note(const StudyResults& study) { return note_on(outliers_of(study), study); }
 
 std::string repeats_note(const StudyResults& study) {
-  const Definition definition(study.definition);
-  const double defined = definition.number("/repeats");
-  if (!std::isfinite(defined) || definition.number("/stop/seconds") > 0) return "";  // those are made once
+  const double defined = study.facts.repeats;
+  if (!std::isfinite(defined) || study.facts.stop.seconds > 0) return "";  // those are made once
   std::int64_t others = 0;
   int fewest = std::numeric_limits<int>::max(), most = 0;
   for (const auto& [repeats, solves] : study.gathered->repeats) {

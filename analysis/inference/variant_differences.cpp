@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "analysis/inference/comparable.hpp"
-#include "analysis/inference/definition.hpp"
 #include "analysis/inference/machines.hpp"
+#include "analysis/inference/study_facts.hpp"
 #include "analysis/inference/text.hpp"
 
 namespace ikbench::inference {
@@ -64,7 +64,7 @@ std::set<std::string> values_of(const Variant& variant, const std::string& fact)
 
 Facts facts_of(const Variant& variant) {
   Facts facts{{"solver", variant.series.algorithm}};
-  add_values(facts, variant.study.definition);
+  add_values(facts, variant.study.facts.json);
   add_values(facts, variant.series.options);
   facts["source of the solver"] =
       fmt::format("{}", fmt::join(values_of(variant, "source." + variant.series.algorithm), " and "));

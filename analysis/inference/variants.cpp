@@ -98,7 +98,7 @@ VariantComparison examined(const VariantPair& pair, const std::vector<Metric>& a
   const VariantDesign design = variant_design(a, b);
   StudyResults study_of_b = b.study;  // judged as A's is
   study_of_b.plan = a.study.plan;
-  study_of_b.task = a.study.task;
+  study_of_b.facts = a.study.facts;
   const bool is_of_targets = design.pairs == Blocks::drawn_targets || design.pairs == Blocks::path_targets;
   VariantComparison comparison{.label = a.series.label == b.series.label
                                             ? b.series.label

@@ -10,10 +10,10 @@
 
 #include "analysis/figures/figure_parts.hpp"
 #include "analysis/inference/comparable.hpp"
-#include "analysis/inference/definition.hpp"
 #include "analysis/inference/estimand.hpp"
 #include "analysis/inference/judge.hpp"
 #include "analysis/inference/shown_metrics.hpp"
+#include "analysis/inference/study_facts.hpp"
 #include "analysis/inference/text.hpp"
 #include "analysis/report/assessment_doubts.hpp"
 #include "analysis/report/assessment_words.hpp"
@@ -49,7 +49,7 @@ class Achieved {
     const bool has_tolerance = std::isfinite(tolerance_cm(study));
     if (has_tolerance && !is_of_run(metric)) return;  // what is not solved is penalised
     for (const Metric other : {Metric::position_error_cm, Metric::orientation_error_deg}) {
-      if (other == Metric::orientation_error_deg && (has_tolerance || !study.task.pose)) continue;
+      if (other == Metric::orientation_error_deg && (has_tolerance || !study.facts.pose)) continue;
       for (const Sample& sample : samples(study, has_tolerance ? Metric::solved : other)) {
         const double mean = statistics::mean(sample.values);
         std::string& text = words_[sample.solver];
@@ -267,7 +267,7 @@ std::string too_few_sentence(const JudgedStudy& study) {
 
 // What solvers spent, where the study gives them no common budget.
 std::string budgets_sentence(const StudyResults& study) {
-  if (Definition(study.definition).number("/stop/evaluations") > 0) return "";
+  if (study.facts.stop.evaluations > 0) return "";
   std::string least, most;
   double smallest = statistics::not_defined, largest = statistics::not_defined;
   for (const std::string& solver : study.solvers) {

@@ -99,7 +99,7 @@ bool can_be_drawn(const StudyResults& study, std::size_t joints) {
 }  // namespace
 
 std::optional<std::string> moving_arm(const StudyEntry& entry, const StudyResults& study) {
-  const std::optional<Arm> arm = arm_of(Definition(entry.definition));
+  const std::optional<Arm> arm = arm_of(facts_of(entry.definition));
   const auto has_limits = [](const ArmLink& link) { return !std::isnan(link.lower) && !std::isnan(link.upper); };
   if (!arm || !std::ranges::all_of(arm->links, has_limits) || !can_be_drawn(study, arm->links.size())) {
     return std::nullopt;

@@ -14,13 +14,13 @@
 #include "analysis/inference/analysis_plan.hpp"
 #include "analysis/inference/comparable.hpp"
 #include "analysis/inference/convergence.hpp"
-#include "analysis/inference/definition.hpp"
 #include "analysis/inference/design.hpp"
 #include "analysis/inference/estimand.hpp"
 #include "analysis/inference/look_note.hpp"
 #include "analysis/inference/make_study.hpp"
 #include "analysis/inference/shown_metrics.hpp"
 #include "analysis/inference/speeds.hpp"
+#include "analysis/inference/study_facts.hpp"
 #include "analysis/inference/text.hpp"
 #include "analysis/inference/times.hpp"
 #include "analysis/report/assessment.hpp"
@@ -146,7 +146,7 @@ Grouped grouped(const JudgedStudy& study, const std::vector<JudgedStudy>& others
 const Paper& paper_of(const StudyResults& study, std::span<const Paper> papers) {
   static const Paper none;
   const auto is_of = [&](const Paper& paper) {
-    if (!study.published.empty() || !paper.citation.empty()) return paper.name == study.published;
+    if (!study.facts.published.empty() || !paper.citation.empty()) return paper.name == study.facts.published;
     // Studies that are read together, but were never printed.
     return std::ranges::find(paper.studies, study.name, &PaperStudy::name) != paper.studies.end();
   };
@@ -189,7 +189,7 @@ std::vector<std::string> imported_warnings(const StudyEntry& entry, const StudyR
     const bool is_verified = std::ranges::find(solves_of(study, series.label), Status::not_verified, &Solve::status) ==
                              solves_of(study, series.label).end();
     warnings.push_back(fmt::format(
-        "{} was imported from {}: {}", one_line(series.label), Definition(series.options).text("/file"),
+        "{} was imported from {}: {}", one_line(series.label), text_option(series.options, "file"),
         is_verified
             ? "its answers are verified, its counts and times are not."
             : "its errors are not verified, because the file has no answers; none of its solves counts as solved."));
@@ -199,18 +199,17 @@ std::vector<std::string> imported_warnings(const StudyEntry& entry, const StudyR
 
 // As the program found it before it solved the study.
 std::string out_of_reach_warning(const StudyResults& study) {
-  const Definition definition(study.definition);
-  const auto of = [&](const char* name) { return definition.number(fmt::format("/out_of_reach/{}", name)); };
-  const double points = of("points"), all = of("farthest_point") + of("farthest_cm") + of("reach_cm");
+  const StudyFacts::OutOfReach& of = study.facts.out_of_reach;
+  const double points = of.points, all = of.farthest_point + of.farthest_cm + of.reach_cm;
   const bool is_count = points >= 1 && points <= study.points && points == std::floor(points);
   if (!is_count || !std::isfinite(all)) return "";  // nothing, or somebody's own
   const bool is_one = points == 1;
   return fmt::format(
       "{} of the {} targets of a run {} out of the arm's reach ({}point {}: {} {} cm from the shoulder; the reach is "
       "{} cm). No solver can reach {}, so those errors say nothing about the solvers.",
-      points, study.points, is_one ? "is" : "are", is_one ? "" : "the farthest is ", of("farthest_point"),
-      definition.text("/search") == "wrist" ? "the wrist's centre would be" : "it is",
-      rounded_number(of("farthest_cm"), 4), rounded_number(of("reach_cm"), 4), is_one ? "it" : "them");
+      points, study.points, is_one ? "is" : "are", is_one ? "" : "the farthest is ", of.farthest_point,
+      study.facts.wrist ? "the wrist's centre would be" : "it is", rounded_number(of.farthest_cm, 4),
+      rounded_number(of.reach_cm, 4), is_one ? "it" : "them");
 }
 
 std::vector<std::string> warnings_of(const StudyResults& study, const JudgedStudies& companions,
@@ -218,11 +217,11 @@ std::vector<std::string> warnings_of(const StudyResults& study, const JudgedStud
   std::vector<std::string> warnings;
   if (std::string warning = wrong_claims_sentence(study); !warning.empty()) warnings.push_back(std::move(warning));
   if (std::string warning = out_of_reach_warning(study); !warning.empty()) warnings.push_back(std::move(warning));
-  if (!study.published.empty() && paper_of(study, papers).name.empty()) {
+  if (!study.facts.published.empty() && paper_of(study, papers).name.empty()) {
     std::vector<std::string> names;
     for (const Paper& paper : papers) names.push_back(paper.name);
     warnings.push_back(
-        fmt::format("no published tables of '{}'; known papers: {}", study.published, fmt::join(names, ", ")));
+        fmt::format("no published tables of '{}'; known papers: {}", study.facts.published, fmt::join(names, ", ")));
   }
   for (const SolverCounts& count : counts(study)) {
     if (count.solves >= count.expected) continue;
@@ -297,7 +296,7 @@ Report write_report(const Store& store, const ReportRequest& request) {
   std::ranges::copy(request.extra_figures, std::back_inserter(figures));
 
   ReportContent content{.study = study.name,
-                        .title = study.title.empty() ? study.name : study.title,
+                        .title = study.facts.title.empty() ? study.name : study.facts.title,
                         .answer = {leaders_sentence(study, Metric::position_error_cm)},
                         .studied = studied(study, paper),
                         .solvers = study.solvers,

@@ -8,8 +8,8 @@
 
 #include "analysis/figures/figure_parts.hpp"
 #include "analysis/inference/comparable.hpp"
-#include "analysis/inference/definition.hpp"
 #include "analysis/inference/estimand.hpp"
+#include "analysis/inference/study_facts.hpp"
 #include "analysis/inference/text.hpp"
 #include "analysis/statistics/descriptive.hpp"
 
@@ -23,19 +23,19 @@ using namespace figures;
 namespace {
 
 std::string departures_sentence(const StudyResults& study) {
-  if (study.departures.empty()) return "";
+  if (study.facts.departures.empty()) return "";
   if (!study.departed_from.empty()) {
     return fmt::format(
         "This study names the paper {}, but has another arm or task ({}): it is not held against the paper.",
-        study.departed_from, fmt::join(study.departures, ", "));
+        study.departed_from, fmt::join(study.facts.departures, ", "));
   }
   return fmt::format("This study departs from the built-in study of the paper in: {}.{}",
-                     fmt::join(study.departures, ", "),
+                     fmt::join(study.facts.departures, ", "),
                      departs_from_paper(study) ? " Only claims that it has the solvers for are judged." : "");
 }
 
 std::string no_tolerance_sentence(const StudyResults& study) {
-  if (!study.published.empty() || study.solves.empty() || std::isfinite(tolerance_cm(study))) return "";
+  if (!study.facts.published.empty() || study.solves.empty() || std::isfinite(tolerance_cm(study))) return "";
   return "The study has no tolerance (stop.tolerance_cm), so it does not say what is solved: the status ok means that an "
          "answer is inside the joint limits, however far it is from the target.";
 }
@@ -126,16 +126,15 @@ std::vector<std::string> summary(const Reported& reported, const Paper& paper) {
 }
 
 std::vector<std::string> studied(const StudyResults& study, const Paper& paper) {
-  const Definition definition(study.definition);
   const auto several = [](std::size_t count, std::string_view what) {
     return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
   };
   std::string run = fmt::format("{}, {}, {}", several(study.solvers.size(), "solver"),
                                 several(static_cast<std::size_t>(study.runs), "run"),
                                 several(static_cast<std::size_t>(study.points), "point"));
-  if (const std::string kind = definition.text("/path/kind"); !kind.empty()) run += fmt::format(" ({})", kind);
-  if (const std::string robot = definition.text("/robot"); !robot.empty()) run += fmt::format(", {}", robot);
-  if (const double seed = definition.number("/seed"); std::isfinite(seed)) run += fmt::format(", seed {}", seed);
+  if (!study.facts.path.kind.empty()) run += fmt::format(" ({})", study.facts.path.kind);
+  if (!study.facts.robot.empty()) run += fmt::format(", {}", study.facts.robot);
+  if (std::isfinite(study.facts.seed)) run += fmt::format(", seed {}", study.facts.seed);
   std::vector<std::string> sentences{paper.citation, run + '.', departs_from_paper(study) ? "" : paper.not_reproduced};
   std::erase(sentences, "");
   return sentences;

@@ -118,7 +118,7 @@ std::vector<Agreement> agreements(const StudyResults& study, std::span<const Rep
   if (printed_table_3(study, Metric::position_error_cm).empty()) return result;
   for (const Metric metric : repeated_metrics) {
     const std::vector<Sample> all = samples(study, metric);
-    for (const PrintedCells& row : printed_cells(study.published, metric)) {
+    for (const PrintedCells& row : printed_cells(study.facts.published, metric)) {
       const auto repeated = std::ranges::find(repetitions, row.solver, &RepeatedSolver::label);
       const Sample* const sample = sample_of(all, row.solver);
       if (repeated == repetitions.end() || sample == nullptr) continue;

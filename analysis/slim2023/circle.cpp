@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "analysis/figures/figure_parts.hpp"
-#include "analysis/inference/definition.hpp"
+#include "analysis/inference/study_facts.hpp"
 #include "analysis/inference/text.hpp"
 #include "analysis/slim2023/published_numbers.hpp"
 #include "analysis/statistics/descriptive.hpp"
@@ -53,7 +53,7 @@ struct Row {
 };
 
 std::vector<Row> rows_of(const StudyResults& study) {
-  const std::vector<PrintedPosture> printed = printed_table_8(study.published);
+  const std::vector<PrintedPosture> printed = printed_table_8(study.facts.published);
   std::vector<Row> rows;
   for (const auto& [point, solve] : first_run(study, study.solvers.empty() ? "" : study.solvers.front())) {
     Row row{.point = point, .ours = angles_of(*solve), .error_cm = solve->position_error_cm};
@@ -112,11 +112,13 @@ std::string printed_errors_note(const std::vector<PrintedPosture>& printed) {
                             rounded_number(mean(errors), 4));
 }
 
-bool is_table_8(const StudyResults& study) { return is_circle(study) && !printed_table_8(study.published).empty(); }
+bool is_table_8(const StudyResults& study) {
+  return is_circle(study) && !printed_table_8(study.facts.published).empty();
+}
 
 }  // namespace
 
-bool is_circle(const StudyResults& study) { return Definition(study.definition).text("/path/kind") == "circle"; }
+bool is_circle(const StudyResults& study) { return study.facts.path.kind == "circle"; }
 
 double farthest_target_cm(const StudyResults& study) {
   double farthest = 0;
@@ -154,7 +156,7 @@ std::optional<Table> table_8(const StudyResults& study) {
     table.rows.push_back(std::move(cells));
     errors.push_back(row.error_cm);
   }
-  const std::vector<PrintedPosture> printed = printed_table_8(study.published);
+  const std::vector<PrintedPosture> printed = printed_table_8(study.facts.published);
   table.notes.push_back(verdict(rows, printed.size()));
   if (!rows.empty()) {
     const double our_mean = mean(errors);
@@ -175,7 +177,7 @@ std::optional<Table> table_8(const StudyResults& study) {
 }
 
 std::string printed_angles_verdict(const StudyResults& study) {
-  return is_table_8(study) ? "Table 8: " + verdict(rows_of(study), printed_table_8(study.published).size()) : "";
+  return is_table_8(study) ? "Table 8: " + verdict(rows_of(study), printed_table_8(study.facts.published).size()) : "";
 }
 
 }  // namespace ikbench::slim2023

@@ -14,7 +14,7 @@
 #include "analysis/figures/figure_parts.hpp"
 #include "analysis/figures/study_figures.hpp"
 #include "analysis/inference/convergence.hpp"
-#include "analysis/inference/definition.hpp"
+#include "analysis/inference/study_facts.hpp"
 #include "analysis/inference/text.hpp"
 #include "analysis/slim2023/circle.hpp"
 #include "analysis/slim2023/published_numbers.hpp"
@@ -85,16 +85,15 @@ std::string limits_words(const Limits& limits) {
 Figure circle_joints_figure(const StudyResults& study) {
   const std::string& solver = solver_of(study, study.solves.front());
   const auto solves = first_run(study, solver);
-  const Definition definition(study.definition);
   std::vector<double> lower, upper;  // [deg]
-  if (const std::optional<Arm> arm = arm_of(definition)) {
+  if (const std::optional<Arm> arm = arm_of(study.facts)) {
     for (const ArmLink& link : arm->links) {
       if (!std::isfinite(link.lower) || !std::isfinite(link.upper)) break;
       lower.push_back(link.lower * 180 / std::numbers::pi);
       upper.push_back(link.upper * 180 / std::numbers::pi);
     }
   }
-  const std::vector<PrintedPosture> printed = printed_table_8(study.published);
+  const std::vector<PrintedPosture> printed = printed_table_8(study.facts.published);
   std::map<int, std::vector<double>> angles = joint_angles_deg(solves);
   const bool has_fourth = angles.begin()->second.size() == 3;  // as the paper: it turns the tool as joint 1 the arm
   for (auto& [point, of_joints] : angles) {
@@ -148,7 +147,8 @@ Figure circle_joints_figure(const StudyResults& study) {
 
 Figure circle_errors_figure(const StudyResults& study) {
   std::map<int, std::vector<double>> printed;
-  for (const PrintedPosture& posture : printed_table_8(study.published)) printed[posture.point] = {posture.error_cm};
+  for (const PrintedPosture& posture : printed_table_8(study.facts.published))
+    printed[posture.point] = {posture.error_cm};
   return curves_figure(study, Metric::position_error_cm, "figure-17", printed);
 }
 

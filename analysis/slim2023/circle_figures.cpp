@@ -11,7 +11,7 @@
 #include "analysis/figures/arm.hpp"
 #include "analysis/figures/figure_parts.hpp"
 #include "analysis/inference/convergence.hpp"
-#include "analysis/inference/definition.hpp"
+#include "analysis/inference/study_facts.hpp"
 #include "analysis/inference/text.hpp"
 #include "analysis/slim2023/circle.hpp"
 #include "analysis/slim2023/circle_curves.hpp"
@@ -69,9 +69,8 @@ std::string points_data(const StudyResults& study) {
 
 // The circle itself as the definition has it; where it does not, the polygon through the targets.
 std::string circle_data(const StudyResults& study) {
-  const Definition definition(study.definition);
-  const std::vector<double> centre = definition.numbers("/path/centre_cm");
-  const double radius = definition.number("/path/radius_cm");
+  const std::vector<double>& centre = study.facts.path.centre_cm;
+  const double radius = study.facts.path.radius_cm;
   std::string data = "\n\n# the circle: x, y, z [cm]\n";
   if (centre.size() == 3 && std::isfinite(radius)) {
     constexpr int corners = 120;
@@ -100,14 +99,13 @@ std::string points_clauses(const std::string& target, const std::string& reached
 
 // The arm at some of the points, evenly along the path.
 std::map<int, std::vector<Point>> arms(const StudyResults& study) {
-  const Definition definition(study.definition);
   const auto solves = first_run(study, shown_solver(study));
   const std::size_t step = (solves.size() + arm_colours.size() - 1) / arm_colours.size();
   std::map<int, std::vector<Point>> result;
   std::size_t index = 0;
   for (const auto& [point, solve] : solves) {
     if (index++ % step != 0) continue;
-    std::vector<Point> corners = arm_points(definition, solve->answer_rad);
+    std::vector<Point> corners = arm_points(study.facts, solve->answer_rad);
     if (!corners.empty()) result.emplace(point, std::move(corners));
   }
   return result;

@@ -44,7 +44,7 @@ std::vector<TimedRow> timed_rows(const StudyResults& study) {
   std::vector<TimedRow> result;
   if (!std::isfinite(tolerance_cm(study))) return result;
   const std::vector<TimeAssessment> rows = assess_times(study);
-  for (const PrintedTime& printed : printed_table_7(study.published)) {
+  for (const PrintedTime& printed : printed_table_7(study.facts.published)) {
     const auto row = std::ranges::find(rows, fmt::format("{} bats", printed.bats), &TimeAssessment::solver);
     if (row != rows.end() && row->solves > 0) result.push_back({printed, *row});
   }
@@ -55,7 +55,8 @@ std::string not_judged() { return fmt::format("Not judged, because {} (see the w
 
 std::optional<Claim> real_time_of(const StudyResults& study, const ClaimEntry& entry) {
   const std::vector<TimedRow> rows = timed_rows(study);
-  if (rows.empty() || rows.front().printed.bats != printed_table_7(study.published).front().bats) return std::nullopt;
+  if (rows.empty() || rows.front().printed.bats != printed_table_7(study.facts.published).front().bats)
+    return std::nullopt;
   const auto& [printed, row] = rows.front();
   Claim claim = begun(entry);
   claim.table = "table-7";
@@ -111,7 +112,7 @@ std::optional<Claim> only_offline_of(const StudyResults& study, const ClaimEntry
 // Rounding is a double's step times the length that is computed.
 std::optional<Claim> circle_of(const StudyResults& study, const ClaimEntry& entry) {
   constexpr double step = std::numeric_limits<double>::epsilon(), order = 10;
-  const std::vector<PrintedPosture> postures = printed_table_8(study.published);
+  const std::vector<PrintedPosture> postures = printed_table_8(study.facts.published);
   if (!is_circle(study) || study.solves.empty() || postures.empty()) return std::nullopt;
   std::vector<double> printed, ours;
   for (const PrintedPosture& posture : postures) printed.push_back(posture.error_cm);

@@ -74,7 +74,7 @@ std::vector<Comparison> compare(const StudyResults& study, std::span<const Repea
       rows.push_back({.solver = sample.solver, .metric = metric, .ours = describe(sample.values)});
     }
   }
-  if (study.published.empty()) return rows;
+  if (study.facts.published.empty()) return rows;
   const double our_reference = mean_of(rows, time_reference, Metric::seconds);
   for (Comparison& row : rows) {
     if (row.metric == Metric::seconds) {
@@ -98,7 +98,7 @@ std::vector<Comparison> compare(const StudyResults& study, std::span<const Repea
 std::optional<AnovaTable> comparable_printed_anova(const StudyResults& study, Metric metric) {
   std::set<std::string> ours(study.solvers.begin(), study.solvers.end()), printed;
   for (const PrintedRow& row : printed_table_3(study, metric)) printed.insert(row.algorithm);
-  return study.plan.unit == Unit::run && ours == printed ? printed_anova(study.published, metric) : std::nullopt;
+  return study.plan.unit == Unit::run && ours == printed ? printed_anova(study.facts.published, metric) : std::nullopt;
 }
 
 Table table_3(const StudyResults& study, std::span<const RepeatedSolver> repetitions) {
@@ -178,9 +178,9 @@ std::vector<Table> paper_tables(const StudyResults& study, std::span<const Repea
   const bool is_published = !printed_table_3(study, Metric::position_error_cm).empty();
   std::vector<Table> tables{table_3(study, repetitions)};
   if (std::optional<Table> table = agreement_table(study, repetitions)) tables.push_back(std::move(*table));
-  if (is_published) tables.push_back(table_3_as_printed(study.published));
+  if (is_published) tables.push_back(table_3_as_printed(study.facts.published));
   for (const Metric metric : paper_metrics) tables.push_back(printed_anova_table(study, metric));
-  if (is_published) tables.push_back(anova_from_printed_table_3(study.published));
+  if (is_published) tables.push_back(anova_from_printed_table_3(study.facts.published));
   if (std::optional<Table> table = table_7(study)) tables.push_back(std::move(*table));
   if (std::optional<Table> table = table_7_cost(study)) tables.push_back(std::move(*table));
   if (std::optional<Table> table = table_8(study)) tables.push_back(std::move(*table));

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <map>
 
-#include "analysis/inference/definition.hpp"
+#include "analysis/inference/study_facts.hpp"
 #include "numerics/number.hpp"
 #include "results/published.hpp"
 
@@ -65,8 +65,9 @@ std::vector<PrintedRow> printed_table_3(std::string_view paper, Metric metric) {
 }
 
 std::vector<PrintedRow> printed_table_3(const StudyResults& study, Metric metric) {
-  const std::string path = Definition(study.definition).text("/path/kind");
-  return path == "circle" || path == "random" ? std::vector<PrintedRow>() : printed_table_3(study.published, metric);
+  const std::string& path = study.facts.path.kind;
+  return path == "circle" || path == "random" ? std::vector<PrintedRow>()
+                                              : printed_table_3(study.facts.published, metric);
 }
 
 std::optional<PrintedRow> printed_row(std::string_view paper, std::string_view algorithm, Metric metric) {

@@ -9,8 +9,8 @@
 #include "analysis/inference/clusters.hpp"
 #include "analysis/inference/comparable.hpp"
 #include "analysis/inference/cost_comparison.hpp"
-#include "analysis/inference/definition.hpp"
 #include "analysis/inference/judge.hpp"
+#include "analysis/inference/study_facts.hpp"
 #include "analysis/inference/text.hpp"
 #include "analysis/inference/times.hpp"
 #include "analysis/slim2023/published_numbers.hpp"
@@ -45,7 +45,7 @@ std::string listed(const std::vector<Row>& rows, Text&& text) {
 }
 
 bool is_time_study(const StudyResults& study) {
-  return Definition(study.definition).text("/path/kind") == "random" && !printed_table_7(study.published).empty();
+  return study.facts.path.kind == "random" && !printed_table_7(study.facts.published).empty();
 }
 
 std::string verdict(const std::vector<TimeAssessment>& rows, double tolerance,
@@ -96,7 +96,7 @@ struct Growth {
 };
 
 Growth printed_growth(const StudyResults& study, const std::vector<PrintedTime>& printed) {
-  const CsvTable table = published::table(study.published, "table-7");
+  const CsvTable table = published::table(study.facts.published, "table-7");
   const auto relative_variance = [&](const PrintedTime& row, std::size_t index) {
     const double relative = row.std_ms / row.mean_ms;
     return relative * relative / table.number(index, "n");
@@ -298,7 +298,7 @@ std::vector<std::string> cost_notes(const StudyResults& study, const std::vector
 
 std::optional<Table> table_7(const StudyResults& study) {
   if (!is_time_study(study)) return std::nullopt;
-  const std::vector<PrintedTime> printed = printed_table_7(study.published);
+  const std::vector<PrintedTime> printed = printed_table_7(study.facts.published);
   const std::vector<TimeAssessment> rows = assess_times(study);
   const double tolerance = tolerance_cm(study);
   Table table{.name = "table-7",
@@ -326,7 +326,7 @@ std::optional<Table> table_7_cost(const StudyResults& measured) {
       std::isfinite(tolerance_cm(measured)) && times_are_comparable(measured) && !measured.solves.empty();
   if (!is_time_study(measured) || !has_costs) return std::nullopt;
   const StudyResults study = at_median_speed(measured);
-  const std::vector<PrintedTime> printed = printed_table_7(study.published);
+  const std::vector<PrintedTime> printed = printed_table_7(study.facts.published);
   const std::vector<TimeAssessment> rows = assess_times(measured);
   const Clusters clusters(study);
   const TimeCosts of{clusters, costs_of(study, Cost::seconds, clusters)};
@@ -372,7 +372,7 @@ std::optional<Table> table_7_cost(const StudyResults& measured) {
 std::string real_time_verdict(const StudyResults& study) {
   if (!is_time_study(study)) return "";
   if (!times_are_comparable(study)) return fmt::format("Real time: not judged, because {}.", times_not_judged);
-  return verdict(assess_times(study), tolerance_cm(study), printed_table_7(study.published));
+  return verdict(assess_times(study), tolerance_cm(study), printed_table_7(study.facts.published));
 }
 
 }  // namespace ikbench::slim2023

@@ -39,8 +39,7 @@ void check(const std::vector<Point>& points, const std::vector<Point>& expected)
 
 TEST_CASE("the Dobot at the printed angles of point 1 has its tool at the first point of the circle", "[arm]") {
   const double degree = std::numbers::pi / 180;
-  const auto points =
-      arm_points(Definition(synthetic::dobot_definition), {34.8 * degree, 66.5 * degree, 49.5 * degree});
+  const auto points = arm_points(facts_of(synthetic::dobot_definition), {34.8 * degree, 66.5 * degree, 49.5 * degree});
   REQUIRE(points.size() == 5);
   // (16 + 7, 16, 0) cm; angles printed to 0.1 deg are good for about 0.03 cm
   CHECK(points[4][0] == Approx(0.23).margin(4e-4));
@@ -50,32 +49,32 @@ TEST_CASE("the Dobot at the printed angles of point 1 has its tool at the first 
 
 TEST_CASE("the forearm's angle is that to the horizontal whatever the upper arm does", "[arm]") {
   // By hand: base turned to y, upper arm level, forearm straight down.
-  check(arm_points(Definition(synthetic::dobot_definition), {quarter, quarter, quarter}),
+  check(arm_points(facts_of(synthetic::dobot_definition), {quarter, quarter, quarter}),
         {{0, 0, 0}, {0, 0, 0.058}, {0, 0.135, 0.058}, {0, 0.135, -0.089}, {0, 0.196, -0.089}});
 }
 
 TEST_CASE("a chain's corners are the shoulder, the elbow, the wrist and the tool", "[arm]") {
-  check(arm_points(Definition(iiwa), std::vector<double>(7, 0)),
+  check(arm_points(facts_of(iiwa), std::vector<double>(7, 0)),
         {{0, 0, 0}, {0, 0, 0.36}, {0, 0, 0.78}, {0, 0, 1.18}, {0, 0, 1.306}});
   // By hand: leaning forward by a quarter turn, then the elbow back up by one.
-  check(arm_points(Definition(iiwa), {0, quarter, 0, quarter, 0, 0, 0}),
+  check(arm_points(facts_of(iiwa), {0, quarter, 0, quarter, 0, 0, 0}),
         {{0, 0, 0}, {0, 0, 0.36}, {0.42, 0, 0.36}, {0.42, 0, 0.76}, {0.42, 0, 0.886}});
 }
 
 TEST_CASE("a link's length, offset and the tip are where Denavit and Hartenberg have them", "[arm]") {
-  const Definition one(R"({"arm": {"kind": "denavit_hartenberg", "tip_m": [0, 0.5, 0],
+  const StudyFacts one = facts_of(R"({"arm": {"kind": "denavit_hartenberg", "tip_m": [0, 0.5, 0],
     "links": [{"a_m": 2, "alpha_rad": 1.5707963267948966, "d_m": 1, "offset_rad": 1.5707963267948966}]}})");
   // x turns to y; a along it; alpha then turns the tip's y up.
   check(arm_points(one, {0}), {{0, 0, 0}, {0, 0, 1}, {0, 2, 1}, {0, 2, 1.5}});
 }
 
 TEST_CASE("the Dobot of an older store is the chain that a store has today", "[arm]") {
-  const Definition today(R"({"arm": {"links": [
+  const StudyFacts today = facts_of(R"({"arm": {"links": [
     {"joint": "turns", "offset_deg": 0, "d_m": 0.058, "a_m": 0, "alpha_deg": 0, "limits_deg": [-90, 90]},
     {"joint": "coupled", "offset_deg": 0, "d_m": 0.135, "a_m": 0, "alpha_deg": 0, "limits_deg": [0, 85]},
     {"joint": "coupled", "offset_deg": 0, "d_m": 0, "a_m": 0.147, "alpha_deg": 0, "limits_deg": [-10, 95]}],
     "base": {"position_m": [0, 0, 0], "rpy_deg": [0, 0, 0]}, "tool": {"position_m": [0.061, 0, 0], "rpy_deg": [0, 0, 0]}}})");
-  const Definition older(synthetic::dobot_definition);
+  const StudyFacts older = facts_of(synthetic::dobot_definition);
   check(arm_points(older, {0.3, 0.7, 1.1}), arm_points(today, {0.3, 0.7, 1.1}));
   const std::optional<Arm> arm = arm_of(older), same = arm_of(today);
   REQUIRE((arm && same));
@@ -88,7 +87,7 @@ TEST_CASE("the Dobot of an older store is the chain that a store has today", "[a
 }
 
 TEST_CASE("slides, coupled links, base and tool are where the solves had them", "[arm]") {
-  const Definition arm(R"({"arm": {"links": [
+  const StudyFacts arm = facts_of(R"({"arm": {"links": [
     {"joint": "slides", "offset_deg": 90, "d_m": 0.5, "a_m": 0.2, "alpha_deg": 0, "limits_m": [0, 0.25]},
     {"joint": "coupled", "offset_deg": 0, "d_m": 0, "a_m": 0.3, "alpha_deg": 90, "limits_deg": [-90, 90]}],
     "base": {"position_m": [1, 0, 0], "rpy_deg": [0, 0, 90]}, "tool": {"position_m": [0, 0.125, 0], "rpy_deg": [0, 0, 0]}}})");
@@ -107,9 +106,9 @@ TEST_CASE("an arm that is not known, or angles that are not its own, draw nothin
         R"({"arm": {"kind": "denavit_hartenberg", "links": 5, "tip_m": {}}})", R"({"arm": {"links": []}})",
         R"({"arm": {"links": [{}, {}, {}], "base": {}, "tool": {}}})"}) {
     CAPTURE(definition);
-    CHECK(arm_points(Definition(definition), {0, 0, 0}).empty());
+    CHECK(arm_points(facts_of(definition), {0, 0, 0}).empty());
   }
-  CHECK(arm_points(Definition(synthetic::dobot_definition), {0, 0}).empty());
-  CHECK(arm_points(Definition(synthetic::dobot_definition), {0, NAN, 0}).empty());
-  CHECK(arm_points(Definition(iiwa), std::vector<double>(8, 0)).empty());
+  CHECK(arm_points(facts_of(synthetic::dobot_definition), {0, 0}).empty());
+  CHECK(arm_points(facts_of(synthetic::dobot_definition), {0, NAN, 0}).empty());
+  CHECK(arm_points(facts_of(iiwa), std::vector<double>(8, 0)).empty());
 }

@@ -52,7 +52,7 @@ StudyResults clustered_study(const std::vector<std::vector<std::vector<Spent>>>&
     }
   }
   StudyResults study = make_study("made up", std::move(solves));
-  study.definition = definition;
+  study.facts = facts_of(definition);
   return study;
 }
 

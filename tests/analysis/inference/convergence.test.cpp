@@ -187,7 +187,7 @@ TEST_CASE("the axis of evaluations goes from the cheapest first iteration to the
 
 TEST_CASE("a solve of a pose is there where position and orientation both are", "[convergence]") {
   StudyResults study;
-  study.definition = R"({"stop": {"tolerance_cm": 0.5, "tolerance_deg": 2}})";
+  study.facts = facts_of(R"({"stop": {"tolerance_cm": 0.5, "tolerance_deg": 2}})");
   CHECK(words(tolerance(study)) == "the position error is 0.5 cm and the tool 2 deg from its orientation");
   Solve solve;
   const auto is_there = [&](double position_cm, double angle_deg) {
@@ -199,7 +199,7 @@ TEST_CASE("a solve of a pose is there where position and orientation both are", 
   CHECK_FALSE(is_there(0.50001, 2));
   CHECK_FALSE(is_there(0.5, 2.00001));
   CHECK_FALSE(is_there(0, 180));
-  study.definition = with_tolerance;  // of a position alone
+  study.facts = facts_of(with_tolerance);  // of a position alone
   CHECK(words(tolerance(study)) == "the position error is 0.5 cm");
   CHECK(is_there(0.5, 180));
 }
@@ -211,9 +211,9 @@ TEST_CASE("target errors go down to the tolerance of the study, or below what wa
   CHECK(targets.front() == 10);
   CHECK(targets.back() == Approx(0.01));  // the whole decade below 0.02
   CHECK(targets[25] == Approx(std::sqrt(10 * 0.01)));
-  study.definition = with_tolerance;
+  study.facts = facts_of(with_tolerance);
   CHECK(target_errors_cm(study).back() == 0.5);
-  study.definition = R"({"stop": {"tolerance_cm": 40}})";
+  study.facts = facts_of(R"({"stop": {"tolerance_cm": 40}})");
   CHECK(target_errors_cm(study).front() == 400);
   CHECK(target_errors_cm(two_solvers({0}, {1})).back() == 1e-8);
   CHECK(target_errors_cm(two_solvers({not_a_number}, {not_a_number})).back() == 1);
@@ -310,7 +310,7 @@ TEST_CASE("in every problem that anyone solves somebody is the best", "[converge
 TEST_CASE("the figures of convergence are those that a study has the data for", "[convergence]") {
   const auto names = [](std::vector<SolveRecord> solves, const char* definition) {
     StudyResults study = make_study("s", std::move(solves));
-    study.definition = definition;
+    study.facts = facts_of(definition);
     return figure_names(convergence_figures(study));
   };
   using Names = std::vector<std::string>;
@@ -353,8 +353,8 @@ TEST_CASE("success is drawn against the budget and the time: failures count as n
     solves[i].timing = Timing::clean;
   }
   StudyResults study = make_study("s", std::move(solves));
-  study.definition = R"({"search": "pose", "start": "middle", "path": {"kind": "random"},
-                         "stop": {"tolerance_cm": 0.1, "tolerance_deg": 2}})";
+  study.facts = facts_of(R"({"search": "pose", "start": "middle", "path": {"kind": "random"},
+                         "stop": {"tolerance_cm": 0.1, "tolerance_deg": 2}})");
   const std::vector<Figure> figures = convergence_figures(study);
   // The corners of each solver's stairs, from the left edge to the right.
   using Stairs = std::vector<std::pair<double, double>>;
@@ -388,13 +388,13 @@ TEST_CASE("success is drawn against the budget and the time: failures count as n
 
 TEST_CASE("a caption says what a problem is and what the solves depend on", "[convergence]") {
   StudyResults study = make_study("s", solves_with_traces({.runs = 2}));
-  study.definition = R"({"path": {"kind": "helix"}, "start": "previous"})";
+  study.facts = facts_of(R"({"path": {"kind": "helix"}, "start": "previous"})");
   const std::vector<Figure> chained = convergence_figures(study);
   CHECK(contains(figure_named(chained, "statistics-profile-error").caption,
                  "starts where its previous answer left the arm"));
   CHECK(contains(figure_named(chained, "statistics-profile-error").caption, "The runs repeat the same targets"));
   CHECK(contains(figure_named(chained, "statistics-convergence").caption, "solves of a run depend on each other"));
-  study.definition = with_tolerance;
+  study.facts = facts_of(with_tolerance);
   const std::vector<Figure> independent = convergence_figures(study);
   CHECK(
       contains(figure_named(independent, "statistics-profile-seconds").caption, "from the same start for all solvers"));
@@ -428,7 +428,7 @@ TEST_CASE("figures of convergence are drawn of few, odd and hostile data too", "
     std::vector<Figure> figures = convergence_figures(study);
     // Without a tolerance there is one of them that is not among those with it.
     std::erase_if(figures, [](const Figure& figure) { return figure.name != "statistics-profile-error"; });
-    study.definition = with_tolerance;
+    study.facts = facts_of(with_tolerance);
     for (Figure& figure : convergence_figures(study)) figures.push_back(std::move(figure));
     return all_drawn(figures);
   };

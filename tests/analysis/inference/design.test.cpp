@@ -4,8 +4,8 @@
 #include <cmath>
 #include <set>
 
-#include "analysis/inference/definition.hpp"
 #include "analysis/inference/make_study.hpp"
+#include "analysis/inference/study_facts.hpp"
 #include "tests/catch.hpp"
 
 using namespace ikbench;
@@ -127,10 +127,10 @@ TEST_CASE("equal runs of a solver are one observation, and what is measured anew
 
 TEST_CASE("a definition says whether targets were drawn, of any kind of path, older ones by the kind alone",
           "[design]") {
-  CHECK(Definition(R"({"path": {"kind": "spiral", "targets": "drawn"}})").draws_targets());
-  CHECK(Definition(R"({"path": {"kind": "random"}})").draws_targets());
-  CHECK_FALSE(Definition(R"({"path": {"kind": "spiral"}})").draws_targets());
-  CHECK_FALSE(Definition("{}").draws_targets());
+  CHECK(facts_of(R"({"path": {"kind": "spiral", "targets": "drawn"}})").draws_targets);
+  CHECK(facts_of(R"({"path": {"kind": "random"}})").draws_targets);
+  CHECK_FALSE(facts_of(R"({"path": {"kind": "spiral"}})").draws_targets);
+  CHECK_FALSE(facts_of("{}").draws_targets);
 }
 
 TEST_CASE("targets drawn anew in every run make a block of each run", "[design]") {

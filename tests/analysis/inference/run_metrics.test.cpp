@@ -183,7 +183,7 @@ TEST_CASE("a report shows what differs between runs, and names what it leaves ou
       "of the Jacobian's singular values (always the same); position error beyond the unavoidable, distance of the angles "
       "after a closed path (no meaning in this study).");
   StudyResults of_paper = study;
-  of_paper.published = "slim2023";
+  of_paper.facts.published = "slim2023";
   CHECK(shown_metrics(of_paper).judged == reported_metrics());
   CHECK(shown_metrics(of_paper).listed.empty());
   CHECK(shown_metrics(of_paper).left_out.empty());

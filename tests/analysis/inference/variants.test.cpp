@@ -76,7 +76,7 @@ TEST_CASE("poses are compared by their orientation too, where no metric is named
     return result;
   };
   CHECK(columns().size() == compared_metrics().size());
-  a.study.task.pose = b.study.task.pose = true;
+  a.study.facts.pose = b.study.facts.pose = true;
   CHECK(columns().size() == compared_metrics().size() + 1);
   CHECK(columns()[1] == "orientation_error_deg");
 }
@@ -161,7 +161,7 @@ TEST_CASE("in what two variants differ beside their numbers is told", "[variants
   const Variant a = variant(about(1, 0.1));
   CHECK(compared(a, a).notes.back() == "The stores show no difference between A and B except their sessions.");
   Variant b = a;
-  b.study.definition = R"({"points": 1, "runs": 20, "stop": {"iterations": 100}, "name": "other"})";
+  b.study.facts = facts_of(R"({"points": 1, "runs": 20, "stop": {"iterations": 100}, "name": "other"})");
   b.series.options = R"({"alpha": "0.8"})";
   b.sessions[0].environment["commit"] = "def";
   CHECK(compared(a, b).notes.back() ==
@@ -174,7 +174,7 @@ TEST_CASE("in what two variants differ beside their numbers is told", "[variants
   edited.sessions[0].environment["source." + a.series.algorithm] = "2e";
   CHECK(compared(a, edited).notes.back() ==
         "B differs from A in source (unknown, 1f), source of the solver (unknown, 2e).");
-  b.study.definition = "no JSON";
+  b.study.facts = facts_of("no JSON");
   b.series.options = "[1";
   b.sessions.clear();
   CHECK_THAT(compared(a, b).notes.back(), ContainsSubstring("alpha (0.9, none)"));

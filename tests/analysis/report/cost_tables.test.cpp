@@ -40,7 +40,7 @@ std::vector<SolveRecord> eight_records() {
 
 StudyResults study_of(std::vector<SolveRecord> solves, const char* definition) {
   StudyResults study = make_study("eight", std::move(solves));
-  study.definition = definition;
+  study.facts = facts_of(definition);
   return study;
 }
 
@@ -106,7 +106,7 @@ TEST_CASE("where runs repeat their targets, a target is one trial and there is n
     solve.position_error_cm = solve.point < 4 ? 0 : 1;
   }
   StudyResults study = make_study("path", std::move(solves));
-  study.definition = R"({"stop": {"tolerance_cm": 0.1}, "path": {"kind": "helix"}, "start": "initial"})";
+  study.facts = facts_of(R"({"stop": {"tolerance_cm": 0.1}, "path": {"kind": "helix"}, "start": "initial"})");
   const Table table = evaluations_table(study);
   CHECK(number_at(table, 0, "solves") == 80);
   CHECK(number_at(table, 0, "reached") == 60);
@@ -157,7 +157,7 @@ TEST_CASE("restricted means of all solvers go to the same cost, where every curv
     solves.push_back(solve);
   }
   StudyResults both = make_study("both", std::move(solves));
-  both.definition = independent;
+  both.facts = facts_of(independent);
   const Table table = evaluations_table(both);
   CHECK(has_note(table, "up to 400 evaluations"));
   CHECK(number_at(table, 1, "restricted_mean") == 400);  // nobody reached it
@@ -237,7 +237,7 @@ StudyResults twenty_targets() {
     solve.evaluations = solve.point % 4 == 0 ? 20000 : solve.evaluations / 2;
   }
   StudyResults study = make_study("twenty", std::move(solves));
-  study.definition = independent;
+  study.facts = facts_of(independent);
   return study;
 }
 

@@ -258,7 +258,7 @@ TEST_CASE("the summary writes solvers that are the same to the bit as equal, and
     solves[i].answer_rad = same.answer_rad;
   }
   StudyResults study = make_study("s", solves);
-  study.published = "slim2023";
+  study.facts.published = "slim2023";
   std::string all;
   for (const std::string& sentence : summary_of(study)) all += sentence + '\n';
   CHECK(contains(all,
@@ -416,7 +416,7 @@ TEST_CASE("the summary says which claims of the paper hold", "[report]") {
     if (solve.solver == "MO-PSO") solve.variation_deg /= 2;
   }
   StudyResults study = make_study("s", solves);
-  study.published = "slim2023";
+  study.facts.published = "slim2023";
   std::string all;
   for (const std::string& sentence : summary_of(study)) all += sentence + '\n';
   CHECK(contains(all, "IK-BA is first in the paper, and here too"));
@@ -430,7 +430,7 @@ TEST_CASE("a difference in variation that may be chance is said to be one", "[re
   const double variations[] = {80, 90, 84, 90};  // means 85 and 87: t = -0.343, p = 0.76
   for (std::size_t i = 0; i < solves.size(); ++i) solves[i].variation_deg = variations[i];
   StudyResults study = make_study("s", solves);
-  study.published = "slim2023";
+  study.facts.published = "slim2023";
   CHECK(contains(summary_of(study)[3], "Against MO-PSO (98 %) it is undecided"));
 }
 

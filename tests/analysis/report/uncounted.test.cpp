@@ -41,7 +41,7 @@ StudyResults study_without_counts(double transport = 0.6, double waited = 0) {
     solve.waited_seconds = waited * solve.seconds;
   }
   StudyResults study = make_study("synthetic", std::move(solves));
-  study.definition = R"({"stop": {"tolerance_cm": 1}})";
+  study.facts = facts_of(R"({"stop": {"tolerance_cm": 1}})");
   study.plan.program_times = ProgramTimes::compared;
   return study;
 }
@@ -163,7 +163,7 @@ TEST_CASE("that programs waited for a processor is told, and that errors depend 
   CHECK(note ==
         "Times of program are not compared: 24 of 24 solves took more than 1.1 times their CPU time, or waited for a "
         "processor for more than a tenth of it, so other programs were running.");
-  study.definition = R"({"stop": {"tolerance_cm": 1, "seconds": 0.1}})";
+  study.facts = facts_of(R"({"stop": {"tolerance_cm": 1, "seconds": 0.1}})");
   CHECK(times_note(study) == note + " Solves end by their wall time, so that errors depend on that too.");
 }
 

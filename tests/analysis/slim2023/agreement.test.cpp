@@ -25,7 +25,7 @@ StudyResults study_with(double error_cm) {
   std::vector<SolveRecord> solves = synthetic::solves({.solvers = {"IK-BA"}, .runs = 2});
   for (SolveRecord& solve : solves) solve.position_error_cm = solve.run == 1 ? error_cm : 3 * error_cm;
   StudyResults study = make_study("s", std::move(solves));
-  study.published = "slim2023";
+  study.facts.published = "slim2023";
   return study;
 }
 

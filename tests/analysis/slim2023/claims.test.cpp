@@ -24,7 +24,7 @@ namespace {
 
 StudyResults study_of(std::vector<SolveRecord> solves, const std::string& name = "s") {
   StudyResults study = make_study(name, std::move(solves));
-  study.published = "slim2023";
+  study.facts.published = "slim2023";
   return study;
 }
 
@@ -285,7 +285,7 @@ TEST_CASE("Eq. 13 fails where nothing changes without it, and holds where joints
 TEST_CASE("what we asked besides stands apart and is not counted", "[claims]") {
   const StudyResults study = study_of(synthetic::solves({}), "s");
   StudyResults limits = study_of(synthetic::solves({}), "s-limits");
-  limits.definition = R"({"limits": "enforced"})";
+  limits.facts = facts_of(R"({"published": "slim2023", "limits": "enforced"})");
   StudyResults context = make_study("s-context", synthetic::solves({.solvers = {"DLS"}}));
   for (Solve& solve : context.solves.to_change()) {
     solve.position_error_cm *= 1e-4;
@@ -329,7 +329,7 @@ TEST_CASE("with all clamped or none, each solver's numbers come from the study t
 
 TEST_CASE("a circle is led to rounding error where its errors are of the order of rounding", "[claims]") {
   StudyResults circle = study_of(synthetic::solves({.solvers = {"IK-BA", "BA"}, .runs = 1}));
-  circle.definition = R"({"path": {"kind": "circle"}})";
+  circle.facts = facts_of(R"({"published": "slim2023", "path": {"kind": "circle"}})");
   const auto verdict = [&](double first, double second) {
     for (Solve& solve : circle.solves.to_change())
       solve.position_error_cm = solver_of(circle, solve) == "IK-BA" ? first : second;
@@ -346,7 +346,7 @@ TEST_CASE("real time holds for every target or in part on average, offline use o
   for (SolveRecord& solve : solves) solve.position_error_cm = 0.05;
   const auto claim = [&](const char* id) {
     StudyResults companion = study_of(solves, "s-time");
-    companion.definition = R"({"stop": {"tolerance_cm": 0.1}})";
+    companion.facts = facts_of(R"({"published": "slim2023", "stop": {"tolerance_cm": 0.1}})");
     return claim_of(claims_of(study, {companion}), id);
   };
   const auto verdict = [&](const char* id) { return claim(id).verdict; };

@@ -22,7 +22,7 @@ namespace {
 
 StudyResults paper_study(std::vector<SolveRecord> solves) {
   StudyResults study = make_study("synthetic", std::move(solves));
-  study.published = "slim2023";
+  study.facts.published = "slim2023";
   return study;
 }
 
@@ -103,7 +103,7 @@ TEST_CASE("runs, points and the paper come from the study's definition", "[study
   const StudyResults study = make_study(entry, {});
   CHECK(study.runs == 20);
   CHECK(study.points == 20);
-  CHECK(study.published == "slim2023");
+  CHECK(study.facts.published == "slim2023");
   CHECK(study.solvers == std::vector<std::string>{"IK-BA", "BA"});
   CHECK(counts(study)[0].expected == 400);
 }

@@ -1,0 +1,111 @@
+#include "analysis/inference/study_facts.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace ikbench::inference {
+
+namespace {
+
+using Json = nlohmann::json;
+
+const Json* find(const Json& object, const std::string& key) {
+  const auto found = object.is_object() ? object.find(key) : object.end();
+  return found == object.end() ? nullptr : &*found;
+}
+
+Json part(const Json& object, const std::string& key) {
+  const Json* const found = find(object, key);
+  return found != nullptr ? *found : Json();
+}
+
+std::string text(const Json& object, const std::string& key) {
+  const Json* const found = find(object, key);
+  return found != nullptr && found->is_string() ? found->get<std::string>() : std::string();
+}
+
+double number(const Json& object, const std::string& key) {
+  const Json* const found = find(object, key);
+  return found != nullptr && found->is_number() ? found->get<double>() : not_defined;
+}
+
+std::vector<double> numbers(const Json& object, const std::string& key) {
+  const Json list = part(object, key);
+  const auto is_number = [](const Json& element) { return element.is_number(); };
+  return list.is_array() && std::ranges::all_of(list, is_number) ? list.get<std::vector<double>>()
+                                                                 : std::vector<double>();
+}
+
+std::set<std::size_t> slides_of(const Json& arm) {
+  std::set<std::size_t> slides;
+  const Json links = part(arm, "links");
+  for (std::size_t joint = 0; links.is_array() && joint < links.size(); ++joint) {
+    if (text(links[joint], "joint") == "slides") slides.insert(joint);
+  }
+  return slides;
+}
+
+StudyFacts::Path path_of(const Json& path) {
+  return {.kind = text(path, "kind"),
+          .phase = text(path, "phase"),
+          .centre_cm = numbers(path, "centre_cm"),
+          .radius_cm = number(path, "radius_cm"),
+          .length_cm = number(path, "length_cm"),
+          .turns = number(path, "turns"),
+          .start_deg = number(path, "start_deg")};
+}
+
+StudyFacts::Stop stop_of(const Json& stop) {
+  return {.tolerance_cm = number(stop, "tolerance_cm"),
+          .tolerance_deg = number(stop, "tolerance_deg"),
+          .evaluations = number(stop, "evaluations"),
+          .seconds = number(stop, "seconds")};
+}
+
+StudyFacts::OutOfReach out_of_reach_of(const Json& targets) {
+  return {.points = number(targets, "points"),
+          .farthest_point = number(targets, "farthest_point"),
+          .farthest_cm = number(targets, "farthest_cm"),
+          .reach_cm = number(targets, "reach_cm")};
+}
+
+std::vector<std::string> texts(const Json& list) {
+  std::vector<std::string> result;
+  for (const Json& each : list.is_array() ? list : Json::array()) {
+    if (each.is_string()) result.push_back(each.get<std::string>());
+  }
+  return result;
+}
+
+}  // namespace
+
+StudyFacts facts_of(std::string definition) {
+  const Json all = Json::parse(definition, nullptr, false);
+  const std::string search = text(all, "search");
+  const Json path = part(all, "path"), arm = part(all, "arm");
+  return {.json = std::move(definition),
+          .title = text(all, "title"),
+          .published = text(all, "published"),
+          .robot = text(all, "robot"),
+          .start = text(all, "start"),
+          .departures = texts(part(all, "departures")),
+          .enforces_limits = text(all, "limits") == "enforced",
+          .draws_targets = text(path, "targets") == "drawn" || text(path, "kind") == "random",
+          .orientation = search != "all_joints",
+          .pose = search == "pose",
+          .wrist = search == "wrist",
+          .slides = slides_of(arm),
+          .seed = number(all, "seed"),
+          .repeats = number(all, "repeats"),
+          .deadline_ms = number(all, "deadline_ms"),
+          .stop = stop_of(part(all, "stop")),
+          .path = path_of(path),
+          .out_of_reach = out_of_reach_of(part(all, "out_of_reach")),
+          .arm = arm};
+}
+
+std::string text_option(std::string_view options, const std::string& name) {
+  return text(Json::parse(options, nullptr, false), name);
+}
+
+}  // namespace ikbench::inference
