@@ -28,7 +28,8 @@ bool has_tolerance(const StudyResults& study) { return std::isfinite(tolerance_c
 
 bool is_ok(const Solve* solve) { return solve->status == Status::ok; }
 
-// What a solve may cost at most: the study's limit, or without one what its dearest solve cost.
+}  // namespace
+
 double limit_of(const StudyResults& study, Metric metric) {
   double limit = not_defined;
   if (metric == Metric::evaluations) limit = study.facts.stop.evaluations;
@@ -42,6 +43,8 @@ double limit_of(const StudyResults& study, Metric metric) {
   return most;
 }
 
+namespace {
+
 // In a study with a tolerance, so that none gains by answers that solve nothing.
 void penalise(Quantity& result, const StudyResults& study, Metric metric) {
   if (is_of_run(metric)) {
@@ -53,12 +56,7 @@ void penalise(Quantity& result, const StudyResults& study, Metric metric) {
   }
   const double limit = limit_of(study, metric);
   result.text = "penalised " + result.text;
-  result.value = averaged(
-      [&study, metric, limit](const Solve& solve) {
-        const bool is_known = metric != Metric::evaluations || solve.counted_by != CountedBy::nobody;
-        return is_ok(&solve) || !is_known ? value_of(study, solve, metric) : penalty * limit;
-      },
-      average_of(metric));
+  result.value = averaged(counted_value(study, metric, limit), average_of(metric));
   result.notes.push_back(fmt::format(
       "A solve without status ok costs {0:g} times the limit, {0:g} times {1} (PAR10), so that no solver "
       "gains by answers that solve nothing. The limit is the study's, or without one what the dearest solve "
@@ -78,7 +76,7 @@ Quantity mean_quantity(const StudyResults& study, Metric metric) {
                   .better = info.better,
                   .average = is_of_run(metric) ? "value" : std::string(average_name(metric)),
                   .value = [&study, metric](Run run) { return value_of(study, run, metric); }};
-  if (is_cost(metric) && has_tolerance(study)) penalise(result, study, metric);
+  if (is_penalised(study, metric)) penalise(result, study, metric);
   const double least = tolerance_of(study, metric);
   if (!std::isfinite(least)) return result;
   result.notes.push_back(tolerance_note(least, info.unit));
@@ -149,6 +147,16 @@ ValueOf counted_value(const StudyResults& study, Metric metric) {
   return [&study, metric, least = tolerance_of(study, metric)](const Solve& solve) {
     const double value = value_of(study, solve, metric);
     return value < least ? least : value;
+  };
+}
+
+bool is_penalised(const StudyResults& study, Metric metric) { return is_cost(metric) && has_tolerance(study); }
+
+ValueOf counted_value(const StudyResults& study, Metric metric, double limit) {
+  if (!is_penalised(study, metric)) return counted_value(study, metric);
+  return [&study, metric, limit](const Solve& solve) {
+    const bool is_known = metric != Metric::evaluations || solve.counted_by != CountedBy::nobody;
+    return is_ok(&solve) || !is_known ? value_of(study, solve, metric) : penalty * limit;
   };
 }
 

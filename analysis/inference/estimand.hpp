@@ -35,6 +35,13 @@ results::Estimand primary_estimand(const StudyResults& study);
 // value is what it is. `study` outlives the result.
 ValueOf counted_value(const StudyResults& study, Metric metric);
 
+// Whether a cost of a solve that is not ok counts `penalty` times a limit (PAR10): in studies with a tolerance.
+bool is_penalised(const StudyResults& study, Metric metric);
+// What a solve may cost at most: the study's limit, or without one what its dearest solve cost.
+double limit_of(const StudyResults& study, Metric metric);
+// The counted value; penalised where it is a cost in a study with a tolerance.
+ValueOf counted_value(const StudyResults& study, Metric metric, double limit);
+
 // `study` outlives the result. mean: the average of the counted value (average_of), or what a run has as a whole. In a
 // study with a tolerance a cost of a solve that is not ok counts `penalty` times the study's limit (PAR10), or without
 // a limit the largest that any solve has; what a run costs as a whole is not defined where none of its solves is ok.

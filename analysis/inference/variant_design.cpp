@@ -180,12 +180,15 @@ std::string sentence_of(const VariantDesign& design, int points) {
       design.a.size(), design.b.size(), observation);
 }
 
-std::vector<double> values_of(const StudyResults& study, const std::vector<Observed>& observed, Metric metric) {
+std::vector<double> values_of(const StudyResults& study, const std::vector<Observed>& observed, Metric metric,
+                              double limit) {
   std::vector<double> result;
-  const ValueOf counted = counted_value(study, metric);
+  const ValueOf counted = counted_value(study, metric, limit);
   for (const Observed& one : observed) {
     if (is_of_run(metric)) {
-      result.push_back(value_of(study, one.solves, metric));
+      const bool counts = !is_penalised(study, metric) ||
+                          std::ranges::find(one.solves, results::Status::ok, &Solve::status) != one.solves.end();
+      result.push_back(counts ? value_of(study, one.solves, metric) : statistics::not_defined);
       continue;
     }
     std::vector<double> values;

@@ -30,7 +30,9 @@ VariantDesign variant_design(const Variant& a, const Variant& b);
 // Whether observations are compared in pairs, and why, in a sentence.
 std::string sentence_of(const VariantDesign& design, int points);
 
-std::vector<double> values_of(const StudyResults& study, const std::vector<Observed>& observed, Metric metric);
+// `limit`: as counted_value takes it.
+std::vector<double> values_of(const StudyResults& study, const std::vector<Observed>& observed, Metric metric,
+                              double limit = statistics::not_defined);
 // Whether every solve, or every run of what is of runs alone, has the same value in both.
 bool has_same_bits(const StudyResults& of_a, const StudyResults& of_b, const VariantDesign& design, Metric metric);
 

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "analysis/inference/comparable.hpp"
+#include "analysis/inference/estimand.hpp"
 #include "analysis/inference/make_study.hpp"
 #include "analysis/inference/variant_decision.hpp"
 #include "analysis/inference/variant_design.hpp"
@@ -25,7 +26,7 @@ namespace {
 // Where none is named: of poses the orientation too.
 std::vector<Metric> by_default(const std::vector<VariantPair>& pairs) {
   std::vector<Metric> result = compared_metrics();
-  const auto is_of_poses = [](const VariantPair& pair) { return pair.a.study.task.pose; };
+  const auto is_of_poses = [](const VariantPair& pair) { return pair.a.study.facts.pose; };
   if (std::ranges::any_of(pairs, is_of_poses)) result.insert(result.begin() + 1, Metric::orientation_error_deg);
   return result;
 }
@@ -116,8 +117,9 @@ VariantComparison examined(const VariantPair& pair, const std::vector<Metric>& a
   const bool are_copies = design.pairs == Blocks::none && repeats_itself(a.study, a.series.label) &&
                           repeats_itself(b.study, b.series.label);
   for (const Metric metric : asked) {
-    const std::vector<double> of_a = values_of(a.study, design.a, metric);
-    const std::vector<double> of_b = values_of(study_of_b, design.b, metric);
+    const double limit = std::max(limit_of(a.study, metric), limit_of(b.study, metric));
+    const std::vector<double> of_a = values_of(a.study, design.a, metric, limit);
+    const std::vector<double> of_b = values_of(study_of_b, design.b, metric, limit);
     const std::string why_not = info_of(metric).kind == Kind::time ? why_not_timed
                                 : metric == Metric::evaluations    ? why_not_counted
                                                                    : "";
@@ -133,6 +135,11 @@ VariantComparison examined(const VariantPair& pair, const std::vector<Metric>& a
                                                  .is_counted = is_counted || metric != Metric::evaluations},
                                                 question));
     if (!why_not.empty()) comparison.notes.push_back(why_not);
+  }
+  if (std::ranges::any_of(asked, [&](Metric metric) { return is_penalised(a.study, metric); })) {
+    comparison.notes.push_back(fmt::format(
+        "A cost of a solve that is not ok counts {:g} times the limit, the study's or that of the dearest solve (PAR10).",
+        penalty));
   }
   note_failures(comparison, a, b);
   note_single(comparison, design);

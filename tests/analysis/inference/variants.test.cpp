@@ -270,3 +270,25 @@ TEST_CASE("a store's labels become variants, each with its own solves and sessio
   REQUIRE(found[1].sessions.size() == 1);
   CHECK(found[1].sessions[0].environment.at("cpu") == "two");
 }
+
+TEST_CASE("in a study with a tolerance, a variant that solves nothing is not cheaper", "[variants]") {
+  const Solved shape{.runs = 20, .definition = R"({"points": 1, "runs": 20, "stop": {"tolerance_cm": 0.1}})"};
+  const auto spent = [](SolveRecord& solve) { solve.evaluations = 100 + solve.run; };
+  const auto returns_the_start = [](SolveRecord& solve) {
+    solve.status = Status::tolerance_missed;
+    solve.evaluations = 1;
+    solve.variation_deg = 0;
+  };
+  const VariantComparison comparison = compared(variant(
+                                                    shape, [](int, int) { return 0.01; }, spent),
+                                                variant(
+                                                    shape, [](int, int) { return 5.0; }, returns_the_start),
+                                                {"evaluations", "variation_deg"});
+  for (const MetricComparison& metric : comparison.metrics) {
+    CAPTURE(metric.metric);
+    CHECK(metric.mean_favours == -1);
+    CHECK(metric.outcome != Outcome::better);
+    CHECK(metric.outcome != Outcome::better_by_less);
+  }
+  CHECK(metric_of(comparison, "evaluations").b.mean == Approx(10 * 120));  // of the dearest solve, which took 120
+}
