@@ -1,5 +1,6 @@
 #include "experiments/foreign/child_process.hpp"
 
+#include <dirent.h>
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <poll.h>
@@ -12,6 +13,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <charconv>
 #include <cstring>
 #include <fstream>
 #include <limits>
@@ -45,6 +47,76 @@ struct Pipe {
   std::array<int, 2> ends{};  // to read from, to write to
 };
 
+// What a program and all that it starts have in their environment, whatever group or session they go to: the number of
+// the guard. Nothing of this, nor of what reads it, takes memory or needs a lock.
+class Mark {
+ public:
+  explicit Mark(pid_t guard) {
+    char* const end = std::to_chars(std::ranges::copy(name, text_.begin()).out, text_.end() - 1, guard).ptr;
+    *end = '\0';
+    size_ = static_cast<std::size_t>(end - text_.data());
+  }
+  std::string_view text() const { return {text_.data(), size_}; }
+  std::string_view whole() const { return {text_.data(), size_ + 1}; }  // with the zero that ends it
+
+  static constexpr std::string_view name = "IKBENCH_GUARD=";
+
+ private:
+  std::array<char, 40> text_;
+  std::size_t size_ = 0;
+};
+
+// Whether the environment that a process of /proc was started with has the mark.
+bool is_marked(int proc, const char* process, const Mark& mark) {
+  constexpr std::string_view file_name = "/environ";
+  std::array<char, 64> path{};
+  const std::size_t digits = std::strlen(process);
+  if (digits + file_name.size() >= path.size()) return false;
+  std::ranges::copy(file_name, std::copy_n(process, digits, path.begin()));
+  const int file = ::openat(proc, path.data(), O_RDONLY | O_CLOEXEC);
+  if (file < 0) return false;
+  std::array<char, 8192> buffer;
+  std::size_t kept = 0;  // of what was read before, in which the mark may begin
+  bool found = false;
+  for (ssize_t size = 0; !found && (size = ::read(file, buffer.data() + kept, buffer.size() - kept)) > 0;) {
+    const std::string_view text(buffer.data(), kept + static_cast<std::size_t>(size));
+    found = text.find(mark.whole()) != std::string_view::npos;
+    kept = std::min(text.size(), mark.whole().size() - 1);
+    std::memmove(buffer.data(), text.data() + text.size() - kept, kept);
+  }
+  ::close(file);
+  return found;
+}
+
+// How many were there.
+int kill_marked(const Mark& mark) {
+  const int proc = ::open("/proc", O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (proc < 0) return 0;
+  int killed = 0;
+  alignas(dirent64) std::array<char, 8192> entries;
+  for (ssize_t size = 0; (size = ::getdents64(proc, entries.data(), entries.size())) > 0;) {
+    for (ssize_t at = 0; at < size;) {
+      const auto* const entry = reinterpret_cast<const dirent64*>(entries.data() + at);
+      at += entry->d_reclen;
+      pid_t process = 0;
+      const char* const name = entry->d_name;
+      std::from_chars(name, name + std::strlen(name), process);
+      if (process <= 0 || !is_marked(proc, name, mark)) continue;
+      ::kill(process, SIGKILL);
+      ++killed;
+    }
+  }
+  ::close(proc);
+  return killed;
+}
+
+// What leaves its session, as setsid does, is found by its mark. It may start others meanwhile.
+void kill_all_marked(const Mark& mark) {
+  constexpr int most_rounds = 10;
+  for (int round = 0; round < most_rounds && kill_marked(mark) > 0; ++round) {
+  }
+}
+
 // A program may leave the group that it was started in, as coreutils' timeout does, and lead its own.
 void signal_all(pid_t group, pid_t process, int signal) {
   if (::getpgid(process) == process) ::kill(-process, signal);
@@ -71,6 +143,7 @@ pid_t start_guard(int lifeline) {
   while (::read(STDIN_FILENO, &ignored, sizeof(ignored)) < 0 && errno == EINTR) {
   }
   if (process > 0) signal_all(::getpid(), process, SIGKILL);
+  kill_all_marked(Mark(::getpid()));
   ::kill(0, SIGKILL);
   ::_exit(0);
 }
@@ -98,11 +171,12 @@ class WithoutPipeSignal {
   sigset_t pipe_{}, before_{};
 };
 
-std::vector<std::string> environment_of_child() {
-  std::vector<std::string> variables{"LC_ALL=C", "OMP_NUM_THREADS=1"};
+std::vector<std::string> environment_of_child(pid_t guard) {
+  std::vector<std::string> variables{std::string(Mark(guard).text()), "LC_ALL=C", "OMP_NUM_THREADS=1"};
   for (char** variable = environ; *variable != nullptr; ++variable) {
     const std::string_view text = *variable;
-    if (!text.starts_with("LC_ALL=") && !text.starts_with("OMP_NUM_THREADS=")) variables.emplace_back(text);
+    const auto begins = [&](std::string_view name) { return text.starts_with(name); };
+    if (!begins(Mark::name) && !begins("LC_ALL=") && !begins("OMP_NUM_THREADS=")) variables.emplace_back(text);
   }
   return variables;
 }
@@ -116,7 +190,7 @@ std::vector<char*> pointers_to(std::vector<std::string>& texts) {
 
 // Its error number; 0 where it runs.
 int spawn(pid_t& process, const Command& command, pid_t group, const std::array<int, 3>& descriptors) {
-  std::vector<std::string> words = command.words, variables = environment_of_child();
+  std::vector<std::string> words = command.words, variables = environment_of_child(group);
   posix_spawn_file_actions_t actions;
   posix_spawnattr_t attributes;
   ::posix_spawn_file_actions_init(&actions);
@@ -299,6 +373,7 @@ void ChildProcess::end(std::chrono::milliseconds patience) {
   } else {
     signal_all(guard_, process_, SIGKILL);
   }
+  kill_all_marked(Mark(guard_));
   if (!has_ended_) bury(process_, status_);
   has_ended_ = true;
   for (int i = 0; i < 100 && errors_ >= 0; ++i) {

@@ -294,10 +294,16 @@ study mistake '[[solvers]]
 process = ["cat", "/dev/zero"]'
 refused 'more than a million bytes' run mistake.toml
 
-# Whatever ends the suite ends its programs.
+# Whatever ends the suite ends its programs, and what these have started in a session of its own.
+cat >leaver.sh <<'END'
+setsid sleep 31415 </dev/null >/dev/null 2>&1 &
+exec python3 faulty.py "$@"
+END
 children() { pgrep -f "faulty.py $1" | wc -l; }
+left_by_it() { pgrep -f "^sleep 31415" | wc -l; }
 for signal in INT KILL; do
-  sed -e 's/runs = 2/runs = 2000/' -e "s/fine/until-$signal/" edited.toml >long.toml
+  sed -e 's/runs = 2/runs = 2000/' -e "s/fine/until-$signal/" -e 's/"python3", "faulty.py"/"sh", "leaver.sh"/' edited.toml >long.toml
+  grep -q leaver.sh long.toml || fail "no leaver in $(<long.toml)"
   "$program" run long.toml --no-report --out long-$signal >/dev/null 2>&1 &
   suite=$!
   for ((i = 0; i < 200; ++i)); do
@@ -305,6 +311,7 @@ for signal in INT KILL; do
     sleep 0.1
   done
   [ "$(children until-$signal)" -ge 1 ] || fail "the program did not start"
+  [ "$(left_by_it)" -ge 1 ] || fail "the program started nothing"
   kill -$signal $suite
   wait $suite 2>/dev/null
   for ((i = 0; i < 50; ++i)); do
@@ -312,5 +319,6 @@ for signal in INT KILL; do
     sleep 0.1
   done
   [ "$(children until-$signal)" = 0 ] || fail "SIG$signal left a program behind"
+  [ "$(left_by_it)" = 0 ] || fail "SIG$signal left what the program started in a session of its own"
 done
 echo "programs: all right"
