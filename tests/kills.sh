@@ -4,14 +4,15 @@
 #
 #   tests/kills.sh PROGRAM                  a few of each, as ./check does
 #   tests/kills.sh PROGRAM 100              a hundred of each
-#   tests/kills.sh PROGRAM 100 run merge    of these parts alone: run shard merge multiverse migration report disk locked
+#   tests/kills.sh PROGRAM 100 run merge    of these parts alone: run program shard merge multiverse
+#                                           migration report files disk locked
 #
 # IKBENCH_KILLS_SEED=N repeats the moments of another time.
 source "$(dirname "$0")/cli/common.sh"
 command -v sqlite3 >/dev/null || fail "no sqlite3, which ./setup installs"
 rounds=${2:-2}
 parts=("${@:3}")
-[ ${#parts[@]} -gt 0 ] || parts=(run shard merge multiverse migration report disk locked)
+[ ${#parts[@]} -gt 0 ] || parts=(run program shard merge multiverse migration report files disk locked)
 seed=${IKBENCH_KILLS_SEED:-$((10#$(date +%N)))}
 RANDOM=$seed
 echo "kills.sh: $rounds of each, IKBENCH_KILLS_SEED=$seed"
@@ -115,6 +116,29 @@ kill_run() {
   done
 }
 
+# Solvers that are programs or shared objects.
+kill_program() {
+  local kind
+  look() { rows_of program/store.sqlite; }
+  look_after() { rows_after program/store.sqlite; }
+  command -v python3 >/dev/null || { echo "no program: no python3"; return; }
+  cp "$scripts/../../docs/examples/pso.py" .
+  for kind in process shared_object; do
+    {
+      printf 'name = "program"\nruns = 6\nrepeats = 1\npopulation = 10\n[path]\npoints = 4\n[stop]\niterations = 10\n[[solvers]]\n'
+      if [ $kind = process ]; then
+        printf 'label = "mine"\nprocess = ["python3", "pso.py"]\n'
+      else
+        printf 'label = "mine"\nsolver = "bat"\nshared_object = "%s"\n' "$(dirname "$program")/tests/plugins/ikbench_six.so"
+      fi
+    } >$kind.toml
+    succeeds run $kind.toml --no-report --out whole-$kind
+    until_done program 900 KILL run $kind.toml --out program --no-report
+    same_fingerprint program/store.sqlite whole-$kind/store.sqlite
+    told "run of a $kind, SIGKILL" "$rounds"
+  done
+}
+
 # A shard has no log, so a kill may leave it half-written: the same command mends it.
 kill_shard() {
   local signal
@@ -203,6 +227,39 @@ kill_report() {
     at_work "drawn/figures/.drawing-*" $signal report whole/store.sqlite --out drawn
     [ -z "$(find drawn -name '.drawing-*')" ] || fail "SIG$signal left $(find drawn -name '.drawing-*')"
   done
+}
+
+# Files that are exported, imported from or submitted: whole or not there, and the same command again succeeds and cleans.
+kill_files() {
+  local format k signal
+  look() { echo 0; }
+  succeeds run slim2023 --set runs=8 --set trace=best_error --out exported-from --no-report
+  for format in csv json ompl ompl-log iohprofiler; do
+    for ((k = 0; k < rounds; ++k)); do
+      rm -rf exported && mkdir exported
+      signalled 250 KILL export exported-from/store.sqlite --format $format -o exported/result
+      [ "$code" = 0 ] || succeeds export exported-from/store.sqlite --format $format -o exported/result
+      [ "$(ls -A exported)" = result ] || fail "a killed export of $format leaves $(ls -A exported)"
+    done
+    told "export --format $format, SIGKILL" "$rounds"
+  done
+  "$program" export whole/store.sqlite | awk -F, 'NR == 1 { for (i = 1; i <= NF; ++i) at[$i] = i; print "run,point,position_error_cm" }
+    NR > 1 && $at["solver"] == "BA" { print $at["run"] "," $at["point"] "," $at["position_error_cm"] }' >mine.csv
+  for ((k = 0; k < rounds; ++k)); do
+    rm -rf imported && cp -r whole imported
+    signalled 300 KILL import mine.csv --out imported --no-report
+    [ "$code" = 0 ] || succeeds import mine.csv --out imported --no-report
+    [ "$(rows_of imported/store.sqlite)" = $(($(rows_of whole/store.sqlite) + $(wc -l <mine.csv) - 1)) ] ||
+      fail "$(rows_of imported/store.sqlite) solves after a killed import"
+  done
+  told "import, SIGKILL" "$rounds"
+  for ((k = 0; k < rounds; ++k)); do
+    rm -rf submitted
+    signalled 60 KILL submit slim2023 "${small[@]}" --tasks 2 --out submitted --dry-run
+    succeeds submit slim2023 "${small[@]}" --tasks 2 --out submitted --dry-run
+    [ -z "$(find submitted -name '*.half-*')" ] || fail "a killed submit leaves $(find submitted -name '*.half-*')"
+  done
+  told "submit, SIGKILL" "$rounds"
 }
 
 # Takes away what is in a place on the small disk, and leaves room for half of it.
