@@ -17,6 +17,7 @@
 #include "experiments/series_key.hpp"
 #include "experiments/workers.hpp"
 #include "numerics/number.hpp"
+#include "results/files.hpp"
 
 namespace ikbench::experiments {
 
@@ -142,16 +143,9 @@ void SeriesMeans::keep(const std::string& key, RunMeans means) {
 
 void SeriesMeans::sort() {
   if (file_.empty() || is_sorted_) return;
-  std::filesystem::path sorted = file_;
-  sorted += ".sorted";
-  errno = 0;
-  std::ofstream out(sorted, std::ios::binary | std::ios::trunc);
-  out << head_of_means;
-  for (const auto& [key, means] : known_) out << line_of(key, means);
-  out.close();
-  std::error_code error(errno, std::generic_category());
-  if (out) std::filesystem::rename(sorted, file_, error);
-  if (!out || error) throw std::runtime_error(fmt::format("cannot write {}: {}", file_.string(), error.message()));
+  std::string text(head_of_means);
+  for (const auto& [key, means] : known_) text += line_of(key, means);
+  write_file(file_, text);
   is_sorted_ = true;
 }
 
