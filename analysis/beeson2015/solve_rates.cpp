@@ -35,6 +35,26 @@ Cell percentage(double share) { return std::isfinite(share) ? Cell(100 * share) 
 
 Range percentages(const Proportion& of) { return {100 * of.low, 100 * of.high}; }
 
+Proportion rate_within(const StudyResults& study, std::string_view solver, int iterations) {
+  Successes count;
+  for (const Solve& solve : solves_of(study, solver)) {
+    ++count.trials;
+    if (solve.status == Status::ok && static_cast<int>(solve.iterations) <= iterations) ++count.successes;
+  }
+  return wilson(count, level);
+}
+
+Budgets within(const StudyResults& study, std::string_view solver, double printed) {
+  Budgets found;
+  for (std::size_t i = 0; i < budgets.size(); ++i) found.ours[i] = rate_within(study, solver, budgets[i]);
+  for (int iterations = 1; iterations <= budgets.back(); ++iterations) {
+    if (!agrees({.printed = printed, .ours = rate_within(study, solver, iterations)})) continue;
+    if (found.first == 0) found.first = iterations;
+    found.last = iterations;
+  }
+  return found;
+}
+
 }  // namespace
 
 std::vector<ArmRates> solve_rates(const Reported& reported) {
@@ -54,6 +74,7 @@ std::vector<ArmRates> solve_rates(const Reported& reported) {
       one.arm = arm->second;
       one.kdl = {share(row, "kdl_percent"), solve_rate(study, kdl, level)};
       one.kdl_rr = {share(row, "kdl_rr_percent"), solve_rate(study, kdl_rr, level)};
+      one.kdl_within = within(study, kdl, one.kdl.printed);
       one.trac_ik = share(row, "trac_ik_percent");
       const bool has_both = std::ranges::count(study.solvers, kdl) + std::ranges::count(study.solvers, kdl_rr) == 2;
       if (has_both) one.restarts = judge(study.evidence(Metric::solved), kdl_rr, kdl);
@@ -80,6 +101,24 @@ Table solve_rates_table(const std::vector<ArmRates>& arms) {
     table.rows.push_back({one.arm, percentage(one.kdl.printed), percentage(one.kdl.ours.estimate),
                           percentages(one.kdl.ours), percentage(one.kdl_rr.printed),
                           percentage(one.kdl_rr.ours.estimate), percentages(one.kdl_rr.ours), percentage(one.trac_ik)});
+  }
+  return table;
+}
+
+Table iterations_table(const std::vector<ArmRates>& arms) {
+  Table table{
+      .name = "solve-rates-iterations",
+      .caption = "Poses that KDL's rule solves [%], by iterations",
+      .columns = {{"arm", Align::left}, {"KDL, printed"}},
+      .notes = {"Printed: as many iterations as fit into 5 ms on the authors' machine; how many is not known."}};
+  for (const int iterations : budgets) table.columns.push_back({fmt::format("{} iterations", iterations)});
+  table.columns.push_back({"as printed within", Align::left});
+  for (const ArmRates& one : arms) {
+    std::vector<Cell> row{one.arm, percentage(one.kdl.printed)};
+    for (const Proportion& ours : one.kdl_within.ours) row.push_back(percentage(ours.estimate));
+    const auto& [ours, first, last] = one.kdl_within;
+    row.emplace_back(first == 0 ? std::string("none of these") : fmt::format("{} to {} iterations", first, last));
+    table.rows.push_back(std::move(row));
   }
   return table;
 }
