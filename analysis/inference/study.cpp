@@ -47,7 +47,7 @@ bool are_copies(std::span<const Solve> run, std::span<const Solve> other) {
 
 // Of runs that are copies: what was measured anew in each, as times are, stays.
 void join_equal_runs(Sample& sample, std::size_t runs) {
-  if (sample.incomplete_runs > 0 || runs == 0 || sample.values.size() % runs != 0) return;
+  if (runs == 0 || sample.values.size() % runs != 0) return;
   const auto of_a_run = static_cast<std::ptrdiff_t>(sample.values.size() / runs);
   const auto is_same = [](double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); };
   for (auto run = sample.values.begin(); run != sample.values.end(); run += of_a_run) {

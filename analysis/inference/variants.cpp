@@ -93,6 +93,17 @@ bool are_counted(const StudyResults& study) {
   return std::ranges::find(study.solves, CountedBy::nobody, &Solve::counted_by) == study.solves.end();
 }
 
+bool is_constant(const std::vector<double>& values) {
+  return !values.empty() && std::ranges::count(values, values.front()) == std::ssize(values);
+}
+
+std::string repeats_note(std::string_view side) {
+  return fmt::format(
+      "{} gave the same answers in every run, so its runs are one observation. No test compares it with runs that "
+      "differ.",
+      side);
+}
+
 VariantComparison examined(const VariantPair& pair, const std::vector<Metric>& asked, const MarginQuestion& question,
                            std::size_t tests) {
   const auto& [a, b] = pair;
@@ -114,14 +125,17 @@ VariantComparison examined(const VariantPair& pair, const std::vector<Metric>& a
     const auto has_same = [&](Metric one) { return has_same_bits(a.study, study_of_b, design, one); };
     return has_same(metric) && (info_of(metric).kind != Kind::share || has_same(Metric::position_error_cm));
   };
-  const bool are_copies = design.pairs == Blocks::none && repeats_itself(a.study, a.series.label) &&
-                          repeats_itself(b.study, b.series.label);
+  const bool a_repeats = design.pairs == Blocks::none && repeats_itself(a.study, a.series.label),
+             b_repeats = design.pairs == Blocks::none && repeats_itself(b.study, b.series.label);
   for (const Metric metric : asked) {
     const double limit = std::max(limit_of(a.study, metric), limit_of(b.study, metric));
     const std::vector<double> of_a = values_of(a.study, design.a, metric, limit);
     const std::vector<double> of_b = values_of(study_of_b, design.b, metric, limit);
+    // Where one of the two has a single value, however often it repeats it, no test holds it against runs that differ.
+    const bool a_is_one = a_repeats && is_constant(of_a), b_is_one = b_repeats && is_constant(of_b);
     const std::string why_not = info_of(metric).kind == Kind::time ? why_not_timed
                                 : metric == Metric::evaluations    ? why_not_counted
+                                : a_is_one != b_is_one             ? repeats_note(a_is_one ? "A" : "B")
                                                                    : "";
     comparison.metrics.push_back(compare_metric({.metric = metric,
                                                  .a = of_a,
@@ -129,12 +143,13 @@ VariantComparison examined(const VariantPair& pair, const std::vector<Metric>& a
                                                  .observation = is_of_targets ? "target" : "run",
                                                  .paired = comparison.paired,
                                                  .same_bits = is_same(metric),
-                                                 .are_copies = are_copies,
+                                                 .are_copies = a_is_one && b_is_one,
                                                  .tests = static_cast<int>(tests),
                                                  .not_compared = why_not.empty() ? "" : "see below",
                                                  .is_counted = is_counted || metric != Metric::evaluations},
                                                 question));
-    if (!why_not.empty()) comparison.notes.push_back(why_not);
+    if (!why_not.empty() && std::ranges::find(comparison.notes, why_not) == comparison.notes.end())
+      comparison.notes.push_back(why_not);
   }
   if (std::ranges::any_of(asked, [&](Metric metric) { return is_penalised(a.study, metric); })) {
     comparison.notes.push_back(fmt::format(
