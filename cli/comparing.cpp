@@ -83,11 +83,10 @@ void refuse_damaged(const Store& store, const std::string& study, const std::fil
 // Whether the two were compared before with fewer runs; this look is remembered.
 void look(Asked& asked, const std::string& study, const std::filesystem::path& store) {
   const Variant &a = asked.a.front(), &b = asked.b.front();
-  const std::string what = looked_at("compare", study, {a.series, b.series});
   const int runs = std::max(runs_looked_at(a.study), runs_looked_at(b.study));
-  std::string note = look_note(looks_at(what, store), runs, asked.question.significance);
+  std::string note = look_note(looks_at(study, store), runs, asked.question.significance);
   if (!note.empty()) asked.notes.push_back(std::move(note));
-  remember_look(what, runs, store);
+  remember_look(study, runs, store);
 }
 
 // How to be sure, and by what.

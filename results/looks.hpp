@@ -16,12 +16,9 @@ struct Look {
   std::string when = {};  // date and time, UTC
 };
 
-// What is looked at: these solvers in a study, by a report or a comparison. Other solves are something else.
-std::string looked_at(std::string_view by, const std::string& study, const std::vector<Series>& series);
-
-// The fewest runs first; none where the store cannot tell.
-std::vector<Look> looks_at(const std::string& what, const std::filesystem::path& store);
+// At a study, by a report or a comparison; the fewest runs first. None where the store cannot tell.
+std::vector<Look> looks_at(const std::string& study, const std::filesystem::path& store);
 // Once for so many runs: the same look again changes nothing. A store that may only be read forgets it.
-void remember_look(const std::string& what, int runs, const std::filesystem::path& store);
+void remember_look(const std::string& study, int runs, const std::filesystem::path& store);
 
 }  // namespace ikbench::results

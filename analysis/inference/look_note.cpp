@@ -23,13 +23,17 @@ std::string look_note(const std::vector<Look>& looks, int runs, double significa
     if (look.runs < runs) earlier.push_back(fmt::format("{} ({})", look.runs, look.when.substr(0, 10)));
   }
   if (earlier.empty()) return "";
-  const std::size_t number = earlier.size() + 1;
+  constexpr std::size_t most_named = 5;
+  const std::size_t number_of_earlier = earlier.size();
+  if (number_of_earlier > most_named) earlier.erase(earlier.begin(), earlier.end() - most_named);
+  const std::size_t number = number_of_earlier + 1;
+  const double level = significance / static_cast<double>(number * (number - 1));
   return fmt::format(
-      "This is look {} at these solves: earlier ones were after {} runs, and now there are {}. Whoever adds runs until p "
-      "is small finds differences that are none. So take for a difference only p below {} here ({} divided by {} looks), "
-      "or plan the looks: ikbench compare --sequential.",
-      number, fmt::join(earlier, ", "), runs, rounded_number(significance / static_cast<double>(number), 3),
-      rounded_number(significance, 3), number);
+      "This is look {} at this study: {} were after {} runs, and now there are {}. Whoever adds runs until p is "
+      "small finds differences that are none. So take for a difference only p below {} here: then all looks after the "
+      "first together find one that is none in at most {} of studies. Or plan the looks: ikbench compare --sequential.",
+      number, number_of_earlier > most_named ? "the latest before it" : "earlier ones", fmt::join(earlier, ", "), runs,
+      rounded_number(level, 3), percent(significance));
 }
 
 }  // namespace ikbench::inference

@@ -263,7 +263,7 @@ void see(const JudgedStudy& study, const std::vector<Table>& tables, std::span<c
   }
   if (!shares.empty()) {
     content.seen.emplace("multiverse", shares.front().sentence);
-    content.seen["Verdict"] += fmt::format(" Percentages: of {} interpretations.", shares.front().of);
+    content.seen["Verdict"] += fmt::format(" Percent of {} interpretations.", shares.front().of);
   }
   const auto audit = std::ranges::find(tables, "audit", &Table::name);
   if (audit != tables.end()) content.seen.emplace("audit", audit_sentence(*audit));
@@ -316,8 +316,7 @@ Report write_report(const Store& store, const ReportRequest& request) {
                     why_not_blocked(study)));
   }
   const int runs = runs_looked_at(study);
-  const std::string looked = looked_at("report", entry.name, entry.series);
-  if (std::string note = look_note(looks_at(looked, store.name()), runs, study.plan.significance); !note.empty()) {
+  if (std::string note = look_note(looks_at(entry.name, store.name()), runs, study.plan.significance); !note.empty()) {
     content.warnings.insert(content.warnings.begin(), std::move(note));
   }
   if (study.plan.unit == Unit::point) content.warnings.insert(content.warnings.begin(), capitalised(points_flaw) + '.');
@@ -350,7 +349,7 @@ Report write_report(const Store& store, const ReportRequest& request) {
                           request.folder, request.figures);
   report.results = results;
   report.is_damaged = !checked.damages().empty();
-  remember_look(looked, runs, store.name());
+  remember_look(entry.name, runs, store.name());
   return report;
 }
 

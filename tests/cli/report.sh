@@ -61,19 +61,21 @@ grown=(slim2023 "${small[@]}" --no-figures --out grown)
 succeeds run "${grown[@]}"
 has_no "$err" "look"
 succeeds run "${grown[@]}" --set runs=4
-has "$err" "warning: This is look 2 at these solves: earlier ones were after 2 ("
-has "$err" "only p below 0.025 here (0.05 divided by 2 looks)"
-has "$(head -n 20 grown/report.md)" "This is look 2 at these solves"
+has "$err" "warning: This is look 2 at this study: earlier ones were after 2 ("
+has "$err" "only p below 0.025 here"
+has "$(head -n 20 grown/report.md)" "This is look 2 at this study"
 before=$(cat grown/store.sqlite grown/report.md grown/statistics.json | sha256sum)
 succeeds report grown/store.sqlite --no-figures
 [ "$(cat grown/store.sqlite grown/report.md grown/statistics.json | sha256sum)" = "$before" ] || fail "the same look changed a byte"
 succeeds compare IK-BA DE --store grown/store.sqlite --metric evaluations
-has_no "$out" "This is look"
+has "$out" "This is look 2 at this study: earlier ones were after 2 ("
 succeeds run "${grown[@]}" --set runs=5 --no-report
 run_it compare IK-BA DE --store grown/store.sqlite --metric evaluations
-has "$out" "This is look 2 at these solves: earlier ones were after 4 ("
-run_it compare IK-BA PSO --store grown/store.sqlite --metric evaluations
-has_no "$out" "This is look"
+has "$out" "look 3 at this study: earlier ones were after 2 ("
+# A solver more or less makes no new study of it, and a merged store keeps the looks.
+succeeds merge merged grown
+run_it compare IK-BA PSO --store merged/store.sqlite --metric evaluations
+has "$out" "This is look 3 at this study"
 
 # Two studies in a store: the first, unless another is asked for.
 succeeds run slim2023-context "${small[@]}" --no-report --out made

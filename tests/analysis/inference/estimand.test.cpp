@@ -271,9 +271,10 @@ TEST_CASE("a look at more runs than an earlier one had says so, and the level th
   const std::vector<Look> looks{{.runs = 5, .when = "2026-11-20T10:00:00Z"},
                                 {.runs = 10, .when = "2026-11-21T10:00:00Z"}};
   CHECK(look_note(looks, 5, 0.05).empty());
-  CHECK(
-      contains(look_note(looks, 10, 0.05), "look 2 at these solves: earlier ones were after 5 (2026-11-20) runs, and"));
-  CHECK(contains(look_note(looks, 20, 0.05), "only p below 0.0167 here (0.05 divided by 3 looks)"));
+  CHECK(contains(look_note(looks, 10, 0.05), "look 2 at this study: earlier ones were after 5 (2026-11-20) runs, and"));
+  CHECK(contains(
+      look_note(looks, 20, 0.05),
+      "only p below 0.00833 here: then all looks after the first together find one that is none in at most 5 % of studies"));
   CHECK(look_note({}, 20, 0.05).empty());
 }
 
