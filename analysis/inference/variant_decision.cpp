@@ -52,7 +52,8 @@ std::string what_is_known(const MetricComparison& comparison, const Corrected& c
                         margin_words(is_absolute ? 0 : asked.margin, is_absolute ? asked.margin_cm : 0));
   }
   if (!std::isfinite(comparison.n_to_decide)) return known;
-  return fmt::format("{}; about {:.0f} {}s would decide", known, comparison.n_to_decide, comparison.observation);
+  return fmt::format("{}; about {:.0f} {}s a side show a difference of the margin, or that there is none", known,
+                     comparison.n_to_decide, comparison.observation);
 }
 
 // Where the ranks say other than the means; empty where they do not.

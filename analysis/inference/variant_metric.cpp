@@ -76,25 +76,17 @@ void rank(MetricComparison& result, const MetricSamples& samples, double level) 
   result.ranks_favour = favour > 0 ? 1 : favour < 0 ? -1 : 0;
 }
 
-// The observations a side with which the distance of B's mean from the nearer end of the margin shows.
+// The observations a side with which a difference of the margin shows, or that there is none, at the spread of these
+// samples. It does not hang on the difference that these happen to have.
 double to_decide(const MetricSamples& samples, const MarginQuestion& question) {
-  const double mean_of_a = mean(samples.a);
-  const double side = mean(samples.b) < mean_of_a ? -1 : 1;
-  const bool is_absolute = question.margin_cm > question.margin * mean_of_a;
-  std::vector<double> at_end(samples.a.begin(), samples.a.end());
-  for (double& value : at_end) {
-    value = is_absolute ? value + side * question.margin_cm : value * (1 + side * question.margin);
-  }
-  GroupSummary first = summarise(at_end), second = summarise(samples.b);
-  const double distance = second.mean - first.mean;
-  if (samples.paired) {  // Welch's test of the differences and a group without spread is Student's test of pairs
-    for (std::size_t i = 0; i < at_end.size(); ++i) at_end[i] -= samples.b[i];
-    first = summarise(at_end);
-    second.std = 0;
-  }
-  const bool is_beyond = side * distance > 0;  // Holm's correction is at most Bonferroni's
-  const double alpha = question.significance / (is_beyond ? samples.tests : 1);
-  return runs_to_see(first, second, distance, {.power = question.power, .alpha = 2 * alpha}).n;  // one-sided tests
+  const double room = std::max(question.margin_cm, question.margin * std::abs(mean(samples.a)));
+  if (!(room > 0)) return not_defined;
+  // Two one-sided tests have to show that there is no difference, each with half of what may fail.
+  const PowerGoal goal{.power = (1 + question.power) / 2, .alpha = 2 * question.significance};
+  if (!samples.paired) return runs_to_see(summarise(samples.a), summarise(samples.b), room, goal).n;
+  std::vector<double> differences(samples.a.begin(), samples.a.end());
+  for (std::size_t i = 0; i < differences.size(); ++i) differences[i] -= samples.b[i];
+  return pairs_to_see(summarise(differences).std, room, goal).n;
 }
 
 // The chance, were there no difference, that samples lie apart as these do: of independent ones Mann and Whitney's

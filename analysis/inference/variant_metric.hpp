@@ -76,7 +76,7 @@ struct MetricComparison {
   statistics::EffectSize b_better;  // Vargha and Delaney's A12: P(one of b is better) + P(as good) / 2, of any two
   double p_ranks = statistics::not_defined;      // Wilcoxon's signed ranks where paired, else Mann-Whitney; two-sided
   int ranks_favour = 0;                          // 1: the ranks are for b, -1: for a
-  double n_to_decide = statistics::not_defined;  // observations a side, likely (`power`), if the ratio is what it seems
+  double n_to_decide = statistics::not_defined;  // observations a side that show a difference of the margin, or none
 };
 
 // Everything but the outcome, which is undecided here unless it is a fact. A fact is what is the same to the bit, or

@@ -102,7 +102,7 @@ std::string regressions(std::span<const VariantComparison> comparisons, const Ma
                      found.size() == named ? "" : fmt::format(" and {} more", found.size() - named));
 }
 
-// " (45 to 22160 runs would decide)"
+// " (at this spread it takes about 45 runs a side)"
 std::string would_decide(std::span<const VariantComparison> comparisons) {
   double least = std::numeric_limits<double>::infinity(), most = 0;
   std::string_view observation;
@@ -116,8 +116,8 @@ std::string would_decide(std::span<const VariantComparison> comparisons) {
   }
   if (most == 0) return "";
   return least == most
-             ? fmt::format(" (about {:.0f} {}s would decide)", most, observation)
-             : fmt::format(" (about {:.0f} {}s would decide the first, {:.0f} the last)", least, observation, most);
+             ? fmt::format(" (at this spread it takes about {:.0f} {}s a side)", most, observation)
+             : fmt::format(" (at this spread it takes about {:.0f} to {:.0f} {}s a side)", least, most, observation);
 }
 
 // "2 better by more than 5 %, 17 undecided (about 45 runs would decide the first, 22160 the last)"
@@ -192,8 +192,8 @@ std::vector<std::string> variants_notes(std::span<const VariantComparison> compa
   };
   for (const VariantComparison& comparison : comparisons) add(comparison, comparison.design);
   notes.emplace_back(
-      "This comparison is decided by means, also of times. A report uses the median time of a run and the test of its "
-      "plan, so the two may disagree.");
+      "This comparison is decided by the ratio of means, against the margin. A report uses the test of its plan and "
+      "corrects for its own pairs, so the two may disagree.");
   for (const VariantComparison& comparison : comparisons) {
     for (const std::string& note : comparison.notes) add(comparison, note);
   }

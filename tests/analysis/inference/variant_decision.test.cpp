@@ -72,7 +72,8 @@ TEST_CASE("as many runs as there are already are not said to decide", "[variants
   labels[0].metrics[1].n_to_decide = 6;
   decide(labels, {});
   CHECK(labels[0].metrics[0].remark == "no difference shown");
-  CHECK(labels[0].metrics[1].remark == "no difference shown; about 6 runs would decide");
+  CHECK(labels[0].metrics[1].remark ==
+        "no difference shown; about 6 runs a side show a difference of the margin, or that there is none");
   CHECK(labels[0].metrics[2].n_to_decide == 5);  // decided
 }
 
@@ -86,8 +87,6 @@ TEST_CASE("a label that is worse alone may be so by chance among twenty", "[vari
   for (int label = 1; label < 20; ++label) pairs.push_back({same, wide});
   const std::vector<VariantComparison> all = compare_variants(pairs, error, {});
   CHECK(count(all, Outcome::worse) == 0);
-  CHECK(all.front().metrics.front().n_to_decide >
-        compare_variants({{a, b}}, error, {}).front().metrics.front().n_to_decide);
 }
 
 TEST_CASE("what is the same within the margin and differs is better or worse by less than it", "[variants][decision]") {

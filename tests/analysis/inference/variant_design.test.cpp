@@ -117,7 +117,7 @@ TEST_CASE("where targets are the observations, as many targets are needed", "[va
   const MetricComparison comparison =
       compared(variant(shape, wide), variant(shape, other), {"position_error_cm"}).metrics.front();
   REQUIRE(comparison.outcome == Outcome::undecided);
-  CHECK_THAT(comparison.remark, ContainsSubstring(" targets would decide"));
+  CHECK_THAT(comparison.remark, ContainsSubstring(" targets a side show a difference of the margin"));
 }
 
 TEST_CASE("pairs show what independent runs do not", "[variants]") {

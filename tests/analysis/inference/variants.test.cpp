@@ -213,15 +213,16 @@ TEST_CASE("the verdict names every regression, or counts what is not decided", "
   CHECK(count(comparisons, Outcome::worse) == 1);
   comparisons.push_back(compared(a, wide, error));
   comparisons.back().label = "other";
-  CHECK_THAT(variants_verdict(comparisons, {}),
-             ContainsSubstring("Regression beyond 5 %: mine: position_error_cm (2 times") &&
-                 ContainsSubstring("Of 2 comparisons: 1 worse by more than 5 %, 1 undecided (about "));
+  CHECK_THAT(
+      variants_verdict(comparisons, {}),
+      ContainsSubstring("Regression beyond 5 %: mine: position_error_cm (2 times") &&
+          ContainsSubstring("Of 2 comparisons: 1 worse by more than 5 %, 1 undecided (at this spread it takes about "));
   comparisons = {compared(a, wide)};
   CHECK(
       variants_verdict(comparisons, {}) ==
       fmt::format(
-          "No regression beyond 5 % was found. Of 5 comparisons: 3 the same within 5 %, 2 undecided (about 62 runs would "
-          "decide the first, {:.0f} the last).",
+          "No regression beyond 5 % was found. Of 5 comparisons: 3 the same within 5 %, 2 undecided (at this spread it "
+          "takes about 62 to {:.0f} runs a side).",
           comparisons.front().metrics.front().n_to_decide));
 }
 
