@@ -57,6 +57,9 @@ StudyResults of_entry(const StudyEntry& entry) {
                      .points = defined_number(entry.name, json, "points", most_points),
                      .plan = plan_of(entry),
                      .facts = facts_of(entry.definition)};
+  const auto is_of_task = [](const std::string& departure) { return departure == "robot" || departure == "path.kind"; };
+  StudyFacts& facts = study.facts;
+  if (std::ranges::any_of(facts.departures, is_of_task)) study.departed_from = std::exchange(facts.published, "");
   for (const Series& series : entry.series) study.solvers.push_back(series.label);
   return study;
 }
