@@ -47,7 +47,7 @@ std::string design(const Evidence& evidence) {
   return text;
 }
 
-// What so many observations can see, whatever was seen: by the t-test, which needs no more than the others.
+// What so many observations can see, whatever was seen.
 std::string sensitivity(const Evidence& evidence) {
   const int n =
       std::ranges::min_element(evidence.groups, {}, [](const GroupEvidence& g) { return g.described.n; })->described.n;
@@ -55,10 +55,11 @@ std::string sensitivity(const Evidence& evidence) {
   const PowerGoal goal{.power = evidence.plan.power,
                        .alpha = evidence.plan.significance / static_cast<double>(evidence.family())};
   const bool in_blocks = evidence.decides_within_blocks();
-  return fmt::format(" With {} {} this test finds differences of at least {} standard deviations{} with {} power.", n,
-                     replicates_words(evidence),
-                     rounded_number(in_blocks ? least_mean_difference(n, goal) : least_difference(n, goal), 2),
-                     in_blocks ? " of the differences" : "", percent(evidence.plan.power));
+  return fmt::format(
+      " With {} {} a t-test finds differences of at least {} standard deviations{} with {} power; other tests need more.",
+      n, replicates_words(evidence),
+      rounded_number(in_blocks ? least_mean_difference(n, goal) : least_difference(n, goal), 2),
+      in_blocks ? " of the differences" : "", percent(evidence.plan.power));
 }
 
 std::string methods(const Evidence& evidence) {
