@@ -32,6 +32,11 @@ PairedSuccesses paired_successes(const std::vector<double>& first, const std::ve
   return counts;
 }
 
+// `n` trials show a difference of the margin; of fewer than `fewest` no test finds any.
+Estimate takes(double fewest, double n) {
+  return n > fewest ? Estimate{.value = n, .low = n, .high = n} : Estimate{.value = fewest};
+}
+
 // As contrasts have it, for a difference of shares of the margin.
 Estimate runs_to_decide(const Evidence& evidence, const Contrast& contrast,
                         std::span<const std::vector<double>> values) {
@@ -45,9 +50,9 @@ Estimate runs_to_decide(const Evidence& evidence, const Contrast& contrast,
     const int differ = counts.first_only + counts.second_only;
     if (differ > 0) fewest = std::ceil(fewest * counts.trials() / differ);
     const double std = standard_deviation(differences_without_rounding(first, second));
-    return {.value = std::fmax(fewest, pairs_to_see(std, evidence.plan.margin, goal).n)};
+    return takes(fewest, pairs_to_see(std, evidence.plan.margin, goal).n);
   }
-  return {.value = std::fmax(fewest, runs_to_see(summarise(first), summarise(second), evidence.plan.margin, goal).n)};
+  return takes(fewest, runs_to_see(summarise(first), summarise(second), evidence.plan.margin, goal).n);
 }
 
 // p is of this pair alone as yet.
