@@ -243,9 +243,11 @@ Estimate runs_to_decide(const Evidence& evidence, const Contrast& contrast, std:
     return runs_to_see(first, second, to_see, goal).n;
   };
   const double fewest = evidence.fewest > 0 ? evidence.fewest : not_defined;
+  const double low = std::fmax(runs(outside), fewest), high = runs(1 - outside);
+  // More than the search goes to is no number: as many or more.
   return {.value = std::fmax(runs(0.5), fewest),
-          .low = std::fmax(runs(outside), fewest),
-          .high = std::fmax(runs(1 - outside), fewest)};
+          .low = low,
+          .high = std::isnan(high) ? std::numeric_limits<double>::infinity() : std::fmax(high, fewest)};
 }
 
 double deciding_p(const Evidence& evidence, const Contrast& contrast) {
