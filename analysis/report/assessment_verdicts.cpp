@@ -172,7 +172,7 @@ std::string undefined_words(const Evidence& evidence, const std::vector<const Co
                                                                                                 : "";
   if (test.empty()) return clauses(words);
   return fmt::format(
-      "{0}; another test would judge {1} (ikbench run: --set analysis.test={2}; ikbench stats: --test {2})",
+      "{0}; in a new study another test would judge {1} (ikbench run: --set analysis.test={2}; ikbench stats: --test {2})",
       clauses(words),
       single > 0          ? "others of them"
       : pairs.size() == 1 ? "it"

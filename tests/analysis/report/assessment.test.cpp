@@ -325,10 +325,10 @@ TEST_CASE("sentences say what is known, of whom, and no more", "[assessment]") {
   };
   // Of reasons: the group by its name, not by its number.
   const Evidence infinite = of({{"plain", {1, 2, 3}}, {"odd", {1, 2, inf}}, {"other", {2, 3, 5}}});
-  CHECK(
-      says(infinite,
-           "Not defined: plain vs odd and odd vs other (odd has values that are not finite); another test would judge "
-           "them (ikbench run: --set analysis.test=kruskal_wallis; ikbench stats: --test kruskal_wallis)."));
+  CHECK(says(
+      infinite,
+      "Not defined: plain vs odd and odd vs other (odd has values that are not finite); in a new study another test would judge "
+      "them (ikbench run: --set analysis.test=kruskal_wallis; ikbench stats: --test kruskal_wallis)."));
   CHECK(says(infinite, "One-way ANOVA: not defined, odd has values that are not finite"));
   CHECK(says(infinite, "Normality is not rejected for any group that can be tested"));
   CHECK_FALSE(says(infinite, "group 2"));
@@ -375,10 +375,11 @@ TEST_CASE("the short answer names and counts the pairs that cannot be judged, an
              "A cannot be judged against D (D has fewer than 3 values, of which the bootstrap learns too little). "
              "1 of the 3 other pairs differs (the better first): B vs C. 2 of them cannot be judged."));
   const Evidence three = of({{"A", {1, 2, 3}}, {"B", {11, 12, 14}}, {"C", {21, 22, 24}}});
-  CHECK(says(three,
-             "In short: A cannot be judged against B and C (too few values, or too few that are not equal, for the "
-             "bootstrap of 3 pairs; 4 different values a group are enough); another test would judge them (ikbench "
-             "run: --set analysis.test=tamhane; ikbench stats: --test tamhane). The other pair cannot be judged."));
+  CHECK(says(
+      three,
+      "In short: A cannot be judged against B and C (too few values, or too few that are not equal, for the "
+      "bootstrap of 3 pairs; 4 different values a group are enough); in a new study another test would judge them (ikbench "
+      "run: --set analysis.test=tamhane; ikbench stats: --test tamhane). The other pair cannot be judged."));
   // Neither differs here.
   const Evidence alike = of({{"A", {1, 2, 3, 5}}, {"B", {2, 1, 3, 6}}, {"C", {3, 1, 2, 7}}});
   CHECK(says(alike, "The other pair is not shown to differ."));
