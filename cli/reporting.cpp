@@ -80,13 +80,13 @@ std::string unknown_sessions(const Store& store, const StudyEntry& entry) {
 }
 
 // What was changed since it was written. A store of an older program keeps no digests.
-std::vector<std::string> changes_in(const Store& store, const StudyEntry& entry) {
+std::vector<std::string> changes_in(const Store& store, const StudyEntry& entry, std::string& unknown) {
   Changes changes = store.changes({entry.name});
   if (!changes.are_known) {
-    say(fmt::format(
-        "warning: {} has no digests of some of study {}, because an older ikbench wrote it: whether that was "
-        "changed since does not show",
-        store.name(), entry.name));
+    unknown = fmt::format(
+        "The store has no digests of some of study {}: an older ikbench wrote it, or they were removed. Whether it was "
+        "changed since does not show.",
+        entry.name);
   }
   for (std::string& sentence : changes.sentences) sentence = fmt::format("Damaged: {}.", sentence);
   return std::move(changes.sentences);
@@ -94,16 +94,18 @@ std::vector<std::string> changes_in(const Store& store, const StudyEntry& entry)
 
 SolveCheck check_of(const Store& store, const StudyEntry& entry) {
   const auto recheck = std::make_shared<Recheck>(entry);
+  const auto unknown = std::make_shared<std::string>();
   return {.look_at = [=](const SolveRecord& solve) { recheck->look_at(solve); },
           .damages =
               [=, &store] {
                 std::vector<std::string> sentences = recheck->damages();
-                std::ranges::move(changes_in(store, entry), std::back_inserter(sentences));
+                std::ranges::move(changes_in(store, entry, *unknown), std::back_inserter(sentences));
                 sentences.push_back(unknown_sessions(store, entry));
                 std::erase(sentences, "");
                 for (std::string& sentence : sentences) sentence = fmt::format("Study {}: {}", entry.name, sentence);
                 return sentences;
-              }};
+              },
+          .unknown = [=] { return *unknown; }};
 }
 
 // Where somebody else has the store open, it is more than one file.
@@ -203,7 +205,9 @@ std::vector<std::string> damages_of(const Store& store, const std::string& study
   const StudyEntry entry = store.study(study);
   const SolveCheck check = check_of(store, entry);
   store.each_of_study(entry, check.look_at);
-  return check.damages();
+  std::vector<std::string> damages = check.damages();
+  if (const std::string unknown = check.unknown(); !unknown.empty()) say("warning: " + unknown);
+  return damages;
 }
 
 void draw(const std::vector<figures::Figure>& figures, const std::filesystem::path& folder,

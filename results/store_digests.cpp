@@ -122,7 +122,14 @@ Changes changes_since(SQLite::Database& sqlite, const Written& written) {
   if (std::ranges::find(columns, "digest") == columns.end()) return {.sentences = {}, .are_known = false};
   for (const StudyEntry& study : written.studies) {
     const auto digest = written.digests.find(digest_key(study));
-    changes.are_known = changes.are_known && digest != written.digests.end();
+    const bool is_known = digest != written.digests.end();
+    const bool has_sessions = std::ranges::any_of(written.sessions, [&](const Session& session) {
+      return may_be_of(session, written) && written.digests.contains(digest_key(session.id));
+    });
+    changes.are_known = changes.are_known && is_known;
+    if (!is_known && has_sessions && written.studies.size() == 1)
+      changes.sentences.push_back(
+          fmt::format("study {} has no digest, though its sessions have one", excerpt(study.name)));
     if (digest != written.digests.end() && digest->second != std::to_string(digest_of(study)))
       changes.sentences.push_back(fmt::format(
           "the definition of study {} or its series were changed since they were written", excerpt(study.name)));

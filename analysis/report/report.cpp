@@ -81,6 +81,7 @@ class CheckedStore {
   }
   const std::vector<Session>& sessions() const { return sessions_; }
   const std::vector<std::string>& damages() const { return damages_; }
+  const std::vector<std::string>& unknown() const { return unknown_; }
 
  private:
   StudyResults read(const StudyEntry& entry, const std::function<void(const SolveRecord&)>& take) {
@@ -92,6 +93,8 @@ class CheckedStore {
       take(solve);
     });
     if (check.damages) std::ranges::move(check.damages(), std::back_inserter(damages_));
+    if (check.unknown) unknown_.push_back(check.unknown());
+    std::erase(unknown_, "");
     sessions_ = store_.sessions();  // one may have begun meanwhile
     return maker.finish(sessions_);
   }
@@ -99,7 +102,7 @@ class CheckedStore {
   const Store& store_;
   const ReportRequest& request_;
   std::vector<Session> sessions_ = {};
-  std::vector<std::string> damages_;
+  std::vector<std::string> damages_, unknown_;
 };
 
 // The other studies of the store that the report has something of: companions, and those with the same targets.
@@ -321,6 +324,7 @@ Report write_report(const Store& store, const ReportRequest& request) {
   }
   if (study.plan.unit == Unit::point) content.warnings.insert(content.warnings.begin(), capitalised(points_flaw) + '.');
   std::ranges::move(imported_warnings(entry, study), std::back_inserter(content.warnings));
+  content.warnings.insert(content.warnings.begin(), checked.unknown().begin(), checked.unknown().end());
   content.warnings.insert(content.warnings.begin(), checked.damages().begin(), checked.damages().end());
   for (std::size_t i = 1; i < same_limits_too.size(); ++i)
     content.summary.push_back(baselines_sentence(same_limits_too[i]));

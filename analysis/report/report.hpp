@@ -18,10 +18,12 @@
 
 namespace ikbench::report {
 
-// Looks at solves one after another, and says in sentences what is wrong with them: the first warnings.
+// Looks at solves one after another, and says in sentences what is wrong with them, the first warnings, and what cannot
+// be known of them.
 struct SolveCheck {
   std::function<void(const results::SolveRecord&)> look_at;
   std::function<std::vector<std::string>()> damages;
+  std::function<std::string()> unknown = {};  // empty where all is known
 };
 
 struct ReportRequest {
