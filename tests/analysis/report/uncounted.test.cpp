@@ -160,9 +160,10 @@ TEST_CASE("that programs waited for a processor is told, and that errors depend 
   CHECK(times_were_disturbed(study, "program"));
   CHECK(times_are_comparable(study));  // of the others
   const std::string note = times_note(study);
-  CHECK(note ==
-        "Times of program are not compared: 24 of 24 solves took more than 1.1 times their CPU time, or waited for a "
-        "processor for more than a tenth of it, so other programs were running.");
+  CHECK(
+      note ==
+      "Some times are not compared: those of program, because 24 of 24 solves took more than 1.1 times their CPU time, or waited for a "
+      "processor for more than a tenth of it, so other programs were running.");
   study.facts = facts_of(R"({"stop": {"tolerance_cm": 1, "seconds": 0.1}})");
   CHECK(times_note(study) == note + " Solves end by their wall time, so that errors depend on that too.");
 }
@@ -173,9 +174,10 @@ TEST_CASE("times of a program are ranked with those of built-in solvers only whe
   CHECK(observations(study, Metric::seconds).groups.size() == 3);
   study.plan.program_times = ProgramTimes::apart;
   CHECK(left_out(study, Metric::seconds).solvers == std::set<std::string, std::less<>>{"program"});
-  CHECK(times_note(study) ==
-        "Times of program are not compared: they have messages and another process in them. analysis.program_times = "
-        "\"compared\" ranks them all the same.");
+  CHECK(
+      times_note(study) ==
+      "Some times are not compared: those of program, because they have messages and another process in them. analysis.program_times = "
+      "\"compared\" ranks them all the same.");
   CHECK(observations(study, Metric::seconds).groups.size() == 2);
   CHECK(observations(study, Metric::position_error_cm).groups.size() == 3);
   CHECK(samples(study, Metric::seconds)[2].values.size() == 12);  // tables show them
@@ -213,9 +215,10 @@ TEST_CASE("one disturbed solver takes no times from the others", "[uncounted]") 
   }
   const JudgedStudy study(make_study("synthetic", solves));
   CHECK(times_are_comparable(study));
-  CHECK(times_note(study) ==
-        "Times of PSO are not compared: 400 of 400 solves took more than 1.1 times their CPU time, so other programs "
-        "were running.");
+  CHECK(
+      times_note(study) ==
+      "Some times are not compared: those of PSO, because 400 of 400 solves took more than 1.1 times their CPU time, so other programs "
+      "were running.");
   CHECK(study.evidence(Metric::seconds).groups.size() == 5);
   CHECK(judge(study.evidence(Metric::seconds), "IK-BA", "DE").answer == Answer::better);
   CHECK(ranking_sentence(study, Metric::seconds).find("; not compared: PSO.") != std::string::npos);
@@ -228,8 +231,9 @@ TEST_CASE("imported solves take no times from several others", "[uncounted]") {
   }
   const StudyResults study = make_study("synthetic", std::move(solves));
   CHECK(times_are_comparable(study));
-  CHECK(times_note(study) ==
-        "Times of theirs are not compared: its solves were imported, so their times were taken elsewhere.");
+  CHECK(
+      times_note(study) ==
+      "Some times are not compared: those of theirs, because its solves were imported, so their times were taken elsewhere.");
 }
 
 TEST_CASE("times of imported solves are judged with no others, also where the file says none", "[uncounted]") {
