@@ -76,8 +76,9 @@ Report publish(Publication publication, const std::filesystem::path& folder, con
   for (const std::filesystem::path& place : {folder, folder / "tables", folder / "figures"}) remove_litter(place);
   for (const Table& table : tables) write_table(table, folder / "tables");
   if (!assessments.empty()) write_file(folder / "statistics.json", json_of(assessments));
-  if (std::string warning = edited_warning(edited_scripts(figures, folder / "figures")); !warning.empty()) {
-    content.warnings.push_back(std::move(warning));
+  const auto warning = options.render ? edited_warning(edited_scripts(figures, folder / "figures")) : std::string();
+  if (!warning.empty()) {
+    content.warnings.push_back(warning);
   }
   const std::vector<FigureOutcome> outcomes = write_figures(figures, folder / "figures", options);
   std::ranges::move(failures_of(outcomes), std::back_inserter(content.warnings));
