@@ -302,7 +302,8 @@ END
 children() { pgrep -f "faulty.py $1" | wc -l; }
 left_by_it() { pgrep -f "^sleep 31415" | wc -l; }
 for signal in INT KILL; do
-  sed -e 's/runs = 2/runs = 2000/' -e "s/fine/until-$signal/" -e 's/"python3", "faulty.py"/"sh", "leaver.sh"/' edited.toml >long.toml
+  sed -e 's/runs = 2/runs = 2000/' -e "s/fine/until-$signal/" -e 's/"python3", "faulty.py"/"sh", "leaver.sh"/' \
+    -e 's/patience_s = 1/patience_s = 20/' edited.toml >long.toml
   grep -q leaver.sh long.toml || fail "no leaver in $(<long.toml)"
   "$program" run long.toml --no-report --out long-$signal >/dev/null 2>&1 &
   suite=$!
