@@ -94,7 +94,7 @@ std::string disturbed_words(const StudyResults& study, const SolverLabels& label
 
 std::string programs_words(const SolverLabels& labels) {
   return fmt::format(
-      "Times of {} have messages and another process in them. analysis.program_times = \"compared\" ranks them all the "
+      "those of {} have messages and another process in them. analysis.program_times = \"compared\" ranks them all the "
       "same.",
       list_of(labels));
 }
@@ -107,8 +107,7 @@ LeftOut times_left_out(const StudyResults& study) {
   }
   const auto add = [&](const SolverLabels& labels, const std::string& why) {
     if (!labels.empty()) {
-      add_sentence(result.note,
-                   fmt::format("Some times are not compared: those of {}, because {}", list_of(labels), why));
+      add_sentence(result.note, fmt::format("Times are left out: those of {}, because {}", list_of(labels), why));
     }
   };
   add(kinds.imported, "its solves were imported, so their times were taken elsewhere.");

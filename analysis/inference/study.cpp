@@ -220,10 +220,15 @@ std::vector<Status> shown_statuses(const StudyResults& study) {
 }
 
 StudyResults of_solvers(StudyResults study, const std::function<bool(std::string_view)>& is_kept) {
-  std::vector<Solve> kept;
+  std::vector<std::span<const Solve>> parts;
+  std::size_t solves = 0;
   for (const std::string& solver : study.gathered->labels) {
-    if (is_kept(solver)) std::ranges::copy(solves_of(study, solver), std::back_inserter(kept));
+    if (is_kept(solver)) parts.push_back(solves_of(study, solver));
+    if (is_kept(solver)) solves += parts.back().size();
   }
+  std::vector<Solve> kept;
+  kept.reserve(solves);
+  for (const std::span<const Solve> part : parts) kept.insert(kept.end(), part.begin(), part.end());
   study.solves = SolveList(std::move(kept));
   std::erase_if(study.solvers, std::not_fn(is_kept));
   std::erase_if(study.external, std::not_fn(is_kept));

@@ -142,8 +142,8 @@ pid_t start_guard(int lifeline) {
   }
   while (::read(STDIN_FILENO, &ignored, sizeof(ignored)) < 0 && errno == EINTR) {
   }
+  kill_all_marked(Mark(::getpid()));  // first, since the group that is ended next is the guard's own
   if (process > 0) signal_all(::getpid(), process, SIGKILL);
-  kill_all_marked(Mark(::getpid()));
   ::kill(0, SIGKILL);
   ::_exit(0);
 }

@@ -59,7 +59,7 @@ refused '--margin-cm: 2000 is not a number from 0 to 1000' compare $base $fewer 
 # Two labels of one store.
 succeeds compare BA IK-BA --store $base --metric evaluations
 has "$out" "B: IK-BA, against A: BA, in study slim2023"
-has "$out" "This comparison is decided by means, also of times. A report uses the median time of a run and the test of its plan"
+has "$out" "This comparison is decided by the ratio of means, against the margin. A report uses the test of its plan"
 
 # What is not decided is no regression, unless --strict says that it must be.
 succeeds compare $base $fewer --label IK-BA --metric variation_deg

@@ -316,7 +316,7 @@ for signal in INT KILL; do
   kill -$signal $suite
   wait $suite 2>/dev/null
   for ((i = 0; i < 50; ++i)); do
-    [ "$(children until-$signal)" = 0 ] && break
+    [ "$(children until-$signal) $(left_by_it)" = "0 0" ] && break
     sleep 0.1
   done
   [ "$(children until-$signal)" = 0 ] || fail "SIG$signal left a program behind"

@@ -118,7 +118,7 @@ TEST_CASE("how many runs it takes hangs on the margin and the spread, not on the
 TEST_CASE("pairs of runs need as many as Student's test of pairs needs", "[variants]") {
   std::vector<double> a = about(1, 0.3), b;
   synthetic::Noise noise;
-  for (const double value : a) b.push_back(1.06 * value + 0.2 * (noise.next() - 0.5));
+  for (const double value : a) b.push_back(1.06 * value + 0.6 * (noise.next() - 0.5));
   const MetricComparison comparison = error_of(variant(a, draw_target), variant(b, draw_target));
   REQUIRE(comparison.outcome == Outcome::undecided);
   std::vector<double> rest;
