@@ -266,7 +266,7 @@ void see(const JudgedStudy& study, const std::vector<Table>& tables, std::span<c
   }
   if (!shares.empty()) {
     content.seen.emplace("multiverse", shares.front().sentence);
-    content.seen["Verdict"] += fmt::format(" Percent of {} interpretations.", shares.front().of);
+    content.seen["Verdict"] += fmt::format(" Interpretations counted: {}.", shares.front().of);
   }
   const auto audit = std::ranges::find(tables, "audit", &Table::name);
   if (audit != tables.end()) content.seen.emplace("audit", audit_sentence(*audit));
