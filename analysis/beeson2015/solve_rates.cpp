@@ -44,15 +44,21 @@ Proportion rate_within(const StudyResults& study, std::string_view solver, int i
   return wilson(count, level);
 }
 
-Budgets within(const StudyResults& study, std::string_view solver, double printed) {
-  Budgets found;
-  for (std::size_t i = 0; i < budgets.size(); ++i) found.ours[i] = rate_within(study, solver, budgets[i]);
+Rate rate_of(const JudgedStudy& study, std::string_view solver, double printed) {
+  Rate rate{.printed = printed, .ours = solve_rate(study, solver, level)};
+  for (std::size_t i = 0; i < budgets.size(); ++i) rate.within[i] = rate_within(study, solver, budgets[i]);
   for (int iterations = 1; iterations <= budgets.back(); ++iterations) {
     if (!agrees({.printed = printed, .ours = rate_within(study, solver, iterations)})) continue;
-    if (found.first == 0) found.first = iterations;
-    found.last = iterations;
+    if (rate.first == 0) rate.first = iterations;
+    rate.last = iterations;
   }
-  return found;
+  return rate;
+}
+
+int most_iterations(const StudyResults& study) {
+  std::uint32_t most = 0;
+  for (const Solve& solve : study.solves) most = std::max(most, solve.iterations);
+  return static_cast<int>(most);
 }
 
 }  // namespace
@@ -72,9 +78,9 @@ std::vector<ArmRates> solve_rates(const Reported& reported) {
       if (printed.rows[row][printed.column("arm")] != arm->second) continue;
       ArmRates& one = rates.emplace_back();
       one.arm = arm->second;
-      one.kdl = {share(row, "kdl_percent"), solve_rate(study, kdl, level)};
-      one.kdl_rr = {share(row, "kdl_rr_percent"), solve_rate(study, kdl_rr, level)};
-      one.kdl_within = within(study, kdl, one.kdl.printed);
+      one.kdl = rate_of(study, kdl, share(row, "kdl_percent"));
+      one.kdl_rr = rate_of(study, kdl_rr, share(row, "kdl_rr_percent"));
+      one.iterations = most_iterations(study);
       one.trac_ik = share(row, "trac_ik_percent");
       const bool has_both = std::ranges::count(study.solvers, kdl) + std::ranges::count(study.solvers, kdl_rr) == 2;
       if (has_both) one.restarts = judge(study.evidence(Metric::solved), kdl_rr, kdl);
@@ -96,29 +102,34 @@ Table solve_rates_table(const std::vector<ArmRates>& arms) {
                           {"KDL-RR, here"},
                           {"interval of KDL-RR"},
                           {"TRAC-IK, printed"}},
-              .notes = {"Printed: as many iterations as fit into 5 ms on the authors' machine. Here: 200 iterations."}};
+              .notes = {"Printed: as many iterations as fit into 5 ms on the authors' machine."}};
+  int iterations = 0;
   for (const ArmRates& one : arms) {
+    iterations = std::max(iterations, one.iterations);
     table.rows.push_back({one.arm, percentage(one.kdl.printed), percentage(one.kdl.ours.estimate),
                           percentages(one.kdl.ours), percentage(one.kdl_rr.printed),
                           percentage(one.kdl_rr.ours.estimate), percentages(one.kdl_rr.ours), percentage(one.trac_ik)});
   }
+  table.notes.push_back(fmt::format("Here: at most {} iterations.", iterations));
   return table;
 }
 
 Table iterations_table(const std::vector<ArmRates>& arms) {
   Table table{
       .name = "solve-rates-iterations",
-      .caption = "Poses that KDL's rule solves [%], by iterations",
-      .columns = {{"arm", Align::left}, {"KDL, printed"}},
+      .caption = "Solved poses [%], by iterations",
+      .columns = {{"arm", Align::left}, {"solver", Align::left}, {"printed"}},
       .notes = {"Printed: as many iterations as fit into 5 ms on the authors' machine; how many is not known."}};
   for (const int iterations : budgets) table.columns.push_back({fmt::format("{} iterations", iterations)});
   table.columns.push_back({"as printed within", Align::left});
   for (const ArmRates& one : arms) {
-    std::vector<Cell> row{one.arm, percentage(one.kdl.printed)};
-    for (const Proportion& ours : one.kdl_within.ours) row.push_back(percentage(ours.estimate));
-    const auto& [ours, first, last] = one.kdl_within;
-    row.emplace_back(first == 0 ? std::string("none of these") : fmt::format("{} to {} iterations", first, last));
-    table.rows.push_back(std::move(row));
+    for (const auto& [solver, rate] : {std::pair(kdl, one.kdl), std::pair(kdl_rr, one.kdl_rr)}) {
+      std::vector<Cell> row{one.arm, std::string(solver), percentage(rate.printed)};
+      for (const Proportion& ours : rate.within) row.push_back(percentage(ours.estimate));
+      row.emplace_back(rate.first == 0 ? std::string("none of these")
+                                       : fmt::format("{} to {} iterations", rate.first, rate.last));
+      table.rows.push_back(std::move(row));
+    }
   }
   return table;
 }
