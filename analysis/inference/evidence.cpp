@@ -10,12 +10,10 @@
 
 #include "analysis/inference/contrasts.hpp"
 #include "analysis/inference/outcomes.hpp"
-#include "analysis/inference/posteriors.hpp"
 #include "analysis/inference/test_results.hpp"
 #include "analysis/inference/tests_of_means.hpp"
 #include "analysis/inference/text.hpp"
 #include "analysis/statistics/anova.hpp"
-#include "analysis/statistics/bayesian_signed_rank.hpp"
 #include "analysis/statistics/equal_variances.hpp"
 #include "analysis/statistics/kruskal_wallis.hpp"
 #include "analysis/statistics/median_interval.hpp"
@@ -120,10 +118,6 @@ bool bootstraps_means(const Evidence& evidence) {
   int all = 0;
   for (const GroupEvidence& group : evidence.groups) all += group.described.n;
   return all <= most_values && !evidence.of_outcomes;
-}
-
-bool draws_posteriors(const Evidence& evidence) {
-  return evidence.blocks > 0 && evidence.blocks <= most_bayesian_differences && !evidence.of_outcomes;
 }
 
 // It follows the skewness of the values.
@@ -331,11 +325,8 @@ Evidence tested(const Observations& given, const AnalysisPlan& plan) {
 }
 
 Evidence with_bootstrap(Evidence evidence, const Observations& observations) {
-  const bool means = bootstraps_means(evidence), posteriors = draws_posteriors(evidence);
-  if (!means && !posteriors) return evidence;
-  const Samples values = values_of(exact(observations));
-  if (means) bootstrap_means(evidence, values);
-  if (posteriors) add_posteriors(evidence, values);
+  if (!bootstraps_means(evidence)) return evidence;
+  bootstrap_means(evidence, values_of(exact(observations)));
   if (evidence.scale == ValueScale::log10) {
     for (GroupEvidence& group : evidence.groups) group.bootstrapped = power_of_ten(group.bootstrapped);
   }

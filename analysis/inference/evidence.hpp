@@ -61,14 +61,6 @@ std::string_view name_of(Relation relation);
 enum class Extent { unknown, within, across, beyond };
 std::string_view name_of(Extent extent);
 
-// How probable it is, by the Bayesian signed-rank test, that differences within blocks are for the one or the other, or
-// within the margin.
-struct Posterior {
-  double first_better = statistics::not_defined;
-  double same = statistics::not_defined;
-  double second_better = statistics::not_defined;
-};
-
 struct Contrast {
   std::size_t first = 0, second = 0;
   Estimate difference = {};            // mean of first - mean of second (Evidence::scale), simultaneous over all pairs
@@ -97,7 +89,6 @@ struct Contrast {
   // Of a pair that is undecided: observations a group, or blocks, with which a difference of the margin is found with
   // the planned power where values spread as they do here, and as they plausibly do; no fewer than the test needs.
   Estimate runs_to_decide = {};
-  Posterior posterior = {};  // within blocks
   Relation relation = Relation::undefined;
   Extent extent = Extent::unknown;
   std::string undefined = {};  // why p is not defined
@@ -160,8 +151,7 @@ constexpr double no_difference(const Evidence& evidence) { return evidence.scale
 // summaries) is std::invalid_argument.
 Evidence evidence(const Observations& observations, const results::AnalysisPlan& plan);
 Evidence evidence(const Summaries& summaries, const results::AnalysisPlan& plan);
-// The same without what takes its time and decides nothing, the bootstrap's intervals and the posteriors; and with them
-// after all.
+// The same without the bootstrap's intervals, which take their time and decide nothing; and with them after all.
 Evidence tested(const Observations& observations, const results::AnalysisPlan& plan);
 Evidence with_bootstrap(Evidence evidence, const Observations& observations);
 // The groups described, no test made, and no bootstrap.

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "analysis/figures/critical_difference_figure.hpp"
-#include "analysis/figures/raincloud_figure.hpp"
+#include "analysis/figures/observations_figure.hpp"
 #include "analysis/figures/statistics_figures.hpp"
 #include "analysis/inference/deciding.hpp"
 #include "analysis/inference/design.hpp"
@@ -120,9 +120,9 @@ Assessment with_observations(const Evidence& evidence, const Observations& obser
   const Evidence found = with_bootstrap(evidence, observations);
   Assessment result = assessment_of(found);
   if (is_worth_drawing(found) && !found.of_outcomes) {
-    result.figures.insert(
-        result.figures.begin(),
-        raincloud_figure(told(observations), quantile_type(found.plan.quartiles), figure_name(found, "observations")));
+    result.figures.insert(result.figures.begin(),
+                          observations_figure(told(observations), quantile_type(found.plan.quartiles),
+                                              figure_name(found, "observations")));
   }
   return result;
 }

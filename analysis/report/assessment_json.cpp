@@ -91,11 +91,6 @@ Json contrast_json(const Evidence& evidence, const Contrast& contrast) {
               {"relation", name_of(contrast.relation)},
               {"extent", name_of(contrast.extent)},
               {"verdict", verdict_words(evidence, contrast)}};
-  if (std::isfinite(contrast.posterior.same)) {
-    object["bayesian_signed_rank"] = {{"first_better", contrast.posterior.first_better},
-                                      {"same", contrast.posterior.same},
-                                      {"second_better", contrast.posterior.second_better}};
-  }
   add_reason(object, contrast.undefined);
   return object;
 }

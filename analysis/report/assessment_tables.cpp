@@ -153,11 +153,6 @@ Table contrasts_table(const Evidence& evidence) {
     table.columns.push_back({evidence.scale == ValueScale::log10 ? "shift, as a ratio" : "shift"});
     table.columns.push_back({level + " interval of the shift"});
   }
-  const bool has_posteriors = std::ranges::any_of(
-      evidence.contrasts, [](const Contrast& contrast) { return std::isfinite(contrast.posterior.same); });
-  if (has_posteriors) {
-    for (const char* name : {"P(first better)", "P(same)", "P(second better)"}) table.columns.push_back({name});
-  }
   const std::vector<PairMethod> methods = pair_methods(evidence);
   for (const PairMethod& method : methods) table.columns.push_back({"p, " + method.name});
   table.columns.push_back({replicates_words(evidence) == evidence.block_noun ? "blocks to decide" : "runs to decide"});
@@ -170,12 +165,6 @@ Table contrasts_table(const Evidence& evidence) {
     if (evidence.blocks == 0) {
       row.push_back(or_nothing(contrast.shift.value));
       row.push_back(interval(contrast.shift));
-    }
-    if (has_posteriors) {
-      const Posterior& posterior = contrast.posterior;
-      for (const double each : {posterior.first_better, posterior.same, posterior.second_better}) {
-        row.push_back(or_nothing(each));
-      }
     }
     for (const PairMethod& method : methods) row.push_back(or_nothing(PValue{contrast.*method.p}));
     const double runs = contrast.runs_to_decide.value;
@@ -190,12 +179,6 @@ Table contrasts_table(const Evidence& evidence) {
                                 "second; ties count half. Shift: the median of all differences between an "
                                 "observation of the first and one of the second (Hodges-Lehmann). Their intervals are "
                                 "not adjusted.");
-  }
-  if (has_posteriors) {
-    table.notes.push_back(fmt::format(
-        "P: the Bayesian signed-rank test of the differences within blocks, with differences up to {} as the same; "
-        "prior of strength 1/2 at no difference, 10000 draws. It does not decide, and is not adjusted.",
-        margin_words(evidence)));
   }
   if (evidence.reference) {
     table.notes.push_back(fmt::format(

@@ -14,7 +14,6 @@
 #include "analysis/inference/text.hpp"
 #include "analysis/inference/times.hpp"
 #include "analysis/report/cost_pair_tables.hpp"
-#include "analysis/statistics/log_rank.hpp"
 #include "analysis/statistics/proportion.hpp"
 #include "analysis/statistics/survival.hpp"
 
@@ -86,18 +85,6 @@ std::string dependence_note(Trials trials, const std::string& level) {
       "interval or test uses single solves. Runs are independent: the interval is the {} Wilson interval of the share "
       "of complete runs in which every point reaches the tolerance.",
       level);
-}
-
-std::string log_rank_note(Trials trials, const Groups& groups) {
-  if (trials != Trials::solves) return "";
-  Groups present;
-  std::ranges::copy_if(groups, std::back_inserter(present), [](const auto& group) { return !group.empty(); });
-  const LogRank test = log_rank(present);
-  if (!test.undefined.empty()) return fmt::format("Log-rank test of all solvers: not defined ({}).", test.undefined);
-  return fmt::format(
-      "Log-rank test of equal cost: chi-squared {}, df {}, p {}. It treats the solvers as independent samples and "
-      "ignores that they share targets.",
-      rounded_number(test.chi_squared, 5), test.df, readable(PValue{test.p}));
 }
 
 // The mean costs with their intervals, in the order of the columns.
@@ -184,7 +171,6 @@ Table cost_table(const StudyResults& study, Cost cost, const Clusters& clusters)
                     diverged));
   }
   table.notes.push_back(dependence_note(trials, percent(clusters.level())));
-  if (std::string note = log_rank_note(trials, groups); !note.empty()) table.notes.push_back(std::move(note));
   for (const std::string& reason : undefined) table.notes.push_back(fmt::format("Not defined for {}.", reason));
   for (std::string& note : status_notes(study)) table.notes.push_back(std::move(note));
   return table;

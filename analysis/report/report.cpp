@@ -25,7 +25,6 @@
 #include "analysis/inference/times.hpp"
 #include "analysis/report/assessment.hpp"
 #include "analysis/report/cost_tables.hpp"
-#include "analysis/report/interquartile_table.hpp"
 #include "analysis/report/leaders.hpp"
 #include "analysis/report/limits_table.hpp"
 #include "analysis/report/moving_arm.hpp"
@@ -177,8 +176,6 @@ std::vector<Assessment> assessments_of(const JudgedStudy& study, const Paper& pa
   std::vector<Assessment> result;
   for (const Metric metric : shown_metrics(study).judged) {
     for (const Estimand estimand : estimands_of(study, metric)) result.push_back(assess(study, metric, estimand));
-    if (is_comparable(study, metric) && !is_of_run(metric))
-      result.back().tables.push_back(interquartile_table(study, metric));
   }
   std::ranges::move(printed_assessments(study, paper), std::back_inserter(result));
   return result;

@@ -8,10 +8,9 @@
 #include <sstream>
 
 #include "analysis/figures/critical_difference_figure.hpp"
-#include "analysis/figures/raincloud_figure.hpp"
+#include "analysis/figures/observations_figure.hpp"
 #include "analysis/figures/row_chart.hpp"
 #include "analysis/inference/text.hpp"
-#include "analysis/statistics/kernel_density.hpp"
 #include "tests/analysis/folder.hpp"
 #include "tests/catch.hpp"
 #include "tests/contains.hpp"
@@ -40,9 +39,9 @@ Texts lines_below(const std::string& data, const std::string& comment) {
   return lines;
 }
 
-Figure raincloud(std::vector<Group> groups) {
-  return raincloud_figure({.name = "error", .quantity = "position error [cm]", .groups = std::move(groups)},
-                          QuantileType::type_7, "rain");
+Figure observed(std::vector<Group> groups) {
+  return observations_figure({.name = "error", .quantity = "position error [cm]", .groups = std::move(groups)},
+                             QuantileType::type_7, "rain");
 }
 
 Values numbers(std::size_t count) {
@@ -76,37 +75,6 @@ void check_drawn(const Figure& figure) {
 
 }  // namespace
 
-TEST_CASE("Silverman's bandwidth of 1 to 5 is 0.9 (2 / 1.34) 5^-0.2, of equal values nothing", "[density]") {
-  CHECK(silverman_bandwidth(Values{1, 2, 3, 4, 5}) == Approx(0.9 * 2 / 1.34 * std::pow(5, -0.2)));
-  // Two thirds are equal, so the box is empty: the standard deviation of 0 0 0 0 0 6 is sqrt 6.
-  CHECK(silverman_bandwidth(Values{0, 0, 0, 0, 0, 6}) == Approx(0.9 * std::sqrt(6.0) * std::pow(6, -0.2)));
-  CHECK(silverman_bandwidth(Values{3, 3, 3}) == 0);
-}
-
-TEST_CASE("the density is the sum of the kernels, from the smallest to the largest value", "[density]") {
-  const Values values{0, 1, 1.5, 4, 7, 7.5};
-  const double h = silverman_bandwidth(values);
-  const std::vector<DensityPoint> density = kernel_density(values);
-  REQUIRE(!density.empty());
-  CHECK(density.front().value == 0);
-  CHECK(density.back().value == 7.5);
-  for (const DensityPoint& point : density) {
-    double sum = 0;  // Silverman 1986, Eq. 2.2a
-    for (const double value : values) sum += std::exp(-std::pow((point.value - value) / h, 2) / 2);
-    CHECK(point.density == Approx(sum / (6 * h * std::sqrt(2 * std::numbers::pi))).epsilon(1e-3));
-  }
-}
-
-TEST_CASE("there is no density of few or equal values, and one of huge ones", "[density]") {
-  CHECK(kernel_density(Values{}).empty());
-  CHECK(kernel_density(Values{1, 2, 3, 4}).empty());
-  CHECK(kernel_density(Values{2, 2, 2, 2, 2}).empty());
-  CHECK(kernel_density(Values{-1e308, 1e308, 0, 0, 0}).empty());  // no range
-  for (const DensityPoint& point : kernel_density(Values{1e300, 2e300, 3e300, 4e300, 5e300})) {
-    CHECK(point.density > 0);
-  }
-}
-
 TEST_CASE("labels too long keep both of their ends", "[figure]") {
   CHECK(row_label("solver-variant-17", 17) == "solver-variant-17");
   CHECK(row_label("solver-variant-17", 9) == "solv…t-17");
@@ -114,19 +82,17 @@ TEST_CASE("labels too long keep both of their ends", "[figure]") {
   CHECK(row_label("", 5) == "(empty)");
 }
 
-TEST_CASE("a raincloud has a density, a box and every value of each group", "[figure]") {
-  const Figure figure = raincloud({{"a", numbers(9)}, {"b", {2, 3, 4}}});
+TEST_CASE("observations are a box and every value of each group", "[figure]") {
+  const Figure figure = observed({{"a", numbers(9)}, {"b", {2, 3, 4}}});
   CHECK(lines_below(figure.data, "# row, lower").front() == "1 1 3 5 7 9 9 0");  // R: quantile(1:9)
   CHECK(lines_below(figure.data, "# values of a").size() == 9);
   CHECK(lines_below(figure.data, "# values of b").size() == 3);
-  CHECK(lines_below(figure.data, "# density of a").size() == 258);
-  CHECK(lines_below(figure.data, "# density of b") == Texts{"NaN NaN"});  // too few values
   CHECK(contains(figure.caption, "every value"));
   CHECK(!contains(figure.settings, "logscale"));
 }
 
-TEST_CASE("of more than 200 values a raincloud shows 200, the extremes among them, and says so", "[figure]") {
-  const Figure figure = raincloud({{"a", numbers(1000)}});
+TEST_CASE("of more than 200 values 200 are drawn, the extremes among them, and says so", "[figure]") {
+  const Figure figure = observed({{"a", numbers(1000)}});
   const Texts lines = lines_below(figure.data, "# values of a");
   CHECK(lines.size() == 200);
   CHECK(lines.front().starts_with("1 "));
@@ -134,24 +100,14 @@ TEST_CASE("of more than 200 values a raincloud shows 200, the extremes among the
   CHECK(contains(figure.caption, "of more than 200 in a group, 200 at even ranks"));
 }
 
-TEST_CASE("a raincloud of values that differ by decades is drawn on their logarithms", "[figure]") {
-  const Figure figure = raincloud({{"a", {1e-6, 1e-5, 1e-4, 1e-3, 1e-2}}, {"b", {0, 1, 2, 3, 4}}});
+TEST_CASE("observations that differ by decades are drawn on a logarithmic axis", "[figure]") {
+  const Figure figure = observed({{"a", {1e-6, 1e-5, 1e-4, 1e-3, 1e-2}}, {"b", {0, 1, 2, 3, 4}}});
   CHECK(contains(figure.settings, "set logscale x"));
-  CHECK(contains(figure.caption, "of the logarithm"));
   CHECK(contains(figure.caption, "Values of zero are drawn at the lower edge"));
-  // The logarithms are evenly spaced, so that the density is highest at the middle one, 1e-4.
-  std::pair<double, double> highest{0, 1e9};
-  for (const std::string& line : lines_below(figure.data, "# density of a")) {
-    std::istringstream stream(line);
-    double value = 0, height = 0;
-    stream >> value >> height;
-    if (height < highest.second) highest = {value, height};
-  }
-  CHECK(highest.first == Approx(1e-4).epsilon(0.2));
 }
 
 TEST_CASE("values that cannot be drawn are counted beside their row", "[figure]") {
-  const Figure figure = raincloud({{"some", {1, 2, NAN, HUGE_VAL, 3}}, {"huge", {1e305}}, {"none", {}}});
+  const Figure figure = observed({{"some", {1, 2, NAN, HUGE_VAL, 3}}, {"huge", {1e305}}, {"none", {}}});
   CHECK(contains(figure.settings, "\"2 not\\ndrawn\" at graph 1, first 1 "));
   CHECK(contains(figure.settings, "\"1 not\\ndrawn\" at graph 1, first 2 "));
   CHECK(contains(figure.settings, "\"no\\nvalues\" at graph 1, first 3 "));
@@ -160,19 +116,15 @@ TEST_CASE("values that cannot be drawn are counted beside their row", "[figure]"
   CHECK(lines_below(figure.data, "# row, lower").front() == "1 NaN NaN NaN NaN NaN 5 2");
 }
 
-TEST_CASE("more than 12 groups are boxes without densities, more than 200 are not all shown", "[figure]") {
+TEST_CASE("of more than 200 groups the first 200 are shown", "[figure]") {
   Texts names;
-  for (int i = 0; i < 13; ++i) names.push_back(fmt::format("s{}", i));
-  const Figure many = raincloud(groups_named(names, numbers(6)));
-  CHECK(!contains(many.plot, "filledcurves"));
-  CHECK(!contains(many.caption, "density"));
-  for (int i = 13; i < 201; ++i) names.push_back(fmt::format("s{}", i));
-  CHECK(contains(raincloud(groups_named(names, {1})).caption, "the first 200 of 201 groups"));
+  for (int i = 0; i < 201; ++i) names.push_back(fmt::format("s{}", i));
+  CHECK(contains(observed(groups_named(names, {1})).caption, "the first 200 of 201 groups"));
 }
 
 TEST_CASE("observations that are no replicates say so under their picture", "[figure]") {
-  const Figure figure = raincloud_figure({.quantity = "x", .groups = {{"a", {1, 2}}}, .flaw = "20 rows share run 1"},
-                                         QuantileType::type_7, "rain");
+  const Figure figure = observations_figure({.quantity = "x", .groups = {{"a", {1, 2}}}, .flaw = "20 rows share run 1"},
+                                            QuantileType::type_7, "rain");
   CHECK(contains(figure.caption, "Flawed: 20 rows share run 1"));
 }
 
@@ -233,7 +185,7 @@ TEST_CASE("effects out of 0 to 1 or missing are not defined, and 20 groups are s
 }
 
 TEST_CASE("figures of a statistical analysis are drawn whatever the names and numbers", "[figure]") {
-  check_drawn(raincloud(groups_named(hostile_names, numbers(8))));
+  check_drawn(observed(groups_named(hostile_names, numbers(8))));
   for (const Values& values : std::vector<Values>{{},
                                                   {1},
                                                   {0, 0},
@@ -244,9 +196,9 @@ TEST_CASE("figures of a statistical analysis are drawn whatever the names and nu
                                                   {1e-310, 2e-310},
                                                   {1e-320, 1e300},
                                                   {1e9 + 0.1, 1e9 + 0.2, 1e9 + 0.3}}) {
-    check_drawn(raincloud({{"a", values}, {"b", values}}));
+    check_drawn(observed({{"a", values}, {"b", values}}));
   }
-  check_drawn(raincloud({}));
+  check_drawn(observed({}));
   check_drawn(differences_figure({}, {.name = "differences"}));
   check_drawn(differences_figure({{"nothing"}, {"huge", 1e308, -1e308, 1e308}}, {.name = "differences"}));
   check_drawn(differences_figure({{hostile_names[5], 1e-12, -1e-12, 3e-12}},
@@ -262,7 +214,7 @@ TEST_CASE("figures of a statistical analysis are drawn whatever the names and nu
 
 TEST_CASE("names stand in the figures of an analysis as they are", "[figure]") {
   const ScratchFolder folder;
-  const Figure figure = raincloud(groups_named(hostile_names, numbers(8)));
+  const Figure figure = observed(groups_named(hostile_names, numbers(8)));
   REQUIRE(write_figures({figure}, folder.path, {}).front().rendered);
   const std::string svg = text_of_file(folder.path / "rain.svg");
   for (const char* shown :

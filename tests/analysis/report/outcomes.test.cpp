@@ -131,21 +131,3 @@ TEST_CASE("Cochran's test is held against the pairs", "[outcomes]") {
       "Where methods disagree: The test of all groups finds a difference (p = 0.00674), but no pair differs on its "
       "own."));
 }
-
-TEST_CASE("within blocks every pair has a posterior for the better one", "[outcomes]") {
-  Observations observed{.name = "e",
-                        .quantity = "e",
-                        .groups = {{"A", {1, 2, 3, 4, 5, 6, 7, 8, 9, 10}}, {"B", {}}, {"C", {}}},
-                        .block = "a target"};
-  for (const double value : observed.groups[0].values) {
-    observed.groups[1].values.push_back(2 * value + 1);
-    observed.groups[2].values.push_back(value + 0.001);
-    observed.blocks.push_back(std::to_string(observed.blocks.size() + 1));
-  }
-  const Evidence found = evidence(observed, {});
-  CHECK(found.contrasts[0].posterior.first_better > 0.99);   // A against B, smaller is better
-  CHECK(found.contrasts[1].posterior.same == 1);             // A against C: 5 % of 5.5 is 0.275
-  CHECK(found.contrasts[2].posterior.second_better > 0.99);  // B against C
-  observed.better = Better::larger;
-  CHECK(evidence(observed, {}).contrasts[0].posterior.second_better > 0.99);
-}

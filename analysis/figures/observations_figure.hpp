@@ -1,0 +1,16 @@
+// What was observed: a box plot and the values of each group, a row a group.
+#pragma once
+
+#include <string>
+
+#include "analysis/figures/figure.hpp"
+#include "analysis/inference/observations.hpp"
+#include "analysis/statistics/quantile.hpp"
+
+namespace ikbench::figures {
+
+// The axis is logarithmic where the values differ by more than 30 times.
+Figure observations_figure(const inference::Observations& observations, statistics::QuantileType quartiles,
+                           const std::string& name);
+
+}  // namespace ikbench::figures
