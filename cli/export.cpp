@@ -1,4 +1,4 @@
-// ikbench export: a store's solves as tidy CSV or JSON, or as OMPL's benchmarks or IOHprofiler have them.
+// ikbench export: a store's solves as tidy CSV or JSON, or as IOHprofiler has them.
 #include "results/export.hpp"
 
 #include <fmt/format.h>
@@ -13,7 +13,6 @@
 #include "cli/reporting.hpp"
 #include "results/files.hpp"
 #include "results/iohprofiler.hpp"
-#include "results/ompl.hpp"
 #include "results/store.hpp"
 
 namespace ikbench::cli {
@@ -45,9 +44,9 @@ void add_export(CLI::App& app) {
   command->add_option("--study", arguments->study, "name of the study; default: the first in the store");
   command
       ->add_option("--format", arguments->format,
-                   "csv, json, ompl (the database that Planner Arena reads), ompl-log, or iohprofiler (a folder that "
+                   "csv, json or iohprofiler (a folder that "
                    "IOHanalyzer and IOHinspector read; the study has trace = \"best_error\")")
-      ->check(CLI::IsMember({"csv", "json", "ompl", "ompl-log", "iohprofiler"}))
+      ->check(CLI::IsMember({"csv", "json", "iohprofiler"}))
       ->capture_default_str();
   command->add_option("-o,--output", arguments->file, "file to write, or new folder; - for standard output")
       ->capture_default_str();
@@ -55,30 +54,22 @@ void add_export(CLI::App& app) {
       "Examples:\n"
       "  ikbench export out/slim2023/store.sqlite > solves.csv\n"
       "  ikbench export out/slim2023/store.sqlite --format json -o solves.json\n"
-      "  ikbench export out/slim2023/store.sqlite --format ompl -o benchmark.db\n"
       "  ikbench export out/slim2023/store.sqlite --format iohprofiler -o ioh\n"
       "Columns: ikbench list columns");
   command->callback([arguments] {
     const Store store(arguments->store, Store::Mode::read);
     const StudyEntry study = chosen_study(store, arguments->study);
     if (arguments->file != "-") refuse_store(arguments->file, arguments->store);
-    const ExportedStudy exported{study, store.sessions(), store.solves(study.name)};
+    const std::vector<SolveRecord> solves = store.solves(study.name);
     for (const std::string& damage : damages_of(store, study.name)) say("warning: " + damage);
-    if (arguments->format == "ompl") {
-      if (arguments->file == "-") throw std::invalid_argument("--format ompl is a database; expected -o benchmark.db");
-      write_ompl_database(arguments->file, exported);
-      return;
-    }
     if (arguments->format == "iohprofiler") {
       if (arguments->file == "-") throw std::invalid_argument("--format iohprofiler is a folder; expected -o FOLDER");
-      for (const std::string& solver : write_iohprofiler(arguments->file, study, exported.solves)) {
+      for (const std::string& solver : write_iohprofiler(arguments->file, study, solves)) {
         say(fmt::format("warning: {} is left out: its evaluations were not counted here, or it has no trace", solver));
       }
       return;
     }
-    const std::string text = arguments->format == "csv"    ? to_csv(exported.solves)
-                             : arguments->format == "json" ? to_json(study, exported.sessions, exported.solves)
-                                                           : to_ompl_log(exported);
+    const std::string text = arguments->format == "csv" ? to_csv(solves) : to_json(study, store.sessions(), solves);
     if (arguments->file == "-") {
       std::fwrite(text.data(), 1, text.size(), stdout);  // main sees whether it could be written
     } else {

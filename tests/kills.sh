@@ -234,7 +234,7 @@ kill_files() {
   local format k signal
   look() { echo 0; }
   succeeds run slim2023 --set runs=8 --set trace=best_error --out exported-from --no-report
-  for format in csv json ompl ompl-log iohprofiler; do
+  for format in csv json iohprofiler; do
     for ((k = 0; k < rounds; ++k)); do
       rm -rf exported && mkdir exported
       signalled 250 KILL export exported-from/store.sqlite --format $format -o exported/result
@@ -291,7 +291,7 @@ kill_disk() {
   # Files that do not fit are told by name, and nothing is left of them.
   local format
   succeeds run slim2023 --set runs=2 --set trace=best_error --out traced --no-report
-  for format in csv json ompl ompl-log iohprofiler; do
+  for format in csv json iohprofiler; do
     succeeds export traced/store.sqlite --format $format -o small/$format
     fill_but_half_of $format
     run_it export traced/store.sqlite --format $format -o small/$format
