@@ -21,40 +21,6 @@ using nlohmann::json;
 constexpr double degree = std::numbers::pi / 180;
 constexpr std::size_t most_joints = 64;
 
-// What stores had before arms were files: the Dobot Magician by its four lengths, and other chains with angles in
-// radians and all limits together. As it would be written today; null where it is neither.
-json of_older_store(const json& arm) {
-  const json none = json::array({0, 0, 0});
-  json tip = arm.value("tip_m", none), links = arm.value("links", json());
-  const auto length = [&](const char* name) { return arm.value(name, json()); };
-  if (arm["kind"] == "dobot_magician") {
-    links = {{{"d_m", length("height_m")}},
-             {{"joint", "coupled"}, {"d_m", length("upper_arm_m")}},
-             {{"joint", "coupled"}, {"a_m", length("forearm_m")}}};
-    tip = {length("wrist_to_tool_m"), 0, 0};
-  } else if (arm["kind"] != "denavit_hartenberg" || !arm.contains("tip_m")) {
-    return nullptr;
-  }
-  if (!links.is_array()) return nullptr;
-  for (std::size_t joint = 0; joint < links.size(); ++joint) {
-    json& link = links[joint];
-    if (!link.is_object()) return nullptr;
-    for (const auto& [radians, degrees] : {std::pair{"offset_rad", "offset_deg"}, {"alpha_rad", "alpha_deg"}}) {
-      if (link.contains(radians))
-        link[degrees] = link[radians].is_number() ? json(link[radians].get<double>() / degree) : json();
-    }
-    for (const char* name : {"offset_deg", "d_m", "a_m", "alpha_deg"}) {
-      if (arm["kind"] == "dobot_magician" && !link.contains(name)) link[name] = 0;
-    }
-    const json lower = arm.value("lower_deg", json()), upper = arm.value("upper_deg", json());
-    if (lower.is_array() && upper.is_array() && lower.size() == links.size() && upper.size() == links.size()) {
-      link["limits_deg"] = {lower[joint], upper[joint]};
-    }
-  }
-  const json still{{"position_m", none}, {"rpy_deg", none}};
-  return {{"links", links}, {"base", still}, {"tool", {{"position_m", tip}, {"rpy_deg", none}}}};
-}
-
 // A number of an arm, or a list of them; it is known where it is within 3600.
 bool is_length(const json& value) { return value.is_number() && std::abs(value.get<double>()) <= 3600; }
 
@@ -135,10 +101,8 @@ constexpr std::size_t about_x = 0, about_y = 1, about_z = 2;
 
 std::optional<Arm> arm_of(const StudyFacts& facts) {
   if (!facts.arm.is_object()) return std::nullopt;
-  const json arm = facts.arm.contains("kind") ? of_older_store(facts.arm) : facts.arm;
-  if (!arm.is_object()) return std::nullopt;
-  const json links = arm.value("links", json());
-  const std::optional<ArmFrame> base = frame_of(arm, "base"), tool = frame_of(arm, "tool");
+  const json links = facts.arm.value("links", json());
+  const std::optional<ArmFrame> base = frame_of(facts.arm, "base"), tool = frame_of(facts.arm, "tool");
   if (!links.is_array() || links.empty() || links.size() > most_joints || !base || !tool) return std::nullopt;
   Arm known{.links = {}, .base = *base, .tool = *tool};
   for (const json& each : links) {

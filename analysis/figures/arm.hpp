@@ -29,8 +29,7 @@ struct Arm {
   ArmFrame base, tool;
 };
 
-// None where the definition has no arm whose every length and angle is known and within 3600; an older store's is read
-// as what it is today.
+// None where the definition has no arm whose every length and angle is known and within 3600.
 std::optional<Arm> arm_of(const inference::StudyFacts& facts);
 
 // The corners of the arm from the base to the tool. None where the definition has no arm, or the angles are not those

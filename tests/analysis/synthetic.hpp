@@ -72,8 +72,12 @@ inline std::vector<results::SolveRecord> solves(const Shape& shape) {
 inline const char* const dobot_definition =
     R"({"name": "slim2023-dobot", "published": "slim2023", "robot": "dobot_magician", "runs": 1, "points": 20,
         "path": {"kind": "circle", "centre_cm": [16, 16, 0], "radius_cm": 7, "points": 20},
-        "arm": {"kind": "dobot_magician", "upper_arm_m": 0.135, "forearm_m": 0.147, "wrist_to_tool_m": 0.061,
-                "height_m": 0.058, "lower_deg": [-90, 0, -10], "upper_deg": [90, 85, 95]}})";
+        "arm": {"links": [
+          {"joint": "turns", "offset_deg": 0, "d_m": 0.058, "a_m": 0, "alpha_deg": 0, "limits_deg": [-90, 90]},
+          {"joint": "coupled", "offset_deg": 0, "d_m": 0.135, "a_m": 0, "alpha_deg": 0, "limits_deg": [0, 85]},
+          {"joint": "coupled", "offset_deg": 0, "d_m": 0, "a_m": 0.147, "alpha_deg": 0, "limits_deg": [-10, 95]}],
+          "base": {"position_m": [0, 0, 0], "rpy_deg": [0, 0, 0]},
+          "tool": {"position_m": [0.061, 0, 0], "rpy_deg": [0, 0, 0]}}})";
 
 // One run on that circle. The angles are those that reach the points: in the arm's plane the two links are a triangle.
 inline std::vector<results::SolveRecord> dobot_solves(int points = 20) {
