@@ -277,7 +277,8 @@ std::vector<Figure> convergence_figures(const StudyResults& measured) {
   const StudyResults study = at_median_speed(measured), of_evaluations = compared_in(study, Metric::evaluations),
                      of_seconds = compared_in(study, Metric::seconds);
   const bool has_clean_times = times_are_comparable(study);
-  const Clusters clusters(study), clusters_of_evaluations(of_evaluations), clusters_of_seconds(of_seconds);
+  const Clusters clusters(study), clusters_of_evaluations(of_evaluations, &clusters),
+      clusters_of_seconds(of_seconds, &clusters);
   std::vector<Figure> figures;
   const auto add = [&](std::optional<Figure> figure) {
     if (figure) figures.push_back(std::move(*figure));

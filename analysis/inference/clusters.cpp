@@ -78,7 +78,7 @@ Trials trials_of(const StudyResults& study) {
   return Trials::solves;
 }
 
-Clusters::Clusters(const StudyResults& study) : study_(study) {
+Clusters::Clusters(const StudyResults& study, const Clusters* other) : study_(study) {
   const auto count_of = [](const std::vector<std::uint32_t>& numbers) {
     return numbers.empty() ? std::size_t{0} : std::size_t{std::ranges::max(numbers)} + 1;
   };
@@ -90,8 +90,10 @@ Clusters::Clusters(const StudyResults& study) : study_(study) {
   for (std::uint32_t& cluster : of_solve_) cluster %= most_clusters;
   if (count < fewest_clusters) {
     undefined_ = fmt::format("{} {}, and intervals need {}", count, noun(), fewest_clusters);
+  } else if (other != nullptr && other->drawn_at_once_ == drawn_at_once_) {
+    replicates_ = other->replicates_;
   } else {
-    replicates_ = resampled_clusters(drawn_at_once_, resampling);
+    replicates_ = std::make_shared<const Replicates>(resampled_clusters(drawn_at_once_, resampling));
   }
 }
 

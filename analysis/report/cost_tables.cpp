@@ -182,7 +182,7 @@ std::vector<Table> cost_tables(const StudyResults& measured) {
   if (measured.solves.empty()) return {};
   const StudyResults study = at_median_speed(measured), of_evaluations = compared_in(study, Metric::evaluations),
                      of_seconds = compared_in(study, Metric::seconds);
-  const Clusters clusters(of_seconds), clusters_of_evaluations(of_evaluations);
+  const Clusters clusters(of_seconds), clusters_of_evaluations(of_evaluations, &clusters);
   const auto study_of = [&](Cost cost) -> const StudyResults& {
     return cost == Cost::evaluations ? of_evaluations : of_seconds;
   };

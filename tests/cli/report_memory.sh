@@ -33,7 +33,9 @@ def peak(folder):
 few, many = peak("few"), peak("many")
 per_solve = (many - few) * 1024 / (18000 - 36)
 print(f"{few} kB with 36 solves, {many} kB with 18000: {per_solve:.0f} bytes a solve")
-sys.exit(per_solve > 1000)  # 112 bytes, a few times where times of solvers are left out, as on a loaded machine
+# 112 bytes, as much again where times of solvers are left out, as on a loaded machine, and the 8 MB of a thousand
+# replicates of the bootstrap, however many solves there are: 444 bytes of each of these.
+sys.exit(per_solve > 700)
 PYTHON
 [ "$(wc -l <many/solves.csv)" = 18001 ] || fail "solves.csv has not all solves"
 echo "a report keeps little of each solve"
