@@ -92,10 +92,24 @@ bool is_half(std::string_view name) {
          name.find_first_not_of("0123456789", mark + half_mark.size()) == std::string::npos;
 }
 
+// Locks what is open and has this name. Another process that takes it for litter, before it is locked, may hold the
+// lock (EWOULDBLOCK) or have removed it (ENOENT).
+bool lock(int descriptor, const fs::path& path) {
+  if (::flock(descriptor, LOCK_EX | LOCK_NB) != 0) return false;
+  struct stat open {
+  }, there{};
+  if (::fstat(descriptor, &open) != 0 || ::lstat(path.c_str(), &there) != 0) return false;
+  if (open.st_dev == there.st_dev && open.st_ino == there.st_ino) return true;
+  errno = ENOENT;
+  return false;
+}
+
+bool is_of_others(int why) { return why == EWOULDBLOCK || why == ENOENT; }
+
 // The lock of what `path` names, which is no link; negative where another process has it, or it cannot be opened.
 int locked(const fs::path& path) {
   const int descriptor = ::open(path.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
-  if (descriptor < 0 || ::flock(descriptor, LOCK_EX | LOCK_NB) == 0) return descriptor;
+  if (descriptor < 0 || lock(descriptor, path)) return descriptor;
   const int why = errno;
   ::close(descriptor);
   errno = why;
@@ -127,25 +141,28 @@ std::error_code replace(const fs::path& file, const Contents& contents, const st
   remove_halves_of(file);
   const fs::path half = half_of(file);
   std::error_code ignored;
-  fs::remove(half, ignored);  // of a process that had our number
-  const int descriptor = ::open(half.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, former == nullptr ? 0666 : 0600);
-  if (descriptor < 0) return last_error();
-  ::flock(descriptor, LOCK_EX | LOCK_NB);
-  const int lock = ::fcntl(descriptor, F_DUPFD_CLOEXEC, 0);  // not litter until it has its name
+  int descriptor = -1;
+  do {
+    if (descriptor >= 0) ::close(descriptor);
+    fs::remove(half, ignored);  // of a process that had our number
+    descriptor = ::open(half.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, former == nullptr ? 0666 : 0600);
+    if (descriptor < 0) return last_error();
+  } while (!lock(descriptor, half) && is_of_others(errno));
+  const int kept = ::fcntl(descriptor, F_DUPFD_CLOEXEC, 0);  // not litter until it has its name
   std::error_code error;
   try {
     error = write_all(descriptor, contents);
   } catch (...) {  // what the contents come from
     ::close(descriptor);
     fs::remove(half, ignored);
-    if (lock >= 0) ::close(lock);
+    if (kept >= 0) ::close(kept);
     throw;
   }
   if (former != nullptr) pass_on(*former, descriptor);
   error = closed(descriptor, error);
   if (!error) fs::rename(half, file, error);
   if (error) fs::remove(half, ignored);
-  if (lock >= 0) ::close(lock);
+  if (kept >= 0) ::close(kept);
   return error;
 }
 
@@ -243,7 +260,7 @@ TemporaryFolder::TemporaryFolder(const fs::path& parent) {
       path_ = name;
       temporary_folders.insert(path_);
       lock_ = locked(path_);
-      if (lock_ < 0 && errno != EWOULDBLOCK && errno != ENOENT) return;  // a file system without locks
+      if (lock_ < 0 && !is_of_others(errno)) return;  // a file system without locks
     }
   }
   if (lock_ >= 0) return;
@@ -282,19 +299,22 @@ void write_folder(const fs::path& folder, const std::function<void(const fs::pat
   if (fs::exists(place, ignored)) place = fs::canonical(place, ignored);
   remove_halves_of(place);
   const fs::path half = half_of(place);
-  fs::remove_all(half, ignored);  // of a process that had our number
-  fs::create_directories(half, error);
-  if (error) refuse(fmt::format("'{}'", folder.string()), error.message(), error);
+  int kept = -1;
+  do {
+    fs::remove_all(half, ignored);  // of a process that had our number
+    fs::create_directories(half, error);
+    if (error) refuse(fmt::format("'{}'", folder.string()), error.message(), error);
+    kept = locked(half);
+  } while (kept < 0 && is_of_others(errno));
   const auto note = [&](auto&& action) {
     const std::scoped_lock lock(temporary_mutex);
     action();
   };
   note([&] { temporary_folders.insert(half); });
-  const int lock = locked(half);
   const auto end = [&] {
     note([&] { temporary_folders.erase(half); });
     fs::remove_all(half, ignored);
-    if (lock >= 0) ::close(lock);
+    if (kept >= 0) ::close(kept);
   };
   try {
     fill(half);

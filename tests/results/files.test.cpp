@@ -56,6 +56,25 @@ TEST_CASE("a scratch folder is litter as soon as its process is killed", "[files
   CHECK(fs::is_empty(folder.path));
 }
 
+TEST_CASE("who removes litter takes nothing from those who write meanwhile", "[files]") {
+  const ScratchFolder folder;
+  const pid_t sweeper = in_a_process([&] {
+    for (;;) remove_litter(folder.path);
+    return true;
+  });
+  int failures = 0;
+  for (int i = 0; i < 2000; ++i) {
+    try {
+      write_file(folder.path / "solves.csv", "whole");
+    } catch (const std::exception&) {
+      ++failures;
+    }
+  }
+  kill(sweeper, SIGKILL);
+  CHECK(exit_code(sweeper) == -1);
+  CHECK(failures == 0);
+}
+
 TEST_CASE("who writes a file or folder again removes what a killed process left of it, and nothing else", "[files]") {
   const ScratchFolder folder;
   const auto killed = [](const std::function<void()>& action) {
