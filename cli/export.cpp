@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <memory>
 #include <stdexcept>
+#include <utility>
 
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
@@ -60,8 +61,9 @@ void add_export(CLI::App& app) {
     const Store store(arguments->store, Store::Mode::read);
     const StudyEntry study = chosen_study(store, arguments->study);
     if (arguments->file != "-") refuse_store(arguments->file, arguments->store);
-    const std::vector<SolveRecord> solves = store.solves(study.name);
-    for (const std::string& damage : damages_of(store, study.name)) say("warning: " + damage);
+    std::vector<SolveRecord> solves;
+    const auto keep = [&](SolveRecord solve) { solves.push_back(std::move(solve)); };
+    for (const std::string& damage : damages_of(store, study.name, keep)) say("warning: " + damage);
     if (arguments->format == "iohprofiler") {
       if (arguments->file == "-") throw std::invalid_argument("--format iohprofiler is a folder; expected -o FOLDER");
       for (const std::string& solver : write_iohprofiler(arguments->file, study, solves)) {

@@ -7,6 +7,7 @@
 #include <iterator>
 #include <memory>
 #include <thread>
+#include <utility>
 
 #include "analysis/inference/analysis_plan.hpp"
 #include "analysis/papers.hpp"
@@ -201,10 +202,14 @@ void write_and_announce(const Store& store, WrittenReport wanted) {
       "solves: give these again into another folder");
 }
 
-std::vector<std::string> damages_of(const Store& store, const std::string& study) {
+std::vector<std::string> damages_of(const Store& store, const std::string& study,
+                                    const std::function<void(SolveRecord)>& take) {
   const StudyEntry entry = store.study(study);
   const SolveCheck check = check_of(store, entry);
-  store.each_of_study(entry, check.look_at);
+  store.each_of_study(entry, [&](SolveRecord solve) {
+    check.look_at(solve);
+    if (take) take(std::move(solve));
+  });
   std::vector<std::string> damages = check.damages();
   if (const std::string unknown = check.unknown(); !unknown.empty()) say("warning: " + unknown);
   return damages;

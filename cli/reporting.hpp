@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -58,8 +59,9 @@ void draw(const std::vector<figures::Figure>& figures, const std::filesystem::pa
           const figures::RenderOptions& options);
 
 // What of a study in the store does not follow from its answers (experiments/recheck.hpp), was changed since it was
-// written, or names a session that the store does not have, in sentences.
-std::vector<std::string> damages_of(const results::Store& store, const std::string& study);
+// written, or names a session that the store does not have, in sentences. Its solves are read for that, and passed on.
+std::vector<std::string> damages_of(const results::Store& store, const std::string& study,
+                                    const std::function<void(results::SolveRecord)>& take = {});
 
 // The study of that name, or the first of the store where the name is empty.
 results::StudyEntry chosen_study(const results::Store& store, const std::string& name);
