@@ -80,10 +80,11 @@ void refuse_damaged(const Store& store, const std::string& study, const std::fil
   if (!damages.empty()) throw std::invalid_argument(fmt::format("'{}': {}", file.string(), fmt::join(damages, " ")));
 }
 
-// Whether the two were compared before with fewer runs; this look is remembered.
-void look(Asked& asked, const std::string& study, const std::filesystem::path& store) {
-  const Variant &a = asked.a.front(), &b = asked.b.front();
-  const int runs = std::max(runs_looked_at(a.study), runs_looked_at(b.study));
+// Whether the store was looked at before with fewer runs; this look is remembered there.
+void look(Asked& asked, const std::vector<Variant>& variants, const std::string& study,
+          const std::filesystem::path& store) {
+  int runs = 0;
+  for (const Variant& variant : variants) runs = std::max(runs, runs_looked_at(variant.study));
   std::string note = look_note(looks_at(study, store), runs, asked.question.significance);
   if (!note.empty()) asked.notes.push_back(std::move(note));
   remember_look(study, runs, store);
@@ -107,7 +108,7 @@ Asked labels_of_store(const CompareArguments& arguments, const std::filesystem::
               .a = {the(all, arguments.a, "A: ")},
               .b = {the(all, arguments.b, "B: ")},
               .notes = {}};
-  if (!arguments.sequential) look(asked, study.name, file);
+  if (!arguments.sequential) look(asked, {asked.a.front(), asked.b.front()}, study.name, file);
   return asked;
 }
 
@@ -124,6 +125,7 @@ Asked labels_of_stores(const CompareArguments& arguments) {
     asked.a.push_back(the(a, label, "A: "));
     asked.b.push_back(the(b, label, "B: "));
   }
+  if (!arguments.sequential) look(asked, asked.b, second.name, arguments.b);  // A is what it was: the baseline
   return asked;
 }
 

@@ -70,9 +70,9 @@ std::int64_t digest_of(const SolveRecord& record) {
   return digest.value();
 }
 
-std::int64_t digest_of_place(std::string_view series, std::int64_t run, std::int64_t point) {
+std::int64_t digest_of_place(std::string_view study, std::string_view series, std::int64_t run, std::int64_t point) {
   Digest digest;
-  digest.add(series);
+  for (const std::string_view text : {study, series}) digest.add(text);
   for (const std::int64_t number : {run, point}) digest.add(static_cast<std::uint64_t>(number));
   return digest.value();
 }

@@ -1,11 +1,13 @@
 #include "results/looks.hpp"
 
 #include <SQLiteCpp/SQLiteCpp.h>
-#include <SQLiteCpp/VariadicBind.h>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <charconv>
+#include <stdexcept>
+
+#include "results/store_digests.hpp"
 
 namespace ikbench::results {
 
@@ -16,21 +18,27 @@ constexpr int patience_ms = 1000;
 
 std::string key_of(const std::string& study, int runs) { return fmt::format("{}{} runs: {}", word, runs, study); }
 
+int runs_in(std::string_view key) {
+  int runs = 0;
+  std::from_chars(key.data() + std::min(word.size(), key.size()), key.data() + key.size(), runs);
+  return runs;
+}
+
 }  // namespace
+
+std::map<std::string, std::string> looks_among(const std::map<std::string, std::string>& meta,
+                                               const std::string& study) {
+  std::map<std::string, std::string> looks = meta;
+  std::erase_if(looks, [&](const auto& row) { return row.first != key_of(study, runs_in(row.first)); });
+  return looks;
+}
 
 std::vector<Look> looks_at(const std::string& study, const std::filesystem::path& store) {
   std::vector<Look> looks;
   try {
     SQLite::Database sqlite(store.string(), SQLite::OPEN_READONLY, patience_ms);
-    SQLite::Statement query(sqlite, "SELECT key, value FROM meta WHERE substr(key, 1, ?1) = ?2");
-    SQLite::bind(query, static_cast<int>(word.size()), std::string(word));
-    while (query.executeStep()) {
-      const std::string key = query.getColumn(0).getString();
-      Look look{.when = query.getColumn(1).getString()};
-      std::from_chars(key.data() + word.size(), key.data() + key.size(), look.runs);
-      if (key == key_of(study, look.runs)) looks.push_back(std::move(look));
-    }
-  } catch (const SQLite::Exception&) {
+    for (const auto& [key, when] : looks_among(meta_in(sqlite), study)) looks.push_back({runs_in(key), when});
+  } catch (const std::runtime_error&) {  // of SQLite, or damage
     return {};
   }
   std::ranges::sort(looks, {}, &Look::runs);
@@ -42,10 +50,10 @@ void remember_look(const std::string& study, int runs, const std::filesystem::pa
   if (runs < 1 || std::ranges::find(known, runs, &Look::runs) != known.end()) return;
   try {
     SQLite::Database sqlite(store.string(), SQLite::OPEN_READWRITE, patience_ms);
-    SQLite::Statement insert(
-        sqlite, "INSERT OR IGNORE INTO meta (key, value) VALUES (?1, strftime('%Y-%m-%dT%H:%M:%SZ', 'now'))");
-    insert.bind(1, key_of(study, runs));
-    insert.exec();
+    SQLite::Transaction transaction(sqlite, SQLite::TransactionBehavior::IMMEDIATE);
+    write_look(sqlite, study, key_of(study, runs),
+               sqlite.execAndGet("SELECT strftime('%Y-%m-%dT%H:%M:%SZ', 'now')").getString());
+    transaction.commit();
   } catch (const SQLite::Exception&) {  // it may only be read
   }
 }

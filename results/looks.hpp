@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,6 +19,9 @@ struct Look {
 
 // At a study, by a report or a comparison; the fewest runs first. None where the store cannot tell.
 std::vector<Look> looks_at(const std::string& study, const std::filesystem::path& store);
+// The rows of the table `meta` that are such looks.
+std::map<std::string, std::string> looks_among(const std::map<std::string, std::string>& meta,
+                                               const std::string& study);
 // Once for so many runs: the same look again changes nothing. A store that may only be read forgets it.
 void remember_look(const std::string& study, int runs, const std::filesystem::path& store);
 

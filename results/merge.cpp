@@ -25,6 +25,7 @@
 
 #include "results/files.hpp"
 #include "results/fingerprint.hpp"
+#include "results/looks.hpp"
 #include "results/same_solves.hpp"
 #include "results/store_codec.hpp"
 #include "results/store_digests.hpp"
@@ -134,7 +135,11 @@ class MergedStore {
     if (StoreFile::identity_of(source.file.string()) != source.identity)
       throw std::runtime_error(fmt::format("{} was replaced while it was merged; nothing was merged; merge again",
                                            Source::quoted(source.file)));
-    for (const StudyEntry& study : unchanged_studies(store)) take(study, source);
+    const std::map<std::string, std::string> meta = meta_in(file_.sqlite(), "source");
+    for (const StudyEntry& study : unchanged_studies(store)) {
+      take(study, source);
+      for (const auto& [key, when] : looks_among(meta, study.name)) write_look(file_.sqlite(), study.name, key, when);
+    }
     take(store.sessions(), source);
     if (const std::int64_t taken = take_solves(source, rows); taken < number)
       throw Damage(fmt::format("{} of its {} solves are not in their order", number - taken, number));
@@ -142,8 +147,7 @@ class MergedStore {
 
   // What is here now is what was written, by whomever.
   void write_digests() {
-    const std::map<std::int64_t, SessionDigest> solves =
-        summed_solves(file_.sqlite(), std::numeric_limits<std::int64_t>::max());
+    const SolveSums solves = summed_solves(file_.sqlite(), std::numeric_limits<std::int64_t>::max());
     for (const std::int64_t session : with_digest_) {
       const auto found = solves.find(session);
       SessionDigest digest = found == solves.end() ? SessionDigest() : found->second;
@@ -206,9 +210,6 @@ class MergedStore {
       note.reset();
       note_origin(same[place], is_new, source.of_session(session.id));
     }
-    file_.sqlite().exec(
-        "INSERT OR IGNORE INTO main.meta (key, value) SELECT key, value FROM source.meta "
-        "WHERE key LIKE 'look after %' AND length(key) < 500 AND length(value) < 50 LIMIT 100");
     all_at_once.release();
   }
 

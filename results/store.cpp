@@ -30,7 +30,6 @@ constexpr std::int64_t no_end = std::numeric_limits<std::int64_t>::max();
 constexpr std::size_t largest_json = 1'000'000;
 constexpr int deepest_json = 32;
 constexpr std::size_t longest_label = 1000;
-constexpr std::size_t most_series = 1000;
 constexpr std::int64_t most_runs = 1'000'000;
 constexpr std::int64_t most_points = 100'000;
 constexpr std::int64_t most_solves = 100'000'000;
@@ -119,26 +118,13 @@ struct Store::Database : StoreFile {
 
   std::vector<Series> series_of(const std::string& study) {
     refuse_blobs("series", "study");
-    SQLite::Statement query(
-        sqlite(), "SELECT key, label, algorithm, options, position FROM series WHERE study = ? ORDER BY position");
-    query.bind(1, study);
-    std::vector<Series> list;
-    while (list.size() <= most_series && query.executeStep()) {  // one too many is enough to be refused
-      value_in<std::int64_t>(query.getColumn(4));
-      list.push_back({.key = value_in<std::string>(query.getColumn(0)),
-                      .label = value_in<std::string>(query.getColumn(1)),
-                      .algorithm = value_in<std::string>(query.getColumn(2)),
-                      .options = value_in<std::string>(query.getColumn(3))});
-    }
-    return list;
+    return series_in(sqlite(), study);
   }
 
   std::optional<StudyEntry> find_study(const std::string& name) {
-    SQLite::Statement query(sqlite(), "SELECT definition FROM studies WHERE name = ?");
-    query.bind(1, name);
-    if (!query.executeStep()) return std::nullopt;
-    StudyEntry study{.name = name, .definition = value_in<std::string>(query.getColumn(0)), .series = series_of(name)};
-    check_study(study);
+    refuse_blobs("series", "study");
+    std::optional<StudyEntry> study = study_in(sqlite(), name);
+    if (study) check_study(*study);
     return study;
   }
 
@@ -154,29 +140,42 @@ struct Store::Database : StoreFile {
     return fmt::format("{}{}", fmt::join(names, ", "), others > 0 ? fmt::format(" and {} more", others) : "");
   }
 
-  // Passes on the solves of a series, up to a run.
+  // Passes on the solves of a series, up to a run, and adds up their digests, the first time.
   void read_solves(const std::string& key, std::int64_t last_run, const std::function<void(SolveRecord)>& take) {
     refuse_blobs("solves", "series");
     SQLite::Statement query(
         sqlite(),
         select_solves(version()) + " WHERE series = ?1 AND (run, point) > (?2, ?3) ORDER BY run, point LIMIT ?4");
-    const int run_column = query.getColumnIndex("run");
+    const int run_column = query.getColumnIndex("run"), point_column = query.getColumnIndex("point");
+    if (summed_.of_series.empty())
+      summed_.next_row = sqlite().execAndGet("SELECT coalesce(max(rowid), 0) + 1 FROM solves").getInt64();
+    std::optional<SolveAdder> adder;
+    if (has_digests(version()) && !summed_.of_series.contains(key)) adder.emplace(query);
+    SolveSums sums;
     constexpr int at_once = 1000;  // who writes a store without a log waits for the end of a query, but not for long
     std::vector<SolveRecord> read;
     std::int64_t run = std::numeric_limits<std::int64_t>::min(), point = run;  // as nobody has stored them
-    do {
+    for (int rows = at_once; rows == at_once;) {
       read.clear();
       SQLite::bind(query, key, run, point, at_once);
-      while (query.executeStep()) {
+      for (rows = 0; query.executeStep(); ++rows) {
         at_solve(query, [&] {
-          if (value_in<int>(query.getColumn(run_column)) <= last_run) read.push_back(solve_in(query));
+          run = value_in<int>(query.getColumn(run_column));
+          point = value_in<std::int64_t>(query.getColumn(point_column));
+          if (run <= last_run) read.push_back(solve_in(query));
+          if (adder && adder->rowid() < summed_.next_row) adder->add_to(sums);
         });
       }
       query.reset();
-      if (!read.empty()) std::tie(run, point) = std::pair(read.back().run, read.back().point);
       for (SolveRecord& record : read) take(std::move(record));
-    } while (read.size() == at_once);
+    }
+    if (adder) summed_.of_series.emplace(key, std::move(sums));
   }
+
+  const Summed& summed() const { return summed_; }
+
+ private:
+  Summed summed_;
 };
 
 Store::Store(const std::filesystem::path& file, Mode mode)
@@ -356,7 +355,7 @@ Changes Store::changes(const std::vector<std::string>& studies) const {
     for (const std::string& name : studies) written.studies.push_back(study(name));
     written.sessions = sessions();
     one_moment.release();
-    return changes_since(database_->sqlite(), written);
+    return changes_since(database_->sqlite(), written, database_->summed());
   });
 }
 

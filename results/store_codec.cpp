@@ -181,7 +181,7 @@ std::string create_solves(std::int64_t version) {
 }
 
 std::string select_solves(std::int64_t version) {
-  return fmt::format("SELECT {} FROM solves", listed(solve_columns(version), name_in));
+  return fmt::format("SELECT rowid, {} FROM solves", listed(solve_columns(version), name_in));
 }
 
 std::vector<std::string> add_columns_after(std::int64_t version) {
@@ -213,7 +213,7 @@ void bind_solve(SQLite::Statement& insert, const SolveRecord& record) {
 
 SolveRecord solve_in(SQLite::Statement& row) {
   SolveRecord record;
-  int index = 0;
+  int index = 1;
   for_each_column([&]<class Value>(std::string_view, Value SolveRecord::*member, std::string_view) {
     if (index < row.getColumnCount())
       read(row.getColumn(index++), record.*member);

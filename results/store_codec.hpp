@@ -32,9 +32,9 @@ constexpr std::int64_t schema_version = [] {
   return columns - columns_before_schema_1;
 }();
 
-// SQL for the table `solves` of a version of the schema: to make it, to read rows of it (a condition and an order may
-// follow), and to give it the columns of this program. A column that schema 1 does not have has a default, so that rows
-// without it can be read, and an older program that still has the store open can write.
+// SQL for the table `solves` of a version of the schema: to make it, to read rows of it, each after its rowid (a
+// condition and an order may follow), and to give it the columns of this program. A column that schema 1 does not have
+// has a default, so that rows without it can be read, and an older program that still has the store open can write.
 std::string create_solves(std::int64_t version);
 std::string select_solves(std::int64_t version);
 std::vector<std::string> add_columns_after(std::int64_t version);

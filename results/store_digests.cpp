@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "numerics/number.hpp"
+#include "results/looks.hpp"
 #include "results/store_codec.hpp"
 
 namespace ikbench::results {
@@ -28,13 +29,20 @@ void note(SQLite::Database& sqlite, const std::string& key, std::int64_t number)
   save.exec();
 }
 
+// How many rows it is added to.
+int add(SQLite::Database& sqlite, const std::string& key, std::int64_t number) {
+  SQLite::Statement add(sqlite, "UPDATE meta SET value = value + ? WHERE key = ?");
+  SQLite::bind(add, number, key);
+  return add.exec();
+}
+
 // Why a session does not fit its digest; empty where it does.
 std::string change_of(const Written& written, const Session& session, const SessionDigest& solves) {
-  const auto digest = written.digests.find(digest_key(session.id));
-  const auto number = written.digests.find(solves_key(session.id));
-  if (digest == written.digests.end())
+  const auto digest = written.meta.find(digest_key(session.id));
+  const auto number = written.meta.find(solves_key(session.id));
+  if (digest == written.meta.end())
     return solves.has_digests ? "it has lost its digest, which its solves still have" : "";
-  if (number == written.digests.end()) return "it has lost the number of its solves";
+  if (number == written.meta.end()) return "it has lost the number of its solves";
   if (number->second != std::to_string(solves.solves))
     return fmt::format("it has {} solves, and {} were stored", solves.solves, excerpt(number->second));
   const bool fits = digest->second == std::to_string(solves.sum + digest_of(session));
@@ -46,13 +54,77 @@ bool may_be_of(const Session& session, const Written& written) {
   const auto study = session.environment.find("study");
   if (study == session.environment.end()) return true;
   return std::ranges::find(written.studies, study->second, &StudyEntry::name) != written.studies.end() ||
-         !written.digests.contains(digest_key(StudyEntry{.name = study->second}));
+         !written.meta.contains(digest_key(StudyEntry{.name = study->second}));
+}
+
+constexpr std::string_view select_places = "SELECT rowid, session, digest, study, series, run, point FROM solves ";
+constexpr int at_once = 10'000;
+constexpr std::int64_t before_all = std::numeric_limits<std::int64_t>::min();
+
+// Those of both rowids and between.
+void add_rows(SQLite::Database& sqlite, std::int64_t first, std::int64_t last, SolveSums& sums) {
+  SQLite::Statement query(sqlite, fmt::format("{} WHERE rowid BETWEEN ? AND ? ORDER BY rowid LIMIT ?", select_places));
+  const SolveAdder row(query);
+  for (int read = at_once; read == at_once; query.reset()) {
+    SQLite::bind(query, first, last, at_once);
+    for (read = 0; query.executeStep(); ++read) {
+      row.add_to(sums);
+      if (row.rowid() == last) return;
+      first = row.rowid() + 1;
+    }
+  }
+}
+
+// Those of a series before a rowid.
+void add_series(SQLite::Database& sqlite, const std::string& series, std::int64_t next_row, SolveSums& sums) {
+  SQLite::Statement query(
+      sqlite, fmt::format("{} WHERE series = ? AND (run, point) > (?, ?) AND rowid < ? ORDER BY run, point LIMIT ?",
+                          select_places));
+  const SolveAdder row(query);
+  std::int64_t run = before_all, point = before_all;
+  for (int read = at_once; read == at_once; query.reset()) {
+    SQLite::bind(query, series, run, point, next_row, at_once);
+    for (read = 0; query.executeStep(); ++read) {
+      row.add_to(sums);
+      run = query.getColumn("run").getInt64();
+      point = query.getColumn("point").getInt64();
+    }
+  }
+}
+
+// Each is looked up after the one before it.
+std::vector<std::string> series_of_solves(SQLite::Database& sqlite) {
+  std::vector<std::string> all;
+  SQLite::Statement first(sqlite, "SELECT min(series) FROM solves"),
+      next(sqlite, "SELECT min(series) FROM solves WHERE series > ?");
+  for (SQLite::Statement* query = &first; query->executeStep() && !query->getColumn(0).isNull(); query = &next) {
+    all.push_back(value_in<std::string>(query->getColumn(0)));
+    next.reset();
+    next.bind(1, all.back());
+  }
+  return all;
 }
 
 }  // namespace
 
-void write_digest(SQLite::Database& sqlite, const StudyEntry& study) {
-  note(sqlite, digest_key(study), digest_of(study));
+std::map<std::string, std::string> meta_in(SQLite::Database& sqlite, const std::string& database) {
+  SQLite::Statement query(sqlite, fmt::format("SELECT key, value FROM {}.meta", database));
+  std::map<std::string, std::string> meta;
+  while (query.executeStep())
+    meta[value_in<std::string>(query.getColumn(0))] = value_in<std::string>(query.getColumn(1));
+  return meta;
+}
+
+void write_digest(SQLite::Database& sqlite, const StudyEntry& study, const std::optional<StudyEntry>& before) {
+  if (before && add(sqlite, digest_key(study), digest_of(study) - digest_of(*before)) > 0) return;
+  note(sqlite, digest_key(study), digest_of(study) + digest_of(looks_among(meta_in(sqlite), study.name)));
+}
+
+void write_look(SQLite::Database& sqlite, const std::string& study, const std::string& key, const std::string& when) {
+  SQLite::Statement insert(sqlite, "INSERT OR IGNORE INTO meta (key, value) VALUES (?, ?)");
+  SQLite::bind(insert, key, when);
+  if (insert.exec() == 0) return;
+  add(sqlite, digest_key(StudyEntry{.name = study}), digest_of(std::map<std::string, std::string>{{key, when}}));
 }
 
 void write_digest(SQLite::Database& sqlite, std::int64_t session, const SessionDigest& digest) {
@@ -61,83 +133,96 @@ void write_digest(SQLite::Database& sqlite, std::int64_t session, const SessionD
 }
 
 void add_to_digest(SQLite::Database& sqlite, std::int64_t session, const SessionDigest& further) {
-  SQLite::Statement add(sqlite, "UPDATE meta SET value = value + ? WHERE key = ?");
-  for (const auto& [key, number] :
-       {std::pair(solves_key(session), further.solves), std::pair(digest_key(session), further.sum)}) {
-    SQLite::bind(add, number, key);
-    add.exec();
-    add.reset();
-  }
+  add(sqlite, solves_key(session), further.solves);
+  add(sqlite, digest_key(session), further.sum);
 }
 
 std::set<std::int64_t> sessions_with_digest(SQLite::Database& sqlite, const std::string& database) {
-  SQLite::Statement query(sqlite, fmt::format("SELECT key FROM {}.meta WHERE key GLOB ?", database));
-  query.bind(1, std::string(of_session) + '*');
   std::set<std::int64_t> sessions;
-  while (query.executeStep()) {
-    const auto key = value_in<std::string>(query.getColumn(0));
+  for (const auto& [key, value] : meta_in(sqlite, database)) {
+    if (!key.starts_with(of_session)) continue;
     if (const auto number = numerics::number_from(key.substr(of_session.size())))
       sessions.insert(static_cast<std::int64_t>(*number));
   }
   return sessions;
 }
 
-Written written_in(SQLite::Database& sqlite) {
-  Written written{.last_row = sqlite.execAndGet("SELECT coalesce(max(rowid), 0) FROM solves").getInt64()};
-  SQLite::Statement query(sqlite, "SELECT key, value FROM meta");
-  while (query.executeStep())
-    written.digests[value_in<std::string>(query.getColumn(0))] = value_in<std::string>(query.getColumn(1));
-  return written;
+SolveAdder::SolveAdder(SQLite::Statement& row)
+    : row_(row),
+      rowid_(row.getColumnIndex("rowid")),
+      session_(row.getColumnIndex("session")),
+      digest_(row.getColumnIndex("digest")),
+      study_(row.getColumnIndex("study")),
+      series_(row.getColumnIndex("series")),
+      run_(row.getColumnIndex("run")),
+      point_(row.getColumnIndex("point")) {}
+
+void SolveAdder::add_to(SolveSums& sums) const {
+  const auto digest = value_in<std::int64_t>(row_.getColumn(digest_));
+  if (!std::in_range<std::uint32_t>(digest)) throw Damage(fmt::format("digest {} of a solve", digest));
+  SessionDigest& sum = sums[value_in<std::int64_t>(row_.getColumn(session_))];
+  ++sum.solves;
+  sum.has_digests = sum.has_digests || digest != 0;
+  sum.sum += digest + digest_of_place(
+                          value_in<std::string>(row_.getColumn(study_)), value_in<std::string>(row_.getColumn(series_)),
+                          value_in<std::int64_t>(row_.getColumn(run_)), value_in<std::int64_t>(row_.getColumn(point_)));
 }
 
-std::map<std::int64_t, SessionDigest> summed_solves(SQLite::Database& sqlite, std::int64_t last_row) {
-  constexpr int at_once = 10'000;
-  SQLite::Statement query(sqlite,
-                          "SELECT rowid, session, digest, series, run, point FROM solves WHERE rowid BETWEEN ? AND ? "
-                          "ORDER BY rowid LIMIT ?");
-  std::map<std::int64_t, SessionDigest> sums;
-  std::int64_t first = std::numeric_limits<std::int64_t>::min();
-  for (int read = at_once; read == at_once; query.reset()) {
-    SQLite::bind(query, first, last_row, at_once);
-    for (read = 0; query.executeStep(); ++read) {
-      const auto digest = value_in<std::int64_t>(query.getColumn(2));
-      if (!std::in_range<std::uint32_t>(digest)) throw Damage(fmt::format("digest {} of a solve", digest));
-      SessionDigest& sum = sums[value_in<std::int64_t>(query.getColumn(1))];
-      ++sum.solves;
-      sum.has_digests = sum.has_digests || digest != 0;
-      sum.sum += digest + digest_of_place(value_in<std::string>(query.getColumn(3)),
-                                          value_in<std::int64_t>(query.getColumn(4)),
-                                          value_in<std::int64_t>(query.getColumn(5)));
-      const std::int64_t row = query.getColumn(0).getInt64();
-      if (row == last_row) return sums;
-      first = row + 1;
+Written written_in(SQLite::Database& sqlite) {
+  return {.studies = {},
+          .sessions = {},
+          .meta = meta_in(sqlite),
+          .last_row = sqlite.execAndGet("SELECT coalesce(max(rowid), 0) FROM solves").getInt64()};
+}
+
+SolveSums summed_solves(SQLite::Database& sqlite, std::int64_t last_row, const Summed& known) {
+  SolveSums sums;
+  for (const auto& [series, of_series] : known.of_series) {
+    for (const auto& [session, sum] : of_series) {
+      sums[session].solves += sum.solves;
+      sums[session].sum += sum.sum;
+      sums[session].has_digests |= sum.has_digests;
     }
   }
+  if (known.of_series.empty()) {
+    add_rows(sqlite, before_all, last_row, sums);
+    return sums;
+  }
+  for (const std::string& series : series_of_solves(sqlite)) {
+    if (!known.of_series.contains(series)) add_series(sqlite, series, known.next_row, sums);
+  }
+  add_rows(sqlite, known.next_row, last_row, sums);
   return sums;
 }
 
-Changes changes_since(SQLite::Database& sqlite, const Written& written) {
+bool has_digests(std::int64_t version) {
+  const std::vector<std::string_view> columns = column_names(version);
+  return std::ranges::find(columns, "digest") != columns.end();
+}
+
+Changes changes_since(SQLite::Database& sqlite, const Written& written, const Summed& known) {
   Changes changes;
-  const std::vector<std::string_view> columns = column_names(sqlite.execAndGet("PRAGMA user_version").getInt64());
-  if (std::ranges::find(columns, "digest") == columns.end()) return {.sentences = {}, .are_known = false};
+  if (!has_digests(sqlite.execAndGet("PRAGMA user_version").getInt64())) return {.sentences = {}, .are_known = false};
   for (const StudyEntry& study : written.studies) {
-    const auto digest = written.digests.find(digest_key(study));
-    const bool is_known = digest != written.digests.end();
+    const auto digest = written.meta.find(digest_key(study));
+    const bool is_known = digest != written.meta.end();
     const bool has_sessions = std::ranges::any_of(written.sessions, [&](const Session& session) {
-      return may_be_of(session, written) && written.digests.contains(digest_key(session.id));
+      return may_be_of(session, written) && written.meta.contains(digest_key(session.id));
     });
     changes.are_known = changes.are_known && is_known;
     if (!is_known && has_sessions && written.studies.size() == 1)
       changes.sentences.push_back(
           fmt::format("study {} has no digest, though its sessions have one", excerpt(study.name)));
-    if (digest != written.digests.end() && digest->second != std::to_string(digest_of(study)))
-      changes.sentences.push_back(fmt::format(
-          "the definition of study {} or its series were changed since they were written", excerpt(study.name)));
+    const std::int64_t expected = digest_of(study) + digest_of(looks_among(written.meta, study.name));
+    if (is_known && digest->second != std::to_string(expected))
+      changes.sentences.push_back(
+          fmt::format("the definition of study {}, its series or its looks were changed since they were written",
+                      excerpt(study.name)));
   }
-  std::map<std::int64_t, SessionDigest> sums = summed_solves(sqlite, written.last_row);
+  SolveSums sums = summed_solves(sqlite, written.last_row, known);
   for (const Session& session : written.sessions) {
     if (!may_be_of(session, written)) continue;
-    changes.are_known = changes.are_known && written.digests.contains(digest_key(session.id));
+    changes.are_known = changes.are_known && written.meta.contains(digest_key(session.id));
     const std::string change = change_of(written, session, sums[session.id]);
     if (!change.empty())
       changes.sentences.push_back(fmt::format("session {} of {} was changed since it was written: {}", session.id,

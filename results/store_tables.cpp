@@ -8,7 +8,31 @@
 
 namespace ikbench::results {
 
+std::vector<Series> series_in(SQLite::Database& sqlite, const std::string& study) {
+  SQLite::Statement query(
+      sqlite, "SELECT key, label, algorithm, options, position FROM series WHERE study = ? ORDER BY position LIMIT ?");
+  SQLite::bind(query, study, static_cast<std::int64_t>(most_series) + 1);  // one too many is enough to be refused
+  std::vector<Series> list;
+  while (query.executeStep()) {
+    value_in<std::int64_t>(query.getColumn(4));
+    list.push_back({.key = value_in<std::string>(query.getColumn(0)),
+                    .label = value_in<std::string>(query.getColumn(1)),
+                    .algorithm = value_in<std::string>(query.getColumn(2)),
+                    .options = value_in<std::string>(query.getColumn(3))});
+  }
+  return list;
+}
+
+std::optional<StudyEntry> study_in(SQLite::Database& sqlite, const std::string& name) {
+  SQLite::Statement query(sqlite, "SELECT definition FROM studies WHERE name = ?");
+  query.bind(1, name);
+  if (!query.executeStep()) return std::nullopt;
+  return StudyEntry{
+      .name = name, .definition = value_in<std::string>(query.getColumn(0)), .series = series_in(sqlite, name)};
+}
+
 void write_study(SQLite::Database& sqlite, const StudyEntry& study) {
+  write_digest(sqlite, study, study_in(sqlite, study.name));
   SQLite::Statement save(sqlite,
                          "INSERT INTO studies (name, definition, saved) "
                          "VALUES (?1, ?2, strftime('%Y-%m-%dT%H:%M:%SZ', 'now')) "
@@ -26,7 +50,6 @@ void write_study(SQLite::Database& sqlite, const StudyEntry& study) {
     add.exec();
     add.reset();
   }
-  write_digest(sqlite, study);
 }
 
 std::int64_t write_session(SQLite::Database& sqlite, const std::map<std::string, std::string>& environment) {
@@ -58,7 +81,7 @@ void write_solves(SQLite::Database& sqlite, const std::vector<SolveRecord>& reco
     insert.reset();
     SessionDigest& sum = of_sessions[record.session];
     ++sum.solves;
-    sum.sum += record.digest + digest_of_place(record.series, record.run, record.point);
+    sum.sum += record.digest + digest_of_place(record.study, record.series, record.run, record.point);
   }
   for (const auto& [session, sum] : of_sessions) add_to_digest(sqlite, session, sum);
 }

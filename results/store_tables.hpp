@@ -1,16 +1,23 @@
-// What is written into the tables, with its digests, within the caller's transaction.
+// What is written into the tables, with its digests, within the caller's transaction, and studies as they stand there.
 #pragma once
 
 #include <SQLiteCpp/SQLiteCpp.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "results/store.hpp"
 
 namespace ikbench::results {
+
+// More than any study needs; of those of a study that has more, so many and one.
+constexpr std::size_t most_series = 1000;
+std::vector<Series> series_in(SQLite::Database& sqlite, const std::string& study);
+std::optional<StudyEntry> study_in(SQLite::Database& sqlite, const std::string& name);
 
 // Replaces one of the same name.
 void write_study(SQLite::Database& sqlite, const StudyEntry& study);

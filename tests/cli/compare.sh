@@ -35,6 +35,17 @@ succeeds compare $base $again --metric position_error_cm --metric variation_deg 
 [ "$(answer)" = "No regression beyond 5 %. Of 24 comparisons: 24 the same within 5 %." ] || fail "the answer is: $(answer)"
 quiet
 
+# Of two stores, B keeps how many runs were looked at; a look at more of them says which level holds, and A is as it was.
+make grown --set runs=4
+cp $base base-before
+succeeds compare $base grown/store.sqlite --metric position_error_cm
+has_no "$out" "This is look"
+make grown
+succeeds compare $base grown/store.sqlite --metric position_error_cm
+has "$out" "This is look 2 at this study: earlier ones were after 4 ("
+has "$out" "take for a difference only p below 0.025 here"
+cmp $base base-before || fail "a comparison changed its baseline"
+
 # A regression, in the label and metric that has it; the other way round it is none.
 is_worse $base $fewer --metric position_error_cm
 has "$out" "K-ABC"

@@ -91,7 +91,7 @@ import sqlite3, sys
 columns = """evaluations=evaluations+1 | evaluations=evaluations*10 | iterations=iterations+1 | iterations=0 | seconds=seconds/2
 cpu_seconds=cpu_seconds/2 | smallest_seconds=smallest_seconds/2 | largest_seconds=largest_seconds*2 | interruptions=0.5
 repeats=repeats+1 | timing='clean' where timing<>'clean' | timing='parallel' | stop_reason='tolerance' | trace_cm='[1]'
-improved_at='[1]', improved_to_cm='[1]' | claimed_error_cm=0 | counted_by='solver' | robot='other' | digest=0 | digest=1
+improved_at='[1]', improved_to_cm='[1]' | claimed_error_cm=0 | counted_by='solver' | robot='other' | study='other' | digest=0 | digest=1
 run=run+100 | run=run+100 where run=3 | series=substr(series,2) where run=3 | session=session+1 | waited_seconds=1 | transport_seconds=1 | claimed_seconds=1 | round_trips=1
 position_error_cm=NULL | orientation_error=NULL | seconds=NULL | smallest_seconds=NULL | manipulability=NULL
 variation_m=NULL | limit_margin=NULL | variation_deg=NULL | status='tolerance_missed' where status='ok'""".replace("\n", "|")
@@ -108,6 +108,8 @@ whole += [
     "update environment set value='other' where key='commit'",
     "update environment set value='0' where key='stolen_seconds'",
     "delete from environment where key='analysis'",
+    "delete from meta where key glob 'look after *'",
+    "update meta set value='2020-01-01T00:00:00Z' where key glob 'look after *'",
     "update sessions set began='2020-01-01T00:00:00Z'",
     "update studies set definition=json_set(definition,'$.runs',1)",
     "update studies set definition=json_set(definition,'$.points',2)",
