@@ -25,7 +25,7 @@ std::atomic<bool> cancel_requested{false}, may_cancel{false}, is_over{false};
 std::atomic<int> last_signal{0};
 std::mutex words_mutex;
 constexpr std::string_view usual_words = "Stopped. What is stored is kept.";
-std::string last_words(usual_words);
+std::string last_words(usual_words), first_words;
 
 sigset_t watched_signals() {
   sigset_t set;
@@ -45,7 +45,7 @@ void watch(const sigset_t& set) {
     const std::scoped_lock lock(words_mutex);
     last_signal = number;
     if (may_cancel && !cancel_requested.exchange(true)) {
-      write_at_once("\nStopping after the current solve. Once more: at once.\n");
+      write_at_once('\n' + first_words + " Once more: at once.\n");
       continue;
     }
     write_at_once('\n' + last_words + '\n');
@@ -140,7 +140,9 @@ SignalWatch::~SignalWatch() {
   thread_.join();
 }
 
-CancelOnSignal::CancelOnSignal() {
+CancelOnSignal::CancelOnSignal(std::string_view words) {
+  const std::scoped_lock lock(words_mutex);
+  first_words = words;
   cancel_requested = false;
   may_cancel = true;
 }

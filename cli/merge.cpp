@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <memory>
+#include <optional>
 
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
@@ -33,10 +34,18 @@ std::vector<fs::path> stores_to_merge(const fs::path& out, const std::vector<std
   return stores;
 }
 
-// The transaction ends somewhere within: who is stopped there cannot say on which side of its end.
-Merged merged_or_stopped(const fs::path& out, const std::vector<fs::path>& stores) {
-  const EndOnSignal signals("Stopped. All was merged, or nothing; give the same command again.");
-  return merge(out, stores);
+// Empty where a signal stopped it.
+std::optional<Merged> merged_or_stopped(const fs::path& out, const std::vector<fs::path>& stores) {
+  const EndOnSignal at_once("Stopped. All was merged, or nothing; give the same command again.");
+  CancelOnSignal signals("Stopping the merge.");
+  try {
+    Merged merged = merge(out, stores, &signals.requested());
+    if (!signals.end()) return merged;
+    say("Stopped. All was merged; give the same command again to see what is missing.");
+  } catch (const MergeCancelled&) {
+    say("Stopped. Nothing was merged; give the same command again.");
+  }
+  return std::nullopt;
 }
 
 }  // namespace
@@ -68,7 +77,12 @@ void add_merge(CLI::App& app, Invocation& invocation) {
     const fs::path out = store_in(arguments->out);
     const std::vector<fs::path> stores = stores_to_merge(out, arguments->places);
     remove_litter(arguments->out);
-    const Merged merged = merged_or_stopped(out, stores);
+    const std::optional<Merged> done = merged_or_stopped(out, stores);
+    if (!done) {
+      invocation.exit_code = cancelled_exit_code();
+      return;
+    }
+    const Merged& merged = *done;
     const EndOnSignal signals("Stopped. All was merged; give the same command again to see what is missing.");
     const std::size_t taken = stores.size() - merged.half_written.size();
     fmt::print("{}: {} solve{} added from {} store{}, {} were there with the same bits\n", printable(out.string()),

@@ -314,6 +314,18 @@ class MergedStore {
   std::map<std::int64_t, std::string> origins_;  // of sessions that are new
 };
 
+void end_if(const std::atomic<bool>* cancelled) {
+  if (cancelled != nullptr && *cancelled) throw MergeCancelled();
+}
+
+// From here on a statement of the connection ends with an error where `cancelled` is set.
+void end_where(SQLite::Database& sqlite, const std::atomic<bool>* cancelled) {
+  constexpr int instructions = 1000;  // from one look at it to the next
+  const auto is_set = [](void* flag) { return static_cast<const std::atomic<bool>*>(flag)->load() ? 1 : 0; };
+  if (cancelled != nullptr)
+    sqlite3_progress_handler(sqlite.getHandle(), instructions, is_set, const_cast<std::atomic<bool>*>(cancelled));
+}
+
 // What ends the copying of one store into another.
 [[noreturn]] void refuse_copy(const SQLite::Exception& error, const fs::path& from, const fs::path& to) {
   const int code = error.getExtendedErrorCode();
@@ -327,10 +339,12 @@ class MergedStore {
 }
 
 // All of them in a new store, which is nobody else's: it needs no journal.
-std::pair<Source, Merged> gather(const fs::path& file, const fs::path& out, const std::vector<fs::path>& stores) {
+std::pair<Source, Merged> gather(const fs::path& file, const fs::path& out, const std::vector<fs::path>& stores,
+                                 const std::atomic<bool>* cancelled) {
   return guarded(out.string(), [&] {
     StoreFile target(file, Store::Mode::write_shared);
     target.sqlite().exec("PRAGMA journal_mode = MEMORY; PRAGMA synchronous = OFF");
+    end_where(target.sqlite(), cancelled);
     MergedStore all(target);
     for (const fs::path& place : stores) {
       const Source source{.file = place};
@@ -359,14 +373,16 @@ std::pair<Source, Merged> gather(const fs::path& file, const fs::path& out, cons
 }
 
 // All or nothing.
-Merged take_into(const fs::path& out, const Source& gathered) {
+Merged take_into(const fs::path& out, const Source& gathered, const std::atomic<bool>* cancelled) {
   return guarded(out.string(), [&] {
     StoreFile target(out, Store::Mode::write_shared);
     target.sqlite().exec("PRAGMA cache_size = -65536");  // readers are locked out from when it is full
+    end_where(target.sqlite(), cancelled);
     SQLite::Transaction transaction(target.sqlite(), SQLite::TransactionBehavior::IMMEDIATE);
     MergedStore all(target);
     all.take(Store(gathered.file, Store::Mode::read), gathered);
     all.write_digests();
+    end_if(cancelled);
     target.commit(transaction);
     return all.merged;
   });
@@ -379,9 +395,7 @@ std::error_code publish(const fs::path& file, const fs::path& name) {
   return {errno, std::generic_category()};
 }
 
-}  // namespace
-
-Merged merge(const fs::path& out, const std::vector<fs::path>& stores) {
+Merged merge_all(const fs::path& out, const std::vector<fs::path>& stores, const std::atomic<bool>* cancelled) {
   try {
     std::error_code none;
     if (fs::exists(out, none)) Store(out, Store::Mode::read);  // what is no store is refused before all is copied
@@ -389,16 +403,28 @@ Merged merge(const fs::path& out, const std::vector<fs::path>& stores) {
   }
   const TemporaryFolder scratch(out.parent_path());
   const fs::path file = scratch.path() / out.filename();
-  auto [gathered, merged] = gather(file, out, stores);
+  auto [gathered, merged] = gather(file, out, stores, cancelled);
+  end_if(cancelled);
   const std::error_code error = publish(file, out);
   if (!error) return merged;
   if (error != std::errc::file_exists)
     throw std::invalid_argument(
         fmt::format("cannot write '{}': {}; choose a place that you can write to", out.string(), error.message()));
-  const Merged into_it = take_into(out, gathered);
+  const Merged into_it = take_into(out, gathered, cancelled);
   merged.added = into_it.added;
   merged.known += into_it.known;
   return merged;
+}
+
+}  // namespace
+
+Merged merge(const fs::path& out, const std::vector<fs::path>& stores, const std::atomic<bool>* cancelled) {
+  try {
+    return merge_all(out, stores, cancelled);
+  } catch (const std::exception&) {
+    end_if(cancelled);  // whatever its end looked like
+    throw;
+  }
 }
 
 }  // namespace ikbench::results

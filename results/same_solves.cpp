@@ -55,6 +55,10 @@ std::string why_not_one(const StudyEntry& study, const StudyEntry& other) {
   if (own_keys(study) != own_keys(other))
     return "the version of the solvers or of shared code is another, so use one version of ikbench for all";
   for (const Series& series : study.series) {
+    const auto other_label = std::ranges::find(other.series, series.key, &Series::key);
+    if (other_label != other.series.end() && other_label->label != series.label)
+      return fmt::format("one solver has the label '{}' in the first and '{}' in the second", series.label,
+                         other_label->label);
     const auto same = std::ranges::find(other.series, series.label, &Series::label);
     if (same != other.series.end() && same->key != series.key)
       return fmt::format("they are two imports of the label '{}', so import one of them with another --label",

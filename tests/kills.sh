@@ -171,6 +171,7 @@ kill_merge() {
         [ $kind = new ] || cp -r begun merged
         signalled $((moment + 1)) $signal merge merged shards
         [ ! -s merged/store.sqlite-journal ] || half=$((half + 1))
+        [ $signal = KILL ] || [ ! -d merged ] || [[ $(ls -A merged) =~ ^(store.sqlite)?$ ]] || fail "SIG$signal of a merge leaves $(ls -A merged)"
         rows=$(rows_after merged/store.sqlite)
         [ "$rows" = "$all" ] || [ "$rows" = $([ $kind = new ] && echo 0 || echo "$begun") ] ||
           fail "SIG$signal left a merge with $rows solves, neither all nor those before"

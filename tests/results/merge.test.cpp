@@ -96,6 +96,32 @@ TEST_CASE("merging again changes nothing, and a session that ended meanwhile is 
   CHECK(store.sessions().front().environment.at("stolen_seconds") == "0.5");
 }
 
+TEST_CASE("a solver that two stores label differently is named, with both stores, and nothing is merged", "[merge]") {
+  const ScratchFolder folder;
+  make_store(folder.path / "a", "one", {1, 2});
+  make_store(folder.path / "b", "two", {3});
+  edit(folder.path / "b", "UPDATE series SET label = 'other' WHERE key = 'key-a'; UPDATE solves SET solver = 'other'");
+  const auto merging = [&] { merge(folder.path / "out", {folder.path / "a", folder.path / "b"}); };
+  const std::string said = complaint<std::invalid_argument>(merging);
+  CHECK_THAT(said,
+             ContainsSubstring(quoted(folder.path / "a") + " and " + quoted(folder.path / "b") +
+                               ": one solver has the label 'IK-BA' in the first and 'other' in the second; nothing"));
+  CHECK_FALSE(fs::exists(folder.path / "out"));
+}
+
+TEST_CASE("a merge that was to stop has added nothing and leaves nothing", "[merge]") {
+  const ScratchFolder folder;
+  make_store(folder.path / "a", "one", {1, 2});
+  make_store(folder.path / "b", "two", {3, 4});
+  merge(folder.path / "there", {folder.path / "a"});
+  const std::string before = text_in(folder.path / "there");
+  const std::atomic<bool> cancelled{true};
+  for (const char* out : {"new", "there"})
+    CHECK_THROWS_AS(merge(folder.path / out, {folder.path / "b"}, &cancelled), MergeCancelled);
+  CHECK(text_in(folder.path / "there") == before);
+  CHECK(std::distance(fs::directory_iterator(folder.path), fs::directory_iterator()) == 3);
+}
+
 TEST_CASE("a solve with other bits is named, with both stores, and nothing is merged", "[merge]") {
   const ScratchFolder folder;
   make_store(folder.path / "a", "one", {1, 2});
