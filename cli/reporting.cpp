@@ -217,7 +217,7 @@ std::vector<std::string> damages_of(const Store& store, const std::string& study
 
 void draw(const std::vector<figures::Figure>& figures, const std::filesystem::path& folder,
           const figures::RenderOptions& options) {
-  for (const figures::FigureOutcome& outcome : figures::write_figures(figures, folder, options)) {
+  for (const figures::FigureOutcome& outcome : figures::write_figures(figures, folder, options).outcomes) {
     if (!outcome.error.empty()) say(fmt::format("warning: {} was not drawn: {}", outcome.name, outcome.error));
   }
 }

@@ -109,14 +109,6 @@ std::vector<Source> sources_of(const std::vector<Figure>& figures, const std::fi
 
 }  // namespace
 
-std::vector<std::string> edited_scripts(const std::vector<Figure>& figures, const std::filesystem::path& folder) {
-  std::vector<std::string> files;
-  for (const Source& source : sources_of(figures, folder)) {
-    if (source.is_edited) files.push_back(source.file);
-  }
-  return files;
-}
-
 std::string figure_style() {
   std::string style = R"(# The look of every figure in this folder. Change it here, then draw again: gnuplot NAME.gp
 set encoding utf8
@@ -174,15 +166,20 @@ std::string script_of(const Figure& figure) {
   return script + "unset output\n";
 }
 
-std::vector<FigureOutcome> write_figures(const std::vector<Figure>& figures, const std::filesystem::path& folder,
-                                         const RenderOptions& options) {
+WrittenFigures write_figures(const std::vector<Figure>& figures, const std::filesystem::path& folder,
+                             const RenderOptions& options) {
   const std::vector<Source> sources = sources_of(figures, folder);
+  WrittenFigures written;
   for (const Source& source : sources) {
-    if (!source.is_edited) write_file(folder / source.file, source.text);
+    if (source.is_edited) {
+      written.edited_scripts.push_back(source.file);
+    } else {
+      write_file(folder / source.file, source.text);
+    }
   }
-  std::vector<FigureOutcome> outcomes;
+  std::vector<FigureOutcome>& outcomes = written.outcomes;
   for (const Figure& figure : figures) outcomes.push_back({.name = figure.name});
-  if (!options.render) return outcomes;
+  if (!options.render) return written;
 
   const TemporaryFolder workshop(folder);
   for (const Source& source : sources) write_file(workshop.path() / source.file, source.text);
@@ -209,7 +206,7 @@ std::vector<FigureOutcome> write_figures(const std::vector<Figure>& figures, con
   for (const std::exception_ptr& failure : failures) {
     if (failure) std::rethrow_exception(failure);
   }
-  return outcomes;
+  return written;
 }
 
 }  // namespace ikbench::figures

@@ -40,14 +40,16 @@ struct FigureOutcome {
   std::string error = {};  // gnuplot's message, where it should have been rendered and was not
 };
 
+struct WrittenFigures {
+  std::vector<FigureOutcome> outcomes;
+  std::vector<std::string> edited_scripts;  // by the user
+};
+
 // Writes NAME.gp, NAME.dat and style.gp into the folder and draws NAME.svg, NAME.pdf, NAME.png. Scripts that the user
 // has edited stay, and are drawn with. Pictures that could not be drawn are not left over from before. A folder that
 // cannot be written to is std::invalid_argument, a full disk std::runtime_error.
-std::vector<FigureOutcome> write_figures(const std::vector<Figure>& figures, const std::filesystem::path& folder,
-                                         const RenderOptions& options);
-
-// The scripts in the folder that the user has edited.
-std::vector<std::string> edited_scripts(const std::vector<Figure>& figures, const std::filesystem::path& folder);
+WrittenFigures write_figures(const std::vector<Figure>& figures, const std::filesystem::path& folder,
+                             const RenderOptions& options);
 
 // The complete script of a figure, and the style that all scripts load.
 std::string script_of(const Figure& figure);

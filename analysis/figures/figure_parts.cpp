@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <numbers>
 
@@ -18,12 +17,6 @@ using namespace numerics;
 using namespace results;
 using namespace statistics;
 using namespace inference;
-
-std::string capitalised(std::string_view text) {
-  std::string result(text);
-  result[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(result[0])));
-  return result;
-}
 
 std::string tick_label(std::string_view text) {
   std::string doubled;

@@ -17,7 +17,6 @@ namespace ikbench::figures {
 constexpr std::string_view grey_rings = "pt 6 ps 0.9 lc rgb '#808080'";  // what a paper printed
 constexpr std::size_t longest_label = 28;  // characters of a solver's label in a figure; the data file has all
 
-std::string capitalised(std::string_view text);
 std::string data_number(double value);  // as a data file has it
 
 // "0.0017 cm"; times in the unit that suits them.

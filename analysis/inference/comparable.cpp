@@ -39,7 +39,7 @@ bool has(std::span<const Solve> solves, CountedBy by) {
 }
 
 void add_sentence(std::string& text, const std::string& sentence) {
-  text += (text.empty() || sentence.empty() ? "" : " ") + sentence;
+  text += text.empty() || sentence.empty() ? sentence : " " + capitalised(sentence);
 }
 
 struct Disturbed {
@@ -92,13 +92,6 @@ std::string disturbed_words(const StudyResults& study, const SolverLabels& label
                      has_programs ? ", or waited for a processor for more than a tenth of it" : "", and_errors(study));
 }
 
-std::string programs_words(const SolverLabels& labels) {
-  return fmt::format(
-      "those of {} have messages and another process in them. analysis.program_times = \"compared\" ranks them all the "
-      "same.",
-      list_of(labels));
-}
-
 LeftOut times_left_out(const StudyResults& study) {
   const TimesLeftOut kinds(study);
   LeftOut result;
@@ -112,8 +105,7 @@ LeftOut times_left_out(const StudyResults& study) {
   };
   add(kinds.imported, "its solves were imported, so their times were taken elsewhere.");
   if (!kinds.disturbed.empty()) add(kinds.disturbed, disturbed_words(study, kinds.disturbed));
-  add(kinds.programs,
-      "they have messages and another process in them. analysis.program_times = \"compared\" ranks them all the same.");
+  add(kinds.programs, programs_words("they"));
   return result;
 }
 
@@ -153,6 +145,12 @@ std::string machine_note(const StudyResults& study) {
 
 }  // namespace
 
+std::string programs_words(std::string_view whose) {
+  return fmt::format(
+      "{} have messages and another process in them. analysis.program_times = \"compared\" compares them all the same.",
+      whose);
+}
+
 LeftOut left_out(const StudyResults& study, Metric metric) {
   if (metric == Metric::evaluations) return evaluations_left_out(study);
   return info_of(metric).kind == Kind::time ? times_left_out(study) : LeftOut{};
@@ -174,7 +172,7 @@ std::string timing_note(const StudyResults& study) {
                                   timed(study, Timing::imported), study.solves.size()));
   }
   if (!without.disturbed.empty()) add_sentence(why, disturbed_words(study, study.solvers));
-  if (!without.programs.empty()) add_sentence(why, programs_words(without.programs));
+  if (!without.programs.empty()) add_sentence(why, programs_words("those of " + list_of(without.programs)));
   return "Times are not comparable: " + why;
 }
 

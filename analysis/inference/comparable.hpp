@@ -42,6 +42,8 @@ std::string cpu_note(const std::set<std::string>& cpus);
 std::string transport_note(const StudyResults& study);
 // Whose candidates are evaluated in another way than those of built-in solvers, where there are both; else empty.
 std::string evaluation_note(const StudyResults& study);
+// "those of A have messages and another process in them. ..."
+std::string programs_words(std::string_view whose);
 constexpr std::string_view times_not_judged = "times are not comparable";
 
 }  // namespace ikbench::inference

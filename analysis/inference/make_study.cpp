@@ -56,7 +56,7 @@ StudyResults of_entry(const StudyEntry& entry) {
                      .runs = defined_number(entry.name, json, "runs", most_runs),
                      .points = defined_number(entry.name, json, "points", most_points),
                      .plan = plan_of(entry),
-                     .facts = facts_of(entry.definition)};
+                     .facts = facts_of(json, entry.definition)};
   const auto is_of_task = [](const std::string& departure) { return departure == "robot" || departure == "path.kind"; };
   StudyFacts& facts = study.facts;
   if (std::ranges::any_of(facts.departures, is_of_task)) study.departed_from = std::exchange(facts.published, "");

@@ -30,7 +30,7 @@ Placing placing_of(const Standing& standing, const std::vector<Standing>& all) {
 std::string order_words(const std::vector<Standing>& ranking) {
   std::string text;
   for (std::size_t i = 0; i < ranking.size(); ++i) {
-    if (i > 0) text += worth(ranking[i]) == worth(ranking[i - 1]) ? " = " : " < ";
+    if (i > 0) text += worth(ranking[i]) == worth(ranking[i - 1]) ? " = " : ", ";
     text += ranking[i].solver;
   }
   return text;

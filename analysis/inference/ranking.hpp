@@ -21,7 +21,7 @@ struct Placing {
 };
 Placing placing_of(const Standing& standing, const std::vector<Standing>& all);
 
-// "A < B = C", of a ranking.
+// "A, B = C", of a ranking. No sign says that a difference was tested.
 std::string order_words(const std::vector<Standing>& ranking);
 
 // Those that share the first place of a ranking that is not empty: one, where there is a first.

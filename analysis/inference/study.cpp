@@ -280,10 +280,10 @@ std::vector<std::string> status_notes(const StudyResults& study) {
         "these it ranks last.");
   }
   if (const int over = by_status[static_cast<std::size_t>(Status::over_budget)]; over > 0) {
-    notes.push_back(
-        fmt::format("{} solves of programs took more than 1.5 times their budget of time or evaluations (over_budget). "
-                    "They do not count as solved, but their errors are those of what they spent.",
-                    over));
+    notes.push_back(fmt::format(
+        "{} solves of programs took far more than their budget of time or evaluations (over_budget). They do "
+        "not count as solved, but their errors are those of what they spent.",
+        over));
   }
   if (by_status[static_cast<std::size_t>(Status::not_finite)] > 0) {
     notes.push_back(

@@ -81,6 +81,10 @@ std::vector<std::string> texts(const Json& list) {
 
 StudyFacts facts_of(std::string definition) {
   const Json all = Json::parse(definition, nullptr, false);
+  return facts_of(all, std::move(definition));
+}
+
+StudyFacts facts_of(const Json& all, std::string definition) {
   const std::string search = text(all, "search");
   const Json path = part(all, "path"), arm = part(all, "arm");
   return {.json = std::move(definition),

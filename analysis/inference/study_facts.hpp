@@ -66,6 +66,7 @@ struct StudyFacts {
 };
 
 StudyFacts facts_of(std::string json);
+StudyFacts facts_of(const nlohmann::json& parsed, std::string json);  // where it was parsed before
 
 // An option of a series (JSON) that is a text; empty where there is none.
 std::string text_option(std::string_view options, const std::string& name);

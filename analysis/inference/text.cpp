@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 #include <span>
 
@@ -170,6 +171,18 @@ std::string rounded_number(double value, int significant_digits) {
 }
 
 std::string short_number(double value) { return std::isfinite(value) ? rounded_number(value, 3) : "not defined"; }
+
+std::string capitalised(std::string_view text) {
+  std::string result(text);
+  result[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(result[0])));
+  return result;
+}
+
+std::string range_words(double low, double high) {
+  constexpr double widest = 100;
+  if (!(high <= widest * low)) return fmt::format("{:.0f} or more", low);
+  return low == high ? fmt::format("{:.0f}", low) : fmt::format("{:.0f} to {:.0f}", low, high);
+}
 
 std::string percent(double share) { return rounded_number(100 * share, 3) + " %"; }
 

@@ -14,6 +14,7 @@ std::string one_line(std::string_view text);
 std::string shortened(std::string_view text, std::size_t length);
 // A label of at most `length` characters, cut in its middle: variants of one solver differ at the end of their names.
 std::string row_label(std::string_view text, std::size_t length);
+std::string capitalised(std::string_view text);
 std::size_t character_count(std::string_view utf8);
 
 std::string markdown_text(std::string_view text);
@@ -25,6 +26,9 @@ std::string gnuplot_string(std::string_view text);
 
 std::string rounded_number(double value, int significant_digits);  // 2430, not 2.4e+03: all digits before the point
 std::string short_number(double value);                            // three digits, or "not defined"
-std::string percent(double share);                                 // "5 %", three digits
+// "31 to 122", "31"; "31 or more" where the range has no end, or says nothing, because it is of more than a factor of
+// 100.
+std::string range_words(double low, double high);
+std::string percent(double share);  // "5 %", three digits
 
 }  // namespace ikbench::inference

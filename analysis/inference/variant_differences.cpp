@@ -41,8 +41,8 @@ bool counts(std::string_view key) {
 // {"stop": {"iterations": 200}} as stop.iterations: 200. An option that is named like a key of the study is told apart.
 void add_values(Facts& facts, const std::string& json) {
   const Json parsed = Json::parse(json, nullptr, false);
-  if (!parsed.is_object()) return;
-  const Json flat = parsed.flatten();  // named: it has to outlive the loop
+  if (!parsed.is_object() || parsed.empty()) return;  // flat, an empty one would be a value without a name
+  const Json flat = parsed.flatten();                 // named: it has to outlive the loop
   for (const auto& [pointer, value] : flat.items()) {
     std::string key = pointer.empty() ? pointer : pointer.substr(1);
     std::ranges::replace(key, '/', '.');
@@ -83,10 +83,7 @@ std::string why_times_differ(const Variant& a, const Variant& b) {
   }
   const bool is_first = is_program(a.study, a.series.label), is_second = is_program(b.study, b.series.label);
   if (is_first != is_second && a.study.plan.program_times == ProgramTimes::apart) {
-    return fmt::format(
-        "Times are not comparable: those of {} have messages and another process in them. analysis.program_times = "
-        "\"compared\" compares them all the same.",
-        is_first ? "A" : "B");
+    return "Times are not comparable: " + programs_words(is_first ? "those of A" : "those of B");
   }
   std::set<std::string> cpus = values_of(a, "cpu");
   cpus.merge(values_of(b, "cpu"));

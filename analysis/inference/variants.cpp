@@ -93,10 +93,6 @@ bool are_counted(const StudyResults& study) {
   return std::ranges::find(study.solves, CountedBy::nobody, &Solve::counted_by) == study.solves.end();
 }
 
-bool is_constant(const std::vector<double>& values) {
-  return !values.empty() && std::ranges::count(values, values.front()) == std::ssize(values);
-}
-
 std::string repeats_note(std::string_view side) {
   return fmt::format(
       "{} gave the same answers in every run, so its runs are one observation. No test compares it with runs that "
@@ -128,11 +124,13 @@ VariantComparison examined(const VariantPair& pair, const std::vector<Metric>& a
   const bool a_repeats = design.pairs == Blocks::none && repeats_itself(a.study, a.series.label),
              b_repeats = design.pairs == Blocks::none && repeats_itself(b.study, b.series.label);
   for (const Metric metric : asked) {
-    const double limit = std::max(limit_of(a.study, metric), limit_of(b.study, metric));
+    const double limit = is_penalised(a.study, metric) ? std::max(limit_of(a.study, metric), limit_of(b.study, metric))
+                                                       : statistics::not_defined;
     const std::vector<double> of_a = values_of(a.study, design.a, metric, limit);
     const std::vector<double> of_b = values_of(study_of_b, design.b, metric, limit);
     // Where one of the two has a single value, however often it repeats it, no test holds it against runs that differ.
-    const bool a_is_one = a_repeats && is_constant(of_a), b_is_one = b_repeats && is_constant(of_b);
+    const bool a_is_one = a_repeats && is_constant(statistics::describe(of_a)),
+               b_is_one = b_repeats && is_constant(statistics::describe(of_b));
     const std::string why_not = info_of(metric).kind == Kind::time ? why_not_timed
                                 : metric == Metric::evaluations    ? why_not_counted
                                 : a_is_one != b_is_one             ? repeats_note(a_is_one ? "A" : "B")

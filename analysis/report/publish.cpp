@@ -37,9 +37,7 @@ std::vector<std::string> failures_of(const std::vector<FigureOutcome>& outcomes)
   return warnings;
 }
 
-// What of the figures is not the program's; empty where all is.
 std::string edited_warning(const std::vector<std::string>& scripts) {
-  if (scripts.empty()) return "";
   return fmt::format("edited scripts of figures stay and are drawn with: {}; delete one to have it written anew",
                      fmt::join(scripts, ", "));
 }
@@ -76,11 +74,8 @@ Report publish(Publication publication, const std::filesystem::path& folder, con
   for (const std::filesystem::path& place : {folder, folder / "tables", folder / "figures"}) remove_litter(place);
   for (const Table& table : tables) write_table(table, folder / "tables");
   if (!assessments.empty()) write_file(folder / "statistics.json", json_of(assessments));
-  const auto warning = options.render ? edited_warning(edited_scripts(figures, folder / "figures")) : std::string();
-  if (!warning.empty()) {
-    content.warnings.push_back(warning);
-  }
-  const std::vector<FigureOutcome> outcomes = write_figures(figures, folder / "figures", options);
+  const auto [outcomes, edited] = write_figures(figures, folder / "figures", options);
+  if (options.render && !edited.empty()) content.warnings.push_back(edited_warning(edited));
   std::ranges::move(failures_of(outcomes), std::back_inserter(content.warnings));
 
   std::vector<Piece> pieces(tables.begin(), tables.end());

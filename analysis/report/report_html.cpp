@@ -159,7 +159,10 @@ void set_header(const ReportContent& content, HtmlPieces& pieces, Data& page) {
   page.set("has_summary", !summary.empty());
   page.set("summary", list_data(summary));
   page.set("verdicts", verdicts_data(content));
-  if (const Piece* piece = piece_named(content, at_a_glance)) page.set("glance", pieces.data(*piece));
+  const Piece* glance = piece_named(content, at_a_glance);
+  if (const auto* figure = glance ? std::get_if<ReportFigure>(glance) : nullptr; figure && figure->drawn) {
+    page.set("glance", pieces.data(*glance));
+  }
   if (!content.warnings.empty()) {
     page.set("has_warnings", true);
     page.set("several", text_data(warnings_line(content.warnings)));

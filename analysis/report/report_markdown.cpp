@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "analysis/inference/text.hpp"
@@ -35,6 +36,15 @@ std::string markdown(const ReportFigure& piece) {
 }
 
 std::string markdown(const Table& table) { return to_markdown(table) + '\n'; }
+
+bool has_drawn(const ReportContent& content) {
+  const auto is_drawn = [](const Piece& piece) {
+    const auto* figure = std::get_if<ReportFigure>(&piece);
+    return figure != nullptr && figure->drawn;
+  };
+  const auto has_one = [&](const Section& section) { return std::ranges::any_of(section.pieces, is_drawn); };
+  return std::ranges::any_of(content.circumstances, has_one) || std::ranges::any_of(content.results, has_one);
+}
 
 enum class Detail { whole, first_sentence };
 
@@ -95,9 +105,9 @@ std::string to_markdown(const ReportContent& content) {
   if (!content.command.empty()) {
     text += fmt::format("To repeat this:\n\n    {}\n\n", one_line(content.command));
   }
-  text +=
-      "`tables/` has every table as Markdown, CSV (all digits) and LaTeX. `figures/` has every figure as SVG, PDF and "
-      "PNG, with its script and data.\n\n";
+  text += fmt::format("`tables/` has every table as Markdown, CSV (all digits) and LaTeX. `figures/` has {}.\n\n",
+                      has_drawn(content) ? "every figure as SVG, PDF and PNG, with its script and data"
+                                         : "the script and the data of every figure, from which gnuplot draws it");
   return text + markdown(content.circumstances) + markdown(content.results);
 }
 
@@ -117,7 +127,8 @@ std::string verdict_markdown(const ReportContent& content) {
         text += markdown(without_notes);
         continue;
       }
-      const Figure& figure = std::get<ReportFigure>(piece).figure;
+      const auto& [figure, is_drawn] = std::get<ReportFigure>(piece);
+      if (!is_drawn) continue;
       text += fmt::format("![{0}](figures/{1}.svg)\n\n**{2}.** {3}\n\n", markdown_text(title_of(figure.name)),
                           figure.name, markdown_text(title_of(figure.name)), markdown_text(figure.caption));
     }

@@ -115,9 +115,7 @@ std::string would_decide(std::span<const VariantComparison> comparisons) {
     }
   }
   if (most == 0) return "";
-  return least == most
-             ? fmt::format(" (at this spread it takes about {:.0f} {}s a side)", most, observation)
-             : fmt::format(" (at this spread it takes about {:.0f} to {:.0f} {}s a side)", least, most, observation);
+  return fmt::format(" (at this spread it takes about {} {}s a side)", range_words(least, most), observation);
 }
 
 // "2 better by more than 5 %, 17 undecided (about 45 runs would decide the first, 22160 the last)"
@@ -168,7 +166,7 @@ Table variants_table(std::span<const VariantComparison> comparisons, const Margi
       .notes = {fmt::format(
           "B_by_A is the ratio of means. low and high are its {:g} % interval, as for two one-sided tests at {:g}. "
           "p_worse and p_better test whether B is worse or better by more than the margin, p_difference whether the means "
-          "differ, p_ranks whether the ranks do (Wilcoxon signed-rank test for paired observations, otherwise "
+          "differ, p_ranks whether the ranks do (sign test for paired observations, otherwise "
           "Mann-Whitney test), each with Holm's correction over all labels and metrics; p_same tests whether the ratio is "
           "within the margin. a12, with an interval of the same level: the "
           "probability that an observation of B is better than one of A, ignoring pairs.",

@@ -96,7 +96,7 @@ std::optional<Claim> compared(const Reported& reported, const ClaimEntry& entry,
     if (!found || (entry.study.empty() && printed.size() < 2)) return std::nullopt;
     const Against ours = against(*found, entry.solver, should);
     here.push_back(verdict_on(ours.found));
-    const std::string name = figures::capitalised(info_of(metric).name);
+    const std::string name = inference::capitalised(info_of(metric).name);
     if (found->contrasts.empty() && metric == Metric::seconds) {
       claim.evidence += fmt::format("{}: not judged, because {} (see the warnings). ", name, times_not_judged);
       claim.number = times_not_judged;
@@ -305,7 +305,7 @@ std::optional<Claim> differ(const Reported& reported, const ClaimEntry& entry) {
     const std::optional<AnovaTable> printed = comparable_printed_anova(study, metric);
     if (!printed) return std::nullopt;
     in_print.push_back(is_significant(printed->p, study.plan) ? Verdict::holds : Verdict::fails);
-    list += fmt::format("{}{}: ", list.empty() ? "" : "; ", figures::capitalised(info_of(metric).name));
+    list += fmt::format("{}{}: ", list.empty() ? "" : "; ", inference::capitalised(info_of(metric).name));
     if (!is_comparable(study, metric)) {
       list += fmt::format("not tested, because {} (see the warnings)", times_not_judged);
       here.push_back(Verdict::undecided);

@@ -236,7 +236,7 @@ std::optional<Claim> has_effect(const Reported& reported, const ClaimEntry& entr
   of.add(found.answer);
   claim.verdict = verdict_on(of);
   claim.evidence = fmt::format("{} of {} answers change without it. {}: {} {} with, {} without{}.", changed, shared,
-                               figures::capitalised(info_of(metric).name), short_number(means[0].mean),
+                               inference::capitalised(info_of(metric).name), short_number(means[0].mean),
                                info_of(metric).unit, short_number(means[1].mean), in_brackets(found.p));
   return claim;
 }

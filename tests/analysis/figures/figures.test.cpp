@@ -67,7 +67,7 @@ TEST_CASE("the figures of the paper have stable names, in the paper's order", "[
 TEST_CASE("every figure is drawn as SVG, PDF and PNG, without a screen", "[figure]") {
   const ScratchFolder folder;
   const auto figures = figures_of(synthetic::solves({.runs = 3}));
-  for (const FigureOutcome& outcome : write_figures(figures, folder.path / "figures", {})) {
+  for (const FigureOutcome& outcome : write_figures(figures, folder.path / "figures", {}).outcomes) {
     CAPTURE(outcome.name, outcome.error);
     CHECK(outcome.rendered);
     for (const char* type : {".svg", ".pdf", ".png", ".gp", ".dat"}) {
@@ -88,7 +88,7 @@ TEST_CASE("a user can restyle a figure and draw it again with gnuplot alone", "[
 TEST_CASE("no text of a study breaks a script, runs a command or leaves the folder", "[figure]") {
   const ScratchFolder folder;
   const auto figures = figures_of(synthetic::solves({.solvers = hostile_labels, .runs = 2, .points = 3}));
-  for (const FigureOutcome& outcome : write_figures(figures, folder.path / "figures", {})) {
+  for (const FigureOutcome& outcome : write_figures(figures, folder.path / "figures", {}).outcomes) {
     CAPTURE(outcome.name, outcome.error);
     CHECK(outcome.rendered);
   }
@@ -119,7 +119,8 @@ TEST_CASE("every shape of study has its figures", "[figure]") {
   synthetic::Shape distinct = shape;
   for (std::size_t i = 0; i < distinct.solvers.size(); ++i) distinct.solvers[i] += std::to_string(i);
   const ScratchFolder folder;
-  for (const FigureOutcome& outcome : write_figures(figures_of(synthetic::solves(distinct)), folder.path, {})) {
+  for (const FigureOutcome& outcome :
+       write_figures(figures_of(synthetic::solves(distinct)), folder.path, {}).outcomes) {
     CAPTURE(outcome.name, outcome.error);
     CHECK(outcome.rendered);
   }
@@ -141,7 +142,7 @@ TEST_CASE("figures are drawn where values are zero, not finite, or all the same"
   CHECK(contains(named(figures, "figure-7").settings, "no finite values"));
   CHECK(contains(named(figures, "figure-10").settings, "3 not\\nfinite"));
   const ScratchFolder folder;
-  for (const FigureOutcome& outcome : write_figures(figures, folder.path, {})) {
+  for (const FigureOutcome& outcome : write_figures(figures, folder.path, {}).outcomes) {
     CAPTURE(outcome.name, outcome.error);
     CHECK(outcome.rendered);
   }
@@ -182,16 +183,16 @@ TEST_CASE("where gnuplot is missing or fails there is its message, the scripts, 
   const ScratchFolder folder;
   const Figure good{
       .name = "figure-x", .caption = "x", .settings = "", .plot = "plot 'figure-x.dat'", .data = "1 1\n2 2\n"};
-  REQUIRE(write_figures({good}, folder.path, {})[0].rendered);
+  REQUIRE(write_figures({good}, folder.path, {}).outcomes[0].rendered);
 
-  const auto missing = write_figures({good}, folder.path, {.gnuplot = "no-such-gnuplot"});
+  const auto missing = write_figures({good}, folder.path, {.gnuplot = "no-such-gnuplot"}).outcomes;
   CHECK(!missing[0].rendered);
   CHECK(contains(missing[0].error, "cannot start no-such-gnuplot: No such file or directory"));
   CHECK(files_in(folder.path) == std::set<std::string>{"figure-x.dat", "figure-x.gp", "style.gp"});
 
   Figure bad = good;
   bad.plot = "plot nonsense(";
-  const auto failed = write_figures({bad}, folder.path, {});
+  const auto failed = write_figures({bad}, folder.path, {}).outcomes;
   CHECK(!failed[0].rendered);
   CHECK(contains(failed[0].error, "plot nonsense("));
   CHECK(contains(failed[0].error, "line"));

@@ -130,7 +130,7 @@ TEST_CASE("a picture takes the place of a link, and keeps the permissions of a f
   write_file(folder.path / "victim", "precious");
   fs::create_symlink("victim", png);
   const Figure figure{.name = "f", .caption = "f", .settings = "", .plot = "plot 'f.dat'", .data = "1 1\n2 2\n"};
-  REQUIRE(write_figures({figure}, folder.path, {})[0].rendered);
+  REQUIRE(write_figures({figure}, folder.path, {}).outcomes[0].rendered);
   CHECK(mode_of(svg) == fs::perms{0600});
   CHECK(text_of_file(svg) != "old");
   CHECK_FALSE(fs::is_symlink(png));
@@ -146,26 +146,26 @@ TEST_CASE("scripts that the user has edited stay, and figures are drawn with the
   const ScratchFolder folder;
   const fs::path style = folder.path / "style.gp", script = folder.path / "f.gp";
   Figure figure{.name = "f", .caption = "f", .settings = "", .plot = "plot 'f.dat' ls 1", .data = "1 1\n2 2\n"};
-  write_figures({figure}, folder.path, {});
-  CHECK(edited_scripts({figure}, folder.path).empty());
+  CHECK(write_figures({figure}, folder.path, {}).edited_scripts.empty());
   const std::string own_colour = "#010203";
   CHECK(text_of_file(folder.path / "f.svg").find(own_colour) == std::string::npos);
 
   write_file(style, text_of_file(style) + "set style line 1 lc rgb '" + own_colour + "'\n");
   const std::string edited = text_of_file(style);
   figure.settings = "set xlabel 'another report'";
-  REQUIRE(write_figures({figure}, folder.path, {})[0].rendered);
+  const WrittenFigures written = write_figures({figure}, folder.path, {});
+  REQUIRE(written.outcomes[0].rendered);
+  CHECK(written.edited_scripts == std::vector<std::string>{"style.gp"});
   CHECK(text_of_file(style) == edited);
   CHECK(text_of_file(script).find("another report") != std::string::npos);  // nobody has edited that
   CHECK(text_of_file(folder.path / "f.svg").find("rgb(  1,   2,   3)") != std::string::npos);
-  CHECK(edited_scripts({figure}, folder.path) == std::vector<std::string>{"style.gp"});
 
   write_file(script, "# mine\n");  // draws nothing
-  CHECK(!write_figures({figure}, folder.path, {})[0].rendered);
+  CHECK(!write_figures({figure}, folder.path, {}).outcomes[0].rendered);
   CHECK(text_of_file(script) == "# mine\n");
   fs::remove(style);
   fs::remove(script);
-  CHECK(write_figures({figure}, folder.path, {})[0].rendered);
+  CHECK(write_figures({figure}, folder.path, {}).outcomes[0].rendered);
   CHECK(text_of_file(style).find(own_colour) == std::string::npos);
 }
 
@@ -174,7 +174,7 @@ TEST_CASE("a link in the place of a script is no script of the user's", "[files]
   write_file(folder.path / "far" / "style.gp", "system 'touch pwned'\n");
   fs::create_symlink("far/style.gp", folder.path / "style.gp");
   const Figure figure{.name = "f", .caption = "f", .settings = "", .plot = "plot 'f.dat'", .data = "1 1\n2 2\n"};
-  REQUIRE(write_figures({figure}, folder.path, {})[0].rendered);
+  REQUIRE(write_figures({figure}, folder.path, {}).outcomes[0].rendered);
   CHECK_FALSE(fs::is_symlink(folder.path / "style.gp"));
   CHECK_FALSE(fs::exists(folder.path / "pwned"));
 }

@@ -67,7 +67,7 @@ Figure demsar(double critical_difference, double significance) {  // Demsar 2006
 
 void check_drawn(const Figure& figure) {
   const ScratchFolder folder;
-  const FigureOutcome outcome = write_figures({figure}, folder.path, {}).front();
+  const FigureOutcome outcome = write_figures({figure}, folder.path, {}).outcomes.front();
   CAPTURE(outcome.name, outcome.error, figure.data);
   CHECK(outcome.rendered);
   CHECK(files_in(folder.path).size() == 6);  // style.gp, script, data, three pictures: no name ran as a command
@@ -215,7 +215,7 @@ TEST_CASE("figures of a statistical analysis are drawn whatever the names and nu
 TEST_CASE("names stand in the figures of an analysis as they are", "[figure]") {
   const ScratchFolder folder;
   const Figure figure = observed(groups_named(hostile_names, numbers(8)));
-  REQUIRE(write_figures({figure}, folder.path, {}).front().rendered);
+  REQUIRE(write_figures({figure}, folder.path, {}).outcomes.front().rendered);
   const std::string svg = text_of_file(folder.path / "rain.svg");
   for (const char* shown :
        {"&lt;b>bold&lt;/b>", "`touch pwned`", "$(touch pwned)", "two lines", "%d {x}^2_y", "größe Δ", "(empty)"}) {

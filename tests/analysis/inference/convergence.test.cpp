@@ -83,7 +83,7 @@ const Figure& figure_named(const std::vector<Figure>& figures, const std::string
 
 bool all_drawn(const std::vector<Figure>& figures) {
   const ScratchFolder folder;
-  const auto outcomes = write_figures(figures, folder.path / "figures", {});
+  const auto outcomes = write_figures(figures, folder.path / "figures", {}).outcomes;
   for (const FigureOutcome& outcome : outcomes) {
     CAPTURE(outcome.name, outcome.error);
     CHECK(outcome.rendered);

@@ -159,7 +159,12 @@ TEST_CASE("evaluations that nobody counted are no regression, and solves without
 
 TEST_CASE("in what two variants differ beside their numbers is told", "[variants]") {
   const Variant a = variant(about(1, 0.1));
-  CHECK(compared(a, a).notes.back() == "The stores show no difference between A and B except their sessions.");
+  const std::string none = "The stores show no difference between A and B except their sessions.";
+  CHECK(compared(a, a).notes.back() == none);
+  Variant without = a, empty = a;
+  without.series.options = "";
+  empty.series.options = "{}";
+  CHECK(compared(without, empty).notes.back() == none);
   Variant b = a;
   b.study.facts = facts_of(R"({"points": 1, "runs": 20, "stop": {"iterations": 100}, "name": "other"})");
   b.series.options = R"({"alpha": "0.8"})";

@@ -54,6 +54,15 @@ TEST_CASE("a figure is an image within the page, whose bytes are those of its fi
   CHECK(!contains(page, svg));
 }
 
+TEST_CASE("a figure that was not drawn has no card beside the verdict", "[report]") {
+  const ScratchFolder folder;
+  for (const bool is_drawn : {false, true}) {
+    ReportContent content;
+    arrange({ReportFigure{{"overview", "of all"}, is_drawn}}, {}, content);
+    CHECK(contains(to_html(content, {.figures = folder.path}), "<figure id=") == is_drawn);
+  }
+}
+
 TEST_CASE("pieces come in the order of their sections, and none is lost", "[report]") {
   ReportContent content;
   content.plan = {.results = {{"Results", "", {"figure-5", "unknown|table-3|status"}, {"figure-9-*"}}},

@@ -177,7 +177,7 @@ TEST_CASE("times of a program are ranked with those of built-in solvers only whe
   CHECK(
       times_note(study) ==
       "Times are left out: those of program, because they have messages and another process in them. analysis.program_times = "
-      "\"compared\" ranks them all the same.");
+      "\"compared\" compares them all the same.");
   CHECK(observations(study, Metric::seconds).groups.size() == 2);
   CHECK(observations(study, Metric::position_error_cm).groups.size() == 3);
   CHECK(samples(study, Metric::seconds)[2].values.size() == 12);  // tables show them
@@ -222,6 +222,17 @@ TEST_CASE("one disturbed solver takes no times from the others", "[uncounted]") 
   CHECK(study.evidence(Metric::seconds).groups.size() == 5);
   CHECK(judge(study.evidence(Metric::seconds), "IK-BA", "DE").answer == Answer::better);
   CHECK(ranking_sentence(study, Metric::seconds).find("; not compared: PSO.") != std::string::npos);
+}
+
+TEST_CASE("a second reason why times are not comparable begins with a capital", "[uncounted]") {
+  StudyResults study = study_without_counts(0.05);
+  study.plan.program_times = ProgramTimes::apart;
+  for (Solve& solve : study.solves.to_change()) {
+    if (study.gathered->labels[solve.solver] == "BA") solve.timing = Timing::imported;
+  }
+  const std::string note = timing_note(study);
+  CAPTURE(note);
+  CHECK(note.find("taken elsewhere. Those of program have messages and another process in them.") != std::string::npos);
 }
 
 TEST_CASE("imported solves take no times from several others", "[uncounted]") {

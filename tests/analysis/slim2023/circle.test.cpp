@@ -37,7 +37,7 @@ std::vector<std::string> names_of(const std::vector<Figure>& figures) {
 
 void check_drawn(const std::vector<Figure>& figures) {
   const ScratchFolder folder;
-  for (const FigureOutcome& outcome : write_figures(figures, folder.path / "figures", {})) {
+  for (const FigureOutcome& outcome : write_figures(figures, folder.path / "figures", {}).outcomes) {
     CAPTURE(outcome.name, outcome.error);
     CHECK(outcome.rendered);
   }
