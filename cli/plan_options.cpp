@@ -75,8 +75,10 @@ void add_plan_options(CLI::App& command, AnalysisPlan& plan) {
         },
         fmt::format("{}: {} [{}]", meaning, fmt::join(names, ", "), name_of(value)));
   };
-  enumerated("--test", plan.test, deciding_test_names,
-             "test that decides (by_design: Friedman with blocks, otherwise the studentized bootstrap)");
+  enumerated(
+      "--test", plan.test, deciding_test_names,
+      "test that decides (by_design: the studentized bootstrap, with blocks of the differences within them; friedman: ranks "
+      "within blocks, which may have different scales)");
   enumerated("--adjustment", plan.adjustment, adjustment_names, "correction of rank tests for multiple comparisons");
   command.add_option("--control", plan.control, "group to compare the others with; default: compare every pair");
   add_significance_option(command, plan.significance);

@@ -225,9 +225,10 @@ void judge(const Evidence& evidence, Contrast& contrast) {
 }
 
 // What a difference of the margin takes where values spread as they seem to, and as they plausibly do. The difference
-// that was seen has no say: it may be chance.
+// that was seen has no say: it may be chance. Signs know no sizes: of them it is what the test needs at least.
 Estimate runs_to_decide(const Evidence& evidence, const Contrast& contrast, std::span<const GroupSummary> summaries,
                         Values values) {
+  if (evidence.plan.test == DecidingTest::friedman) return {.value = static_cast<double>(evidence.fewest)};
   const PowerGoal goal{.power = evidence.plan.power,
                        .alpha = evidence.plan.significance / static_cast<double>(evidence.family())};
   const double to_see = margin_of(evidence, contrast), outside = evidence.plan.significance / 2;
@@ -283,7 +284,7 @@ std::vector<PairMethod> pair_methods(const Evidence& evidence) {
   }
   const bool in_blocks = evidence.ranks_within_blocks();
   if (in_blocks) {
-    methods.push_back({"Wilcoxon", "signed ranks within blocks", &Contrast::p_ranks});
+    methods.push_back({"sign test", "ranks within blocks", &Contrast::p_ranks});
   } else {
     methods.push_back({"Mann-Whitney", "ranks", &Contrast::p_mann_whitney});
     methods.push_back({"Brunner-Munzel", "ranks, unequal spreads", &Contrast::p_brunner_munzel});

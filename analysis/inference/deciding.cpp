@@ -19,7 +19,7 @@ std::string_view deciding_words(const Evidence& evidence) {
                                                   "One-way ANOVA with Tukey's test",
                                                   "Welch's ANOVA with the Games-Howell test",
                                                   "Kruskal-Wallis test with Brunner-Munzel and Mann-Whitney tests",
-                                                  "Friedman's test with Wilcoxon signed-rank tests",
+                                                  "Friedman's test with sign tests",
                                                   "Welch's ANOVA with Tamhane's test",
                                                   "Studentized bootstrap of the means"};
   if (evidence.groups.size() == 2 && evidence.ranks_decide()) return pair_test_words(evidence);
@@ -39,7 +39,7 @@ std::string_view pair_test_words(const Evidence& evidence) {
     case DecidingTest::kruskal_wallis:
       return "Brunner-Munzel and Mann-Whitney tests";
     case DecidingTest::friedman:
-      return "Wilcoxon signed-rank test";
+      return "sign test within blocks";
     case DecidingTest::bootstrap:
       return evidence.blocks == 0         ? "studentized bootstrap"
              : resamples_of(evidence) > 0 ? "studentized bootstrap of the differences within blocks"

@@ -9,8 +9,8 @@
 #include "analysis/statistics/kruskal_wallis.hpp"
 #include "analysis/statistics/mann_whitney.hpp"
 #include "analysis/statistics/p_adjust.hpp"
+#include "analysis/statistics/sign_test.hpp"
 #include "analysis/statistics/studentized_range.hpp"
-#include "analysis/statistics/wilcoxon_signed_rank.hpp"
 
 namespace ikbench::inference {
 
@@ -47,7 +47,7 @@ void compare_two_by_two(const Evidence& evidence, RankedValues ranked, std::vect
   for (Contrast& contrast : shown) {
     const std::vector<double>&first = ranked[contrast.first], &second = ranked[contrast.second];
     if (in_blocks) {
-      const WilcoxonSignedRank test = wilcoxon_signed_rank(first, second);
+      const SignTest test = sign_test(first, second);
       contrast.p_ranks = test.p;
       take(evidence, test, contrast);
     } else {

@@ -3,8 +3,9 @@
 // Two groups are compared by their own values alone: whether they differ must not depend on who else takes part
 // (Benavoli, Corani and Mangili, JMLR 17 (2016) no. 5). Independent samples differ where two tests find it, so that
 // neither small samples nor unequal spreads alone make a difference: Mann and Whitney's, which is exact where both come
-// from one distribution, and Brunner and Munzel's, which allows for spreads that differ. Within blocks Wilcoxon's
-// signed ranks decide. The comparisons of mean ranks over all groups (Dunn; Friedman's, Nemenyi's) stand beside them.
+// from one distribution, and Brunner and Munzel's, which allows for spreads that differ. Within blocks the sign test
+// decides, which is Friedman's of the two: it ranks within each block, so that blocks may have different scales. The
+// comparisons of mean ranks over all groups (Dunn; Friedman's, Nemenyi's) stand beside them.
 #pragma once
 
 #include <span>

@@ -8,8 +8,8 @@
 #include "analysis/inference/text.hpp"
 #include "analysis/statistics/effect_size.hpp"
 #include "analysis/statistics/mann_whitney.hpp"
+#include "analysis/statistics/sign_test.hpp"
 #include "analysis/statistics/welch.hpp"
-#include "analysis/statistics/wilcoxon_signed_rank.hpp"
 
 namespace ikbench::inference {
 
@@ -99,10 +99,10 @@ TestResult of_welch(const std::vector<GroupEvidence>& groups, std::span<const Gr
 
 TestResult of_two(const std::vector<double>& first, const std::vector<double>& second, const Evidence& evidence) {
   if (evidence.blocks > 0) {
-    const WilcoxonSignedRank test = wilcoxon_signed_rank(first, second);
-    return {.test = "Wilcoxon signed-rank test" + in_brackets(test.method),
-            .symbol = "V",
-            .statistic = test.V,
+    const SignTest test = sign_test(first, second);
+    return {.test = "Sign test within blocks",
+            .symbol = "blocks above",
+            .statistic = static_cast<double>(test.above),
             .p = test.p,
             .undefined = test.undefined};
   }

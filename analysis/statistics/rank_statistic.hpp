@@ -1,6 +1,5 @@
-// What the two tests of Wilcoxon share: a rank statistic's distribution under no difference, and the p and the interval
-// of a shift that follow from it. Hollander, Wolfe and Chicken, Nonparametric Statistical Methods (2014), chapters 3
-// and 4.
+// A rank statistic's distribution under no difference, and the p and the interval of a shift that follow from it.
+// Hollander, Wolfe and Chicken, Nonparametric Statistical Methods (2014), chapter 4.
 #pragma once
 
 #include <cstdint>

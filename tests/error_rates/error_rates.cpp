@@ -192,7 +192,7 @@ std::vector<Scenario> for_ranks() {
         [](Random& r, int g) { return (6 - g) * r.normal(); });
   }
   for (const int n : {10, 20}) {
-    add("all alike, lognormal, in blocks (Wilcoxon)", six(n), [](Random& r, int) { return r.lognormal(1); });
+    add("all alike, lognormal, in blocks (sign test)", six(n), [](Random& r, int) { return r.lognormal(1); });
     all.back().blocked = true;
   }
   return all;

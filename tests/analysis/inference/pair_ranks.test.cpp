@@ -100,8 +100,33 @@ TEST_CASE("where no outcome of so few observations could differ, it is said", "[
   const AnalysisPlan in_blocks{.test = DecidingTest::friedman};
   CHECK(says(tested(named_in_blocks(four), in_blocks), "It takes at least 7 blocks, and here are 4."));
   const Sets seven{{1, 2, 3, 4, 5, 6, 7}, {2, 3.1, 4.2, 5.3, 6.4, 7.5, 8.6}, {4, 4.5, 5, 5.6, 6.8, 8.2, 9.9}};
-  CHECK(says(tested(named_in_blocks(seven), in_blocks), "by ranks of the differences within blocks than g1 and g2"));
+  CHECK(says(tested(named_in_blocks(seven), in_blocks), "by ranks within blocks than g1 and g2"));
   CHECK(says(tested(named_in_blocks(seven), in_blocks), "which ranks do not compare; p at most 0.047)"));  // 6 / 128
+}
+
+TEST_CASE("ranks within blocks know no scale", "[pair_ranks]") {
+  // Problems of scales from 1e-3 to 1e3; then one of them a million times as large.
+  Sets values(3);
+  for (int i = 0; i < 12; ++i) {
+    const double scale = std::pow(10, i % 7 - 3);
+    values[0].push_back(scale * (1 + 0.1 * (i % 5)));
+    values[1].push_back(scale * (i == 4 ? 0.5 : 2 + 0.2 * (i % 3)));
+    values[2].push_back(scale * (i % 2 == 0 ? 1.7 : 0.9));
+  }
+  const AnalysisPlan plan{.test = DecidingTest::friedman};
+  const Evidence before = tested(named_in_blocks(values), plan);
+  CHECK(before.contrasts[0].relation == Relation::first_better);
+  for (const std::size_t block : {4, 9}) {
+    Sets scaled = values;
+    for (std::vector<double>& group : scaled) group[block] *= 1e6;
+    const Evidence after = tested(named_in_blocks(scaled), plan);
+    for (std::size_t i = 0; i < 3; ++i) {
+      CHECK(after.contrasts[i].p == before.contrasts[i].p);
+      CHECK(after.contrasts[i].relation == before.contrasts[i].relation);
+      CHECK(after.contrasts[i].p_mean_ranks == before.contrasts[i].p_mean_ranks);
+      CHECK(after.contrasts[i].p_nemenyi == before.contrasts[i].p_nemenyi);
+    }
+  }
 }
 
 TEST_CASE("groups that differ in spread alone are rarely called better by ranks", "[pair_ranks]") {
