@@ -38,6 +38,7 @@ struct StatsArguments {
   bool wide = false, rows_are_blocks = false, larger = false, forced = false, without_figures = false;
   std::string quantity, out, estimand = "mean";
   AnalysisPlan plan;
+  double margin = 0;  // absolute, in place of the plan's
 };
 
 // The whole text, or just more than the CSV reader takes: a stream may have no end.
@@ -87,6 +88,8 @@ std::vector<Assessment> assessments_of(const StatsArguments& arguments) {
       summaries.better = better;
       summaries.name = distinct(summaries.name, names);
       if (!arguments.quantity.empty()) summaries.quantity = arguments.quantity;
+      summaries.margin = arguments.margin;
+      check_margin(summaries, arguments.plan);
       result.push_back(assess(summaries, arguments.plan));
     }
     return result;
@@ -105,6 +108,8 @@ std::vector<Assessment> assessments_of(const StatsArguments& arguments) {
     Observations observations = read_observations(text, name_of_source(arguments.file), request);
     observations.name = distinct(observations.name, names);
     if (!arguments.quantity.empty()) observations.quantity = arguments.quantity;
+    observations.margin = arguments.margin;
+    check_margin(observations, arguments.plan);
     result.push_back(assess(observations, arguments.plan));
   }
   return result;
@@ -150,7 +155,7 @@ void check(const StatsArguments& arguments) {
 }
 
 // A margin in cm is no margin of what is in another unit.
-void check_margin(const AnalysisPlan& plan, const std::vector<Assessment>& all) {
+void check_margin_cm(const AnalysisPlan& plan, const std::vector<Assessment>& all) {
   const auto in_cm = [](const Assessment& each) { return is_in_cm(each.heading); };  // which ends with the quantity
   if (plan.margin_cm == 0 || std::ranges::any_of(all, in_cm)) return;
   throw std::invalid_argument(
@@ -203,6 +208,12 @@ void add_stats(CLI::App& app, Invocation& invocation) {
                     "accept repeated rows of a run as observations, and average incomplete runs and blocks; the "
                     "report says so");
   add_plan_options(*command, arguments->plan);
+  command
+      ->add_option("--margin-absolute", arguments->margin,
+                   "in place of --margin: smallest difference that matters, in the unit of the values; for values that "
+                   "may be negative, such as temperatures")
+      ->check(number_in({0, 1e300}))
+      ->excludes("--margin");
   command->add_option("--out", arguments->out, "folder for the report; default: out/stats-<file>");
   command->add_flag("--no-figures", arguments->without_figures, "write tables, but draw no figures");
   command->footer(
@@ -221,10 +232,11 @@ void add_stats(CLI::App& app, Invocation& invocation) {
       "docs/statistics.md explains every line of the output.");
   command->callback([arguments, &invocation] {
     check(*arguments);
+    if (arguments->margin > 0) arguments->plan.margin = 0;
     const std::string& source = arguments->summaries.empty() ? arguments->file : arguments->summaries;
     const std::string stem = source == "-" ? "input" : std::filesystem::path(source).stem().string();
     const std::vector<Assessment> assessments = assessments_of(*arguments);
-    check_margin(arguments->plan, assessments);
+    check_margin_cm(arguments->plan, assessments);
     const Report report = write_statistics(
         assessments,
         {.title = fmt::format("Statistics of {}",

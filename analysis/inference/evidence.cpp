@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "analysis/inference/contrasts.hpp"
+#include "analysis/inference/margin.hpp"
 #include "analysis/inference/outcomes.hpp"
 #include "analysis/inference/test_results.hpp"
 #include "analysis/inference/tests_of_means.hpp"
@@ -98,11 +99,14 @@ void compare_variances(Evidence& evidence, std::span<const GroupSummary> summari
   evidence.variance_ratio = ratio * ratio;
 }
 
-Evidence begin(std::string name, std::string_view quantity, Better better, const AnalysisPlan& plan) {
+// Of observations or summaries.
+template <class Given>
+Evidence begin(const Given& given, const AnalysisPlan& plan) {
   Evidence evidence;
-  evidence.name = std::move(name);
-  evidence.quantity = one_line(quantity);
-  evidence.better = better;
+  evidence.name = given.name;
+  evidence.quantity = one_line(given.quantity);
+  evidence.better = given.better;
+  evidence.margin = std::max(given.margin, is_in_cm(evidence.quantity) ? plan.margin_cm : 0);
   evidence.plan = plan;
   return evidence;
 }
@@ -200,7 +204,7 @@ const TestResult* Evidence::test(std::string_view test_name) const {
 }
 
 Evidence evidence(const Summaries& summaries, const AnalysisPlan& plan) {
-  Evidence result = begin(summaries.name, summaries.quantity, summaries.better, plan);
+  Evidence result = begin(summaries, plan);
   result.from_summaries = true;
   result.notes = summaries.notes;
   std::vector<GroupSummary> numbers;
@@ -243,7 +247,7 @@ Samples values_of(const Observations& observations) {
 
 // Of exact observations.
 Evidence describe_groups(const Observations& observations, const AnalysisPlan& plan) {
-  Evidence result = begin(observations.name, observations.quantity, observations.better, plan);
+  Evidence result = begin(observations, plan);
   result.scale = observations.scale;
   result.replicate = observations.replicate;
   result.block = observations.block;

@@ -75,10 +75,10 @@ struct Contrast {
   double p_bootstrap = statistics::not_defined;  // of the studentized means; only where it decides
   double p_paired = statistics::not_defined;  // t of the differences within blocks, corrected by Bonferroni; only where
                                               // there are blocks
-  // Of ranks, each corrected as planned. What decides is of the two groups alone: within blocks Wilcoxon's, else the
-  // larger of Mann-Whitney's and Brunner-Munzel's.
+  // Of ranks, each corrected as planned. What decides is of the two groups alone: within blocks the sign test's, else
+  // the larger of Mann-Whitney's and Brunner-Munzel's.
   double p_ranks = statistics::not_defined;
-  int ahead_by_ranks = 0;  // the sign of Wilcoxon's or Mann-Whitney's statistic, as `ahead`
+  int ahead_by_ranks = 0;  // the sign of the sign test's or Mann-Whitney's statistic, as `ahead`
   double p_mann_whitney = statistics::not_defined;
   double p_brunner_munzel = statistics::not_defined;
   double p_mean_ranks = statistics::not_defined;  // Dunn, or Friedman's average ranks within blocks: of all groups
@@ -110,6 +110,7 @@ struct Evidence {
   bool from_summaries = false;
   std::vector<std::string> notes = {};
   std::string flaw = {};
+  double margin = 0;                // absolute, in the unit of the quantity: the plan's in cm, or one of its own
   results::AnalysisPlan plan = {};  // its test is never by_design here, but the one that decides
   bool of_outcomes = false;         // every observation is 0 or 1 (outcomes.hpp): a group's mean is a share
   bool constant = false;            // every group has one value alone, and not as outcomes have

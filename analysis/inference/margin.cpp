@@ -4,22 +4,24 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include "analysis/inference/text.hpp"
 
 namespace ikbench::inference {
 
+using namespace results;
 using namespace statistics;
 
 bool is_in_cm(std::string_view quantity) { return quantity.ends_with("[cm]") || quantity.ends_with("_cm"); }
 
 bool has_absolute_margin(const Evidence& evidence) {
-  return evidence.plan.margin_cm > 0 && is_in_cm(evidence.quantity) && evidence.scale == ValueScale::plain;
+  return evidence.margin > 0 && evidence.scale == ValueScale::plain;
 }
 
-std::string margin_words(double margin, double margin_cm) {
-  if (margin_cm == 0) return percent(margin);
-  const std::string absolute = short_number(margin_cm) + " cm";
+std::string margin_words(double margin, double absolute_margin, std::string_view unit) {
+  if (absolute_margin == 0) return percent(margin);
+  const std::string absolute = short_number(absolute_margin) + std::string(unit);
   return margin > 0 ? fmt::format("{} or {}", percent(margin), absolute) : absolute;
 }
 
@@ -29,13 +31,44 @@ double margin_of(const Evidence& evidence, const Contrast& contrast) {
   const double smaller = std::min(std::abs(evidence.groups[contrast.first].described.mean),
                                   std::abs(evidence.groups[contrast.second].described.mean));
   const double relative = evidence.plan.margin * smaller;
-  return has_absolute_margin(evidence) ? std::max(relative, evidence.plan.margin_cm) : relative;
+  return has_absolute_margin(evidence) ? std::max(relative, evidence.margin) : relative;
+}
+
+namespace {
+
+void refuse_negative(bool has_negative, std::string_view quantity, double absolute, const AnalysisPlan& plan) {
+  if (!has_negative || plan.margin == 0 || absolute > 0) return;
+  throw std::invalid_argument(
+      fmt::format("{} has negative values, and {} of a mean that may be 0 means nothing; expected --margin-absolute "
+                  "DIFFERENCE, in its unit, or --margin 0",
+                  one_line(quantity), percent(plan.margin)));
+}
+
+bool is_negative(double value) { return std::isfinite(value) && value < 0; }
+
+}  // namespace
+
+void check_margin(const Observations& observations, const AnalysisPlan& plan) {
+  const bool has_negative =
+      observations.scale == ValueScale::plain && std::ranges::any_of(observations.groups, [](const Group& group) {
+        return std::ranges::any_of(group.values, is_negative);
+      });
+  refuse_negative(has_negative, observations.quantity, observations.margin, plan);
+}
+
+void check_margin(const Summaries& summaries, const AnalysisPlan& plan) {
+  const auto is_below = [](const SummaryGroup& group) { return is_negative(group.summary.mean); };
+  refuse_negative(std::ranges::any_of(summaries.groups, is_below), summaries.quantity, summaries.margin, plan);
 }
 
 Extent extent_of(const Evidence& evidence, const Contrast& contrast) {
   const auto [value, low, high] = contrast.difference;
   const double room = margin_of(evidence, contrast);
   if (!std::isfinite(low) || !std::isfinite(high) || std::isnan(room)) return Extent::unknown;
+  // Ranks within blocks know no scale, and so no margin: the same is what is equal in every block.
+  if (evidence.plan.test == DecidingTest::friedman && !evidence.of_outcomes && low != high) {
+    return Extent::unknown;
+  }
   if (std::abs(low) <= room && std::abs(high) <= room) return Extent::within;
   const int favours = evidence.better == Better::smaller ? -sign_of(value) : sign_of(value);
   if (sign_of(low) != sign_of(high) || favours != contrast.ahead) return Extent::unknown;

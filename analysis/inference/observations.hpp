@@ -36,6 +36,7 @@ struct Observations {
   std::string block = {};               // what one block is, in words; empty where there are none
   std::string block_noun = "blocks";    // as they are called in sentences: "targets"
   std::vector<std::string> notes = {};  // missing values, incomplete blocks left out, times that are not clean, ...
+  double margin = 0;                    // absolute, in the unit of the values; 0: none but the plan's
   std::string flaw = {};  // why not to take them at their word: no replicates, values missing, times that are not clean
 };
 
@@ -50,6 +51,7 @@ struct Summaries {
   Better better = Better::smaller;
   std::vector<SummaryGroup> groups = {};
   std::vector<std::string> notes = {};
+  double margin = 0;  // as of Observations
 };
 
 }  // namespace ikbench::inference

@@ -14,7 +14,7 @@
 #include "analysis/statistics/power.hpp"
 #include "analysis/statistics/proportion.hpp"
 #include "analysis/statistics/rounding.hpp"
-#include "analysis/statistics/wilcoxon_signed_rank.hpp"
+#include "analysis/statistics/sign_test.hpp"
 #include "results/analysis_plan_fields.hpp"
 
 namespace ikbench::inference {
@@ -66,9 +66,9 @@ void rank(MetricComparison& result, const MetricSamples& samples, double level) 
   if (result.is_fact) return;
   double favour = result.b_better.value - 0.5;
   if (samples.paired) {
-    const WilcoxonSignedRank test = wilcoxon_signed_rank(a, b);
+    const SignTest test = sign_test(a, b);
     result.p_ranks = test.p;
-    favour = (test.V - test.n * (test.n + 1.0) / 4) * (smaller ? 1 : -1);
+    favour = test.direction * (smaller ? 1 : -1);
   } else {
     result.p_ranks = mann_whitney(a, b).p;
   }
@@ -81,8 +81,9 @@ void rank(MetricComparison& result, const MetricSamples& samples, double level) 
 double to_decide(const MetricSamples& samples, const MarginQuestion& question) {
   const double room = std::max(question.margin_cm, question.margin * std::abs(mean(samples.a)));
   if (!(room > 0)) return not_defined;
-  // Two one-sided tests have to show that there is no difference, each with half of what may fail.
-  const PowerGoal goal{.power = (1 + question.power) / 2, .alpha = 2 * question.significance};
+  // Two one-sided tests have to show that there is no difference, each with half of what may fail. Holm's correction is
+  // at most Bonferroni's.
+  const PowerGoal goal{.power = (1 + question.power) / 2, .alpha = 2 * question.significance / samples.tests};
   if (!samples.paired) return runs_to_see(summarise(samples.a), summarise(samples.b), room, goal).n;
   std::vector<double> differences(samples.a.begin(), samples.a.end());
   for (std::size_t i = 0; i < differences.size(); ++i) differences[i] -= samples.b[i];
@@ -161,6 +162,13 @@ bool are_rounding(const MetricSamples& samples) {
   const double rounding = info_of(samples.metric).rounding;
   const auto is_rounding = [&](double value) { return value >= 0 && value <= rounding; };
   return rounding > 0 && std::ranges::all_of(samples.a, is_rounding) && std::ranges::all_of(samples.b, is_rounding);
+}
+
+bool has_negative(const MetricSamples& samples) {
+  const auto is_negative = [least = -info_of(samples.metric).rounding](double value) {
+    return is_finite(value) && value < least;
+  };
+  return std::ranges::any_of(samples.a, is_negative) || std::ranges::any_of(samples.b, is_negative);
 }
 
 struct FiniteValues {
@@ -262,6 +270,8 @@ MetricComparison compare_metric(const MetricSamples& samples, const MarginQuesti
     settle(result, Outcome::same, "equal bit for bit");
   } else if (samples.are_copies && result.a.std == 0 && result.b.std == 0) {
     compare_copies(result, samples, question);
+  } else if (question.margin > 0 && has_negative(samples)) {
+    settle(result, Outcome::not_compared, "negative values, of which a share says nothing; --margin 0 compares them");
   } else if (not_finite(samples.a) + not_finite(samples.b) > 0) {
     compare_not_finite(result, samples, question);
   } else if (are_rounding(samples)) {

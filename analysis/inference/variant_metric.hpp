@@ -74,7 +74,7 @@ struct MetricComparison {
   double p_better = statistics::not_defined;     // H0: not better by more than the margin; likewise
   double p_not_worse = statistics::not_defined;  // H0: worse by the margin or more
   statistics::EffectSize b_better;  // Vargha and Delaney's A12: P(one of b is better) + P(as good) / 2, of any two
-  double p_ranks = statistics::not_defined;      // Wilcoxon's signed ranks where paired, else Mann-Whitney; two-sided
+  double p_ranks = statistics::not_defined;      // the sign test where paired, else Mann-Whitney; two-sided
   int ranks_favour = 0;                          // 1: the ranks are for b, -1: for a
   double n_to_decide = statistics::not_defined;  // observations a side that show a difference of the margin, or none
 };

@@ -114,6 +114,7 @@ std::string json_of(const Evidence& evidence) {
                 {"significance", plan.significance},
                 {"margin", plan.margin},
                 {"margin_cm", plan.margin_cm},
+                {"margin_absolute", evidence.margin},
                 {"power", plan.power},
                 {"quartiles", plan.quartiles}}},
               {"notes", evidence.notes},

@@ -253,6 +253,16 @@ for significance in 0 nan 0.3 2 -1 0.05x; do
   refused "--significance: $significance is not a number from 0.0001 to 0.2" \
     stats pandas.csv --value error --significance=$significance
 done
+printf 'solver,t\n' >cold.csv
+for i in 1 2 3 4 5 6 7 8 9 10; do printf 'A,-0.%d\nB,0.%d\nC,-0.%d1\n' $i $i $i; done >>cold.csv
+refused 't has negative values, and 5 % of a mean that may be 0 means nothing; expected --margin-absolute DIFFERENCE' stats cold.csv --value t
+refused '--margin-absolute excludes --margin' stats cold.csv --value t --margin-absolute 3 --margin 5%
+succeeds stats cold.csv --value t --margin-absolute 3 --no-figures --out cold
+has "$out" "A and C are the same within 3 ("
+has "$out" "differences below 3 do not matter"
+succeeds stats cold.csv --value t --margin 0 --no-figures --out cold
+printf 'name,mean,sd,n\nA,-1,2,9\nB,1,2,9\n' >cold.csv
+refused 'has negative values' stats --summaries cold.csv
 refused '--margin-cm: -1 is not a number from 0 to 1000' stats pandas.csv --value error --margin-cm=-1
 refused '--margin-cm: no quantity is in cm; expected a column whose name ends in _cm' stats pandas.csv --value error --margin-cm 0.01
 refused '--power: 1 is not a number from 0.5 to 0.999' stats pandas.csv --value error --power 1

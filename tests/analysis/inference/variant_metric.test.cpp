@@ -23,8 +23,22 @@ TEST_CASE("a variant twice as far from its targets is worse, one half as far is 
   CHECK(worse.b_better.value == 0);  // every run of b is above every run of a
   CHECK(worse.remark.empty());
   CHECK(better.outcome == Outcome::better);
+  CHECK(better.remark == "as far as 20 runs can show: a failure in up to 14 % of them is not excluded");
   CHECK(better.ratio.ratio == Approx(0.5));
   CHECK(better.b_better.value == 1);
+}
+
+TEST_CASE("of values that may be negative a share says nothing", "[variants]") {
+  const std::vector<double> a{-0.2, 0.1, 0.3, 0.2}, b{0.2, 0.1, 0.3, 0.2};
+  const std::vector<Metric> all = all_metrics();
+  const auto limit_margin = std::ranges::find(all, "limit_margin", [](Metric metric) { return name_of(metric); });
+  REQUIRE(limit_margin != all.end());
+  const auto compare = [&](double margin) {
+    return compare_metric({.metric = *limit_margin, .a = a, .b = b}, {.margin = margin});
+  };
+  CHECK(compare(0.05).outcome == Outcome::not_compared);
+  CHECK(compare(0.05).remark.starts_with("negative values"));
+  CHECK(compare(0).outcome != Outcome::not_compared);
 }
 
 TEST_CASE("a and b the other way round, what was worse is better", "[variants]") {
