@@ -16,19 +16,18 @@ using namespace statistics;
 
 namespace {
 
-// Up to which errors of the metric are all alike, in its unit; not defined where the study has no such tolerance.
+bool has_tolerance(const StudyResults& study) { return std::isfinite(tolerance_cm(study)); }
+
+bool is_ok(const Solve* solve) { return solve->status == Status::ok; }
+
+}  // namespace
+
 double tolerance_of(const StudyResults& study, Metric metric) {
   if (!is_error(metric)) return not_defined;
   const Tolerance found = tolerance(study);
   if (metric != Metric::orientation_error_deg) return found.cm;
   return std::isfinite(found.cm) && std::isfinite(found.deg) ? found.deg : not_defined;
 }
-
-bool has_tolerance(const StudyResults& study) { return std::isfinite(tolerance_cm(study)); }
-
-bool is_ok(const Solve* solve) { return solve->status == Status::ok; }
-
-}  // namespace
 
 double limit_of(const StudyResults& study, Metric metric) {
   double limit = not_defined;

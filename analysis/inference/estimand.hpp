@@ -31,6 +31,9 @@ std::vector<results::Estimand> estimands_of(const StudyResults& study, Metric me
 // for that, else the first estimand of its plan. The others are exploratory.
 results::Estimand primary_estimand(const StudyResults& study);
 
+// Up to which errors of the metric are all alike, in its unit; not defined where the study has no such tolerance.
+double tolerance_of(const StudyResults& study, Metric metric);
+
 // What of a solve counts: in a study with a tolerance an error up to the tolerance counts as the tolerance. Any other
 // value is what it is. `study` outlives the result.
 ValueOf counted_value(const StudyResults& study, Metric metric);

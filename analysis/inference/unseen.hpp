@@ -2,10 +2,11 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 namespace ikbench::inference {
 
-// "14 %": the largest share of failures that so many observations without one do not exclude.
-std::string unseen_share_words(int observations, double significance);
+// "as far as 20 runs can show: a failure in up to 14 % of them is not excluded"
+std::string unseen_words(int observations, std::string_view of_what, double significance);
 
 }  // namespace ikbench::inference

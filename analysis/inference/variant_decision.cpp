@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -82,10 +83,10 @@ std::string remark_on(const MetricComparison& comparison, const Corrected& corre
   add(comparison.remark);
   const bool is_open = comparison.outcome == Outcome::undecided || comparison.outcome == Outcome::not_worse;
   add(is_open ? what_is_known(comparison, corrected, question) : comparison.ratio.undefined);
-  if (comparison.outcome == Outcome::same) {
-    const int n = std::min(comparison.a.n, comparison.b.n);
-    add(fmt::format("as far as {} {}s can show: a failure in up to {} of them is not excluded", n,
-                    comparison.observation, unseen_share_words(n, question.significance)));
+  constexpr std::array good{Outcome::same, Outcome::better, Outcome::better_by_less};
+  if (std::ranges::find(good, comparison.outcome) != good.end()) {
+    add(unseen_words(std::min(comparison.a.n, comparison.b.n), fmt::format("{}s", comparison.observation),
+                     question.significance));
   }
   add(ranks_remark(comparison, corrected, question.significance));
   return fmt::format("{}", fmt::join(remarks, "; "));

@@ -84,6 +84,11 @@ std::string change_words(const Evidence& evidence) {
   if (const std::string runs = runs_words(evidence, runs_of_all(open)); !runs.empty()) {
     parts.push_back(fmt::format("a larger new study, planned before it is seen ({})", runs));
   }
+  const auto is_undefined = [](const Contrast& contrast) { return contrast.relation == Relation::undefined; };
+  const auto is_short = [](const GroupEvidence& group) { return group.described.n < 3; };
+  if (std::ranges::any_of(evidence.contrasts, is_undefined) && std::ranges::any_of(evidence.groups, is_short)) {
+    parts.emplace_back("more observations than two");
+  }
   if (is_doubted) parts.emplace_back("another measure, because the mean, the median or ranks favour another group");
   if (is_small)
     parts.push_back(fmt::format("a margin above {}, because a difference may be smaller", margin_words(evidence)));

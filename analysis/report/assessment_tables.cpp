@@ -180,6 +180,11 @@ Table contrasts_table(const Evidence& evidence) {
                                 "observation of the first and one of the second (Hodges-Lehmann). Their intervals are "
                                 "not adjusted.");
   }
+  std::vector<const Contrast*> all;
+  for (const Contrast& contrast : evidence.contrasts) all.push_back(&contrast);
+  if (const std::string limit = unseen_words(evidence, all); !limit.empty()) {
+    table.notes.push_back(fmt::format("Better and the same: {}.", limit));
+  }
   if (evidence.reference) {
     table.notes.push_back(fmt::format(
         "The table shows the pairs with {}{}.", evidence.groups[*evidence.reference].name,

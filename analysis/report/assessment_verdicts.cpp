@@ -4,14 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "analysis/inference/contrasts.hpp"
 #include "analysis/inference/deciding.hpp"
 #include "analysis/inference/judge.hpp"
 #include "analysis/inference/text.hpp"
-#include "analysis/inference/unseen.hpp"
 #include "analysis/report/assessment_doubts.hpp"
 #include "analysis/report/assessment_words.hpp"
 
@@ -74,7 +72,7 @@ std::string ahead_words(const Evidence& evidence, const Contrast& contrast) {
 // By what the one is better, where it is not the mean.
 std::string by_words(const Evidence& evidence) {
   if (!evidence.ranks_decide()) return "";
-  return evidence.decides_within_blocks() ? " by ranks of the differences within blocks" : " by ranks";
+  return evidence.decides_within_blocks() ? " by ranks within blocks" : " by ranks";
 }
 
 // ": mean 0.0019 vs 0.365, by 0.156 to 0.57, more than 5 %", with "mean " as the kind; " (A has the mean 1.25; B has no
@@ -106,11 +104,16 @@ std::string better_words(const Evidence& evidence, const Contrast& contrast) {
   return doubt.empty() ? text : fmt::format("{}, although {}", text, doubt);
 }
 
+bool has_judged(const Evidence& evidence) {
+  return std::ranges::any_of(evidence.contrasts, [](const Contrast& c) { return c.relation != Relation::undefined; });
+}
+
 // "10 of the 15 pairs differ. IK-BA is better than BA: ..."; of pairs with the best, or of the others where none of
 // those differs.
 std::string who_differs_words(const Evidence& evidence, const std::vector<std::string>& with_best,
                               const std::vector<std::string>& of_others) {
   const std::size_t pairs = evidence.contrasts.size(), differ = with_best.size() + of_others.size();
+  if (!has_judged(evidence)) return pairs == 1 ? "the pair cannot be judged" : "no pair can be judged";
   const std::string best = name_words(evidence, evidence.reference.value_or(best_group(evidence)));
   if (pairs == 1) return differ == 1 ? with_best.front() : "no difference is shown";
   const std::string of = evidence.reference ? fmt::format("pairs with {}", best) : "pairs";
@@ -239,15 +242,6 @@ std::string lead_words(const Evidence& evidence, std::size_t group, const std::v
   return with_remark(std::move(text), is_exact ? p_words(largest_p) : "p at most " + at_most(largest_p));
 }
 
-// Observations of the smallest group of these.
-int fewest_of(const Evidence& evidence, const std::vector<const Contrast*>& pairs) {
-  int fewest = std::numeric_limits<int>::max();
-  for (const Contrast* pair : pairs) {
-    fewest = std::min({fewest, evidence.groups[pair->first].described.n, evidence.groups[pair->second].described.n});
-  }
-  return fewest;
-}
-
 std::string same_words(const Evidence& evidence, std::size_t group, const std::vector<const Contrast*>& pairs) {
   std::string text =
       fmt::format("{} and {} are the same within {}", name_words(evidence, group), others_of(evidence, group, pairs),
@@ -256,7 +250,8 @@ std::string same_words(const Evidence& evidence, std::size_t group, const std::v
   if (pairs.size() == 1 && difference.low != difference.high) {
     text = with_remark(std::move(text), interval_words_of(evidence, *pairs.front()));
   }
-  return evidence.of_outcomes ? text : with_remark(std::move(text), unseen_words(evidence, fewest_of(evidence, pairs)));
+  const std::string limit = unseen_words(evidence, pairs);
+  return limit.empty() ? text : with_remark(std::move(text), limit);
 }
 
 std::string open_pairs_words(const Evidence& evidence, std::size_t group, const std::vector<const Contrast*>& pairs) {
@@ -344,9 +339,9 @@ std::vector<std::string> who_differs(const Evidence& evidence) {
   std::vector<std::string> sentences;
   sentences.push_back(fmt::format("Differences: {}.", who_differs_words(evidence, with_best, of_others)));
   if (!same.empty()) {
-    const std::string limit =
-        evidence.of_outcomes ? "" : fmt::format(" ({})", unseen_words(evidence, fewest_of(evidence, equivalent)));
-    sentences.push_back(fmt::format("The same within {}: {}{}.", margin_words(evidence), clauses(same), limit));
+    const std::string limit = unseen_words(evidence, equivalent);
+    sentences.push_back(fmt::format("The same within {}: {}{}.", margin_words(evidence), clauses(same),
+                                    limit.empty() ? "" : fmt::format(" ({})", limit)));
   }
   if (!open.empty()) sentences.push_back(fmt::format("Undecided: {}.", clauses(open)));
   if (!undefined.empty()) {
@@ -382,14 +377,11 @@ std::string in_short(const Evidence& evidence) {
   std::string text = fmt::format("{}.", fmt::join(parts, "; "));
   if (const std::string others = other_pairs_words(evidence, pairs); !others.empty()) text += " " + others;
   if (evidence.constant) return text;
-  text += fmt::format(" Decided by: {}.", decided_by(evidence));
-  const bool by_means = !evidence.of_outcomes && !evidence.ranks_decide();
+  if (has_judged(evidence)) text += fmt::format(" Decided by: {}.", decided_by(evidence));
   std::vector<const Contrast*> decided = pairs.ahead;
   decided.insert(decided.end(), pairs.behind.begin(), pairs.behind.end());
-  if (!by_means || decided.empty()) return text;
-  const int n = fewest_of(evidence, decided);
-  return text + fmt::format(" {} {} do not exclude a failure in up to {} of them.", n, replicates_words(evidence),
-                            unseen_share_words(n, evidence.plan.significance));
+  const std::string limit = unseen_words(evidence, decided);
+  return limit.empty() ? text : fmt::format("{} Better {}.", text, limit);
 }
 
 }  // namespace ikbench::report

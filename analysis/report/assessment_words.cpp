@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 
 #include "analysis/inference/margin.hpp"
 #include "analysis/inference/text.hpp"
@@ -69,15 +70,23 @@ std::string pair_words(const Evidence& evidence, const Contrast& contrast) {
   return fmt::format("{} vs {}", name_words(evidence, contrast.first), name_words(evidence, contrast.second));
 }
 
+namespace {
+
+std::string margins_of(const Evidence& evidence, double relative, double absolute) {
+  return inference::margin_words(relative, absolute, is_in_cm(evidence.quantity) ? " cm" : "");
+}
+
+}  // namespace
+
 std::string margin_words(const Evidence& evidence) {
   if (evidence.of_outcomes) return rounded_number(100 * evidence.plan.margin, 3) + " percentage points";
-  return inference::margin_words(evidence.plan.margin, has_absolute_margin(evidence) ? evidence.plan.margin_cm : 0);
+  return margins_of(evidence, evidence.plan.margin, has_absolute_margin(evidence) ? evidence.margin : 0);
 }
 
 std::string margin_words(const Evidence& evidence, const Contrast& contrast) {
   if (evidence.of_outcomes || !has_absolute_margin(evidence)) return margin_words(evidence);
-  const bool is_absolute = margin_of(evidence, contrast) == evidence.plan.margin_cm;
-  return inference::margin_words(is_absolute ? 0 : evidence.plan.margin, is_absolute ? evidence.plan.margin_cm : 0);
+  const bool is_absolute = margin_of(evidence, contrast) == evidence.margin;
+  return margins_of(evidence, is_absolute ? 0 : evidence.plan.margin, is_absolute ? evidence.margin : 0);
 }
 
 std::pair<double, double> interval_sizes(const Evidence& evidence, const Contrast& contrast) {
@@ -133,17 +142,14 @@ std::string_view replicates_words(const Evidence& evidence) {
 }
 
 std::string runs_words(const Evidence& evidence, const Estimate& runs) {
+  if (std::isnan(runs.value) && std::isnan(runs.low)) return "";  // a margin of 0 is never found
   const double most = std::fmax(runs.value, runs.high);
   const bool more =
       std::ranges::any_of(evidence.groups, [&](const GroupEvidence& group) { return most > group.described.n; });
   if (!more) return "";
   const std::string_view of = replicates_words(evidence);
   if (!std::isfinite(runs.low)) return fmt::format("it takes at least {:.0f} {}", runs.value, of);
-  return fmt::format("a difference of {} takes {:.0f}{} {}", margin_words(evidence), runs.low,
-                     !std::isfinite(runs.high) ? " or more"
-                     : runs.high == runs.low   ? ""
-                                               : fmt::format(" to {:.0f}", runs.high),
-                     of);
+  return fmt::format("a difference of {} takes {} {}", margin_words(evidence), range_words(runs.low, runs.high), of);
 }
 
 Estimate runs_of_all(const std::vector<const Contrast*>& pairs) {
@@ -155,9 +161,15 @@ Estimate runs_of_all(const std::vector<const Contrast*>& pairs) {
   return all;
 }
 
-std::string unseen_words(const Evidence& evidence, int observations) {
-  return fmt::format("as far as {} {} can show: a failure in up to {} of them is not excluded", observations,
-                     replicates_words(evidence), unseen_share_words(observations, evidence.plan.significance));
+std::string unseen_words(const Evidence& evidence, const std::vector<const Contrast*>& pairs) {
+  int fewest = std::numeric_limits<int>::max();
+  for (const Contrast* pair : pairs) {
+    const bool by_means = pair->relation == Relation::equivalent || (is_decided(*pair) && !evidence.ranks_decide());
+    if (!by_means || evidence.of_outcomes) continue;
+    fewest = std::min({fewest, evidence.groups[pair->first].described.n, evidence.groups[pair->second].described.n});
+  }
+  if (fewest == std::numeric_limits<int>::max()) return "";
+  return inference::unseen_words(fewest, replicates_words(evidence), evidence.plan.significance);
 }
 
 bool has_too_few(const Evidence& evidence) {

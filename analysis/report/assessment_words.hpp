@@ -38,8 +38,9 @@ std::string_view replicates_words(
 std::string runs_words(const inference::Evidence& evidence, const inference::Estimate& runs);
 // What each of these takes, at least and at most.
 inference::Estimate runs_of_all(const std::vector<const inference::Contrast*>& pairs);
-// "as far as 20 observations per group can show: a failure in up to 14 % of them is not excluded"
-std::string unseen_words(const inference::Evidence& evidence, int observations);
+// Of those of the pairs that are the same or better by means: "as far as 20 observations per group can show: a failure
+// in up to 14 % of them is not excluded". Empty where there are none.
+std::string unseen_words(const inference::Evidence& evidence, const std::vector<const inference::Contrast*>& pairs);
 // Where ranks decide: whether there are so few observations that no pair can be told apart, whatever they are.
 bool has_too_few(const inference::Evidence& evidence);
 std::size_t corrected_for(const inference::Evidence& evidence);  // so many pairs the deciding p-values are

@@ -18,6 +18,7 @@
 #include "analysis/report/assessment_doubts.hpp"
 #include "analysis/report/assessment_words.hpp"
 #include "analysis/statistics/descriptive.hpp"
+#include "analysis/statistics/rounding.hpp"
 
 namespace ikbench::report {
 
@@ -75,6 +76,7 @@ class Leader {
       : evidence_(study.evidence(metric, estimand)),
         is_median_(estimand == Estimand::mean && info_of(metric).kind == Kind::time),
         metric_(metric),
+        least_(estimand == Estimand::reliability ? statistics::not_defined : tolerance_of(study, metric)),
         achieved_(study, metric) {}
 
   std::string words() const {
@@ -119,8 +121,25 @@ class Leader {
   std::string value(std::size_t group) const {
     const double mean = average(group);
     if (!std::isfinite(mean)) return "no value";
+    if (statistics::without_rounding(mean - least_, least_) <= 0)
+      return "at most the tolerance of " + figures::value_words(metric_, least_);
     return (evidence_.better == Better::larger ? percent(mean) : figures::value_words(metric_, mean)) +
            achieved_.of(evidence_.groups[group].name);
+  }
+  // "BA 0.0019 cm"
+  std::string with_values(const std::vector<std::size_t>& groups) const {
+    std::vector<std::string> all;
+    for (const std::size_t group : groups) all.push_back(fmt::format("{} {}", name(group), value(group)));
+    return listed(all);
+  }
+  // What n excludes, where the one is better or the same.
+  std::string unseen(std::size_t first) const {
+    std::vector<const Contrast*> own;
+    for (const Contrast& contrast : evidence_.contrasts) {
+      if (contrast.first == first || contrast.second == first) own.push_back(&contrast);
+    }
+    const std::string words = unseen_words(evidence_, own);
+    return words.empty() ? "" : "; " + words;
   }
   std::string names(const std::vector<std::size_t>& groups) const {
     std::vector<std::string> all;
@@ -149,12 +168,12 @@ class Leader {
 
   std::string first_words(std::size_t first, const std::vector<std::size_t>& order) const {
     const Others others = others_of(first, order);
-    const bool any_tested = others.untested.size() + 1 < order.size();
+    if (others.untested.size() + 1 == order.size()) return fmt::format("no solver is tested ({})", with_values(order));
     std::string remarks;
     if (!others.open.empty()) remarks += fmt::format("; undecided against {}", names(others.open));
-    if (any_tested && !others.untested.empty())
-      remarks += fmt::format("; not tested against {}", names(others.untested));
+    if (!others.untested.empty()) remarks += fmt::format("; not tested against {}", with_values(others.untested));
     if (order[0] != first) remarks += fmt::format("; the test decides, the average would name {}", name(order[0]));
+    remarks += unseen(first);
     if (!others.beside.empty()) {
       std::vector<std::size_t> groups{first};
       groups.insert(groups.end(), others.beside.begin(), others.beside.end());
@@ -184,8 +203,9 @@ class Leader {
       all.push_back(name(group));
       values.push_back(value(group));
     }
+    const bool is_one = std::ranges::count(values, values.front()) == std::ssize(values);
     return fmt::format("{} {} {} ({}; {}", fmt::join(all.begin(), all.end() - 1, ", "), all_same ? "and" : "or",
-                       all.back(), listed(values), finding);
+                       all.back(), is_one ? "each " + values.front() : listed(values), finding);
   }
 
   // "DE is better than the control IK-BA (0.0019 cm); worse: BA 1.68 cm; undecided: PSO 0.438 cm (p = 0.1)". Only these
@@ -216,12 +236,13 @@ class Leader {
     add("the same within " + margin_words(evidence_), found[Answer::same]);
     add("undecided", found[Answer::undecided]);
     add("not tested", untested);
-    return text;
+    return text + unseen(control);
   }
 
   const Evidence& evidence_;
   bool is_median_;
   Metric metric_;
+  double least_;  // what counts less than this counts as this
   Achieved achieved_;
 };
 

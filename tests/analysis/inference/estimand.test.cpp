@@ -286,6 +286,32 @@ TEST_CASE("without a tolerance a cost has the error beside it", "[estimand]") {
   CHECK(!contains(leader_sentence(study, position_error, Estimand::mean), "with error"));
 }
 
+TEST_CASE("a mean that is lifted to the tolerance says so", "[estimand]") {
+  std::vector<GivenRun> runs;
+  for (int run = 1; run <= 20; ++run) {
+    runs.push_back({"A", {1e-3 * run}});
+    runs.push_back({"B", {1e-5 * run}});
+    runs.push_back({"C", {1 + 1e-3 * run}});
+  }
+  const JudgedStudy study = judged_runs(runs, R"(, "stop": {"tolerance_cm": 0.1})");
+  const std::string sentence = leader_sentence(study, position_error, Estimand::mean);
+  CAPTURE(sentence);
+  CHECK(contains(sentence, "A and B (each at most the tolerance of 0.1 cm; the same within 5 %"));
+}
+
+TEST_CASE("solvers that a first one is not tested against have their values", "[estimand]") {
+  std::vector<GivenRun> runs;
+  for (int run = 1; run <= 20; ++run) {
+    runs.push_back({"A", {1 + 0.01 * run}});
+    runs.push_back({"B", {2 + 0.01 * run}});
+  }
+  runs.push_back({"C", {1.5}});
+  runs.push_back({"D", {90}});
+  const std::string sentence = leader_sentence(judged_runs(runs), position_error, Estimand::mean);
+  CAPTURE(sentence);
+  CHECK(contains(sentence, "; not tested against C 1.5 cm and D 90 cm"));
+}
+
 TEST_CASE("below the tolerance no error is better than another", "[estimand]") {
   std::vector<GivenRun> runs;
   for (int run = 0; run < 20; ++run) {
@@ -344,7 +370,7 @@ TEST_CASE("those that the test does not separate from the first share its place"
             .starts_with(label + "A or B (2 cm and 2.17 cm; undecided, p = "));
   CHECK(sentence_of({{"A", {1}}, {"A", {2}}, {"B", {3}}, {"B", {2}}, {"C", {4}}, {"C", {2}}}) ==
         label + "A, B or C (1.5 cm, 2.5 cm and 3 cm; undecided).");
-  CHECK(sentence_of({{"A", {1}}, {"B", {2}}}) == label + "A (1 cm; next B 2 cm, not tested).");  // a run each
+  CHECK(sentence_of({{"A", {1}}, {"B", {2}}}) == label + "no solver is tested (A 1 cm and B 2 cm).");  // a run each
   CHECK(sentence_of({{"A", {1}}, {"A", {2}}}) == label + "A (1.5 cm).");
   CHECK(sentence_of({{"A", {never}}}).empty());
   const auto same = [](const char* solver, double value) {
@@ -352,7 +378,10 @@ TEST_CASE("those that the test does not separate from the first share its place"
   };
   std::vector<GivenRun> runs = same("A", 2), others = same("B", 2);
   runs.insert(runs.end(), others.begin(), others.end());
-  CHECK(sentence_of(runs) == label + "A and B (2 cm and 2 cm; the same within 5 %).");
+  CHECK(sentence_of(runs) ==
+        label +
+            "A and B (each 2 cm; the same within 5 %; as far as 5 observations per group can show: a failure in up "
+            "to 45 % of them is not excluded).");
 }
 
 TEST_CASE("of two solvers that repeat themselves there is no test, however many runs there are", "[estimand]") {
@@ -364,7 +393,7 @@ TEST_CASE("of two solvers that repeat themselves there is no test, however many 
   JudgedStudy study = judged_runs(runs);
   for (Solve& solve : study.solves.to_change()) solve.answer = 1 + solve.solver;  // one for all its runs
   CHECK(leaders_sentence(study, position_error)
-            .starts_with("Smallest mean error (large errors dominate): A (0.2 cm; next B 0.4 cm, not tested)."));
+            .starts_with("Smallest mean error (large errors dominate): no solver is tested (A 0.2 cm and B 0.4 cm)."));
   const Evidence& found = study.evidence(position_error, Estimand::mean);
   CHECK(found.groups[0].described.n == 1);
   CHECK(std::isnan(found.contrasts.at(0).p));
@@ -374,9 +403,9 @@ TEST_CASE("of two solvers that repeat themselves there is no test, however many 
   CHECK(!contains(text, "p = "));
 }
 
-TEST_CASE("points as observations have a first and no test", "[estimand]") {
+TEST_CASE("points as observations have no test, and so no first", "[estimand]") {
   CHECK(contains(leaders_sentence(judged_runs(three_winners(), R"(, "analysis": {"unit": "point"})"), position_error),
-                 "Most often within 0.01 cm: C (80 %; next B 50 %, not tested)."));
+                 "Most often within 0.01 cm: no solver is tested (C 80 %, B 50 % and "));
 }
 
 TEST_CASE("the caution about decades looks at the solves and not at the means of runs", "[estimand]") {

@@ -2,6 +2,7 @@
 #include "analysis/inference/variant_decision.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "analysis/report/variants_table.hpp"
@@ -87,6 +88,10 @@ TEST_CASE("a label that is worse alone may be so by chance among twenty", "[vari
   for (int label = 1; label < 20; ++label) pairs.push_back({same, wide});
   const std::vector<VariantComparison> all = compare_variants(pairs, error, {});
   CHECK(count(all, Outcome::worse) == 0);
+  // It takes more runs to decide twenty labels than one.
+  const double runs = compare_variants({{same, wide}}, error, {}).front().metrics.front().n_to_decide;
+  CHECK(std::isfinite(runs));
+  CHECK(all.back().metrics.front().n_to_decide > runs);
 }
 
 TEST_CASE("what is the same within the margin and differs is better or worse by less than it", "[variants][decision]") {

@@ -483,7 +483,7 @@ TEST_CASE("in blocks, the paired t test is told of where it separates what the r
 }
 
 TEST_CASE("two groups in few blocks are told apart by the exact test alone", "[assessment]") {
-  // Wilcoxon's exact two-sided p is 2 / 2^n where all n differences have one sign: 0.125 of 4 and 0.0625 of 5 blocks.
+  // The sign test's two-sided p is 2 / 2^n where all n differences have one sign: 0.125 of 4 and 0.0625 of 5 blocks.
   Observations four{.name = "x",
                     .quantity = "x",
                     .groups = {{"A", {1, 2, 3, 4}}, {"B", {2, 3.5, 5, 7}}},
@@ -492,13 +492,22 @@ TEST_CASE("two groups in few blocks are told apart by the exact test alone", "[a
   const Evidence by_ranks = evidence(four, {.test = DecidingTest::friedman});
   CHECK(by_ranks.contrasts[0].p == Approx(0.125));
   CHECK(by_ranks.contrasts[0].relation == Relation::not_told_apart);
-  CHECK(says(by_ranks, "Methods: Wilcoxon signed-rank test decides"));
+  CHECK(says(by_ranks, "Methods: sign test within blocks decides"));
   Observations three = four;
   three.blocks.clear();
   three.groups = {{"A", {1, 2, 3}}, {"B", {4, 5, 6}}};
   const Evidence found = evidence(three, {.test = DecidingTest::kruskal_wallis});
   CHECK(found.contrasts[0].p == Approx(0.1));  // Mann-Whitney, exact: 2 of 20 arrangements
   CHECK(found.contrasts[0].relation == Relation::not_told_apart);
+}
+
+TEST_CASE("of two values a group nothing is judged, and more are asked for", "[assessment]") {
+  const Observations two{
+      .name = "x", .quantity = "x", .groups = {{"A", {1.1, 1.2}}, {"B", {4.1, 4.2}}, {"C", {9, 9.5}}}};
+  const Evidence found = evidence(two, {});
+  CHECK(says(found, "Differences: no pair can be judged."));
+  CHECK(says(found, "What would change it: more observations than two; "));
+  CHECK_FALSE(says(found, "Decided by: "));
 }
 
 TEST_CASE("groups of one value each differ as far as Fisher's exact test says", "[assessment]") {
@@ -529,7 +538,8 @@ TEST_CASE("in blocks, what decides, its p, its interval and its words go togethe
 
 TEST_CASE("with a control, ranks are corrected for its pairs alone, larger or smaller being better", "[assessment]") {
   // Demsar 2006, Sec. 3.2.2: z of C4.5 against the three, here with the ranks of the data; Holm of three.
-  const Evidence found = evidence(demsar(), {.test = DecidingTest::friedman, .control = "C4.5"});
+  const AnalysisPlan plan{.test = DecidingTest::friedman, .control = "C4.5", .significance = 0.1};
+  const Evidence found = evidence(demsar(), plan);
   double smallest = 1, smallest_of_ranks = 1;
   for (const Contrast& each : found.contrasts) {
     smallest = std::min(smallest, each.p);
@@ -537,17 +547,15 @@ TEST_CASE("with a control, ranks are corrected for its pairs alone, larger or sm
   }
   const double z = (3.142857 - 1.964286) / std::sqrt(4 * 5 / (6.0 * 14));
   CHECK(smallest_of_ranks == Approx(3 * std::erfc(z / std::sqrt(2.0))).epsilon(1e-4));
-  // C4.5 and C4.5+m: 15 of the signs of their 12 ranks have a sum of at most 6.5, counted by a script in Python.
-  CHECK(smallest == Approx(3 * 30 / 4096.0).epsilon(1e-12));
+  // C4.5 and C4.5+m+cf: 2 of 13 signs are for the first, and 1 + 13 + 78 of 2^13 have as few of one kind.
+  CHECK(smallest == Approx(3 * 2 * 92 / 8192.0).epsilon(1e-12));
   CHECK(contrast(found, "C4.5", "C4.5+m+cf").relation == Relation::second_better);
   Observations negated = demsar();
   negated.better = Better::smaller;
   for (Group& group : negated.groups) {
     for (double& value : group.values) value = -value;
   }
-  CHECK(
-      contrast(evidence(negated, {.test = DecidingTest::friedman, .control = "C4.5"}), "C4.5", "C4.5+m+cf").relation ==
-      Relation::second_better);
+  CHECK(contrast(evidence(negated, plan), "C4.5", "C4.5+m+cf").relation == Relation::second_better);
 }
 
 TEST_CASE("equivalence does not depend on the order of the groups", "[assessment]") {

@@ -110,15 +110,20 @@ TEST_CASE("all of one group against none of the other: undecided, with the inter
 }
 
 TEST_CASE("within blocks an undecided pair of outcomes has the blocks that would decide", "[outcomes]") {
-  const auto blocks_for = [](std::vector<double> first, std::vector<double> second) {
+  const auto in_blocks = [](std::vector<double> first, std::vector<double> second) {
     Observations observed = solved({{"A", std::move(first)}, {"B", std::move(second)}});
     for (std::size_t i = 0; i < observed.groups[0].values.size(); ++i) observed.blocks.push_back(std::to_string(i));
     observed.block = "a target";
-    return evidence(observed, {}).contrasts[0].runs_to_decide.value;
+    return observed;
+  };
+  const auto blocks_for = [&](std::vector<double> first, std::vector<double> second) {
+    return evidence(in_blocks(std::move(first), std::move(second)), {}).contrasts[0].runs_to_decide.value;
   };
   CHECK(blocks_for({1, 1, 1, 1}, {0, 0, 0, 0}) == 6);  // 2 / 2^6 is below 0.05
+  CHECK(says(assess(in_blocks({1, 1, 1, 1}, {0, 0, 0, 0}), {}), "; it takes at least 6 blocks"));
   // Half of the blocks tell. (z_.975 + z_.8)^2 sd^2 / 0.05^2 with sd^2 = 1 / 3 is 1046.5, and z_.975^2 / 2 more for t.
   CHECK(blocks_for({1, 1, 1, 1}, {0, 0, 1, 1}) == Approx(1048).margin(1.5));
+  CHECK(says(assess(in_blocks({1, 1, 1, 1}, {0, 0, 1, 1}), {}), "; a difference of 5 percentage points takes 104"));
 }
 
 TEST_CASE("Cochran's test is held against the pairs", "[outcomes]") {
