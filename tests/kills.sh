@@ -23,12 +23,12 @@ met=0 # signals that came while the program worked
 
 # signalled LONGEST SIGNAL COMMAND...: the command, with the signal after at most LONGEST milliseconds.
 signalled() {
-  local longest=$1 signal=$2 process moment
+  local longest=$1 signal=$2 process after_ms
   shift 2
-  moment=$((RANDOM % longest))
+  after_ms=$((RANDOM % longest))
   "$program" "$@" >.said 2>&1 </dev/null &
   process=$!
-  sleep "$((moment / 1000)).$(printf '%03d' $((moment % 1000)))"
+  sleep "$((after_ms / 1000)).$(printf '%03d' $((after_ms % 1000)))"
   before=$(look)
   kill -s "$signal" $process 2>/dev/null
   wait $process 2>/dev/null
@@ -37,6 +37,14 @@ signalled() {
   met=$((met + 1))
   [ "$code" = $((128 + $(kill -l "$signal"))) ] || fail "exit code $code after SIG$signal: $(<.said)"
   [ "$signal" = KILL ] || grep -q "^Stopped" .said || [ ! -s .said ] || fail "no sentence after SIG$signal: $(<.said)"
+}
+
+# lasts COMMAND...: how many milliseconds it takes to its end, in $moment, so that signals come meanwhile.
+lasts() {
+  local began
+  began=$(date +%s%N)
+  succeeds "$@"
+  moment=$((($(date +%s%N) - began) / 1000000 + 1))
 }
 
 # until_done FOLDER LONGEST SIGNAL COMMAND...: the same again and again, then the command to its end. What `look` finds
@@ -103,9 +111,10 @@ kill_run() {
   local jobs signal
   look() { rows_of run/store.sqlite; }
   look_after() { rows_after run/store.sqlite; }
+  lasts run "${study[@]}" --out run --no-report
   for jobs in 1 2; do
     for signal in KILL "${ends[@]}"; do
-      until_done run 700 $signal run "${study[@]}" --out run --no-report --jobs $jobs
+      until_done run $moment $signal run "${study[@]}" --out run --no-report --jobs $jobs
       as_whole run/store.sqlite "SIG$signal with $jobs jobs"
       told "run, $jobs job(s), SIG$signal" "$rounds"
     done
@@ -132,8 +141,8 @@ kill_program() {
         printf 'label = "mine"\nsolver = "bat"\nshared_object = "%s"\n' "$(dirname "$program")/tests/plugins/ikbench_six.so"
       fi
     } >$kind.toml
-    succeeds run $kind.toml --no-report --out whole-$kind
-    until_done program 900 KILL run $kind.toml --out program --no-report
+    lasts run $kind.toml --no-report --out whole-$kind
+    until_done program $moment KILL run $kind.toml --out program --no-report
     same_fingerprint program/store.sqlite whole-$kind/store.sqlite
     told "run of a $kind, SIGKILL" "$rounds"
   done
@@ -144,8 +153,9 @@ kill_shard() {
   local signal
   look() { rows_of shard/store.sqlite; }
   look_after() { rows_after shard/store.sqlite; }
+  lasts run "${study[@]}" --shard 1/1 --out shard
   for signal in KILL TERM; do
-    until_done shard 2500 $signal run "${study[@]}" --shard 1/1 --out shard
+    until_done shard $moment $signal run "${study[@]}" --shard 1/1 --out shard
     as_whole shard/store.sqlite "SIG$signal of a shard"
     told "run --shard, SIG$signal" "$rounds"
   done
@@ -154,22 +164,20 @@ kill_shard() {
 # Merging: all or nothing, into a new store and into one that is there, which a kill may leave half-written. The signals
 # come while a merge takes as long as the first one did.
 kill_merge() {
-  local i k kind signal rows begun all moment half=0
+  local i k kind signal rows begun all half=0
   look() { echo 0; }
   for i in 1 2 3; do succeeds run "${study[@]}" --shard $i/3 --out shards/$i-of-3; done
   run_it merge begun shards/2-of-3
   [ "$code" = 5 ] || fail "exit code $code of a merge of one of three shards, expected 5: $err"
   begun=$(rows_after begun/store.sqlite)
   all=$(rows_after whole/store.sqlite)
-  moment=$(date +%s%N)
-  succeeds merge first shards
-  moment=$((($(date +%s%N) - moment) / 1000000))
+  lasts merge first shards
   for kind in new there; do
     for signal in KILL TERM; do
       for ((k = 0; k < rounds; ++k)); do
         rm -rf merged
         [ $kind = new ] || cp -r begun merged
-        signalled $((moment + 1)) $signal merge merged shards
+        signalled $moment $signal merge merged shards
         [ ! -s merged/store.sqlite-journal ] || half=$((half + 1))
         [ $signal = KILL ] || [ ! -d merged ] || [[ $(ls -A merged) =~ ^(store.sqlite)?$ ]] || fail "SIG$signal of a merge leaves $(ls -A merged)"
         rows=$(rows_after merged/store.sqlite)
@@ -192,8 +200,8 @@ kill_multiverse() {
   lines() { cat "$1/series.csv" 2>/dev/null | wc -l; }
   look() { lines killed; }
   look_after() { lines killed; }
-  succeeds "${multiverse[@]}" --out means
-  until_done killed 400 KILL "${multiverse[@]}" --out killed
+  lasts "${multiverse[@]}" --out means
+  until_done killed $moment KILL "${multiverse[@]}" --out killed
   cmp means/series.csv killed/series.csv || fail "another series.csv after kills"
   told "multiverse, SIGKILL" "$rounds"
   at_work "stopped/series.csv" TERM multiverse slim2023 --set stop.iterations=300 --out stopped
@@ -205,9 +213,10 @@ kill_migration() {
   look() { echo 0; }
   look_after() { echo 0; }
   study_of_old=$("$program" fingerprint "$old") || fail "no fingerprint of $old"
+  lasts run slim2023-dobot "${small[@]}" --out made --no-report
   for ((k = 0; k < rounds; ++k)); do
     rm -rf migrated && mkdir migrated && cp "$old" migrated/store.sqlite && chmod u+w migrated/store.sqlite
-    signalled 300 KILL run slim2023-dobot "${small[@]}" --out migrated --no-report
+    signalled $moment KILL run slim2023-dobot "${small[@]}" --out migrated --no-report
     succeeds run slim2023-dobot "${small[@]}" --out migrated --no-report
     [ "$("$program" fingerprint migrated/store.sqlite | head -n "$(wc -l <<<"$study_of_old")")" = "$study_of_old" ] || fail "a killed migration changed the old solves"
   done
@@ -236,29 +245,41 @@ kill_files() {
   look() { echo 0; }
   succeeds run slim2023 --set runs=8 --set trace=best_error --out exported-from --no-report
   for format in csv json iohprofiler; do
+    rm -rf exported-whole.$format
+    lasts export exported-from/store.sqlite --format $format -o exported-whole.$format
     for ((k = 0; k < rounds; ++k)); do
       rm -rf exported && mkdir exported
-      signalled 250 KILL export exported-from/store.sqlite --format $format -o exported/result
-      [ "$code" = 0 ] || succeeds export exported-from/store.sqlite --format $format -o exported/result
+      signalled $moment KILL export exported-from/store.sqlite --format $format -o exported/result
+      # A folder that is there is refused: the kill came after it had its name.
+      [ "$code" = 0 ] || { [ $format = iohprofiler ] && [ -e exported/result ]; } ||
+        succeeds export exported-from/store.sqlite --format $format -o exported/result
+      diff -r exported/result exported-whole.$format || fail "a killed export of $format is not whole"
       [ "$(ls -A exported)" = result ] || fail "a killed export of $format leaves $(ls -A exported)"
     done
     told "export --format $format, SIGKILL" "$rounds"
   done
   "$program" export whole/store.sqlite | awk -F, 'NR == 1 { for (i = 1; i <= NF; ++i) at[$i] = i; print "run,point,position_error_cm" }
     NR > 1 && $at["solver"] == "BA" { print $at["run"] "," $at["point"] "," $at["position_error_cm"] }' >mine.csv
+  cp -r whole imported
+  lasts import mine.csv --out imported --no-report
   for ((k = 0; k < rounds; ++k)); do
     rm -rf imported && cp -r whole imported
-    signalled 300 KILL import mine.csv --out imported --no-report
+    signalled $moment KILL import mine.csv --out imported --no-report
     [ "$code" = 0 ] || succeeds import mine.csv --out imported --no-report
     [ "$(rows_of imported/store.sqlite)" = $(($(rows_of whole/store.sqlite) + $(wc -l <mine.csv) - 1)) ] ||
       fail "$(rows_of imported/store.sqlite) solves after a killed import"
   done
   told "import, SIGKILL" "$rounds"
+  mkdir bin
+  printf '#!/bin/sh\necho 7\n' >bin/sbatch # a Slurm that takes every job
+  chmod +x bin/sbatch
+  local PATH=$work/bin:$PATH
+  lasts submit slim2023 "${small[@]}" --tasks 2 --out submitted
   for ((k = 0; k < rounds; ++k)); do
     rm -rf submitted
-    signalled 60 KILL submit slim2023 "${small[@]}" --tasks 2 --out submitted --dry-run
-    succeeds submit slim2023 "${small[@]}" --tasks 2 --out submitted --dry-run
-    [ -z "$(find submitted -name '*.half-*')" ] || fail "a killed submit leaves $(find submitted -name '*.half-*')"
+    signalled $moment KILL submit slim2023 "${small[@]}" --tasks 2 --out submitted
+    succeeds submit slim2023 "${small[@]}" --tasks 2 --out submitted
+    [ "$(ls -A submitted | xargs)" = "log merge.sbatch solve.sbatch" ] || fail "a killed submit leaves $(ls -A submitted)"
   done
   told "submit, SIGKILL" "$rounds"
 }
