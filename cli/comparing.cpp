@@ -12,6 +12,7 @@
 #include "analysis/inference/margin.hpp"
 #include "analysis/inference/text.hpp"
 #include "numerics/names.hpp"
+#include "results/looks.hpp"
 
 namespace ikbench::cli {
 
@@ -46,7 +47,7 @@ Variant the(const std::vector<Variant>& variants, const std::string& label, cons
 }
 
 Store opened(const std::string& file) {
-  if (std::filesystem::exists(file)) return Store(file, Store::Mode::read);
+  if (std::filesystem::exists(file)) return open_to_look(file);
   throw std::invalid_argument(
       fmt::format("store '{}' does not exist; to compare two labels of one store, add --store FILE", file));
 }
@@ -99,7 +100,7 @@ std::string rules(const MarginQuestion& question) {
 }  // namespace
 
 Asked labels_of_store(const CompareArguments& arguments, const std::filesystem::path& file, const std::string& name) {
-  const Store store(file, Store::Mode::read);
+  const Store store = open_to_look(file);
   const StudyEntry study = chosen_study(store, name);
   refuse_damaged(store, study.name, file);
   const std::vector<Variant> all = variants(store, study);

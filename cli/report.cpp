@@ -3,6 +3,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/reporting.hpp"
+#include "results/looks.hpp"
 
 namespace ikbench::cli {
 
@@ -26,7 +27,7 @@ void add_report(CLI::App& app) {
       "  ikbench report out/slim2023/store.sqlite\n"
       "  ikbench report theirs.sqlite --out out/theirs --quartiles 7");
   command->callback([arguments] {
-    const Store store(arguments->store, Store::Mode::read);
+    const Store store = open_to_look(arguments->store);
     const std::filesystem::path folder = arguments->out.empty() ? std::filesystem::path(arguments->store).parent_path()
                                                                 : std::filesystem::path(arguments->out);
     write_and_announce(store, {.study = chosen_study(store, arguments->study).name,

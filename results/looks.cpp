@@ -33,6 +33,18 @@ std::map<std::string, std::string> looks_among(const std::map<std::string, std::
   return looks;
 }
 
+Store open_to_look(const std::filesystem::path& store) {
+  try {
+    return {store, Store::Mode::read};
+  } catch (const HalfWritten&) {
+    try {
+      SQLite::Database(store.string(), SQLite::OPEN_READWRITE, patience_ms).execAndGet("SELECT count(*) FROM meta");
+    } catch (const SQLite::Exception&) {  // it may only be read
+    }
+    return {store, Store::Mode::read};
+  }
+}
+
 std::vector<Look> looks_at(const std::string& study, const std::filesystem::path& store) {
   std::vector<Look> looks;
   try {

@@ -17,6 +17,9 @@ struct Look {
   std::string when = {};  // date and time, UTC
 };
 
+// The store to be read by who remembers a look at it: what a kill in the middle of that has left is undone first.
+Store open_to_look(const std::filesystem::path& store);
+
 // At a study, by a report or a comparison; the fewest runs first. None where the store cannot tell.
 std::vector<Look> looks_at(const std::string& study, const std::filesystem::path& store);
 // The rows of the table `meta` that are such looks.

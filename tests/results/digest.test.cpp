@@ -197,6 +197,24 @@ TEST_CASE("a look that was removed, edited or made up is a change of its study",
   }
 }
 
+TEST_CASE("a store that a killed look left half-written is whole for the next", "[looks][faults]") {
+  const ScratchFolder folder;
+  const fs::path file = folder.path / "a";
+  write_sample(file);
+  std::vector<SolveRecord> records;
+  for (int run = 10; run < 50; ++run) records.push_back(sample_record("key-a", run));
+  Store(file, Store::Mode::write).append(records);
+  const pid_t writer = in_a_process([&] {
+    SQLite::Database sqlite(file.string(), SQLite::OPEN_READWRITE);
+    sqlite.exec("PRAGMA cache_size = 1; BEGIN; UPDATE solves SET trace_cm = '[1]'; UPDATE solves SET trace_cm = '[2]'");
+    return kill(getpid(), SIGKILL) == 0;
+  });
+  CHECK(exit_code(writer) == -1);
+  CHECK_THROWS_AS(Store(file, Store::Mode::read), HalfWritten);
+  CHECK(open_to_look(file).studies().size() == 1);
+  CHECK(changes_of(file).empty());
+}
+
 TEST_CASE("looks of merged stores are those of all, and no change", "[digest][merge][looks]") {
   const ScratchFolder folder;
   for (const char* name : {"a", "b"}) write_sample(folder.path / name, name);
