@@ -40,8 +40,8 @@ std::string metric_names() {
 
 // What a terminal is wide enough for.
 Table narrow(const Table& table) {
-  constexpr std::array<std::string_view, 11> shown{"label", "metric", "B_is", "mean_A",  "mean_B", "B_by_A",
-                                                   "low",   "high",   "a12",  "p_ranks", "remark"};
+  constexpr std::array<std::string_view, 11> shown{"label", "metric", "B_is", "mean_A", "mean_B", "B_by_A",
+                                                   "low",   "high",   "p",    "level",  "remark"};
   Table result{.name = table.name, .caption = table.caption};
   result.rows.resize(table.rows.size());
   for (std::size_t c = 0; c < table.columns.size(); ++c) {
@@ -52,11 +52,12 @@ Table narrow(const Table& table) {
   return result;
 }
 
+VariantsReport report_of(const Compared& compared) { return {compared.comparisons, compared.plan}; }
+
 std::string markdown(const Compared& compared, Table table) {
-  table.notes.insert(table.notes.begin(),
-                     {variants_verdict(compared.comparisons, compared.question), compared.headline});
+  table.notes.insert(table.notes.begin(), {variants_verdict(report_of(compared)), compared.headline});
   for (const std::string& note : compared.notes) table.notes.push_back(note);
-  for (const std::string& note : variants_notes(compared.comparisons)) table.notes.push_back(note);
+  for (const std::string& note : variants_notes(report_of(compared))) table.notes.push_back(note);
   return to_markdown(table);
 }
 
@@ -77,37 +78,37 @@ void refuse_output(const CompareArguments& arguments) {
 
 void write_output(const Compared& compared, const std::string& file) {
   const std::string type = std::filesystem::path(file).extension().string();
-  const Table table = variants_table(compared.comparisons, compared.question);
+  const Table table = variants_table(report_of(compared));
   write_through(file, type == ".md"    ? markdown(compared, table)
                       : type == ".csv" ? to_csv(table)
-                                       : variants_json(compared.comparisons, compared.question));
+                                       : variants_json(report_of(compared)));
 }
 
-// Times that nobody asked for are advice: of two sessions they cannot be compared.
-bool is_open(const Compared& compared, const CompareArguments& arguments) {
-  const auto counts = [&](const MetricComparison& metric) {
-    const bool is_advice = arguments.metrics.empty() && metric.metric == name_of(Metric::seconds);
-    return !is_advice && (metric.outcome == Outcome::undecided || metric.outcome == Outcome::not_compared);
-  };
+template <class Is>
+bool any_metric(const Compared& compared, Is is) {
   return std::ranges::any_of(compared.comparisons, [&](const VariantComparison& comparison) {
-    return std::ranges::any_of(comparison.metrics, counts);
+    return std::ranges::any_of(comparison.metrics, is);
   });
 }
 
 int exit_code(const Compared& compared, const CompareArguments& arguments) {
-  if (count(compared.comparisons, Outcome::worse) > 0) return regression;
+  if (any_metric(compared, is_regression)) return regression;
   if (compared.state == LookState::open) return more_runs;
-  return arguments.strict && is_open(compared, arguments) ? undecided : 0;
+  // Times that nobody asked for are advice: of two sessions they cannot be compared.
+  const auto counts = [&](const MetricComparison& metric) {
+    return is_open(metric) && (metric.metric != Metric::seconds || !arguments.metrics.empty());
+  };
+  return arguments.strict && any_metric(compared, counts) ? undecided : 0;
 }
 
 int tell(const Compared& compared, const CompareArguments& arguments) {
   const int code = exit_code(compared, arguments);
   if (!arguments.output.empty()) write_output(compared, arguments.output);
-  fmt::print("{}{}\n{}\n\n{}\n", printable(variants_verdict(compared.comparisons, compared.question)),
+  fmt::print("{}{}\n{}\n\n{}\n", printable(variants_verdict(report_of(compared))),
              code == undecided ? " With --strict this counts as a failure." : "", printable(compared.headline),
-             aligned(readable_cells(narrow(variants_table(compared.comparisons, compared.question)))));
+             aligned(readable_cells(narrow(variants_table(report_of(compared))))));
   for (const std::string& note : compared.notes) fmt::print("{}\n", printable(note));
-  for (const std::string& note : variants_notes(compared.comparisons)) fmt::print("{}\n", printable(note));
+  for (const std::string& note : variants_notes(report_of(compared))) fmt::print("{}\n", printable(note));
   return code;
 }
 
@@ -228,8 +229,7 @@ void add_compare(CLI::App& app, Invocation& invocation) {
   const CLI::Option *margin = add_margin_option(*command, arguments->plan.margin),
                     *margin_cm = add_margin_cm_option(*command, arguments->plan.margin_cm),
                     *significance = add_significance_option(*command, arguments->plan.significance);
-  command->get_option("--significance")
-      ->description("significance level of all tests together; intervals have level 1 minus twice this");
+  command->get_option("--significance")->description("significance level of all tests together");
   command->add_flag("--strict", arguments->strict,
                     "exit with 4 if nothing is worse but a metric is undecided or not compared; times count only with "
                     "--metric seconds");
@@ -243,10 +243,10 @@ void add_compare(CLI::App& app, Invocation& invocation) {
       "In continuous integration, with the store of the last release as base.sqlite:\n"
       "  ikbench run my.toml --no-report --out new\n"
       "  ikbench compare base.sqlite new/store.sqlite --strict -o comparison.md\n\n"
-      "Tests of the ratio of means against the margin decide whether B is better, the same or worse. Otherwise the\n"
-      "metric is undecided, and the table says how many runs or targets would decide. All labels and metrics are judged\n"
-      "together: if nothing is worse, the probability of exit code 3 is at most --significance. --margin, --margin-cm and\n"
-      "--significance default to those of A's study.\n\n"
+      "A and B are judged as a report judges a study of these two solvers, by the test of A's plan. B is a regression where\n"
+      "the whole interval of the difference is beyond the margin. All labels and metrics are judged together: if A and B are\n"
+      "alike, the probability of exit code 3 is at most --significance. An undecided metric says how many runs or targets a\n"
+      "difference of the margin takes. --margin, --margin-cm and --significance default to those of A's study.\n\n"
       "Exit codes: 0 no regression found, 1 a mistake in the request or a damaged store, 2 a failure of the program or the system\n"
       "(a full disk), 3 a regression beyond the margin, 4 (--strict only) nothing is worse, but something is undecided or not compared\n"
       "(evaluations that nobody counted do not matter),\n"

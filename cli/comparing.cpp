@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <set>
 #include <stdexcept>
 #include <utility>
 
@@ -22,12 +23,12 @@ using namespace inference;
 
 namespace {
 
-MarginQuestion question_of(const CompareArguments& arguments, const StudyEntry& study) {
-  const AnalysisPlan plan = plan_of(study);
-  return {.margin = arguments.margin.value_or(plan.margin),
-          .margin_cm = arguments.margin_cm.value_or(plan.margin_cm),
-          .significance = arguments.significance.value_or(plan.significance),
-          .power = plan.power};
+AnalysisPlan plan_for(const CompareArguments& arguments, const StudyEntry& study) {
+  AnalysisPlan plan = plan_of(study);
+  plan.margin = arguments.margin.value_or(plan.margin);
+  plan.margin_cm = arguments.margin_cm.value_or(plan.margin_cm);
+  plan.significance = arguments.significance.value_or(plan.significance);
+  return plan;
 }
 
 std::vector<std::string> labels_of(const std::vector<Variant>& variants) {
@@ -81,20 +82,24 @@ void refuse_damaged(const Store& store, const std::string& study, const std::fil
   if (!damages.empty()) throw std::invalid_argument(fmt::format("'{}': {}", file.string(), fmt::join(damages, " ")));
 }
 
-// Whether the store was looked at before with fewer runs; this look is remembered there.
-void look(Asked& asked, const std::vector<Variant>& variants, const std::string& study,
+// Whether the store was looked at before with fewer runs of these solvers; this look is remembered there.
+void look(Asked& asked, const std::set<std::string>& solvers, const std::string& study,
           const std::filesystem::path& store) {
   int runs = 0;
-  for (const Variant& variant : variants) runs = std::max(runs, runs_looked_at(variant.study));
-  std::string note = look_note(looks_at(study, store), runs, asked.question.significance);
+  for (const VariantStudy& each : asked.studies) {
+    for (const SolverCounts& count : counts(each.study)) {
+      if (solvers.contains(count.solver)) runs = std::max(runs, count.complete_runs);
+    }
+  }
+  std::string note = look_note(looks_at(study, store), runs, asked.plan.significance);
   if (!note.empty()) asked.notes.push_back(std::move(note));
   remember_look(study, runs, store);
 }
 
 // How to be sure, and by what.
-std::string rules(const MarginQuestion& question) {
-  return fmt::format("margin {}; if nothing is worse, the probability of any \"worse\" is at most {}",
-                     margin_words(question.margin, question.margin_cm), percent(question.significance));
+std::string rules(const AnalysisPlan& plan) {
+  return fmt::format("margin {}; if A and B are alike, the probability of any difference is at most {}",
+                     margin_words(plan.margin, plan.margin_cm), percent(plan.significance));
 }
 
 }  // namespace
@@ -104,12 +109,11 @@ Asked labels_of_store(const CompareArguments& arguments, const std::filesystem::
   const StudyEntry study = chosen_study(store, name);
   refuse_damaged(store, study.name, file);
   const std::vector<Variant> all = variants(store, study);
+  const Variant a = the(all, arguments.a, "A: "), b = the(all, arguments.b, "B: ");
   Asked asked{.headline = fmt::format("B: {}, against A: {}, in study {}", arguments.b, arguments.a, study.name),
-              .question = question_of(arguments, study),
-              .a = {the(all, arguments.a, "A: ")},
-              .b = {the(all, arguments.b, "B: ")},
-              .notes = {}};
-  if (!arguments.sequential) look(asked, {asked.a.front(), asked.b.front()}, study.name, file);
+              .plan = plan_for(arguments, study)};
+  asked.studies.push_back(study_of_both({a, b}, asked.plan));
+  if (!arguments.sequential) look(asked, {"A", "B"}, study.name, file);
   return asked;
 }
 
@@ -121,34 +125,29 @@ Asked labels_of_stores(const CompareArguments& arguments) {
   const std::vector<Variant> a = variants(of_a, first), b = variants(of_b, second);
   Asked asked{
       .headline = fmt::format("B: {} in {}, against A: {} in {}", second.name, arguments.b, first.name, arguments.a),
-      .question = question_of(arguments, first)};
+      .plan = plan_for(arguments, first)};
   for (const std::string& label : arguments.labels.empty() ? common_labels(a, b, asked) : arguments.labels) {
-    asked.a.push_back(the(a, label, "A: "));
-    asked.b.push_back(the(b, label, "B: "));
+    const Variant one = the(a, label, "A: "), other = the(b, label, "B: ");
+    asked.studies.push_back(study_of_both({one, other}, asked.plan));
   }
-  if (!arguments.sequential) look(asked, asked.b, second.name, arguments.b);  // A is what it was: the baseline
+  if (!arguments.sequential) look(asked, {"B"}, second.name, arguments.b);  // A is what it was: the baseline
   return asked;
 }
 
 Compared judged(const Asked& asked, const CompareArguments& arguments) {
-  std::vector<VariantPair> pairs;
-  for (std::size_t i = 0; i < asked.a.size(); ++i) pairs.push_back({asked.a[i], asked.b[i]});
-  Compared compared{.headline = fmt::format("{}; {}.", asked.headline, rules(asked.question)),
-                    .question = asked.question,
-                    .comparisons = {},
-                    .notes = asked.notes};
+  Compared compared{
+      .headline = fmt::format("{}; {}.", asked.headline, rules(asked.plan)), .plan = asked.plan, .notes = asked.notes};
   if (!arguments.sequential) {
-    compared.comparisons = compare_variants(pairs, arguments.metrics, asked.question);
+    compared.comparisons = compare_variants(asked.studies, arguments.metrics);
     return compared;
   }
-  SequentialComparison looked = compare_sequentially(pairs, arguments.metrics, asked.question, arguments.looks);
+  SequentialComparison looked = compare_sequentially(asked.studies, arguments.metrics, arguments.looks);
   compared.comparisons = std::move(looked.comparisons);
   compared.state = looked.state;
   compared.headline = fmt::format("{}; {}.\nLooks after every {} of at most {} runs: {} after {} runs.", asked.headline,
-                                  rules(asked.question), arguments.looks.step, arguments.looks.most,
+                                  rules(asked.plan), arguments.looks.step, arguments.looks.most,
                                   looked.state == LookState::settled ? "decided" : "not decided", looked.runs);
-  compared.notes.push_back(
-      "p-values count the looks. Ratios, intervals and the runs that would decide do not: they are those of this look.");
+  compared.notes.push_back("Each level counts the looks: together they find what is not there as rarely as one look.");
   if (looked.state == LookState::open) {
     compared.notes.push_back(
         fmt::format("Next: ikbench run STUDY --set runs={} for A and for B, into the same folders, then compare again.",

@@ -28,19 +28,19 @@ struct CompareArguments {
   RunArguments solving;
 };
 
-// What is held against what, and by which margin.
+// What is held against what, by A's plan but for what the options say.
 struct Asked {
   std::string headline;
-  inference::MarginQuestion question;
-  std::vector<inference::Variant> a, b;  // in the same order
-  std::vector<std::string> notes;
+  results::AnalysisPlan plan;
+  std::vector<inference::VariantStudy> studies = {};  // one for each label
+  std::vector<std::string> notes = {};
 };
 
 struct Compared {
   std::string headline;
-  inference::MarginQuestion question;
-  std::vector<inference::VariantComparison> comparisons;
-  std::vector<std::string> notes;
+  results::AnalysisPlan plan;
+  std::vector<inference::VariantComparison> comparisons = {};
+  std::vector<std::string> notes = {};
   inference::LookState state = inference::LookState::settled;
 };
 

@@ -9,8 +9,6 @@ namespace ikbench::inference {
 
 using namespace results;
 
-namespace {
-
 // Unless the plan names a test, ranks decide of times: one interruption of the program would decide a mean.
 AnalysisPlan judging(AnalysisPlan plan, Metric metric, const Observations& observed) {
   const bool is_time = info_of(metric).kind == Kind::time;
@@ -19,8 +17,6 @@ AnalysisPlan judging(AnalysisPlan plan, Metric metric, const Observations& obser
   }
   return feasible(std::move(plan), observed);
 }
-
-}  // namespace
 
 JudgedStudy::JudgedStudy(StudyResults study) : StudyResults(std::move(study)) {}
 

@@ -12,6 +12,9 @@
 
 namespace ikbench::inference {
 
+// The plan with the test that decides on a metric of such observations.
+results::AnalysisPlan judging(results::AnalysisPlan plan, Metric metric, const Observations& observed);
+
 class JudgedStudy : public StudyResults {
  public:
   explicit JudgedStudy(StudyResults study);

@@ -53,64 +53,48 @@ void add_values(Facts& facts, const std::string& json) {
   }
 }
 
-std::set<std::string> values_of(const Variant& variant, const std::string& fact) {
+std::set<std::string> values_of(const std::vector<Session>& sessions, const std::string& fact) {
   std::set<std::string> values;
-  for (const Session& session : variant.sessions) {
+  for (const Session& session : sessions) {
     const auto found = session.environment.find(fact);
     values.insert(found == session.environment.end() ? "unknown" : found->second);
   }
   return values;
 }
 
-Facts facts_of(const Variant& variant) {
-  Facts facts{{"solver", variant.series.algorithm}};
-  add_values(facts, variant.study.facts.json);
-  add_values(facts, variant.series.options);
+Facts facts_of(const Provenance& of) {
+  Facts facts{{"solver", of.series.algorithm}};
+  add_values(facts, of.study.definition);
+  add_values(facts, of.series.options);
   facts["source of the solver"] =
-      fmt::format("{}", fmt::join(values_of(variant, "source." + variant.series.algorithm), " and "));
+      fmt::format("{}", fmt::join(values_of(of.sessions, "source." + of.series.algorithm), " and "));
   for (const char* fact :
        {"version", "commit", "source", "compiler", "flags", "build_type", "instruction_set", "cpu"}) {
-    facts[fact] = fmt::format("{}", fmt::join(values_of(variant, fact), " and "));
+    facts[fact] = fmt::format("{}", fmt::join(values_of(of.sessions, fact), " and "));
   }
   return facts;
 }
 
 }  // namespace
 
-std::string why_times_differ(const Variant& a, const Variant& b) {
-  for (const Variant* side : {&a, &b}) {
-    if (!side->timing.empty()) return fmt::format("{}: {}", side == &a ? "A" : "B", side->timing);
-  }
-  const bool is_first = is_program(a.study, a.series.label), is_second = is_program(b.study, b.series.label);
-  if (is_first != is_second && a.study.plan.program_times == ProgramTimes::apart) {
-    return "Times are not comparable: " + programs_words(is_first ? "those of A" : "those of B");
-  }
+std::string why_times_differ(const std::vector<Session>& a, const std::vector<Session>& b) {
   std::set<std::string> cpus = values_of(a, "cpu");
   cpus.merge(values_of(b, "cpu"));
-  if (a.sessions.empty() || b.sessions.empty() || cpus.contains("unknown")) {
+  if (a.empty() || b.empty() || cpus.contains("unknown")) {
     return "Times are not comparable: the stores do not name the CPU.";
   }
-  std::vector<Session> sessions = a.sessions;
-  std::ranges::copy(b.sessions, std::back_inserter(sessions));
+  std::vector<Session> sessions = a;
+  std::ranges::copy(b, std::back_inserter(sessions));
   if (std::string note = cpu_note(machines_of(sessions)); !note.empty()) return note;
   const auto is_same = [](const Session& one, const Session& other) {
     return one.id == other.id && one.environment == other.environment;
   };
-  if (std::ranges::equal(a.sessions, b.sessions, is_same)) return "";
+  if (std::ranges::equal(a, b, is_same)) return "";
   return "Times are not comparable: A and B were solved in separate sessions, and a machine that is slower in one of "
          "them slows all its runs. Run both as labels of one study.";
 }
 
-std::string why_counts_differ(const Variant& a, const Variant& b) {
-  const auto claims = [](const Variant& side) {
-    return std::ranges::find(side.study.solves, CountedBy::solver, &Solve::counted_by) != side.study.solves.end();
-  };
-  if (claims(a) == claims(b)) return "";
-  return fmt::format("Evaluations are not comparable: those of {} are its own word, and the other's were counted.",
-                     claims(a) ? "A" : "B");
-}
-
-std::string differences(const Variant& a, const Variant& b) {
+std::string differences(const Provenance& a, const Provenance& b) {
   const Facts of_a = facts_of(a), of_b = facts_of(b);
   std::set<std::string> keys;
   for (const Facts* facts : {&of_a, &of_b}) {

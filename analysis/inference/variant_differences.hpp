@@ -3,19 +3,23 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
-#include "analysis/inference/variants.hpp"
+#include "results/store.hpp"
 
 namespace ikbench::inference {
 
-// Why their times cannot be compared: one is not clean, or they are of several CPUs or of unknown ones, or of separate
-// sessions, whose differences no number of runs shows, or of a program and of what runs here; empty where they can.
-std::string why_times_differ(const Variant& a, const Variant& b);
+struct Provenance {
+  const results::StudyEntry& study;
+  const results::Series& series;
+  const std::vector<results::Session>& sessions;  // those that solved it
+};
 
-// Why their evaluations cannot: one side claims them, and the other's were counted; empty where they can.
-std::string why_counts_differ(const Variant& a, const Variant& b);
+// Why times of different sessions cannot be compared: they are of several CPUs or of unknown ones, or of separate
+// sessions, whose differences no number of runs shows; empty where they can.
+std::string why_times_differ(const std::vector<results::Session>& a, const std::vector<results::Session>& b);
 
 // "B differs from A in stop.iterations (200, 100), commit (1a2b3c, 4d5e6f)." or that the stores tell no difference.
-std::string differences(const Variant& a, const Variant& b);
+std::string differences(const Provenance& a, const Provenance& b);
 
 }  // namespace ikbench::inference

@@ -4,30 +4,39 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstdint>
-#include <set>
+#include <iterator>
+#include <map>
 #include <stdexcept>
 #include <utility>
 
 #include "analysis/inference/comparable.hpp"
+#include "analysis/inference/design.hpp"
 #include "analysis/inference/estimand.hpp"
+#include "analysis/inference/judged_study.hpp"
 #include "analysis/inference/make_study.hpp"
-#include "analysis/inference/variant_decision.hpp"
-#include "analysis/inference/variant_design.hpp"
+#include "analysis/inference/margin.hpp"
+#include "analysis/inference/text.hpp"
+#include "analysis/inference/unseen.hpp"
 #include "analysis/inference/variant_differences.hpp"
 
 namespace ikbench::inference {
 
 using namespace results;
+using namespace statistics;
 
 namespace {
 
+constexpr const char* name_of_a = "A";
+constexpr const char* name_of_b = "B";
+
 // Where none is named: of poses the orientation too.
-std::vector<Metric> by_default(const std::vector<VariantPair>& pairs) {
+std::vector<Metric> by_default(std::span<const VariantStudy> studies) {
   std::vector<Metric> result = compared_metrics();
-  const auto is_of_poses = [](const VariantPair& pair) { return pair.a.study.facts.pose; };
-  if (std::ranges::any_of(pairs, is_of_poses)) result.insert(result.begin() + 1, Metric::orientation_error_deg);
+  const auto is_of_poses = [](const VariantStudy& of) { return of.study.facts.pose; };
+  if (std::ranges::any_of(studies, is_of_poses)) result.insert(result.begin() + 1, Metric::orientation_error_deg);
   return result;
 }
 
@@ -49,162 +58,417 @@ std::vector<Metric> chosen(std::span<const std::string> names) {
   return result;
 }
 
-void note_missing_runs(VariantComparison& comparison, const Variant& side, std::string_view name, int used) {
-  if (const int all = side.study.runs; used < all) {
-    comparison.notes.push_back(
-        fmt::format("{}: {} of {} runs are left out, because they or their partners are missing or incomplete.", name,
-                    all - used, all));
-  }
+std::invalid_argument refused(std::string_view what) {
+  return std::invalid_argument(
+      fmt::format("cannot compare A and B: they have {}; run both with the same robot, path and seed", what));
 }
 
-// One observation has no variation, so that nothing is tested.
-void note_single(VariantComparison& comparison, const VariantDesign& design) {
-  for (const auto& [name, observed] : {std::pair("A", &design.a), std::pair("B", &design.b)}) {
-    if (observed->size() != 1) continue;
-    comparison.notes.push_back(
-        fmt::format("{} has a single run, which shows no variation; use more runs (--set runs=20).", name));
-  }
+std::string place_of(std::span<const double> metres) {
+  std::vector<std::string> texts;
+  for (const double value : metres) texts.push_back(fmt::format("{:.4g}", 100 * value));
+  return fmt::format("{} cm", fmt::join(texts, " "));
 }
 
-// "3 of B's 16 (crashed 1, timed_out 2)"
-std::string failures_of(const Variant& side, std::string_view name) {
-  int solves = 0, failures = 0;
-  std::vector<std::string> kinds;
-  for (const SolverCounts& count : counts(side.study)) {
-    solves += count.solves;
-    for (const Status status : shown_statuses(side.study)) {
-      if (!is_without_answer(status) || count.of(status) == 0) continue;
-      failures += count.of(status);
-      kinds.push_back(fmt::format("{} {}", name_of(status), count.of(status)));
+int complete_runs(const StudyResults& study, const std::string& solver) {
+  for (const SolverCounts& count : counts(study)) {
+    if (count.solver == solver) return count.complete_runs;
+  }
+  return 0;
+}
+
+// Both have solved the same problems wherever both have solved one. Where solves are chained, where one starts is the
+// solver's own doing but for the first of a run.
+void refuse_other_tasks(const StudyResults& study, std::string_view label) {
+  for (const char* side : {name_of_a, name_of_b}) {
+    if (complete_runs(study, side) > 0) continue;
+    throw std::invalid_argument(
+        fmt::format("{} has no complete run of {}, so there is nothing to compare", side, label));
+  }
+  const std::span<const Solve> of_b = solves_of(study, name_of_b);
+  bool is_shared = false;
+  for (const Solve& one : solves_of(study, name_of_a)) {
+    const Solve* const other = solve_at(of_b, {one.run, one.point});
+    if (other == nullptr) continue;
+    is_shared = true;
+    const Problem asked = problem_of(study, one), asked_other = problem_of(study, *other);
+    if (!same_target(asked, asked_other)) {
+      throw refused(fmt::format("different targets (run {}, point {}: {} and {})", one.run, one.point,
+                                place_of(asked.target_position_m), place_of(asked_other.target_position_m)));
+    }
+    if ((one.point == 1 || study.facts.starts_anew()) && !same_start(asked, asked_other)) {
+      throw refused(fmt::format("different start configurations (run {}, point {})", one.run, one.point));
     }
   }
-  if (kinds.empty()) return fmt::format("none of {}'s {}", name, solves);
-  return fmt::format("{} of {}'s {} ({})", failures, name, solves, fmt::join(kinds, ", "));
+  if (!is_shared) throw refused("different targets (they have no run in common)");
 }
 
-void note_failures(VariantComparison& comparison, const Variant& a, const Variant& b) {
-  const auto has_failed = [](const Solve& solve) { return is_without_answer(solve.status); };
-  if (std::ranges::none_of(a.study.solves, has_failed) && std::ranges::none_of(b.study.solves, has_failed)) return;
-  comparison.notes.push_back(
-      fmt::format("Solves without an answer: {}; {}.", failures_of(a, "A"), failures_of(b, "B")));
+// Passes on the solves of both sides as those of the solvers "A" and "B".
+class Reader {
+ public:
+  explicit Reader(StudyMaker& maker) : maker_(maker) {}
+
+  // The sessions of its store that solved the label.
+  std::vector<Session> read(const Variant& variant, const std::string& name) {
+    std::map<std::int64_t, std::int64_t> used;  // under numbers of the study of both
+    int points = 0;
+    variant.each_solve([&](SolveRecord solve) {
+      if (robot_.empty()) robot_ = solve.robot;
+      if (solve.robot != robot_) throw refused(fmt::format("different robots ({} and {})", robot_, solve.robot));
+      points = std::max(points, solve.point);
+      solve.solver = name;
+      solve.session = used.try_emplace(solve.session, std::ssize(sessions_) + std::ssize(used) + 1).first->second;
+      maker_.add(solve);
+    });
+    if (points_ > 0 && points > 0 && points != points_) {
+      throw refused(fmt::format("different targets ({} and {} points per run)", points_, points));
+    }
+    points_ = points;
+    std::vector<Session> result;
+    for (const Session& session : variant.sessions) {
+      const auto found = used.find(session.id);
+      if (found == used.end()) continue;
+      result.push_back(session);
+      sessions_.push_back(session);
+      sessions_.back().id = found->second;
+    }
+    return result;
+  }
+
+  const std::vector<Session>& sessions() const { return sessions_; }
+
+ private:
+  std::vector<Session> sessions_;
+  StudyMaker& maker_;
+  std::string robot_;
+  int points_ = 0;
+};
+
+bool is_same_value(double one, double other) {
+  return std::bit_cast<std::uint64_t>(one) == std::bit_cast<std::uint64_t>(other) ||
+         (std::isnan(one) && std::isnan(other));
 }
 
-bool are_counted(const StudyResults& study) {
-  return std::ranges::find(study.solves, CountedBy::nobody, &Solve::counted_by) == study.solves.end();
-}
-
-std::string repeats_note(std::string_view side) {
-  return fmt::format(
-      "{} gave the same answers in every run, so its runs are one observation. No test compares it with runs that "
-      "differ.",
-      side);
-}
-
-VariantComparison examined(const VariantPair& pair, const std::vector<Metric>& asked, const MarginQuestion& question,
-                           std::size_t tests) {
-  const auto& [a, b] = pair;
-  const VariantDesign design = variant_design(a, b);
-  StudyResults study_of_b = b.study;  // judged as A's is
-  study_of_b.plan = a.study.plan;
-  study_of_b.facts = a.study.facts;
-  const bool is_of_targets = design.pairs == Blocks::drawn_targets || design.pairs == Blocks::path_targets;
-  VariantComparison comparison{.label = a.series.label == b.series.label
-                                            ? b.series.label
-                                            : fmt::format("{} against {}", b.series.label, a.series.label),
-                               .paired = design.pairs != Blocks::none,
-                               .design = sentence_of(design, a.study.points)};
-  const std::string why_not_timed = why_times_differ(a, b);
-  const bool is_counted = are_counted(a.study) && are_counted(b.study);
-  const std::string why_not_counted = why_counts_differ(a, b);
-  // All solves of two may succeed, and be different solves: of shares, the errors have to be the same too.
-  const auto is_same = [&](Metric metric) {
-    const auto has_same = [&](Metric one) { return has_same_bits(a.study, study_of_b, design, one); };
-    return has_same(metric) && (info_of(metric).kind != Kind::share || has_same(Metric::position_error_cm));
+// Whether every solve has the same value in both. All solves of two may succeed and be different solves: of shares, the
+// errors have to be the same too.
+bool has_same_bits(const StudyResults& study, Metric metric) {
+  if (is_of_run(metric)) return false;
+  const auto is_same = [&](const Solve& a, const Solve& b) {
+    return a.run == b.run && a.point == b.point &&
+           is_same_value(value_of(study, a, metric), value_of(study, b, metric));
   };
-  const bool a_repeats = design.pairs == Blocks::none && repeats_itself(a.study, a.series.label),
-             b_repeats = design.pairs == Blocks::none && repeats_itself(b.study, b.series.label);
-  for (const Metric metric : asked) {
-    const double limit = is_penalised(a.study, metric) ? std::max(limit_of(a.study, metric), limit_of(b.study, metric))
-                                                       : statistics::not_defined;
-    const std::vector<double> of_a = values_of(a.study, design.a, metric, limit);
-    const std::vector<double> of_b = values_of(study_of_b, design.b, metric, limit);
-    // Where one of the two has a single value, however often it repeats it, no test holds it against runs that differ.
-    const bool a_is_one = a_repeats && is_constant(statistics::describe(of_a)),
-               b_is_one = b_repeats && is_constant(statistics::describe(of_b));
-    const std::string why_not = info_of(metric).kind == Kind::time ? why_not_timed
-                                : metric == Metric::evaluations    ? why_not_counted
-                                : a_is_one != b_is_one             ? repeats_note(a_is_one ? "A" : "B")
-                                                                   : "";
-    comparison.metrics.push_back(compare_metric({.metric = metric,
-                                                 .a = of_a,
-                                                 .b = of_b,
-                                                 .observation = is_of_targets ? "target" : "run",
-                                                 .paired = comparison.paired,
-                                                 .same_bits = is_same(metric),
-                                                 .are_copies = a_is_one && b_is_one,
-                                                 .tests = static_cast<int>(tests),
-                                                 .not_compared = why_not.empty() ? "" : "see below",
-                                                 .is_counted = is_counted || metric != Metric::evaluations},
-                                                question));
-    if (!why_not.empty() && std::ranges::find(comparison.notes, why_not) == comparison.notes.end())
-      comparison.notes.push_back(why_not);
+  return std::ranges::equal(solves_of(study, name_of_a), solves_of(study, name_of_b), is_same) &&
+         (info_of(metric).kind != Kind::share || has_same_bits(study, Metric::position_error_cm));
+}
+
+Observations of_finite(const Observations& all) {
+  Observations result = all;
+  const auto is_finite = [](double value) { return std::isfinite(value); };
+  if (all.blocks.empty()) {
+    for (Group& group : result.groups) std::erase_if(group.values, [&](double value) { return !is_finite(value); });
+    return result;
   }
-  if (std::ranges::any_of(asked, [&](Metric metric) { return is_penalised(a.study, metric); })) {
-    comparison.notes.push_back(fmt::format(
-        "A cost of a solve that is not ok counts {:g} times the limit, the study's or that of the dearest solve (PAR10).",
-        penalty));
+  result.blocks.clear();
+  for (Group& group : result.groups) group.values.clear();
+  for (std::size_t block = 0; block < all.blocks.size(); ++block) {
+    const auto is_finite_here = [&](const Group& group) { return is_finite(group.values[block]); };
+    if (!std::ranges::all_of(all.groups, is_finite_here)) continue;
+    result.blocks.push_back(all.blocks[block]);
+    for (std::size_t g = 0; g < all.groups.size(); ++g) result.groups[g].values.push_back(all.groups[g].values[block]);
   }
-  note_failures(comparison, a, b);
-  note_single(comparison, design);
-  note_missing_runs(comparison, a, "A", design.runs_of_a);
-  note_missing_runs(comparison, b, "B", design.runs_of_b);
-  if (std::ranges::find(asked, Metric::solved) != asked.end() && !std::isfinite(tolerance_cm(a.study))) {
-    comparison.notes.emplace_back(
-        "solved: the study has no tolerance, so ok means inside the joint limits, however far from the target.");
+  return result;
+}
+
+// Which values are finite, as outcomes.
+Observations finiteness(Observations observations) {
+  observations.better = Better::larger;
+  observations.scale = ValueScale::plain;
+  for (Group& group : observations.groups) {
+    for (double& value : group.values) value = std::isfinite(value) ? 1 : 0;
   }
-  comparison.notes.push_back(differences(a, b));
-  return comparison;
+  return observations;
+}
+
+std::size_t count_finite(const Group& group) {
+  return static_cast<std::size_t>(
+      std::ranges::count_if(group.values, [](double value) { return std::isfinite(value); }));
+}
+
+Contrast contrast_of(const Observations& observations, const AnalysisPlan& plan) {
+  return tested(observations, plan).contrasts.front();
+}
+
+// A value that is not finite is worse than any number, but one such run in eight is chance, and says nothing of the
+// other seven. So their number and the finite values are both tested, each at half the level, and what is better in one
+// must not be worse in the other.
+Contrast contrast_with_not_finite(const Observations& observations, AnalysisPlan plan) {
+  plan.significance /= 2;
+  const Contrast of_numbers = contrast_of(finiteness(observations), plan);
+  const Observations finite = of_finite(observations);
+  const bool has_values =
+      std::ranges::all_of(finite.groups, [](const Group& group) { return group.values.size() > 1; });
+  const Contrast of_values = has_values ? contrast_of(finite, plan) : Contrast{.second = 1};
+  const auto doubled = [](Contrast contrast) {
+    contrast.p = std::min(1.0, 2 * contrast.p);
+    return contrast;
+  };
+  if (!is_decided(of_numbers)) {
+    Contrast result = doubled(of_values);
+    const bool is_against = is_decided(of_values) && of_numbers.ahead != 0 && of_values.ahead != of_numbers.ahead;
+    // As many failures may be hidden behind the values of the better one.
+    if (result.relation == Relation::equivalent || is_against) result.relation = Relation::not_told_apart;
+    return result;
+  }
+  Contrast result = doubled(of_numbers);
+  if (is_decided(of_values) && of_values.relation != of_numbers.relation) result.relation = Relation::not_told_apart;
+  result.extent = Extent::beyond;  // of a failure no margin is made up
+  return result;
+}
+
+void settle(MetricComparison& result, Relation relation, Extent extent, std::string why) {
+  result.contrast.relation = relation;
+  result.contrast.extent = extent;
+  result.is_fact = true;
+  result.remark = std::move(why);
+}
+
+// Two that repeat their answers in every run: which is better is no matter of chance.
+void settle_copies(MetricComparison& result, const AnalysisPlan& plan) {
+  const Better better = info_of(result.metric).better;
+  const double ahead_of_b = (result.mean_a - result.mean_b) * (better == Better::smaller ? 1 : -1);
+  const double room =
+      std::max(plan.margin * std::abs(result.mean_a), is_in_cm(name_of(result.metric)) ? plan.margin_cm : 0);
+  const bool is_small = std::abs(ahead_of_b) <= room;
+  settle(result,
+         is_small         ? Relation::equivalent
+         : ahead_of_b > 0 ? Relation::second_better
+                          : Relation::first_better,
+         is_small ? Extent::within : Extent::beyond,
+         "all runs of each are equal: a fact of these targets, without a test");
+}
+
+bool are_rounding(const Observations& observations, Metric metric) {
+  const double rounding = info_of(metric).rounding;
+  return rounding > 0 && std::ranges::all_of(observations.groups, [&](const Group& group) {
+           return std::ranges::all_of(group.values, [&](double value) { return value >= 0 && value <= rounding; });
+         });
+}
+
+// A metric with its observations, which are tested at several levels.
+struct Examined {
+  const StudyResults* study = nullptr;
+  MetricComparison* row = nullptr;
+  Observations observations = {};
+  AnalysisPlan plan = {};
+
+  void test(double level) {
+    plan.significance = level;
+    const bool all_finite = std::ranges::all_of(
+        observations.groups, [](const Group& group) { return count_finite(group) == group.values.size(); });
+    row->contrast = all_finite ? contrast_of(observations, plan) : contrast_with_not_finite(observations, plan);
+    row->level = level;
+  }
+};
+
+std::string not_finite_words(const Observations& observations, std::string_view observation) {
+  std::vector<std::string> parts;
+  for (const Group& group : observations.groups) {
+    const std::size_t lost = group.values.size() - count_finite(group);
+    if (lost > 0)
+      parts.push_back(fmt::format("{} of {} {}s of {}", lost, group.values.size(), observation, group.name));
+  }
+  return parts.empty() ? "" : fmt::format("not finite: {}", fmt::join(parts, ", "));
+}
+
+// Fills what needs no test. What is left to test is returned.
+std::vector<Examined> examine(const VariantStudy& of, std::span<const Metric> metrics, VariantComparison& comparison) {
+  const StudyResults& study = of.study;
+  std::vector<Examined> open;
+  comparison.metrics.reserve(metrics.size());
+  for (const Metric metric : metrics) {
+    MetricComparison& row = comparison.metrics.emplace_back(MetricComparison{.metric = metric});
+    const Observations observed = observations(study, metric);
+    for (const std::string& note : observed.notes) comparison.notes.push_back(note);
+    const auto group = [&](const char* name) { return std::ranges::find(observed.groups, name, &Group::name); };
+    const LeftOut without = left_out(study, metric);
+    const std::string why_not = info_of(metric).kind == Kind::time ? of.times_differ : "";
+    if (!why_not.empty() || !observed.flaw.empty() || group(name_of_a) == observed.groups.end() ||
+        group(name_of_b) == observed.groups.end()) {
+      row.is_compared = false;
+      const auto has_nobody = [&](const Solve& solve) { return solve.counted_by == CountedBy::nobody; };
+      row.is_counted = metric != Metric::evaluations || std::ranges::none_of(study.solves, has_nobody);
+      row.remark = row.is_counted ? "see below" : "nobody counted";
+      if (!why_not.empty()) comparison.notes.push_back(why_not);
+      if (why_not.empty() && !observed.flaw.empty()) comparison.notes.push_back(observed.flaw);
+      continue;
+    }
+    try {
+      check_margin(observed, study.plan);
+    } catch (const std::invalid_argument& no_margin) {
+      row.is_compared = false;
+      row.remark = no_margin.what();
+      continue;
+    }
+    row.observation = observed.blocks.empty() || observed.block_noun == "runs" ? "run" : "target";
+    const auto mean_of = [&](const char* name) {
+      const Observations finite = of_finite(observed);
+      return mean(std::ranges::find(finite.groups, name, &Group::name)->values);
+    };
+    row.n_a = static_cast<int>(group(name_of_a)->values.size());
+    row.n_b = static_cast<int>(group(name_of_b)->values.size());
+    row.mean_a = mean_of(name_of_a);
+    row.mean_b = mean_of(name_of_b);
+    if (comparison.design.empty()) {
+      comparison.design = observed.blocks.empty()
+                              ? fmt::format("Independent runs, {} of A and {} of B: one observation is {}.", row.n_a,
+                                            row.n_b, observed.replicate)
+                              : fmt::format("{} pairs of {}s: one observation is {}; a pair is {}.", row.n_a,
+                                            row.observation, observed.replicate, observed.block);
+    }
+    row.remark = not_finite_words(observed, row.observation);
+    const bool are_copies = observed.blocks.empty() && row.n_a == 1 && row.n_b == 1 &&
+                            repeats_itself(study, name_of_a) && repeats_itself(study, name_of_b);
+    if (has_same_bits(study, metric)) {
+      settle(row, Relation::equivalent, Extent::within, "equal bit for bit");
+    } else if (are_copies) {
+      settle_copies(row, study.plan);
+    } else if (are_rounding(observed, metric)) {
+      settle(row, Relation::equivalent, Extent::within,
+             fmt::format("both are rounding errors, below {}", short_number(info_of(metric).rounding)));
+    } else {
+      open.push_back(
+          {.study = &study, .row = &row, .observations = observed, .plan = judging(study.plan, metric, observed)});
+    }
+  }
+  return open;
+}
+
+// Holm (Scandinavian J. Statistics 6 (1979) 65): the smallest p is tested at significance / m, the next at
+// significance / (m - 1), and so on until one is not below. The others are left at the level of that one.
+void decide(std::vector<Examined>& all, double significance, const LevelOf& level_of) {
+  if (all.empty()) return;
+  const auto m = static_cast<double>(all.size());
+  for (Examined& each : all) each.test(level_of(significance / m));
+  std::vector<Examined*> order;
+  for (Examined& each : all) order.push_back(&each);
+  const auto p_of = [](const Examined* each) {
+    const double p = each->row->contrast.p;
+    return std::isnan(p) ? 2.0 : p;
+  };
+  std::ranges::stable_sort(order, {}, p_of);
+  double left = m;
+  for (Examined* each : order) {
+    if (const double level = level_of(significance / left); level > each->row->level) each->test(level);
+    if (p_of(each) < each->row->level) --left;
+  }
+}
+
+std::string what_would_show(const MetricComparison& row) {
+  const Estimate& runs = row.contrast.runs_to_decide;
+  if (!std::isfinite(runs.value)) return "";
+  const bool is_range =
+      std::isfinite(runs.low) && std::isfinite(runs.high) && runs.high > runs.low && runs.high < 100 * runs.low;
+  return is_range ? fmt::format("a difference of the margin takes {:.0f} to {:.0f} {}s", runs.low, runs.high,
+                                row.observation)
+                  : fmt::format("a difference of the margin takes at least {:.0f} {}s",
+                                std::isfinite(runs.low) ? runs.low : runs.value, row.observation);
+}
+
+void add_remark(MetricComparison& row, const std::string& remark) {
+  if (!remark.empty()) row.remark += (row.remark.empty() ? "" : "; ") + remark;
+}
+
+void add_remarks(MetricComparison& row, double significance) {
+  if (row.is_fact || !row.is_compared) return;
+  const Contrast& contrast = row.contrast;
+  if (contrast.relation == Relation::undefined) return add_remark(row, contrast.undefined);
+  if (contrast.relation == Relation::not_told_apart) {
+    if (contrast.p < significance)
+      add_remark(row, fmt::format("{} by itself, but not among all of this comparison",
+                                  contrast.ahead < 0 ? "better" : "worse"));
+    return add_remark(row, what_would_show(row));
+  }
+  const int fewer = std::min(row.n_a, row.n_b);
+  if (row.contrast.relation != Relation::first_better)
+    add_remark(row, unseen_words(fewer, fmt::format("{}s", row.observation), row.level));
 }
 
 }  // namespace
 
+bool is_regression(const MetricComparison& metric) {
+  return metric.contrast.relation == Relation::first_better && metric.contrast.extent == Extent::beyond;
+}
+
+bool is_open(const MetricComparison& metric) {
+  if (!metric.is_compared) return metric.is_counted;
+  const Contrast& contrast = metric.contrast;
+  return contrast.relation == Relation::not_told_apart || contrast.relation == Relation::undefined ||
+         (contrast.relation == Relation::first_better &&
+          (contrast.extent == Extent::across || contrast.extent == Extent::unknown));
+}
+
 std::vector<Variant> variants(const Store& store, const StudyEntry& study) {
-  const StudyResults whole = read_study(store, study);
-  const std::vector<Session> sessions = store.sessions();
   std::vector<Variant> result;
   for (const Series& series : study.series) {
-    const auto is_this = [&](std::string_view solver) { return solver == series.label; };
-    Variant variant{.series = series, .study = of_solvers(whole, is_this), .timing = timing_note(whole, series.label)};
-    const SolvesOfSessions used = solves_of_sessions(variant.study);
-    for (const Session& session : sessions) {
-      if (used.contains(session.id)) variant.sessions.push_back(session);
+    StudyEntry alone = study;
+    alone.series = {series};
+    result.push_back({.study = study,
+                      .series = series,
+                      .sessions = store.sessions(),
+                      .each_solve = [&store, alone](const std::function<void(SolveRecord)>& take) {
+                        store.each_of_study(alone, take);
+                      }});
+  }
+  return result;
+}
+
+VariantStudy study_of_both(const VariantPair& pair, const AnalysisPlan& plan) {
+  const auto& [a, b] = pair;
+  StudyEntry entry = a.study;
+  entry.series = {a.series, b.series};
+  entry.series[0].label = name_of_a;
+  entry.series[1].label = name_of_b;
+  StudyMaker maker(entry);
+  Reader reader(maker);
+  const std::vector<Session> of_a = reader.read(a, name_of_a), of_b = reader.read(b, name_of_b);
+  VariantStudy result{.label = a.series.label == b.series.label
+                                   ? b.series.label
+                                   : fmt::format("{} against {}", b.series.label, a.series.label),
+                      .study = maker.finish(reader.sessions()),
+                      .times_differ = why_times_differ(of_a, of_b),
+                      .differences = differences({a.study, a.series, of_a}, {b.study, b.series, of_b})};
+  AnalysisPlan& judged = result.study.plan;
+  judged.control.clear();
+  judged.margin = plan.margin;
+  judged.margin_cm = plan.margin_cm;
+  judged.significance = plan.significance;
+  judged.power = plan.power;
+  refuse_other_tasks(result.study, a.series.label);
+  return result;
+}
+
+std::vector<VariantComparison> compare_variants(std::span<const VariantStudy> studies,
+                                                std::span<const std::string> metrics, const LevelOf& level_of) {
+  const std::vector<Metric> asked = metrics.empty() ? by_default(studies) : chosen(metrics);
+  std::vector<VariantComparison> result(studies.size());
+  std::vector<Examined> open;
+  for (std::size_t i = 0; i < studies.size(); ++i) {
+    result[i].label = studies[i].label;
+    std::ranges::move(examine(studies[i], asked, result[i]), std::back_inserter(open));
+  }
+  const double significance = studies.empty() ? not_defined : studies.front().study.plan.significance;
+  decide(open, significance, level_of);
+  for (std::size_t i = 0; i < studies.size(); ++i) {
+    for (MetricComparison& row : result[i].metrics) add_remarks(row, significance);
+    std::vector<std::string>& notes = result[i].notes;
+    for (const std::string& note : status_notes(studies[i].study)) notes.push_back(note);
+    notes.push_back(studies[i].differences);
+    std::vector<std::string> once;
+    for (std::string& note : notes) {
+      if (std::ranges::find(once, note) == once.end()) once.push_back(std::move(note));
     }
-    result.push_back(std::move(variant));
+    notes = std::move(once);
   }
   return result;
-}
-
-std::vector<VariantComparison> examine_variants(const std::vector<VariantPair>& pairs,
-                                                std::span<const std::string> metrics, const MarginQuestion& question) {
-  const std::vector<Metric> asked = metrics.empty() ? by_default(pairs) : chosen(metrics);
-  std::vector<VariantComparison> result;
-  for (const VariantPair& pair : pairs) result.push_back(examined(pair, asked, question, asked.size() * pairs.size()));
-  return result;
-}
-
-std::vector<VariantComparison> compare_variants(const std::vector<VariantPair>& pairs,
-                                                std::span<const std::string> metrics, const MarginQuestion& question) {
-  std::vector<VariantComparison> result = examine_variants(pairs, metrics, question);
-  decide(result, question);
-  return result;
-}
-
-int count(std::span<const VariantComparison> comparisons, Outcome outcome) {
-  std::int64_t result = 0;
-  for (const VariantComparison& comparison : comparisons) {
-    result += std::ranges::count(comparison.metrics, outcome, &MetricComparison::outcome);
-  }
-  return static_cast<int>(result);
 }
 
 }  // namespace ikbench::inference

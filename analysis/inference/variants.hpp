@@ -1,56 +1,82 @@
-// A solver's variant held against its baseline, label by label: what may be compared, what of it is an observation, and
-// what the metrics (analysis/inference/variant_metric.hpp) say together.
+// A candidate B held against its baseline A: the solves of both make a study of two solvers, which is judged as a
+// report judges any study (judged_study.hpp).
 #pragma once
 
+#include <functional>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "analysis/inference/evidence.hpp"
 #include "analysis/inference/study.hpp"
-#include "analysis/inference/variant_metric.hpp"
 #include "results/store.hpp"
 
 namespace ikbench::inference {
 
-// What one label of a study did.
+// One label of a study.
 struct Variant {
+  results::StudyEntry study;
   results::Series series;
-  StudyResults study;                           // its whole study's, with the solves of that label alone
-  std::vector<results::Session> sessions = {};  // those that solved it
-  std::string timing = {};  // why times of its whole study are not comparable, as a report has it; empty where they are
+  std::vector<results::Session> sessions = {};  // of its store
+  // Passes on the solves of the label by run and point.
+  std::function<void(const std::function<void(results::SolveRecord)>& take)> each_solve;
 };
 
-// One for each label of the study, in its order. std::invalid_argument as make_study.
+// One for each label of the study, in its order. `store` outlives them.
 std::vector<Variant> variants(const results::Store& store, const results::StudyEntry& study);
 
-// One label: the candidate b, held against the baseline a.
 struct VariantPair {
   const Variant& a;
   const Variant& b;
 };
 
+// The solves of both, by the solvers "A" and "B", and what decides whether their times can be compared.
+struct VariantStudy {
+  std::string label;
+  StudyResults study;
+  std::string times_differ;  // why times cannot be compared; empty where they can
+  std::string differences;   // between A and B, beside their numbers
+};
+
+// Everything of the study's definition and plan is A's, but for the plan's margins, significance and power, which are
+// those of `plan`. std::invalid_argument where one side has no complete run, or the two were not given the same to do:
+// another robot, other targets, another configuration to start from.
+VariantStudy study_of_both(const VariantPair& pair, const results::AnalysisPlan& plan);
+
+// What is known of B against A by one metric.
+struct MetricComparison {
+  Metric metric;
+  int n_a = 0, n_b = 0;
+  double mean_a = statistics::not_defined, mean_b = statistics::not_defined;
+  std::string_view observation = "run";    // what one value is of: "run" or "target"
+  Contrast contrast = {};                  // of A and B, in this order; its p is not corrected
+  double level = statistics::not_defined;  // that p is below where the two differ; the interval is of 1 - level
+  bool is_compared = true;                 // else `remark` says why not
+  bool is_fact = false;                    // there is no chance in it, and no p
+  bool is_counted = true;  // false: evaluations that nobody counted, which is no failure of a comparison
+  std::string remark = {};
+};
+
+// B is shown to be worse by more than the margin.
+bool is_regression(const MetricComparison& metric);
+// Neither shown to be worse by more than the margin, nor not to be.
+bool is_open(const MetricComparison& metric);
+
 struct VariantComparison {
   std::string label;
-  bool paired = false;
-  std::string design;  // whether observations are compared in pairs, and why, in a sentence
+  std::string design;  // what an observation is, and whether observations are compared in pairs
   std::vector<MetricComparison> metrics;
   std::vector<std::string> notes;  // what is left out, and in what the two differ beside their numbers
 };
 
-// The metrics named, or where none is those of compared_metrics(), and of poses the orientation error. Observations are
-// paired where both were given the same problems, as those of a report are (analysis/inference/design.hpp): targets
-// drawn in every run are paired run by run, and target by target where each starts from the initial configuration; so
-// are the targets of a path then, whose values are means over the runs. Runs chained along a path are independent
-// samples. Runs with points missing give nothing. Times are compared only where both are clean, of one CPU and of the
-// same sessions, evaluations only where they were counted. All pairs are decided together. std::invalid_argument where
-// a metric is unknown, one side has no complete run, or the two were not given the same to do: another robot, other
-// targets, another configuration to start from.
-std::vector<VariantComparison> compare_variants(const std::vector<VariantPair>& pairs,
-                                                std::span<const std::string> metrics, const MarginQuestion& question);
-// The same before anything is decided: p-values uncorrected, and undecided whatever is not a fact.
-std::vector<VariantComparison> examine_variants(const std::vector<VariantPair>& pairs,
-                                                std::span<const std::string> metrics, const MarginQuestion& question);
+// `level_of` turns a significance level into that of one look; the identity where there is one look alone.
+using LevelOf = std::function<double(double)>;
 
-int count(std::span<const VariantComparison> comparisons, Outcome outcome);
+// The metrics named, or where none is those of compared_metrics(), and of poses the orientation error. The plan's test
+// decides each, at the levels of Holm's correction over all labels and metrics, so that any finding among those where A
+// and B do not differ has the probability `significance` at most. std::invalid_argument for an unknown metric.
+std::vector<VariantComparison> compare_variants(
+    std::span<const VariantStudy> studies, std::span<const std::string> metrics,
+    const LevelOf& level_of = [](double level) { return level; });
 
 }  // namespace ikbench::inference

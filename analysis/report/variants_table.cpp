@@ -4,10 +4,8 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <nlohmann/json.hpp>
 #include <utility>
 
@@ -26,46 +24,72 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::size_t most_labels = 12;
 
-// An empty cell where a fact needs none.
+// An empty cell where nothing is defined.
 Cell defined(double value) { return std::isfinite(value) ? Cell(value) : Cell(); }
 Cell p_value(double value) { return std::isfinite(value) ? Cell(PValue{value}) : Cell(); }
 
-std::vector<Cell> row_of(const VariantComparison& comparison, const MetricComparison& metric) {
+// Of B by A, from the interval of the difference of means.
+Estimate ratio_of(const MetricComparison& metric) {
+  if (!(metric.mean_a > 0)) return {};
+  const Estimate& difference = metric.contrast.difference;  // A - B
+  const auto ratio = [&](double apart) { return 1 - apart / metric.mean_a; };
+  return {.value = metric.mean_b / metric.mean_a, .low = ratio(difference.high), .high = ratio(difference.low)};
+}
+
+std::string margin_words(const VariantsReport& of) {
+  const auto is_in_cm = [](const VariantComparison& comparison) {
+    return std::ranges::any_of(
+        comparison.metrics, [](const MetricComparison& metric) { return inference::is_in_cm(name_of(metric.metric)); });
+  };
+  return inference::margin_words(of.plan.margin, std::ranges::any_of(of.comparisons, is_in_cm) ? of.plan.margin_cm : 0);
+}
+
+// What is said of B: "better", "worse by less than 5 %".
+std::string b_is(const MetricComparison& metric, const std::string& margin) {
+  if (!metric.is_compared) return "not compared";
+  const auto [relation, extent] = std::pair(metric.contrast.relation, metric.contrast.extent);
+  const auto sized = [&](std::string_view word) {
+    return extent == Extent::within   ? fmt::format("{} by less than {}", word, margin)
+           : extent == Extent::beyond ? fmt::format("{} by more than {}", word, margin)
+                                      : fmt::format("{}, perhaps by less than {}", word, margin);
+  };
+  switch (relation) {
+    case Relation::first_better:
+      return sized("worse");
+    case Relation::second_better:
+      return sized("better");
+    case Relation::equivalent:
+      return "the same within " + margin;
+    default:
+      return "undecided";
+  }
+}
+
+std::vector<Cell> row_of(const VariantComparison& comparison, const MetricComparison& metric,
+                         const std::string& margin) {
+  const Estimate ratio = ratio_of(metric);
+  const auto of_b = [&](double share_of_a) { return defined(metric.is_fact ? not_defined : 1 - share_of_a); };
+  const Estimate& ahead = metric.contrast.superiority;
   return {comparison.label,
-          std::string(metric.metric),
-          std::string(name_of(metric.outcome)),
-          std::int64_t{metric.a.n},
-          std::int64_t{metric.b.n},
-          metric.a.mean,
-          metric.b.mean,
-          defined(metric.ratio.ratio),
-          defined(metric.ratio.low),
-          defined(metric.ratio.high),
-          p_value(metric.p_worse),
-          p_value(metric.p_better),
-          p_value(metric.ratio.p_equivalent),
-          p_value(metric.ratio.p_difference),
-          defined(metric.b_better.value),
-          defined(metric.b_better.low),
-          defined(metric.b_better.high),
-          p_value(metric.p_ranks),
-          defined(metric.n_to_decide),
+          std::string(name_of(metric.metric)),
+          b_is(metric, margin),
+          std::int64_t{metric.n_a},
+          std::int64_t{metric.n_b},
+          metric.mean_a,
+          metric.mean_b,
+          defined(ratio.value),
+          defined(ratio.low),
+          defined(ratio.high),
+          p_value(metric.is_fact ? not_defined : metric.contrast.p),
+          p_value(metric.is_fact ? not_defined : metric.level),
+          of_b(ahead.value),
+          of_b(ahead.high),
+          of_b(ahead.low),
           metric.remark.empty() ? Cell() : Cell(metric.remark)};
 }
 
-// Of all metrics together.
-std::string margin_words(std::span<const VariantComparison> comparisons, const MarginQuestion& question) {
-  double margin_cm = 0;
-  for (const VariantComparison& comparison : comparisons) {
-    for (const MetricComparison& metric : comparison.metrics) {
-      margin_cm = std::max(margin_cm, question_about(metric.metric, question).margin_cm);
-    }
-  }
-  return inference::margin_words(question.margin, margin_cm);
-}
-
-std::string of_label(std::span<const VariantComparison> comparisons, const VariantComparison& comparison) {
-  return comparisons.size() == 1 ? "" : comparison.label + ": ";
+std::string of_label(const VariantsReport& of, const VariantComparison& comparison) {
+  return of.comparisons.size() == 1 ? "" : comparison.label + ": ";
 }
 
 Json json_of(const Cell& cell) {
@@ -76,25 +100,22 @@ Json json_of(const Cell& cell) {
   return nullptr;
 }
 
-// "position_error_cm (2.1 times A's, 90 % interval 1.8 to 2.5, p 0.0003)"
-std::string regression(const MetricComparison& metric, const MarginQuestion& question) {
+// "position_error_cm (2.1 times A's, interval 1.8 to 2.5, p 0.0003)"
+std::string regression(const MetricComparison& metric) {
   std::vector<std::string> facts;
-  const RatioComparison& ratio = metric.ratio;
-  if (std::isfinite(ratio.ratio)) facts.push_back(fmt::format("{} times A's", short_number(ratio.ratio)));
-  if (std::isfinite(ratio.low)) {
-    facts.push_back(fmt::format("{} interval {} to {}", percent(1 - 2 * question.significance), short_number(ratio.low),
-                                short_number(ratio.high)));
-  }
-  facts.push_back(metric.is_fact ? "no test" : fmt::format("p {}", short_number(metric.p_worse)));
-  return fmt::format("{} ({})", metric.metric, fmt::join(facts, ", "));
+  const Estimate ratio = ratio_of(metric);
+  if (std::isfinite(ratio.value)) facts.push_back(fmt::format("{} times A's", short_number(ratio.value)));
+  if (std::isfinite(ratio.low))
+    facts.push_back(fmt::format("interval {} to {}", short_number(ratio.low), short_number(ratio.high)));
+  facts.push_back(metric.is_fact ? "no test" : fmt::format("p {}", short_number(metric.contrast.p)));
+  return fmt::format("{} ({})", name_of(metric.metric), fmt::join(facts, ", "));
 }
 
-std::string regressions(std::span<const VariantComparison> comparisons, const MarginQuestion& question) {
+std::string regressions(const VariantsReport& of) {
   std::vector<std::string> found;
-  for (const VariantComparison& comparison : comparisons) {
+  for (const VariantComparison& comparison : of.comparisons) {
     for (const MetricComparison& metric : comparison.metrics) {
-      if (metric.outcome != Outcome::worse) continue;
-      found.push_back(of_label(comparisons, comparison) + regression(metric, question));
+      if (is_regression(metric)) found.push_back(of_label(of, comparison) + regression(metric));
     }
   }
   const std::size_t named = std::min(found.size(), most_labels);
@@ -102,47 +123,38 @@ std::string regressions(std::span<const VariantComparison> comparisons, const Ma
                      found.size() == named ? "" : fmt::format(" and {} more", found.size() - named));
 }
 
-// " (at this spread it takes about 45 runs a side)"
-std::string would_decide(std::span<const VariantComparison> comparisons) {
-  double least = std::numeric_limits<double>::infinity(), most = 0;
-  std::string_view observation;
-  for (const VariantComparison& comparison : comparisons) {
+// "2 better by more than 5 %, 17 undecided", in the order in which they first occur.
+std::string counted(const VariantsReport& of, const std::string& margin) {
+  std::vector<std::pair<std::string, int>> counts;
+  for (const VariantComparison& comparison : of.comparisons) {
     for (const MetricComparison& metric : comparison.metrics) {
-      if (metric.outcome != Outcome::undecided || !std::isfinite(metric.n_to_decide)) continue;
-      least = std::min(least, metric.n_to_decide);
-      most = std::max(most, metric.n_to_decide);
-      observation = metric.observation;
+      const std::string said = b_is(metric, margin);
+      const auto found = std::ranges::find(counts, said, &std::pair<std::string, int>::first);
+      if (found == counts.end()) {
+        counts.emplace_back(said, 1);
+      } else {
+        ++found->second;
+      }
     }
   }
-  if (most == 0) return "";
-  return fmt::format(" (at this spread it takes about {} {}s a side)", range_words(least, most), observation);
+  std::vector<std::string> parts;
+  for (const auto& [said, number] : counts) parts.push_back(fmt::format("{} {}", number, said));
+  return fmt::format("{}", fmt::join(parts, ", "));
 }
 
-// "2 better by more than 5 %, 17 undecided (about 45 runs would decide the first, 22160 the last)"
-std::string counted_outcomes(std::span<const VariantComparison> comparisons, const std::string& margin) {
-  const std::array<std::pair<Outcome, std::string>, 9> words{
-      {{Outcome::worse, "worse by more than " + margin},
-       {Outcome::worse_by_less, "worse by less than " + margin},
-       {Outcome::better, "better by more than " + margin},
-       {Outcome::better_by_less, "better by less than " + margin},
-       {Outcome::same, "the same within " + margin},
-       {Outcome::not_worse, "not worse by more than " + margin},
-       {Outcome::undecided, "undecided" + would_decide(comparisons)},
-       {Outcome::not_compared, "not compared"},
-       {Outcome::not_counted, "not compared: nobody counted"}}};
-  std::vector<std::string> parts;
-  for (const auto& [outcome, said] : words) {
-    if (const int number = count(comparisons, outcome); number > 0) parts.push_back(fmt::format("{} {}", number, said));
-  }
-  return fmt::format("{}", fmt::join(parts, ", "));
+template <class Is>
+bool any_metric(const VariantsReport& of, Is is) {
+  return std::ranges::any_of(
+      of.comparisons, [&](const VariantComparison& comparison) { return std::ranges::any_of(comparison.metrics, is); });
 }
 
 }  // namespace
 
-Table variants_table(std::span<const VariantComparison> comparisons, const MarginQuestion& question) {
+Table variants_table(const VariantsReport& of) {
+  const std::string margin = margin_words(of);
   Table table{
       .name = "comparison",
-      .caption = fmt::format("B compared with A, with a margin of {}", margin_words(comparisons, question)),
+      .caption = fmt::format("B compared with A, with a margin of {}", margin),
       .columns = {{"label", Align::left},
                   {"metric", Align::left},
                   {"B_is", Align::left},
@@ -153,74 +165,56 @@ Table variants_table(std::span<const VariantComparison> comparisons, const Margi
                   {"B_by_A"},
                   {"low"},
                   {"high"},
-                  {"p_worse"},
-                  {"p_better"},
-                  {"p_same"},
-                  {"p_difference"},
+                  {"p"},
+                  {"level"},
                   {"a12"},
                   {"a12_low"},
                   {"a12_high"},
-                  {"p_ranks"},
-                  {"n_to_decide"},
                   {"remark", Align::left}},
-      .notes = {fmt::format(
-          "B_by_A is the ratio of means. low and high are its {:g} % interval, as for two one-sided tests at {:g}. "
-          "p_worse and p_better test whether B is worse or better by more than the margin, p_difference whether the means "
-          "differ, p_ranks whether the ranks do (sign test for paired observations, otherwise "
-          "Mann-Whitney test), each with Holm's correction over all labels and metrics; p_same tests whether the ratio is "
-          "within the margin. a12, with an interval of the same level: the "
-          "probability that an observation of B is better than one of A, ignoring pairs.",
-          100 * (1 - 2 * question.significance), question.significance)}};
-  for (const VariantComparison& comparison : comparisons) {
-    for (const MetricComparison& metric : comparison.metrics) table.rows.push_back(row_of(comparison, metric));
+      .notes = {
+          "The test of the study's plan decides, as in a report of these two solvers. p is that of one metric alone. "
+          "A and B differ where it is below the level, which is corrected for all labels and metrics (Holm). low and "
+          "high: interval of the difference of means, as a ratio by A's, that goes with the level. a12: in pairs the "
+          "share in which B is better, otherwise the probability that an observation of B is better than one of A."}};
+  for (const VariantComparison& comparison : of.comparisons) {
+    for (const MetricComparison& metric : comparison.metrics) table.rows.push_back(row_of(comparison, metric, margin));
   }
   return table;
 }
 
-std::vector<std::string> variants_notes(std::span<const VariantComparison> comparisons) {
+std::vector<std::string> variants_notes(const VariantsReport& of) {
   std::vector<std::string> notes;
   const auto is_of_all = [&](const std::string& note) {
-    return std::ranges::all_of(comparisons, [&](const VariantComparison& comparison) {
+    return std::ranges::all_of(of.comparisons, [&](const VariantComparison& comparison) {
       return comparison.design == note || std::ranges::find(comparison.notes, note) != comparison.notes.end();
     });
   };
   const auto add = [&](const VariantComparison& comparison, const std::string& note) {
-    const std::string text = is_of_all(note) ? note : of_label(comparisons, comparison) + note;
+    if (note.empty()) return;
+    const std::string text = is_of_all(note) ? note : of_label(of, comparison) + note;
     if (std::ranges::find(notes, text) == notes.end()) notes.push_back(text);
   };
-  for (const VariantComparison& comparison : comparisons) add(comparison, comparison.design);
-  notes.emplace_back(
-      "This comparison is decided by the ratio of means, against the margin. A report uses the test of its plan and "
-      "corrects for its own pairs, so the two may disagree.");
-  for (const VariantComparison& comparison : comparisons) {
+  for (const VariantComparison& comparison : of.comparisons) add(comparison, comparison.design);
+  for (const VariantComparison& comparison : of.comparisons) {
     for (const std::string& note : comparison.notes) add(comparison, note);
   }
   return notes;
 }
 
-std::string variants_verdict(std::span<const VariantComparison> comparisons, const MarginQuestion& question) {
-  const std::string margin = margin_words(comparisons, question);
+std::string variants_verdict(const VariantsReport& of) {
+  const std::string margin = margin_words(of);
   std::size_t all = 0;
-  for (const VariantComparison& comparison : comparisons) all += comparison.metrics.size();
-  const std::string rest =
-      fmt::format("Of {} comparison{}: {}.", all, all == 1 ? "" : "s", counted_outcomes(comparisons, margin));
-  if (count(comparisons, Outcome::worse) > 0) {
-    return fmt::format("Regression beyond {}: {}. {}", margin, regressions(comparisons, question), rest);
-  }
-  const bool is_open = count(comparisons, Outcome::undecided) + count(comparisons, Outcome::not_compared) +
-                           count(comparisons, Outcome::not_counted) >
-                       0;
-  return fmt::format("No regression beyond {}{}. {}", margin, is_open ? " was found" : "", rest);
+  for (const VariantComparison& comparison : of.comparisons) all += comparison.metrics.size();
+  const std::string rest = fmt::format("Of {} comparison{}: {}.", all, all == 1 ? "" : "s", counted(of, margin));
+  if (any_metric(of, is_regression)) return fmt::format("Regression beyond {}: {}. {}", margin, regressions(of), rest);
+  const auto is_unknown = [](const MetricComparison& metric) { return is_open(metric) || !metric.is_counted; };
+  return fmt::format("No regression beyond {}{}. {}", margin, any_metric(of, is_unknown) ? " was found" : "", rest);
 }
 
-std::string variants_json(std::span<const VariantComparison> comparisons, const MarginQuestion& question) {
-  const Table table = variants_table(comparisons, question);
-  Json json{{"verdict", variants_verdict(comparisons, question)},
-            {"margin", question.margin},
-            {"margin_cm", question.margin_cm},
-            {"significance", question.significance},
-            {"notes", variants_notes(comparisons)},
-            {"rows", Json::array()}};
+std::string variants_json(const VariantsReport& of) {
+  const Table table = variants_table(of);
+  Json json{{"verdict", variants_verdict(of)},      {"margin", of.plan.margin},    {"margin_cm", of.plan.margin_cm},
+            {"significance", of.plan.significance}, {"notes", variants_notes(of)}, {"rows", Json::array()}};
   for (const std::vector<Cell>& row : table.rows) {
     Json object = Json::object();
     for (std::size_t c = 0; c < row.size(); ++c) object[table.columns[c].name] = json_of(row[c]);

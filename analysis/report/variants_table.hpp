@@ -7,20 +7,24 @@
 
 #include "analysis/inference/variants.hpp"
 #include "analysis/report/table.hpp"
+#include "results/analysis_plan.hpp"
 
 namespace ikbench::report {
 
-// One row a label and metric, everything that is known of it. a12: P(an observation of B is better than one of A).
-Table variants_table(std::span<const inference::VariantComparison> comparisons,
-                     const inference::MarginQuestion& question);
+// What a comparison is made by: margins and significance are those of `plan`.
+struct VariantsReport {
+  std::span<const inference::VariantComparison> comparisons;
+  const results::AnalysisPlan& plan;
+};
+
+// One row a label and metric. a12: in pairs the share in which B is better, else P(an observation of B is better).
+Table variants_table(const VariantsReport& of);
 // The designs and the notes, with their label; what holds for every label is said once, without.
-std::vector<std::string> variants_notes(std::span<const inference::VariantComparison> comparisons);
-// Whether a regression beyond the margin is shown, by how much and how sure; then how many outcomes there are of each
-// kind, and with how many runs those would be decided that are not.
-std::string variants_verdict(std::span<const inference::VariantComparison> comparisons,
-                             const inference::MarginQuestion& question);
+std::vector<std::string> variants_notes(const VariantsReport& of);
+// Whether a regression beyond the margin is shown, by how much and how sure; then how many metrics there are of each
+// kind.
+std::string variants_verdict(const VariantsReport& of);
 // One object: verdict, significance, margin, notes and rows, each as in the table; null where nothing is defined.
-std::string variants_json(std::span<const inference::VariantComparison> comparisons,
-                          const inference::MarginQuestion& question);
+std::string variants_json(const VariantsReport& of);
 
 }  // namespace ikbench::report

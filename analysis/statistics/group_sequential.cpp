@@ -47,11 +47,6 @@ double normal_above(double z) { return 0.5 * std::erfc(z / std::sqrt(2.0)); }
 
 }  // namespace
 
-double constant_of(double p, int look, const Boundary& boundary) {
-  check_boundary(boundary);
-  return -normal_quantile(p) * std::pow(static_cast<double>(look) / boundary.looks, 0.5 - boundary.shape);
-}
-
 double chance_to_cross(double c, const Boundary& boundary) {
   check_boundary(boundary);
   if (std::isnan(c)) return not_defined;
@@ -78,6 +73,15 @@ double chance_to_cross(double c, const Boundary& boundary) {
     for (const Node& node : last) crossed += node.weight * normal_above(end(look + 1) - node.place);
   }
   return std::min(crossed, 1.0);
+}
+
+double level_of_look(double level, int look, const Boundary& boundary) {
+  double low = -10, high = 40;  // the chance falls with c
+  for (int i = 0; i < 60; ++i) {
+    const double middle = (low + high) / 2;
+    (chance_to_cross(middle, boundary) > level ? low : high) = middle;
+  }
+  return normal_above(high * std::pow(static_cast<double>(look) / boundary.looks, boundary.shape - 0.5));
 }
 
 }  // namespace ikbench::statistics

@@ -12,13 +12,13 @@ struct Boundary {
   double shape = 0.25;  // 0 to 1/2
 };
 
-// The c that a one-sided p of look k reaches: Phi^-1(1 - p) (k / looks)^(1/2 - shape), by the significance levels of
-// Jennison and Turnbull, Group Sequential Methods (2000), section 3.3. NaN where p is.
-double constant_of(double p, int look, const Boundary& boundary);
-
-// The chance that any of the looks rejects where Z_k are sums of k equal normal samples of mean 0, standardized: of the
-// largest constant of the looks so far it is the p-value of the whole (Liu and Anderson, JASA 103 (2008) 1621), to be
-// used like any other. std::invalid_argument where the boundary is out of range; NaN where c is.
+// The chance that any of the looks rejects where Z_k are sums of k equal normal samples of mean 0, standardized.
+// std::invalid_argument where the boundary is out of range; NaN where c is.
 double chance_to_cross(double c, const Boundary& boundary);
+
+// The one-sided p below which look `look` rejects, so that any of the looks does so with the chance `level` (Jennison
+// and Turnbull, Group Sequential Methods (2000), section 3.3). std::invalid_argument where the boundary is out of
+// range.
+double level_of_look(double level, int look, const Boundary& boundary);
 
 }  // namespace ikbench::statistics

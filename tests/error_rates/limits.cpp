@@ -13,7 +13,6 @@
 #include <vector>
 
 #include "analysis/inference/evidence.hpp"
-#include "analysis/inference/variant_decision.hpp"
 #include "analysis/statistics/power.hpp"
 #include "analysis/statistics/proportion.hpp"
 #include "tests/error_rates/draws.hpp"
@@ -73,13 +72,6 @@ bool any_is_the_same(const Evidence& found) {
                              [](const Contrast& pair) { return pair.relation == Relation::equivalent; });
 }
 
-Outcome compared(const Values& values, Metric metric, const MarginQuestion& question) {
-  std::vector<VariantComparison> one{
-      {.label = "x", .metrics = {compare_metric({.metric = metric, .a = values[0], .b = values[1]}, question)}}};
-  decide(one, question);
-  return one[0].metrics[0].outcome;
-}
-
 double failing(Random& random, double share, double size) { return random.uniform() < share ? size : 1; }
 
 void print_blocks(int simulations) {
@@ -118,32 +110,26 @@ void print_blocks(int simulations) {
 
 void print_same(int simulations) {
   fmt::print(
-      "\n| \"the same within 5 %\" of what differs by more | n | said without a limit | said with its limit | `ikbench "
-      "compare` | not excluded |\n|---|---|---|---|---|---|\n");
-  const auto print = [&](const std::string& name, int n, Metric metric, const Draw& draw) {
-    const bool are_shares = metric == Metric::solved;
+      "\n| \"the same within 5 %\" of what differs by more | n | said without a limit | said with its limit | "
+      "not excluded |\n|---|---|---|---|---|\n");
+  const auto print = [&](const std::string& name, int n, bool are_shares, const Draw& draw) {
     const std::string row = fmt::format("{}{}", name, n);
     const double in_stats = share_of(row, simulations, [&](Random& random) {
       return any_is_the_same(
           tested(observed(drawn(random, {2, n}, draw), are_shares ? Better::larger : Better::smaller), {}));
     });
-    const double in_compare = share_of(row, simulations, [&](Random& random) {
-      return compared(drawn(random, {2, n}, draw), metric, {}) == Outcome::same;
-    });
-    fmt::print("| {} | {} | {} | {} | {} | {:.2g} % |\n", name, n, are_shares ? with_error(in_stats, simulations) : "-",
-               are_shares ? "-" : with_error(in_stats, simulations), with_error(in_compare, simulations),
-               100 * statistics::most_without_success(n, 0.05));
+    fmt::print("| {} | {} | {} | {} | {:.2g} % |\n", name, n, are_shares ? with_error(in_stats, simulations) : "-",
+               are_shares ? "-" : with_error(in_stats, simulations), 100 * statistics::most_without_success(n, 0.05));
   };
   for (const int n : {4, 5, 10, 20}) {
-    print("shares of 1 and 0.8", n, Metric::solved,
-          [](Random& r, int g) { return g == 0 || r.uniform() < 0.8 ? 1.0 : 0.0; });
+    print("shares of 1 and 0.8", n, true, [](Random& r, int g) { return g == 0 || r.uniform() < 0.8 ? 1.0 : 0.0; });
   }
   for (const int n : {5, 20, 50}) {
-    print("1 % of the second fail, with eleven times the value", n, Metric::position_error_cm,
+    print("1 % of the second fail, with eleven times the value", n, false,
           [](Random& r, int g) { return 0.01 * r.normal() + (g == 0 ? 1 : failing(r, 0.01, 11)); });
   }
   for (const int n : {5, 20, 50}) {
-    print("5 % of the second fail, with three times the value", n, Metric::position_error_cm,
+    print("5 % of the second fail, with three times the value", n, false,
           [](Random& r, int g) { return 0.01 * r.normal() + (g == 0 ? 1 : failing(r, 0.05, 3)); });
   }
 }
@@ -172,10 +158,6 @@ void print_looks(int simulations) {
     return values;
   };
   const auto in_stats = [](const Values& values) { return any_is_better(tested(observed(values), {})); };
-  const auto in_compare = [](const Values& values) {
-    const Outcome found = compared(values, Metric::position_error_cm, {.margin = 0});
-    return found == Outcome::worse || found == Outcome::better;
-  };
   const auto print = [&](const std::string& name, int n, const std::function<bool(const Values&)>& finds) {
     const auto looks = [&](int most) {
       return with_error(share_of(fmt::format("looks{}", n), simulations,
@@ -191,7 +173,6 @@ void print_looks(int simulations) {
     fmt::print("| {} | {} | {} | {} |\n", name, n, looks(1), looks(5));
   };
   for (const int n : {5, 10}) print("`ikbench stats`", n, in_stats);
-  for (const int n : {5, 10}) print("`ikbench compare`, margin 0 %, better or worse", n, in_compare);
 }
 
 void print_sensitivity(int simulations) {

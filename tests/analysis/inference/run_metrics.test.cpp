@@ -9,7 +9,6 @@
 #include "analysis/inference/design.hpp"
 #include "analysis/inference/make_study.hpp"
 #include "analysis/inference/shown_metrics.hpp"
-#include "analysis/inference/variant_design.hpp"
 #include "analysis/report/study_tables.hpp"
 #include "tests/analysis/synthetic.hpp"
 #include "tests/catch.hpp"
@@ -145,7 +144,7 @@ TEST_CASE("the excess is the error beyond the unavoidable, of targets beyond the
   CHECK(only_value(recorded_study(solves), "excess_error_cm") == 1.5);
 }
 
-TEST_CASE("observations and comparisons have the numbers of whole runs", "[run_metrics]") {
+TEST_CASE("observations have the numbers of whole runs", "[run_metrics]") {
   std::vector<SolveRecord> solves = run_through(corner);
   std::ranges::copy(run_through({{10, 0}, {13, 4}}, 2), std::back_inserter(solves));  // two points are missing
   std::ranges::copy(run_through({{10, 0}, {13, 4}, {16, 8}, {19, 12}}, 3), std::back_inserter(solves));
@@ -153,9 +152,6 @@ TEST_CASE("observations and comparisons have the numbers of whole runs", "[run_m
   const Observations jumps = observations(study, metric("jumps"));
   CHECK(jumps.groups[0].values == std::vector<double>{2, 0});
   CHECK(jumps.replicate == "the value of a run over its 4 points");
-  const VariantDesign design{
-      .a = {{"run 1", {&study.solves[0], &study.solves[1], &study.solves[2], &study.solves[3]}}}};
-  CHECK(values_of(study, design.a, metric("jumps")) == std::vector<double>{2});
 }
 
 TEST_CASE("a report shows what differs between runs, and names what it leaves out", "[run_metrics]") {

@@ -9,8 +9,6 @@
 #include <utility>
 #include <vector>
 
-#include "analysis/inference/comparable.hpp"
-#include "analysis/inference/make_study.hpp"
 #include "analysis/inference/variants.hpp"
 
 namespace ikbench::variant_samples {
@@ -34,23 +32,28 @@ inline results::SolveRecord solve_of(int run, double error_cm) {
 
 using Change = std::function<void(results::SolveRecord&)>;
 
+// A label whose solves are these, in a study with that definition (JSON).
+inline inference::Variant variant_of(std::vector<results::SolveRecord> solves, const std::string& definition) {
+  const results::Series series{.key = "key", .label = "mine", .algorithm = "bat", .options = R"({"alpha": "0.9"})"};
+  return {.study = {.name = "study", .definition = definition, .series = {series}},
+          .series = series,
+          .sessions = {{.id = 1, .environment = {{"cpu", "one"}, {"commit", "abc"}}}},
+          .each_solve = [solves = std::move(solves)](const std::function<void(results::SolveRecord)>& take) {
+            for (const results::SolveRecord& solve : solves) take(solve);
+          }};
+}
+
 inline inference::Variant variant(const std::vector<double>& errors_cm, const Change& change = {}) {
   std::vector<results::SolveRecord> solves;
   for (const double error : errors_cm) {
     solves.push_back(solve_of(static_cast<int>(solves.size()) + 1, error));
     if (change) change(solves.back());
   }
-  const results::Series series{.key = "key", .label = "mine", .algorithm = "bat", .options = R"({"alpha": "0.9"})"};
-  const results::StudyEntry entry{
-      .name = "study",
-      .definition = fmt::format(R"({{"points": 1, "runs": {}, "stop": {{"iterations": 200}}}})", errors_cm.size()),
-      .series = {series}};
-  inference::StudyResults study = inference::make_study(entry, std::move(solves));
-  const std::string timing = inference::timing_note(study);
-  return {.series = series,
-          .study = std::move(study),
-          .sessions = {{.id = 1, .environment = {{"cpu", "one"}, {"commit", "abc"}}}},
-          .timing = timing};
+  return variant_of(
+      std::move(solves),
+      fmt::format(
+          R"({{"points": 1, "runs": {}, "path": {{"kind": "helix"}}, "start": "previous", "stop": {{"iterations": 200}}}})",
+          errors_cm.size()));
 }
 
 // Many points a run: their targets are the path's, and errors what `error_cm` says of run and point.
@@ -76,30 +79,25 @@ inline std::vector<results::SolveRecord> records(const Solved& shape, const Erro
 }
 
 inline inference::Variant variant(const Solved& shape, const ErrorOf& error_cm, const Change& change = {}) {
-  inference::Variant result = variant({1});
-  const results::StudyEntry entry{.name = "study", .definition = shape.definition, .series = {result.series}};
-  result.study = inference::make_study(entry, records(shape, error_cm, change));
-  return result;
+  return variant_of(records(shape, error_cm, change), shape.definition);
 }
 
-// Every run has a target of its own.
+// A study whose every run has a target of its own, and what gives each solve its own.
+inline const char* const drawn_targets =
+    R"({"points": 1, "runs": 20, "path": {"kind": "random"}, "start": "initial", "stop": {"iterations": 200}})";
 inline void draw_target(results::SolveRecord& solve) { solve.target_position_m[0] = 0.01 * solve.run; }
 
 inline inference::VariantComparison compared(const inference::Variant& a, const inference::Variant& b,
                                              const std::vector<std::string>& metrics = {},
-                                             const inference::MarginQuestion& question = {}) {
-  return inference::compare_variants({{a, b}}, metrics, question).front();
+                                             const results::AnalysisPlan& plan = {}) {
+  const std::vector<inference::VariantStudy> studies{inference::study_of_both({a, b}, plan)};
+  return inference::compare_variants(studies, metrics).front();
 }
 
 // The error alone.
 inline inference::MetricComparison error_of(const inference::Variant& a, const inference::Variant& b,
-                                            const inference::MarginQuestion& question = {}) {
-  return compared(a, b, {"position_error_cm"}, question).metrics.front();
-}
-
-inline const inference::MetricComparison& metric_of(const inference::VariantComparison& comparison,
-                                                    std::string_view name) {
-  return *std::ranges::find(comparison.metrics, name, &inference::MetricComparison::metric);
+                                            const results::AnalysisPlan& plan = {}) {
+  return compared(a, b, {"position_error_cm"}, plan).metrics.front();
 }
 
 // Twenty values about `centre`, evenly within `spread` on either side.

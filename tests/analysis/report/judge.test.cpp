@@ -69,7 +69,7 @@ struct Judged {
   std::vector<std::string> relations;  // of everything that was observed but the shares, which are all 0
   std::string text;                    // of the whole report
   std::string page;                    // report.md alone
-  Outcome compared;
+  MetricComparison compared;
 };
 
 // What the studies say, and over it what is given for their report.
@@ -98,8 +98,9 @@ Judged told_at(const Significance& at) {
   told.page = text_of_file(out / "report.md");
   const std::vector<Variant> both = variants(store, store.study("own"));
   const std::vector<std::string> error{"position_error_cm"};
-  const MarginQuestion question{.margin = 0, .significance = at.given.value_or(at.study)};
-  told.compared = compare_variants({{both[0], both[1]}}, error, question).front().metrics.front().outcome;
+  const AnalysisPlan plan{.significance = at.given.value_or(at.study), .margin = 0};
+  const std::vector<VariantStudy> studies{study_of_both({both[0], both[1]}, plan)};
+  told.compared = compare_variants(studies, error).front().metrics.front();
   return told;
 }
 
@@ -122,7 +123,7 @@ TEST_CASE("where the plan says 0.05, p = 0.027 decides", "[judge]") {
   for (const char* claim : judged_claims) CHECK(verdict_of(told, claim) == "holds");
   CHECK(contains(told.text, "Here it is smaller than that of MO-PSO"));
   CHECK(contains(told.text, "the solvers differ"));
-  CHECK(told.compared == Outcome::worse);
+  CHECK(is_regression(told.compared));
 }
 
 TEST_CASE("where the plan says 0.01, nothing is decided at 0.05: in no claim, table, sentence or comparison",
@@ -137,7 +138,7 @@ TEST_CASE("where the plan says 0.01, nothing is decided at 0.05: in no claim, ta
   CHECK(contains(told.text, "Against MO-PSO (99 %) it is undecided (studentized bootstrap, p &gt;= 0.01)"));
   CHECK(!contains(told.text, "the solvers differ"));
   for (const char* other : {"p >= 0.05", "p &gt;= 0.05", "at 0.05", "95 %"}) CHECK(!contains(told.text, other));
-  CHECK(told.compared == Outcome::undecided);
+  CHECK(told.compared.contrast.relation == Relation::not_told_apart);
 }
 
 TEST_CASE("a study finds its evidence once for each metric, and of times that are not comparable only describes them",

@@ -5,7 +5,6 @@
 #include <stdexcept>
 #include <vector>
 
-#include "analysis/statistics/mean_ratio.hpp"
 #include "analysis/statistics/tails.hpp"
 #include "tests/catch.hpp"
 
@@ -13,10 +12,9 @@ using namespace ikbench;
 using namespace ikbench::statistics;
 
 TEST_CASE("one look is the test itself", "[group_sequential]") {
-  for (const double p : {1e-9, 0.001, 0.05, 0.5, 0.97, 1.0}) {
-    CHECK(chance_to_cross(constant_of(p, 1, {}), {}) == Approx(p).epsilon(1e-12));
+  for (const double level : {1e-9, 0.001, 0.05, 0.5, 0.97}) {
+    CHECK(level_of_look(level, 1, {}) == Approx(level).epsilon(1e-9));
   }
-  CHECK(chance_to_cross(constant_of(0, 1, {}), {}) == 0);
 }
 
 TEST_CASE("the boundaries of Pocock and of O'Brien and Fleming have their printed constants", "[group_sequential]") {
@@ -59,45 +57,42 @@ TEST_CASE("more looks at one boundary cross it more often, and never more than t
   }
 }
 
-TEST_CASE("an early look needs a smaller p for the same constant, unless the shape is Pocock's", "[group_sequential]") {
-  CHECK(constant_of(0.01, 1, {.looks = 4, .shape = 0.5}) == Approx(2.3263478740));
-  CHECK(constant_of(0.01, 1, {.looks = 4, .shape = 0}) == Approx(2.3263478740 / 2));
-  CHECK(constant_of(0.01, 4, {.looks = 4, .shape = 0}) == Approx(2.3263478740));
-  CHECK(std::isnan(constant_of(not_defined, 1, {})));
-  CHECK(std::isnan(chance_to_cross(not_defined, {})));
+TEST_CASE("Pocock's looks have the printed level, those of O'Brien and Fleming ask much of early ones",
+          "[group_sequential]") {
+  // Pocock, Biometrika 64 (1977) 191, Table 1: two-sided 0.05 in 4 and in 10 looks.
+  CHECK(2 * level_of_look(0.025, 1, {.looks = 4, .shape = 0.5}) == Approx(0.0182).margin(1e-4));
+  CHECK(2 * level_of_look(0.025, 3, {.looks = 10, .shape = 0.5}) == Approx(0.0106).margin(1e-4));
+  // By the constant 2.024 of four looks: Phi(-2.024 sqrt(4)) and Phi(-2.024).
+  CHECK(level_of_look(0.025, 1, {.looks = 4, .shape = 0}) == Approx(2.58e-5).epsilon(0.02));
+  CHECK(level_of_look(0.025, 4, {.looks = 4, .shape = 0}) == Approx(0.02148).epsilon(0.01));
 }
 
 TEST_CASE("a plan out of range is refused", "[group_sequential]") {
   for (const Boundary& boundary :
        {Boundary{.looks = 0}, Boundary{.looks = 101}, Boundary{.shape = -0.1}, Boundary{.shape = 0.6}}) {
     CHECK_THROWS_AS(chance_to_cross(1, boundary), std::invalid_argument);
-    CHECK_THROWS_AS(constant_of(0.1, 1, boundary), std::invalid_argument);
+    CHECK_THROWS_AS(level_of_look(0.1, 1, boundary), std::invalid_argument);
   }
 }
 
-TEST_CASE(
-    "t-tests of a ratio at the margin that are looked at ten times are wrong in 5 %, and without the boundary in more",
-    "[group_sequential]") {
-  constexpr int repetitions = 800, looks = 10, step = 4;
+TEST_CASE("a mean of 0 that is looked at ten times is found to be larger in 5 %, and without the boundary in more",
+          "[group_sequential]") {
+  constexpr int repetitions = 800, looks = 10;
   const Boundary boundary{.looks = looks};
+  std::vector<double> levels;
+  for (int look = 1; look <= looks; ++look) levels.push_back(level_of_look(0.05, look, boundary));
   std::mt19937_64 random(1);
-  const auto normal = [&](double mean) {
-    return mean + 0.3 * normal_quantile((static_cast<double>(random() >> 11) + 0.5) / 9007199254740992.0);
-  };
   double wrong = 0, wrong_without = 0;
   for (int repetition = 0; repetition < repetitions; ++repetition) {
-    std::vector<double> a, b;
-    double largest = -100, least_p = 1;
+    double sum = 0, least_p = 1;
+    bool is_found = false;
     for (int look = 1; look <= looks; ++look) {
-      for (int run = 0; run < step; ++run) {
-        a.push_back(normal(1));
-        b.push_back(normal(1.05));
-      }
-      const double p = mean_ratio(a, b, {.margin = 0.05}).p_above;  // true: the ratio is not above 1.05
-      largest = std::max(largest, constant_of(p, look, boundary));
+      sum += normal_quantile((static_cast<double>(random() >> 11) + 0.5) / 9007199254740992.0);
+      const double p = 0.5 * std::erfc(sum / std::sqrt(2.0 * look));
+      is_found = is_found || p < levels[static_cast<std::size_t>(look) - 1];
       least_p = std::min(least_p, p);
     }
-    wrong += chance_to_cross(largest, boundary) < 0.05 ? 1 : 0;
+    wrong += is_found ? 1 : 0;
     wrong_without += least_p < 0.05 ? 1 : 0;
   }
   const double error = std::sqrt(0.05 * 0.95 / repetitions);  // 0.0077
