@@ -229,7 +229,7 @@ void add_stats(CLI::App& app, Invocation& invocation) {
       "Rows that depend on each other, such as the points of one path: --run.\n\n"
       "Write Inf for a run that crashed (-Inf where larger is better): it then ranks last. A missing, empty or NaN\n"
       "value makes its run or block incomplete. Incomplete runs and blocks are left out, and the first lines warn.\n\n"
-      "docs/statistics.md explains every line of the output.");
+      "docs/reading-a-report.md explains every line of the output, docs/your-own-csv.md has examples.");
   command->callback([arguments, &invocation] {
     check(*arguments);
     if (arguments->margin > 0) arguments->plan.margin = 0;

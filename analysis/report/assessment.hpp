@@ -1,6 +1,6 @@
 // What the statistics of one quantity say, and show: sentences, tables, figures and JSON, in the order that
-// docs/statistics.md explains: what was compared, assumptions, the paper's analysis, the robust one, who differs from
-// whom, where methods disagree, and what this does not show.
+// docs/reading-a-report.md explains: what was compared, assumptions, the paper's analysis, the robust one, who differs
+// from whom, where methods disagree, and what this does not show.
 #pragma once
 
 #include <string>

@@ -135,7 +135,8 @@ succeeds stats absent.csv --value error --run run --no-figures --out absent
   fail "the first lines do not warn of runs that B lacks: $out"
 has "$err" "warning: incomplete: 5 of 20 runs of B"
 { cat absent.csv && echo A,1,1; } >doubled.csv
-refused "run 1 of A has 3 rows where other runs have 2; a row may be duplicated" stats doubled.csv --value error --run run
+refused "run 1 of A has 3 rows where other runs have 2; a row may be duplicated, or the other runs may lack rows; --force averages them as they are" \
+  stats doubled.csv --value error --run run
 
 # Two columns that are one name for a file, one of them without a Latin letter.
 printf 'solver,a b,a-b,誤差,плечо\nA,1,2,3,1\nA,2,3,5,1.5\nB,2,2,8,2\nB,2.5,1,3,3\n' >names.csv
@@ -254,7 +255,7 @@ refused '--quantity names one quantity' stats names.csv --value 'a b' --value a-
 refused '--quantity names one quantity' stats --summaries "$published" --quantity 'error [cm]'
 refused "no group 'Z' for the control; expected one of: A, B" stats pandas.csv --value error --control Z
 refused "Friedman's test needs blocks" stats pandas.csv --value error --test friedman
-refused "needs single values" stats --summaries summaries.csv --test kruskal_wallis
+refused "the Kruskal-Wallis test needs single values; expected anova, welch or tamhane for summaries" stats --summaries summaries.csv --test kruskal_wallis
 refused '--test: welsh is not one of by_design, anova, welch, kruskal_wallis, friedman, tamhane, bootstrap' stats pandas.csv --value error --test welsh
 refused '--test: 2 is not one of' stats pandas.csv --value error --test 2
 refused '--adjustment: holms is not one of holm,' stats pandas.csv --value error --adjustment holms

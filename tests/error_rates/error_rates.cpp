@@ -1,5 +1,5 @@
 // How often the verdicts are wrong: draws data sets of which the truth is known, has them judged as a report has, and
-// prints the shares as the tables of docs/statistics.md, which docs/error-rates writes.
+// prints the shares as the tables of docs/methods.md, which docs/error-rates writes.
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
 
