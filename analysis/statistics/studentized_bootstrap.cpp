@@ -142,24 +142,44 @@ std::string too_little_spread(const Compared& of, std::size_t pairs, double tole
 // Of resamples without spread, for each pair: half of what may be beyond the critical value, for all pairs together.
 double tolerated_share(std::size_t pairs, double level) { return (1 - level) / 2 / static_cast<double>(pairs); }
 
-// The largest of any pair of every resample, ascending. A pair of which too many are infinite says why and takes no
-// part.
-std::vector<double> largest_deviations(std::vector<Compared>& all, const Resampling& settings) {
-  std::vector<double> largest(static_cast<std::size_t>(settings.resamples)), own(largest.size());
+// How unusual each resample is, all pairs together: of each resample the smallest share, over the pairs, of resamples
+// in which that pair deviates by as much.
+struct FamilyDeviations {
+  std::vector<std::vector<double>> squares = {};  // of each pair that is wanted, ascending; empty where it is undefined
+  std::vector<double> least_shares = {};          // ascending
+};
+
+// Resamples that reach a squared deviation.
+double reaching(const std::vector<double>& ascending, double square) {
+  return static_cast<double>(ascending.end() - std::ranges::lower_bound(ascending, square * (1 - tie)));
+}
+
+// A pair of which too many resamples have no spread says why and takes no part.
+FamilyDeviations family_deviations(std::vector<Compared>& all, const PairFamily& family, const Resampling& settings) {
+  const auto resamples = static_cast<std::size_t>(settings.resamples);
+  FamilyDeviations result{.least_shares = std::vector<double>(resamples, 1.0)};
+  std::vector<double> own(resamples);
   const double tolerated = tolerated_share(all.size(), settings.level) * settings.resamples;
   for (Compared& each : all) {
-    if (!each.pair.undefined.empty()) continue;
-    studentize(*each.first, *each.second, own);
-    const auto without_spread = std::ranges::count(own, infinite);
-    if (static_cast<double>(without_spread) > tolerated) {
-      each.pair.undefined = too_little_spread(each, all.size(), tolerated / settings.resamples);
-      continue;
+    std::vector<double> sorted;
+    if (each.pair.undefined.empty()) {
+      studentize(*each.first, *each.second, own);
+      const auto without_spread = std::ranges::count(own, infinite);
+      if (static_cast<double>(without_spread) > tolerated) {
+        each.pair.undefined = too_little_spread(each, all.size(), tolerated / settings.resamples);
+      } else {
+        sorted = own;
+        std::ranges::sort(sorted);
+        for (std::size_t i = 0; i < resamples; ++i) {
+          const double share = reaching(sorted, own[i]) / (settings.resamples + 1);
+          result.least_shares[i] = std::min(result.least_shares[i], share);
+        }
+      }
     }
-    std::ranges::transform(own, largest, largest.begin(),
-                           [](double one, double other) { return std::max(other, one); });
+    if (is_of(each.pair, family.only_with)) result.squares.push_back(std::move(sorted));
   }
-  std::ranges::sort(largest);
-  return largest;
+  std::ranges::sort(result.least_shares);
+  return result;
 }
 
 // How many standard errors the means are apart if `shift` is added to the second, or its opposite to the first.
@@ -198,9 +218,12 @@ int affordable_resamples(std::size_t values, std::size_t groups, double level) {
   constexpr double enough = 9999, fewest_resamples = 999, most_work = 5e7, work_of_pair = 0.25;  // a value's is 1
   const auto k = static_cast<double>(groups);
   const double work = static_cast<double>(values) + work_of_pair * k * (k - 1) / 2;
-  const double wanted = std::max(enough, 20 / (1 - level));  // some twenty of them beyond the level
+  const double pairs = k * (k - 1) / 2;
+  const double wanted = std::max({enough, 20 / (1 - level), 4 * pairs / (1 - level)});  // some of them beyond the level
   const double possible = std::min(wanted, most_work / work);
-  return possible < fewest_resamples ? 0 : static_cast<int>(std::lround(possible));
+  // The smallest p of all pairs together is about the number of pairs by that of resamples.
+  const double fewest = std::max(fewest_resamples, 1.2 * pairs / (1 - level));
+  return possible < fewest ? 0 : static_cast<int>(std::lround(possible));
 }
 
 int fewest_blocks(std::size_t pairs, double level) {
@@ -227,14 +250,20 @@ std::vector<MeanDifference> pairs_of(Groups groups, const PairFamily& family, co
 // p and interval of those that are wanted.
 std::vector<MeanDifference> judged(std::vector<Compared> all, const PairFamily& family, const Resampling& settings,
                                    Scale scale) {
-  const std::vector<double> largest = largest_deviations(all, settings);
-  // p < 1 - level where fewer than so many of the resamples reach as far.
-  const double reaching = std::ceil((1 - settings.level) * (settings.resamples + 1) * (1 - tie)) - 1;
-  const double critical =
-      reaching < 1 ? infinite : std::sqrt(largest[largest.size() - static_cast<std::size_t>(reaching)]);
+  const FamilyDeviations deviations = family_deviations(all, family, settings);
+  const std::vector<double>& shares = deviations.least_shares;
+  const auto p_of = [&](double share) {  // all pairs together
+    const auto as_unusual = std::ranges::upper_bound(shares, share * (1 + tie)) - shares.begin();
+    return (1 + static_cast<double>(as_unusual)) / (settings.resamples + 1);
+  };
+  // The largest number of a pair's resamples that may reach as far where p < 1 - level.
+  int most_reaching = -1;
+  while (p_of((most_reaching + 2.0) / (settings.resamples + 1)) < (1 - settings.level) * (1 - tie)) ++most_reaching;
   std::vector<MeanDifference> result;
+  auto squares = deviations.squares.begin();
   for (const Compared& each : all) {
     if (!is_of(each.pair, family.only_with)) continue;
+    const std::vector<double>& own = *squares++;
     MeanDifference& pair = result.emplace_back(each.pair);
     if (!pair.undefined.empty()) continue;
     const Mean &first = *each.first, &second = *each.second;
@@ -245,8 +274,9 @@ std::vector<MeanDifference> judged(std::vector<Compared> all, const PairFamily& 
       pair.undefined = "the difference or its spread is too large for double precision";
       continue;
     }
-    const auto reach = largest.end() - std::ranges::lower_bound(largest, found * found * (1 - tie));
-    pair.p = (1 + static_cast<double>(reach)) / (settings.resamples + 1);
+    pair.p = p_of((1 + reaching(own, found * found)) / (settings.resamples + 1));
+    const double critical =
+        most_reaching < 0 ? infinite : std::sqrt(own[own.size() - static_cast<std::size_t>(most_reaching) - 1]);
     add_interval(pair, first, second, critical * (1 + tie), scale);
   }
   return result;

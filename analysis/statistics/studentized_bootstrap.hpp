@@ -28,9 +28,11 @@ struct PairFamily {
 // How many resamples so many values in so many groups can have in less than a second; 0 where these are too few.
 int affordable_resamples(std::size_t values, std::size_t groups, double level);
 
-// Pairs first < second in order. p is the share of resamples in which some pair of the family deviates by as much as
-// this one differs, in standard errors (Westfall and Young, Resampling-Based Multiple Testing (1993), section 2.3;
-// single step). The interval has the differences that this test does not refute; it excludes 0 where p < 1 - level.
+// Pairs first < second in order. p is the share of resamples in which some pair of the family deviates as unusually as
+// this one differs: as rarely, among its own resamples (Westfall and Young, Resampling-Based Multiple Testing (1993),
+// section 2.3; single step, smallest p). So a pair whose resamples deviate wildly, as where one value in a hundred is
+// far off, does not hide the others. The interval has the differences that this test does not refute; it excludes 0
+// where p < 1 - level.
 //
 // A pair with a group that has fewer than three values, whose values are not finite, or with two constant groups is not
 // defined. Neither is one of which so many resamples have no spread that no difference could be beyond chance. Such
