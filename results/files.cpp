@@ -94,8 +94,8 @@ bool is_half(std::string_view name) {
 
 // Locks what is open and has this name. Another process that takes it for litter, before it is locked, may hold the
 // lock (EWOULDBLOCK) or have removed it (ENOENT).
-bool lock(int descriptor, const fs::path& path) {
-  if (::flock(descriptor, LOCK_EX | LOCK_NB) != 0) return false;
+bool lock(int descriptor, const fs::path& path, int wait = LOCK_NB) {
+  if (::flock(descriptor, LOCK_EX | wait) != 0) return false;
   struct stat open {
   }, there{};
   if (::fstat(descriptor, &open) != 0 || ::lstat(path.c_str(), &there) != 0) return false;
@@ -141,13 +141,18 @@ std::error_code replace(const fs::path& file, const Contents& contents, const st
   remove_halves_of(file);
   const fs::path half = half_of(file);
   std::error_code ignored;
-  int descriptor = -1;
+  // Who takes it for litter removes it by its name while holding its lock. So we wait for the lock: a new file of that
+  // name would be removed in its place.
+  constexpr int until_free = 0;
+  int descriptor = ::open(half.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
+  if (descriptor < 0 || lock(descriptor, half, until_free) || errno != ENOENT) {
+    fs::remove(half, ignored);  // of a process that had our number
+  }
   do {
     if (descriptor >= 0) ::close(descriptor);
-    fs::remove(half, ignored);  // of a process that had our number
     descriptor = ::open(half.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, former == nullptr ? 0666 : 0600);
     if (descriptor < 0) return last_error();
-  } while (!lock(descriptor, half) && is_of_others(errno));
+  } while (!lock(descriptor, half, until_free) && errno == ENOENT);
   const int kept = ::fcntl(descriptor, F_DUPFD_CLOEXEC, 0);  // not litter until it has its name
   std::error_code error;
   try {
