@@ -22,7 +22,7 @@ std::vector<std::pair<std::string, Enum>> choices_of(const std::array<std::strin
   return choices;
 }
 
-// Of study files, the command line and what a comparison is asked (analysis/inference/variant_metric.hpp) alike.
+// Of study files, the command line and what a comparison is asked alike.
 constexpr std::pair<double, double> significances{0.0001, 0.2}, margins_percent{0, 99}, margins_cm{0, 1000},
     powers{0.5, 0.999};
 static_assert(2 * significances.second < powers.first,

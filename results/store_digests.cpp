@@ -116,7 +116,10 @@ std::map<std::string, std::string> meta_in(SQLite::Database& sqlite, const std::
 }
 
 void write_digest(SQLite::Database& sqlite, const StudyEntry& study, const std::optional<StudyEntry>& before) {
-  if (before && add(sqlite, digest_key(study), digest_of(study) - digest_of(*before)) > 0) return;
+  if (before) {  // a digest that was removed does not come back
+    add(sqlite, digest_key(study), digest_of(study) - digest_of(*before));
+    return;
+  }
   note(sqlite, digest_key(study), digest_of(study) + digest_of(looks_among(meta_in(sqlite), study.name)));
 }
 
@@ -203,6 +206,15 @@ bool has_digests(std::int64_t version) {
 Changes changes_since(SQLite::Database& sqlite, const Written& written, const Summed& known) {
   Changes changes;
   if (!has_digests(sqlite.execAndGet("PRAGMA user_version").getInt64())) return {.sentences = {}, .are_known = false};
+  const std::string of_study = digest_key(StudyEntry{});
+  for (const auto& [key, value] : written.meta) {
+    if (!key.starts_with(of_study)) continue;
+    const std::string name = key.substr(of_study.size());
+    SQLite::Statement named(sqlite, "SELECT 1 FROM studies WHERE name = ?");
+    named.bind(1, name);
+    if (named.executeStep()) continue;
+    changes.sentences.push_back(fmt::format("study {} has a digest, but the store has no such study", excerpt(name)));
+  }
   for (const StudyEntry& study : written.studies) {
     const auto digest = written.meta.find(digest_key(study));
     const bool is_known = digest != written.meta.end();

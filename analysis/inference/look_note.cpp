@@ -20,7 +20,7 @@ int runs_looked_at(const StudyResults& study) {
 std::string look_note(const std::vector<Look>& looks, int runs, double significance) {
   std::vector<std::string> earlier;
   for (const Look& look : looks) {
-    if (look.runs < runs) earlier.push_back(fmt::format("{} ({})", look.runs, look.when.substr(0, 10)));
+    if (look.runs != runs) earlier.push_back(fmt::format("{} ({})", look.runs, look.when.substr(0, 10)));
   }
   if (earlier.empty()) return "";
   constexpr std::size_t most_named = 5;
