@@ -44,21 +44,24 @@ Proportion rate_within(const StudyResults& study, std::string_view solver, int i
   return wilson(count, level);
 }
 
+int most_iterations(const StudyResults& study) {
+  std::uint32_t most = 0;
+  for (const Solve& solve : study.solves) most = std::max(most, solve.iterations);
+  return static_cast<int>(most);
+}
+
 Rate rate_of(const JudgedStudy& study, std::string_view solver, double printed) {
   Rate rate{.printed = printed, .ours = solve_rate(study, solver, level)};
-  for (std::size_t i = 0; i < budgets.size(); ++i) rate.within[i] = rate_within(study, solver, budgets[i]);
-  for (int iterations = 1; iterations <= budgets.back(); ++iterations) {
+  const int most = most_iterations(study);
+  for (std::size_t i = 0; i < budgets.size(); ++i) {
+    if (budgets[i] <= most) rate.within[i] = rate_within(study, solver, budgets[i]);
+  }
+  for (int iterations = 1; iterations <= std::min(most, budgets.back()); ++iterations) {
     if (!agrees({.printed = printed, .ours = rate_within(study, solver, iterations)})) continue;
     if (rate.first == 0) rate.first = iterations;
     rate.last = iterations;
   }
   return rate;
-}
-
-int most_iterations(const StudyResults& study) {
-  std::uint32_t most = 0;
-  for (const Solve& solve : study.solves) most = std::max(most, solve.iterations);
-  return static_cast<int>(most);
 }
 
 }  // namespace

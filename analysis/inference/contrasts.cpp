@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "analysis/inference/deciding.hpp"
 #include "analysis/inference/judge.hpp"
@@ -14,6 +15,7 @@
 #include "analysis/statistics/effect_size.hpp"
 #include "analysis/statistics/friedman.hpp"
 #include "analysis/statistics/hodges_lehmann.hpp"
+#include "analysis/statistics/median_interval.hpp"
 #include "analysis/statistics/multiple_comparisons.hpp"
 #include "analysis/statistics/power.hpp"
 #include "analysis/statistics/proportion.hpp"
@@ -88,6 +90,33 @@ double chance_of_unanimity(const Evidence& evidence, int n, int m) {
 double chance_of_unanimity(const Evidence& evidence, const Contrast& contrast) {
   return chance_of_unanimity(evidence, evidence.groups[contrast.first].described.n,
                              evidence.groups[contrast.second].described.n);
+}
+
+// How far apart two groups are that ranks compare; the interval holds for the whole family by Bonferroni.
+Estimate ratio_of_ranked(const Evidence& evidence, const std::vector<double>& first,
+                         const std::vector<double>& second) {
+  const bool is_log = evidence.scale == ValueScale::log10;
+  const auto all = [&](auto is) { return std::ranges::all_of(first, is) && std::ranges::all_of(second, is); };
+  if (!all([](double value) { return std::isfinite(value); })) return {};
+  const bool are_negative = !is_log && all([](double value) { return value < 0; });
+  if (!is_log && !are_negative && !all([](double value) { return value > 0; })) return {};
+  const auto logarithms = [&](const std::vector<double>& values) {
+    std::vector<double> result;
+    for (const double value : values)
+      result.push_back(is_log ? value * std::numbers::ln10 : are_negative ? -std::log(-value) : std::log(value));
+    return result;
+  };
+  const std::vector<double> one = logarithms(first), other = logarithms(second);
+  const double level = 1 - evidence.plan.significance / static_cast<double>(evidence.family());
+  if (evidence.blocks == 0) {
+    const Shift shift = hodges_lehmann(one, other, level);
+    return {.value = std::exp(shift.estimate), .low = std::exp(shift.low), .high = std::exp(shift.high)};
+  }
+  std::vector<double> differences;
+  for (std::size_t i = 0; i < one.size(); ++i) differences.push_back(one[i] - other[i]);
+  std::ranges::sort(differences);
+  const MedianInterval interval = median_interval(differences, level);
+  return {.value = std::exp(median(differences)), .low = std::exp(interval.low), .high = std::exp(interval.high)};
 }
 
 // Of the differences within blocks; p and interval hold for the whole family by Bonferroni.
@@ -363,6 +392,8 @@ void add_contrasts(Evidence& evidence, std::span<const GroupSummary> summaries, 
       contrast.undefined = shown.undefined;
     }
     contrast.g = hedges_g(first, second);
+    if (evidence.ranks_decide() && !values.empty())
+      contrast.ratio = ratio_of_ranked(evidence, values[contrast.first], values[contrast.second]);
     if (!ahead.empty()) {
       contrast.superiority = superiority(evidence, ahead[contrast.first], ahead[contrast.second]);
       if (evidence.blocks > 0) {

@@ -29,6 +29,12 @@ double tolerance_of(const StudyResults& study, Metric metric) {
   return std::isfinite(found.cm) && std::isfinite(found.deg) ? found.deg : not_defined;
 }
 
+// Below it errors are the same: the tolerance, or else rounding; not defined where there is neither.
+double least_of(const StudyResults& study, Metric metric) {
+  const double tolerance = tolerance_of(study, metric), rounding = info_of(metric).rounding;
+  return std::isfinite(tolerance) || !is_error(metric) || rounding == 0 ? tolerance : rounding;
+}
+
 double limit_of(const StudyResults& study, Metric metric) {
   double limit = not_defined;
   if (metric == Metric::evaluations) limit = study.facts.stop.evaluations;
@@ -68,6 +74,11 @@ std::string tolerance_note(double least, std::string_view unit) {
                      rounded_number(least, 4), unit);
 }
 
+std::string rounding_note(const MetricInfo& info) {
+  return fmt::format("A value below {0} {1} counts as {0} {1}, because below that it is rounding.",
+                     rounded_number(info.rounding, 3), info.unit);
+}
+
 Quantity mean_quantity(const StudyResults& study, Metric metric) {
   const MetricInfo& info = info_of(metric);
   Quantity result{.name = std::string(info.slug),
@@ -76,9 +87,14 @@ Quantity mean_quantity(const StudyResults& study, Metric metric) {
                   .average = is_of_run(metric) ? "value" : std::string(average_name(metric)),
                   .value = [&study, metric](Run run) { return value_of(study, run, metric); }};
   if (is_penalised(study, metric)) penalise(result, study, metric);
-  const double least = tolerance_of(study, metric);
+  const double least = least_of(study, metric);
   if (!std::isfinite(least)) return result;
-  result.notes.push_back(tolerance_note(least, info.unit));
+  if (std::isfinite(tolerance_of(study, metric))) {
+    result.notes.push_back(tolerance_note(least, info.unit));
+  } else if (std::ranges::any_of(study.solves,
+                                 [&](const Solve& solve) { return value_of(study, solve, metric) < least; })) {
+    result.notes.push_back(rounding_note(info));
+  }
   if (is_of_run(metric)) {
     result.value = [&study, metric, least](Run run) {
       const double value = value_of(study, run, metric);
@@ -104,8 +120,7 @@ Quantity typical_quantity(const StudyResults& study, Metric metric) {
   if (const double least = tolerance_of(study, metric); std::isfinite(least)) {
     result.notes.push_back(tolerance_note(least, info.unit));
   } else if (info.rounding > 0) {
-    result.notes.push_back(fmt::format("A value below {0} {1} counts as {0} {1}, because below that it is rounding.",
-                                       rounded_number(info.rounding, 3), info.unit));
+    result.notes.push_back(rounding_note(info));
   }
   return result;
 }
@@ -143,7 +158,7 @@ Estimand primary_estimand(const StudyResults& study) {
 }
 
 ValueOf counted_value(const StudyResults& study, Metric metric) {
-  return [&study, metric, least = tolerance_of(study, metric)](const Solve& solve) {
+  return [&study, metric, least = least_of(study, metric)](const Solve& solve) {
     const double value = value_of(study, solve, metric);
     return value < least ? least : value;
   };

@@ -34,8 +34,8 @@ results::Estimand primary_estimand(const StudyResults& study);
 // Up to which errors of the metric are all alike, in its unit; not defined where the study has no such tolerance.
 double tolerance_of(const StudyResults& study, Metric metric);
 
-// What of a solve counts: in a study with a tolerance an error up to the tolerance counts as the tolerance. Any other
-// value is what it is. `study` outlives the result.
+// What of a solve counts: an error up to the study's tolerance counts as the tolerance, or without one, up to rounding
+// as that. Any other value is what it is. `study` outlives the result.
 ValueOf counted_value(const StudyResults& study, Metric metric);
 
 // Whether a cost of a solve that is not ok counts `penalty` times a limit (PAR10): in studies with a tolerance.

@@ -85,6 +85,11 @@ struct Contrast {
   double p_nemenyi = statistics::not_defined;     // of Friedman's ranks, all pairs; only within blocks
   Estimate superiority = {};  // A12: the chance that an observation of first is better than one of second
   Estimate shift = {};        // Hodges and Lehmann's: the median of all differences first - second; not in blocks
+  // Where ranks decide, and all values have one sign: the typical ratio of first by second, below 1 where first is
+  // smaller. Within blocks it is the
+  // median of their ratios, with order statistics as its interval, which is that of the sign test; else Hodges and
+  // Lehmann's, with the interval of Mann and Whitney's test.
+  Estimate ratio = {};
   double g = statistics::not_defined;  // Hedges; positive where the mean of first is larger
   // Of a pair that is undecided: observations a group, or blocks, with which a difference of the margin is found with
   // the planned power where values spread as they do here, and as they plausibly do; no fewer than the test needs.

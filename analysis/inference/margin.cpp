@@ -49,6 +49,11 @@ bool is_negative(double value) { return std::isfinite(value) && value < 0; }
 }  // namespace
 
 void check_margin(const Observations& observations, const AnalysisPlan& plan) {
+  if (observations.margin > 0 && are_outcomes(observations)) {
+    throw std::invalid_argument(
+        "all values are 0 or 1, whose margin is a difference of shares; expected --margin 5% for 5 percentage points, and "
+        "no --margin-absolute");
+  }
   const bool has_negative =
       observations.scale == ValueScale::plain && std::ranges::any_of(observations.groups, [](const Group& group) {
         return std::ranges::any_of(group.values, is_negative);
@@ -61,18 +66,28 @@ void check_margin(const Summaries& summaries, const AnalysisPlan& plan) {
   refuse_negative(std::ranges::any_of(summaries.groups, is_below), summaries.quantity, summaries.margin, plan);
 }
 
-Extent extent_of(const Evidence& evidence, const Contrast& contrast) {
-  const auto [value, low, high] = contrast.difference;
-  const double room = margin_of(evidence, contrast);
+namespace {
+
+// Where an interval lies on a scale on which 0 is no difference.
+Extent extent_of(const Estimate& interval, double room, Better better, int ahead) {
+  const auto [value, low, high] = interval;
   if (!std::isfinite(low) || !std::isfinite(high) || std::isnan(room)) return Extent::unknown;
-  // Ranks within blocks know no scale, and so no margin: the same is what is equal in every block.
-  if (evidence.plan.test == DecidingTest::friedman && !evidence.of_outcomes && low != high) {
-    return Extent::unknown;
-  }
   if (std::abs(low) <= room && std::abs(high) <= room) return Extent::within;
-  const int favours = evidence.better == Better::smaller ? -sign_of(value) : sign_of(value);
-  if (sign_of(low) != sign_of(high) || favours != contrast.ahead) return Extent::unknown;
+  const int favours = better == Better::smaller ? -sign_of(value) : sign_of(value);
+  if (sign_of(low) != sign_of(high) || favours != ahead) return Extent::unknown;
   return std::min(std::abs(low), std::abs(high)) > room ? Extent::beyond : Extent::across;
+}
+
+}  // namespace
+
+Extent extent_of(const Evidence& evidence, const Contrast& contrast) {
+  if (!evidence.ranks_decide()) {
+    return extent_of(contrast.difference, margin_of(evidence, contrast), evidence.better, contrast.ahead);
+  }
+  // Ranks compare no means, and within blocks they know no scale: their margin is one of ratios.
+  const auto [value, low, high] = contrast.ratio;
+  return extent_of({.value = std::log(value), .low = std::log(low), .high = std::log(high)},
+                   std::log1p(evidence.plan.margin), evidence.better, contrast.ahead);
 }
 
 }  // namespace ikbench::inference

@@ -24,7 +24,7 @@ enum class Metric : std::size_t {
   excess_error_cm
 };
 
-// count: how often a solver does something, which is a fact where it is constant. time: compared only where times are
+// count: how often a solver does something. time: compared only where times are
 // comparable. share: of what can fail, so that never having failed is no proof.
 enum class Kind { number, count, time, share };
 

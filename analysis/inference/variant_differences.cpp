@@ -62,7 +62,7 @@ std::set<std::string> values_of(const std::vector<Session>& sessions, const std:
   return values;
 }
 
-Facts facts_of(const Provenance& of) {
+Facts known_of(const Provenance& of) {
   Facts facts{{"solver", of.series.algorithm}};
   add_values(facts, of.study.definition);
   add_values(facts, of.series.options);
@@ -95,7 +95,7 @@ std::string why_times_differ(const std::vector<Session>& a, const std::vector<Se
 }
 
 std::string differences(const Provenance& a, const Provenance& b) {
-  const Facts of_a = facts_of(a), of_b = facts_of(b);
+  const Facts of_a = known_of(a), of_b = known_of(b);
   std::set<std::string> keys;
   for (const Facts* facts : {&of_a, &of_b}) {
     for (const auto& [key, value] : *facts) keys.insert(key);

@@ -34,7 +34,8 @@ std::vector<VariantStudy> first_runs(std::span<const VariantStudy> all, int runs
   return result;
 }
 
-bool is_settled(const MetricComparison& metric) { return metric.is_fact || (metric.is_compared && !is_open(metric)); }
+// A fact of the first runs is none of the next.
+bool is_settled(const MetricComparison& metric) { return metric.is_compared && !metric.is_fact && !is_open(metric); }
 
 // What an earlier look has decided stays.
 void keep_settled(std::vector<VariantComparison>& now, const std::vector<VariantComparison>& before) {
@@ -82,12 +83,17 @@ SequentialComparison compare_sequentially(std::span<const VariantStudy> studies,
         fmt::format("A and B have {} complete runs in common, and the first look is after {}", available, looks.step));
   }
   const Boundary boundary{.looks = looks.most / looks.step};
+  std::map<double, double> constants;  // of levels
+  const auto level_of = [&](double level, int look) {
+    const auto [known, is_new] = constants.try_emplace(level);
+    if (is_new) known->second = constant_of(level / 2, boundary);
+    return 2 * level_of_look(known->second, look, boundary);
+  };
   SequentialComparison result;
   for (int look = 1; look * looks.step <= available && result.state != LookState::settled; ++look) {
     result.runs = look * looks.step;
-    std::vector<VariantComparison> now = compare_variants(first_runs(studies, result.runs), metrics, [&](double level) {
-      return 2 * level_of_look(level / 2, look, boundary);
-    });
+    std::vector<VariantComparison> now = compare_variants(first_runs(studies, result.runs), metrics,
+                                                          [&](double level) { return level_of(level, look); });
     keep_settled(now, result.comparisons);
     result.comparisons = std::move(now);
     const auto is_waited_for = [](const MetricComparison& metric) { return metric.is_compared && is_open(metric); };

@@ -102,6 +102,16 @@ void refuse_other_tasks(const StudyResults& study, std::string_view label) {
   if (!is_shared) throw refused("different targets (they have no run in common)");
 }
 
+// Two arms may have one name, as where each is a file of its user.
+void refuse_other_arm(const Variant& a, const Variant& b) {
+  const nlohmann::json one = facts_of(a.study.definition).arm, other = facts_of(b.study.definition).arm;
+  if (!one.is_object() || !other.is_object()) return;
+  for (const char* part : {"links", "base", "tool"}) {
+    if (one.value(part, nlohmann::json()) == other.value(part, nlohmann::json())) continue;
+    throw refused(fmt::format("arms of one name, whose {} differ", part));
+  }
+}
+
 // Passes on the solves of both sides as those of the solvers "A" and "B".
 class Reader {
  public:
@@ -206,9 +216,10 @@ Contrast contrast_with_not_finite(const Observations& observations, AnalysisPlan
   const Observations finite = of_finite(observations);
   const bool has_values =
       std::ranges::all_of(finite.groups, [](const Group& group) { return group.values.size() > 1; });
-  const Contrast of_values = has_values ? contrast_of(finite, plan) : Contrast{.second = 1};
+  const Contrast of_values =
+      has_values ? contrast_of(finite, plan) : Contrast{.second = 1, .undefined = "too few values are finite"};
   const auto doubled = [](Contrast contrast) {
-    contrast.p = std::min(1.0, 2 * contrast.p);
+    if (!std::isnan(contrast.p)) contrast.p = std::min(1.0, 2 * contrast.p);
     return contrast;
   };
   if (!is_decided(of_numbers)) {
@@ -216,10 +227,14 @@ Contrast contrast_with_not_finite(const Observations& observations, AnalysisPlan
     const bool is_against = is_decided(of_values) && of_numbers.ahead != 0 && of_values.ahead != of_numbers.ahead;
     // As many failures may be hidden behind the values of the better one.
     if (result.relation == Relation::equivalent || is_against) result.relation = Relation::not_told_apart;
+    if (is_against) result.undefined = "its finite values and how many there are favour different sides";
     return result;
   }
   Contrast result = doubled(of_numbers);
-  if (is_decided(of_values) && of_values.relation != of_numbers.relation) result.relation = Relation::not_told_apart;
+  if (is_decided(of_values) && of_values.relation != of_numbers.relation) {
+    result.relation = Relation::not_told_apart;
+    result.undefined = "its finite values and how many there are favour different sides";
+  }
   result.extent = Extent::beyond;  // of a failure no margin is made up
   return result;
 }
@@ -232,18 +247,19 @@ void settle(MetricComparison& result, Relation relation, Extent extent, std::str
 }
 
 // Two that repeat their answers in every run: which is better is no matter of chance.
-void settle_copies(MetricComparison& result, const AnalysisPlan& plan) {
-  const Better better = info_of(result.metric).better;
-  const double ahead_of_b = (result.mean_a - result.mean_b) * (better == Better::smaller ? 1 : -1);
-  const double room =
-      std::max(plan.margin * std::abs(result.mean_a), is_in_cm(name_of(result.metric)) ? plan.margin_cm : 0);
-  const bool is_small = std::abs(ahead_of_b) <= room;
+void settle_copies(MetricComparison& result, const Observations& observations, AnalysisPlan plan) {
+  constexpr std::string_view why = "all runs of each are equal: a fact of these targets, without a test";
+  const double a = observations.groups[0].values[0], b = observations.groups[1].values[0];
+  const int by_size = observations.better == Better::smaller ? 1 : -1;
+  const auto rank = [&](double value) { return std::isfinite(value) ? by_size * value : worse_than_every_number; };
+  const Evidence evidence = described(observations, plan);
+  const bool are_finite = std::isfinite(a) && std::isfinite(b);
+  const bool is_small = rank(a) == rank(b) || (are_finite && std::abs(b - a) <= margin_of(evidence, {.second = 1}));
   settle(result,
-         is_small         ? Relation::equivalent
-         : ahead_of_b > 0 ? Relation::second_better
-                          : Relation::first_better,
-         is_small ? Extent::within : Extent::beyond,
-         "all runs of each are equal: a fact of these targets, without a test");
+         is_small            ? Relation::equivalent
+         : rank(b) < rank(a) ? Relation::second_better
+                             : Relation::first_better,
+         is_small ? Extent::within : Extent::beyond, std::string(why));
 }
 
 bool are_rounding(const Observations& observations, Metric metric) {
@@ -255,17 +271,22 @@ bool are_rounding(const Observations& observations, Metric metric) {
 
 // A metric with its observations, which are tested at several levels.
 struct Examined {
-  const StudyResults* study = nullptr;
   MetricComparison* row = nullptr;
   Observations observations = {};
   AnalysisPlan plan = {};
 
   void test(double level) {
+    row->level = level;
+    // No bootstrap of ours resolves less, and 1 - level has to be below 1.
+    constexpr double least_level = 1e-6;
+    if (level < least_level) {
+      row->contrast.relation = Relation::not_told_apart;
+      return;
+    }
     plan.significance = level;
     const bool all_finite = std::ranges::all_of(
         observations.groups, [](const Group& group) { return count_finite(group) == group.values.size(); });
     row->contrast = all_finite ? contrast_of(observations, plan) : contrast_with_not_finite(observations, plan);
-    row->level = level;
   }
 };
 
@@ -285,11 +306,13 @@ std::vector<Examined> examine(const VariantStudy& of, std::span<const Metric> me
   std::vector<Examined> open;
   comparison.metrics.reserve(metrics.size());
   for (const Metric metric : metrics) {
-    MetricComparison& row = comparison.metrics.emplace_back(MetricComparison{.metric = metric});
-    const Observations observed = observations(study, metric);
+    const std::vector<Estimand> planned = estimands_of(study, metric);
+    const bool has_mean = std::ranges::find(planned, Estimand::mean) != planned.end();
+    const Estimand estimand = has_mean || is_of_run(metric) ? Estimand::mean : planned.front();
+    MetricComparison& row = comparison.metrics.emplace_back(MetricComparison{.metric = metric, .estimand = estimand});
+    const Observations observed = observations(study, metric, estimand);
     for (const std::string& note : observed.notes) comparison.notes.push_back(note);
     const auto group = [&](const char* name) { return std::ranges::find(observed.groups, name, &Group::name); };
-    const LeftOut without = left_out(study, metric);
     const std::string why_not = info_of(metric).kind == Kind::time ? of.times_differ : "";
     if (!why_not.empty() || !observed.flaw.empty() || group(name_of_a) == observed.groups.end() ||
         group(name_of_b) == observed.groups.end()) {
@@ -309,9 +332,10 @@ std::vector<Examined> examine(const VariantStudy& of, std::span<const Metric> me
       continue;
     }
     row.observation = observed.blocks.empty() || observed.block_noun == "runs" ? "run" : "target";
+    const Observations finite = of_finite(observed);
     const auto mean_of = [&](const char* name) {
-      const Observations finite = of_finite(observed);
-      return mean(std::ranges::find(finite.groups, name, &Group::name)->values);
+      const double of_values = mean(std::ranges::find(finite.groups, name, &Group::name)->values);
+      return observed.scale == ValueScale::log10 ? std::pow(10, of_values) : of_values;
     };
     row.n_a = static_cast<int>(group(name_of_a)->values.size());
     row.n_b = static_cast<int>(group(name_of_b)->values.size());
@@ -330,13 +354,14 @@ std::vector<Examined> examine(const VariantStudy& of, std::span<const Metric> me
     if (has_same_bits(study, metric)) {
       settle(row, Relation::equivalent, Extent::within, "equal bit for bit");
     } else if (are_copies) {
-      settle_copies(row, study.plan);
+      settle_copies(row, observed, study.plan);
     } else if (are_rounding(observed, metric)) {
       settle(row, Relation::equivalent, Extent::within,
              fmt::format("both are rounding errors, below {}", short_number(info_of(metric).rounding)));
     } else {
-      open.push_back(
-          {.study = &study, .row = &row, .observations = observed, .plan = judging(study.plan, metric, observed)});
+      open.push_back({.row = &row, .observations = observed, .plan = judging(study.plan, metric, observed)});
+      const DecidingTest test = open.back().plan.test;
+      row.is_by_ranks = test == DecidingTest::kruskal_wallis || test == DecidingTest::friedman;
     }
   }
   return open;
@@ -362,15 +387,14 @@ void decide(std::vector<Examined>& all, double significance, const LevelOf& leve
   }
 }
 
+// Nothing where there are as many already: then it is not their number.
 std::string what_would_show(const MetricComparison& row) {
-  const Estimate& runs = row.contrast.runs_to_decide;
-  if (!std::isfinite(runs.value)) return "";
-  const bool is_range =
-      std::isfinite(runs.low) && std::isfinite(runs.high) && runs.high > runs.low && runs.high < 100 * runs.low;
-  return is_range ? fmt::format("a difference of the margin takes {:.0f} to {:.0f} {}s", runs.low, runs.high,
-                                row.observation)
-                  : fmt::format("a difference of the margin takes at least {:.0f} {}s",
-                                std::isfinite(runs.low) ? runs.low : runs.value, row.observation);
+  const auto& [value, low, high] = row.contrast.runs_to_decide;
+  const double least = std::isfinite(low) ? low : value;
+  if (!(least > std::min(row.n_a, row.n_b))) return "";
+  const bool is_range = std::isfinite(high) && high > least && high < 100 * least;
+  return is_range ? fmt::format("a difference of the margin takes {:.0f} to {:.0f} {}s", least, high, row.observation)
+                  : fmt::format("a difference of the margin takes at least {:.0f} {}s", least, row.observation);
 }
 
 void add_remark(MetricComparison& row, const std::string& remark) {
@@ -380,16 +404,17 @@ void add_remark(MetricComparison& row, const std::string& remark) {
 void add_remarks(MetricComparison& row, double significance) {
   if (row.is_fact || !row.is_compared) return;
   const Contrast& contrast = row.contrast;
-  if (contrast.relation == Relation::undefined) return add_remark(row, contrast.undefined);
+  if (contrast.relation == Relation::undefined || !contrast.undefined.empty())
+    return add_remark(row, contrast.undefined);
   if (contrast.relation == Relation::not_told_apart) {
-    if (contrast.p < significance)
+    if (contrast.p >= row.level && contrast.p < significance) {
       add_remark(row, fmt::format("{} by itself, but not among all of this comparison",
                                   contrast.ahead < 0 ? "better" : "worse"));
+    }
     return add_remark(row, what_would_show(row));
   }
-  const int fewer = std::min(row.n_a, row.n_b);
-  if (row.contrast.relation != Relation::first_better)
-    add_remark(row, unseen_words(fewer, fmt::format("{}s", row.observation), row.level));
+  if (contrast.relation == Relation::first_better || row.is_by_ranks) return;
+  add_remark(row, unseen_words(std::min(row.n_a, row.n_b), fmt::format("{}s", row.observation), row.level));
 }
 
 }  // namespace
@@ -423,6 +448,7 @@ std::vector<Variant> variants(const Store& store, const StudyEntry& study) {
 
 VariantStudy study_of_both(const VariantPair& pair, const AnalysisPlan& plan) {
   const auto& [a, b] = pair;
+  refuse_other_arm(a, b);
   StudyEntry entry = a.study;
   entry.series = {a.series, b.series};
   entry.series[0].label = name_of_a;

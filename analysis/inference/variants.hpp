@@ -46,12 +46,14 @@ VariantStudy study_of_both(const VariantPair& pair, const results::AnalysisPlan&
 // What is known of B against A by one metric.
 struct MetricComparison {
   Metric metric;
+  results::Estimand estimand = results::Estimand::mean;
   int n_a = 0, n_b = 0;
   double mean_a = statistics::not_defined, mean_b = statistics::not_defined;
   std::string_view observation = "run";    // what one value is of: "run" or "target"
   Contrast contrast = {};                  // of A and B, in this order; its p is not corrected
   double level = statistics::not_defined;  // that p is below where the two differ; the interval is of 1 - level
   bool is_compared = true;                 // else `remark` says why not
+  bool is_by_ranks = false;                // its test compares no means
   bool is_fact = false;                    // there is no chance in it, and no p
   bool is_counted = true;  // false: evaluations that nobody counted, which is no failure of a comparison
   std::string remark = {};
@@ -72,9 +74,10 @@ struct VariantComparison {
 // `level_of` turns a significance level into that of one look; the identity where there is one look alone.
 using LevelOf = std::function<double(double)>;
 
-// The metrics named, or where none is those of compared_metrics(), and of poses the orientation error. The plan's test
-// decides each, at the levels of Holm's correction over all labels and metrics, so that any finding among those where A
-// and B do not differ has the probability `significance` at most. std::invalid_argument for an unknown metric.
+// The metrics named, or where none is those of compared_metrics(), and of poses the orientation error: the mean of
+// each, unless the plan has it by another estimand alone. The plan's test decides each, at the levels of Holm's
+// correction over all labels and metrics, so that any finding among those where A and B do not differ has the
+// probability `significance` at most. std::invalid_argument for an unknown metric.
 std::vector<VariantComparison> compare_variants(
     std::span<const VariantStudy> studies, std::span<const std::string> metrics,
     const LevelOf& level_of = [](double level) { return level; });

@@ -113,7 +113,8 @@ std::string extent_words(const Evidence& evidence, const Contrast& contrast) {
                                               std::abs(evidence.groups[contrast.second].described.mean));
       const auto [low, high] = interval_sizes(evidence, contrast);
       const double least = low - no_difference(evidence), most = high - no_difference(evidence);
-      if (evidence.of_outcomes || !(most <= most_in_percent * unit)) return fmt::format("less or more than {}", margin);
+      if (evidence.of_outcomes || evidence.plan.margin == 0 || !(most <= most_in_percent * unit))
+        return fmt::format("less or more than {}", margin);
       return fmt::format("{} to {} (margin {})", percent(least / unit), percent(most / unit), margin);
     }
     default:

@@ -71,8 +71,7 @@ std::string dependence_note(Trials trials, const std::string& level) {
   if (trials == Trials::targets) {
     return fmt::format(
         "Each solve starts at the initial configuration, and targets repeat, so one trial is a target: the share of "
-        "its solves that reach the tolerance. The interval is the {} Wilson interval of the mean share. There is no "
-        "log-rank test, because it would count every repetition.",
+        "its solves that reach the tolerance. The interval is the {} Wilson interval of the mean share.",
         level);
   }
   if (trials == Trials::solves) {

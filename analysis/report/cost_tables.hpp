@@ -1,5 +1,5 @@
 // What it costs to come to the tolerance of a study: how many solves do, expected running time, survival curves and
-// their log-rank test (methods and sources: analysis/statistics/{proportion,running_time,survival,log_rank}.hpp).
+// their log-rank test (methods and sources: analysis/statistics/{proportion,running_time,survival}.hpp).
 #pragma once
 
 #include <vector>

@@ -317,7 +317,8 @@ Report write_report(const Store& store, const ReportRequest& request) {
   }
   const int runs = runs_looked_at(study);
   if (std::string note = look_note(looks_at(entry.name, store.name()), runs, study.plan.significance); !note.empty()) {
-    content.warnings.insert(content.warnings.begin(), std::move(note));
+    const std::ptrdiff_t after_wrong_claims = wrong_claims_sentence(study).empty() ? 0 : 1;
+    content.warnings.insert(content.warnings.begin() + after_wrong_claims, std::move(note));
   }
   if (study.plan.unit == Unit::point) content.warnings.insert(content.warnings.begin(), capitalised(points_flaw) + '.');
   std::ranges::move(imported_warnings(entry, study), std::back_inserter(content.warnings));

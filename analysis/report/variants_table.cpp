@@ -28,11 +28,24 @@ constexpr std::size_t most_labels = 12;
 Cell defined(double value) { return std::isfinite(value) ? Cell(value) : Cell(); }
 Cell p_value(double value) { return std::isfinite(value) ? Cell(PValue{value}) : Cell(); }
 
-// Of B by A, from the interval of the difference of means.
+std::string metric_words(const MetricComparison& metric) {
+  return metric.estimand == Estimand::mean ? std::string(name_of(metric.metric))
+                                           : fmt::format("{} ({})", name_of(metric.metric), name_of(metric.estimand));
+}
+
+// Of B by A: of means from the interval of their difference, of typical values and ranks as it is.
 Estimate ratio_of(const MetricComparison& metric) {
+  const auto inverse = [](const Estimate& of) {
+    return Estimate{.value = 1 / of.value, .low = 1 / of.high, .high = 1 / of.low};
+  };
+  if (metric.is_by_ranks) return inverse(metric.contrast.ratio);
+  if (metric.estimand == Estimand::typical) return inverse(metric.contrast.difference);
   if (!(metric.mean_a > 0)) return {};
   const Estimate& difference = metric.contrast.difference;  // A - B
-  const auto ratio = [&](double apart) { return 1 - apart / metric.mean_a; };
+  const double most = info_of(metric.metric).kind == Kind::share ? 1 / metric.mean_a : HUGE_VAL;
+  const auto ratio = [&](double apart) {
+    return std::isfinite(apart) ? std::clamp(1 - apart / metric.mean_a, 0.0, most) : not_defined;
+  };
   return {.value = metric.mean_b / metric.mean_a, .low = ratio(difference.high), .high = ratio(difference.low)};
 }
 
@@ -51,7 +64,8 @@ std::string b_is(const MetricComparison& metric, const std::string& margin) {
   const auto sized = [&](std::string_view word) {
     return extent == Extent::within   ? fmt::format("{} by less than {}", word, margin)
            : extent == Extent::beyond ? fmt::format("{} by more than {}", word, margin)
-                                      : fmt::format("{}, perhaps by less than {}", word, margin);
+           : extent == Extent::across ? fmt::format("{}, perhaps by less than {}", word, margin)
+                                      : fmt::format("{}, by how much is not known", word);
   };
   switch (relation) {
     case Relation::first_better:
@@ -71,7 +85,7 @@ std::vector<Cell> row_of(const VariantComparison& comparison, const MetricCompar
   const auto of_b = [&](double share_of_a) { return defined(metric.is_fact ? not_defined : 1 - share_of_a); };
   const Estimate& ahead = metric.contrast.superiority;
   return {comparison.label,
-          std::string(name_of(metric.metric)),
+          metric_words(metric),
           b_is(metric, margin),
           std::int64_t{metric.n_a},
           std::int64_t{metric.n_b},
@@ -108,7 +122,7 @@ std::string regression(const MetricComparison& metric) {
   if (std::isfinite(ratio.low))
     facts.push_back(fmt::format("interval {} to {}", short_number(ratio.low), short_number(ratio.high)));
   facts.push_back(metric.is_fact ? "no test" : fmt::format("p {}", short_number(metric.contrast.p)));
-  return fmt::format("{} ({})", name_of(metric.metric), fmt::join(facts, ", "));
+  return fmt::format("{} ({})", metric_words(metric), fmt::join(facts, ", "));
 }
 
 std::string regressions(const VariantsReport& of) {
@@ -174,7 +188,7 @@ Table variants_table(const VariantsReport& of) {
       .notes = {
           "The test of the study's plan decides, as in a report of these two solvers. p is that of one metric alone. "
           "A and B differ where it is below the level, which is corrected for all labels and metrics (Holm). low and "
-          "high: interval of the difference of means, as a ratio by A's, that goes with the level. a12: in pairs the "
+          "high: interval of the ratio that goes with the level: of means, or where ranks decide (times) the typical ratio. a12: in pairs the "
           "share in which B is better, otherwise the probability that an observation of B is better than one of A."}};
   for (const VariantComparison& comparison : of.comparisons) {
     for (const MetricComparison& metric : comparison.metrics) table.rows.push_back(row_of(comparison, metric, margin));

@@ -75,13 +75,18 @@ double chance_to_cross(double c, const Boundary& boundary) {
   return std::min(crossed, 1.0);
 }
 
-double level_of_look(double level, int look, const Boundary& boundary) {
+double constant_of(double level, const Boundary& boundary) {
   double low = -10, high = 40;  // the chance falls with c
   for (int i = 0; i < 60; ++i) {
     const double middle = (low + high) / 2;
     (chance_to_cross(middle, boundary) > level ? low : high) = middle;
   }
-  return normal_above(high * std::pow(static_cast<double>(look) / boundary.looks, boundary.shape - 0.5));
+  return high;
+}
+
+double level_of_look(double c, int look, const Boundary& boundary) {
+  check_boundary(boundary);
+  return normal_above(c * std::pow(static_cast<double>(look) / boundary.looks, boundary.shape - 0.5));
 }
 
 }  // namespace ikbench::statistics

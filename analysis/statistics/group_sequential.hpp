@@ -16,9 +16,10 @@ struct Boundary {
 // std::invalid_argument where the boundary is out of range; NaN where c is.
 double chance_to_cross(double c, const Boundary& boundary);
 
-// The one-sided p below which look `look` rejects, so that any of the looks does so with the chance `level` (Jennison
-// and Turnbull, Group Sequential Methods (2000), section 3.3). std::invalid_argument where the boundary is out of
-// range.
-double level_of_look(double level, int look, const Boundary& boundary);
+// The c that the looks together cross with the chance `level`, and the one-sided p below which look `look` then rejects
+// (Jennison and Turnbull, Group Sequential Methods (2000), section 3.3). std::invalid_argument where the boundary is
+// out of range.
+double constant_of(double level, const Boundary& boundary);
+double level_of_look(double c, int look, const Boundary& boundary);
 
 }  // namespace ikbench::statistics

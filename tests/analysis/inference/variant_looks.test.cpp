@@ -6,6 +6,7 @@
 #include <random>
 #include <stdexcept>
 
+#include "results/analysis_plan_fields.hpp"
 #include "tests/analysis/inference/variant_samples.hpp"
 #include "tests/catch.hpp"
 #include "tests/results/samples.hpp"
@@ -112,4 +113,27 @@ TEST_CASE("labels that did not change fail a gate that looks five times in at mo
   }
   CHECK(failed > 0);
   CHECK(failed <= 0.05 * repetitions + 3 * std::sqrt(0.05 * 0.95 * repetitions));  // 19
+}
+
+TEST_CASE("what is equal in the first runs may differ in the next", "[variants][looks]") {
+  std::vector<double> later = about(1, 0.1);
+  for (std::size_t i = 5; i < later.size(); ++i) later[i] *= 50;
+  const auto varied = [](results::SolveRecord& solve) { solve.variation_deg = 10 + 0.1 * (solve.run * 7 % 20); };
+  const auto varied_more = [](results::SolveRecord& solve) {
+    solve.variation_deg = 10.05 + 0.1 * (solve.run * 3 % 20);
+  };
+  const Variant a = variant(about(1, 0.1), varied), b = variant(later, varied_more);
+  const SequentialComparison found =
+      compare_sequentially(std::vector{study_of_both({a, b}, {.margin = 0})},
+                           std::vector<std::string>{"position_error_cm", "variation_deg"}, {.step = 5, .most = 20});
+  CHECK(found.runs > 5);
+  CHECK(is_regression(found.comparisons.front().metrics.front()));
+}
+
+TEST_CASE("looks at every level that a plan may ask end", "[variants][looks]") {
+  const Variant a = variant(about(1, 0.3)), b = variant(about(1.2, 0.3));
+  for (const double significance : {significances.first, significances.second}) {
+    const std::vector<VariantStudy> studies{study_of_both({a, b}, {.significance = significance})};
+    CHECK_NOTHROW(compare_sequentially(studies, errors_alone, {.step = 2, .most = 40}));
+  }
 }

@@ -141,11 +141,75 @@ TEST_CASE("answers that are not finite are worse than numbers, but one of twenty
 }
 
 TEST_CASE("a share of a mean is no margin where values may be negative", "[variants]") {
-  const Variant a = variant(about(0.1, 1)), b = variant(about(5, 1));
-  const MetricComparison refused = error_of(a, b);
-  CHECK(!refused.is_compared);
-  CHECK_THAT(refused.remark, ContainsSubstring("negative"));
-  CHECK(is_regression(error_of(a, b, {.margin = 0})));
+  const auto varied = [](SolveRecord& solve) { solve.variation_deg = solve.position_error_cm; };
+  const Variant a = variant(about(0.1, 1), varied), b = variant(about(5, 1), varied);
+  const MetricComparison without = compared(a, b, {"variation_deg"}).metrics.front();
+  CHECK(!without.is_compared);
+  CHECK_THAT(without.remark, ContainsSubstring("negative"));
+  CHECK(is_regression(compared(a, b, {"variation_deg"}, {.margin = 0}).metrics.front()));
+}
+
+TEST_CASE("times in blocks, and a plan of ranks, can be a regression", "[variants]") {
+  const auto with = [](double factor, const std::string& plan) {
+    std::vector<SolveRecord> solves;
+    for (int run = 1; run <= 40; ++run) {
+      solves.push_back(solve_of(run, factor * (1 + 0.01 * (run % 7))));
+      solves.back().seconds = solves.back().cpu_seconds = 0.001 * factor * (1 + 0.01 * (run % 5));
+      draw_target(solves.back());
+    }
+    return variant_of(
+        std::move(solves),
+        fmt::format(R"({{"points": 1, "runs": 40, "path": {{"kind": "random"}}, "start": "initial"{}}})", plan));
+  };
+  const std::string ranks = R"(, "analysis": {"test": "friedman"})";
+  for (const std::string& plan : {std::string(), ranks}) {
+    const VariantComparison slower = compared(with(1, plan), with(10, plan), {"seconds", "position_error_cm"});
+    for (const MetricComparison& metric : slower.metrics) CHECK(is_regression(metric));
+    CHECK(slower.metrics[0].contrast.ratio.value == Approx(0.1).epsilon(0.1));
+    const VariantComparison barely = compared(with(1, plan), with(1.02, plan), {"seconds"});
+    CHECK(barely.metrics[0].contrast.relation == Relation::first_better);
+    CHECK(barely.metrics[0].contrast.extent == Extent::within);
+  }
+}
+
+TEST_CASE("a plan without means is compared by what it has", "[variants]") {
+  const std::string definition =
+      R"({"points": 1, "runs": 20, "path": {"kind": "helix"}, "start": "previous", "analysis": {"estimands": ["typical"]}})";
+  const auto of = [&](double factor) {
+    return variant({.runs = 20, .points = 1, .definition = definition},
+                   [=](int run, int) { return factor * (1 + 0.02 * run); });
+  };
+  const MetricComparison typical = error_of(of(1), of(3));
+  CHECK(typical.estimand == Estimand::typical);
+  CHECK(is_regression(typical));
+  CHECK(typical.mean_b / typical.mean_a == Approx(3));
+}
+
+TEST_CASE("copies of an answer that is not finite are the worse ones", "[variants]") {
+  const auto with = [](double error_cm) {
+    return variant(
+        {.runs = 20,
+         .points = 1,
+         .definition = R"({"points": 1, "runs": 20, "path": {"kind": "helix"}, "start": "previous"})"},
+        [=](int, int) { return error_cm; },
+        [](SolveRecord& solve) {
+          solve.answer_rad = {1, 2};
+        });
+  };
+  const double infinite = std::numeric_limits<double>::infinity();
+  CHECK(error_of(with(infinite), with(1)).contrast.relation == Relation::second_better);
+  CHECK(is_regression(error_of(with(1), with(infinite))));
+}
+
+TEST_CASE("arms of one name with other links are not compared", "[variants]") {
+  const auto with = [](const std::string& links) {
+    return variant({.runs = 3,
+                    .points = 1,
+                    .definition = fmt::format(R"({{"points": 1, "runs": 3, "arm": {{"links": {}}}}})", links)},
+                   [](int, int) { return 1.0; });
+  };
+  CHECK_THAT(refusal(with("[1]"), with("[2]")), ContainsSubstring("arms of one name, whose links differ"));
+  CHECK(refusal(with("[1]"), with("[1]")).empty());
 }
 
 TEST_CASE("several metrics are tested at Holm's levels", "[variants]") {

@@ -13,7 +13,7 @@ using namespace ikbench::statistics;
 
 TEST_CASE("one look is the test itself", "[group_sequential]") {
   for (const double level : {1e-9, 0.001, 0.05, 0.5, 0.97}) {
-    CHECK(level_of_look(level, 1, {}) == Approx(level).epsilon(1e-9));
+    CHECK(level_of_look(constant_of(level, {}), 1, {}) == Approx(level).epsilon(1e-9));
   }
 }
 
@@ -60,18 +60,23 @@ TEST_CASE("more looks at one boundary cross it more often, and never more than t
 TEST_CASE("Pocock's looks have the printed level, those of O'Brien and Fleming ask much of early ones",
           "[group_sequential]") {
   // Pocock, Biometrika 64 (1977) 191, Table 1: two-sided 0.05 in 4 and in 10 looks.
-  CHECK(2 * level_of_look(0.025, 1, {.looks = 4, .shape = 0.5}) == Approx(0.0182).margin(1e-4));
-  CHECK(2 * level_of_look(0.025, 3, {.looks = 10, .shape = 0.5}) == Approx(0.0106).margin(1e-4));
+  CHECK(2 * level_of_look(constant_of(0.025, {.looks = 4, .shape = 0.5}), 1, {.looks = 4, .shape = 0.5}) ==
+        Approx(0.0182).margin(1e-4));
+  CHECK(2 * level_of_look(constant_of(0.025, {.looks = 10, .shape = 0.5}), 3, {.looks = 10, .shape = 0.5}) ==
+        Approx(0.0106).margin(1e-4));
   // By the constant 2.024 of four looks: Phi(-2.024 sqrt(4)) and Phi(-2.024).
-  CHECK(level_of_look(0.025, 1, {.looks = 4, .shape = 0}) == Approx(2.58e-5).epsilon(0.02));
-  CHECK(level_of_look(0.025, 4, {.looks = 4, .shape = 0}) == Approx(0.02148).epsilon(0.01));
+  CHECK(level_of_look(constant_of(0.025, {.looks = 4, .shape = 0}), 1, {.looks = 4, .shape = 0}) ==
+        Approx(2.58e-5).epsilon(0.02));
+  CHECK(level_of_look(constant_of(0.025, {.looks = 4, .shape = 0}), 4, {.looks = 4, .shape = 0}) ==
+        Approx(0.02148).epsilon(0.01));
 }
 
 TEST_CASE("a plan out of range is refused", "[group_sequential]") {
   for (const Boundary& boundary :
        {Boundary{.looks = 0}, Boundary{.looks = 101}, Boundary{.shape = -0.1}, Boundary{.shape = 0.6}}) {
     CHECK_THROWS_AS(chance_to_cross(1, boundary), std::invalid_argument);
-    CHECK_THROWS_AS(level_of_look(0.1, 1, boundary), std::invalid_argument);
+    CHECK_THROWS_AS(constant_of(0.1, boundary), std::invalid_argument);
+    CHECK_THROWS_AS(level_of_look(2, 1, boundary), std::invalid_argument);
   }
 }
 
@@ -80,7 +85,8 @@ TEST_CASE("a mean of 0 that is looked at ten times is found to be larger in 5 %,
   constexpr int repetitions = 800, looks = 10;
   const Boundary boundary{.looks = looks};
   std::vector<double> levels;
-  for (int look = 1; look <= looks; ++look) levels.push_back(level_of_look(0.05, look, boundary));
+  for (int look = 1; look <= looks; ++look)
+    levels.push_back(level_of_look(constant_of(0.05, boundary), look, boundary));
   std::mt19937_64 random(1);
   double wrong = 0, wrong_without = 0;
   for (int repetition = 0; repetition < repetitions; ++repetition) {
