@@ -387,6 +387,26 @@ void decide(std::vector<Examined>& all, double significance, const LevelOf& leve
   }
 }
 
+// "Solves without an answer: none of A's 16; 3 of B's 16 (crashed 1, timed_out 2)."; empty where every solve has one.
+std::string failures_note(const StudyResults& study) {
+  std::vector<std::string> sides;
+  int all = 0;
+  for (const SolverCounts& count : counts(study)) {
+    int failures = 0;
+    std::vector<std::string> kinds;
+    for (const Status status : shown_statuses(study)) {
+      if (!is_without_answer(status) || count.of(status) == 0) continue;
+      failures += count.of(status);
+      kinds.push_back(fmt::format("{} {}", name_of(status), count.of(status)));
+    }
+    all += failures;
+    sides.push_back(failures == 0 ? fmt::format("none of {}'s {}", count.solver, count.solves)
+                                  : fmt::format("{} of {}'s {} ({})", failures, count.solver, count.solves,
+                                                fmt::join(kinds, ", ")));
+  }
+  return all == 0 ? "" : fmt::format("Solves without an answer: {}.", fmt::join(sides, "; "));
+}
+
 // Nothing where there are as many already: then it is not their number.
 std::string what_would_show(const MetricComparison& row) {
   const auto& [value, low, high] = row.contrast.runs_to_decide;
@@ -486,7 +506,7 @@ std::vector<VariantComparison> compare_variants(std::span<const VariantStudy> st
   for (std::size_t i = 0; i < studies.size(); ++i) {
     for (MetricComparison& row : result[i].metrics) add_remarks(row, significance);
     std::vector<std::string>& notes = result[i].notes;
-    for (const std::string& note : status_notes(studies[i].study)) notes.push_back(note);
+    notes.push_back(failures_note(studies[i].study));
     notes.push_back(studies[i].differences);
     std::vector<std::string> once;
     for (std::string& note : notes) {

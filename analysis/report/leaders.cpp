@@ -168,7 +168,13 @@ class Leader {
 
   std::string first_words(std::size_t first, const std::vector<std::size_t>& order) const {
     const Others others = others_of(first, order);
-    if (others.untested.size() + 1 == order.size()) return fmt::format("no solver is tested ({})", with_values(order));
+    if (others.untested.size() + 1 == order.size()) {
+      const bool is_any_tested = std::ranges::any_of(
+          evidence_.contrasts, [](const Contrast& contrast) { return contrast.relation != Relation::undefined; });
+      return is_any_tested ? fmt::format("{} ({}; not tested against {})", name(first), value(first),
+                                         with_values(others.untested))
+                           : fmt::format("no solver is tested ({})", with_values(order));
+    }
     std::string remarks;
     if (!others.open.empty()) remarks += fmt::format("; undecided against {}", names(others.open));
     if (!others.untested.empty()) remarks += fmt::format("; not tested against {}", with_values(others.untested));

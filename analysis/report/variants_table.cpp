@@ -59,7 +59,7 @@ std::string margin_words(const VariantsReport& of) {
 
 // What is said of B: "better", "worse by less than 5 %".
 std::string b_is(const MetricComparison& metric, const std::string& margin) {
-  if (!metric.is_compared) return "not compared";
+  if (!metric.is_compared) return metric.is_counted ? "not compared" : "not compared: nobody counted";
   const auto [relation, extent] = std::pair(metric.contrast.relation, metric.contrast.extent);
   const auto sized = [&](std::string_view word) {
     return extent == Extent::within   ? fmt::format("{} by less than {}", word, margin)

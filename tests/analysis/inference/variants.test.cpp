@@ -304,9 +304,11 @@ TEST_CASE("evaluations that nobody counted are no regression, and solves without
     CHECK(!comparison.metrics.front().is_counted);
     CHECK(!is_open(comparison.metrics.front()));
     CHECK(comparison.metrics.front().remark == "nobody counted");
-    CHECK(verdict_of(comparison) == "No regression beyond 5 % was found. Of 1 comparison: 1 not compared.");
+    CHECK(verdict_of(comparison) ==
+          "No regression beyond 5 % was found. Of 1 comparison: 1 not compared: nobody counted.");
   }
-  CHECK_THAT(fmt::format("{}", fmt::join(compared(a, b).notes, "\n")), ContainsSubstring("crashed 2, timed_out 1"));
+  CHECK_THAT(fmt::format("{}", fmt::join(compared(a, b).notes, "\n")),
+             ContainsSubstring("Solves without an answer: none of A's 20; 3 of B's 20 (crashed 2, timed_out 1)."));
 }
 
 TEST_CASE("in what two variants differ beside their numbers is told", "[variants]") {
