@@ -171,8 +171,7 @@ class Leader {
     if (others.untested.size() + 1 == order.size()) {
       const bool is_any_tested = std::ranges::any_of(
           evidence_.contrasts, [](const Contrast& contrast) { return contrast.relation != Relation::undefined; });
-      return is_any_tested ? fmt::format("{} ({}; not tested against {})", name(first), value(first),
-                                         with_values(others.untested))
+      return is_any_tested ? fmt::format("{} ({}; not tested)", name(first), value(first))
                            : fmt::format("no solver is tested ({})", with_values(order));
     }
     std::string remarks;
