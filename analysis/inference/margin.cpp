@@ -6,6 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "analysis/inference/outcomes.hpp"
 #include "analysis/inference/text.hpp"
 
 namespace ikbench::inference {

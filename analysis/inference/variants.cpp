@@ -21,6 +21,7 @@
 #include "analysis/inference/text.hpp"
 #include "analysis/inference/unseen.hpp"
 #include "analysis/inference/variant_differences.hpp"
+#include "analysis/statistics/quantile.hpp"
 
 namespace ikbench::inference {
 

@@ -169,8 +169,11 @@ class Leader {
   std::string first_words(std::size_t first, const std::vector<std::size_t>& order) const {
     const Others others = others_of(first, order);
     if (others.untested.size() + 1 == order.size()) {
-      const bool is_any_tested = std::ranges::any_of(
-          evidence_.contrasts, [](const Contrast& contrast) { return contrast.relation != Relation::undefined; });
+      const auto is_tested = [&](std::size_t one) {
+        return std::ranges::any_of(
+            order, [&](std::size_t other) { return other != one && against(one, other).undefined.empty(); });
+      };
+      const bool is_any_tested = std::ranges::any_of(order, is_tested);
       return is_any_tested ? fmt::format("{} ({}; not tested)", name(first), value(first))
                            : fmt::format("no solver is tested ({})", with_values(order));
     }

@@ -60,14 +60,14 @@ std::string margin_words(const VariantsReport& of) {
 // What is said of B: "better", "worse by less than 5 %".
 std::string b_is(const MetricComparison& metric, const std::string& margin) {
   if (!metric.is_compared) return metric.is_counted ? "not compared" : "not compared: nobody counted";
-  const auto [relation, extent] = std::pair(metric.contrast.relation, metric.contrast.extent);
+  const Extent extent = metric.contrast.extent;
   const auto sized = [&](std::string_view word) {
     return extent == Extent::within   ? fmt::format("{} by less than {}", word, margin)
            : extent == Extent::beyond ? fmt::format("{} by more than {}", word, margin)
            : extent == Extent::across ? fmt::format("{}, perhaps by less than {}", word, margin)
                                       : fmt::format("{}, by how much is not known", word);
   };
-  switch (relation) {
+  switch (metric.contrast.relation) {
     case Relation::first_better:
       return sized("worse");
     case Relation::second_better:
