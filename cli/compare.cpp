@@ -84,21 +84,14 @@ void write_output(const Compared& compared, const std::string& file) {
                                        : variants_json(report_of(compared)));
 }
 
-template <class Is>
-bool any_metric(const Compared& compared, Is is) {
-  return std::ranges::any_of(compared.comparisons, [&](const VariantComparison& comparison) {
-    return std::ranges::any_of(comparison.metrics, is);
-  });
-}
-
 int exit_code(const Compared& compared, const CompareArguments& arguments) {
-  if (any_metric(compared, is_regression)) return regression;
+  if (any_metric(compared.comparisons, is_regression)) return regression;
   if (compared.state == LookState::open) return more_runs;
   // Times that nobody asked for are advice: of two sessions they cannot be compared.
   const auto counts = [&](const MetricComparison& metric) {
     return is_open(metric) && (metric.metric != Metric::seconds || !arguments.metrics.empty());
   };
-  return arguments.strict && any_metric(compared, counts) ? undecided : 0;
+  return arguments.strict && any_metric(compared.comparisons, counts) ? undecided : 0;
 }
 
 int tell(const Compared& compared, const CompareArguments& arguments) {

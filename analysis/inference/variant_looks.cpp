@@ -46,12 +46,6 @@ void keep_settled(std::vector<VariantComparison>& now, const std::vector<Variant
   }
 }
 
-template <class Is>
-bool any_metric(const std::vector<VariantComparison>& comparisons, Is is) {
-  return std::ranges::any_of(comparisons,
-                             [&](const VariantComparison& each) { return std::ranges::any_of(each.metrics, is); });
-}
-
 }  // namespace
 
 void check_looks(const Looks& looks) {

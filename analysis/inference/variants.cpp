@@ -453,13 +453,14 @@ bool is_open(const MetricComparison& metric) {
 }
 
 std::vector<Variant> variants(const Store& store, const StudyEntry& study) {
+  const std::vector<Session> sessions = store.sessions();
   std::vector<Variant> result;
   for (const Series& series : study.series) {
     StudyEntry alone = study;
     alone.series = {series};
     result.push_back({.study = study,
                       .series = series,
-                      .sessions = store.sessions(),
+                      .sessions = sessions,
                       .each_solve = [&store, alone](const std::function<void(SolveRecord)>& take) {
                         store.each_of_study(alone, take);
                       }});

@@ -2,6 +2,7 @@
 // report judges any study (judged_study.hpp).
 #pragma once
 
+#include <algorithm>
 #include <functional>
 #include <span>
 #include <string>
@@ -70,6 +71,13 @@ struct VariantComparison {
   std::vector<MetricComparison> metrics;
   std::vector<std::string> notes;  // what is left out, and in what the two differ beside their numbers
 };
+
+// Whether it holds for any metric of any label.
+template <class Is>
+bool any_metric(std::span<const VariantComparison> comparisons, Is is) {
+  return std::ranges::any_of(comparisons,
+                             [&](const VariantComparison& each) { return std::ranges::any_of(each.metrics, is); });
+}
 
 // `level_of` turns a significance level into that of one look; the identity where there is one look alone.
 using LevelOf = std::function<double(double)>;

@@ -156,12 +156,6 @@ std::string counted(const VariantsReport& of, const std::string& margin) {
   return fmt::format("{}", fmt::join(parts, ", "));
 }
 
-template <class Is>
-bool any_metric(const VariantsReport& of, Is is) {
-  return std::ranges::any_of(
-      of.comparisons, [&](const VariantComparison& comparison) { return std::ranges::any_of(comparison.metrics, is); });
-}
-
 }  // namespace
 
 Table variants_table(const VariantsReport& of) {
@@ -220,9 +214,11 @@ std::string variants_verdict(const VariantsReport& of) {
   std::size_t all = 0;
   for (const VariantComparison& comparison : of.comparisons) all += comparison.metrics.size();
   const std::string rest = fmt::format("Of {} comparison{}: {}.", all, all == 1 ? "" : "s", counted(of, margin));
-  if (any_metric(of, is_regression)) return fmt::format("Regression beyond {}: {}. {}", margin, regressions(of), rest);
+  if (any_metric(of.comparisons, is_regression))
+    return fmt::format("Regression beyond {}: {}. {}", margin, regressions(of), rest);
   const auto is_unknown = [](const MetricComparison& metric) { return is_open(metric) || !metric.is_counted; };
-  return fmt::format("No regression beyond {}{}. {}", margin, any_metric(of, is_unknown) ? " was found" : "", rest);
+  return fmt::format("No regression beyond {}{}. {}", margin,
+                     any_metric(of.comparisons, is_unknown) ? " was found" : "", rest);
 }
 
 std::string variants_json(const VariantsReport& of) {
