@@ -72,7 +72,9 @@ Claim rate_claim(const ArmRates& one, std::string_view solver, const Rate& rate,
 Claim restarts_claim(const std::vector<ArmRates>& arms) {
   std::vector<std::string> shown, open, worse;
   for (const ArmRates& one : arms) {
-    auto& names = one.restarts.answer == Answer::better ? shown : one.restarts.answer == Answer::worse ? worse : open;
+    auto& names = one.restarts.relation == Relation::better  ? shown
+                  : one.restarts.relation == Relation::worse ? worse
+                                                             : open;
     names.push_back(
         fmt::format("{} ({} to {})", one.arm, percent(one.kdl.ours.estimate), percent(one.kdl_rr.ours.estimate)));
   }

@@ -89,10 +89,10 @@ void place(std::vector<AtBudget>& standings, std::size_t leader) {
   for (std::size_t i = 0; i < standings.size(); ++i) {
     if (i == leader || std::isnan(standings[i].share)) continue;
     const bool is_behind = standings[i].behind_interval.low > 0;
-    if (is_behind) standings[i].position = Position::behind;
+    if (is_behind) standings[i].relation = Relation::worse;
     is_ahead &= is_behind;
   }
-  if (is_ahead) standings[leader].position = Position::ahead;
+  if (is_ahead) standings[leader].relation = Relation::better;
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "analysis/inference/clusters.hpp"
+#include "analysis/inference/relation.hpp"
 #include "analysis/inference/study.hpp"
 
 namespace ikbench::inference {
@@ -20,7 +21,7 @@ struct AtBudget {
   double behind = statistics::not_defined;    // the largest share of all solvers, less this one
   statistics::Interval behind_interval = {};  // with those of all pairs and budgets together
   // ahead: above all others; behind: below the largest; open: neither is shown.
-  Position position = Position::open;
+  Relation relation = Relation::undecided;
 };
 
 constexpr std::array<double, 5> budget_parts{0.01, 0.03, 0.1, 0.3, 1};

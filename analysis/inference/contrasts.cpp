@@ -171,16 +171,7 @@ Relation relation_of(const Evidence& evidence, const Contrast& contrast, double 
   const Tested tested{.p_better = contrast.ahead > 0 ? p : 1,
                       .p_worse = contrast.ahead > 0 ? 1 : p,
                       .within_margin = contrast.extent == Extent::within};
-  switch (answer_of(tested, evidence.plan.significance)) {
-    case Answer::better:
-      return Relation::first_better;
-    case Answer::worse:
-      return Relation::second_better;
-    case Answer::same:
-      return Relation::equivalent;
-    default:
-      return Relation::not_told_apart;
-  }
+  return relation_of(tested, evidence.plan.significance);
 }
 
 namespace {
@@ -211,7 +202,7 @@ void judge_constants(const Evidence& evidence, Contrast& contrast) {
   contrast.ahead = ahead_by_means(evidence, difference);
   contrast.undefined.clear();
   contrast.difference = {.value = difference};
-  contrast.relation = Relation::not_told_apart;
+  contrast.relation = Relation::undecided;
   if (by_chance >= evidence.plan.significance) {
     contrast.runs_to_decide.value = fewest_to_differ(evidence);
     return;
@@ -226,7 +217,7 @@ void judge_constants(const Evidence& evidence, Contrast& contrast) {
   }
   contrast.extent = extent_of(evidence, contrast);
   contrast.relation = relation_of(evidence, contrast, contrast.p);
-  if (contrast.relation != Relation::not_told_apart) contrast.runs_to_decide = {};
+  if (contrast.relation != Relation::undecided) contrast.runs_to_decide = {};
 }
 
 void judge(const Evidence& evidence, Contrast& contrast) {
@@ -405,7 +396,7 @@ void add_contrasts(Evidence& evidence, std::span<const GroupSummary> summaries, 
     }
     contrast.p = deciding_p(evidence, contrast);
     judge(evidence, contrast);
-    if (contrast.relation == Relation::not_told_apart && std::isnan(contrast.runs_to_decide.value)) {
+    if (contrast.relation == Relation::undecided && std::isnan(contrast.runs_to_decide.value)) {
       contrast.runs_to_decide = runs_to_decide(evidence, contrast, summaries, values);
     }
   }

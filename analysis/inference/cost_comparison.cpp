@@ -202,9 +202,10 @@ std::vector<CostPair> compare_costs(const StudyResults& study, Cost cost, const 
          .restricted = of_logarithm(restricted.estimates[i], of_restricted[i]),
          .improvement = {improvement.estimates[i],
                          {std::clamp(of_improvement[i].low, 0.0, 1.0), std::clamp(of_improvement[i].high, 0.0, 1.0)}},
-         .answer = side * by_restricted < 0 || side == 0 || are_copies(study, pairs[i], clusters) ? Answer::undecided
-                   : side < 0                                                                     ? Answer::better
-                                                                                                  : Answer::worse});
+         .relation = side * by_restricted < 0 || side == 0 || are_copies(study, pairs[i], clusters)
+                         ? Relation::undecided
+                     : side < 0 ? Relation::better
+                                : Relation::worse});
   }
   return result;
 }

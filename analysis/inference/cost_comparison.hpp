@@ -51,7 +51,7 @@ struct CostPair {
   Compared improvement;  // P(first < second) at a target, ties half; solves that do not come to the tolerance tie
   // better: the first spends less. By the running times, or where they have no interval by the restricted means;
   // undecided where the two contradict each other, or the runs of both solvers are copies of one.
-  Answer answer = Answer::undecided;
+  Relation relation = Relation::undecided;
 };
 std::vector<CostPair> compare_costs(const StudyResults& study, Cost cost, const Clusters& clusters);
 

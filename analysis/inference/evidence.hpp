@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "analysis/inference/observations.hpp"
+#include "analysis/inference/relation.hpp"
 #include "results/analysis_plan.hpp"
 
 namespace ikbench::inference {
@@ -51,10 +52,6 @@ struct TestResult {
   double effect = statistics::not_defined;
   std::string undefined = {};  // why there is no p
 };
-
-// What is known of two groups, in favour of the one or the other.
-enum class Relation { first_better, second_better, equivalent, not_told_apart, undefined };
-std::string_view name_of(Relation relation);
 
 // Where the whole interval of a difference lies, against the margin of the plan. across: it is for the better one, on
 // both sides of the margin. unknown: there is no such interval, or it is not for the better one.
@@ -100,9 +97,7 @@ struct Contrast {
 };
 
 // Whether one of the two is better.
-inline bool is_decided(const Contrast& contrast) {
-  return contrast.relation == Relation::first_better || contrast.relation == Relation::second_better;
-}
+inline bool is_decided(const Contrast& contrast) { return is_difference(contrast.relation); }
 
 struct Evidence {
   std::string name, quantity;

@@ -22,26 +22,9 @@ std::size_t place_of(const Evidence& evidence, std::string_view group) {
                                   evidence.groups.begin());
 }
 
-Answer turned(Answer answer) {
-  return answer == Answer::better ? Answer::worse : answer == Answer::worse ? Answer::better : answer;
-}
-
-Answer answer_in(const Contrast& contrast) {
-  switch (contrast.relation) {
-    case Relation::first_better:
-      return Answer::better;
-    case Relation::second_better:
-      return Answer::worse;
-    case Relation::equivalent:
-      return Answer::same;
-    default:
-      return Answer::undecided;
-  }
-}
-
 // As if the second were the first.
 Judgement turned(Judgement judgement, ValueScale scale) {
-  judgement.answer = turned(judgement.answer);
+  judgement.relation = reversed(judgement.relation);
   const auto of = [scale](double difference) { return scale == ValueScale::log10 ? 1 / difference : -difference; };
   const Estimate before = judgement.difference;
   judgement.difference = {.value = of(before.value), .low = of(before.high), .high = of(before.low)};
@@ -50,10 +33,10 @@ Judgement turned(Judgement judgement, ValueScale scale) {
 
 }  // namespace
 
-Answer answer_of(const Tested& tested, double significance) {
-  if (tested.p_worse < significance) return Answer::worse;
-  if (tested.p_better < significance) return Answer::better;
-  return tested.within_margin ? Answer::same : Answer::undecided;
+Relation relation_of(const Tested& tested, double significance) {
+  if (tested.p_worse < significance) return Relation::worse;
+  if (tested.p_better < significance) return Relation::better;
+  return tested.within_margin ? Relation::same : Relation::undecided;
 }
 
 Judgement judge(const Evidence& evidence, std::string_view first, std::string_view second) {
@@ -72,13 +55,13 @@ Judgement judge(const Evidence& evidence, std::string_view first, std::string_vi
   });
   const bool is_tested = found != evidence.contrasts.end() && found->relation != Relation::undefined;
   if (!is_tested && has_mean != other_has_mean) {
-    result.answer = has_mean ? Answer::better : Answer::worse;
+    result.relation = has_mean ? Relation::better : Relation::worse;
   } else if (!evidence.flaw.empty()) {
     result.undefined = evidence.flaw;
   } else if (found == evidence.contrasts.end()) {
     result.undefined = "the plan does not compare the two";
   } else {
-    result.answer = answer_in(*found);
+    result.relation = found->relation;
     result.p = found->p;
     result.difference = found->difference;
     result.undefined = found->undefined;
@@ -96,7 +79,7 @@ Judgement judge(double value, double standard_error, const AnalysisPlan& plan) {
   const double p = normal_two_sided(value / standard_error);
   const double reach = normal_critical(1 - plan.significance) * standard_error;
   const Tested tested{.p_better = value > 0 ? p : 1, .p_worse = value > 0 ? 1 : p};
-  return {.answer = std::isfinite(p) ? answer_of(tested, plan.significance) : Answer::undecided,
+  return {.relation = std::isfinite(p) ? relation_of(tested, plan.significance) : Relation::undecided,
           .p = p,
           .difference = {.value = value, .low = value - reach, .high = value + reach},
           .test = "a normal approximation",

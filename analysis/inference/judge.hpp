@@ -9,8 +9,6 @@
 
 namespace ikbench::inference {
 
-enum class Answer { better, worse, same, undecided };  // of the first, held against the second; same: within the margin
-
 // What tests say of two: p of the first being better and of being worse, each corrected as planned, and whether the
 // difference is shown to be within the margin.
 struct Tested {
@@ -19,10 +17,10 @@ struct Tested {
   bool within_margin = false;
 };
 // The one rule. A difference that is found counts before one that is too small to matter.
-Answer answer_of(const Tested& tested, double significance);
+Relation relation_of(const Tested& tested, double significance);
 
 struct Judgement {
-  Answer answer = Answer::undecided;
+  Relation relation = Relation::undefined;
   double p = statistics::not_defined;  // corrected for the pairs that are compared
   Estimate difference = {};            // first - second, or their ratio (Evidence::scale)
   std::string test = {};               // "Games-Howell test"

@@ -32,13 +32,13 @@ class PairJudge {
   }
 
   // Of the first; smaller is better.
-  Answer operator()(const GroupSummary& first, const GroupSummary& second) const {
+  Relation operator()(const GroupSummary& first, const GroupSummary& second) const {
     const bool is_number = std::isfinite(first.mean), other_is_number = std::isfinite(second.mean);
-    if (is_number != other_is_number) return is_number ? Answer::better : Answer::worse;
+    if (is_number != other_is_number) return is_number ? Relation::better : Relation::worse;
     const WelchTest test = welch(first, second);
     const double p = range_.upper_tail(std::abs(test.t) * std::numbers::sqrt2, test.df);
-    if (std::isnan(p)) return Answer::undecided;
-    return answer_of({.p_better = test.t < 0 ? p : 1, .p_worse = test.t > 0 ? p : 1}, plan_.significance);
+    if (std::isnan(p)) return Relation::undecided;
+    return relation_of({.p_better = test.t < 0 ? p : 1, .p_worse = test.t > 0 ? p : 1}, plan_.significance);
   }
 
  private:
@@ -57,7 +57,7 @@ GroupSummary summary_of(const std::vector<double>& values, Metric metric, Judged
 
 // What a solver is found to be against one choice of another, by seed, for a choice of the study: by its own choice, by
 // solver, by that one's choice.
-using Answers = std::vector<std::vector<std::vector<Answer>>>;
+using Answers = std::vector<std::vector<std::vector<Relation>>>;
 
 using Summarised = std::vector<std::vector<GroupSummary>>;  // by solver, by its choice
 
@@ -68,7 +68,7 @@ Answers answers_of(const Summarised& groups, std::size_t solver, const PairJudge
     for (std::size_t rival = 0; rival < groups.size(); ++rival) {
       if (rival == solver) continue;
       for (const GroupSummary& theirs : groups[rival]) {
-        of_own[rival].push_back(judge.compares(solver, rival) ? judge(ours, theirs) : Answer::undecided);
+        of_own[rival].push_back(judge.compares(solver, rival) ? judge(ours, theirs) : Relation::undecided);
       }
     }
   }
@@ -89,10 +89,10 @@ Summarised summaries_of(const Multiverse::OfStudy& study, std::size_t seed, cons
 // How many choices of a rival there are, against how many of them the solver is better, and worse.
 struct Against {
   double all = 0, better = 0, worse = 0;
-  void operator+=(Answer answer) {
+  void operator+=(Relation answer) {
     all += 1;
-    better += answer == Answer::better ? 1 : 0;
-    worse += answer == Answer::worse ? 1 : 0;
+    better += answer == Relation::better ? 1 : 0;
+    worse += answer == Relation::worse ? 1 : 0;
   }
 };
 
@@ -114,12 +114,12 @@ class OwnCount {
       : into_(into), study_(study), seed_(seed), weight_(study.weight / study.universes()) {}
 
   // `answers` by solver, by its choice; none for the solver itself. Those that take no part never decide.
-  void add(const Multiverse::Own& own, const std::vector<std::vector<Answer>>& answers) {
+  void add(const Multiverse::Own& own, const std::vector<std::vector<Relation>>& answers) {
     std::vector<Against> rivals;
-    for (const std::vector<Answer>& of_rival : answers) {
+    for (const std::vector<Relation>& of_rival : answers) {
       if (of_rival.empty()) continue;
       Against& against = rivals.emplace_back();
-      for (const Answer answer : of_rival) against += answer;
+      for (const Relation answer : of_rival) against += answer;
     }
     const UniverseCounts counts = product_of(rivals, weight_);
     into_.all += counts;
@@ -136,7 +136,7 @@ class OwnCount {
 
  private:
   // With a rival's choices only as far as they have an alternative, one after the other.
-  void add_rival(std::size_t rival, const std::vector<Answer>& answers, std::vector<Against> rivals,
+  void add_rival(std::size_t rival, const std::vector<Relation>& answers, std::vector<Against> rivals,
                  std::size_t place) {
     std::map<std::pair<std::size_t, std::size_t>, Against> restricted;
     for (std::size_t b = 0; b < answers.size(); ++b) {
@@ -172,8 +172,8 @@ ClaimCounts no_counts(const Multiverse& multiverse, const MultiverseClaim& claim
 }
 
 // Every answer the same, as many as there are choices.
-std::vector<std::vector<Answer>> alike(const Multiverse::OfStudy& study, std::size_t solver, Answer answer) {
-  std::vector<std::vector<Answer>> answers;
+std::vector<std::vector<Relation>> alike(const Multiverse::OfStudy& study, std::size_t solver, Relation answer) {
+  std::vector<std::vector<Relation>> answers;
   for (const auto& of_solver : study.solvers) answers.emplace_back(of_solver.size(), answer);
   answers[solver].clear();
   return answers;
@@ -194,7 +194,7 @@ void count_ranking(const Multiverse& multiverse, const std::vector<ClaimCounts*>
         if (!named.empty() && !rival) continue;
         OwnCount into(*counts, study, seed);
         for (std::size_t own = 0; own < answers.size(); ++own) {
-          std::vector<std::vector<Answer>> held = rival ? alike(study, *solver, Answer::better) : answers[own];
+          std::vector<std::vector<Relation>> held = rival ? alike(study, *solver, Relation::better) : answers[own];
           if (rival) held[*rival] = answers[own][*rival];
           into.add(study.solvers[*solver][own], held);
         }
@@ -221,10 +221,10 @@ const Multiverse::Own* twin_of(const std::vector<Multiverse::Own>& all, const Mu
 }
 
 // Of the first; worse where they are the same.
-Answer effect_between(const Multiverse::Own& usual, const Multiverse::Own& other, std::size_t seed,
-                      const MultiverseClaim& claim, const PairJudge& judge) {
+Relation effect_between(const Multiverse::Own& usual, const Multiverse::Own& other, std::size_t seed,
+                        const MultiverseClaim& claim, const PairJudge& judge) {
   if (usual.error_cm[seed] == other.error_cm[seed] && usual.variation_deg[seed] == other.variation_deg[seed]) {
-    return Answer::worse;
+    return Relation::worse;
   }
   const auto summary = [&](const Multiverse::Own& own) {
     return summary_of(values_of(own, claim.metric)[seed], claim.metric, claim.by);

@@ -124,7 +124,7 @@ void compare_outcomes(Evidence& evidence, std::span<const std::vector<double>> v
   correct(evidence, &Contrast::p, evidence.contrasts);
   for (Contrast& contrast : evidence.contrasts) {
     contrast.relation = relation_of(evidence, contrast, contrast.p);
-    if (contrast.relation != Relation::not_told_apart) contrast.runs_to_decide = {};
+    if (contrast.relation != Relation::undecided) contrast.runs_to_decide = {};
   }
 }
 

@@ -227,13 +227,13 @@ Contrast contrast_with_not_finite(const Observations& observations, AnalysisPlan
     Contrast result = doubled(of_values);
     const bool is_against = is_decided(of_values) && of_numbers.ahead != 0 && of_values.ahead != of_numbers.ahead;
     // As many failures may be hidden behind the values of the better one.
-    if (result.relation == Relation::equivalent || is_against) result.relation = Relation::not_told_apart;
+    if (result.relation == Relation::same || is_against) result.relation = Relation::undecided;
     if (is_against) result.undefined = "its finite values and how many there are favour different sides";
     return result;
   }
   Contrast result = doubled(of_numbers);
   if (is_decided(of_values) && of_values.relation != of_numbers.relation) {
-    result.relation = Relation::not_told_apart;
+    result.relation = Relation::undecided;
     result.undefined = "its finite values and how many there are favour different sides";
   }
   result.extent = Extent::beyond;  // of a failure no margin is made up
@@ -257,9 +257,9 @@ void settle_copies(MetricComparison& result, const Observations& observations, A
   const bool are_finite = std::isfinite(a) && std::isfinite(b);
   const bool is_small = rank(a) == rank(b) || (are_finite && std::abs(b - a) <= margin_of(evidence, {.second = 1}));
   settle(result,
-         is_small            ? Relation::equivalent
-         : rank(b) < rank(a) ? Relation::second_better
-                             : Relation::first_better,
+         is_small            ? Relation::same
+         : rank(b) < rank(a) ? Relation::worse
+                             : Relation::better,
          is_small ? Extent::within : Extent::beyond, std::string(why));
 }
 
@@ -281,7 +281,7 @@ struct Examined {
     // No bootstrap of ours resolves less, and 1 - level has to be below 1.
     constexpr double least_level = 1e-6;
     if (level < least_level) {
-      row->contrast.relation = Relation::not_told_apart;
+      row->contrast.relation = Relation::undecided;
       return;
     }
     plan.significance = level;
@@ -353,11 +353,11 @@ std::vector<Examined> examine(const VariantStudy& of, std::span<const Metric> me
     const bool are_copies = observed.blocks.empty() && row.n_a == 1 && row.n_b == 1 &&
                             repeats_itself(study, name_of_a) && repeats_itself(study, name_of_b);
     if (has_same_bits(study, metric)) {
-      settle(row, Relation::equivalent, Extent::within, "equal bit for bit");
+      settle(row, Relation::same, Extent::within, "equal bit for bit");
     } else if (are_copies) {
       settle_copies(row, observed, study.plan);
     } else if (are_rounding(observed, metric)) {
-      settle(row, Relation::equivalent, Extent::within,
+      settle(row, Relation::same, Extent::within,
              fmt::format("both are rounding errors, below {}", short_number(info_of(metric).rounding)));
     } else {
       open.push_back({.row = &row, .observations = observed, .plan = judging(study.plan, metric, observed)});
@@ -427,28 +427,28 @@ void add_remarks(MetricComparison& row, double significance) {
   const Contrast& contrast = row.contrast;
   if (contrast.relation == Relation::undefined || !contrast.undefined.empty())
     return add_remark(row, contrast.undefined);
-  if (contrast.relation == Relation::not_told_apart) {
+  if (contrast.relation == Relation::undecided) {
     if (contrast.p >= row.level && contrast.p < significance) {
       add_remark(row, fmt::format("{} by itself, but not among all of this comparison",
                                   contrast.ahead < 0 ? "better" : "worse"));
     }
     return add_remark(row, what_would_show(row));
   }
-  if (contrast.relation == Relation::first_better || row.is_by_ranks) return;
+  if (contrast.relation == Relation::better || row.is_by_ranks) return;
   add_remark(row, unseen_words(std::min(row.n_a, row.n_b), fmt::format("{}s", row.observation), row.level));
 }
 
 }  // namespace
 
 bool is_regression(const MetricComparison& metric) {
-  return metric.contrast.relation == Relation::first_better && metric.contrast.extent == Extent::beyond;
+  return metric.contrast.relation == Relation::better && metric.contrast.extent == Extent::beyond;
 }
 
 bool is_open(const MetricComparison& metric) {
   if (!metric.is_compared) return metric.is_counted;
   const Contrast& contrast = metric.contrast;
-  return contrast.relation == Relation::not_told_apart || contrast.relation == Relation::undefined ||
-         (contrast.relation == Relation::first_better &&
+  return contrast.relation == Relation::undecided || contrast.relation == Relation::undefined ||
+         (contrast.relation == Relation::better &&
           (contrast.extent == Extent::across || contrast.extent == Extent::unknown));
 }
 

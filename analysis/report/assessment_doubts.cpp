@@ -53,7 +53,7 @@ std::string doubt_words(const Evidence& evidence, const Contrast& contrast) {
                                     : evidence.of_outcomes              ? "the interval of the difference"
                                                            : "the interval of the difference between means";
   const std::string_view none = evidence.scale == ValueScale::log10 ? "1" : "zero";
-  if (contrast.relation == Relation::not_told_apart) {
+  if (contrast.relation == Relation::undecided) {
     return excludes_none(evidence, contrast) ? fmt::format("{} excludes {}", interval, none) : "";
   }
   if (!is_decided(contrast)) return "";
@@ -73,7 +73,7 @@ std::string change_words(const Evidence& evidence) {
   std::vector<const Contrast*> open;
   bool is_small = false, is_doubted = false;
   for (const Contrast& contrast : evidence.contrasts) {
-    if (contrast.relation == Relation::not_told_apart) open.push_back(&contrast);
+    if (contrast.relation == Relation::undecided) open.push_back(&contrast);
     if (!is_decided(contrast)) continue;
     is_small = is_small || contrast.extent == Extent::within || contrast.extent == Extent::across;
     is_doubted = is_doubted || !doubt_words(evidence, contrast).empty();

@@ -179,7 +179,7 @@ std::vector<std::string> limits(const Evidence& evidence) {
   std::vector<std::string> parts;
   std::vector<const Contrast*> open;
   for (const Contrast& contrast : evidence.contrasts) {
-    if (contrast.relation == Relation::not_told_apart) open.push_back(&contrast);
+    if (contrast.relation == Relation::undecided) open.push_back(&contrast);
   }
   if (!open.empty()) {
     const std::string runs = runs_words(evidence, runs_of_all(open));

@@ -58,7 +58,7 @@ std::size_t other_than(std::size_t group, const Contrast& contrast) {
 }
 
 std::size_t better_of(const Contrast& contrast) {
-  return contrast.relation == Relation::first_better ? contrast.first : contrast.second;
+  return contrast.relation == Relation::better ? contrast.first : contrast.second;
 }
 
 // ", ahead in 98 % of blocks", of the better one; empty where only summaries are known.
@@ -203,8 +203,8 @@ PairsOf pairs_of(const Evidence& evidence, std::size_t group) {
                                       : result.behind)
           .push_back(&contrast);
     }
-    if (is_own && contrast.relation == Relation::equivalent) result.same.push_back(&contrast);
-    if (is_own && contrast.relation == Relation::not_told_apart) result.open.push_back(&contrast);
+    if (is_own && contrast.relation == Relation::same) result.same.push_back(&contrast);
+    if (is_own && contrast.relation == Relation::undecided) result.open.push_back(&contrast);
     if (is_own && is_undefined) result.undefined.push_back(&contrast);
   }
   return result;
@@ -327,10 +327,10 @@ std::vector<std::string> who_differs(const Evidence& evidence) {
   for (const Contrast& contrast : evidence.contrasts) {
     const bool of_best = contrast.first == best || contrast.second == best;
     if (is_decided(contrast)) (of_best ? with_best : of_others).push_back(better_words(evidence, contrast));
-    if (contrast.relation == Relation::not_told_apart) {
+    if (contrast.relation == Relation::undecided) {
       open.push_back(fmt::format("{} ({})", pair_words(evidence, contrast), open_words(evidence, contrast)));
     }
-    if (contrast.relation == Relation::equivalent) {
+    if (contrast.relation == Relation::same) {
       same.push_back(pair_words(evidence, contrast));
       equivalent.push_back(&contrast);
     }

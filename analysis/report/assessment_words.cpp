@@ -125,11 +125,11 @@ std::string extent_words(const Evidence& evidence, const Contrast& contrast) {
 std::string verdict_words(const Evidence& evidence, const Contrast& contrast) {
   const std::string extent = extent_words(evidence, contrast), by = extent.empty() ? "" : " by " + extent;
   switch (contrast.relation) {
-    case Relation::first_better:
+    case Relation::better:
       return fmt::format("{} is better{}", evidence.groups[contrast.first].name, by);
-    case Relation::second_better:
+    case Relation::worse:
       return fmt::format("{} is better{}", evidence.groups[contrast.second].name, by);
-    case Relation::equivalent:
+    case Relation::same:
       return fmt::format("the same within {}", margin_words(evidence, contrast));
     case Relation::undefined:
       return "not defined: " + contrast.undefined;
@@ -165,7 +165,7 @@ Estimate runs_of_all(const std::vector<const Contrast*>& pairs) {
 std::string unseen_words(const Evidence& evidence, const std::vector<const Contrast*>& pairs) {
   int fewest = std::numeric_limits<int>::max();
   for (const Contrast* pair : pairs) {
-    const bool by_means = pair->relation == Relation::equivalent || (is_decided(*pair) && !evidence.ranks_decide());
+    const bool by_means = pair->relation == Relation::same || (is_decided(*pair) && !evidence.ranks_decide());
     if (!by_means || evidence.of_outcomes) continue;
     fewest = std::min({fewest, evidence.groups[pair->first].described.n, evidence.groups[pair->second].described.n});
   }

@@ -32,16 +32,16 @@ std::string together_note(const Clusters& clusters, double significance) {
       clusters.noun(), clusters.replicates().size(), percent(1 - significance));
 }
 
-std::string_view word(Position position) {
-  return position == Position::ahead ? "ahead" : position == Position::behind ? "behind" : "open";
+std::string_view word(Relation relation) {
+  return relation == Relation::better ? "ahead" : relation == Relation::worse ? "behind" : "open";
 }
 
 // "at 10 %: A", "at 30 %: open between A and B".
 std::string answer_at(const std::vector<AtBudget>& standings, const std::vector<std::string>& solvers) {
   std::string open;
   for (std::size_t i = 0; i < standings.size(); ++i) {
-    if (standings[i].position == Position::ahead) return one_line(solvers[i]);
-    if (standings[i].position != Position::open || std::isnan(standings[i].share)) continue;
+    if (standings[i].relation == Relation::better) return one_line(solvers[i]);
+    if (standings[i].relation != Relation::undecided || std::isnan(standings[i].share)) continue;
     open += (open.empty() ? "" : ", ") + one_line(solvers[i]);
   }
   return "open between " + open;
@@ -67,9 +67,9 @@ Table cost_pair_table(const StudyResults& study, Cost cost, const Clusters& clus
     const std::string& first = study.solvers[pair.first];
     const std::string& second = study.solvers[pair.second];
     table.rows.push_back({first, second,
-                          pair.answer == Answer::better  ? first
-                          : pair.answer == Answer::worse ? second
-                                                         : std::string("open"),
+                          pair.relation == Relation::better  ? first
+                          : pair.relation == Relation::worse ? second
+                                                             : std::string("open"),
                           pair.expected.value, range_of(pair.expected.interval), pair.restricted.value,
                           range_of(pair.restricted.interval), pair.improvement.value,
                           range_of(pair.improvement.interval)});
@@ -105,7 +105,7 @@ std::optional<Table> anytime_table(const StudyResults& study, const Clusters& cl
       const AtBudget& standing = found->standings[k][i];
       table.rows.push_back({percent(budget_parts[k]), budget_parts[k] * found->budget, study.solvers[i], standing.share,
                             range_of(standing.share_interval), standing.behind, range_of(standing.behind_interval),
-                            std::string(word(standing.position))});
+                            std::string(word(standing.relation))});
     }
     answers += fmt::format("{} at {}: {}", k == 0 ? "" : ";", percent(budget_parts[k]),
                            answer_at(found->standings[k], study.solvers));

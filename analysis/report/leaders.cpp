@@ -115,7 +115,7 @@ class Leader {
   }
   bool is_unbeaten(std::size_t group, const std::vector<std::size_t>& all) const {
     return std::ranges::none_of(
-        all, [&](std::size_t other) { return other != group && against(group, other).answer == Answer::worse; });
+        all, [&](std::size_t other) { return other != group && against(group, other).relation == Relation::worse; });
   }
   std::string name(std::size_t group) const { return name_words(evidence_, group); }
   std::string value(std::size_t group) const {
@@ -152,13 +152,13 @@ class Leader {
     for (const std::size_t other : order) {
       if (other == first) continue;
       const Judgement found = against(first, other);
-      if (found.answer == Answer::better) {
+      if (found.relation == Relation::better) {
         result.beaten.push_back(other);
       } else if (!found.undefined.empty()) {
         result.untested.push_back(other);
       } else if (is_unbeaten(other, order)) {
         result.beside.push_back(other);
-        result.all_same = result.all_same && found.answer == Answer::same;
+        result.all_same = result.all_same && found.relation == Relation::same;
       } else {
         result.open.push_back(other);
       }
@@ -219,19 +219,19 @@ class Leader {
   // "DE is better than the control IK-BA (0.0019 cm); worse: BA 1.68 cm; undecided: PSO 0.438 cm (p = 0.1)". Only these
   // pairs are tested.
   std::string against_control(std::size_t control) const {
-    std::map<Answer, std::vector<std::string>> found;
+    std::map<Relation, std::vector<std::string>> found;
     std::vector<std::string> better, untested;
     for (std::size_t i = 0; i < evidence_.groups.size(); ++i) {
       if (i == control) continue;
       const Judgement judged = against(i, control);
-      if (judged.answer == Answer::better) {
+      if (judged.relation == Relation::better) {
         better.push_back(fmt::format("{} ({})", name(i), value(i)));
-      } else if (judged.answer == Answer::undecided && !judged.undefined.empty()) {
+      } else if (judged.relation == Relation::undefined) {
         untested.push_back(fmt::format("{} {}", name(i), value(i)));
       } else {
-        found[judged.answer].push_back(
+        found[judged.relation].push_back(
             fmt::format("{} {}{}", name(i), value(i),
-                        judged.answer == Answer::undecided ? fmt::format(" ({})", p_words(judged.p)) : ""));
+                        judged.relation == Relation::undecided ? fmt::format(" ({})", p_words(judged.p)) : ""));
       }
     }
     std::string text =
@@ -240,9 +240,9 @@ class Leader {
     const auto add = [&](const std::string& what, const std::vector<std::string>& who) {
       if (!who.empty()) text += fmt::format("; {}: {}", what, listed(who));
     };
-    add("worse", found[Answer::worse]);
-    add("the same within " + margin_words(evidence_), found[Answer::same]);
-    add("undecided", found[Answer::undecided]);
+    add("worse", found[Relation::worse]);
+    add("the same within " + margin_words(evidence_), found[Relation::same]);
+    add("undecided", found[Relation::undecided]);
     add("not tested", untested);
     return text + unseen(control);
   }

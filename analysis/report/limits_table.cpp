@@ -127,10 +127,10 @@ std::string overtaken(const Side& side, const Enforced& enforced, const Measure&
   const Judgement found = judge(enforced.*measure.tested, first->solver, side.solver);
   if (!std::isfinite(found.p)) return "";
   return fmt::format(" ({} is now first, {}; {}, {})", first->solver,
-                     found.answer == Answer::better  ? "which is better"
-                     : found.answer == Answer::worse ? "though the test finds it worse"
-                     : found.answer == Answer::same  ? "which is the same within the margin"
-                                                     : "which is undecided",
+                     found.relation == Relation::better  ? "which is better"
+                     : found.relation == Relation::worse ? "though the test finds it worse"
+                     : found.relation == Relation::same  ? "which is the same within the margin"
+                                                         : "which is undecided",
                      found.test, p_words(found.p));
 }
 

@@ -68,11 +68,11 @@ std::string b_is(const MetricComparison& metric, const std::string& margin) {
                                       : fmt::format("{}, by how much is not known", word);
   };
   switch (metric.contrast.relation) {
-    case Relation::first_better:
+    case Relation::better:
       return sized("worse");
-    case Relation::second_better:
+    case Relation::worse:
       return sized("better");
-    case Relation::equivalent:
+    case Relation::same:
       return "the same within " + margin;
     default:
       return "undecided";

@@ -108,10 +108,10 @@ std::optional<Evidence> evidence_for(const Reported& reported, const ClaimEntry&
   return complete ? found : std::nullopt;
 }
 
-void Found::add(Answer answer) {
-  better += answer == Answer::better ? 1 : 0;
-  worse += answer == Answer::worse ? 1 : 0;
-  open += answer == Answer::same || answer == Answer::undecided ? 1 : 0;
+void Found::add(Relation answer) {
+  better += answer == Relation::better ? 1 : 0;
+  worse += answer == Relation::worse ? 1 : 0;
+  open += is_difference(answer) ? 0 : 1;
 }
 
 Verdict verdict_on(const Found& found) {
@@ -136,7 +136,7 @@ Against against(const Evidence& evidence, const std::string& solver, Should shou
       continue;
     }
     const Judgement found = sign > 0 ? judge(evidence, solver, group.name) : judge(evidence, group.name, solver);
-    result.found.add(found.answer);
+    result.found.add(found.relation);
     if (std::isfinite(found.p)) result.p = std::isfinite(result.p) ? std::max(result.p, found.p) : found.p;
     const double mean = group.described.mean;
     if (!std::isfinite(result.nearest_mean) || sign * mean < sign * result.nearest_mean) {

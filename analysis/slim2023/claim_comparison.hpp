@@ -43,7 +43,7 @@ std::optional<inference::Evidence> evidence_for(const report::Reported& reported
 struct Found {
   int better = 0, worse = 0, open = 0;
 
-  void add(inference::Answer answer);
+  void add(inference::Relation answer);
   int all() const { return better + worse + open; }
 };
 // Against all it holds, against some and none the better in part.

@@ -71,8 +71,8 @@ std::string variation_sentence(const JudgedStudy& study, const std::vector<Compa
   for (const Standing& standing : printed) {
     if (standing.mean <= printed_reference->mean) continue;
     const Description other = description(standing.solver);
-    const Answer answer = judge(found, time_reference, standing.solver).answer;
-    std::string& list = answer == Answer::better ? less : answer == Answer::worse ? more : alike;
+    const Relation answer = judge(found, time_reference, standing.solver).relation;
+    std::string& list = answer == Relation::better ? less : answer == Relation::worse ? more : alike;
     list +=
         fmt::format("{}{} ({:.0f} %)", list.empty() ? "" : ", ", standing.solver, 100 * reference.mean / other.mean);
   }

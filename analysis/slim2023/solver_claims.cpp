@@ -64,7 +64,7 @@ OtherEstimands other_estimands(const JudgedStudy& study, const std::string& solv
     std::vector<std::string> better;
     for (const GroupEvidence& other : found.groups) {
       const bool is_other = other.name != solver;
-      if (is_other && judge(found, solver, other.name).answer == Answer::worse) better.push_back(other.name);
+      if (is_other && judge(found, solver, other.name).relation == Relation::worse) better.push_back(other.name);
     }
     if (better.empty()) continue;
     result.against += fmt::format("; by {} {} {} better",
@@ -174,9 +174,9 @@ FoundOrder found_order(const Evidence& tested, const std::vector<Pair>& printed)
   FoundOrder order;
   for (std::size_t i = 0; i < printed.size(); ++i) {
     for (std::size_t j = i + 1; j < printed.size(); ++j) {
-      const Answer answer = judge(tested, printed[i].solver, printed[j].solver).answer;
+      const Relation answer = judge(tested, printed[i].solver, printed[j].solver).relation;
       order.pairs.add(answer);
-      order.first_leads = order.first_leads && (i > 0 || answer == Answer::better);
+      order.first_leads = order.first_leads && (i > 0 || answer == Relation::better);
     }
   }
   return order;
@@ -237,11 +237,11 @@ std::optional<Claim> ranking(const Reported& reported, const ClaimEntry& entry) 
 namespace {
 
 // Better in one metric and worse in none, or the other way round.
-Answer dominance(const std::vector<Evidence>& metrics, const std::string& one, const std::string& other) {
+Relation dominance(const std::vector<Evidence>& metrics, const std::string& one, const std::string& other) {
   Found found;
-  for (const Evidence& evidence : metrics) found.add(judge(evidence, one, other).answer);
-  if (found.better > 0 && found.worse == 0) return Answer::better;
-  return found.worse > 0 && found.better == 0 ? Answer::worse : Answer::undecided;
+  for (const Evidence& evidence : metrics) found.add(judge(evidence, one, other).relation);
+  if (found.better > 0 && found.worse == 0) return Relation::better;
+  return found.worse > 0 && found.better == 0 ? Relation::worse : Relation::undecided;
 }
 
 struct Front {
@@ -255,8 +255,8 @@ Front front_of(const std::vector<Evidence>& metrics, const std::vector<Pair>& so
     bool dominated = false;
     for (const Pair& other : solvers) {
       if (other.solver == one.solver) continue;
-      const Answer answer = dominance(metrics, one.solver, other.solver);
-      dominated = dominated || answer == Answer::worse;
+      const Relation answer = dominance(metrics, one.solver, other.solver);
+      dominated = dominated || answer == Relation::worse;
       if (one.solver == solver) front.found.add(answer);
     }
     if (!dominated) front.names.push_back(one.solver);

@@ -91,7 +91,7 @@ Found found_of(std::vector<Spread>& spreads, const AnalysisPlan& plan) {
   for (std::size_t i = 0; i < spreads.size(); ++i) {
     spreads[i].p = p[i];
     const bool smaller = spreads[i].own < spreads[i].others;
-    found.add(answer_of({.p_better = smaller ? p[i] : 1, .p_worse = smaller ? 1 : p[i]}, plan.significance));
+    found.add(relation_of({.p_better = smaller ? p[i] : 1, .p_worse = smaller ? 1 : p[i]}, plan.significance));
   }
   return found;
 }
@@ -233,7 +233,7 @@ std::optional<Claim> has_effect(const Reported& reported, const ClaimEntry& entr
   }
   const Judgement found = judge(MeanPair{means[0], means[1], info_of(metric).better}, reported.study.plan);
   Found of;
-  of.add(found.answer);
+  of.add(found.relation);
   claim.verdict = verdict_on(of);
   claim.evidence = fmt::format("{} of {} answers change without it. {}: {} {} with, {} without{}.", changed, shared,
                                inference::capitalised(info_of(metric).name), short_number(means[0].mean),

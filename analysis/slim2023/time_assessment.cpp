@@ -114,10 +114,10 @@ std::string scaling_answer(const CostRatio& expected, const CostRatio& restricte
   const Judgement more = judge(std::log(expected.value / theirs.ratio),
                                std::hypot(expected.standard_error_of_log, theirs.standard_error_of_log), plan);
   const Judgement grows = judge(std::log(expected.value), expected.standard_error_of_log, plan);
-  return more.answer == Answer::undecided ? "is compatible with the printed growth"
-         : more.answer == Answer::better  ? "grows more than printed"
-         : grows.answer == Answer::better ? "grows, but less than printed"
-                                          : "does not grow as printed";
+  return !is_difference(more.relation) && more.relation != Relation::same ? "is compatible with the printed growth"
+         : more.relation == Relation::better                              ? "grows more than printed"
+         : grows.relation == Relation::better                             ? "grows, but less than printed"
+                                                                          : "does not grow as printed";
 }
 
 // Whether our time grows with the number of bats as the printed does; empty where either end has no solves.

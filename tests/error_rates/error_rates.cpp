@@ -76,7 +76,7 @@ Shares found_pairs(const Evidence& evidence, Counts counts) {
     if (counts == Counts::pairs_with_first && contrast.first != 0) continue;
     const Judgement judged =
         judge(evidence, evidence.groups[contrast.first].name, evidence.groups[contrast.second].name);
-    add(found.decided, judged.answer == Answer::better || judged.answer == Answer::worse);
+    add(found.decided, judged.relation == Relation::better || judged.relation == Relation::worse);
     add(found.games_howell, is_significant(contrast.p_unpooled, evidence.plan));
     add(found.tamhane, is_significant(contrast.p_tamhane, evidence.plan));
     add(found.mann_whitney, is_significant(contrast.p_mann_whitney, evidence.plan));

@@ -219,7 +219,7 @@ TEST_CASE("of two that share their targets the ratio is known better than either
   CHECK(width(ratio.interval) < 1e-9);
   const std::vector<CostPair> pairs = compare_costs(study, Cost::evaluations, clusters);
   REQUIRE(pairs.size() == 1);
-  CHECK(pairs[0].answer == Answer::better);
+  CHECK(pairs[0].relation == Relation::better);
   CHECK(pairs[0].expected.value == Approx(1 / 1.5));
   CHECK(pairs[0].improvement.value == 1);
 }
@@ -229,7 +229,7 @@ TEST_CASE("running times of two that are alike are open", "[clusters]") {
   const Runs b = twenty([](int run) { return Spent{100 * ((run + 2) % 5 + 1)}; });
   const StudyResults study = clustered_study({a, b}, drawn_targets);
   const CostPair pair = compare_costs(study, Cost::evaluations, Clusters(study)).front();
-  CHECK(pair.answer == Answer::undecided);
+  CHECK(pair.relation == Relation::undecided);
   CHECK(pair.expected.interval.low < 1);
   CHECK(pair.expected.interval.high > 1);
   // Two places ahead of five: A is ahead at three of them.
@@ -245,7 +245,7 @@ TEST_CASE("who never succeeds has no running time, and the restricted mean decid
   CHECK(std::isnan(pair.expected.value));
   CHECK(std::isnan(pair.expected.interval.low));
   CHECK(pair.restricted.value == Approx(0.1095));  // 109.5 / 1000
-  CHECK(pair.answer == Answer::better);
+  CHECK(pair.relation == Relation::better);
   const std::vector<double> of_b = costs_of(study, Cost::evaluations, clusters).solvers[1].expected.replicates;
   CHECK(std::ranges::all_of(of_b, [](double value) { return value == censored; }));
 }
@@ -300,17 +300,17 @@ TEST_CASE("who is ahead depends on the budget", "[anytime]") {
   CHECK(found->is_of_study);
   const auto at = [&](std::size_t budget, std::size_t solver) { return found->standings[budget][solver]; };
   CHECK(at(0, 0).share == 0);  // 10 evaluations
-  CHECK(at(0, 0).position == Position::open);
+  CHECK(at(0, 0).relation == Relation::undecided);
   CHECK(at(2, 0).share == Approx(0.9));  // 100
-  CHECK(at(2, 0).position == Position::ahead);
-  CHECK(at(2, 1).position == Position::behind);
+  CHECK(at(2, 0).relation == Relation::better);
+  CHECK(at(2, 1).relation == Relation::worse);
   CHECK(at(2, 1).behind == Approx(0.9));
   CHECK(at(2, 1).behind_interval.low > 0.5);
   CHECK(at(2, 0).share_interval.low < 0.8);
   CHECK(at(4, 0).share == Approx(0.9));  // the whole budget: 2 of 20 more, and nothing is shown
   CHECK(at(4, 1).share == 1);
   CHECK(at(4, 0).behind == Approx(0.1));
-  CHECK(at(4, 0).position == Position::open);
+  CHECK(at(4, 0).relation == Relation::undecided);
   CHECK(at(4, 0).behind_interval.low < 0);
 }
 
@@ -327,9 +327,9 @@ TEST_CASE("without a tolerance traces say who is ahead, and without traces nobod
   const std::optional<Anytime> found = anytime(study, clusters);
   REQUIRE(found);
   CHECK(!found->is_of_study);
-  CHECK(found->standings[2][0].position == Position::ahead);  // 100 evaluations: the first of ten iterations
+  CHECK(found->standings[2][0].relation == Relation::better);  // 100 evaluations: the first of ten iterations
   CHECK(found->standings[2][1].share == 0);
-  CHECK(found->standings[4][0].position == Position::open);
+  CHECK(found->standings[4][0].relation == Relation::undecided);
   CHECK(found->standings[4][0].share == found->standings[4][1].share);
   const StudyResults alone = clustered_study({runs}, drawn_targets);
   CHECK(!anytime(alone, Clusters(alone)));

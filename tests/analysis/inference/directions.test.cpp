@@ -152,9 +152,7 @@ Evidence judged(const Made& made, Better better, DecidingTest test) {
 }
 
 Relation turned(Relation relation) {
-  return relation == Relation::first_better    ? Relation::second_better
-         : relation == Relation::second_better ? Relation::first_better
-                                               : relation;
+  return relation == Relation::better ? Relation::worse : relation == Relation::worse ? Relation::better : relation;
 }
 
 Made negated(Made made) {
@@ -176,7 +174,7 @@ struct Decided {
 };
 
 void count(const Evidence& found, const Contrast& pair, Decided& decided) {
-  const int ahead = pair.relation == Relation::first_better ? 1 : -1;
+  const int ahead = pair.relation == Relation::better ? 1 : -1;
   const Description& first = found.groups[pair.first].described;
   const Description& second = found.groups[pair.second].described;
   ++decided.pairs;
@@ -187,9 +185,9 @@ void count(const Evidence& found, const Contrast& pair, Decided& decided) {
 
 void check_ahead(const Evidence& found, const Made& made, DecidingTest test, Decided& decided) {
   for (const Contrast& pair : found.contrasts) {
-    if (pair.relation != Relation::first_better && pair.relation != Relation::second_better) continue;
+    if (pair.relation != Relation::better && pair.relation != Relation::worse) continue;
     count(found, pair, decided);
-    const int ahead = pair.relation == Relation::first_better ? 1 : -1;
+    const int ahead = pair.relation == Relation::better ? 1 : -1;
     CHECK(sign(deciding_statistic(test, made.groups, pair)) == -ahead);
   }
 }
@@ -281,20 +279,20 @@ TEST_CASE("of two groups in blocks, the better by ranks is ahead in more blocks"
   const Evidence found = evidence(pairs, plan);
   CHECK(found.test("Sign test within blocks")->statistic == 25);
   CHECK(found.contrasts[0].p < 1e-5);
-  CHECK(found.contrasts[0].relation == Relation::first_better);
+  CHECK(found.contrasts[0].relation == Relation::better);
   INFO(text_of_evidence(found));
   CHECK(
       text_of_evidence(found).find("In short: x is better by ranks within blocks than y (although the mean favours the "
                                    "other), ahead in 75 % of blocks (mean 10") != std::string::npos);
   std::swap(pairs.groups[0], pairs.groups[1]);
-  CHECK(evidence(pairs, plan).contrasts[0].relation == Relation::second_better);
+  CHECK(evidence(pairs, plan).contrasts[0].relation == Relation::worse);
 }
 
 TEST_CASE("in blocks, the mean decides unless the plan asks for ranks", "[assessment][directions]") {
   // x is less by 0.01 to 0.51 in 51 blocks and more by about 2 in 49: its mean is above that of y.
   const Evidence found = evidence(often_little_rarely_much(51), {});
   CHECK(found.contrasts[0].p == found.contrasts[0].p_bootstrap);
-  CHECK(found.contrasts[0].relation == Relation::second_better);
+  CHECK(found.contrasts[0].relation == Relation::worse);
   // A little less in most blocks, and in two of twenty so much more that the means are equal: nothing is found by
   // means.
   Observations rare{.name = "x", .quantity = "x", .groups = {{"x"}, {"y"}}, .block = "a problem"};
@@ -304,9 +302,9 @@ TEST_CASE("in blocks, the mean decides unless the plan asks for ranks", "[assess
     rare.groups[1].values.push_back(scale);
     rare.blocks.push_back(fmt::format("{}", i));
   }
-  CHECK(evidence(rare, {}).contrasts[0].relation == Relation::not_told_apart);
+  CHECK(evidence(rare, {}).contrasts[0].relation == Relation::undecided);
   const Evidence by_ranks = evidence(rare, {.test = DecidingTest::friedman});
-  CHECK(by_ranks.contrasts[0].relation == Relation::first_better);
+  CHECK(by_ranks.contrasts[0].relation == Relation::better);
   INFO(text_of_evidence(by_ranks));
   CHECK(text_of_evidence(by_ranks).find("x is better by ranks within blocks than y") != std::string::npos);
 }
@@ -322,7 +320,7 @@ TEST_CASE("of several groups, who is better of two does not depend on the third"
   const Contrast& pair = found.contrasts[0];
   CHECK(pair.superiority.value == Approx(0.48));
   CHECK(pair.p_mean_ranks < 0.001);  // Dunn, for a
-  CHECK(pair.relation == Relation::not_told_apart);
+  CHECK(pair.relation == Relation::undecided);
   INFO(text_of_evidence(found));
   CHECK(text_of_evidence(found).find("Dunn (mean ranks over all groups) also separates a vs b") != std::string::npos);
 }
@@ -334,7 +332,7 @@ TEST_CASE("means and medians that rounding alone keeps apart point nowhere", "[a
     found.groups[0].described.n = found.groups[1].described.n = 20;
     found.groups[0].described.mean = found.groups[0].described.median = of_first;
     found.groups[1].described.mean = found.groups[1].described.median = 0.3;
-    found.contrasts = {{.first = 0, .second = 1, .p = 0.01, .ahead = 1, .relation = Relation::first_better}};
+    found.contrasts = {{.first = 0, .second = 1, .p = 0.01, .ahead = 1, .relation = Relation::better}};
     return text_of_evidence(found);
   };
   REQUIRE(0.1 + 0.2 > 0.3);

@@ -36,10 +36,10 @@ Observations in_blocks(std::vector<std::vector<double>> values) {
   return observations;
 }
 
-bool is_same(const Evidence& found) { return found.contrasts.at(0).relation == Relation::equivalent; }
+bool is_same(const Evidence& found) { return found.contrasts.at(0).relation == Relation::same; }
 
 bool any_is_the_same(const Evidence& found) {
-  return std::ranges::any_of(found.contrasts, [](const Contrast& c) { return c.relation == Relation::equivalent; });
+  return std::ranges::any_of(found.contrasts, [](const Contrast& c) { return c.relation == Relation::same; });
 }
 
 }  // namespace
@@ -48,7 +48,7 @@ TEST_CASE("equal values are the same within the margin where so many are not equ
           "[assessment][equivalence]") {
   // All of the one on one side and all of the other on the other: 2 of 6, 20 and 70 arrangements.
   const Evidence two = evidence(with({{7, 7}, {7, 7}}), {});
-  CHECK(two.contrasts[0].relation == Relation::not_told_apart);
+  CHECK(two.contrasts[0].relation == Relation::undecided);
   CHECK(two.contrasts[0].p == 1);
   CHECK(two.contrasts[0].extent == Extent::unknown);
   CHECK_FALSE(is_same(evidence(with({{7, 7, 7}, {7, 7, 7}}), {})));
@@ -80,8 +80,8 @@ TEST_CASE("what is equal in every block is the same where there are enough block
     for (std::size_t i = 0; i < blocks; ++i) values.push_back(10.0 + static_cast<double>(i));
     return evidence(in_blocks({values, values}), {});
   };
-  CHECK(two_equal_in(5).contrasts[0].relation == Relation::not_told_apart);  // 2 / 32
-  CHECK(is_same(two_equal_in(6)));                                           // 2 / 64
+  CHECK(two_equal_in(5).contrasts[0].relation == Relation::undecided);  // 2 / 32
+  CHECK(is_same(two_equal_in(6)));                                      // 2 / 64
   CHECK(two_equal_in(6).contrasts[0].p == 1);
   CHECK_FALSE(is_same(evidence(in_blocks({{7, 7, 7, 7, 7}, {7, 7, 7, 7, 7}}), {})));  // constants too
   CHECK(is_same(evidence(in_blocks({{7, 7, 7, 7, 7, 7}, {7, 7, 7, 7, 7, 7}}), {})));

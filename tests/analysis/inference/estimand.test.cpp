@@ -192,7 +192,7 @@ TEST_CASE("typical values are the same where their ratio is within the margin", 
     runs.push_back({"A", {1e-5 * f}});
     runs.push_back({"B", {1.01e-5 * f}});
   }
-  CHECK(judge(judged_runs(runs).evidence(position_error, Estimand::typical), "A", "B").answer != Answer::undecided);
+  CHECK(judge(judged_runs(runs).evidence(position_error, Estimand::typical), "A", "B").relation != Relation::undecided);
   const JudgedStudy study = judged_runs(runs, R"(, "analysis": {"margin_percent": 3})");
   CHECK(study.evidence(position_error, Estimand::typical).contrasts[0].extent == Extent::within);
   const JudgedStudy narrow = judged_runs(runs, R"(, "analysis": {"margin_percent": 1})");
@@ -320,13 +320,13 @@ TEST_CASE("below the tolerance no error is better than another", "[estimand]") {
   }
   const JudgedStudy study = judged_runs(runs, R"(, "stop": {"tolerance_cm": 0.1})");
   for (const Estimand estimand : {Estimand::mean, Estimand::typical}) {
-    CHECK(judge(study.evidence(position_error, estimand), "A", "B").answer == Answer::same);
+    CHECK(judge(study.evidence(position_error, estimand), "A", "B").relation == Relation::same);
     CHECK(contains(leader_sentence(study, position_error, estimand), "the same within 5 %"));
   }
   CHECK(values(study, Estimand::mean).front() == 0.1);
   CHECK(contains(fmt::format("{}", fmt::join(observations(study, position_error).notes, " ")),
                  "An error below the tolerance of 0.1 cm counts as 0.1 cm: below it solvers are the same."));
-  CHECK(judge(judged_runs(runs).evidence(position_error, Estimand::mean), "A", "B").answer == Answer::better);
+  CHECK(judge(judged_runs(runs).evidence(position_error, Estimand::mean), "A", "B").relation == Relation::better);
 }
 
 TEST_CASE("the first is whom the test is for, not whom the mean is for", "[estimand]") {

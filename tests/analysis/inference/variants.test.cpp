@@ -84,7 +84,7 @@ TEST_CASE("what compare says of a metric is what a report says of it", "[variant
     const MetricComparison among = compared(a, b).metrics.front();
     if (is_decided(among.contrast)) CHECK(among.contrast.relation == in_report.relation);
     decided += is_decided(compared_alone.contrast) ? 1 : 0;
-    alike += compared_alone.contrast.relation == Relation::not_told_apart ? 1 : 0;
+    alike += compared_alone.contrast.relation == Relation::undecided ? 1 : 0;
   }
   CHECK(decided > 100);
   CHECK(alike > 100);
@@ -96,7 +96,7 @@ TEST_CASE("identical variants are the same to the bit in every metric", "[varian
     const VariantComparison comparison = compared(variant(errors), variant(errors));
     REQUIRE(comparison.metrics.size() == compared_metrics().size());
     for (const MetricComparison& metric : comparison.metrics) {
-      CHECK(metric.contrast.relation == Relation::equivalent);
+      CHECK(metric.contrast.relation == Relation::same);
       CHECK(metric.remark == "equal bit for bit");
       CHECK(metric.is_fact);
     }
@@ -109,12 +109,12 @@ TEST_CASE("a difference beyond the margin is a regression, one on both sides of 
   CHECK(is_regression(error_of(a, variant(about(2, 0.1)))));
   CHECK(!is_regression(error_of(variant(about(2, 0.1)), a)));
   const MetricComparison across = error_of(a, variant(about(1.07, 0.1)));
-  CHECK(across.contrast.relation == Relation::first_better);
+  CHECK(across.contrast.relation == Relation::better);
   CHECK(across.contrast.extent == Extent::across);
   CHECK(!is_regression(across));
   CHECK(is_open(across));
   const MetricComparison less = error_of(a, variant(about(1.2, 0.1)), {.margin = 0.5});
-  CHECK(less.contrast.relation == Relation::first_better);
+  CHECK(less.contrast.relation == Relation::better);
   CHECK(less.contrast.extent == Extent::within);
   CHECK(!is_open(less));
   CHECK(!is_regression(error_of(a, variant(about(1.2, 0.1)), {.margin = 0, .margin_cm = 1})));
@@ -131,7 +131,7 @@ TEST_CASE("answers that are not finite are worse than numbers, but one of twenty
   CHECK(is_regression(many));
   CHECK(many.remark.starts_with("not finite: 10 of 20 runs of B"));
   CHECK(is_open(error_of(a, failing(1))));
-  CHECK(error_of(failing(10), a).contrast.relation == Relation::second_better);
+  CHECK(error_of(failing(10), a).contrast.relation == Relation::worse);
   // Fewer values, and better ones: neither is better.
   std::vector<double> fewer = about(0.2, 0.01);
   for (std::size_t i = 0; i < 10; ++i) fewer[i] = not_defined;
@@ -167,7 +167,7 @@ TEST_CASE("times in blocks, and a plan of ranks, can be a regression", "[variant
     for (const MetricComparison& metric : slower.metrics) CHECK(is_regression(metric));
     CHECK(slower.metrics[0].contrast.ratio.value == Approx(0.1).epsilon(0.1));
     const VariantComparison barely = compared(with(1, plan), with(1.02, plan), {"seconds"});
-    CHECK(barely.metrics[0].contrast.relation == Relation::first_better);
+    CHECK(barely.metrics[0].contrast.relation == Relation::better);
     CHECK(barely.metrics[0].contrast.extent == Extent::within);
   }
 }
@@ -197,7 +197,7 @@ TEST_CASE("copies of an answer that is not finite are the worse ones", "[variant
         });
   };
   const double infinite = std::numeric_limits<double>::infinity();
-  CHECK(error_of(with(infinite), with(1)).contrast.relation == Relation::second_better);
+  CHECK(error_of(with(infinite), with(1)).contrast.relation == Relation::worse);
   CHECK(is_regression(error_of(with(1), with(infinite))));
 }
 
@@ -235,8 +235,8 @@ TEST_CASE("of variants that repeat themselves the difference is a fact, and no p
   };
   const auto told = [&](double error_cm) { return error_of(with(1), with(error_cm)); };
   CHECK(is_regression(told(2)));
-  CHECK(told(0.5).contrast.relation == Relation::second_better);
-  CHECK(told(1.01).contrast.relation == Relation::equivalent);
+  CHECK(told(0.5).contrast.relation == Relation::worse);
+  CHECK(told(1.01).contrast.relation == Relation::same);
   CHECK(told(2).is_fact);
   CHECK(told(2).remark == "all runs of each are equal: a fact of these targets, without a test");
   CHECK_THAT(verdict_of(compared(with(1), with(2), {"position_error_cm"})),
@@ -257,7 +257,7 @@ TEST_CASE("poses are compared by their orientation too, where no metric is named
 TEST_CASE("times are compared where both are clean and of one session", "[variants]") {
   const auto slower = [](SolveRecord& solve) { solve.cpu_seconds = solve.seconds *= 10; };
   const Variant a = variant(about(1, 0.1)), b = variant(about(1, 0.1), slower);
-  CHECK(compared(a, b, {"seconds"}).metrics.front().contrast.relation == Relation::first_better);
+  CHECK(compared(a, b, {"seconds"}).metrics.front().contrast.relation == Relation::better);
   const auto refused = [&](const Variant& other) {
     const VariantComparison comparison = compared(a, other, {"seconds"});
     CHECK(!comparison.metrics.front().is_compared);
@@ -414,7 +414,7 @@ TEST_CASE("in a study with a tolerance, a variant that solves nothing is not che
                                                 variant(
                                                     shape, [](int, int) { return 5.0; }, returns_the_start),
                                                 {"evaluations", "variation_deg"});
-  for (const MetricComparison& metric : comparison.metrics) CHECK(metric.contrast.relation != Relation::second_better);
+  for (const MetricComparison& metric : comparison.metrics) CHECK(metric.contrast.relation != Relation::worse);
   CHECK(metric_of(comparison, Metric::evaluations).mean_b == Approx(10 * 120));  // of the dearest solve, which took 120
 }
 

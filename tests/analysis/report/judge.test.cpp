@@ -138,7 +138,7 @@ TEST_CASE("where the plan says 0.01, nothing is decided at 0.05: in no claim, ta
   CHECK(contains(told.text, "Against MO-PSO (99 %) it is undecided (studentized bootstrap, p &gt;= 0.01)"));
   CHECK(!contains(told.text, "the solvers differ"));
   for (const char* other : {"p >= 0.05", "p &gt;= 0.05", "at 0.05", "95 %"}) CHECK(!contains(told.text, other));
-  CHECK(told.compared.contrast.relation == Relation::not_told_apart);
+  CHECK(told.compared.contrast.relation == Relation::undecided);
 }
 
 TEST_CASE("a study finds its evidence once for each metric, and of times that are not comparable only describes them",
@@ -163,11 +163,11 @@ TEST_CASE("a study finds its evidence once for each metric, and of times that ar
 }
 
 TEST_CASE("the one rule: found before small, small before open", "[judge]") {
-  CHECK(answer_of({.p_better = 0.04, .p_worse = 1, .within_margin = true}, 0.05) == Answer::better);
-  CHECK(answer_of({.p_better = 1, .p_worse = 0.04}, 0.05) == Answer::worse);
-  CHECK(answer_of({.p_better = 0.04, .p_worse = 1, .within_margin = true}, 0.01) == Answer::same);
-  CHECK(answer_of({.p_better = 0.04, .p_worse = 1}, 0.01) == Answer::undecided);
-  CHECK(answer_of({}, 0.05) == Answer::undecided);
+  CHECK(relation_of({.p_better = 0.04, .p_worse = 1, .within_margin = true}, 0.05) == Relation::better);
+  CHECK(relation_of({.p_better = 1, .p_worse = 0.04}, 0.05) == Relation::worse);
+  CHECK(relation_of({.p_better = 0.04, .p_worse = 1, .within_margin = true}, 0.01) == Relation::same);
+  CHECK(relation_of({.p_better = 0.04, .p_worse = 1}, 0.01) == Relation::undecided);
+  CHECK(relation_of({}, 0.05) == Relation::undecided);
 }
 
 TEST_CASE("a judgement of two, the other way round, is the opposite", "[judge]") {
@@ -179,25 +179,25 @@ TEST_CASE("a judgement of two, the other way round, is the opposite", "[judge]")
   }
   const Judgement found = judge(evidence(observed, {}), "one", "other"),
                   back = judge(evidence(observed, {}), "other", "one");
-  CHECK(found.answer == Answer::better);
-  CHECK(back.answer == Answer::worse);
+  CHECK(found.relation == Relation::better);
+  CHECK(back.relation == Relation::worse);
   CHECK(found.p == back.p);
   CHECK(found.difference.value == Approx(-2));
   CHECK(back.difference.low == -found.difference.high);
   CHECK(found.test == "studentized bootstrap");
 
   observed.flaw = "made up";
-  CHECK(judge(evidence(observed, {}), "one", "other").answer == Answer::undecided);
+  CHECK(judge(evidence(observed, {}), "one", "other").relation == Relation::undefined);
   CHECK(judge(evidence(observed, {}), "one", "other").undefined == "made up");
   observed.groups[1].values[3] = statistics::not_defined;
-  CHECK(judge(evidence(observed, {}), "one", "other").answer == Answer::better);  // of the two it alone has a mean
+  CHECK(judge(evidence(observed, {}), "one", "other").relation == Relation::better);  // of the two it alone has a mean
   CHECK(judge(evidence(observed, {}), "one", "none").undefined == "none is left out of the comparison");
 }
 
 TEST_CASE("a number with a standard error is judged by the plan too", "[judge]") {
-  CHECK(judge(2.3, 1, {.significance = 0.05}).answer == Answer::better);  // p = 0.0214
-  CHECK(judge(-2.3, 1, {.significance = 0.05}).answer == Answer::worse);
-  CHECK(judge(2.3, 1, {.significance = 0.01}).answer == Answer::undecided);
+  CHECK(judge(2.3, 1, {.significance = 0.05}).relation == Relation::better);  // p = 0.0214
+  CHECK(judge(-2.3, 1, {.significance = 0.05}).relation == Relation::worse);
+  CHECK(judge(2.3, 1, {.significance = 0.01}).relation == Relation::undecided);
   CHECK(judge(2.3, 1, {.significance = 0.05}).difference.low == Approx(2.3 - 1.959964));
   CHECK(!judge(statistics::not_defined, 1, {}).undefined.empty());
 }

@@ -49,8 +49,8 @@ TEST_CASE("outcomes have shares, Wilson's intervals and Fisher's exact test", "[
   CHECK(found.groups[0].mean.value == 0.9);
   CHECK(found.groups[0].mean.low == Approx(0.6989663548).epsilon(1e-9));      // R 4.2.2, prop.test without correction
   CHECK(found.contrasts[0].p == Approx(0.005735673700078594).epsilon(1e-6));  // SciPy 1.10.1, fisher_exact
-  CHECK(found.contrasts[0].relation == Relation::first_better);
-  CHECK(judge(found, "B", "A").answer == Answer::worse);
+  CHECK(found.contrasts[0].relation == Relation::better);
+  CHECK(judge(found, "B", "A").relation == Relation::worse);
   const Assessment assessed = assess(observed, {});
   CHECK(says(assessed, "Shares of solved: A 18 of 20 (90 %, 70 to 97 %); B 9 of 20 (45 %, 26 to 66 %)."));
   CHECK(says(assessed, "90 % vs 45 %"));
@@ -68,14 +68,14 @@ TEST_CASE("pairs of outcomes are corrected as planned, and their intervals hold 
   // SciPy 1.10.1: 0.005736 (A-B), 0.064833 (A-C), 0.527254 (B-C); Holm: times 3, 2 and 1.
   CHECK(found.contrasts[0].p == Approx(3 * 0.005735673700078594).epsilon(1e-6));
   CHECK(found.contrasts[1].p == Approx(2 * 0.06483316160735517).epsilon(1e-6));
-  CHECK(found.contrasts[1].relation == Relation::not_told_apart);
+  CHECK(found.contrasts[1].relation == Relation::undecided);
   const Evidence two = evidence(solved({{"A", outcomes(18, 20)}, {"B", outcomes(9, 20)}}), {});
   CHECK(found.contrasts[0].difference.low < two.contrasts[0].difference.low);
 }
 
 TEST_CASE("shares that differ by less than the margin for certain are the same within it", "[outcomes]") {
   const Observations observed = solved({{"A", outcomes(2500, 5000)}, {"B", outcomes(2510, 5000)}});
-  CHECK(evidence(observed, {}).contrasts[0].relation == Relation::equivalent);
+  CHECK(evidence(observed, {}).contrasts[0].relation == Relation::same);
   CHECK(says(assess(observed, {}), "5 percentage points"));
 }
 

@@ -160,12 +160,12 @@ TEST_CASE("the moving arm has the first run, in few digits, and no way out of it
 TEST_CASE("the moving arm has the joint limits violated where the store has them so, and nowhere else", "[report]") {
   constexpr double degree = std::numbers::pi / 180, limit = 170 * degree;
   const nlohmann::json arm = chain_of(2);
-  struct Answer {
+  struct Relation {
     double first, second;     // [rad]
     double recorded_deg = 0;  // by the verifier: the worst joint, and 0 up to 1e-9 rad
     std::vector<int> joints = {};
   };
-  const std::vector<Answer> answers{
+  const std::vector<Relation> answers{
       {.first = limit, .second = -limit},  // 2.967059..., which five digits make 2.96706: beyond
       {.first = limit + 0.9e-9, .second = 0},
       {.first = 0, .second = limit + 1e-6, .recorded_deg = 1e-6 / degree, .joints = {1}},

@@ -144,8 +144,8 @@ TEST_CASE("a solver without answers wins by nothing but the error of the arm tha
   for (const Metric metric : {Metric::seconds, Metric::variation_deg, Metric::evaluations}) {
     INFO(name_of(metric));
     const Evidence& found = study.evidence(metric, Estimand::mean);
-    CHECK(judge(found, "program", "IK-BA").answer == Answer::worse);
-    CHECK(judge(found, "BA", "program").answer == Answer::better);
+    CHECK(judge(found, "program", "IK-BA").relation == Relation::worse);
+    CHECK(judge(found, "BA", "program").relation == Relation::better);
     CHECK(leader_sentence(study, metric, Estimand::mean).find("program (") == std::string::npos);
   }
   const Table times = times_table(study);
@@ -220,7 +220,7 @@ TEST_CASE("one disturbed solver takes no times from the others", "[uncounted]") 
       "Times are left out: those of PSO, because 400 of 400 solves took more than 1.1 times their CPU time, so other programs "
       "were running.");
   CHECK(study.evidence(Metric::seconds).groups.size() == 5);
-  CHECK(judge(study.evidence(Metric::seconds), "IK-BA", "DE").answer == Answer::better);
+  CHECK(judge(study.evidence(Metric::seconds), "IK-BA", "DE").relation == Relation::better);
   CHECK(ranking_sentence(study, Metric::seconds).find("; not compared: PSO.") != std::string::npos);
 }
 

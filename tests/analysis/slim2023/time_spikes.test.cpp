@@ -34,7 +34,7 @@ std::vector<std::string> verdicts(StudyResults of) {
   for (const std::string& first : study.solvers) {
     for (const std::string& second : study.solvers) {
       if (first == second) continue;
-      all.push_back(fmt::format("{} {} {}", first, static_cast<int>(judge(found, first, second).answer), second));
+      all.push_back(fmt::format("{} {} {}", first, static_cast<int>(judge(found, first, second).relation), second));
     }
   }
   for (const Claim& claim : claims({study, {}})) {
@@ -82,7 +82,7 @@ std::vector<std::string> verdicts_on_costs(const StudyResults& study) {
   all.push_back(table_7_cost(study)->notes.front());  // the scaling, to its last digit
   const StudyResults undisturbed = at_median_speed(study);
   for (const CostPair& pair : compare_costs(undisturbed, Cost::seconds, Clusters(undisturbed))) {
-    all.push_back(fmt::format("{} {} {}", pair.first, static_cast<int>(pair.answer), pair.second));
+    all.push_back(fmt::format("{} {} {}", pair.first, static_cast<int>(pair.relation), pair.second));
   }
   return all;
 }
