@@ -1,5 +1,6 @@
 // ikbench audit: whether a paper's printed numbers agree with each other.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <memory>
@@ -24,14 +25,14 @@ namespace {
 std::string shown(const std::vector<AuditItem>& items) {
   std::vector<std::vector<std::string>> rows{{"ID", "VERDICT", "WHERE", "PRINTED", "FOLLOWS"}};
   for (const AuditItem& item : items) {
-    rows.push_back({item.id, std::string(name_of(item.verdict)), item.where, item.printed, item.follows});
+    rows.push_back({item.id, std::string(words_of(item)), item.where, item.printed, item.follows});
   }
   const std::string lines = aligned(rows);
   std::string text;
   std::size_t row = 0, begin = 0;
   for (std::size_t end = lines.find('\n'); end != std::string::npos; end = lines.find('\n', begin)) {
     text += lines.substr(begin, end + 1 - begin);
-    if (row > 0) text += fmt::format("      {}\n", printable(items[row - 1].sentence));
+    if (row > 0) text += fmt::format("      {}\n", printable(items[row - 1].why));
     begin = end + 1;
     ++row;
   }
@@ -39,13 +40,11 @@ std::string shown(const std::vector<AuditItem>& items) {
 }
 
 std::string counted(const std::vector<AuditItem>& items) {
-  std::string text = fmt::format("{} checks:", items.size());
-  for (const AuditVerdict verdict : {AuditVerdict::consistent, AuditVerdict::rounding, AuditVerdict::misprint,
-                                     AuditVerdict::unsupported, AuditVerdict::contradiction}) {
-    const auto count = std::ranges::count(items, verdict, &AuditItem::verdict);
-    text += fmt::format("{} {} {}", verdict == AuditVerdict::consistent ? "" : ",", count, name_of(verdict));
+  std::vector<std::string> parts;
+  for (const std::string_view verdict : audit_verdicts) {
+    parts.push_back(fmt::format("{} {}", std::ranges::count(items, verdict, words_of), verdict));
   }
-  return text;
+  return fmt::format("{} checks: {}", items.size(), fmt::join(parts, ", "));
 }
 
 }  // namespace

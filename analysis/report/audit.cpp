@@ -1,16 +1,19 @@
 #include "analysis/report/audit.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
 
 namespace ikbench::report {
 
-std::string_view name_of(AuditVerdict verdict) {
-  constexpr std::array<std::string_view, 5> names{"consistent", "rounding", "misprint", "not supported",
-                                                  "contradiction"};
-  return names[static_cast<std::size_t>(verdict)];
+std::string_view words_of(const AuditItem& item) {
+  const bool fails = item.verdict == Verdict::fails;
+  return audit_verdicts[item.verdict == Verdict::holds     ? 0U
+                        : item.verdict == Verdict::in_part ? 1U
+                        : !fails                           ? 3U
+                        : item.is_misprint                 ? 2U
+                                                           : 4U];
 }
 
 Table audit_table(const std::vector<AuditItem>& items) {
@@ -23,8 +26,7 @@ Table audit_table(const std::vector<AuditItem>& items) {
                           {"verdict", Align::left},
                           {"why", Align::left}}};
   for (const AuditItem& item : items) {
-    table.rows.push_back(
-        {item.id, item.where, item.printed, item.follows, std::string(name_of(item.verdict)), item.sentence});
+    table.rows.push_back({item.id, item.where, item.printed, item.follows, std::string(words_of(item)), item.why});
   }
   table.notes.emplace_back(
       "This table uses no solves. Its numbers follow from what the paper prints and, where the paper is silent, from "
@@ -39,20 +41,16 @@ Table audit_table(const std::vector<AuditItem>& items) {
 
 std::string audit_sentence(const Table& audit) {
   const auto column = std::ranges::find(audit.columns, "verdict", &Column::name) - audit.columns.begin();
-  std::string text = fmt::format("{} statements: ", audit.rows.size());
-  bool is_first = true;
-  for (const AuditVerdict verdict : {AuditVerdict::contradiction, AuditVerdict::misprint, AuditVerdict::unsupported,
-                                     AuditVerdict::rounding, AuditVerdict::consistent}) {
+  std::vector<std::string> parts;
+  for (const std::string_view verdict : {"contradiction", "misprint", "not supported", "rounding", "consistent"}) {
     const auto is_it = [&](const std::vector<Cell>& row) {
       const auto* words = std::get_if<std::string>(&row[static_cast<std::size_t>(column)]);
-      return words && *words == name_of(verdict);
+      return words && *words == verdict;
     };
     const auto count = std::ranges::count_if(audit.rows, is_it);
-    if (count == 0) continue;
-    text += fmt::format("{}{} {}", is_first ? "" : ", ", name_of(verdict), count);
-    is_first = false;
+    if (count > 0) parts.push_back(fmt::format("{} {}", verdict, count));
   }
-  return text + '.';
+  return fmt::format("{} statements: {}.", audit.rows.size(), fmt::join(parts, ", "));
 }
 
 }  // namespace ikbench::report

@@ -1,29 +1,33 @@
 // The audit of a paper: what its printed numbers say about each other. Nothing is solved.
 #pragma once
 
+#include <array>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "analysis/report/claims.hpp"
 #include "analysis/report/table.hpp"
 
 namespace ikbench::report {
 
-// consistent: what follows is what is printed, to its last digit; rounding: it differs by no more than the rounding of
-// the printed numbers that it follows from; misprint: a word or number that others of the paper show to be another;
-// unsupported: a claim that the numbers do not show, or only with something that is not printed, and that may still be
-// true; contradiction: two printed things that cannot both be true.
-enum class AuditVerdict { consistent, rounding, misprint, unsupported, contradiction };
-std::string_view name_of(AuditVerdict verdict);
-
+// A printed thing, judged by others that are printed. It holds if what follows is what is printed to its last digit
+// (consistent), in part within the rounding of the printed digits. It fails where two printed things cannot both be
+// true (contradiction), or others show what was to be printed (misprint). It is undecided where the numbers do not show
+// it, or only with something that is not printed (not supported); it may still be true.
 struct AuditItem {
   std::string id;  // of the item in the paper's notes, with a letter: "3.1a"
   std::string where;
   std::string printed;
   std::string follows;
-  AuditVerdict verdict;
-  std::string sentence;
+  Verdict verdict;
+  bool is_misprint = false;  // of one that fails
+  std::string why = {};
 };
+
+constexpr std::array<std::string_view, 5> audit_verdicts{"consistent", "rounding", "misprint", "not supported",
+                                                         "contradiction"};
+std::string_view words_of(const AuditItem& item);  // one of these
 
 // Named "audit".
 Table audit_table(const std::vector<AuditItem>& items);

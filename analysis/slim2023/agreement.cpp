@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "analysis/claims/printed.hpp"
 #include "analysis/inference/comparable.hpp"
 #include "analysis/inference/text.hpp"
 #include "analysis/slim2023/paper_tables.hpp"
@@ -129,7 +130,7 @@ std::vector<Agreement> agreements(const StudyResults& study, std::span<const Rep
         std::vector<double> values;
         for (const Description& seed : seeds) values.push_back(seed.*field);
         const Interval expected = predictive_interval(values, predictive_level);
-        const double printed = number_from(row.cells[s]).value(), rounding = half_unit(row.cells[s]);
+        const double printed = number_from(row.cells[s]).value(), rounding = claims::half_unit(row.cells[s]);
         result.push_back({.solver = row.solver,
                           .metric = metric,
                           .statistic = name,

@@ -96,7 +96,8 @@ std::vector<ClaimEntry> read_claims(std::string_view text, std::string_view sour
 }
 
 std::vector<ClaimEntry> claim_entries(const std::vector<std::string>& tests) {
-  return read_claims(claim_files[0].text, claim_files[0].name, tests);
+  const EmbeddedFile& file = *find_embedded(claim_files, "claims");
+  return read_claims(file.text, file.name, tests);
 }
 
 }  // namespace ikbench::slim2023

@@ -14,6 +14,7 @@
 #include <utility>
 #include <vector>
 
+#include "analysis/claims/printed.hpp"
 #include "analysis/slim2023/multiverse_words.hpp"
 #include "analysis/slim2023/published_numbers.hpp"
 #include "analysis/statistics/predictive_study.hpp"
@@ -59,7 +60,7 @@ std::vector<PrintedSolver> printed_solvers(std::string_view paper, const Multive
     const auto first = static_cast<std::size_t>(metric - explained_metrics.begin()) * predicted_statistics;
     for (std::size_t s = 0; s < predicted_statistics; ++s) {
       const std::string text = cell(printed_columns[s]);
-      printed.numbers[first + s] = {text, table.number(row, printed_columns[s]), half_unit(text)};
+      printed.numbers[first + s] = {text, table.number(row, printed_columns[s]), claims::half_unit(text)};
     }
   }
   return all;

@@ -7,13 +7,13 @@
 #include <string_view>
 #include <utility>
 
+#include "analysis/claims/audit.hpp"
 #include "analysis/inference/comparable.hpp"
 #include "analysis/inference/convergence.hpp"
 #include "analysis/inference/text.hpp"
 #include "analysis/report/leaders.hpp"
 #include "analysis/report/summary.hpp"
 #include "analysis/slim2023/agreement.hpp"
-#include "analysis/slim2023/audit.hpp"
 #include "analysis/slim2023/claims.hpp"
 #include "analysis/slim2023/multiverse.hpp"
 #include "analysis/slim2023/one_at_a_time.hpp"
@@ -23,6 +23,7 @@
 #include "analysis/slim2023/published_numbers.hpp"
 #include "analysis/slim2023/time_assessment.hpp"
 #include "analysis/statistics/descriptive.hpp"
+#include "numerics/embedded_file.hpp"
 
 namespace ikbench::slim2023 {
 
@@ -34,6 +35,14 @@ using namespace report;
 namespace {
 
 constexpr const char* this_paper = "slim2023";
+constexpr numerics::EmbeddedFile files[]{
+#include "claims.inc"
+};
+
+std::vector<AuditItem> audit() {
+  const numerics::EmbeddedFile& file = *numerics::find_embedded(files, "audit");
+  return claims::audited(this_paper, file.text, file.name);
+}
 
 // What only a companion has.
 bool is_of_companions(const std::string& piece) {
@@ -154,7 +163,7 @@ Paper paper() {
           .sections = sections(),
           .summary = [](const Reported& of) { return paper_summary(of); },
           .printed = printed_summaries,
-          .audit = [] { return audit(this_paper); },
+          .audit = audit,
           .multiverse = [](const Multiverse& multiverse,
                            const AnalysisPlan& plan) { return multiverse_report(this_paper, multiverse, plan); },
           .one_at_a_time = [](const Multiverse& multiverse,

@@ -5,13 +5,12 @@
 #include <algorithm>
 #include <map>
 
+#include "analysis/claims/printed.hpp"
 #include "analysis/inference/study_facts.hpp"
-#include "numerics/number.hpp"
 #include "results/published.hpp"
 
 namespace ikbench::slim2023 {
 
-using namespace numerics;
 using namespace results;
 using namespace statistics;
 using namespace inference;
@@ -39,14 +38,6 @@ const PaperNumbers& paper_numbers(Metric metric) {
   return numbers.at(metric);
 }
 
-double half_unit(std::string_view printed) {
-  const std::size_t e = std::min(printed.find_first_of("eE"), printed.size());
-  const std::size_t point = printed.find('.');
-  const std::size_t decimals = point < e ? e - point - 1 : 0;
-  return number_from(fmt::format("0.5e-{}", decimals)).value() *
-         (e < printed.size() ? number_from(fmt::format("1{}", printed.substr(e))).value() : 1.0);
-}
-
 std::vector<PrintedRow> printed_table_3(std::string_view paper, Metric metric) {
   std::vector<PrintedRow> rows;
   const CsvTable table = printed_table(paper, "table-3");
@@ -59,7 +50,7 @@ std::vector<PrintedRow> printed_table_3(std::string_view paper, Metric metric) {
                     .median = table.number(row, "median"),
                     .max = table.number(row, "max"),
                     .min = table.number(row, "min"),
-                    .min_resolution = half_unit(table.rows[row][table.column("min")])});
+                    .min_resolution = claims::half_unit(table.rows[row][table.column("min")])});
   }
   return rows;
 }

@@ -42,9 +42,6 @@ std::optional<PrintedRow> printed_row(const inference::StudyResults& study, std:
 // A printed ANOVA (Tables 4-6: error, variation, time), cells as printed; nothing where it is not published.
 std::optional<statistics::AnovaTable> printed_anova(std::string_view paper, inference::Metric metric);
 
-// Half a unit of the last printed digit: what rounding may have taken from, or added to, "1.7824e-4".
-double half_unit(std::string_view printed);
-
 // A row of the printed Table 7: times until IK-BA with so many bats comes to the tolerance.
 struct PrintedTime {
   int bats;

@@ -31,7 +31,7 @@ StudyResults study_of(std::vector<SolveRecord> solves, const std::string& name =
 std::vector<Claim> claims_of(StudyResults study, const std::vector<StudyResults>& companions = {}) {
   const JudgedStudy judged(std::move(study));
   const std::vector<JudgedStudy> others(companions.begin(), companions.end());
-  return claims({judged, {others.begin(), others.end()}});
+  return slim2023::claims({judged, {others.begin(), others.end()}});
 }
 
 // By its id.

@@ -6,7 +6,7 @@
 #include <sstream>
 #include <utility>
 
-#include "analysis/slim2023/published_numbers.hpp"
+#include "analysis/claims/printed.hpp"
 #include "analysis/statistics/descriptive.hpp"
 #include "analysis/statistics/predictive_study.hpp"
 #include "results/published.hpp"
@@ -40,7 +40,7 @@ double half_unit_of(const std::string& solver, const std::string& metric, const 
   const CsvTable table = printed();
   for (std::size_t row = 0; row < table.rows.size(); ++row) {
     if (table.rows[row][table.column("algorithm")] == solver && table.rows[row][table.column("metric")] == metric)
-      return half_unit(table.rows[row][table.column(column)]);
+      return claims::half_unit(table.rows[row][table.column(column)]);
   }
   return not_defined;
 }

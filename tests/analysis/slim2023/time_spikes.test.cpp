@@ -37,7 +37,7 @@ std::vector<std::string> verdicts(StudyResults of) {
       all.push_back(fmt::format("{} {} {}", first, static_cast<int>(judge(found, first, second).relation), second));
     }
   }
-  for (const Claim& claim : claims({study, {}})) {
+  for (const Claim& claim : slim2023::claims({study, {}})) {
     all.push_back(fmt::format("{} {}", claim.statement, static_cast<int>(claim.verdict)));
   }
   for (const Comparison& row : compare(study)) {
