@@ -12,10 +12,10 @@
 #include "analysis/inference/clusters.hpp"
 #include "analysis/inference/comparable.hpp"
 #include "analysis/inference/convergence.hpp"
+#include "analysis/inference/estimand.hpp"
 #include "analysis/inference/study_facts.hpp"
 #include "analysis/inference/text.hpp"
 #include "analysis/inference/times.hpp"
-#include "analysis/statistics/survival.hpp"
 #include "numerics/number.hpp"
 
 namespace ikbench::figures {
@@ -174,10 +174,9 @@ std::string problem(const StudyResults& study) {
 
 // Of what the tolerance costs, or else of the error.
 std::optional<Figure> profile_figure(const StudyResults& study, const Clusters& clusters, std::optional<Cost> cost) {
-  const Tolerance within = tolerance(study);
   const Profile profile = performance_profile(study, [&](const Solve& solve) {
     if (!cost) return std::max(final_error_cm(solve), info_of(Metric::position_error_cm).rounding);
-    return reaches(solve, within) ? total_cost(study, solve, *cost) : censored;
+    return is_ok(solve) ? total_cost(study, solve, *cost) : censored;
   });
   const auto compared = std::ranges::count_if(profile.ratios, [](const auto& ratios) { return !ratios.empty(); });
   if (compared < 2) return std::nullopt;
@@ -196,7 +195,8 @@ std::optional<Figure> profile_figure(const StudyResults& study, const Clusters& 
   figure.caption = fmt::format(
       "Performance profiles (Dolan and Moré, 2002): share of {} problems in which a solver's {}{} is at most this many "
       "times the smallest of all solvers.{}",
-      profile.problems, words, cost ? " until " + inference::words(within) : "", problem(study));
+      profile.problems, words, cost ? " on an answer " + within_words(study, Metric::position_error_cm) : "",
+      problem(study));
   if (!cost) {
     figure.caption += fmt::format(" An error up to {} cm is rounding and counts as that.",
                                   info_of(Metric::position_error_cm).rounding);
@@ -221,51 +221,17 @@ Figure solved_figure(const StudyResults& study, const Clusters& clusters, Cost c
   for (const Solves& solves : solves_by_solver(study)) {
     ClusteredValues costs{.values = {}, .clusters = clusters.of(solves)};
     for (const Solve* solve : solves) {
-      costs.values.push_back(solve->status == Status::ok ? total_cost(study, *solve, cost) : censored);
+      costs.values.push_back(is_ok(*solve) ? total_cost(study, *solve, cost) : censored);
     }
     shares.curves.push_back(banded_shares(costs, clusters));
     if (!solves.empty() && shares.curves.back().empty()) shares.curves.back().push_back({.at = 0, .share = 0});
   }
   Figure figure{.name = fmt::format("statistics-solved-{}", cost == Cost::seconds ? "seconds" : "evaluations")};
-  figure.caption = fmt::format(
-      "Share of solves with status ok after this {}: inside the joint limits, and {} or less. The other solves count as "
-      "never solved.{}",
-      cost == Cost::seconds ? "time" : "number of evaluations", inference::words(tolerance(study)),
-      bands(study, clusters));
+  figure.caption =
+      fmt::format("Share of solves that are ok after this {}: {}. The other solves count as never solved.{}",
+                  cost == Cost::seconds ? "time" : "number of evaluations",
+                  within_words(study, Metric::position_error_cm), bands(study, clusters));
   if (cost == Cost::seconds) figure.caption += " " + speed_note(study);
-  draw_shares(figure, study, shares);
-  return figure;
-}
-
-// The share of solves that have not come to the tolerance yet.
-Figure survival_figure(const StudyResults& study, const Clusters& clusters) {
-  ShareCurves shares{.label = quantity(Metric::evaluations),
-                     .share_of = "share not yet at the tolerance",
-                     .start = 1,
-                     .ends_with_last = true};
-  const std::vector<Solves> solves = solves_by_solver(study);
-  const std::vector<std::vector<CensoredCost>> groups = censored_costs(study, Cost::evaluations);
-  for (std::size_t i = 0; i < groups.size(); ++i) {
-    const SurvivalCurve curve = kaplan_meier(groups[i]);
-    std::vector<Share> stairs;
-    for (const SurvivalStep& step : curve.steps) stairs.push_back({.at = step.cost, .share = step.survival});
-    if (curve.undefined.empty() && (stairs.empty() || stairs.back().at < curve.last_cost)) {
-      stairs.push_back({.at = curve.last_cost, .share = stairs.empty() ? 1 : stairs.back().share});
-    }
-    stairs = thinned(stairs);
-    std::vector<double> positions;
-    for (const Share& share : stairs) positions.push_back(share.at);
-    const ClusteredSurvival survival(groups[i], clusters.of(solves[i]));
-    std::vector<std::vector<double>> replicates;
-    for (const auto& drawn : clusters.replicates()) replicates.push_back(survival.survival_at(positions, drawn));
-    add_bands(stairs, clusters, replicates);
-    shares.curves.push_back(std::move(stairs));
-  }
-  Figure figure{.name = "statistics-survival-evaluations"};
-  figure.caption = fmt::format(
-      "Share of the solves that are not there yet, where {} (Kaplan and Meier). A solve that does not come to it "
-      "is given up at what it spent; a curve ends with the longest solve.{}",
-      inference::words(tolerance(study)), bands(study, clusters));
   draw_shares(figure, study, shares);
   return figure;
 }
@@ -312,7 +278,6 @@ std::vector<Figure> convergence_figures(const StudyResults& measured) {
   }
   add_of_both(solved_figure);
   add_of_both(profile_figure);
-  add_of_evaluations(survival_figure);
   return figures;
 }
 

@@ -12,7 +12,7 @@ namespace ikbench::figures {
 // "statistics-ecdf-error", and where the study has what they need
 // - traces: "statistics-convergence", "statistics-ecdf-evaluations", and with comparable times
 // "statistics-ecdf-seconds";
-// - a tolerance: "statistics-survival-evaluations";
+// - a tolerance: "statistics-solved-evaluations", and with comparable times "-seconds";
 // - two solvers: "statistics-profile-evaluations" and with comparable times "-seconds" where there is a tolerance, else
 //   "statistics-profile-error".
 // None where there are no solves.

@@ -121,10 +121,10 @@ struct Corners {
   }
 };
 
-Corners corners_of(const std::vector<Share>& curve, const ShareCurves& shares, const CostAxis& axis) {
+Corners corners_of(const std::vector<Share>& curve, const CostAxis& axis) {
   Corners corners;
   corners.has_band = std::ranges::any_of(curve, [](const Share& share) { return std::isfinite(share.low); });
-  Share before{.at = axis.left, .share = shares.start, .low = shares.start, .high = shares.start};
+  Share before{.at = axis.left, .share = 0, .low = 0, .high = 0};
   corners.add(std::min(axis.left, curve.front().at), before);
   for (const Share& share : curve) {
     corners.add(share.at, before);
@@ -132,7 +132,7 @@ Corners corners_of(const std::vector<Share>& curve, const ShareCurves& shares, c
     before = share;
     if (is_step) corners.add(share.at, before);
   }
-  if (!shares.ends_with_last) corners.add(axis.right, before);
+  corners.add(axis.right, before);
   return corners;
 }
 
@@ -157,7 +157,7 @@ void draw_shares(Figure& figure, const StudyResults& study, const ShareCurves& s
       labels[i] = add_missing_curve(lines, i, study.solvers[i]);
       continue;
     }
-    const Corners corners = corners_of(shares.curves[i], shares, axis);
+    const Corners corners = corners_of(shares.curves[i], axis);
     figure.data += fmt::format("{}# {}\n# {}, {}{}: corners of the stairs\n{}", block == 0 ? "" : "\n\n",
                                one_line(study.solvers[i]), shares.label, shares.share_of,
                                corners.has_band ? ", and its interval" : "", corners.rows);

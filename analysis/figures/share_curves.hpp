@@ -1,5 +1,5 @@
-// Curves over a logarithmic axis of costs, one a solver; those in stairs between 0 and 1: distribution functions,
-// performance profiles and survival curves.
+// Curves over a logarithmic axis of costs, one a solver; those in stairs between 0 and 1: distribution functions
+// and performance profiles.
 #pragma once
 
 #include <cstddef>
@@ -44,8 +44,6 @@ struct ShareCurves {
   std::string label;                                  // of the axis below
   std::string share_of;                               // of the axis at the left
   bool is_ratio = false;                              // to a smallest: from 1 on
-  double start = 0;                                   // the share before the first step
-  bool ends_with_last = false;                        // else a curve goes on to the right edge
 };
 // Settings, data and plot of the figure, of which the name and width must stand. Intervals of shares are drawn as bands
 // behind the curves where there are at most most_bands solvers, and stand in the data file in any case.

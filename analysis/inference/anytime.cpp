@@ -1,14 +1,17 @@
 #include "analysis/inference/anytime.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <tuple>
+#include <span>
+#include <string>
 #include <utility>
 
 #include "analysis/inference/convergence.hpp"
 #include "analysis/inference/cost_comparison.hpp"
 #include "analysis/inference/study_facts.hpp"
+#include "analysis/inference/text.hpp"
 
 namespace ikbench::inference {
 
@@ -19,12 +22,12 @@ namespace {
 
 // What of a solver is to be reached: each value the evaluations that it took.
 ClusteredValues evaluations_to_reach(const Solves& solves, const StudyResults& study, const Clusters& clusters) {
-  const Tolerance within = tolerance(study);
+  const bool has_tolerance = std::isfinite(tolerance_cm(study));
   ClusteredValues result;
   for (const Solve* solve : solves) {
     std::vector<double> costs;
-    if (std::isfinite(within.cm)) {
-      costs.push_back(reaches(*solve, within) ? total_cost(study, *solve, Cost::evaluations) : censored);
+    if (has_tolerance) {
+      costs.push_back(is_ok(*solve) ? total_cost(study, *solve, Cost::evaluations) : censored);
     } else if (has_trace(*solve) && !study.facts.pose) {
       costs = costs_to_targets(study, *solve, target_errors_cm(study), Cost::evaluations);
     }
@@ -54,45 +57,46 @@ double budget_of(const StudyResults& study) {
   return largest;
 }
 
-// The differences leader - other of every pair that is compared, at every budget.
-class RunDifferences {
- public:
-  void add(const std::vector<SharesOfSolver>& solvers, std::size_t budget, std::size_t best) {
-    for (const auto& [first, second] : compared_pairs(solvers.size(), best)) {
+std::string quantity_at(std::size_t budget) {
+  return fmt::format("share within {} of the budget", percent(budget_parts[budget]));
+}
+
+Difference difference(const SharesOfSolver& first, const SharesOfSolver& second, std::size_t budget) {
+  Difference result{.quantity = quantity_at(budget), .value = first.shares[budget] - second.shares[budget]};
+  for (std::size_t b = 0; b < first.replicates.size(); ++b) {
+    result.replicates.push_back(first.replicates[b][budget] - second.replicates[b][budget]);
+  }
+  return result;
+}
+
+// The pairs that are compared, at every budget.
+std::vector<Finding> compare_shares(const StudyResults& study, const std::vector<SharesOfSolver>& solvers,
+                                    std::span<const std::size_t> leaders, const Clusters& clusters) {
+  std::vector<Difference> family;
+  for (std::size_t k = 0; k < leaders.size(); ++k) {
+    for (const auto& [first, second] : compared_pairs(solvers.size(), leaders[k])) {
       if (!solvers[first].has_values || !solvers[second].has_values) continue;
-      index_[{budget, first, second}] = family_.estimates.size();
-      family_.estimates.push_back(solvers[first].shares[budget] - solvers[second].shares[budget]);
-      std::vector<double>& replicates = family_.replicates.emplace_back();
-      for (std::size_t b = 0; b < solvers[first].replicates.size(); ++b) {
-        replicates.push_back(solvers[first].replicates[b][budget] - solvers[second].replicates[b][budget]);
-      }
+      Difference& entry = family.emplace_back(difference(solvers[first], solvers[second], k));
+      entry.first = study.solvers[first];
+      entry.second = study.solvers[second];
     }
   }
-  void judge(std::size_t clusters, double level) {
-    family_.clusters = clusters;
-    intervals_ = simultaneous_intervals(family_, level);
+  std::vector<Finding> found = findings(std::move(family), Better::larger, clusters);
+  for (Finding& finding : found) {
+    finding.estimate.low = std::clamp(finding.estimate.low, -1.0, 1.0);
+    finding.estimate.high = std::clamp(finding.estimate.high, -1.0, 1.0);
   }
-  Interval of(std::size_t budget, std::size_t leader, std::size_t other) const {
-    auto [low, high] = intervals_[index_.at({budget, std::min(leader, other), std::max(leader, other)})];
-    if (leader > other) std::tie(low, high) = std::pair(-high, -low);
-    return {std::clamp(low, -1.0, 1.0), std::clamp(high, -1.0, 1.0)};
-  }
-
- private:
-  Family family_;
-  std::map<std::array<std::size_t, 3>, std::size_t> index_;
-  std::vector<Interval> intervals_;
-};
+  return found;
+}
 
 void place(std::vector<AtBudget>& standings, std::size_t leader) {
-  bool is_ahead = true;
-  for (std::size_t i = 0; i < standings.size(); ++i) {
-    if (i == leader || std::isnan(standings[i].share)) continue;
-    const bool is_behind = standings[i].behind_interval.low > 0;
-    if (is_behind) standings[i].relation = Relation::worse;
-    is_ahead &= is_behind;
+  Relation& of_leader = standings[leader].relation = Relation::better;
+  for (AtBudget& standing : standings) {
+    if (!standing.leader) continue;
+    const Relation found = standing.leader->relation;
+    standing.relation = reversed(found);
+    if (found != Relation::better) of_leader = found;
   }
-  if (is_ahead) standings[leader].relation = Relation::better;
 }
 
 }  // namespace
@@ -118,25 +122,22 @@ std::optional<Anytime> anytime(const StudyResults& study, const Clusters& cluste
   if (std::ranges::count_if(solvers, &SharesOfSolver::has_values) < 2) return std::nullopt;
 
   std::array<std::size_t, budget_parts.size()> leaders{};
-  RunDifferences differences;
   for (std::size_t k = 0; k < budgets.size(); ++k) {
     for (std::size_t i = 0; i < solvers.size(); ++i) {
       if (!(solvers[i].shares[k] <= solvers[leaders[k]].shares[k]) && solvers[i].has_values) leaders[k] = i;
     }
-    differences.add(solvers, k, leaders[k]);
   }
-  differences.judge(clusters.drawn_at_once(), 1 - study.plan.significance);
+  const std::vector<Finding> found = compare_shares(study, solvers, leaders, clusters);
   for (std::size_t k = 0; k < budgets.size(); ++k) {
-    const std::size_t leader = leaders[k];
     for (std::size_t i = 0; i < solvers.size(); ++i) {
       AtBudget& standing = result.standings[k].emplace_back();
       if (!solvers[i].has_values) continue;
-      standing.share = solvers[i].shares[k];
-      standing.share_interval = clusters.interval(column(solvers[i].replicates, k));
-      standing.behind = solvers[leader].shares[k] - standing.share;
-      if (i != leader) standing.behind_interval = differences.of(k, leader, i);
+      const Interval interval = clusters.interval(column(solvers[i].replicates, k));
+      standing.share = {.value = solvers[i].shares[k], .low = interval.low, .high = interval.high};
+      if (i == leaders[k]) continue;
+      standing.leader = finding_of(found, quantity_at(k), study.solvers[leaders[k]], study.solvers[i]);
     }
-    place(result.standings[k], leader);
+    place(result.standings[k], leaders[k]);
   }
   return result;
 }

@@ -1,5 +1,6 @@
-// Who is ahead at a tenth of the budget, and who at the end? Shares reached at set budgets of evaluations, which are
-// readings of the runtime distributions after COCO (convergence.hpp), with intervals over clusters (clusters.hpp).
+// Who is ahead before the end? Shares reached at parts of the budget of evaluations, which are readings of the runtime
+// distributions after COCO (convergence.hpp), with intervals over clusters (clusters.hpp). What is reached at the end
+// the plan's test judges.
 #pragma once
 
 #include <array>
@@ -7,24 +8,19 @@
 #include <vector>
 
 #include "analysis/inference/clusters.hpp"
-#include "analysis/inference/relation.hpp"
+#include "analysis/inference/finding.hpp"
 #include "analysis/inference/study.hpp"
 
 namespace ikbench::inference {
 
-enum class Position { ahead, behind, open };
-
 // Of one solver at one budget.
 struct AtBudget {
-  double share = statistics::not_defined;  // reached within the budget
-  statistics::Interval share_interval = {};
-  double behind = statistics::not_defined;    // the largest share of all solvers, less this one
-  statistics::Interval behind_interval = {};  // with those of all pairs and budgets together
-  // ahead: above all others; behind: below the largest; open: neither is shown.
-  Relation relation = Relation::undecided;
+  Estimate share = {};                      // reached within the budget
+  std::optional<Finding> leader = {};       // the solver with the largest share, against this one; none of itself
+  Relation relation = Relation::undefined;  // better: than all others; worse: than the leader
 };
 
-constexpr std::array<double, 5> budget_parts{0.01, 0.03, 0.1, 0.3, 1};
+constexpr std::array<double, 4> budget_parts{0.01, 0.03, 0.1, 0.3};
 
 struct Anytime {
   double budget = statistics::not_defined;  // evaluations: of the study, or without one of the longest solve

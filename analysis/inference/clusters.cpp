@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <compare>
 #include <limits>
 #include <numeric>
@@ -115,6 +116,37 @@ Interval Clusters::interval(std::vector<double> statistic) const {
   return expanded_percentiles(std::move(statistic), drawn_at_once_, level());
 }
 
+bool Clusters::are_copies(std::string_view solver) const { return are_runs_ && repeats_itself(study_, solver); }
+
+std::vector<Finding> findings(std::vector<Difference> family, Better better, const Clusters& clusters) {
+  Family numbers{.estimates = {}, .replicates = {}, .clusters = clusters.drawn_at_once()};
+  for (Difference& difference : family) {
+    numbers.estimates.push_back(difference.value);
+    numbers.replicates.push_back(std::move(difference.replicates));
+  }
+  const std::vector<Interval> intervals = simultaneous_intervals(numbers, clusters.level());
+  std::vector<Finding> found;
+  for (std::size_t i = 0; i < family.size(); ++i) {
+    const auto& [low, high] = intervals[i];
+    Finding& finding = found.emplace_back(Finding{.quantity = std::move(family[i].quantity),
+                                                  .first = std::move(family[i].first),
+                                                  .second = std::move(family[i].second),
+                                                  .estimate = {.value = numbers.estimates[i], .low = low, .high = high},
+                                                  .method = fmt::format("bootstrap of the {}", clusters.noun())});
+    if (std::isnan(low)) {
+      finding.why = clusters.undefined().empty() ? "not every sample has a value" : clusters.undefined();
+    } else if (clusters.are_copies(finding.first) && clusters.are_copies(finding.second)) {
+      finding.relation = Relation::undecided;
+      finding.why = "all runs of each are copies of one";
+    } else if (low > 0 || high < 0) {
+      finding.relation = (low > 0) == (better == Better::larger) ? Relation::better : Relation::worse;
+    } else {
+      finding.relation = Relation::undecided;
+    }
+  }
+  return found;
+}
+
 std::vector<std::vector<double>> resampled_shares(const ClusteredValues& of, const Clusters& clusters,
                                                   std::span<const double> positions) {
   struct Counted {
@@ -143,8 +175,11 @@ std::vector<std::vector<double>> resampled_shares(const ClusteredValues& of, con
   return result;
 }
 
-void add_bands(std::vector<Share>& shares, const Clusters& clusters,
-               const std::vector<std::vector<double>>& replicates) {
+std::vector<Share> banded_shares(const ClusteredValues& of, const Clusters& clusters) {
+  std::vector<Share> shares = shares_within(of.values);
+  std::vector<double> positions;
+  for (const Share& share : shares) positions.push_back(share.at);
+  const std::vector<std::vector<double>> replicates = resampled_shares(of, clusters, positions);
   for (std::size_t i = 0; i < shares.size(); ++i) {
     std::vector<double> values;
     for (const std::vector<double>& replicate : replicates) values.push_back(replicate[i]);
@@ -152,13 +187,6 @@ void add_bands(std::vector<Share>& shares, const Clusters& clusters,
     shares[i].low = interval.low;
     shares[i].high = interval.high;
   }
-}
-
-std::vector<Share> banded_shares(const ClusteredValues& of, const Clusters& clusters) {
-  std::vector<Share> shares = shares_within(of.values);
-  std::vector<double> positions;
-  for (const Share& share : shares) positions.push_back(share.at);
-  add_bands(shares, clusters, resampled_shares(of, clusters, positions));
   return shares;
 }
 

@@ -11,6 +11,8 @@
 #include <vector>
 
 #include "analysis/inference/convergence.hpp"
+#include "analysis/inference/finding.hpp"
+#include "analysis/inference/observations.hpp"
 #include "analysis/inference/study.hpp"
 #include "analysis/statistics/bootstrap.hpp"
 
@@ -41,6 +43,8 @@ class Clusters {
   std::string_view noun() const;  // "runs"
 
   double level() const;  // of intervals, as the plan of the study has it
+  // Whether the clusters are runs, and those of the solver copies of one.
+  bool are_copies(std::string_view solver) const;
 
   // expanded_percentiles of a statistic, one of each replicate.
   statistics::Interval interval(std::vector<double> statistic) const;
@@ -55,6 +59,16 @@ class Clusters {
   std::string undefined_;
 };
 
+// A number of two, above 0 where the first has more of it, and the same of every replicate.
+struct Difference {
+  std::string quantity, first, second;
+  double value = statistics::not_defined;
+  std::vector<double> replicates;
+};
+// A row for each, with intervals that hold for all together: better or worse where 0 is outside. An interval without
+// width is a difference that every cluster has; of runs that are copies of one it says nothing.
+std::vector<Finding> findings(std::vector<Difference> family, Better better, const Clusters& clusters);
+
 // Values that come in clusters.
 struct ClusteredValues {
   std::vector<double> values;
@@ -64,10 +78,6 @@ struct ClusteredValues {
 // The share of values at or below each position (ascending): in every replicate, [replicate][position].
 std::vector<std::vector<double>> resampled_shares(const ClusteredValues& of, const Clusters& clusters,
                                                   std::span<const double> positions);
-
-// Fills in low and high of shares, of which each replicate has one value for each: [replicate][share].
-void add_bands(std::vector<Share>& shares, const Clusters& clusters,
-               const std::vector<std::vector<double>>& replicates);
 
 // shares_within(), with intervals.
 std::vector<Share> banded_shares(const ClusteredValues& of, const Clusters& clusters);

@@ -11,7 +11,6 @@
 #include "analysis/inference/study_facts.hpp"
 #include "analysis/inference/text.hpp"
 #include "analysis/statistics/quantile.hpp"
-#include "results/orientation.hpp"
 
 namespace ikbench::inference {
 
@@ -20,7 +19,6 @@ using namespace statistics;
 
 namespace {
 
-constexpr double verifier_rounding_cm = 1e-7, verifier_rounding_rad = 1e-9;
 constexpr double largest_target_cm = 10;
 constexpr double smallest_target_cm = 1e-8;
 constexpr std::size_t target_count = 51;  // as COCO has
@@ -52,6 +50,18 @@ double error_at(const StudyResults& study, const Solve& solve, double evaluation
 double ratio_of(double cost, double smallest) {
   if (cost == censored) return censored;
   return cost == smallest ? 1 : cost / smallest;
+}
+
+// Stairs, ascending and not negative in `at`, at no more than most_positions.
+std::vector<Share> thinned(const std::vector<Share>& stairs) {
+  if (stairs.size() <= most_positions) return stairs;
+  std::vector<Share> kept;
+  const auto positive = std::ranges::upper_bound(stairs, 0.0, {}, &Share::at);
+  if (positive != stairs.begin()) kept.push_back(*(positive - 1));
+  for (const double at : log_spaced(positive->at, stairs.back().at, most_positions - kept.size())) {
+    kept.push_back({.at = at, .share = (std::ranges::upper_bound(stairs, at, {}, &Share::at) - 1)->share});
+  }
+  return kept;
 }
 
 }  // namespace
@@ -96,19 +106,6 @@ Tolerance tolerance(const StudyResults& study) {
   Tolerance found{.cm = tolerance_cm(study)};
   if (const double angle = study.facts.stop.tolerance_deg; angle > 0) found.deg = angle;
   return found;
-}
-
-std::string words(const Tolerance& tolerance) {
-  const std::string position = fmt::format("the position error is {} cm", rounded_number(tolerance.cm, 3));
-  if (!std::isfinite(tolerance.deg)) return position;
-  return fmt::format("{} and the tool {} deg from its orientation", position, rounded_number(tolerance.deg, 3));
-}
-
-bool reaches(const Solve& solve, const Tolerance& tolerance) {
-  if (is_without_answer(solve.status) || solve.status == Status::over_budget) return false;
-  if (!(final_error_cm(solve) <= tolerance.cm + verifier_rounding_cm)) return false;
-  return !(tolerance.deg < 180) ||
-         solve.orientation_error <= orientation_error_of(tolerance.deg) + verifier_rounding_rad;
 }
 
 std::vector<double> costs_to_targets(const StudyResults& study, const Solve& solve, std::span<const double> targets_cm,
@@ -163,18 +160,6 @@ std::vector<double> target_errors_cm(const StudyResults& study) {
   return log_spaced(std::max(largest_target_cm, 10 * smallest), smallest, target_count);
 }
 
-std::vector<std::vector<CensoredCost>> censored_costs(const StudyResults& study, Cost cost) {
-  const Tolerance within = tolerance(study);
-  std::vector<std::vector<CensoredCost>> costs;
-  for (const Solves& solves : solves_by_solver(study)) {
-    auto& of_solver = costs.emplace_back();
-    for (const Solve* solve : solves) {
-      of_solver.push_back({.spent = total_cost(study, *solve, cost), .reached = reaches(*solve, within)});
-    }
-  }
-  return costs;
-}
-
 std::vector<Share> shares_within(std::vector<double> values) {
   std::ranges::sort(values);
   const double all = static_cast<double>(values.size());
@@ -185,17 +170,6 @@ std::vector<Share> shares_within(std::vector<double> values) {
     shares.push_back({.at = values[i], .share = static_cast<double>(i + 1) / all});
   }
   return thinned(shares);
-}
-
-std::vector<Share> thinned(const std::vector<Share>& stairs) {
-  if (stairs.size() <= most_positions) return stairs;
-  std::vector<Share> kept;
-  const auto positive = std::ranges::upper_bound(stairs, 0.0, {}, &Share::at);
-  if (positive != stairs.begin()) kept.push_back(*(positive - 1));
-  for (const double at : log_spaced(positive->at, stairs.back().at, most_positions - kept.size())) {
-    kept.push_back({.at = at, .share = (std::ranges::upper_bound(stairs, at, {}, &Share::at) - 1)->share});
-  }
-  return kept;
 }
 
 Profile performance_profile(const StudyResults& study, const CostOf& cost_of) {

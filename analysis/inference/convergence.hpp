@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "analysis/inference/study.hpp"
-#include "analysis/statistics/running_time.hpp"
 
 namespace ikbench::inference {
 
@@ -44,10 +43,6 @@ struct Tolerance {
   double deg = std::numeric_limits<double>::infinity();
 };
 Tolerance tolerance(const StudyResults& study);
-// "the position error is 0.1 cm" and, of poses, "and the tool 0.5 deg from its orientation".
-std::string words(const Tolerance& tolerance);
-// Whether there is an answer, and the verifier's errors are within the tolerance, but for rounding.
-bool reaches(const Solve& solve, const Tolerance& tolerance);
 
 // What the solve had cost when its best error first was at or below each target; targets descend. A solve whose answer
 // is not finite, refused or not as good as claimed reaches none: its trace is the solver's own word.
@@ -71,10 +66,6 @@ std::vector<double> evaluations_axis(const StudyResults& study, const std::vecto
 // or without one to the whole decade below the smallest error that any solve came to, at the least 1e-8.
 std::vector<double> target_errors_cm(const StudyResults& study);
 
-// Of each solver, in the order of study.solvers: a solve that comes to the tolerance of the study has spent its whole
-// cost on it; one that does not is given up at its cost.
-std::vector<std::vector<statistics::CensoredCost>> censored_costs(const StudyResults& study, Cost cost);
-
 // The share of values that are at or below `at`, and where it has an interval (clusters.hpp), that.
 struct Share {
   double at;
@@ -86,8 +77,6 @@ struct Share {
 // The empirical distribution function, at every value or at most_positions log-spaced ones. Censored values count in
 // the whole and nowhere else.
 std::vector<Share> shares_within(std::vector<double> values);
-// Stairs, ascending and not negative in `at`, at no more than most_positions.
-std::vector<Share> thinned(const std::vector<Share>& stairs);
 
 // By how much the cost of each solver exceeds the smallest of all solvers at the same problem, which is a point of a
 // run. Solvers without solves take no part and have no ratios.

@@ -1,67 +1,45 @@
-// What solvers spend until they come to the tolerance of a study, with intervals over clusters (clusters.hpp), and
-// which of two spends less: expected running times, restricted means, and the probability of improvement (Agarwal,
-// Schwarzer, Castro, Courville, Bellemare, NeurIPS (2021) 29304).
+// What solvers spend until a solve succeeds, with intervals over clusters (clusters.hpp), and
+// which of two spends less: by their expected running times.
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "analysis/inference/clusters.hpp"
 #include "analysis/inference/convergence.hpp"
-#include "analysis/inference/judge.hpp"
+#include "analysis/inference/finding.hpp"
 #include "analysis/statistics/running_time.hpp"
-#include "analysis/statistics/survival.hpp"
 
 namespace ikbench::inference {
 
-// A mean cost and the same of every replicate; no replicates where there are too few clusters.
-struct MeanCost {
-  double estimate = statistics::not_defined;
-  std::vector<double> replicates;
-};
-
 struct SolverCost {
-  statistics::RunningTime time;
-  statistics::SurvivalCurve curve;
-  MeanCost expected;    // running time; infinite in a replicate in which no solve succeeds
-  MeanCost restricted;  // to the horizon
-};
+  statistics::RunningTime time = {};
+  std::vector<statistics::RunningTime> replicates = {};  // none where there are too few clusters
+  std::string undefined = {};                            // why there is no running time; empty where there is
 
-struct Costs {
-  double horizon = statistics::not_defined;  // the largest cost to which the curves of all solvers are known
-  std::vector<SolverCost> solvers;           // in the order of the study's
+  // Of the expected running time.
+  statistics::Interval interval(const Clusters& clusters) const;
 };
-Costs costs_of(const StudyResults& study, Cost cost, const Clusters& clusters);
+// In the order of the study's solvers. A solve that does not succeed is given up at its cost.
+using Success = std::function<bool(const Solve&)>;
+std::vector<SolverCost> costs_of(const StudyResults& study, Cost cost, const Clusters& clusters,
+                                 const Success& is_success = is_ok);
 
 // Which pairs are compared: all, or of more than twenty solvers those with the best alone.
 std::vector<std::pair<std::size_t, std::size_t>> compared_pairs(std::size_t solvers, std::size_t best);
 
-// A number of two solvers, and an interval that holds for all pairs together.
-struct Compared {
-  double value = statistics::not_defined;
-  statistics::Interval interval = {};
-};
-
-struct CostPair {
-  std::size_t first = 0;
-  std::size_t second = 0;
-  Compared expected;  // ratios: first / second
-  Compared restricted;
-  Compared improvement;  // P(first < second) at a target, ties half; solves that do not come to the tolerance tie
-  // better: the first spends less. By the running times, or where they have no interval by the restricted means;
-  // undecided where the two contradict each other, or the runs of both solvers are copies of one.
-  Relation relation = Relation::undecided;
-};
-std::vector<CostPair> compare_costs(const StudyResults& study, Cost cost, const Clusters& clusters);
-
-// first / second, with an interval of its own; the standard error is that of its logarithm, not defined where a
-// replicate has no ratio.
-struct CostRatio {
-  double value = statistics::not_defined;
-  statistics::Interval interval = {};
-  double standard_error_of_log = statistics::not_defined;
-};
-CostRatio ratio_of(const MeanCost& first, const MeanCost& second, const Clusters& clusters);
+// What rows of compare_costs() are about.
+constexpr std::string_view expected_name(Cost cost) {
+  return cost == Cost::seconds ? "expected seconds" : "expected evaluations";
+}
+// Ratios of expected running times; better: the first spends less. A sample without a success has an infinite running
+// time and no ratio. Such a pair has no interval, and shares of success decide, each weighed by what the other spends:
+// p2 c1 - p1 c2 has the sign of c1 / p1 - c2 / p2. The cost of who never succeeds is infinite.
+std::vector<Finding> compare_costs(const StudyResults& study, Cost cost, const Clusters& clusters,
+                                   const Success& is_success = is_ok);
 
 }  // namespace ikbench::inference

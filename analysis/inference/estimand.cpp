@@ -18,8 +18,6 @@ namespace {
 
 bool has_tolerance(const StudyResults& study) { return std::isfinite(tolerance_cm(study)); }
 
-bool is_ok(const Solve* solve) { return solve->status == Status::ok; }
-
 }  // namespace
 
 double tolerance_of(const StudyResults& study, Metric metric) {
@@ -54,7 +52,8 @@ namespace {
 void penalise(Quantity& result, const StudyResults& study, Metric metric) {
   if (is_of_run(metric)) {
     result.value = [&study, metric](Run run) {
-      return std::ranges::any_of(run, is_ok) ? value_of(study, run, metric) : not_defined;
+      return std::ranges::any_of(run, [](const Solve* solve) { return is_ok(*solve); }) ? value_of(study, run, metric)
+                                                                                        : not_defined;
     };
     result.notes.emplace_back("A run counts if at least one of its solves has status ok.");
     return;
@@ -134,7 +133,7 @@ Quantity reliability_quantity(const StudyResults& study, Metric metric) {
   const double most = distance_of(study, metric) + info.rounding;
   const bool is_solved = has_tolerance(study), is_position = metric == Metric::position_error_cm;
   result.value = averaged([&study, metric, most, is_solved, is_position](const Solve& solve) {
-    const bool counts = is_solved ? solve.status == Status::ok : !stays(solve.status);
+    const bool counts = is_solved ? is_ok(solve) : !stays(solve.status);
     return counts && ((is_position && is_solved) || value_of(study, solve, metric) <= most) ? 1.0 : 0.0;
   });
   if (is_solved) {
@@ -170,7 +169,7 @@ ValueOf counted_value(const StudyResults& study, Metric metric, double limit) {
   if (!is_penalised(study, metric)) return counted_value(study, metric);
   return [&study, metric, limit](const Solve& solve) {
     const bool is_known = metric != Metric::evaluations || solve.counted_by != CountedBy::nobody;
-    return is_ok(&solve) || !is_known ? value_of(study, solve, metric) : penalty * limit;
+    return is_ok(solve) || !is_known ? value_of(study, solve, metric) : penalty * limit;
   };
 }
 

@@ -8,18 +8,12 @@
 #include <string_view>
 #include <vector>
 
+#include "analysis/inference/finding.hpp"
 #include "analysis/inference/observations.hpp"
 #include "analysis/inference/relation.hpp"
 #include "results/analysis_plan.hpp"
 
 namespace ikbench::inference {
-
-// A number with its interval; the interval may be not defined where the number is.
-struct Estimate {
-  double value = statistics::not_defined;
-  double low = statistics::not_defined;
-  double high = statistics::not_defined;
-};
 
 struct GroupEvidence {
   std::string name;

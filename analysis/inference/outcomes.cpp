@@ -97,7 +97,7 @@ Proportion solve_rate(const StudyResults& study, std::string_view solver, double
   Successes count;
   for (const Solve& solve : solves_of(study, solver)) {
     ++count.trials;
-    if (solve.status == results::Status::ok) ++count.successes;
+    if (is_ok(solve)) ++count.successes;
   }
   return wilson(count, level);
 }

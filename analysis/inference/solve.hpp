@@ -52,6 +52,9 @@ static_assert(sizeof(Solve) <= 112);
 
 constexpr std::uint32_t no_digest = 0;
 
+// Whether the verifier finds the answer in order: in a study with a tolerance within it, and inside the joint limits.
+inline bool is_ok(const Solve& solve) { return solve.status == results::Status::ok; }
+
 // To the last bit. Two answers that are not the same would have to meet in a digest and in both errors.
 inline bool has_same_answer(const Solve& a, const Solve& b) {
   return a.answer == b.answer && a.answer != no_digest && a.position_error_cm == b.position_error_cm &&

@@ -4,18 +4,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 
+#include "analysis/inference/anytime.hpp"
 #include "analysis/inference/clusters.hpp"
 #include "analysis/inference/comparable.hpp"
 #include "analysis/inference/cost_comparison.hpp"
+#include "analysis/inference/estimand.hpp"
 #include "analysis/inference/text.hpp"
 #include "analysis/inference/times.hpp"
-#include "analysis/report/cost_pair_tables.hpp"
-#include "analysis/statistics/proportion.hpp"
-#include "analysis/statistics/survival.hpp"
 
 namespace ikbench::report {
 
@@ -25,153 +24,127 @@ using namespace inference;
 
 namespace {
 
-using Groups = std::vector<std::vector<CensoredCost>>;
+// A number that may be infinite.
+Cell number_of(double value) { return std::isinf(value) ? Cell("inf") : Cell(value); }
 
-// One trial a target, however often it was solved.
-Proportion share_reached(const Solves& solves, const std::vector<std::uint32_t>& targets, const StudyResults& study) {
-  const Tolerance within = tolerance(study);
-  std::map<std::size_t, Successes> counts;
-  for (const Solve* solve : solves) {
-    Successes& count = counts[targets[static_cast<std::size_t>(solve - study.solves.data())]];
-    ++count.trials;
-    if (reaches(*solve, within)) ++count.successes;
-  }
-  double shares = 0;
-  for (const auto& [target, count] : counts) shares += static_cast<double>(count.successes) / count.trials;
-  return wilson_of_mean(shares / static_cast<double>(counts.size()), static_cast<int>(counts.size()),
-                        1 - study.plan.significance);
+Cell count_of(double count) { return std::llround(count); }
+
+Cell range_of(double low, double high) { return std::isnan(low) ? Cell() : Cell(Range{low, high}); }
+
+std::string_view unit_of(Cost cost) { return cost == Cost::seconds ? "seconds" : "evaluations"; }
+
+std::string name_of(Cost cost, std::string_view part) {
+  return fmt::format("statistics-cost{}{}", cost == Cost::seconds ? "-seconds" : "", part);
 }
 
-// The complete runs, and those among them in which every point came to the tolerance.
-Successes runs_reached(const Solves& solves, const StudyResults& study) {
-  const Tolerance within = tolerance(study);
-  std::map<int, Successes> runs;
-  for (const Solve* solve : solves) {
-    Successes& run = runs[solve->run];
-    ++run.trials;
-    if (reaches(*solve, within)) ++run.successes;
-  }
-  Successes result;
-  for (const auto& [number, run] : runs) {
-    if (run.trials != study.points) continue;
-    ++result.trials;
-    if (run.successes == run.trials) ++result.successes;
-  }
-  return result;
-}
-
-void append(std::vector<Cell>& cells, const Successes& count, const Proportion& share) {
-  cells.emplace_back(std::int64_t{count.trials});
-  cells.emplace_back(std::int64_t{count.successes});
-  cells.emplace_back(share.low);
-  cells.emplace_back(share.high);
-}
-
-std::string dependence_note(Trials trials, const std::string& level) {
-  if (trials == Trials::targets) {
-    return fmt::format(
-        "Each solve starts at the initial configuration, and targets repeat, so one trial is a target: the share of "
-        "its solves that reach the tolerance. The interval is the {} Wilson interval of the mean share.",
-        level);
-  }
-  if (trials == Trials::solves) {
-    return fmt::format(
-        "Solves are independent: each starts at the initial configuration. The interval is the {} Wilson interval.",
-        level);
-  }
+// What intervals are from, and what `those` of them are.
+std::string interval_note(const Clusters& clusters, std::string_view those) {
+  if (!clusters.undefined().empty()) return fmt::format("There are no intervals: {}.", clusters.undefined());
   return fmt::format(
-      "The solves of a run depend on each other, because each starts where the last answer left the arm. Therefore no "
-      "interval or test uses single solves. Runs are independent: the interval is the {} Wilson interval of the share "
-      "of complete runs in which every point reaches the tolerance.",
-      level);
-}
-
-// The mean costs with their intervals, in the order of the columns.
-void append(std::vector<Cell>& cells, const SolverCost& solver, const Clusters& clusters) {
-  const auto interval_of = [&](const MeanCost& mean) {
-    const Interval interval = clusters.interval(mean.replicates);
-    return std::isnan(interval.low) ? Cell() : Cell(Range{interval.low, interval.high});
-  };
-  cells.insert(cells.end(), {solver.expected.estimate, interval_of(solver.expected), solver.time.sp1,
-                             solver.curve.median, solver.restricted.estimate, interval_of(solver.restricted)});
-}
-
-std::string cost_interval_note(const Clusters& clusters) {
-  if (!clusters.undefined().empty()) {
-    return fmt::format("The mean costs have no intervals: {}.", clusters.undefined());
-  }
-  return fmt::format(
-      "Intervals of ert and restricted_mean: {}, from {} bootstrap samples of the {} with all their solves (expanded "
-      "percentiles). An end of inf: in some samples no solve succeeds.",
-      percent(clusters.level()), clusters.replicates().size(), clusters.noun());
+      "Intervals: {}, from {} bootstrap samples of the {} with all their solves, the same for all solvers. {} An "
+      "interval without width means that all {} agree, not that it is certain.",
+      percent(clusters.level()), clusters.replicates().size(), clusters.noun(), those, clusters.noun());
 }
 
 Table cost_table(const StudyResults& study, Cost cost, const Clusters& clusters) {
-  const bool in_seconds = cost == Cost::seconds;
-  const std::string_view unit = in_seconds ? "seconds" : "evaluations";
-  Table table{.name = in_seconds ? "statistics-cost-seconds" : "statistics-cost",
-              .caption = fmt::format("Cost [{}] until {}", unit, words(tolerance(study))),
-              .columns = {{"solver", Align::left},
-                          {"solves"},
-                          {"reached"},
-                          {"share_low"},
-                          {"share_high"},
-                          {"runs"},
-                          {"runs_reached"},
-                          {"runs_low"},
-                          {"runs_high"},
-                          {"ert"},
-                          {"ert interval"},
-                          {"sp1"},
-                          {"median"},
-                          {"restricted_mean"},
-                          {"restricted_mean interval"}}};
-  const Groups groups = censored_costs(study, cost);
-  const std::vector<Solves> solves = solves_by_solver(study);
-  const Trials trials = trials_of(study);
-  const std::vector<std::uint32_t> targets = target_numbers(study);
-  const Costs costs = costs_of(study, cost, clusters);
+  Table table{.name = name_of(cost, ""),
+              .caption = fmt::format("Cost [{}] of an answer {}", unit_of(cost),
+                                     within_words(study, Metric::position_error_cm)),
+              .columns = {{"solver", Align::left}, {"solves"}, {"solved"}, {"ert"}, {"ert interval"}}};
   std::vector<std::string> undefined;
-  for (std::size_t i = 0; i < groups.size(); ++i) {
-    const SolverCost& solver = costs.solvers[i];
-    const Successes reached{.successes = static_cast<int>(std::ranges::count_if(groups[i], &CensoredCost::reached)),
-                            .trials = static_cast<int>(groups[i].size())};
-    std::vector<Cell> cells{study.solvers[i]};
-    if (trials == Trials::runs) {
-      cells.insert(cells.end(), {std::int64_t{reached.trials}, std::int64_t{reached.successes}, Cell(), Cell()});
-      const Successes runs = runs_reached(solves[i], study);
-      append(cells, runs, wilson(runs, 1 - study.plan.significance));
-    } else {
-      append(cells, reached, share_reached(solves[i], targets, study));
-      cells.resize(cells.size() + 4);
-    }
-    append(cells, solver, clusters);
-    table.rows.push_back(std::move(cells));
-    const std::string& reason = solver.time.undefined.empty() ? solver.curve.undefined : solver.time.undefined;
-    if (!reason.empty()) undefined.push_back(fmt::format("{}: {}", study.solvers[i], reason));
+  const std::vector<SolverCost> costs = costs_of(study, cost, clusters);
+  for (std::size_t i = 0; i < costs.size(); ++i) {
+    const RunningTime& time = costs[i].time;
+    const Interval interval = costs[i].interval(clusters);
+    table.rows.push_back({study.solvers[i], count_of(time.trials), count_of(time.successes), number_of(time.expected()),
+                          time.successes > 0 ? range_of(interval.low, interval.high) : Cell()});
+    if (!costs[i].undefined.empty()) undefined.push_back(fmt::format("{}: {}", study.solvers[i], costs[i].undefined));
   }
-  table.notes.push_back(
-      fmt::format("A solve reaches the tolerance where, by the verifier, {} or less, inside the joint limits or "
-                  "not. ert: cost of all solves divided by the number of successful ones. sp1: mean cost of the "
-                  "successful solves divided by their share.",
-                  words(tolerance(study))));
-  table.notes.push_back(
-      fmt::format("The Kaplan-Meier curve assumes that unsuccessful solves would have continued as the others did. "
-                  "median: the first cost at which half have reached the tolerance, not defined if they never do. "
-                  "restricted_mean: the mean up to {} {}, to which the curves of all solvers are known.",
-                  rounded_number(costs.horizon, 6), unit));
-  table.notes.push_back(cost_interval_note(clusters));
-  if (in_seconds) table.notes.push_back(speed_note(study));
-  const auto diverged = std::ranges::count(study.solves, StopReason::not_finite, &Solve::stop_reason);
-  if (diverged > 0) {
-    table.notes.push_back(
-        fmt::format("Solves that ended with an error that is not finite: {}. They would not have continued, so median "
-                    "and restricted_mean flatter their solvers.",
-                    diverged));
-  }
-  table.notes.push_back(dependence_note(trials, percent(clusters.level())));
+  table.notes = {
+      "solved: with the status ok. ert, the expected running time: what all solves cost by the number of solved ones; "
+      "inf where there are none.",
+      interval_note(clusters, "An end of inf: in some samples nothing is solved.")};
+  if (cost == Cost::seconds) table.notes.push_back(speed_note(study));
   for (const std::string& reason : undefined) table.notes.push_back(fmt::format("Not defined for {}.", reason));
   for (std::string& note : status_notes(study)) table.notes.push_back(std::move(note));
+  return table;
+}
+
+Table cost_pair_table(const StudyResults& study, Cost cost, const Clusters& clusters) {
+  Table table{.name = name_of(cost, "-pairs"),
+              .caption = fmt::format("Which of two solvers spends fewer {} on an answer {}", unit_of(cost),
+                                     within_words(study, Metric::position_error_cm)),
+              .columns = {{"first", Align::left},
+                          {"second", Align::left},
+                          {"spends less", Align::left},
+                          {"ert ratio"},
+                          {"ert ratio interval"},
+                          {"remark", Align::left}}};
+  for (const Finding& finding : compare_costs(study, cost, clusters)) {
+    const auto& [value, low, high] = finding.estimate;
+    const std::string less = finding.relation == Relation::better  ? finding.first
+                             : finding.relation == Relation::worse ? finding.second
+                                                                   : std::string(name_of(finding.relation));
+    table.rows.push_back({finding.first, finding.second, less, number_of(value), range_of(low, high),
+                          finding.why.empty() ? Cell() : Cell(finding.why)});
+  }
+  table.notes = {
+      "Ratios are first / second: below 1 the first spends less. The interval decides. In a sample that solves nothing "
+      "the running time is infinite: such a pair has no interval, and the shares solved decide, each weighed by the "
+      "other's cost.",
+      interval_note(clusters, "They hold for all pairs together.")};
+  return table;
+}
+
+std::string_view word(Relation relation) {
+  return relation == Relation::better ? "ahead" : relation == Relation::worse ? "behind" : name_of(relation);
+}
+
+// "A", "undecided between A, B".
+std::string leaders_at(const std::vector<AtBudget>& standings, const std::vector<std::string>& solvers) {
+  std::string undecided;
+  for (std::size_t i = 0; i < standings.size(); ++i) {
+    if (standings[i].relation == Relation::better) return one_line(solvers[i]);
+    if (standings[i].relation == Relation::worse || std::isnan(standings[i].share.value)) continue;
+    undecided += (undecided.empty() ? "" : ", ") + one_line(solvers[i]);
+  }
+  return "undecided between " + undecided;
+}
+
+std::optional<Table> anytime_table(const StudyResults& study, const Clusters& clusters) {
+  const std::optional<Anytime> found = anytime(study, clusters);
+  if (!found) return std::nullopt;
+  Table table{.name = "statistics-cost-anytime",
+              .caption = std::isfinite(tolerance_cm(study))
+                             ? fmt::format("Share of answers {} within a part of the budget",
+                                           within_words(study, Metric::position_error_cm))
+                             : "Share of solves and target errors that are reached within a part of the budget",
+              .columns = {{"part of budget"},
+                          {"evaluations"},
+                          {"solver", Align::left},
+                          {"share"},
+                          {"share interval"},
+                          {"behind by"},
+                          {"behind interval"},
+                          {"position", Align::left}}};
+  std::string leaders;
+  for (std::size_t k = 0; k < budget_parts.size(); ++k) {
+    for (std::size_t i = 0; i < study.solvers.size(); ++i) {
+      const auto& [share, leader, relation] = found->standings[k][i];
+      const Estimate behind = leader ? leader->estimate : Estimate{};
+      table.rows.push_back({percent(budget_parts[k]), budget_parts[k] * found->budget, study.solvers[i], share.value,
+                            range_of(share.low, share.high), leader ? Cell(behind.value) : Cell(),
+                            range_of(behind.low, behind.high), std::string(word(relation))});
+    }
+    leaders += fmt::format("{} at {}: {}", k == 0 ? "" : ";", percent(budget_parts[k]),
+                           leaders_at(found->standings[k], study.solvers));
+  }
+  table.notes = {fmt::format("Ahead{}.", leaders),
+                 fmt::format("The budget is {} evaluations, {}. behind by: the largest share at that budget, less this "
+                             "one. ahead: above every other; behind: below the largest; undecided: neither is shown.",
+                             rounded_number(found->budget, 6),
+                             found->is_of_study ? "the study's limit" : "those of the longest solve"),
+                 interval_note(clusters, "Those of differences hold for all solvers and budgets together.")};
   return table;
 }
 

@@ -1,5 +1,5 @@
-// What it costs to come to the tolerance of a study: how many solves do, expected running time, survival curves and
-// their log-rank test (methods and sources: analysis/statistics/{proportion,running_time,survival}.hpp).
+// What it costs to solve a problem of a study, which of two solvers spends less, and who is ahead at set budgets
+// (analysis/inference/{cost_comparison,anytime}.hpp).
 #pragma once
 
 #include <vector>

@@ -38,10 +38,10 @@ SectionPlan convergence() {
       "Convergence and cost",
       "How the error falls with the cost. The curves describe single solves; intervals and bands draw runs as a whole "
       "where each solve starts from the previous answer. Convergence and runtimes need traces, trace = "
-      "\"best_error\" in the study. Success, costs and survival need a tolerance.",
+      "\"best_error\" in the study. Success and costs need a tolerance.",
       {},
       {"statistics-convergence", "statistics-ecdf-*", "statistics-solved-*", "statistics-profile-*",
-       "statistics-survival-*", "statistics-cost*"}};
+       "statistics-cost*"}};
 }
 
 // What belongs to a paper, whichever it is.

@@ -34,7 +34,7 @@ std::string printed_real_time(const PrintedTime& printed);
 // Nothing where the study is not one of random targets that is held against a printed Table 7.
 std::optional<report::Table> table_7(const inference::StudyResults& study);
 
-// What the tolerance costs, by expected running times and restricted means with intervals, beside the paper's ratios.
+// What the tolerance costs, by expected running times with intervals, beside the paper's ratios.
 // Nothing where there is no Table 7, the study has no tolerance, or times are not comparable.
 std::optional<report::Table> table_7_cost(const inference::StudyResults& study);
 

@@ -1,5 +1,5 @@
 // What it costs to reach a tolerance when some trials never do: expected running time (Hansen, Auger, Ros, Finck,
-// Posik, GECCO companion (2010) 1689) and success performance SP1 (Auger and Hansen, CEC (2005) 1777).
+// Posik, GECCO companion (2010) 1689).
 #pragma once
 
 #include <span>
@@ -15,18 +15,18 @@ struct CensoredCost {
   bool reached = false;
 };
 
+// Sums over trials, or over a bootstrap sample of them.
 struct RunningTime {
-  int trials = 0;
-  int successes = 0;
-  double success_rate = not_defined;
-  double expected = not_defined;  // ERT: all that was spent by the number of successes
-  double sp1 = not_defined;       // mean of what successful trials spent by the success rate
-  std::string undefined;          // why there is no expected; empty where there is
+  double trials = 0;
+  double successes = 0;
+  double spent = 0;
+
+  double expected() const;  // spent / successes: infinite without a success, not defined without trials
 };
 
 RunningTime running_time(std::span<const CensoredCost> costs);
 
-// Why costs cannot be judged: there are none, or one is negative or not finite. Empty where they can.
+// Why costs have no running time: there are none, or one is negative or not finite. Empty where they have one.
 std::string wrong_with(std::span<const CensoredCost> costs);
 
 }  // namespace ikbench::statistics
