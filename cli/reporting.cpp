@@ -80,13 +80,13 @@ std::string unknown_sessions(const Store& store, const StudyEntry& entry) {
                      unknown.size(), unknown.size() == 1 ? "" : "s", unknown.front());
 }
 
-// What was changed since it was written. A store of an older program keeps no digests.
+// What was changed since it was written.
 std::vector<std::string> changes_in(const Store& store, const StudyEntry& entry, std::string& unknown) {
   Changes changes = store.changes({entry.name});
   if (!changes.are_known) {
     unknown = fmt::format(
-        "The store has no digests of some of study {}: an older ikbench wrote it, or they were removed. Whether it was "
-        "changed since does not show.",
+        "Some digests of study {} were removed from the store: whether it was changed since it was written does not "
+        "show.",
         entry.name);
   }
   for (std::string& sentence : changes.sentences) sentence = fmt::format("Damaged: {}.", sentence);

@@ -94,12 +94,10 @@ void look_at_counts(const SolveRecord& solve, Findings& found) {
   found.expect_at_least("seconds", solve, solve.seconds, 0);
   found.expect_at_least("cpu_seconds", solve, solve.cpu_seconds, 0);
   found.expect_at_least("repeats", solve, static_cast<double>(solve.repeats), 1);
-  if (std::isfinite(solve.smallest_seconds)) {  // older stores have none
-    found.expect_at_least("smallest_seconds", solve, solve.smallest_seconds, 0);
-    if (solve.smallest_seconds > solve.seconds) found.add("smallest_seconds", solve, "larger than the median");
-    found.expect_at_least("interruptions", solve, solve.interruptions, 0);
-    found.expect_at_least("largest_seconds", solve, solve.largest_seconds, solve.seconds);
-  }
+  found.expect_at_least("smallest_seconds", solve, solve.smallest_seconds, 0);
+  if (solve.smallest_seconds > solve.seconds) found.add("smallest_seconds", solve, "larger than the median");
+  found.expect_at_least("interruptions", solve, solve.interruptions, 0);
+  found.expect_at_least("largest_seconds", solve, solve.largest_seconds, solve.seconds);
 }
 
 void look_at_status(const SolveRecord& solve, const Verification& computed, Requirement requirement, Findings& found) {
@@ -165,18 +163,14 @@ void look_at_answer(const Checked& checked, const SolveRecord& solve, Findings& 
     found.expect("reached_position_m", solve, solve.reached_position_m[static_cast<std::size_t>(i)],
                  computed.reached[i]);
   }
-  if (std::isfinite(solve.variation_m)) {  // older stores have none
-    found.expect("variation_m", solve, solve.variation_m, computed.variation_m);
-    found.expect("largest_move_m", solve, solve.largest_move_m, computed.largest_move_m);
-    found.expect("limit_violation_m", solve, solve.limit_violation_m, computed.limit_violation_m);
-  }
-  if (std::isfinite(solve.manipulability)) {  // nor these
-    found.expect("unavoidable_error_cm", solve, solve.unavoidable_error_cm, checked.beyond_reach(target) / centimetre,
-                 1e-6);
-    found.expect("limit_margin", solve, solve.limit_margin, computed.limit_margin);
-    found.expect("smallest_singular_value", solve, solve.smallest_singular_value, computed.smallest_singular_value);
-    found.expect("manipulability", solve, solve.manipulability, computed.manipulability);
-  }
+  found.expect("variation_m", solve, solve.variation_m, computed.variation_m);
+  found.expect("largest_move_m", solve, solve.largest_move_m, computed.largest_move_m);
+  found.expect("limit_violation_m", solve, solve.limit_violation_m, computed.limit_violation_m);
+  found.expect("unavoidable_error_cm", solve, solve.unavoidable_error_cm, checked.beyond_reach(target) / centimetre,
+               1e-6);
+  found.expect("limit_margin", solve, solve.limit_margin, computed.limit_margin);
+  found.expect("smallest_singular_value", solve, solve.smallest_singular_value, computed.smallest_singular_value);
+  found.expect("manipulability", solve, solve.manipulability, computed.manipulability);
 }
 
 }  // namespace

@@ -272,8 +272,9 @@ class MergedStore {
 
   // As they are: who reads the store finds whether numbers follow from answers.
   std::string copy_of_solves() {
-    const std::vector<std::string_view> columns = column_names(file_.number("PRAGMA source.user_version"));
-    std::vector<std::string> values(columns.begin(), columns.end());
+    std::vector<std::string> columns;
+    for_each_column([&](std::string_view name, auto, auto) { columns.emplace_back(name); });
+    std::vector<std::string> values = columns;
     std::ranges::replace(values, "session", "(SELECT ours FROM temp.numbers WHERE theirs = session)");
     return fmt::format(
         "INSERT INTO main.solves ({}) SELECT {} FROM source.solves WHERE rowid BETWEEN ? AND ? "

@@ -65,7 +65,6 @@ constexpr std::string_view name_of(Enum value) {
 }
 
 // The key of a series is CONFIGURATION@SOURCE: a hash of what the study asks for, and one of the code that solved it.
-// The first stores have the configuration alone.
 constexpr char before_source = '@';
 constexpr std::string_view configuration_of(std::string_view series) {
   return series.substr(0, series.find(before_source));

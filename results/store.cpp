@@ -144,13 +144,12 @@ struct Store::Database : StoreFile {
   void read_solves(const std::string& key, std::int64_t last_run, const std::function<void(SolveRecord)>& take) {
     refuse_blobs("solves", "series");
     SQLite::Statement query(
-        sqlite(),
-        select_solves(version()) + " WHERE series = ?1 AND (run, point) > (?2, ?3) ORDER BY run, point LIMIT ?4");
+        sqlite(), select_solves() + " WHERE series = ?1 AND (run, point) > (?2, ?3) ORDER BY run, point LIMIT ?4");
     const int run_column = query.getColumnIndex("run"), point_column = query.getColumnIndex("point");
     if (summed_.of_series.empty())
       summed_.next_row = sqlite().execAndGet("SELECT coalesce(max(rowid), 0) + 1 FROM solves").getInt64();
     std::optional<SolveAdder> adder;
-    if (has_digests(version()) && !summed_.of_series.contains(key)) adder.emplace(query);
+    if (!summed_.of_series.contains(key)) adder.emplace(query);
     SolveSums sums;
     constexpr int at_once = 1000;  // who writes a store without a log waits for the end of a query, but not for long
     std::vector<SolveRecord> read;
@@ -315,11 +314,9 @@ std::map<std::string, std::int64_t> Store::series_of_configuration(std::string_v
   return guarded(database_->name(), [&] {
     database_->refuse_blobs("solves", "series");
     SQLite::Statement query(database_->sqlite(),
-                            "SELECT series, count(*) FROM solves WHERE series = ?1 OR "
-                            "(series >= ?2 AND series < ?3) GROUP BY series");
-    const std::string first = fmt::format("{}{}", configuration, before_source);
-    const std::string beyond = fmt::format("{}{}", configuration, static_cast<char>(before_source + 1));
-    SQLite::bind(query, std::string(configuration), first, beyond);
+                            "SELECT series, count(*) FROM solves WHERE series >= ? AND series < ? GROUP BY series");
+    SQLite::bind(query, fmt::format("{}{}", configuration, before_source),
+                 fmt::format("{}{}", configuration, static_cast<char>(before_source + 1)));
     std::map<std::string, std::int64_t> solves;
     while (query.executeStep()) solves[value_in<std::string>(query.getColumn(0))] = query.getColumn(1).getInt64();
     return solves;

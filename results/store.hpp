@@ -1,5 +1,5 @@
 // The store: one SQLite file that remembers studies, sessions and solves. Several studies may share a store.
-// Schema: docs/data-dictionary.md. A user's mistake (no such file, not a store, damaged, a newer schema, no permission,
+// Schema: docs/data-dictionary.md. A user's mistake (no such file, not a store, damaged, another schema, no permission,
 // a study of too many solves, two processes at one study) is std::invalid_argument; a store kept locked by another
 // process or taken away while it is written, or a full disk std::runtime_error; a mistake of ours (a definition that is
 // not JSON) std::logic_error. The file may be anybody's: whatever in it ikbench would not have written is damage, and
@@ -54,13 +54,13 @@ struct HalfWritten : std::invalid_argument {
 // What in a store is not as it was written (digest.hpp).
 struct Changes {
   std::vector<std::string> sentences = {};
-  bool are_known = true;  // false: a program that kept no digests wrote some of it, of which no change shows
+  bool are_known = true;  // false: some of its digests were removed, so that no change shows
 };
 
 class Store {
  public:
-  // write creates the file and its folders where missing, and gives a store of an older schema the columns it lacks;
-  // write_shared does it in a folder that several machines see, without a write-ahead log (store_file.hpp).
+  // write creates the file and its folders where missing; write_shared does it in a folder that several machines see,
+  // without a write-ahead log (store_file.hpp).
   enum class Mode { read, write, write_shared };
 
   Store(const std::filesystem::path& file, Mode mode);

@@ -76,7 +76,7 @@ auto sql_value(const Value& value) {
     return value;
 }
 
-// Of an added column, for the rows that are there already; a number has none, so that it is NULL.
+// Of a column that schema 1 did not have; a number has none.
 template <class Value>
 std::string sql_default(const Value& value) {
   if constexpr (std::is_floating_point_v<Value>) return "";
@@ -135,15 +135,13 @@ struct SolveColumn {
   std::string declaration;  // "run INTEGER NOT NULL"
 };
 
-// Those that a version of the schema has; of a newer version than ours those that we know.
-std::vector<SolveColumn> solve_columns(std::int64_t version) {
+std::vector<SolveColumn> solve_columns() {
   std::vector<SolveColumn> columns;
   const SolveRecord empty;
   for_each_column([&]<class Value>(std::string_view name, Value SolveRecord::*member, std::string_view) {
-    const auto added_by = static_cast<std::int64_t>(columns.size()) + 1 - columns_before_schema_1;
-    if (added_by > version) return;
+    const bool has_default = columns.size() >= columns_of_schema_1;
     columns.push_back({name, fmt::format("{} {}{}", name, sql_type<Value>(),
-                                         added_by > 1 ? sql_default(empty.*member) : std::string())});
+                                         has_default ? sql_default(empty.*member) : std::string())});
   });
   return columns;
 }
@@ -175,32 +173,15 @@ std::string excerpt(const SQLite::Column& column) {
   return column.isText() ? excerpt(std::string_view(column.getString())) : column.getString();
 }
 
-std::string create_solves(std::int64_t version) {
+std::string create_solves() {
   return fmt::format("CREATE TABLE solves ({}, PRIMARY KEY (series, run, point))",
-                     listed(solve_columns(version), [](const SolveColumn& column) { return column.declaration; }));
+                     listed(solve_columns(), [](const SolveColumn& column) { return column.declaration; }));
 }
 
-std::string select_solves(std::int64_t version) {
-  return fmt::format("SELECT rowid, {} FROM solves", listed(solve_columns(version), name_in));
-}
-
-std::vector<std::string> add_columns_after(std::int64_t version) {
-  std::vector<SolveColumn> columns = solve_columns(schema_version);
-  columns.erase(columns.begin(), columns.begin() + static_cast<std::ptrdiff_t>(solve_columns(version).size()));
-  std::vector<std::string> sql;
-  sql.reserve(columns.size());
-  for (const SolveColumn& column : columns) sql.push_back("ALTER TABLE solves ADD COLUMN " + column.declaration);
-  return sql;
-}
-
-std::vector<std::string_view> column_names(std::int64_t version) {
-  std::vector<std::string_view> names;
-  for (const SolveColumn& column : solve_columns(version)) names.push_back(column.name);
-  return names;
-}
+std::string select_solves() { return fmt::format("SELECT rowid, {} FROM solves", listed(solve_columns(), name_in)); }
 
 std::string insert_solve() {
-  const std::vector<SolveColumn> columns = solve_columns(schema_version);
+  const std::vector<SolveColumn> columns = solve_columns();
   return fmt::format("INSERT INTO solves ({}) VALUES ({})", listed(columns, name_in),
                      listed(columns, [](const SolveColumn&) { return "?"; }));
 }
@@ -213,13 +194,9 @@ void bind_solve(SQLite::Statement& insert, const SolveRecord& record) {
 
 SolveRecord solve_in(SQLite::Statement& row) {
   SolveRecord record;
-  int index = 1;
-  for_each_column([&]<class Value>(std::string_view, Value SolveRecord::*member, std::string_view) {
-    if (index < row.getColumnCount())
-      read(row.getColumn(index++), record.*member);
-    else if constexpr (std::is_floating_point_v<Value>)
-      record.*member = std::numeric_limits<Value>::quiet_NaN();
-  });
+  int index = 0;
+  for_each_column(
+      [&](std::string_view, auto member, std::string_view) { read(row.getColumn(++index), record.*member); });
   return record;
 }
 

@@ -24,28 +24,24 @@ struct Damage : std::runtime_error {
 std::string excerpt(std::string_view text);
 std::string excerpt(const SQLite::Column& column);
 
-// Each version of the schema has one column more than the one before it, which is the next of columns.inc.
-constexpr std::int64_t columns_before_schema_1 = 25;
+// Schema 1 had 26 columns. A column more is a version more.
+constexpr int columns_of_schema_1 = 26;
 constexpr std::int64_t schema_version = [] {
   std::int64_t columns = 0;
   for_each_column([&](auto, auto, auto) { ++columns; });
-  return columns - columns_before_schema_1;
+  return columns - columns_of_schema_1 + 1;
 }();
 
-// SQL for the table `solves` of a version of the schema: to make it, to read rows of it, each after its rowid (a
-// condition and an order may follow), and to give it the columns of this program. A column that schema 1 does not have
-// has a default, so that rows without it can be read, and an older program that still has the store open can write.
-std::string create_solves(std::int64_t version);
-std::string select_solves(std::int64_t version);
-std::vector<std::string> add_columns_after(std::int64_t version);
-std::vector<std::string_view> column_names(std::int64_t version);
+// SQL for the table `solves`: to make it, and to read rows of it, each after its rowid; a condition and an order may
+// follow.
+std::string create_solves();
+std::string select_solves();
 
 // An INSERT with a parameter for each column, and their values.
 std::string insert_solve();
 void bind_solve(SQLite::Statement& insert, const SolveRecord& record);
 
-// The row that a statement of select_solves stands at. What its version does not have is NaN for a number, else the
-// column's default. Damage names the column.
+// The row that a statement of select_solves stands at. Damage names the column.
 SolveRecord solve_in(SQLite::Statement& row);
 
 // What `action` returns; Damage that it finds in a row of select_solves says which solve that is.

@@ -198,14 +198,8 @@ SolveSums summed_solves(SQLite::Database& sqlite, std::int64_t last_row, const S
   return sums;
 }
 
-bool has_digests(std::int64_t version) {
-  const std::vector<std::string_view> columns = column_names(version);
-  return std::ranges::find(columns, "digest") != columns.end();
-}
-
 Changes changes_since(SQLite::Database& sqlite, const Written& written, const Summed& known) {
   Changes changes;
-  if (!has_digests(sqlite.execAndGet("PRAGMA user_version").getInt64())) return {.sentences = {}, .are_known = false};
   const std::string of_study = digest_key(StudyEntry{});
   for (const auto& [key, value] : written.meta) {
     if (!key.starts_with(of_study)) continue;

@@ -32,7 +32,7 @@ void write_digest(SQLite::Database& sqlite, const StudyEntry& study, const std::
 // A row of `meta` (looks.hpp), unless it is there.
 void write_look(SQLite::Database& sqlite, const std::string& study, const std::string& key, const std::string& when);
 void write_digest(SQLite::Database& sqlite, std::int64_t session, const SessionDigest& digest);
-// A session that has no digest, because an older program began it, gets none.
+// A session whose digest was removed gets none.
 void add_to_digest(SQLite::Database& sqlite, std::int64_t session, const SessionDigest& further);
 
 std::set<std::int64_t> sessions_with_digest(SQLite::Database& sqlite, const std::string& database);
@@ -40,7 +40,7 @@ std::set<std::int64_t> sessions_with_digest(SQLite::Database& sqlite, const std:
 // The solves of each session.
 using SolveSums = std::map<std::int64_t, SessionDigest>;
 
-// Adds up the rows of `solves` that a statement passes; of a version that keeps digests.
+// Adds up the rows of `solves` that a statement passes.
 class SolveAdder {
  public:
   explicit SolveAdder(SQLite::Statement& row);
@@ -70,8 +70,6 @@ Written written_in(SQLite::Database& sqlite);  // `meta` and last row
 // Of all solves, but those that came after `last_row`. What is not known is read some at a time, as who writes to a
 // store without a log waits for the end of a query.
 SolveSums summed_solves(SQLite::Database& sqlite, std::int64_t last_row, const Summed& known = {});
-
-bool has_digests(std::int64_t version);  // of the schema
 
 // What does not fit: of the studies, and of all sessions but those of other studies.
 Changes changes_since(SQLite::Database& sqlite, const Written& written, const Summed& known);

@@ -34,8 +34,7 @@ struct TableMaker {
   std::string sql;
 };
 
-// Those of a version of the schema.
-std::vector<TableMaker> tables(std::int64_t version) {
+std::vector<TableMaker> tables() {
   return {
       {"meta", "CREATE TABLE meta (key TEXT NOT NULL PRIMARY KEY, value TEXT NOT NULL)"},
       {"studies",
@@ -49,13 +48,13 @@ std::vector<TableMaker> tables(std::int64_t version) {
       {"environment",
        "CREATE TABLE environment (session INTEGER NOT NULL, key TEXT NOT NULL, value TEXT NOT NULL, "
        "PRIMARY KEY (session, key))"},
-      {"solves", create_solves(version)}};
+      {"solves", create_solves()}};
 }
 
 std::string create_tables() {
   std::string sql =
       fmt::format("PRAGMA application_id = {}; PRAGMA user_version = {};\n", application_id, schema_version);
-  for (const TableMaker& table : tables(schema_version)) sql += table.sql + ";\n";
+  for (const TableMaker& table : tables()) sql += table.sql + ";\n";
   return sql + fmt::format(
                    "INSERT INTO meta VALUES ('schema', '{}'), ('written by', 'ikbench; the columns are "
                    "described in docs/data-dictionary.md');\n",
@@ -177,7 +176,6 @@ StoreFile::StoreFile(const std::filesystem::path& path, Store::Mode mode)
   } else {
     sqlite_.exec("PRAGMA journal_mode = WAL; PRAGMA synchronous = NORMAL");
   }
-  if (version() < schema_version) migrate();
 }
 
 StoreFile::~StoreFile() {
@@ -254,21 +252,21 @@ void StoreFile::check_header() {
   if (number("PRAGMA application_id") != application_id)
     throw std::invalid_argument(fmt::format(
         "'{}' is not an ikbench store: another program wrote it; expected a file written by ikbench", name_));
-  if (version() > schema_version)
+  if (const std::int64_t version = number("PRAGMA user_version"); version != schema_version)
     throw std::invalid_argument(
-        fmt::format("'{}' has schema {}, but this ikbench knows only up to {}; use the ikbench that wrote it", name_,
-                    version(), schema_version));
-  if (version() < 1) throw Damage(fmt::format("its user_version is {}, expected 1 or more", version()));
+        fmt::format("'{}' has schema {}, but this ikbench reads schema {} alone; use the ikbench that wrote it, or run "
+                    "its studies into a new store",
+                    name_, version, schema_version));
   // SQLite takes what is missing of the last page for zeros.
   if (std::filesystem::file_size(name_) % static_cast<std::uintmax_t>(number("PRAGMA page_size")) != 0)
     throw Damage("it is truncated");
 }
 
-// The tables of its version, as we make them, and nothing else.
+// The tables as we make them, and nothing else.
 void StoreFile::check_tables() {
   if (const std::string encoding = sqlite_.execAndGet("PRAGMA encoding").getString(); encoding != "UTF-8")
     throw Damage(fmt::format("its encoding is {}, expected UTF-8", encoding));
-  std::vector<TableMaker> missing = tables(version());
+  std::vector<TableMaker> missing = tables();
   const auto is_ours = [ours = missing](const std::string& name) {
     return std::ranges::find(ours, name, &TableMaker::name) != ours.end();
   };
@@ -286,18 +284,6 @@ void StoreFile::check_tables() {
     missing.erase(found);
   }
   if (!missing.empty()) throw Damage(fmt::format("it has no table '{}'", missing.front().name));
-}
-
-// Gives a store of an older version the columns that it lacks, all of them or none. Of several programs that open it at
-// once the first does it; the others wait, and find it done.
-void StoreFile::migrate() {
-  SQLite::Transaction transaction(sqlite_, SQLite::TransactionBehavior::IMMEDIATE);
-  check_header();
-  for (const std::string& sql : add_columns_after(version())) sqlite_.exec(sql);
-  sqlite_.exec(
-      fmt::format("PRAGMA user_version = {0}; UPDATE meta SET value = '{0}' WHERE key = 'schema'", schema_version));
-  check_tables();
-  commit(transaction);
 }
 
 void StoreFile::refuse_blobs(const char* table, const char* column) {

@@ -41,8 +41,8 @@ auto guarded(const std::string& file, Action&& action) {
 // (Store::Mode::write_shared) has a rollback journal instead, during a transaction only, and a mark of its writer.
 class StoreFile {
  public:
-  // Opens the file and checks that it is a store. To write, it is made where it is missing, and a store of an older
-  // version of the schema becomes one of ours. Damage, SQLite::Exception, or what store.hpp says.
+  // Opens the file and checks that it is a store. To write, it is made where it is missing. Damage, SQLite::Exception,
+  // or what store.hpp says.
   StoreFile(const std::filesystem::path& path, Store::Mode mode);
   ~StoreFile();
   StoreFile(const StoreFile&) = delete;
@@ -51,7 +51,6 @@ class StoreFile {
   const std::string& name() const { return name_; }  // as the user gave it
   SQLite::Database& sqlite() { return sqlite_; }
   std::int64_t number(const char* query) { return sqlite_.execAndGet(query).getInt64(); }
-  std::int64_t version() { return number("PRAGMA user_version"); }  // another program may have raised it
 
   // Blobs equal no text, so that a search would pass over them; they come after every text.
   void refuse_blobs(const char* table, const char* column);
@@ -67,7 +66,6 @@ class StoreFile {
   void distrust();
   void check_header();
   void check_tables();
-  void migrate();
   bool is_in_place() const;
   void check_place() const;
   bool fold();

@@ -12,7 +12,7 @@ source "$(dirname "$0")/cli/common.sh"
 command -v sqlite3 >/dev/null || fail "no sqlite3, which ./setup installs"
 rounds=${2:-2}
 parts=("${@:3}")
-[ ${#parts[@]} -gt 0 ] || parts=(run program shard merge multiverse migration report files disk locked)
+[ ${#parts[@]} -gt 0 ] || parts=(run program shard merge multiverse report files disk locked)
 seed=${IKBENCH_KILLS_SEED:-$((10#$(date +%N)))}
 RANDOM=$seed
 echo "kills.sh: $rounds of each, IKBENCH_KILLS_SEED=$seed"
@@ -205,22 +205,6 @@ kill_multiverse() {
   cmp means/series.csv killed/series.csv || fail "another series.csv after kills"
   told "multiverse, SIGKILL" "$rounds"
   at_work "stopped/series.csv" TERM multiverse slim2023 --set stop.iterations=300 --out stopped
-}
-
-# A store of the first version gets columns when it is written.
-kill_migration() {
-  local old=$scripts/../data/store-of-4de262c.sqlite study_of_old k
-  look() { echo 0; }
-  look_after() { echo 0; }
-  study_of_old=$("$program" fingerprint "$old") || fail "no fingerprint of $old"
-  lasts run slim2023-dobot "${small[@]}" --out made --no-report
-  for ((k = 0; k < rounds; ++k)); do
-    rm -rf migrated && mkdir migrated && cp "$old" migrated/store.sqlite && chmod u+w migrated/store.sqlite
-    signalled $moment KILL run slim2023-dobot "${small[@]}" --out migrated --no-report
-    succeeds run slim2023-dobot "${small[@]}" --out migrated --no-report
-    [ "$("$program" fingerprint migrated/store.sqlite | head -n "$(wc -l <<<"$study_of_old")")" = "$study_of_old" ] || fail "a killed migration changed the old solves"
-  done
-  told "migration, SIGKILL" "$rounds"
 }
 
 # While a report is drawn: a sentence, the code of the signal, and no scratch folder.

@@ -62,7 +62,7 @@ has_no() {
 # A study that takes little, of the paper's six solvers.
 small=(--set runs=2 --set path.points=3 --set stop.iterations=5 --set population=6)
 
-# SQL that makes of an edited store one that a program wrote which kept no digests.
+# SQL that removes all digests, which would show an edit.
 without_digests="UPDATE solves SET digest = 0; DELETE FROM meta WHERE key GLOB 'digest of *' OR key GLOB 'solves of *';"
 
 # numbers STORE [STUDY]: the solves of its first study, or of another, as CSV without what differs from one run of the

@@ -106,19 +106,6 @@ TEST_CASE("a changed number of a solve is damage, named by its column and the fi
   }
 }
 
-TEST_CASE("numbers that an older store does not have are no damage", "[recheck]") {
-  const Study study = study_with("stanford");
-  std::vector<SolveRecord> solves = solves_of(study);
-  constexpr double none = std::numeric_limits<double>::quiet_NaN();
-  for (SolveRecord& solve : solves) {
-    solve.limit_margin = solve.smallest_singular_value = solve.manipulability = none;
-    solve.smallest_seconds = solve.largest_seconds = solve.variation_m = solve.largest_move_m = none;
-    solve.limit_violation_m = none;
-    solve.digest = 0;
-  }
-  CHECK(damages(entry_of(study), solves).empty());
-}
-
 TEST_CASE("a solve that does not fit its digest is damage, whatever was changed in it", "[recheck]") {
   const Study study = study_with("stanford");
   std::vector<SolveRecord> solves = solves_of(study);

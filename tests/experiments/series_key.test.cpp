@@ -334,7 +334,6 @@ TEST_CASE("a series is the configuration and the source, each of 16 hexadecimal 
   const Study study = small_study();
   const std::string configuration = configuration_key(study, study.solvers.front()), key = key_of(study);
   CHECK(configuration_of(key) == configuration);
-  CHECK(configuration_of(configuration) == configuration);  // in older stores
   CHECK(configuration.size() == 16);
   CHECK(key.size() == 33);
   CHECK((configuration + key.substr(17)).find_first_not_of("0123456789abcdef") == std::string::npos);

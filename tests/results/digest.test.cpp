@@ -265,22 +265,6 @@ TEST_CASE("whatever a killed program has stored fits its digests", "[digest][sto
   }
 }
 
-TEST_CASE("a store of a program that kept no digests is read, and says so", "[digest][store][older]") {
-  const ScratchFolder folder;
-  const fs::path old = "tests/data/store-of-4de262c.sqlite", file = folder.path / "a", merged = folder.path / "b";
-  fs::copy_file(old, file);
-  const auto check = [](const fs::path& place) {
-    const Changes changes = Store(place, Store::Mode::read).changes({"small"});
-    CHECK(changes.sentences.empty());
-    CHECK_FALSE(changes.are_known);
-  };
-  check(old);
-  { const Store store(file, Store::Mode::write); }
-  check(file);
-  merge(merged, {file});
-  check(merged);
-}
-
 TEST_CASE("a merged store fits its digests, however often and from what it was merged", "[digest][merge]") {
   const ScratchFolder folder;
   write_sample(folder.path / "a");

@@ -35,7 +35,7 @@ void make_store(const fs::path& file, const std::string& machine, const std::vec
   }
 }
 
-// As a program could have written it that kept no digests.
+// Without digests, which would show the edit.
 void edit(const fs::path& store, const std::string& sql) {
   SQLite::Database(store.string(), SQLite::OPEN_READWRITE)
       .exec(sql + "; UPDATE solves SET digest = 0; DELETE FROM meta WHERE key GLOB 'digest of *'");
@@ -167,17 +167,6 @@ TEST_CASE("another study of the same name is refused with the field that differs
   CHECK_THAT(said("b"), ContainsSubstring("robot is \"iiwa14\" and \"iiwa7\""));
   CHECK_THAT(said("c"), ContainsSubstring("use one version of ikbench"));
   CHECK_THAT(said("d"), ContainsSubstring("its solvers or their options are others"));
-}
-
-TEST_CASE("a store of the first version is merged into one of today", "[merge]") {
-  const ScratchFolder folder;
-  const fs::path old = "tests/data/store-of-4de262c.sqlite";
-  const Merged merged = merge(folder.path / "out", {old});
-  CHECK(merged.added > 0);
-  const Store store(folder.path / "out", Store::Mode::read), before(old, Store::Mode::read);
-  for (const StudyEntry& study : before.studies())
-    CHECK(fingerprint(store.solves(study.name)) == fingerprint(before.solves(study.name)));
-  CHECK(merge(folder.path / "out", {old}).known == merged.added);
 }
 
 TEST_CASE("of two numbers of runs the larger is taken, and how a study is judged may differ", "[merge]") {

@@ -174,11 +174,11 @@ TEST_CASE("solves of a study are those of its current series, runs and points, i
 TEST_CASE("the series of a configuration are counted, whatever source solved them", "[store]") {
   const ScratchFolder folder;
   Store store(folder.path / "a.ikb", Store::Mode::write);
-  store.append({sample_record("00", 1, 1), sample_record("00@1", 1, 1), sample_record("00@1", 1, 2),
-                sample_record("00@2", 1, 1), sample_record("001@1", 1, 1), sample_record("0", 1, 1)});
+  store.append({sample_record("00@1", 1, 1), sample_record("00@1", 1, 2), sample_record("00@2", 1, 1),
+                sample_record("001@1", 1, 1), sample_record("0@1", 1, 1)});
   using Counts = std::map<std::string, std::int64_t>;
-  CHECK(store.series_of_configuration("00") == Counts{{"00", 1}, {"00@1", 2}, {"00@2", 1}});
-  CHECK(store.series_of_configuration("0") == Counts{{"0", 1}});
+  CHECK(store.series_of_configuration("00") == Counts{{"00@1", 2}, {"00@2", 1}});
+  CHECK(store.series_of_configuration("0") == Counts{{"0@1", 1}});
   CHECK(store.series_of_configuration("1").empty());
 }
 
@@ -264,7 +264,7 @@ TEST_CASE("the file names its program and the schema of these columns", "[store]
   const auto version = static_cast<std::int64_t>(columns().size()) - 25;
   CHECK(sqlite.execAndGet("SELECT value FROM meta WHERE key = 'schema'").getString() == std::to_string(version));
   CHECK(sqlite.execAndGet("PRAGMA user_version").getInt64() == version);
-  // Schema 1, which every later one begins with: docs/data-dictionary.md.
+  // The first 26: docs/data-dictionary.md.
   CHECK(sqlite
             .execAndGet("SELECT group_concat(name || ' ' || type) FROM (SELECT * FROM pragma_table_info('solves') "
                         "ORDER BY cid LIMIT 26)")
