@@ -1,0 +1,208 @@
+#!/usr/bin/env python3
+"""Prints the table of goals (goals.csv) from the JSON files of one run of the benchmark programs.
+
+A row of goals.csv is a goal. `measure` says what is held against its bound:
+  time       the time of the benchmark `over`, in the unit of the row
+  ratio      the time of `over` / that of `under`; with a *, the benchmark whose ratio is largest
+  counter    the counter `under` of `over`; in %, a hundred times that
+  largest    the largest of the counters `under` of all benchmarks `over`
+  different  how many values the text `under` has in all benchmarks `over`
+  growth     the time of `over` by its counter `under`: the largest / the smallest of all these benchmarks
+Times, ratios and counters are taken repetition by repetition, and their median counts.
+"""
+import argparse
+import csv
+import json
+import sys
+from fnmatch import fnmatchcase
+from pathlib import Path
+from statistics import median
+
+NANOSECONDS = {"ns": 1, "us": 1e3, "ms": 1e6, "s": 1e9}
+MANNERS = ("/min_time:", "/iterations:", "/repeats:", "/process_time", "/real_time", "/manual_time")
+
+
+class Measurements:
+    """What benchmark programs have written, by the name of the benchmark."""
+
+    def __init__(self):
+        self.context, self.errors, self._repetitions = {}, {}, {}
+
+    def add(self, document):
+        if not isinstance(document, dict) or not isinstance(document.get("benchmarks"), list):
+            raise ValueError("expected an object with a list `benchmarks`, as --benchmark_out writes it")
+        self.context.update(document.get("context", {}))
+        for entry in document["benchmarks"]:
+            if entry.get("run_type", "iteration") != "iteration":  # means and the like
+                continue
+            name = entry.get("run_name", entry["name"])
+            for manner in MANNERS:  # Google Benchmark appends how it was run
+                name = name.split(manner)[0]
+            if entry.get("error_occurred"):
+                self.errors[name] = entry.get("error_message", "")
+                continue
+            repetitions = self._repetitions.setdefault(name, [])
+            repetitions.append(entry)
+            repetitions.sort(key=lambda each: each.get("repetition_index", 0))
+
+    def names(self, pattern="*"):
+        return [name for name in self._repetitions if fnmatchcase(name, pattern)]
+
+    def nanoseconds(self, name):
+        """CPU time, or the clock's where a benchmark asks for it: as Google Benchmark does for its rates."""
+        times = []
+        for entry in self._repetitions.get(name, []):
+            by_clock = entry.get("run_name", "").endswith(("/real_time", "/manual_time"))
+            time = entry.get("real_time" if by_clock else "cpu_time")
+            if time is not None:
+                times.append(time * NANOSECONDS[entry.get("time_unit", "ns")])
+        return times
+
+    def values(self, name, key):
+        return [entry[key] for entry in self._repetitions.get(name, []) if key in entry]
+
+
+def quotients(a, b):
+    return [x / y for x, y in zip(a, b)]
+
+
+def measured(goal, runs):
+    """One number a repetition, or one; none where it was not measured."""
+    over, under, unit = goal["over"], goal["under"], goal["unit"]
+    names = runs.names(over)
+    match goal["measure"]:
+        case "time":
+            return [time / NANOSECONDS[unit] for time in runs.nanoseconds(over)]
+        case "ratio":
+            before, _, after = over.partition("*")
+            ratios = []
+            for name in names:
+                other = under.replace("*", name[len(before):len(name) - len(after)])
+                ratios.append(quotients(runs.nanoseconds(name), runs.nanoseconds(other)))
+            return max(filter(None, ratios), key=median, default=[])
+        case "counter":
+            return [value * (100 if unit == "%" else 1) for value in runs.values(over, under)]
+        case "largest":
+            values = [value for name in names for key in under.split() for value in runs.values(name, key)]
+            return [max(values)] if values else []
+        case "different":
+            return [len({runs.values(name, under)[0] for name in names})] if len(names) > 1 else []
+        case "growth":
+            ratios = [quotients(runs.nanoseconds(name), runs.values(name, under)) for name in names]
+            costs = [median(each) for each in ratios if each]
+            return [max(costs) / min(costs)] if len(costs) > 1 else []
+    raise ValueError(f"goals.csv: unknown measure {goal['measure']}")
+
+
+def why_not(goal, runs):
+    needs = [goal["over"]] + [goal["under"]] * (goal["measure"] == "ratio")
+    for name in needs:
+        if name in runs.errors:
+            return runs.errors[name]
+    if goal["peer"] and "instruction_set" in runs.context and goal["peer"] not in runs.context.get("peers", ""):
+        return goal["peer"] + " is not installed"
+    return next((f"no run of {name}" for name in needs if not runs.nanoseconds(name)), "no run of it")
+
+
+def number_text(value):
+    size = abs(value)
+    if size < 1e9 and value == int(value):
+        return f"{value:.0f}"
+    if size < 0.01:
+        return f"{value:.1e}"
+    return f"{value:.2f}" if size < 10 else f"{value:.1f}"
+
+
+def time_text(nanoseconds):
+    for unit in ("ns", "us", "ms"):
+        if nanoseconds < 1e3 * NANOSECONDS[unit]:
+            return f"{nanoseconds / NANOSECONDS[unit]:.3g} {unit}"
+    return f"{nanoseconds / 1e9:.3g} s"
+
+
+def row(goal, runs):
+    """The cells of a goal: number, goal, required, measured, verdict."""
+    unit = f" {goal['unit']}" if goal["unit"] else ""
+    bound = goal.get(runs.context.get("instruction_set"), goal["x86-64"])
+    required = f"{goal['bound']} {number_text(float(bound))}{unit}" if bound else "no goal"
+    values = measured(goal, runs)
+    if not values:
+        return [goal["number"], goal["goal"], required, "", "not measured: " + why_not(goal, runs)]
+    middle = median(values)
+    text = number_text(middle) + unit
+    if min(values) < max(values):
+        text += f" ({number_text(min(values))} to {number_text(max(values))})"
+    is_met = not bound or (middle >= float(bound) if goal["bound"] == ">=" else middle <= float(bound))
+    return [goal["number"], goal["goal"], required, text, ("met" if is_met else "NOT MET") if bound else ""]
+
+
+def machine(runs):
+    noted = lambda key: runs.context.get(key, "unknown")
+    load = ",".join(str(each) for each in runs.context.get("load_avg", ["unknown"]))
+    return (f"{noted('cpu')}, {noted('num_cpus')} processors, load {load}; instruction set {noted('instruction_set')}; "
+            f"{noted('compiler')}, {noted('flags')}; commit {noted('commit')}; {noted('date')}; "
+            f"peers: {runs.context.get('peers') or 'none'}.")
+
+
+HEADER = ["#", "goal", "required", "measured", ""]
+
+
+def as_text(rows):
+    widths = [max(map(len, column)) for column in zip(HEADER, *rows)]
+    lines = ["  ".join(f"{cell:<{width}}" for cell, width in zip(row, widths)).rstrip() for row in [HEADER, *rows]]
+    return "\n".join(lines) + "\n"
+
+
+def as_markdown(rows):
+    lines = [f"| {' | '.join(row)} |\n" for row in [HEADER, *rows]]
+    return lines[0] + "|---|---|---|---|---|\n" + "".join(lines[1:])
+
+
+def times_as_markdown(runs):
+    text = "| benchmark | median | per candidate or draw |\n|---|---|---|\n"
+    for name in runs.names():
+        times = runs.nanoseconds(name)
+        if not times or name.startswith(("accuracy/", "allocations/")):
+            continue
+        each = runs.values(name, "per_candidate") or runs.values(name, "per_draw")
+        text += f"| {name} | {time_text(median(times))} | {time_text(1e9 * median(each)) if each else ''} |\n"
+    return text
+
+
+def replace_run(path, instruction_set, tables):
+    """What stands between the markers of a run of this instruction set gives way to the tables."""
+    text = path.read_text()
+    opening, closing = f"<!-- run {instruction_set} -->\n", "<!-- end of run -->"
+    before, found, rest = text.partition(opening)
+    _, ended, after = rest.partition(closing)
+    if not found or not ended:
+        sys.exit(f"goals: {path}: has no markers for a run of {instruction_set}")
+    path.write_text(before + opening + tables + closing + after)
+
+
+def rows_of(runs):
+    with open(Path(__file__).with_name("goals.csv"), newline="") as file:
+        return [row(goal, runs) for goal in csv.DictReader(file)]
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("files", nargs="*", type=Path, metavar="FILE", help="JSON files of one run")
+    parser.add_argument("--markdown", action="store_true", help="print Markdown, with the median times")
+    parser.add_argument("--docs", type=Path, help="also write the Markdown into this document, between its markers")
+    arguments = parser.parse_args()
+    runs = Measurements()
+    for file in arguments.files:
+        try:
+            runs.add(json.loads(file.read_text()))
+        except (OSError, ValueError) as fault:
+            sys.exit(f"goals: {file}: {fault}")
+    rows = rows_of(runs)
+    tables = f"{machine(runs)}\n\n{as_markdown(rows)}\n{times_as_markdown(runs)}"
+    if arguments.docs:
+        replace_run(arguments.docs, runs.context.get("instruction_set"), tables)
+    print(tables if arguments.markdown else f"{machine(runs)}\n\n{as_text(rows)}", end="")
+
+
+if __name__ == "__main__":
+    main()
