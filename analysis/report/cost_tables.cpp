@@ -152,34 +152,33 @@ std::optional<Table> anytime_table(const StudyResults& study, const Clusters& cl
 
 std::vector<Table> cost_tables(const StudyResults& measured) {
   if (measured.solves.empty()) return {};
-  const StudyResults study = at_median_speed(measured), of_evaluations = compared_in(study, Metric::evaluations),
-                     of_seconds = compared_in(study, Metric::seconds);
-  const Clusters clusters(of_seconds), clusters_of_evaluations(of_evaluations, &clusters);
-  const auto study_of = [&](Cost cost) -> const StudyResults& {
-    return cost == Cost::evaluations ? of_evaluations : of_seconds;
+  struct Compared {
+    Cost cost;
+    Metric metric;
+    StudyResults study;
+    std::optional<Clusters> clusters = {};
   };
-  const auto clusters_of = [&](Cost cost) -> const Clusters& {
-    return cost == Cost::evaluations ? clusters_of_evaluations : clusters;
-  };
-  std::vector<Cost> costs;
+  const StudyResults study = at_median_speed(measured);
+  Compared evaluations{Cost::evaluations, Metric::evaluations, compared_in(study, Metric::evaluations)},
+      seconds{Cost::seconds, Metric::seconds, compared_in(study, Metric::seconds)};
+  seconds.clusters.emplace(seconds.study);
+  evaluations.clusters.emplace(evaluations.study, &*seconds.clusters);
+  std::vector<const Compared*> costs;
   if (std::isfinite(tolerance_cm(study))) {
-    if (!of_evaluations.solves.empty()) costs.push_back(Cost::evaluations);
-    if (times_are_comparable(study)) costs.push_back(Cost::seconds);
+    if (!evaluations.study.solves.empty()) costs.push_back(&evaluations);
+    if (times_are_comparable(study)) costs.push_back(&seconds);
   }
   std::vector<Table> tables;
-  for (const Cost cost : costs) tables.push_back(cost_table(study_of(cost), cost, clusters_of(cost)));
-  for (const Cost cost : costs) {
-    if (study_of(cost).solvers.size() > 1) {
-      tables.push_back(cost_pair_table(study_of(cost), cost, clusters_of(cost)));
-    }
+  const auto add = [&](Table table, const Compared& of) {
+    if (std::string note = left_out(study, of.metric).note; !note.empty()) table.notes.push_back(std::move(note));
+    tables.push_back(std::move(table));
+  };
+  for (const Compared* of : costs) add(cost_table(of->study, of->cost, *of->clusters), *of);
+  for (const Compared* of : costs) {
+    if (of->study.solvers.size() > 1) add(cost_pair_table(of->study, of->cost, *of->clusters), *of);
   }
-  if (std::optional<Table> table = anytime_table(of_evaluations, clusters_of_evaluations)) {
-    tables.push_back(std::move(*table));
-  }
-  for (Table& table : tables) {
-    const bool is_of_seconds = table.name.find("-seconds") != std::string::npos;
-    const std::string note = left_out(study, is_of_seconds ? Metric::seconds : Metric::evaluations).note;
-    if (!note.empty()) table.notes.push_back(note);
+  if (std::optional<Table> table = anytime_table(evaluations.study, *evaluations.clusters)) {
+    add(std::move(*table), evaluations);
   }
   return tables;
 }
