@@ -126,7 +126,8 @@ std::vector<Finding> compare_costs(const StudyResults& study, Cost cost, const C
   const std::vector<SolverCost> costs = costs_of(study, cost, clusters, is_success);
   std::size_t best = 0;
   for (std::size_t i = 1; i < costs.size(); ++i) {
-    if (!(costs[best].time.expected() <= costs[i].time.expected())) best = i;
+    const double least = costs[best].time.expected();
+    if (costs[i].time.expected() < least || std::isnan(least)) best = i;
   }
   const auto pairs = compared_pairs(costs.size(), best);
   std::vector<Difference> family;

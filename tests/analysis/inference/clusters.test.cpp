@@ -380,6 +380,27 @@ TEST_CASE("of more than twenty solvers those with the best are compared alone", 
   CHECK(std::ranges::all_of(pairs, [](const auto& pair) { return pair.first == 3 || pair.second == 3; }));
 }
 
+TEST_CASE("of more than twenty solvers the best in cost is who solves for the least, not who solves nothing",
+          "[clusters]") {
+  std::vector<Runs> solvers;
+  for (int s = 0; s < 20; ++s) solvers.push_back(twenty([s](int run) { return Spent{200 - 5 * s + run}; }));
+  solvers.push_back(twenty([](int) { return Spent{1, false}; }));
+  StudyResults study = clustered_study(solvers, drawn_targets);
+  study.solvers.emplace_back("without solves");
+  const std::vector<Finding> pairs = compare_costs(study, Cost::evaluations, Clusters(study));
+  CHECK(pairs.size() == 21);
+  for (const Finding& pair : pairs) {
+    CAPTURE(pair.first, pair.second);
+    CHECK((pair.first == "T" || pair.second == "T"));  // the twentieth
+    if (pair.second == "without solves") {
+      CHECK(pair.relation == Relation::undefined);
+      CHECK(pair.why == "there are no trials");
+    } else {
+      CHECK(pair.relation == (pair.first == "T" ? Relation::better : Relation::worse));
+    }
+  }
+}
+
 TEST_CASE("who is ahead depends on the budget", "[anytime]") {
   // Budget 1000. A: all at 80 evaluations or, every tenth, never. B: all at 250 to 290.
   const Runs a = twenty([](int run) { return run % 10 == 9 ? Spent{1000, false} : Spent{80}; });
