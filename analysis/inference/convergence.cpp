@@ -223,6 +223,7 @@ std::vector<double> log_spaced(double first, double last, std::size_t count) {
 }
 
 std::string closest_point_by_point(const StudyResults& study) {
+  if (std::isfinite(tolerance_cm(study))) return "";
   const Profile profile = performance_profile(study, final_error_cm);
   const auto is_closest = [&](std::size_t solver, std::size_t problem) {
     return !profile.ratios[solver].empty() && profile.ratios[solver][problem] <= 1;

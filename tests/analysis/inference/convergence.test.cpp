@@ -185,6 +185,13 @@ TEST_CASE("the axis of evaluations goes from the cheapest first iteration to the
   CHECK(evaluations_axis(single, {{}, {}}).empty());
 }
 
+TEST_CASE("who is closest point by point is not told of solves that end at a tolerance", "[convergence]") {
+  StudyResults study = two_solvers({0.02, 3}, {0.01, 7});
+  CHECK(contains(closest_point_by_point(study), "A in 50 %, B in 50 %"));
+  study.facts = facts_of(with_tolerance);
+  CHECK(closest_point_by_point(study).empty());
+}
+
 TEST_CASE("target errors go down to the tolerance of the study, or below what was reached", "[convergence]") {
   StudyResults study = two_solvers({0.02, 3}, {not_a_number, 7});
   std::vector<double> targets = target_errors_cm(study);
