@@ -2,9 +2,12 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+#include <array>
 #include <memory>
 #include <stdexcept>
 
+#include "analysis/inference/method.hpp"
 #include "analysis/inference/metrics.hpp"
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
@@ -112,6 +115,23 @@ std::string metric_list(std::string_view name) {
   return aligned(rows);
 }
 
+std::string test_list(std::string_view name) {
+  Rows rows{{"TEST", "NEEDS", "WHAT", "FROM"}};
+  std::vector<std::string> names;
+  for (const DecidingTest& test : deciding_tests()) {
+    names.emplace_back(test.name);
+    if (name.empty() || test.name == name) {
+      constexpr std::array<std::string_view, 3> needs{"summaries", "values", "blocks"};
+      const auto method = std::ranges::find_if(inference::methods(),
+                                               [&](const inference::Method* each) { return each->name == test.name; });
+      rows.push_back({names.back(), std::string(needs[static_cast<std::size_t>(test.needs)]), std::string(test.meaning),
+                      std::string((*method)->source)});
+    }
+  }
+  if (rows.size() == 1) throw std::invalid_argument(unknown_name("test", name, names));
+  return aligned(rows);
+}
+
 std::string instruction_set_list(std::string_view name) {
   Rows rows{{"NAME", "IN USE"}};
   std::vector<std::string> names;
@@ -131,6 +151,7 @@ std::string listed(const std::string& kind, const std::string& name) {
   if (kind == "paths") return name.empty() ? path_list() : path_details(name);
   if (kind == "columns") return column_list(name);
   if (kind == "metrics") return metric_list(name);
+  if (kind == "tests") return test_list(name);
   if (kind == "instruction-sets") return instruction_set_list(name);
   return name.empty() ? study_list() : to_toml(load_study(name, {}, PointsAsObservations::forced));
 }
@@ -143,10 +164,11 @@ void add_list(CLI::App& app) {
   };
   auto arguments = std::make_shared<Arguments>();
   CLI::App* command = app.add_subcommand(
-      "list", "List solvers, robots, studies, kinds of path, result columns, metrics or instruction sets");
-  const std::string kinds = "solvers, robots, studies, paths, columns, metrics or instruction-sets";
+      "list", "List solvers, robots, studies, kinds of path, result columns, metrics, tests or instruction sets");
+  const std::string kinds = "solvers, robots, studies, paths, columns, metrics, tests or instruction-sets";
   command->add_option("KIND", arguments->kind, kinds)
-      ->check(CLI::IsMember({"solvers", "robots", "studies", "paths", "columns", "metrics", "instruction-sets"}));
+      ->check(
+          CLI::IsMember({"solvers", "robots", "studies", "paths", "columns", "metrics", "tests", "instruction-sets"}));
   command->add_option("NAME", arguments->name,
                       "show this one in full; a study or a path is printed as TOML, ready to edit");
   command->footer(

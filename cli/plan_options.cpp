@@ -5,16 +5,13 @@
 #include <algorithm>
 #include <string>
 
-#include "cli/reporting.hpp"
 #include "numerics/number.hpp"
 #include "results/analysis_plan_fields.hpp"
 
 namespace ikbench::cli {
 
 using namespace numerics;
-using namespace solvers;
 using namespace results;
-using namespace report;
 
 CLI::Validator number_in(std::pair<double, double> range) {
   return CLI::Validator(
@@ -23,6 +20,17 @@ CLI::Validator number_in(std::pair<double, double> range) {
         return value && *value >= range.first && *value <= range.second
                    ? std::string()
                    : fmt::format("{} is not a number from {} to {}", text.substr(0, 100), range.first, range.second);
+      },
+      "");
+}
+
+CLI::Validator whole_number() {
+  return CLI::Validator(
+      [](const std::string& text) {
+        const bool digits = !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
+        return digits && text.size() <= 18 && (text == "0" || text[0] != '0')
+                   ? std::string()
+                   : fmt::format("{} is not a whole number without leading zeros", text.substr(0, 100));
       },
       "");
 }
@@ -75,10 +83,16 @@ void add_plan_options(CLI::App& command, AnalysisPlan& plan) {
         },
         fmt::format("{}: {} [{}]", meaning, fmt::join(names, ", "), name_of(value)));
   };
-  enumerated(
-      "--test", plan.test, deciding_test_names,
-      "test that decides (by_design: the studentized bootstrap, with blocks of the differences within them; friedman: ranks "
-      "within blocks, which may have different scales)");
+  std::vector<std::string> tests;
+  for (const auto& [name, value] : choices_of_tests()) tests.push_back(name);
+  command.add_option("--test", plan.test, fmt::format("test that decides: {} [by_design]", fmt::join(tests, ", ")))
+      ->check(CLI::Validator(
+          [tests](const std::string& text) {
+            const bool is_known = std::ranges::find(tests, text) != tests.end();
+            return is_known ? std::string()
+                            : fmt::format("{} is not one of {}", text.substr(0, 100), fmt::join(tests, ", "));
+          },
+          ""));
   enumerated("--adjustment", plan.adjustment, adjustment_names, "correction of rank tests for multiple comparisons");
   command.add_option("--control", plan.control, "group to compare the others with; default: compare every pair");
   add_significance_option(command, plan.significance);

@@ -120,17 +120,6 @@ void tell_of_log(const std::vector<std::filesystem::path>& files) {
 
 }  // namespace
 
-CLI::Validator whole_number() {
-  return CLI::Validator(
-      [](const std::string& text) {
-        const bool digits = !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
-        return digits && text.size() <= 18 && (text == "0" || text[0] != '0')
-                   ? std::string()
-                   : fmt::format("{} is not a whole number without leading zeros", text.substr(0, 100));
-      },
-      "");
-}
-
 CLI::Validator not_empty() {
   return CLI::Validator([](const std::string& text) { return text.empty() ? "the name is empty" : ""; }, "");
 }

@@ -16,8 +16,6 @@
 
 namespace ikbench::cli {
 
-// Decimal digits and nothing else: CLI11 alone reads 010 as 8 and takes what is too large for the largest.
-CLI::Validator whole_number();
 // A folder has a name: an empty one is a variable of a script that is not set.
 CLI::Validator not_empty();
 

@@ -18,6 +18,7 @@
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
 #include "cli/multiverse.hpp"
+#include "cli/plan_options.hpp"
 #include "cli/reporting.hpp"
 #include "experiments/study_reader.hpp"
 #include "experiments/study_writer.hpp"

@@ -21,8 +21,9 @@ namespace {
 // Before hours are spent on what cannot be decided: tests within blocks need so many, whatever is in them.
 void warn_of_too_few(const Study& study) {
   const AnalysisPlan& plan = study.analysis;
-  const bool by_design = plan.test == DecidingTest::by_design;
-  const bool within_blocks = by_design || plan.test == DecidingTest::bootstrap || plan.test == DecidingTest::friedman;
+  const bool is_by_design = plan.test == by_design;
+  const bool within_blocks =
+      is_by_design || plan.test == "bootstrap" || deciding_test(plan.test).needs == Needs::blocks;
   const bool one_step = plan.adjustment == Adjustment::holm || plan.adjustment == Adjustment::bonferroni;
   if (!within_blocks || !one_step || study.solvers.size() < 2 || !why_no_blocks(study).empty()) return;
   const bool starts_anew = study.start != Start::previous;
@@ -30,7 +31,7 @@ void warn_of_too_few(const Study& study) {
   const std::size_t solvers = study.solvers.size();
   inference::Evidence planned;
   planned.plan = plan;
-  if (by_design) planned.plan.test = DecidingTest::bootstrap;
+  if (is_by_design) planned.plan.test = "bootstrap";
   planned.blocks = !study.path->is_drawn() ? points : starts_anew ? runs * points : runs;
   planned.groups.resize(solvers);
   planned.pairs = solvers * (solvers - 1) / 2;

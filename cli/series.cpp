@@ -6,6 +6,7 @@
 #include "analysis/inference/make_study.hpp"
 #include "analysis/statistics/quantile.hpp"
 #include "cli/console.hpp"
+#include "cli/plan_options.hpp"
 #include "cli/reporting.hpp"
 
 namespace ikbench::cli {

@@ -10,6 +10,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
+#include "cli/plan_options.hpp"
 #include "cli/reporting.hpp"
 #include "experiments/orientation.hpp"
 #include "experiments/runner.hpp"

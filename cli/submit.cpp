@@ -8,6 +8,7 @@
 #include "analysis/inference/text.hpp"
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
+#include "cli/plan_options.hpp"
 #include "cli/reporting.hpp"
 #include "cli/shards.hpp"
 #include "experiments/study_reader.hpp"

@@ -8,12 +8,9 @@
 #include <string_view>
 #include <vector>
 
-namespace ikbench::results {
+#include "results/deciding_tests.hpp"
 
-// Which test decides. by_design: the studentized bootstrap of the means, within blocks where the same targets are given
-// to all, or Tamhane's test where only summaries are known; of times ranks. The data have no say in it. The others are
-// computed beside it, all but the bootstrap.
-enum class DecidingTest { by_design, anova, welch, kruskal_wallis, friedman, tamhane, bootstrap };
+namespace ikbench::results {
 
 // How p-values of several contrasts are corrected for being several, where the method does not do so itself
 // (those of means do).
@@ -29,15 +26,12 @@ enum class Estimand { mean, typical, reliability };
 // Whether times of programs, which have messages and another language in them, are ranked with those taken here.
 enum class ProgramTimes { apart, compared };
 
-constexpr std::array<std::string_view, 7> deciding_test_names{"by_design", "anova",   "welch",    "kruskal_wallis",
-                                                              "friedman",  "tamhane", "bootstrap"};
 constexpr std::array<std::string_view, 4> adjustment_names{"holm", "hochberg", "bonferroni", "benjamini_hochberg"};
 constexpr std::array<std::string_view, 2> unit_names{"run", "point"};
 constexpr std::array<std::string_view, 3> estimand_names{"mean", "typical", "reliability"};
 
 constexpr std::array<std::string_view, 2> program_times_names{"apart", "compared"};
 
-constexpr std::string_view name_of(DecidingTest test) { return deciding_test_names[static_cast<std::size_t>(test)]; }
 constexpr std::string_view name_of(Adjustment adjustment) {
   return adjustment_names[static_cast<std::size_t>(adjustment)];
 }
@@ -46,7 +40,10 @@ constexpr std::string_view name_of(Estimand estimand) { return estimand_names[st
 constexpr std::string_view name_of(ProgramTimes times) { return program_times_names[static_cast<std::size_t>(times)]; }
 
 struct AnalysisPlan {
-  DecidingTest test = DecidingTest::by_design;
+  // Which test decides, by its name (deciding_tests.hpp). by_design: the studentized bootstrap of the means, within
+  // blocks where the same targets are given to all, or Tamhane's test where only summaries are known; of times ranks.
+  // The data have no say in it.
+  std::string test{by_design};
   Adjustment adjustment = Adjustment::holm;
   std::string control;         // label that the others are held against; empty: every pair is compared
   double significance = 0.05;  // of a test; intervals have the level 1 - significance

@@ -22,6 +22,12 @@ std::vector<std::pair<std::string, Enum>> choices_of(const std::array<std::strin
   return choices;
 }
 
+inline std::vector<std::pair<std::string, std::string>> choices_of_tests() {
+  std::vector<std::pair<std::string, std::string>> choices{{std::string(by_design), std::string(by_design)}};
+  for (const DecidingTest& test : deciding_tests()) choices.emplace_back(test.name, test.name);
+  return choices;
+}
+
 // Of study files, the command line and what a comparison is asked alike.
 constexpr std::pair<double, double> significances{0.0001, 0.2}, margins_percent{0, 99}, margins_cm{0, 1000},
     powers{0.5, 0.999};
@@ -32,7 +38,7 @@ template <class Io>
 void list_fields(Io& io, AnalysisPlan& plan) {
   constexpr double percent = 0.01;
   io.choice(
-      "test", plan.test, choices_of<DecidingTest>(deciding_test_names),
+      "test", plan.test, choices_of_tests(),
       "test that decides; by_design: bootstrap, within blocks if all solvers share the same targets; of times ranks");
   io.choice("adjustment", plan.adjustment, choices_of<Adjustment>(adjustment_names),
             "how p-values are corrected for multiple comparisons");

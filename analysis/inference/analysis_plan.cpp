@@ -97,9 +97,9 @@ class Lister {
     add(key, field.empty() ? "none" : fmt::format("\"{}\"", field), meaning);
   }
   template <class Enum>
-  void choice(std::string_view key, Enum field, const std::vector<std::pair<std::string, Enum>>&,
+  void choice(std::string_view key, const Enum& field, const std::vector<std::pair<std::string, Enum>>& choices,
               std::string_view meaning) {
-    add(key, std::string(name_of(field)), meaning);
+    add(key, std::ranges::find(choices, field, &std::pair<std::string, Enum>::second)->first, meaning);
   }
   template <class Enum>
   void chosen(std::string_view key, const std::vector<Enum>& field, const std::vector<std::pair<std::string, Enum>>&,

@@ -1,28 +1,18 @@
 #include "analysis/inference/contrasts.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "analysis/inference/deciding.hpp"
 #include "analysis/inference/judge.hpp"
 #include "analysis/inference/margin.hpp"
-#include "analysis/inference/pair_ranks.hpp"
-#include "analysis/inference/tests_of_means.hpp"
+#include "analysis/inference/outcomes.hpp"
 #include "analysis/statistics/effect_size.hpp"
-#include "analysis/statistics/friedman.hpp"
-#include "analysis/statistics/hodges_lehmann.hpp"
-#include "analysis/statistics/median_interval.hpp"
-#include "analysis/statistics/multiple_comparisons.hpp"
 #include "analysis/statistics/power.hpp"
 #include "analysis/statistics/proportion.hpp"
 #include "analysis/statistics/rounding.hpp"
 #include "analysis/statistics/studentized_bootstrap.hpp"
-#include "analysis/statistics/studentized_range.hpp"
-#include "analysis/statistics/welch.hpp"
 
 namespace ikbench::inference {
 
@@ -32,16 +22,6 @@ using namespace statistics;
 namespace {
 
 using Values = std::span<const std::vector<double>>;
-
-// The better one has the smaller value here.
-std::vector<std::vector<double>> smaller_is_better(const Evidence& evidence, Values values) {
-  std::vector<std::vector<double>> result(values.begin(), values.end());
-  if (evidence.better == Better::smaller) return result;
-  for (std::vector<double>& group : result) {
-    for (double& value : group) value = -value;
-  }
-  return result;
-}
 
 // The group that pairs are shown with, where not all are.
 std::optional<std::size_t> reference_of(const Evidence& evidence) {
@@ -92,50 +72,6 @@ double chance_of_unanimity(const Evidence& evidence, const Contrast& contrast) {
                              evidence.groups[contrast.second].described.n);
 }
 
-// How far apart two groups are that ranks compare; the interval holds for the whole family by Bonferroni.
-Estimate ratio_of_ranked(const Evidence& evidence, const std::vector<double>& first,
-                         const std::vector<double>& second) {
-  const bool is_log = evidence.scale == ValueScale::log10;
-  const auto all = [&](auto is) { return std::ranges::all_of(first, is) && std::ranges::all_of(second, is); };
-  if (!all([](double value) { return std::isfinite(value); })) return {};
-  const bool are_negative = !is_log && all([](double value) { return value < 0; });
-  if (!is_log && !are_negative && !all([](double value) { return value > 0; })) return {};
-  const auto logarithms = [&](const std::vector<double>& values) {
-    std::vector<double> result;
-    for (const double value : values)
-      result.push_back(is_log ? value * std::numbers::ln10 : are_negative ? -std::log(-value) : std::log(value));
-    return result;
-  };
-  const std::vector<double> one = logarithms(first), other = logarithms(second);
-  const double level = 1 - evidence.plan.significance / static_cast<double>(evidence.family());
-  if (evidence.blocks == 0) {
-    const Shift shift = hodges_lehmann(one, other, level);
-    return {.value = std::exp(shift.estimate), .low = std::exp(shift.low), .high = std::exp(shift.high)};
-  }
-  std::vector<double> differences;
-  for (std::size_t i = 0; i < one.size(); ++i) differences.push_back(one[i] - other[i]);
-  std::ranges::sort(differences);
-  const MedianInterval interval = median_interval(differences, level);
-  return {.value = std::exp(median(differences)), .low = std::exp(interval.low), .high = std::exp(interval.high)};
-}
-
-// Of the differences within blocks; p and interval hold for the whole family by Bonferroni.
-void compare_in_blocks(const Evidence& evidence, Values values, Contrast& contrast) {
-  const auto family = static_cast<double>(evidence.family());
-  const PairedTest test =
-      paired_t(values[contrast.first], values[contrast.second], 1 - evidence.plan.significance / family);
-  contrast.p_paired = std::min(1.0, family * test.p);
-  if (std::isnan(test.p)) contrast.p_paired = not_defined;
-  const bool is_equal = values[contrast.first] == values[contrast.second];  // in every block
-  if (is_equal) contrast.p_paired = 1;
-  if (!evidence.decides_within_blocks()) return;
-  if (evidence.ranks_decide()) contrast.difference = {.value = test.difference, .low = test.low, .high = test.high};
-  if (!is_equal) return;
-  (evidence.ranks_decide() ? contrast.p_ranks : contrast.p_bootstrap) = 1;  // no difference is above or below 0
-  contrast.undefined.clear();
-  if (chance_of_unanimity(evidence, contrast) < evidence.plan.significance) contrast.difference = {0, 0, 0};
-}
-
 int ahead_by_means(const Evidence& evidence, double difference) {
   return evidence.better == Better::smaller ? -sign_of(difference) : sign_of(difference);
 }
@@ -145,11 +81,11 @@ int ahead_by_means(const Evidence& evidence, double difference) {
 bool has_order(const Evidence& evidence, const Contrast& contrast) {
   const Description &first = evidence.groups[contrast.first].described,
                     &second = evidence.groups[contrast.second].described;
-  if (evidence.plan.test != DecidingTest::bootstrap || evidence.of_outcomes) return false;
+  if (evidence.plan.test != "bootstrap" || evidence.of_outcomes) return false;
   if (!std::isfinite(first.mean) || !std::isfinite(second.mean)) return false;
   const double ahead = contrast.superiority.value;
-  if (evidence.blocks > 0) return std::isnan(contrast.p_bootstrap) && (ahead == 0 || ahead == 1);
-  const bool lacks_spread = std::isnan(contrast.p_bootstrap) || is_constant(first) != is_constant(second);
+  if (evidence.blocks > 0) return std::isnan(contrast.p) && (ahead == 0 || ahead == 1);
+  const bool lacks_spread = std::isnan(contrast.p) || is_constant(first) != is_constant(second);
   return lacks_spread && (first.max < second.min || second.max < first.min);
 }
 
@@ -163,7 +99,7 @@ bool are_constants(const Evidence& evidence, const Contrast& contrast) {
 int fewest_to_differ(const Evidence& evidence) {
   int n = 2;
   while (chance_of_unanimity(evidence, n, n) >= evidence.plan.significance) ++n;
-  const bool by_bootstrap = evidence.plan.test == DecidingTest::bootstrap && !evidence.of_outcomes;
+  const bool by_bootstrap = evidence.plan.test == "bootstrap" && !evidence.of_outcomes;
   return by_bootstrap ? std::min(n, fewest_blocks(evidence.family(), 1 - evidence.plan.significance)) : n;
 }
 
@@ -176,13 +112,14 @@ Relation relation_of(const Evidence& evidence, const Contrast& contrast, double 
 
 namespace {
 
-// Wherever the values of two groups that do not overlap were drawn from: how likely they are to lie apart, either way,
-// if both were drawn from the same. Within blocks it is the sign test; else Mann and Whitney's exact test of such
-// ranks.
+// How likely two groups that do not overlap are to lie apart, either way, if both were drawn from one distribution: by
+// the sign test within blocks and against a value that is known, else by Mann and Whitney's exact test.
 double chance_of_order(const Evidence& evidence, const Contrast& contrast) {
-  const int n = evidence.groups[contrast.first].described.n, m = evidence.groups[contrast.second].described.n;
+  const GroupEvidence &first = evidence.groups[contrast.first], &second = evidence.groups[contrast.second];
+  const int n = first.described.n, m = second.described.n;
   if (evidence.blocks > 0) return chance_of_unanimity(evidence, n, m);
   double chance = 2 * static_cast<double>(evidence.family());
+  if (first.copies + second.copies > 0) return std::min(1.0, chance * std::exp2(-std::max(n, m)));
   for (int i = 1; i <= n; ++i) chance *= static_cast<double>(i) / (m + i);
   return std::min(1.0, chance);
 }
@@ -220,7 +157,34 @@ void judge_constants(const Evidence& evidence, Contrast& contrast) {
   if (contrast.relation != Relation::undecided) contrast.runs_to_decide = {};
 }
 
+// Two values that are known.
+void judge_facts(const Evidence& evidence, Contrast& contrast) {
+  const double worst = (evidence.better == Better::smaller ? 1 : -1) * std::numeric_limits<double>::infinity();
+  const auto known = [&](std::size_t group) {
+    const double value = evidence.groups[group].described.max;
+    return std::isfinite(value) ? value : worst;
+  };
+  const double first = known(contrast.first), second = known(contrast.second);
+  const double difference = first == second ? 0 : first - second;
+  contrast.is_fact = true;
+  contrast.p = not_defined;
+  contrast.undefined.clear();
+  contrast.difference = {difference, difference, difference};
+  contrast.ahead = ahead_by_means(evidence, difference);
+  contrast.extent = first == second             ? Extent::within
+                    : std::isfinite(difference) ? extent_of(evidence, contrast)
+                                                : Extent::beyond;
+  contrast.relation = contrast.extent == Extent::within ? Relation::same
+                      : contrast.ahead > 0              ? Relation::better
+                                                        : Relation::worse;
+  contrast.difference = {.value = difference};
+}
+
 void judge(const Evidence& evidence, Contrast& contrast) {
+  if (evidence.groups[contrast.first].copies > 0 && evidence.groups[contrast.second].copies > 0) {
+    judge_facts(evidence, contrast);
+    return;
+  }
   if (are_constants(evidence, contrast)) {
     judge_constants(evidence, contrast);
     return;
@@ -246,9 +210,12 @@ void judge(const Evidence& evidence, Contrast& contrast) {
 
 // What a difference of the margin takes where values spread as they seem to, and as they plausibly do. The difference
 // that was seen has no say: it may be chance. Signs know no sizes: of them it is what the test needs at least.
-Estimate runs_to_decide(const Evidence& evidence, const Contrast& contrast, std::span<const GroupSummary> summaries,
-                        Values values) {
-  if (evidence.plan.test == DecidingTest::friedman) return {.value = static_cast<double>(evidence.fewest)};
+Estimate runs_to_decide(const Evidence& evidence, const Contrast& contrast, const Groups& groups) {
+  const std::span summaries = groups.summaries;
+  const std::span values = groups.values;
+  if (evidence.of_outcomes) return runs_to_decide_shares(evidence, contrast, values);
+  if (evidence.ranks_decide() && evidence.decides_within_blocks())
+    return {.value = static_cast<double>(evidence.fewest)};
   const PowerGoal goal{.power = evidence.plan.power,
                        .alpha = evidence.plan.significance / static_cast<double>(evidence.family())};
   const double to_see = margin_of(evidence, contrast), outside = evidence.plan.significance / 2;
@@ -271,79 +238,7 @@ Estimate runs_to_decide(const Evidence& evidence, const Contrast& contrast, std:
           .high = std::isnan(high) ? std::numeric_limits<double>::infinity() : std::fmax(high, fewest)};
 }
 
-double deciding_p(const Evidence& evidence, const Contrast& contrast) {
-  switch (evidence.plan.test) {
-    case DecidingTest::anova:
-      return contrast.p_pooled;
-    case DecidingTest::kruskal_wallis:
-    case DecidingTest::friedman:
-      return contrast.p_ranks;
-    case DecidingTest::tamhane:
-      return contrast.p_tamhane;
-    case DecidingTest::bootstrap:
-      return contrast.p_bootstrap;
-    default:
-      return contrast.p_unpooled;
-  }
-}
-
-}  // namespace
-
-std::vector<PairMethod> pair_methods(const Evidence& evidence) {
-  if (evidence.of_outcomes) return {};
-  std::vector<PairMethod> methods{{"Tukey", "pooled variance", &Contrast::p_pooled},
-                                  {"Games-Howell", "separate variances", &Contrast::p_unpooled},
-                                  {"Tamhane", "separate variances, few values", &Contrast::p_tamhane}};
-  if (evidence.from_summaries) return methods;
-  if (evidence.plan.test == DecidingTest::bootstrap) {
-    methods.push_back({"bootstrap", "studentized, skewed values", &Contrast::p_bootstrap});
-  }
-  if (evidence.blocks > 0) {
-    for (PairMethod& method : methods) method.note = "without the blocks";
-    methods.push_back({"paired t", "means within blocks", &Contrast::p_paired});
-  }
-  const bool in_blocks = evidence.ranks_within_blocks();
-  if (in_blocks) {
-    methods.push_back({"sign test", "ranks within blocks", &Contrast::p_ranks});
-  } else {
-    methods.push_back({"Mann-Whitney", "ranks", &Contrast::p_mann_whitney});
-    methods.push_back({"Brunner-Munzel", "ranks, unequal spreads", &Contrast::p_brunner_munzel});
-  }
-  if (evidence.groups.size() == 2) return methods;
-  methods.push_back({in_blocks ? "Friedman" : "Dunn", "mean ranks over all groups", &Contrast::p_mean_ranks});
-  if (in_blocks) methods.push_back({"Nemenyi", "mean ranks over all groups", &Contrast::p_nemenyi});
-  return methods;
-}
-
-void add_friedman(Evidence& evidence, Values values) {
-  const Friedman test = friedman(smaller_is_better(evidence, values));
-  for (std::size_t i = 0; i < test.average_ranks.size(); ++i) {
-    evidence.groups[i].average_rank = test.average_ranks[i];
-  }
-  evidence.tests.push_back({.test = std::string(friedman_name),
-                            .role = Role::robust,
-                            .symbol = "chi^2",
-                            .statistic = test.chi_squared,
-                            .df = static_cast<double>(test.df),
-                            .p = test.p,
-                            .effect_symbol = "W",
-                            .effect = test.kendall_w,
-                            .undefined = test.undefined});
-  evidence.tests.push_back({.test = std::string(iman_davenport_name),
-                            .role = Role::robust,
-                            .symbol = "F",
-                            .statistic = test.F,
-                            .df = test.F_df_between,
-                            .df_within = test.F_df_within,
-                            .p = test.F_p,
-                            .undefined = test.undefined});
-  if (!test.undefined.empty()) return;
-  const auto k = static_cast<double>(evidence.groups.size());
-  const double q =
-      studentized_range_quantile(1 - evidence.plan.significance, k, std::numeric_limits<double>::infinity());
-  evidence.critical_difference = critical_difference(q / std::sqrt(2.0), evidence.groups.size(), evidence.blocks);
-}
-
+// The pairs to compare, first < second in order: all, or those with the reference.
 std::vector<Contrast> shown_pairs(Evidence& evidence) {
   const std::size_t k = evidence.groups.size();
   evidence.pairs = k * (k - 1) / 2;
@@ -360,47 +255,59 @@ std::vector<Contrast> shown_pairs(Evidence& evidence) {
   return all;
 }
 
-void add_contrasts(Evidence& evidence, std::span<const GroupSummary> summaries, Values values) {
-  std::vector<Contrast> all = shown_pairs(evidence);
-  const auto ahead = smaller_is_better(evidence, values);
-  add_rank_tests(evidence, ahead, all);
+// Two groups with the same value in every block: no difference is above or below 0.
+void judge_equal_blocks(const Evidence& evidence, Contrast& contrast) {
+  contrast.p = 1;
+  contrast.undefined.clear();
+  if (chance_of_unanimity(evidence, contrast) < evidence.plan.significance) contrast.difference = {0, 0, 0};
+}
 
-  if (evidence.ranks_decide() || evidence.decides_within_blocks()) evidence.fewest = fewest_to_differ(evidence);
+void add_ranks(const Evidence& evidence, const Groups& groups, std::vector<Contrast>& contrasts) {
+  if (evidence.method->compares != Compares::means || groups.values.empty()) return;
+  const std::vector<PairResult> ranks = rank_method(evidence).pairs(evidence, groups);
+  for (std::size_t i = 0; i < contrasts.size(); ++i) {
+    contrasts[i].p_ranks = ranks[i].p;
+    contrasts[i].ahead_by_ranks = ranks[i].ahead;
+  }
+}
 
-  const double level = 1 - evidence.plan.significance;
-  const TestsOfMeans tests = tests_of_means(evidence, summaries, values);
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    Contrast& contrast = all[i];
-    const GroupSummary &first = summaries[contrast.first], &second = summaries[contrast.second];
-    contrast.p_pooled = tests.pooled[i].p;
-    contrast.p_unpooled = tests.unpooled[i].p;
-    contrast.p_tamhane = tests.by_tamhane[i].p;
-    if (!tests.bootstrapped.empty()) contrast.p_bootstrap = tests.bootstrapped[i].p;
-    const MeanDifference& shown = tests.deciding(evidence.plan.test, i);
-    contrast.difference = {.value = first.mean - second.mean, .low = shown.low, .high = shown.high};
-    if (!evidence.ranks_decide()) {
-      contrast.ahead = ahead_by_means(evidence, shown.difference);
-      contrast.undefined = shown.undefined;
+void add_effects(const Evidence& evidence, const Groups& groups, Contrast& contrast) {
+  if (evidence.of_outcomes) return;
+  contrast.g = hedges_g(groups.summaries[contrast.first], groups.summaries[contrast.second]);
+  if (!groups.ranked.empty()) {
+    contrast.superiority = superiority(evidence, groups.ranked[contrast.first], groups.ranked[contrast.second]);
+  }
+}
+
+}  // namespace
+
+void add_contrasts(Evidence& evidence, const Groups& groups) {
+  evidence.contrasts = shown_pairs(evidence);
+  if (evidence.method->compares != Compares::means || evidence.decides_within_blocks()) {
+    evidence.fewest = fewest_to_differ(evidence);
+  }
+  const std::vector<PairResult> results = evidence.method->pairs(evidence, groups);
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    Contrast& contrast = evidence.contrasts[i];
+    contrast.p = results[i].p;
+    contrast.ahead = results[i].ahead;
+    contrast.difference = results[i].difference;
+    contrast.ratio = results[i].ratio;
+    contrast.undefined = results[i].undefined;
+    if (std::isnan(contrast.difference.value)) {
+      contrast.difference.value = groups.summaries[contrast.first].mean - groups.summaries[contrast.second].mean;
     }
-    contrast.g = hedges_g(first, second);
-    if (evidence.ranks_decide() && !values.empty())
-      contrast.ratio = ratio_of_ranked(evidence, values[contrast.first], values[contrast.second]);
-    if (!ahead.empty()) {
-      contrast.superiority = superiority(evidence, ahead[contrast.first], ahead[contrast.second]);
-      if (evidence.blocks > 0) {
-        compare_in_blocks(evidence, values, contrast);
-      } else {
-        const Shift shift = hodges_lehmann(values[contrast.first], values[contrast.second], level);
-        contrast.shift = {.value = shift.estimate, .low = shift.low, .high = shift.high};
-      }
+    add_effects(evidence, groups, contrast);
+    const bool is_paired = evidence.decides_within_blocks() && !evidence.of_outcomes;
+    if (is_paired && groups.values[contrast.first] == groups.values[contrast.second]) {
+      judge_equal_blocks(evidence, contrast);
     }
-    contrast.p = deciding_p(evidence, contrast);
     judge(evidence, contrast);
     if (contrast.relation == Relation::undecided && std::isnan(contrast.runs_to_decide.value)) {
-      contrast.runs_to_decide = runs_to_decide(evidence, contrast, summaries, values);
+      contrast.runs_to_decide = runs_to_decide(evidence, contrast, groups);
     }
   }
-  evidence.contrasts = std::move(all);
+  add_ranks(evidence, groups, evidence.contrasts);
 }
 
 }  // namespace ikbench::inference

@@ -20,7 +20,5 @@ double standing(const Evidence& evidence, const GroupEvidence& group);
 std::size_t best_group(const Evidence& evidence);
 // The test of all groups that goes with the pairs' deciding one; null where it was not made, or there is none.
 const TestResult* deciding_test(const Evidence& evidence);
-// By which method the differences have their intervals.
-std::string_view interval_words(const Evidence& evidence);
 
 }  // namespace ikbench::inference

@@ -172,9 +172,10 @@ std::string copies_note(const std::vector<Sample>& samples) {
   }
   if (names.empty()) return "";
   return fmt::format(
-      "Equal runs are one observation: {} gave the same answers in every run, to the last bit, so no test uses its runs "
-      "as repetitions. For a test, give every run targets of its own (path.kind = \"random\"), or start every solve from "
-      "the same configuration (start = \"initial\"), so that a target is an observation.",
+      "Equal runs are one observation: {} gave the same answers in every run, to the last bit. So the value on these "
+      "targets is known without chance: two such values are compared without a test, and the runs of another solver by "
+      "the sign test. To say something of other targets, give every run targets of its own (path.kind = \"random\"), or "
+      "start every solve from the same configuration (start = \"initial\"), so that a target is an observation.",
       fmt::join(names, ", "));
 }
 
@@ -257,7 +258,8 @@ Observations observations(const StudyResults& study, Metric metric, Estimand est
       result.notes.push_back(fmt::format("{}: {} of its runs lack points and give no observation.", sample.solver,
                                          sample.incomplete_runs));
     }
-    result.groups.push_back({.name = std::move(sample.solver), .values = std::move(sample.values)});
+    const int copies = sample.values.size() == 1 ? sample.equal_runs : 0;
+    result.groups.push_back({.name = std::move(sample.solver), .values = std::move(sample.values), .copies = copies});
   }
   std::erase(result.notes, "");
   add_decades(result, study, metric, estimand);

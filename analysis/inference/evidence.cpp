@@ -6,16 +6,16 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include "analysis/inference/contrasts.hpp"
 #include "analysis/inference/margin.hpp"
+#include "analysis/inference/method.hpp"
 #include "analysis/inference/outcomes.hpp"
-#include "analysis/inference/test_results.hpp"
-#include "analysis/inference/tests_of_means.hpp"
 #include "analysis/inference/text.hpp"
-#include "analysis/statistics/anova.hpp"
 #include "analysis/statistics/equal_variances.hpp"
+#include "analysis/statistics/friedman.hpp"
 #include "analysis/statistics/kruskal_wallis.hpp"
 #include "analysis/statistics/median_interval.hpp"
 #include "analysis/statistics/quantile.hpp"
@@ -23,6 +23,7 @@
 #include "analysis/statistics/rounding.hpp"
 #include "analysis/statistics/shapiro_wilk.hpp"
 #include "analysis/statistics/studentized_bootstrap.hpp"
+#include "analysis/statistics/studentized_range.hpp"
 #include "analysis/statistics/welch.hpp"
 
 namespace ikbench::inference {
@@ -44,7 +45,7 @@ std::string with_name(std::string reason, const std::vector<GroupEvidence>& grou
   const auto [end, error] = std::from_chars(digits, reason.data() + reason.size(), number);
   if (error != std::errc{} || number < 1 || number > groups.size()) return reason;
   const std::size_t length = word.size() + static_cast<std::size_t>(end - digits);
-  return reason.replace(start, length, row_label(groups[number - 1].name, longest_group_name));
+  return reason.replace(start, length, row_label(groups[number - 1].name, 60));
 }
 
 void name_groups(Evidence& evidence) {
@@ -64,24 +65,10 @@ void check_control(const Evidence& evidence) {
       fmt::format("no group '{}' for the control; expected one of: {}", evidence.plan.control, fmt::join(names, ", ")));
 }
 
-// Before the data are looked at: what by_design means for them, and what they do not have.
-void settle_test(Evidence& evidence) {
-  DecidingTest& test = evidence.plan.test;
-  if (test == DecidingTest::by_design) {
-    test = evidence.from_summaries ? DecidingTest::tamhane : DecidingTest::bootstrap;
-  }
-  if (test == DecidingTest::friedman && evidence.blocks == 0) {
-    throw std::invalid_argument(
-        "Friedman's test needs blocks, which all groups share; expected another test, or a block column");
-  }
-  if (evidence.from_summaries && (test == DecidingTest::kruskal_wallis || test == DecidingTest::bootstrap)) {
-    throw std::invalid_argument(
-        fmt::format("the {} needs single values; expected anova, welch or tamhane for summaries",
-                    test == DecidingTest::bootstrap ? "bootstrap" : "Kruskal-Wallis test"));
-  }
-  if (test == DecidingTest::bootstrap && evidence.blocks == 0 && resamples_of(evidence) == 0) {
-    test = DecidingTest::tamhane;
-  }
+// Before the data are looked at.
+void choose_method(Evidence& evidence) {
+  evidence.method = &method_for(evidence);
+  if (!evidence.of_outcomes || evidence.plan.test == by_design) evidence.plan.test = evidence.method->name;
 }
 
 // Greatest and least variance of those that are known.
@@ -116,6 +103,29 @@ Estimate interval_of(const GroupSummary& summary, double level) {
   return {.value = summary.mean, .low = found.low, .high = found.high};
 }
 
+TestResult of_bartlett(std::span<const GroupSummary> summaries) {
+  const Bartlett test = bartlett_from_summaries(summaries);
+  return {.test = std::string(bartlett_name),
+          .role = Role::assumption,
+          .symbol = "chi^2",
+          .statistic = test.chi_squared,
+          .df = static_cast<double>(test.df),
+          .p = test.p,
+          .undefined = test.undefined};
+}
+
+TestResult of_brown_forsythe(std::span<const std::vector<double>> values) {
+  const BrownForsythe test = brown_forsythe(values);
+  return {.test = std::string(brown_forsythe_name),
+          .role = Role::assumption,
+          .symbol = "F",
+          .statistic = test.F,
+          .df = static_cast<double>(test.df_between),
+          .df_within = static_cast<double>(test.df_within),
+          .p = test.p,
+          .undefined = test.undefined};
+}
+
 // Not for so many values that the mean is normal anyway.
 bool bootstraps_means(const Evidence& evidence) {
   constexpr int most_values = 2000;  // of all groups: about a second
@@ -135,12 +145,37 @@ void bootstrap_means(Evidence& evidence, const Samples& values) {
   }
 }
 
-void add_mean_ranks(Evidence& evidence, const KruskalWallis& test) {
-  double values = 0;
-  for (const GroupEvidence& group : evidence.groups) values += group.described.n;
-  for (std::size_t i = 0; i < test.mean_ranks.size(); ++i) {
-    const double rank = test.mean_ranks[i];  // 1 is the smallest value
-    evidence.groups[i].mean_rank = evidence.better == Better::smaller ? rank : values + 1 - rank;
+// 1 is the best.
+void add_mean_ranks(Evidence& evidence, const Samples& ranked) {
+  const KruskalWallis test = kruskal_wallis(ranked);
+  for (std::size_t i = 0; i < test.mean_ranks.size(); ++i) evidence.groups[i].mean_rank = test.mean_ranks[i];
+}
+
+// Average ranks within blocks (1 is the best), with Nemenyi's critical difference.
+void add_average_ranks(Evidence& evidence, const Samples& ranked) {
+  const Friedman test = friedman(ranked);
+  for (std::size_t i = 0; i < test.average_ranks.size(); ++i) {
+    evidence.groups[i].average_rank = test.average_ranks[i];
+  }
+  if (!test.undefined.empty()) return;
+  const auto k = static_cast<double>(evidence.groups.size());
+  const double q =
+      studentized_range_quantile(1 - evidence.plan.significance, k, std::numeric_limits<double>::infinity());
+  evidence.critical_difference = critical_difference(q / std::sqrt(2.0), evidence.groups.size(), evidence.blocks);
+}
+
+// What the tests of all groups say: of the assumption of equal variances, the paper's, that which goes with the method
+// that decides, and that of ranks.
+void add_tests(Evidence& evidence, const Groups& groups) {
+  evidence.tests = {groups.values.empty() ? of_bartlett(groups.summaries) : of_brown_forsythe(groups.values)};
+  std::vector<const Method*> shown{&paper_method(), evidence.method};
+  if (!groups.values.empty() && evidence.groups.size() > 2) shown.push_back(&rank_method(evidence));
+  for (auto method = shown.begin(); method != shown.end(); ++method) {
+    if (std::find(shown.begin(), method, *method) != method || (*method)->all == nullptr) continue;
+    std::optional<TestResult> result = (*method)->all(evidence, groups);
+    if (!result) continue;
+    result->decides = *method == evidence.method;
+    evidence.tests.push_back(std::move(*result));
   }
 }
 
@@ -171,6 +206,16 @@ Observations exact(Observations observations) {
   return observations;
 }
 
+// The better one has the smaller value here.
+std::vector<std::vector<double>> smaller_is_better(const Evidence& evidence, const Samples& values) {
+  std::vector<std::vector<double>> result(values.begin(), values.end());
+  if (evidence.better == Better::smaller) return result;
+  for (std::vector<double>& group : result) {
+    for (double& value : group) value = -value;
+  }
+  return result;
+}
+
 // Values that rank: what is not a number is worse than every number. Where no blocks fix their order they are sorted,
 // once for all that rank them.
 Samples rankable(const Observations& observations) {
@@ -198,6 +243,10 @@ std::string_view name_of(Extent extent) {
   return names[static_cast<std::size_t>(extent)];
 }
 
+bool Evidence::ranks_decide() const { return method != nullptr && method->compares == Compares::ranks; }
+
+bool Evidence::decides_within_blocks() const { return blocks > 0 && method != nullptr && method->within_blocks; }
+
 const TestResult* Evidence::test(std::string_view test_name) const {
   const auto found = std::ranges::find(tests, test_name, &TestResult::test);
   return found == tests.end() ? nullptr : &*found;
@@ -216,23 +265,24 @@ Evidence evidence(const Summaries& summaries, const AnalysisPlan& plan) {
                              .mean = interval_of(summary, 1 - plan.significance)});
   }
   check_control(result);
-  settle_test(result);
+  choose_method(result);
   if (result.groups.size() < 2) return result;
   compare_variances(result, numbers);
-  result.tests = {of_bartlett(bartlett_from_summaries(numbers)), of_anova(anova_from_summaries(numbers)),
-                  of_welch(result.groups, numbers)};
-  add_contrasts(result, numbers, {});
+  const Groups given{.summaries = numbers, .values = {}, .ranked = {}};
+  add_tests(result, given);
+  add_contrasts(result, given);
   name_groups(result);
   return result;
 }
 
 AnalysisPlan feasible(AnalysisPlan plan, const Observations& observations) {
-  if (plan.test == DecidingTest::friedman && observations.blocks.empty()) plan.test = DecidingTest::by_design;
+  const bool needs_blocks = plan.test != by_design && results::deciding_test(plan.test).needs == Needs::blocks;
+  if (needs_blocks && observations.blocks.empty()) plan.test = by_design;
   return plan;
 }
 
 AnalysisPlan feasible(AnalysisPlan plan, const Summaries&) {
-  if (plan.test != DecidingTest::anova && plan.test != DecidingTest::welch) plan.test = DecidingTest::tamhane;
+  if (plan.test != by_design && results::deciding_test(plan.test).needs != Needs::summaries) plan.test = by_design;
   plan.control.clear();
   return plan;
 }
@@ -255,15 +305,17 @@ Evidence describe_groups(const Observations& observations, const AnalysisPlan& p
   result.blocks = observations.blocks.size();
   result.notes = observations.notes;
   result.flaw = observations.flaw;
-  result.of_outcomes = are_outcomes(observations);
+  result.of_outcomes = are_outcomes(observations) &&
+                       std::ranges::all_of(observations.groups, [](const Group& group) { return group.copies == 0; });
   std::vector<GroupSummary> summaries;
   for (const Group& group : observations.groups) {
     GroupEvidence& described = result.groups.emplace_back(describe_group(group, plan));
+    described.copies = group.copies;
     described.decades = std::isfinite(group.decades) ? group.decades : decades(group.values);
     summaries.push_back(summarise(group.values));
   }
   check_control(result);
-  settle_test(result);
+  choose_method(result);
   const std::size_t k = result.groups.size();
   if (k < 2) return result;
   result.pairs = k * (k - 1) / 2;
@@ -275,25 +327,27 @@ Evidence describe_groups(const Observations& observations, const AnalysisPlan& p
 
 void make_tests(Evidence& result, const Observations& observations) {
   const Samples values = values_of(observations);
-  if (result.of_outcomes) return compare_outcomes(result, values);
   std::vector<GroupSummary> summaries;
   for (std::size_t i = 0; i < values.size(); ++i) {
     summaries.push_back(summarise(values[i]));
+    if (result.of_outcomes) continue;
     const ShapiroWilk normal = shapiro_wilk(values[i]);
     result.groups[i].normality = normal.p;
     result.groups[i].normality_w = normal.W;
   }
+  if (result.of_outcomes) describe_shares(result, values);
   if (result.groups.size() < 2) return;
-  const Samples ranks = rankable(observations);
-  const KruskalWallis by_ranks = kruskal_wallis(ranks);
-  add_mean_ranks(result, by_ranks);
-  if (!result.constant) {
-    result.tests = {of_brown_forsythe(brown_forsythe(values)), of_bartlett(bartlett(values)), of_anova(anova(values)),
-                    of_welch(result.groups, summaries), of_kruskal_wallis(by_ranks)};
-    if (ranks.size() == 2) result.tests.push_back(of_two(ranks[0], ranks[1], result));
+  const Samples comparable = rankable(observations), ranked = smaller_is_better(result, comparable);
+  const Groups groups{.summaries = summaries, .values = comparable, .ranked = ranked};
+  if (!result.of_outcomes) add_mean_ranks(result, ranked);
+  if (result.blocks > 0 && !result.constant && !result.of_outcomes) add_average_ranks(result, ranked);
+  if (result.of_outcomes) {
+    if (const auto test = result.method->all == nullptr ? std::nullopt : result.method->all(result, groups))
+      result.tests = {*test};
+  } else if (!result.constant) {
+    add_tests(result, groups);
   }
-  if (result.blocks > 0 && !result.constant) add_friedman(result, ranks);
-  add_contrasts(result, summaries, ranks);
+  add_contrasts(result, groups);
   name_groups(result);
 }
 
@@ -310,7 +364,7 @@ Evidence told(Evidence found) {
     for (Estimate* each : {&group.mean, &group.median}) *each = power_of_ten(*each);
   }
   for (Contrast& contrast : found.contrasts) {
-    for (Estimate* each : {&contrast.difference, &contrast.shift}) *each = power_of_ten(*each);
+    contrast.difference = power_of_ten(contrast.difference);
   }
   return found;
 }

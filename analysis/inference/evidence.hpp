@@ -15,6 +15,8 @@
 
 namespace ikbench::inference {
 
+struct Method;
+
 struct GroupEvidence {
   std::string name;
   statistics::Description described = {};
@@ -28,6 +30,7 @@ struct GroupEvidence {
   double mean_rank = statistics::not_defined;     // of all values together, 1 is best; only where there are values
   double average_rank = statistics::not_defined;  // over the blocks, 1 is best; only where there are blocks
   double decades = statistics::not_defined;       // what the single values span (statistics::decades)
+  int copies = 0;                                 // Group::copies
 };
 
 // assumption: what a test takes for granted. paper: the analysis that the paper made. robust: what needs less.
@@ -35,6 +38,7 @@ enum class Role { assumption, paper, robust };
 
 struct TestResult {
   std::string test;
+  bool decides = false;      // it goes with the method that decides the pairs
   std::string without = {};  // groups that it had to leave out, in words
   Role role = Role::robust;
   std::string symbol = {};  // of the statistic: "F", "H"
@@ -56,26 +60,16 @@ struct Contrast {
   std::size_t first = 0, second = 0;
   Estimate difference = {};            // mean of first - mean of second (Evidence::scale), simultaneous over all pairs
   double p = statistics::not_defined;  // of the deciding test, corrected for all pairs
-  // The two do not overlap, and an exact test of ranks (within blocks the sign test) decides, because the bootstrap has
-  // no spread to judge by, or a group has one value alone.
+  // The two do not overlap, and an exact test of ranks decides (within blocks, or against a value that is known, the
+  // sign test), because the bootstrap has no spread to judge by, or a group has one value alone.
   bool is_by_order = false;
+  bool is_fact =
+      false;      // both values are known (Group::copies), so that no chance is in the relation, and there is no p
   int ahead = 0;  // the sign of that test's own statistic: 1 where it is for first, -1 for second
-  double p_pooled = statistics::not_defined;    // Tukey
-  double p_unpooled = statistics::not_defined;  // Games and Howell
-  double p_tamhane = statistics::not_defined;
-  double p_bootstrap = statistics::not_defined;  // of the studentized means; only where it decides
-  double p_paired = statistics::not_defined;  // t of the differences within blocks, corrected by Bonferroni; only where
-                                              // there are blocks
-  // Of ranks, each corrected as planned. What decides is of the two groups alone: within blocks the sign test's, else
-  // the larger of Mann-Whitney's and Brunner-Munzel's.
+  // Of the test of ranks that is shown beside a test of means (rank_method), corrected as planned, and for whom it is.
   double p_ranks = statistics::not_defined;
-  int ahead_by_ranks = 0;  // the sign of the sign test's or Mann-Whitney's statistic, as `ahead`
-  double p_mann_whitney = statistics::not_defined;
-  double p_brunner_munzel = statistics::not_defined;
-  double p_mean_ranks = statistics::not_defined;  // Dunn, or Friedman's average ranks within blocks: of all groups
-  double p_nemenyi = statistics::not_defined;     // of Friedman's ranks, all pairs; only within blocks
+  int ahead_by_ranks = 0;
   Estimate superiority = {};  // A12: the chance that an observation of first is better than one of second
-  Estimate shift = {};        // Hodges and Lehmann's: the median of all differences first - second; not in blocks
   // Where ranks decide, and all values have one sign: the typical ratio of first by second, below 1 where first is
   // smaller. Within blocks it is the
   // median of their ratios, with order statistics as its interval, which is that of the sign test; else Hodges and
@@ -106,6 +100,7 @@ struct Evidence {
   std::string flaw = {};
   double margin = 0;                // absolute, in the unit of the quantity: the plan's in cm, or one of its own
   results::AnalysisPlan plan = {};  // its test is never by_design here, but the one that decides
+  const Method* method = nullptr;   // that decides (method.hpp)
   bool of_outcomes = false;         // every observation is 0 or 1 (outcomes.hpp): a group's mean is a share
   bool constant = false;            // every group has one value alone, and not as outcomes have
   std::vector<GroupEvidence> groups = {};
@@ -121,18 +116,9 @@ struct Evidence {
   int fewest = 0;  // observations a group, or blocks, from which a pair can be told apart; 0: means decide, from two on
 
   const TestResult* test(std::string_view test_name) const;  // null where it was not made
-  bool ranks_within_blocks() const {
-    return !of_outcomes && blocks > 0 && plan.test != results::DecidingTest::kruskal_wallis;
-  }
-  bool ranks_decide() const {
-    return !of_outcomes &&
-           (plan.test == results::DecidingTest::kruskal_wallis || plan.test == results::DecidingTest::friedman);
-  }
-  // Whether the test that decides looks at the differences within blocks.
-  bool decides_within_blocks() const {
-    return blocks > 0 && (of_outcomes || plan.test == results::DecidingTest::friedman ||
-                          plan.test == results::DecidingTest::bootstrap);
-  }
+  bool ranks_decide() const;
+  // Whether the method that decides looks at the differences within blocks.
+  bool decides_within_blocks() const;
   // That p-values and intervals are corrected for: the pairs with the control, else all pairs.
   std::size_t family() const { return plan.control.empty() ? pairs : groups.size() - 1; }
 };
@@ -159,7 +145,6 @@ results::AnalysisPlan feasible(results::AnalysisPlan plan, const Summaries& summ
 // The names of the tests of all groups, of which one decides.
 constexpr std::string_view anova_name = "One-way ANOVA", welch_name = "Welch's ANOVA",
                            kruskal_wallis_name = "Kruskal-Wallis test", friedman_name = "Friedman's test",
-                           iman_davenport_name = "Iman-Davenport form",
                            brown_forsythe_name = "Brown-Forsythe test of equal variances",
                            bartlett_name = "Bartlett's test of equal variances";
 

@@ -64,6 +64,7 @@ Judgement judge(const Evidence& evidence, std::string_view first, std::string_vi
     result.relation = found->relation;
     result.p = found->p;
     result.difference = found->difference;
+    result.is_fact = found->is_fact;
     result.undefined = found->undefined;
     if (one > other) return turned(std::move(result), evidence.scale);
   }

@@ -24,6 +24,7 @@ struct Judgement {
   double p = statistics::not_defined;  // corrected for the pairs that are compared
   Estimate difference = {};            // first - second, or their ratio (Evidence::scale)
   std::string test = {};               // "Games-Howell test"
+  bool is_fact = false;                // Contrast::is_fact
   std::string undefined = {};          // why there is no test; empty where there is one
 };
 

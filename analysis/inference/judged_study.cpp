@@ -12,8 +12,8 @@ using namespace results;
 // Unless the plan names a test, ranks decide of times: one interruption of the program would decide a mean.
 AnalysisPlan judging(AnalysisPlan plan, Metric metric, const Observations& observed) {
   const bool is_time = info_of(metric).kind == Kind::time;
-  if (is_time && plan.test == DecidingTest::by_design) {
-    plan.test = observed.blocks.empty() ? DecidingTest::kruskal_wallis : DecidingTest::friedman;
+  if (is_time && plan.test == by_design) {
+    plan.test = observed.blocks.empty() ? "kruskal_wallis" : "friedman";
   }
   return feasible(std::move(plan), observed);
 }

@@ -21,6 +21,9 @@ struct Group {
   // What the single values span of which these are means (statistics::decades); not defined where these are single
   // themselves.
   double decades = statistics::not_defined;
+  // The number of runs that all gave this one value, because the solver repeats its answers; 0 where values vary. Such
+  // a value is known without chance.
+  int copies = 0;
 };
 
 struct Observations {

@@ -6,7 +6,6 @@
 
 #include "analysis/inference/contrasts.hpp"
 #include "analysis/inference/margin.hpp"
-#include "analysis/inference/pair_ranks.hpp"
 #include "analysis/statistics/paired_proportion.hpp"
 #include "analysis/statistics/power.hpp"
 #include "analysis/statistics/rounding.hpp"
@@ -17,6 +16,13 @@ using namespace results;
 using namespace statistics;
 
 namespace {
+
+// `n` trials show a difference of the margin; of fewer than `fewest` no test finds any.
+Estimate takes(double fewest, double n) {
+  return n > fewest ? Estimate{.value = n, .low = n, .high = n} : Estimate{.value = fewest};
+}
+
+}  // namespace
 
 Successes successes_of(const std::vector<double>& values) {
   return {.successes = static_cast<int>(std::ranges::count(values, 1.0)), .trials = static_cast<int>(values.size())};
@@ -32,14 +38,8 @@ PairedSuccesses paired_successes(const std::vector<double>& first, const std::ve
   return counts;
 }
 
-// `n` trials show a difference of the margin; of fewer than `fewest` no test finds any.
-Estimate takes(double fewest, double n) {
-  return n > fewest ? Estimate{.value = n, .low = n, .high = n} : Estimate{.value = fewest};
-}
-
-// As contrasts have it, for a difference of shares of the margin.
-Estimate runs_to_decide(const Evidence& evidence, const Contrast& contrast,
-                        std::span<const std::vector<double>> values) {
+Estimate runs_to_decide_shares(const Evidence& evidence, const Contrast& contrast,
+                               std::span<const std::vector<double>> values) {
   const std::vector<double>&first = values[contrast.first], &second = values[contrast.second];
   const PowerGoal goal{.power = evidence.plan.power,
                        .alpha = evidence.plan.significance / static_cast<double>(evidence.family())};
@@ -54,32 +54,6 @@ Estimate runs_to_decide(const Evidence& evidence, const Contrast& contrast,
   }
   return takes(fewest, runs_to_see(summarise(first), summarise(second), evidence.plan.margin, goal).n);
 }
-
-// p is of this pair alone as yet.
-void compare_shares(const Evidence& evidence, std::span<const std::vector<double>> values, Contrast& contrast) {
-  const std::vector<double>&first = values[contrast.first], &second = values[contrast.second];
-  const double alpha = evidence.plan.significance / static_cast<double>(evidence.family());
-  Proportion difference;
-  if (evidence.blocks > 0) {
-    const PairedSuccesses counts = paired_successes(first, second);
-    contrast.p = mcnemar_exact(counts);
-    difference = newcombe_paired(counts, 1 - alpha);
-    if (counts.first_only + counts.second_only == 0) {  // where the two agree in every block, the others may not
-      const double unseen = most_without_success(counts.trials(), alpha);
-      difference.low = std::min(difference.low, -unseen);
-      difference.high = std::max(difference.high, unseen);
-    }
-  } else {
-    contrast.p = fisher_exact(successes_of(first), successes_of(second)).p;
-    difference = newcombe(successes_of(first), successes_of(second), 1 - alpha);
-  }
-  contrast.runs_to_decide = runs_to_decide(evidence, contrast, values);
-  contrast.difference = {.value = difference.estimate, .low = difference.low, .high = difference.high};
-  contrast.ahead = sign_of(difference.estimate) * (evidence.better == Better::smaller ? -1 : 1);
-  contrast.extent = extent_of(evidence, contrast);
-}
-
-}  // namespace
 
 bool are_outcomes(const Observations& observations) {
   bool zeros = false, ones = false;
@@ -102,29 +76,11 @@ Proportion solve_rate(const StudyResults& study, std::string_view solver, double
   return wilson(count, level);
 }
 
-void compare_outcomes(Evidence& evidence, std::span<const std::vector<double>> values) {
+void describe_shares(Evidence& evidence, std::span<const std::vector<double>> values) {
   for (std::size_t i = 0; i < values.size(); ++i) {
     const Proportion share = wilson(successes_of(values[i]), 1 - evidence.plan.significance);
     evidence.groups[i].mean = {.value = share.estimate, .low = share.low, .high = share.high};
     evidence.groups[i].median = {};
-  }
-  if (values.size() < 2) return;
-  if (evidence.blocks > 0 && values.size() > 2) {
-    const CochranQ test = cochran_q(values);
-    evidence.tests = {{.test = std::string(cochran_name),
-                       .symbol = "Q",
-                       .statistic = test.Q,
-                       .df = static_cast<double>(test.df),
-                       .p = test.p,
-                       .undefined = test.undefined}};
-  }
-  evidence.contrasts = shown_pairs(evidence);
-  evidence.fewest = fewest_to_differ(evidence);
-  for (Contrast& contrast : evidence.contrasts) compare_shares(evidence, values, contrast);
-  correct(evidence, &Contrast::p, evidence.contrasts);
-  for (Contrast& contrast : evidence.contrasts) {
-    contrast.relation = relation_of(evidence, contrast, contrast.p);
-    if (contrast.relation != Relation::undecided) contrast.runs_to_decide = {};
   }
 }
 

@@ -8,11 +8,10 @@
 
 #include "analysis/inference/evidence.hpp"
 #include "analysis/inference/study.hpp"
+#include "analysis/statistics/paired_proportion.hpp"
 #include "analysis/statistics/proportion.hpp"
 
 namespace ikbench::inference {
-
-constexpr std::string_view cochran_name = "Cochran's Q test";
 
 // Whether every value is 0 or 1, and both occur. What the quantity is decides, and no test.
 bool are_outcomes(const Observations& observations);
@@ -21,9 +20,14 @@ bool are_outcomes(const Observations& observations);
 // such as one a run.
 statistics::Proportion solve_rate(const StudyResults& study, std::string_view solver, double level);
 
-// Shares with Wilson's intervals; each pair by Fisher's exact test or, within blocks, McNemar's, corrected as planned,
-// with Newcombe's interval of the difference, which holds for the whole family by Bonferroni; within blocks, Cochran's
-// Q of all groups. The margin counts as a difference of shares: 5 percentage points.
-void compare_outcomes(Evidence& evidence, std::span<const std::vector<double>> values);
+statistics::Successes successes_of(const std::vector<double>& values);
+statistics::PairedSuccesses paired_successes(const std::vector<double>& first, const std::vector<double>& second);
+
+// Shares with Wilson's intervals in place of means.
+void describe_shares(Evidence& evidence, std::span<const std::vector<double>> values);
+
+// What a difference of shares of the margin takes (Contrast::runs_to_decide).
+Estimate runs_to_decide_shares(const Evidence& evidence, const Contrast& contrast,
+                               std::span<const std::vector<double>> values);
 
 }  // namespace ikbench::inference

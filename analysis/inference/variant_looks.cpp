@@ -35,7 +35,9 @@ std::vector<VariantStudy> first_runs(std::span<const VariantStudy> all, int runs
 }
 
 // A fact of the first runs is none of the next.
-bool is_settled(const MetricComparison& metric) { return metric.is_compared && !metric.is_fact && !is_open(metric); }
+bool is_settled(const MetricComparison& metric) {
+  return metric.is_compared && !metric.contrast.is_fact && !is_open(metric);
+}
 
 // What an earlier look has decided stays.
 void keep_settled(std::vector<VariantComparison>& now, const std::vector<VariantComparison>& before) {

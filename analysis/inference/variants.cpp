@@ -18,6 +18,7 @@
 #include "analysis/inference/judged_study.hpp"
 #include "analysis/inference/make_study.hpp"
 #include "analysis/inference/margin.hpp"
+#include "analysis/inference/method.hpp"
 #include "analysis/inference/text.hpp"
 #include "analysis/inference/unseen.hpp"
 #include "analysis/inference/variant_differences.hpp"
@@ -240,27 +241,12 @@ Contrast contrast_with_not_finite(const Observations& observations, AnalysisPlan
   return result;
 }
 
-void settle(MetricComparison& result, Relation relation, Extent extent, std::string why) {
-  result.contrast.relation = relation;
-  result.contrast.extent = extent;
-  result.is_fact = true;
+// Two that are the same, which no test has to say.
+void settle(MetricComparison& result, std::string why) {
+  result.contrast.relation = Relation::same;
+  result.contrast.extent = Extent::within;
+  result.contrast.is_fact = true;
   result.remark = std::move(why);
-}
-
-// Two that repeat their answers in every run: which is better is no matter of chance.
-void settle_copies(MetricComparison& result, const Observations& observations, AnalysisPlan plan) {
-  constexpr std::string_view why = "all runs of each are equal: a fact of these targets, without a test";
-  const double a = observations.groups[0].values[0], b = observations.groups[1].values[0];
-  const int by_size = observations.better == Better::smaller ? 1 : -1;
-  const auto rank = [&](double value) { return std::isfinite(value) ? by_size * value : worse_than_every_number; };
-  const Evidence evidence = described(observations, plan);
-  const bool are_finite = std::isfinite(a) && std::isfinite(b);
-  const bool is_small = rank(a) == rank(b) || (are_finite && std::abs(b - a) <= margin_of(evidence, {.second = 1}));
-  settle(result,
-         is_small            ? Relation::same
-         : rank(b) < rank(a) ? Relation::worse
-                             : Relation::better,
-         is_small ? Extent::within : Extent::beyond, std::string(why));
 }
 
 bool are_rounding(const Observations& observations, Metric metric) {
@@ -350,19 +336,18 @@ std::vector<Examined> examine(const VariantStudy& of, std::span<const Metric> me
                                             row.observation, observed.replicate, observed.block);
     }
     row.remark = not_finite_words(observed, row.observation);
-    const bool are_copies = observed.blocks.empty() && row.n_a == 1 && row.n_b == 1 &&
-                            repeats_itself(study, name_of_a) && repeats_itself(study, name_of_b);
+    const AnalysisPlan judged = judging(study.plan, metric, observed);
+    const auto is_known = [](const Group& each) { return each.copies > 0; };
     if (has_same_bits(study, metric)) {
-      settle(row, Relation::same, Extent::within, "equal bit for bit");
-    } else if (are_copies) {
-      settle_copies(row, observed, study.plan);
+      settle(row, "equal bit for bit");
+    } else if (std::ranges::all_of(observed.groups, is_known)) {
+      row.contrast = contrast_of(observed, judged);
+      row.remark = "all runs of each are equal: a fact of these targets, without a test";
     } else if (are_rounding(observed, metric)) {
-      settle(row, Relation::same, Extent::within,
-             fmt::format("both are rounding errors, below {}", short_number(info_of(metric).rounding)));
+      settle(row, fmt::format("both are rounding errors, below {}", short_number(info_of(metric).rounding)));
     } else {
-      open.push_back({.row = &row, .observations = observed, .plan = judging(study.plan, metric, observed)});
-      const DecidingTest test = open.back().plan.test;
-      row.is_by_ranks = test == DecidingTest::kruskal_wallis || test == DecidingTest::friedman;
+      open.push_back({.row = &row, .observations = observed, .plan = judged});
+      row.is_by_ranks = compares(judged.test) == Compares::ranks;
     }
   }
   return open;
@@ -423,7 +408,7 @@ void add_remark(MetricComparison& row, const std::string& remark) {
 }
 
 void add_remarks(MetricComparison& row, double significance) {
-  if (row.is_fact || !row.is_compared) return;
+  if (row.contrast.is_fact || !row.is_compared) return;
   const Contrast& contrast = row.contrast;
   if (contrast.relation == Relation::undefined || !contrast.undefined.empty())
     return add_remark(row, contrast.undefined);

@@ -55,7 +55,6 @@ struct MetricComparison {
   double level = statistics::not_defined;  // that p is below where the two differ; the interval is of 1 - level
   bool is_compared = true;                 // else `remark` says why not
   bool is_by_ranks = false;                // its test compares no means
-  bool is_fact = false;                    // there is no chance in it, and no p
   bool is_counted = true;  // false: evaluations that nobody counted, which is no failure of a comparison
   std::string remark = {};
 };

@@ -10,6 +10,7 @@
 #include "analysis/figures/statistics_figures.hpp"
 #include "analysis/inference/deciding.hpp"
 #include "analysis/inference/design.hpp"
+#include "analysis/inference/method.hpp"
 #include "analysis/inference/text.hpp"
 #include "analysis/report/assessment_json.hpp"
 #include "analysis/report/assessment_sentences.hpp"
@@ -47,7 +48,7 @@ void add_differences(const Evidence& evidence, std::vector<Figure>& figures) {
       rows, {.name = figure_name(evidence, "differences"),
              .quantity = (of_logarithms ? "difference of log10: " : "difference: ") + evidence.quantity,
              .level = 1 - evidence.plan.significance,
-             .method = std::string(interval_words(evidence))}));
+             .method = std::string(evidence.method->interval)}));
 }
 
 void add_ranks(const Evidence& evidence, std::vector<Figure>& figures) {

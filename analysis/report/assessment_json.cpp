@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string_view>
 
+#include "analysis/inference/method.hpp"
 #include "analysis/report/assessment_sentences.hpp"
 #include "analysis/report/assessment_words.hpp"
 #include "analysis/report/json.hpp"
@@ -72,18 +73,9 @@ Json contrast_json(const Evidence& evidence, const Contrast& contrast) {
               {"second", evidence.groups[contrast.second].name},
               {"difference", estimate(contrast.difference)},
               {"p", json_number(contrast.p)},
-              {"p_tukey", json_number(contrast.p_pooled)},
-              {"p_games_howell", json_number(contrast.p_unpooled)},
-              {"p_tamhane", json_number(contrast.p_tamhane)},
-              {"p_bootstrap", json_number(contrast.p_bootstrap)},
-              {"p_paired_t", json_number(contrast.p_paired)},
               {"p_ranks", json_number(contrast.p_ranks)},
-              {"p_mann_whitney", json_number(contrast.p_mann_whitney)},
-              {"p_brunner_munzel", json_number(contrast.p_brunner_munzel)},
-              {"p_mean_ranks", json_number(contrast.p_mean_ranks)},
-              {"p_nemenyi", json_number(contrast.p_nemenyi)},
               {evidence.blocks > 0 ? "share_of_blocks_ahead" : "a12", estimate(contrast.superiority)},
-              {"hodges_lehmann_shift", estimate(contrast.shift)},
+              {"typical_ratio", estimate(contrast.ratio)},
               {"hedges_g", effect_of(evidence, contrast)},
               {"runs_to_decide", json_number(contrast.runs_to_decide.value)},
               {"runs_to_decide_low", json_number(contrast.runs_to_decide.low)},
@@ -105,10 +97,11 @@ std::string json_of(const Evidence& evidence) {
               {"replicate", evidence.replicate},
               {"block", evidence.block},
               {"blocks", evidence.blocks},
+              {"method", evidence.method == nullptr ? "" : evidence.method->title},
               {"from_summaries", evidence.from_summaries},
               {"of_outcomes", evidence.of_outcomes},
               {"plan",
-               {{"test", name_of(plan.test)},
+               {{"test", plan.test},
                 {"adjustment", name_of(plan.adjustment)},
                 {"control", plan.control},
                 {"significance", plan.significance},

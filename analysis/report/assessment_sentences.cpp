@@ -64,22 +64,18 @@ std::string sensitivity(const Evidence& evidence) {
 
 std::string methods(const Evidence& evidence) {
   const std::string_view by = deciding_words(evidence);
-  const bool is_one = by.find(" with ") != std::string_view::npos || !by.ends_with("tests");
-  std::string text = fmt::format("Methods: {} {}, at {}", by, is_one ? "decides" : "decide",
-                                 rounded_number(evidence.plan.significance, 3));
+  std::string text = fmt::format("Methods: {} decides, at {}", by, rounded_number(evidence.plan.significance, 3));
   if (!evidence.plan.control.empty()) {
     text +=
         fmt::format(", for each group against the control {}", row_label(evidence.plan.control, longest_name_in_text));
   } else if (evidence.pairs > 1) {
     text += fmt::format(", for all {} pairs", evidence.pairs);
   }
-  if (!evidence.from_summaries && evidence.pairs > 1) {
+  if (!evidence.from_summaries && evidence.ranks_decide() && evidence.pairs > 1) {
     constexpr std::array<std::string_view, 4> whose{"Holm", "Hochberg", "Bonferroni", "Benjamini-Hochberg"};
-    text += fmt::format("; p-values of rank tests are corrected by {}",
-                        whose[static_cast<std::size_t>(evidence.plan.adjustment)]);
+    text += fmt::format("; p-values are corrected by {}", whose[static_cast<std::size_t>(evidence.plan.adjustment)]);
   }
-  return text + "; differences below " + margin_words(evidence) +
-         " do not matter. The other methods are shown for comparison." + sensitivity(evidence);
+  return text + "; differences below " + margin_words(evidence) + " do not matter." + sensitivity(evidence);
 }
 
 // "F(5, 44.3) = 142, p = 4e-26"

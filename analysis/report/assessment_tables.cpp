@@ -6,8 +6,8 @@
 #include <cmath>
 #include <utility>
 
-#include "analysis/inference/contrasts.hpp"
 #include "analysis/inference/deciding.hpp"
+#include "analysis/inference/method.hpp"
 #include "analysis/inference/text.hpp"
 #include "analysis/report/assessment_words.hpp"
 #include "analysis/report/outcome_words.hpp"
@@ -131,8 +131,8 @@ Cell size_words(const Contrast& contrast) {
 std::string family_note(const Evidence& evidence) {
   if (evidence.pairs == 1) return fmt::format("{} decides.", deciding_words(evidence));
   return fmt::format("{} decides. p: adjusted for {} pairs. Interval of the difference: {}, adjusted for {} pairs.",
-                     deciding_words(evidence), corrected_for(evidence), interval_words(evidence),
-                     evidence.plan.test == DecidingTest::kruskal_wallis ? evidence.pairs : corrected_for(evidence));
+                     deciding_words(evidence), corrected_for(evidence), evidence.method->interval,
+                     corrected_for(evidence));
 }
 
 Table contrasts_table(const Evidence& evidence) {
@@ -149,12 +149,8 @@ Table contrasts_table(const Evidence& evidence) {
                           {level + (evidence.blocks > 0 ? " interval of the share" : " interval of A12")},
                           {"size", Align::left},
                           {"Hedges g"}}};
-  if (evidence.blocks == 0) {
-    table.columns.push_back({evidence.scale == ValueScale::log10 ? "shift, as a ratio" : "shift"});
-    table.columns.push_back({level + " interval of the shift"});
-  }
-  const std::vector<PairMethod> methods = pair_methods(evidence);
-  for (const PairMethod& method : methods) table.columns.push_back({"p, " + method.name});
+  const bool has_ranks = evidence.method->compares == Compares::means && !evidence.from_summaries;
+  if (has_ranks) table.columns.push_back({fmt::format("p, {}", rank_method(evidence).of_pair)});
   table.columns.push_back({replicates_words(evidence) == evidence.block_noun ? "blocks to decide" : "runs to decide"});
   for (const Contrast& contrast : evidence.contrasts) {
     std::vector<Cell>& row = table.rows.emplace_back(
@@ -162,11 +158,7 @@ Table contrasts_table(const Evidence& evidence) {
                           verdict_words(evidence, contrast), contrast.difference.value, interval(contrast.difference),
                           or_nothing(PValue{contrast.p}), or_nothing(contrast.superiority.value),
                           interval(contrast.superiority), size_words(contrast), or_nothing(contrast.g)});
-    if (evidence.blocks == 0) {
-      row.push_back(or_nothing(contrast.shift.value));
-      row.push_back(interval(contrast.shift));
-    }
-    for (const PairMethod& method : methods) row.push_back(or_nothing(PValue{contrast.*method.p}));
+    if (has_ranks) row.push_back(or_nothing(PValue{contrast.p_ranks}));
     const double runs = contrast.runs_to_decide.value;
     row.push_back(std::isfinite(runs) ? Cell(static_cast<std::int64_t>(runs)) : Cell());
   }
@@ -176,9 +168,7 @@ Table contrasts_table(const Evidence& evidence) {
                               ? "Ahead in blocks: the share of blocks in which the first is better; ties count half. "
                                 "Its interval is not adjusted, and is not defined with ties."
                               : "A12: the probability that an observation of the first is better than one of the "
-                                "second; ties count half. Shift: the median of all differences between an "
-                                "observation of the first and one of the second (Hodges-Lehmann). Their intervals are "
-                                "not adjusted.");
+                                "second; ties count half. Its interval is not adjusted.");
   }
   std::vector<const Contrast*> all;
   for (const Contrast& contrast : evidence.contrasts) all.push_back(&contrast);

@@ -9,6 +9,7 @@
 #include "analysis/inference/contrasts.hpp"
 #include "analysis/inference/deciding.hpp"
 #include "analysis/inference/judge.hpp"
+#include "analysis/inference/method.hpp"
 #include "analysis/inference/text.hpp"
 #include "analysis/report/assessment_doubts.hpp"
 #include "analysis/report/assessment_words.hpp"
@@ -144,7 +145,7 @@ std::string open_words(const Evidence& evidence, const Contrast& contrast) {
   return fmt::format("{}; {}{}{}", p_words(contrast.p), interval_words_of(evidence, contrast),
                      excludes_none(evidence, contrast)
                          ? fmt::format(", which excludes {} by another method ({}) than the test that decides",
-                                       evidence.scale == ValueScale::log10 ? "1" : "zero", interval_words(evidence))
+                                       evidence.scale == ValueScale::log10 ? "1" : "zero", evidence.method->interval)
                          : "",
                      then);
 }
@@ -170,9 +171,9 @@ std::string undefined_words(const Evidence& evidence, const std::vector<const Co
   std::vector<std::string> words;
   for (const auto& [reason, names] : by_reason) words.push_back(fmt::format("{} ({})", listed(names), reason));
   const bool has_other = !evidence.from_summaries && !evidence.ranks_decide();
-  const std::string test = has_other && by_ranks                                                ? "kruskal_wallis"
-                           : by_means && evidence.plan.test == results::DecidingTest::bootstrap ? "tamhane"
-                                                                                                : "";
+  const std::string test = has_other && by_ranks                           ? "kruskal_wallis"
+                           : by_means && evidence.plan.test == "bootstrap" ? "tamhane"
+                                                                           : "";
   if (test.empty()) return clauses(words);
   return fmt::format(
       "{0}; in a new study another test would judge {1} (ikbench run: --set analysis.test={2}; ikbench stats: --test {2})",
@@ -267,9 +268,8 @@ std::string open_pairs_words(const Evidence& evidence, std::size_t group, const 
 }
 
 std::string_view standing_words(const Evidence& evidence) {
-  return evidence.plan.test == results::DecidingTest::friedman         ? "average rank"
-         : evidence.plan.test == results::DecidingTest::kruskal_wallis ? "mean rank"
-                                                                       : "mean";
+  if (!evidence.ranks_decide()) return "mean";
+  return evidence.decides_within_blocks() ? "average rank" : "mean rank";
 }
 
 // "5 of the 10 other pairs differ (the better first): DE vs BA; ..."
@@ -303,12 +303,19 @@ std::string decided_by(const Evidence& evidence) {
   const auto constants =
       std::ranges::count_if(evidence.contrasts, [&](const Contrast& each) { return are_constants(evidence, each); });
   const auto by_order = std::ranges::count(evidence.contrasts, true, &Contrast::is_by_order);
+  const auto facts = std::ranges::count(evidence.contrasts, true, &Contrast::is_fact);
+  const auto is_against_known = [&](const Contrast& each) {
+    return each.is_by_order && evidence.groups[each.first].copies + evidence.groups[each.second].copies > 0;
+  };
+  const auto against_known = std::ranges::count_if(evidence.contrasts, is_against_known);
   std::vector<std::string> tests;
-  if (constants + by_order < std::ssize(evidence.contrasts)) {
+  if (constants + by_order + facts < std::ssize(evidence.contrasts)) {
     std::string& planned = tests.emplace_back(pair_test_words(evidence));
     if (evidence.pairs > 1) planned += fmt::format(", corrected for {} pairs", corrected_for(evidence));
   }
-  if (by_order > 0) {
+  if (against_known > 0) tests.emplace_back("the sign test against solvers whose runs are all equal");
+  if (facts > 0) tests.emplace_back("no test between solvers whose runs are all equal, where the difference is a fact");
+  if (by_order > against_known) {
     tests.push_back(fmt::format(
         "{} for groups that do not overlap, where one has a single value or both have too few different ones",
         evidence.blocks > 0 ? "the sign test" : "the exact test of ranks"));

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "analysis/inference/margin.hpp"
+#include "analysis/inference/method.hpp"
 #include "analysis/inference/text.hpp"
 #include "analysis/inference/unseen.hpp"
 
@@ -17,8 +18,7 @@ using namespace inference;
 
 namespace {
 
-constexpr std::size_t most_named = 8;    // in one sentence
-constexpr double unequal_variances = 4;  // largest by smallest, from which a pooled variance is named as a danger
+constexpr std::size_t most_named = 8;  // in one sentence
 
 }  // namespace
 
@@ -166,7 +166,7 @@ std::string unseen_words(const Evidence& evidence, const std::vector<const Contr
   int fewest = std::numeric_limits<int>::max();
   for (const Contrast* pair : pairs) {
     const bool by_means = pair->relation == Relation::same || (is_decided(*pair) && !evidence.ranks_decide());
-    if (!by_means || evidence.of_outcomes) continue;
+    if (!by_means || evidence.of_outcomes || pair->is_fact) continue;
     fewest = std::min({fewest, evidence.groups[pair->first].described.n, evidence.groups[pair->second].described.n});
   }
   if (fewest == std::numeric_limits<int>::max()) return "";
@@ -181,11 +181,8 @@ bool has_too_few(const Evidence& evidence) {
          });
 }
 
-// Tukey's and Games-Howell's p-values are of all pairs, with a control too.
 std::size_t corrected_for(const Evidence& evidence) {
-  const bool by_family =
-      evidence.ranks_decide() || evidence.of_outcomes || evidence.plan.test == results::DecidingTest::bootstrap;
-  return by_family ? evidence.family() : evidence.pairs;
+  return evidence.method->corrects_all_pairs ? evidence.pairs : evidence.family();
 }
 
 std::string flaw_words(const Evidence& evidence) {
@@ -193,7 +190,8 @@ std::string flaw_words(const Evidence& evidence) {
 }
 
 bool has_single_values(const Evidence& evidence) {
-  return std::ranges::all_of(evidence.groups, [](const GroupEvidence& group) { return group.described.n < 2; });
+  return std::ranges::all_of(evidence.groups, [](const GroupEvidence& group) { return group.described.n < 2; }) &&
+         std::ranges::none_of(evidence.contrasts, &Contrast::is_fact);
 }
 
 // Brown and Forsythe's test has the word where the values are there: Bartlett's takes normal ones for granted.
@@ -205,11 +203,6 @@ const TestResult* variance_test(const Evidence& evidence) {
 bool variances_differ(const Evidence& evidence) {
   const TestResult* test = variance_test(evidence);
   return test != nullptr && test->p < evidence.plan.significance;
-}
-
-bool pooling_misleads(const Evidence& evidence) {
-  const double ratio = evidence.variance_ratio;
-  return std::isinf(ratio) || (ratio > unequal_variances && variances_differ(evidence));
 }
 
 }  // namespace ikbench::report

@@ -52,7 +52,5 @@ bool has_single_values(const inference::Evidence& evidence);  // every group has
 // normal ones for granted. Null where neither test was made.
 const inference::TestResult* variance_test(const inference::Evidence& evidence);
 bool variances_differ(const inference::Evidence& evidence);
-// So far that a pooled variance is that of the most variable group alone.
-bool pooling_misleads(const inference::Evidence& evidence);
 
 }  // namespace ikbench::report

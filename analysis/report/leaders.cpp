@@ -192,7 +192,10 @@ class Leader {
     const std::string own = value(first), of_second = value(second);
     return fmt::format("{} ({}; next {} {}, {}{})", name(first), own, name(second),
                        own == of_second ? "with the same digits" : of_second,
-                       std::isfinite(next.p) ? p_words(next.p) : "not tested", remarks);
+                       next.is_fact            ? "a fact of these targets, because all runs are equal"
+                       : std::isfinite(next.p) ? p_words(next.p)
+                                               : "not tested",
+                       remarks);
   }
 
   // "IK-BA or DE (0.0017 cm and 0.0018 cm; undecided, p = 0.4", without the bracket at the end.

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "analysis/inference/deciding.hpp"
+#include "analysis/inference/method.hpp"
 #include "analysis/inference/text.hpp"
 #include "analysis/report/assessment_words.hpp"
 
@@ -41,7 +42,7 @@ std::string outcome_methods_words(const Evidence& evidence) {
         fmt::format(", corrected for {} pairs by {}", pairs, whose[static_cast<std::size_t>(evidence.plan.adjustment)]);
   }
   return fmt::format("{}; differences below {} do not matter. Intervals: Wilson's of a share; of a difference {}.",
-                     text, margin_words(evidence), interval_words(evidence));
+                     text, margin_words(evidence), evidence.method->interval);
 }
 
 Table outcomes_table(const Evidence& evidence) {

@@ -309,11 +309,12 @@ Report write_report(const Store& store, const ReportRequest& request) {
                         .seen = pieces.seen};
   join(content.claims, request.shares);
   std::ranges::copy(plan_changes(entry, sessions, solves_of_sessions(study)), std::back_inserter(content.warnings));
-  if (study.plan.test == DecidingTest::friedman && !blocked_observations(study, Metric::position_error_cm)) {
+  const bool needs_blocks = study.plan.test != by_design && deciding_test(study.plan.test).needs == Needs::blocks;
+  if (needs_blocks && !blocked_observations(study, Metric::position_error_cm)) {
     content.warnings.push_back(
-        fmt::format("The plan asks for Friedman's test, which needs blocks. The studentized bootstrap of the "
-                    "means decides instead. {}",
-                    why_not_blocked(study)));
+        fmt::format("The plan asks for the {} test, which needs blocks. The studentized bootstrap of the means decides "
+                    "instead. {}",
+                    study.plan.test, why_not_blocked(study)));
   }
   const int runs = runs_looked_at(study);
   if (std::string note = look_note(looks_at(entry.name, store.name()), runs, study.plan.significance); !note.empty()) {

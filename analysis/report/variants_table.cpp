@@ -82,7 +82,7 @@ std::string b_is(const MetricComparison& metric, const std::string& margin) {
 std::vector<Cell> row_of(const VariantComparison& comparison, const MetricComparison& metric,
                          const std::string& margin) {
   const Estimate ratio = ratio_of(metric);
-  const auto of_b = [&](double share_of_a) { return defined(metric.is_fact ? not_defined : 1 - share_of_a); };
+  const auto of_b = [&](double share_of_a) { return defined(metric.contrast.is_fact ? not_defined : 1 - share_of_a); };
   const Estimate& ahead = metric.contrast.superiority;
   return {comparison.label,
           metric_words(metric),
@@ -94,8 +94,8 @@ std::vector<Cell> row_of(const VariantComparison& comparison, const MetricCompar
           defined(ratio.value),
           defined(ratio.low),
           defined(ratio.high),
-          p_value(metric.is_fact ? not_defined : metric.contrast.p),
-          p_value(metric.is_fact ? not_defined : metric.level),
+          p_value(metric.contrast.is_fact ? not_defined : metric.contrast.p),
+          p_value(metric.contrast.is_fact ? not_defined : metric.level),
           of_b(ahead.value),
           of_b(ahead.high),
           of_b(ahead.low),
@@ -121,7 +121,7 @@ std::string regression(const MetricComparison& metric) {
   if (std::isfinite(ratio.value)) facts.push_back(fmt::format("{} times A's", short_number(ratio.value)));
   if (std::isfinite(ratio.low))
     facts.push_back(fmt::format("interval {} to {}", short_number(ratio.low), short_number(ratio.high)));
-  facts.push_back(metric.is_fact ? "no test" : fmt::format("p {}", short_number(metric.contrast.p)));
+  facts.push_back(metric.contrast.is_fact ? "no test" : fmt::format("p {}", short_number(metric.contrast.p)));
   return fmt::format("{} ({})", metric_words(metric), fmt::join(facts, ", "));
 }
 

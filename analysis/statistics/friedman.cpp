@@ -8,18 +8,12 @@
 #include <utility>
 
 #include "analysis/statistics/anova.hpp"
-#include "analysis/statistics/pairs.hpp"
 #include "analysis/statistics/tails.hpp"
 
 namespace ikbench::statistics {
 namespace {
 
 constexpr double rounding_of_w = 1e-10;  // of W, which is built from sums of ranks
-
-double rank_difference_error(std::size_t groups, std::size_t blocks) {
-  const auto k = static_cast<double>(groups);
-  return std::sqrt(k * (k + 1) / (6 * static_cast<double>(blocks)));
-}
 
 std::string too_few(std::size_t groups, std::size_t blocks) {
   if (groups < 2) return fmt::format("{} to compare; two or more are needed", groups == 0 ? "no group" : "one group");
@@ -94,21 +88,9 @@ Friedman friedman(std::span<const std::vector<double>> groups) {
   return test;
 }
 
-std::vector<RankComparison> compare_average_ranks(const Friedman& test) {
-  std::vector<RankComparison> pairs = all_pairs<RankComparison>(test.average_ranks.size());
-  for (RankComparison& pair : pairs) {
-    pair.undefined = test.undefined;
-    if (!test.undefined.empty()) continue;
-    pair.z = (test.average_ranks[pair.first] - test.average_ranks[pair.second]) /
-             rank_difference_error(test.average_ranks.size(), test.blocks);
-    pair.p = normal_two_sided(pair.z);
-    pair.direction = sign_of(pair.z);
-  }
-  return pairs;
-}
-
 double critical_difference(double q_alpha, std::size_t groups, std::size_t blocks) {
-  return groups < 2 || blocks == 0 ? not_defined : q_alpha * rank_difference_error(groups, blocks);
+  const auto k = static_cast<double>(groups);
+  return groups < 2 || blocks == 0 ? not_defined : q_alpha * std::sqrt(k * (k + 1) / (6 * static_cast<double>(blocks)));
 }
 
 }  // namespace ikbench::statistics

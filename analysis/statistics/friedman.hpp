@@ -1,5 +1,6 @@
 // Do several groups differ, each measured on the same blocks? Friedman, JASA 32 (1937) 675; the F of Iman and
-// Davenport, Communications in Statistics A9 (1980) 571; Kendall's W; and the comparisons of Demsar, JMLR 7 (2006) 1.
+// Davenport, Communications in Statistics A9 (1980) 571; Kendall's W; and the critical difference of Demsar, JMLR 7
+// (2006) 1.
 #pragma once
 
 #include <cstddef>
@@ -27,9 +28,6 @@ struct Friedman {
 
 // One vector a group, of one value a block. The smallest value of a block has rank 1: where larger is better, negate.
 Friedman friedman(std::span<const std::vector<double>> groups);
-
-// z = (R_first - R_second) / sqrt(k (k + 1) / (6 blocks)) and its raw p, for every pair first < second.
-std::vector<RankComparison> compare_average_ranks(const Friedman& test);
 
 // Average ranks further apart differ. q_alpha: the studentized range's quantile at infinite degrees of freedom by sqrt
 // 2 (Nemenyi). NaN where there are fewer than two groups or no blocks.

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstddef>
 
-#include "analysis/statistics/pairs.hpp"
 #include "analysis/statistics/tails.hpp"
 
 namespace ikbench::statistics {
@@ -60,21 +59,6 @@ KruskalWallis kruskal_wallis(std::span<const std::vector<double>> groups) {
   test.p = chi_squared_upper_tail(test.H, test.df);
   test.epsilon_squared = test.H / (ranked.n - 1);
   return test;
-}
-
-std::vector<RankComparison> dunn(std::span<const std::vector<double>> groups) {
-  std::vector<RankComparison> pairs = all_pairs<RankComparison>(groups.size());
-  const RankedGroups ranked = rank_groups(groups);
-  for (RankComparison& pair : pairs) {
-    pair.undefined = ranked.undefined;
-    if (!ranked.undefined.empty()) continue;
-    const double sizes = 1 / static_cast<double>(groups[pair.first].size()) +  //
-                         1 / static_cast<double>(groups[pair.second].size());
-    pair.z = (ranked.mean_ranks[pair.first] - ranked.mean_ranks[pair.second]) / std::sqrt(ranked.variance * sizes);
-    pair.p = normal_two_sided(pair.z);
-    pair.direction = sign_of(pair.z);
-  }
-  return pairs;
 }
 
 }  // namespace ikbench::statistics

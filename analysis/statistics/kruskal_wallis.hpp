@@ -1,5 +1,5 @@
-// Do several groups come from one distribution? Kruskal and Wallis, JASA 47 (1952) 583; and which pairs differ: Dunn,
-// Technometrics 6 (1964) 241. Both by the ranks of all values together, corrected for ties.
+// Do several groups come from one distribution? Kruskal and Wallis, JASA 47 (1952) 583, by the ranks of all
+// values together, corrected for ties.
 #pragma once
 
 #include <span>
@@ -20,9 +20,5 @@ struct KruskalWallis {
 };
 
 KruskalWallis kruskal_wallis(std::span<const std::vector<double>> groups);
-
-// z and its raw p for every pair first < second. All groups are ranked together,
-// whichever pairs are asked for. z is that of mean rank of `first` less mean rank of `second`.
-std::vector<RankComparison> dunn(std::span<const std::vector<double>> groups);
 
 }  // namespace ikbench::statistics

@@ -1,4 +1,4 @@
-// Ranks of a pooled sample, equal values sharing the mean of theirs (midranks), and pairs of groups compared by rank.
+// Ranks of a pooled sample, equal values sharing the mean of theirs (midranks).
 #pragma once
 
 #include <cstddef>
@@ -23,16 +23,5 @@ Ranking midranks(std::span<const double> values);
 
 // The values of all groups, one group after the other.
 std::vector<double> pooled(std::span<const std::vector<double>> groups);
-
-// Two groups compared by their ranks. The direction is the sign of what p is of, and of nothing else: 1 where `first`
-// ranks higher, that is, has the larger values; -1 where `second` does.
-struct RankComparison {
-  std::size_t first = 0;
-  std::size_t second = 0;
-  double z = not_defined;  // where mean ranks are compared
-  double p = not_defined;  // two-sided, not adjusted for the number of comparisons
-  int direction = 0;
-  std::string undefined;  // why there is no p; empty where there is
-};
 
 }  // namespace ikbench::statistics

@@ -77,7 +77,7 @@ has "$out" "Methods: Studentized bootstrap of the means decides"
 succeeds stats wide.csv --wide --rows-are-blocks --value AUC --larger-is-better --out blocks
 has "$out" "All groups share 4 blocks"
 has "$out" "Methods: Studentized bootstrap of the differences within blocks decides"
-has "$out" "Friedman's test: chi^2(2) = 8," # all four blocks rank alike: N (k - 1)
+has "$out" "Friedman's test: F(2, 6) = inf, p = 0.00463" # all four blocks rank alike: 1 / 3!^3
 has "$out" "Caution: no pair can differ by this test. It takes at least 5 blocks, and here are 4." # 5^-4 is below 0.025 / 3
 has_outputs blocks auc groups tests contrasts
 has_figures blocks auc observations differences ranks effects
@@ -180,13 +180,8 @@ error=$(of_quantity position_error_cm) variation=$(of_quantity variation_deg) se
 # R 4.2.2, aov and oneway.test on the printed means and standard deviations.
 has "$error" "One-way ANOVA: F(5, 114) = 40.77"
 has "$error" "Welch's ANOVA: F(5, 44.3) = 141.8"
-pooled=$(grep -o 'Tukey (pooled variance) does not separate .*' <<<"$error") ||
-  fail "nothing on Tukey in: $error"
-has "$pooled" "IK-BA vs DE (p = 0.0695, deciding p = 0.000355)"
-has "$pooled" "IK-BA vs K-ABC (p = 0.5, deciding p = 2.05e-10)"
 has "$error" "IK-BA is better than DE"
 has "$error" "IK-BA is better than K-ABC"
-has "$error" "do not trust Tukey"
 has "$variation" "Undecided: IK-BA vs MO-PSO (p > 0.999;"
 has_no "$variation" "IK-BA is better than MO-PSO"
 has "$seconds" "PSO is better than IK-BA: 0.207 vs 0.244"
@@ -254,9 +249,9 @@ refused '--value names a column twice' stats pandas.csv --value error --value er
 refused '--quantity names one quantity' stats names.csv --value 'a b' --value a-b --quantity 'error [cm]'
 refused '--quantity names one quantity' stats --summaries "$published" --quantity 'error [cm]'
 refused "no group 'Z' for the control; expected one of: A, B" stats pandas.csv --value error --control Z
-refused "Friedman's test needs blocks" stats pandas.csv --value error --test friedman
-refused "the Kruskal-Wallis test needs single values; expected anova, welch or tamhane for summaries" stats --summaries summaries.csv --test kruskal_wallis
-refused '--test: welsh is not one of by_design, anova, welch, kruskal_wallis, friedman, tamhane, bootstrap' stats pandas.csv --value error --test welsh
+refused "the friedman test needs blocks" stats pandas.csv --value error --test friedman
+refused "the kruskal_wallis test needs single values; expected one of these for summaries: tamhane, welch, anova" stats --summaries summaries.csv --test kruskal_wallis
+refused '--test: welsh is not one of by_design, bootstrap, tamhane, welch, anova, kruskal_wallis, friedman' stats pandas.csv --value error --test welsh
 refused '--test: 2 is not one of' stats pandas.csv --value error --test 2
 refused '--adjustment: holms is not one of holm,' stats pandas.csv --value error --adjustment holms
 for margin in 5 1 99.5% -1% nan% 150% inf% % 5%% 0x1p-3 1e-400%; do
@@ -372,21 +367,17 @@ degenerate "There is only one group" A "1 2 3"
 degenerate "; 1 group (A) with 1 observation each" A 1
 degenerate "nothing can be judged, because no group has more than one observation" A 1 B 2 C 3
 degenerate "Not defined: A vs B (A has fewer than 3 values, of which the bootstrap learns too little)" A 1 B "2 3"
-degenerate "Welch's ANOVA (without B, whose variance is 0 or not defined): F(1, 4) = 1.5" A "1 2 3" B 7 C "2 3 4" # t^2 = 1 / (2 / 3)
 degenerate "Equal rows are one observation: all rows of A (5), B (5) have the same value" A "1 1 1 1 1" B "2 2 2 2 2"
 degenerate "The same within 5 %: A vs B (as far as 4 observations per group can show: a failure in up to 53 % of them is not excluded)" A "7 7 7 7" B "7 7 7 7"
 degenerate "Undecided: A vs B (p > 0.999; difference between -0.527 and 0.527; it takes at least 59 observations per group)" A "1 1 1 1" B "1 1 1 1" # 1 - 0.05^(1 / 4)
 degenerate "Undecided: A vs B (all observations are equal, but there are too few to call the groups the same; it takes at least 4 observations per group)" A "1 1 1" B "1 1 1"
 degenerate "equal variances cannot be tested" A "1.1 1.4" B "2.3 9.7" C "0.1 0.7"
 degenerate "1 of the 3 pairs differs. None of them includes A: B is better than C: 2 vs 3, by 1" A "1 2 3 1 2 3" B "2 2 2 2 2 2" C "3 3 3 3 3 3"
-has "$out" "A dominates Tukey's pooled variance: B has no variance"
 degenerate "A has values that are not finite" A "1 2 Inf" B "2 3 4"
 degenerate "A has values that are not finite" A "Inf Inf" B "-Inf Inf"
-degenerate "Mann-Whitney test: not defined, all values are equal" A "Inf Inf" B "Inf Inf"
+degenerate "Not defined: A vs B" A "Inf Inf" B "Inf Inf"
 degenerate "Undecided: A vs B (p = 0.32" A "1e308 1.1e308 1.2e308" B "-1e308 -1.1e308 1e307"
 degenerate "A has values too far apart for double precision" A "0.5 1e300 1 2" B "0.1 0.2 5 2"
-degenerate "C dominates Tukey's pooled variance: its variance is more than 1e308 times that of A" \
-  A "1 2 3 1.5 2.4" B "11 12 13 11.5 12.5" C "1e200 2e200 3e200 4e200 2.5e200"
 degenerate "the sums of squares are too large for double precision" A "1.7e308 -1.7e308 1.7e308" B "1.7e308 -1.7e308 1"
 has_no "$out" "not finite"
 degenerate "A has no values" A "NaN NaN" B "1 2" C "2 3"

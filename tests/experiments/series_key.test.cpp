@@ -287,7 +287,7 @@ TEST_CASE("a default that is written down is the same series", "[series]") {
 TEST_CASE("how a study is judged decides no series", "[series]") {
   const std::string key = key_of(small_study());
   for (const AnalysisPlan& plan :
-       {AnalysisPlan{.test = DecidingTest::welch}, AnalysisPlan{.adjustment = Adjustment::bonferroni},
+       {AnalysisPlan{.test = "welch"}, AnalysisPlan{.adjustment = Adjustment::bonferroni},
         AnalysisPlan{.control = "IK-BA"}, AnalysisPlan{.significance = 0.01}, AnalysisPlan{.margin = 0.2},
         AnalysisPlan{.power = 0.9}, AnalysisPlan{.quartiles = 7}, AnalysisPlan{.unit = Unit::point},
         AnalysisPlan{.estimands = {Estimand::mean}}, AnalysisPlan{.within_cm = 1}, AnalysisPlan{.jump_deg = 1},

@@ -13,6 +13,7 @@
 #include "analysis/inference/observations_csv.hpp"
 #include "analysis/inference/summaries_csv.hpp"
 #include "analysis/report/assessment.hpp"
+#include "results/analysis_plan_fields.hpp"
 #include "tests/catch.hpp"
 
 using namespace ikbench;
@@ -153,7 +154,7 @@ TEST_CASE("whatever is in a CSV, its statistics are words or one sentence that r
     }
   };
   for (int i = 0; i < 1500; ++i) {
-    const AnalysisPlan plan{.test = static_cast<DecidingTest>(mutator.below(7)),
+    const AnalysisPlan plan{.test = choices_of_tests()[mutator.below(deciding_tests().size() + 1)].second,
                             .control = mutator.below(8) == 0 ? "A" : ""};
     if (mutator.below(8) == 0) {
       const std::string text = mutator.mutated(summary_rows);

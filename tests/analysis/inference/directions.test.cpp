@@ -126,33 +126,11 @@ double of_signs(const std::vector<double>& first, const std::vector<double>& sec
   return sum;
 }
 
-double deciding_statistic(DecidingTest test, const Groups& groups, const Contrast& pair) {
+double deciding_statistic(const std::string& test, const Groups& groups, const Contrast& pair) {
   const std::vector<double>&first = groups[pair.first], &second = groups[pair.second];
-  return test == DecidingTest::kruskal_wallis ? of_pairs(first, second)
-         : test == DecidingTest::friedman     ? of_signs(first, second)
-                                              : of_means(first, second);
-}
-
-// As evidence() has it, without what takes longer and decides nothing: bootstrap, normality.
-Evidence judged(const Made& made, Better better, DecidingTest test) {
-  const auto name = [](std::size_t group) { return fmt::format("g{}", group); };
-  Evidence found{.name = "x",
-                 .quantity = "x",
-                 .better = better,
-                 .blocks = made.blocked ? made.groups[0].size() : 0,
-                 .plan = {.test = test, .control = made.control ? name(*made.control) : ""}};
-  std::vector<GroupSummary> summaries;
-  for (std::size_t i = 0; i < made.groups.size(); ++i) {
-    found.groups.push_back({.name = name(i), .described = describe(made.groups[i])});
-    summaries.push_back(summarise(made.groups[i]));
-  }
-  if (made.blocked) add_friedman(found, made.groups);
-  add_contrasts(found, summaries, made.groups);
-  return found;
-}
-
-Relation turned(Relation relation) {
-  return relation == Relation::better ? Relation::worse : relation == Relation::worse ? Relation::better : relation;
+  return test == "kruskal_wallis" ? of_pairs(first, second)
+         : test == "friedman"     ? of_signs(first, second)
+                                  : of_means(first, second);
 }
 
 Made negated(Made made) {
@@ -160,6 +138,25 @@ Made negated(Made made) {
     for (double& value : group) value = -value;
   }
   return made;
+}
+
+// As evidence() has it, without what takes longer and decides nothing: bootstrap, normality.
+Evidence judged(const Made& made, Better better, const std::string& test) {
+  const auto name = [](std::size_t group) { return fmt::format("g{}", group); };
+  Evidence found{.name = "x",
+                 .quantity = "x",
+                 .better = better,
+                 .blocks = made.blocked ? made.groups[0].size() : 0,
+                 .plan = {.test = test, .control = made.control ? name(*made.control) : ""}};
+  found.method = &method_for(found);
+  std::vector<GroupSummary> summaries;
+  for (std::size_t i = 0; i < made.groups.size(); ++i) {
+    found.groups.push_back({.name = name(i), .described = describe(made.groups[i])});
+    summaries.push_back(summarise(made.groups[i]));
+  }
+  const Groups ranked = better == Better::smaller ? made.groups : negated(made).groups;
+  add_contrasts(found, {.summaries = summaries, .values = made.groups, .ranked = ranked});
+  return found;
 }
 
 Made reversed(Made made) {
@@ -183,7 +180,7 @@ void count(const Evidence& found, const Contrast& pair, Decided& decided) {
   decided.against_the_share += sign(pair.superiority.value - 0.5) == -ahead ? 1 : 0;
 }
 
-void check_ahead(const Evidence& found, const Made& made, DecidingTest test, Decided& decided) {
+void check_ahead(const Evidence& found, const Made& made, const std::string& test, Decided& decided) {
   for (const Contrast& pair : found.contrasts) {
     if (pair.relation != Relation::better && pair.relation != Relation::worse) continue;
     count(found, pair, decided);
@@ -194,9 +191,9 @@ void check_ahead(const Evidence& found, const Made& made, DecidingTest test, Dec
 
 // Nothing changes if larger values are better and all are negated, or in another order; but for the bootstrap, which
 // then draws other resamples and compares differences in place of ratios.
-void check_directions(const Made& made, DecidingTest test, Decided& decided) {
+void check_directions(const Made& made, const std::string& test, Decided& decided) {
   const Evidence found = judged(made, Better::smaller, test);
-  if (test == DecidingTest::bootstrap) return check_ahead(found, made, test, decided);
+  if (test == "bootstrap") return check_ahead(found, made, test, decided);
   const Evidence other = judged(negated(made), Better::larger, test);
   const Evidence swapped = judged(reversed(made), Better::smaller, test);
   const std::size_t last = made.groups.size() - 1;
@@ -210,7 +207,7 @@ void check_directions(const Made& made, DecidingTest test, Decided& decided) {
     if (same_reference) {
       const auto there = std::ranges::find_if(swapped.contrasts, same);
       REQUIRE(there != swapped.contrasts.end());
-      CHECK(there->relation == turned(pair.relation));
+      CHECK(there->relation == inference::reversed(pair.relation));
     }
   }
   check_ahead(found, made, test, decided);
@@ -219,20 +216,19 @@ void check_directions(const Made& made, DecidingTest test, Decided& decided) {
 }  // namespace
 
 TEST_CASE("the better one is better by the statistic that decides", "[assessment][directions]") {
-  const DecidingTest test = GENERATE(DecidingTest::anova, DecidingTest::welch, DecidingTest::tamhane,
-                                     DecidingTest::bootstrap, DecidingTest::kruskal_wallis, DecidingTest::friedman);
-  CAPTURE(name_of(test));
+  const std::string test = GENERATE("anova", "welch", "tamhane", "bootstrap", "kruskal_wallis", "friedman");
+  CAPTURE(test);
   Random random(2023);
   Decided decided;
   std::array<int, 3> of_design{};
   // It takes longer, so it has fewer sets, and none of many groups.
-  const bool by_bootstrap = test == DecidingTest::bootstrap;
+  const bool by_bootstrap = test == "bootstrap";
   const int sets = by_bootstrap ? 200 : 1000;
   for (int set = 0; set < sets; ++set) {
     const bool is_many = set % 100 == 0 && !by_bootstrap, has_control = set % (by_bootstrap ? 3 : 10) == 1;
     const Design design = is_many ? Design::many : has_control ? Design::control : Design::all_pairs;
     const Made made = make(design, random);
-    if (test == DecidingTest::friedman && !made.blocked) continue;
+    if (test == "friedman" && !made.blocked) continue;
     CAPTURE(set, made.blocked, made.groups.size());
     const int before = decided.pairs;
     check_directions(made, test, decided);
@@ -242,7 +238,7 @@ TEST_CASE("the better one is better by the statistic that decides", "[assessment
     if (design != Design::many || !by_bootstrap) CHECK(of_design[static_cast<std::size_t>(design)] > 10);
   }
   // The sets are such that every other measure would have said otherwise of some pair. Tests of means decide by means.
-  const bool by_ranks = test == DecidingTest::kruskal_wallis || test == DecidingTest::friedman;
+  const bool by_ranks = test == "kruskal_wallis" || test == "friedman";
   if (by_ranks) CHECK(decided.against_the_mean > 0);
   if (!by_ranks) CHECK(decided.against_the_mean == 0);
   CHECK(decided.against_the_median > 0);
@@ -275,9 +271,8 @@ Observations often_little_rarely_much(int often) {
 
 TEST_CASE("of two groups in blocks, the better by ranks is ahead in more blocks", "[assessment][directions]") {
   Observations pairs = often_little_rarely_much(75);
-  const AnalysisPlan plan{.test = DecidingTest::friedman};
+  const AnalysisPlan plan{.test = "friedman"};
   const Evidence found = evidence(pairs, plan);
-  CHECK(found.test("Sign test within blocks")->statistic == 25);
   CHECK(found.contrasts[0].p < 1e-5);
   CHECK(found.contrasts[0].relation == Relation::better);
   INFO(text_of_evidence(found));
@@ -291,7 +286,7 @@ TEST_CASE("of two groups in blocks, the better by ranks is ahead in more blocks"
 TEST_CASE("in blocks, the mean decides unless the plan asks for ranks", "[assessment][directions]") {
   // x is less by 0.01 to 0.51 in 51 blocks and more by about 2 in 49: its mean is above that of y.
   const Evidence found = evidence(often_little_rarely_much(51), {});
-  CHECK(found.contrasts[0].p == found.contrasts[0].p_bootstrap);
+  CHECK(found.method->compares == Compares::means);
   CHECK(found.contrasts[0].relation == Relation::worse);
   // A little less in most blocks, and in two of twenty so much more that the means are equal: nothing is found by
   // means.
@@ -303,7 +298,7 @@ TEST_CASE("in blocks, the mean decides unless the plan asks for ranks", "[assess
     rare.blocks.push_back(fmt::format("{}", i));
   }
   CHECK(evidence(rare, {}).contrasts[0].relation == Relation::undecided);
-  const Evidence by_ranks = evidence(rare, {.test = DecidingTest::friedman});
+  const Evidence by_ranks = evidence(rare, {.test = "friedman"});
   CHECK(by_ranks.contrasts[0].relation == Relation::better);
   INFO(text_of_evidence(by_ranks));
   CHECK(text_of_evidence(by_ranks).find("x is better by ranks within blocks than y") != std::string::npos);
@@ -315,21 +310,19 @@ TEST_CASE("of several groups, who is better of two does not depend on the third"
   for (int i = 0; i < 100; ++i) sets.groups[0].values.push_back(50 + 0.01 * i);
   for (int i = 0; i < 100; ++i) sets.groups[1].values.push_back(i < 52 ? 49 + 0.01 * i : 100 + i);
   for (int i = 0; i < 200; ++i) sets.groups[2].values.push_back(60 + 0.01 * i);
-  const Evidence found = evidence(sets, {.test = DecidingTest::kruskal_wallis});
+  const Evidence found = evidence(sets, {.test = "kruskal_wallis"});
   // Mean ranks: a 52 + 50.5 = 102.5; b (52 * 26.5 + 48 * 376.5) / 100 = 194.5; c 152 + 100.5 = 252.5.
   const Contrast& pair = found.contrasts[0];
   CHECK(pair.superiority.value == Approx(0.48));
-  CHECK(pair.p_mean_ranks < 0.001);  // Dunn, for a
   CHECK(pair.relation == Relation::undecided);
-  INFO(text_of_evidence(found));
-  CHECK(text_of_evidence(found).find("Dunn (mean ranks over all groups) also separates a vs b") != std::string::npos);
 }
 
 TEST_CASE("means and medians that rounding alone keeps apart point nowhere", "[assessment][directions]") {
   const auto text_with = [](double of_first) {
-    Evidence found{.name = "x", .quantity = "x", .plan = {.test = DecidingTest::kruskal_wallis}, .pairs = 1};
+    Evidence found{.name = "x", .quantity = "x", .plan = {.test = "kruskal_wallis"}, .pairs = 1};
     found.groups = {{.name = "x"}, {.name = "y"}};
     found.groups[0].described.n = found.groups[1].described.n = 20;
+    found.method = &method_for(found);
     found.groups[0].described.mean = found.groups[0].described.median = of_first;
     found.groups[1].described.mean = found.groups[1].described.median = 0.3;
     found.contrasts = {{.first = 0, .second = 1, .p = 0.01, .ahead = 1, .relation = Relation::better}};

@@ -141,7 +141,7 @@ TEST_CASE("what n observations cannot exclude stands beside the finding", "[asse
   // 1 - 0.05^(1 / 20) = 0.139
   const std::string limit =
       "as far as 20 observations per group can show: a failure in up to 14 % of them is not excluded";
-  const Evidence same = evidence(with({near, other}), {.test = DecidingTest::welch});
+  const Evidence same = evidence(with({near, other}), {.test = "welch"});
   REQUIRE(is_same(same));
   CAPTURE(text_of(same));
   CHECK(text_of(same).find("; " + limit + ")") != std::string::npos);

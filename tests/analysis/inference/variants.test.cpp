@@ -76,7 +76,7 @@ TEST_CASE("what compare says of a metric is what a report says of it", "[variant
     const VariantStudy both = study_of_both({a, b}, {});
     const Contrast in_report = JudgedStudy(both.study).evidence(Metric::position_error_cm).contrasts.front();
     const MetricComparison compared_alone = error_of(a, b);
-    if (compared_alone.is_fact) continue;  // ties made them equal
+    if (compared_alone.contrast.is_fact) continue;  // ties made them equal
     CHECK(compared_alone.contrast.relation == in_report.relation);
     CHECK(compared_alone.contrast.extent == in_report.extent);
     if (!std::isnan(in_report.p)) CHECK(compared_alone.contrast.p == in_report.p);
@@ -98,7 +98,7 @@ TEST_CASE("identical variants are the same to the bit in every metric", "[varian
     for (const MetricComparison& metric : comparison.metrics) {
       CHECK(metric.contrast.relation == Relation::same);
       CHECK(metric.remark == "equal bit for bit");
-      CHECK(metric.is_fact);
+      CHECK(metric.contrast.is_fact);
     }
     CHECK(verdict_of(comparison) == "No regression beyond 5 %. Of 5 comparisons: 5 the same within 5 %.");
   }
@@ -237,7 +237,7 @@ TEST_CASE("of variants that repeat themselves the difference is a fact, and no p
   CHECK(is_regression(told(2)));
   CHECK(told(0.5).contrast.relation == Relation::worse);
   CHECK(told(1.01).contrast.relation == Relation::same);
-  CHECK(told(2).is_fact);
+  CHECK(told(2).contrast.is_fact);
   CHECK(told(2).remark == "all runs of each are equal: a fact of these targets, without a test");
   CHECK_THAT(verdict_of(compared(with(1), with(2), {"position_error_cm"})),
              ContainsSubstring("Regression beyond 5 %: position_error_cm (2 times A's, no test)"));

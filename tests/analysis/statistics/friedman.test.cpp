@@ -85,18 +85,6 @@ TEST_CASE("Demsar's critical differences are those of Nemenyi and of Bonferroni 
   CHECK(std::isnan(critical_difference(2, 4, 0)));
 }
 
-TEST_CASE("Demsar's comparisons of pairs: difference of ranks by sqrt (4 * 5 / (6 * 14))", "[friedman]") {
-  // Demsar 2006, section 3.2.2: SE 0.488; z of C4.5 against C4.5+m+cf (3.143 - 1.964) / 0.488 = 2.416, p 0.016,
-  // against C4.5+m 2.342 and 0.019, against C4.5+cf 0.512 and 0.607.
-  const auto pairs = compare_average_ranks({.blocks = 14, .average_ranks = published_ranks});
-  REQUIRE(pairs.size() == 6);
-  CHECK(pairs[0].z == Approx(2.342).epsilon(1e-3));
-  CHECK(pairs[0].p == Approx(0.019).margin(0.0005));
-  CHECK(pairs[1].p == Approx(0.607).margin(0.002));
-  CHECK(pairs[2].z == Approx(2.416).epsilon(1e-3));
-  CHECK(pairs[2].p == Approx(0.016).margin(0.0005));
-}
-
 TEST_CASE("where all blocks agree F is infinite and its p the chance of agreement", "[friedman]") {
   // Three groups, four blocks: W = 1, chi2 = 4 * 2; each of three blocks agrees with the first by 1 of 3! orders.
   const Friedman test = friedman(Groups{{1, 2, 3, 4}, {5, 6, 7, 8}, {9, 9, 9, 9}});
@@ -132,5 +120,4 @@ TEST_CASE("where there is no Friedman test it says why", "[friedman]") {
   CHECK(says(test.undefined, reason));
   CHECK(std::isnan(test.p));
   CHECK(std::isnan(test.F_p));
-  for (const RankComparison& pair : compare_average_ranks(test)) CHECK(std::isnan(pair.p));
 }

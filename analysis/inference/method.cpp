@@ -1,0 +1,154 @@
+#include "analysis/inference/method.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+#include "analysis/statistics/hodges_lehmann.hpp"
+#include "analysis/statistics/median_interval.hpp"
+#include "analysis/statistics/p_adjust.hpp"
+#include "analysis/statistics/studentized_bootstrap.hpp"
+
+namespace ikbench::inference {
+
+using namespace results;
+using namespace statistics;
+
+#define IKBENCH_DECIDING_TEST(name, needs, meaning) extern const Method name##_method;
+#include "results/deciding_tests.inc"
+#undef IKBENCH_DECIDING_TEST
+extern const Method bootstrap_within_blocks_method, paired_t_method, fisher_method, mcnemar_method;
+
+namespace {
+
+const std::array all_methods{
+#define IKBENCH_DECIDING_TEST(name, needs, meaning) &name##_method,
+#include "results/deciding_tests.inc"
+#undef IKBENCH_DECIDING_TEST
+    &bootstrap_within_blocks_method,
+    &paired_t_method,
+    &fisher_method,
+    &mcnemar_method,
+};
+
+const Method& method_named(std::string_view name) {
+  const auto found = std::ranges::find(all_methods, name, [](const Method* method) { return method->name; });
+  if (found == all_methods.end()) throw std::invalid_argument(fmt::format("unknown test '{}'", name));
+  return **found;
+}
+
+Correction correction_of(Adjustment adjustment) {
+  switch (adjustment) {
+    case Adjustment::hochberg:
+      return Correction::hochberg;
+    case Adjustment::bonferroni:
+      return Correction::bonferroni;
+    case Adjustment::benjamini_hochberg:
+      return Correction::benjamini_hochberg;
+    default:
+      return Correction::holm;
+  }
+}
+
+void refuse_missing(const Method& method, const Evidence& evidence) {
+  if (method.needs == Needs::blocks && evidence.blocks == 0) {
+    throw std::invalid_argument(fmt::format(
+        "the {} test needs blocks, which all groups share; expected another test, or a block column", method.name));
+  }
+  if (method.needs == Needs::summaries || !evidence.from_summaries) return;
+  std::vector<std::string_view> others;
+  for (const DecidingTest& test : deciding_tests()) {
+    if (test.needs == Needs::summaries) others.push_back(test.name);
+  }
+  throw std::invalid_argument(fmt::format("the {} test needs single values; expected one of these for summaries: {}",
+                                          method.name, fmt::join(others, ", ")));
+}
+
+}  // namespace
+
+std::span<const Method* const> methods() { return all_methods; }
+
+const Method& method_for(const Evidence& evidence) {
+  if (evidence.of_outcomes) return evidence.blocks > 0 ? mcnemar_method : fisher_method;
+  const bool is_by_design = evidence.plan.test == by_design;
+  if (is_by_design && evidence.from_summaries) return tamhane_method;
+  const Method& method = is_by_design ? bootstrap_method : method_named(evidence.plan.test);
+  refuse_missing(method, evidence);
+  if (&method != &bootstrap_method) return method;
+  const bool is_affordable = resamples_of(evidence) > 0;
+  if (evidence.blocks > 0) return is_affordable ? bootstrap_within_blocks_method : paired_t_method;
+  return is_affordable ? bootstrap_method : tamhane_method;
+}
+
+Compares compares(std::string_view test) { return test == by_design ? Compares::means : method_named(test).compares; }
+
+const Method& rank_method(const Evidence& evidence) {
+  return evidence.blocks > 0 ? friedman_method : kruskal_wallis_method;
+}
+
+const Method& paper_method() { return anova_method; }
+
+void correct(const Evidence& evidence, std::vector<double>& p) {
+  std::vector<double> raw;
+  for (const double each : p) raw.push_back(std::isnan(each) ? 1 : each);
+  raw.resize(std::max(raw.size(), evidence.family()), 1);
+  const std::vector<double> corrected = adjusted(raw, correction_of(evidence.plan.adjustment));
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    if (!std::isnan(p[i])) p[i] = corrected[i];
+  }
+}
+
+std::vector<PairResult> of_means(const Evidence& evidence, const std::vector<MeanDifference>& differences) {
+  const int sign = evidence.better == Better::smaller ? -1 : 1;
+  std::vector<PairResult> result;
+  for (const MeanDifference& each : differences) {
+    result.push_back({.p = each.p,
+                      .ahead = sign * sign_of(each.difference),
+                      .difference = {.value = each.difference, .low = each.low, .high = each.high},
+                      .undefined = each.undefined});
+  }
+  return result;
+}
+
+int resamples_of(const Evidence& evidence) {
+  const double level = 1 - evidence.plan.significance;
+  if (evidence.blocks > 0) {
+    const std::size_t pairs = evidence.groups.size() * (evidence.groups.size() - 1) / 2;
+    return affordable_resamples(evidence.blocks * pairs, evidence.groups.size(), level);
+  }
+  std::size_t values = 0;
+  for (const GroupEvidence& group : evidence.groups) values += static_cast<std::size_t>(group.described.n);
+  return affordable_resamples(values, evidence.groups.size(), level);
+}
+
+Estimate typical_ratio(const Evidence& evidence, std::span<const double> first, std::span<const double> second,
+                       bool in_blocks) {
+  const bool is_log = evidence.scale == ValueScale::log10;
+  const auto all = [&](auto is) { return std::ranges::all_of(first, is) && std::ranges::all_of(second, is); };
+  if (!all([](double value) { return std::isfinite(value); })) return {};
+  const bool are_negative = !is_log && all([](double value) { return value < 0; });
+  if (!is_log && !are_negative && !all([](double value) { return value > 0; })) return {};
+  const auto logarithms = [&](std::span<const double> values) {
+    std::vector<double> result;
+    for (const double value : values)
+      result.push_back(is_log ? value * std::numbers::ln10 : are_negative ? -std::log(-value) : std::log(value));
+    return result;
+  };
+  const std::vector<double> one = logarithms(first), other = logarithms(second);
+  const double level = 1 - evidence.plan.significance / static_cast<double>(evidence.family());
+  if (!in_blocks) {
+    const Shift shift = hodges_lehmann(one, other, level);
+    return {.value = std::exp(shift.estimate), .low = std::exp(shift.low), .high = std::exp(shift.high)};
+  }
+  std::vector<double> differences;
+  for (std::size_t i = 0; i < one.size(); ++i) differences.push_back(one[i] - other[i]);
+  std::ranges::sort(differences);
+  const MedianInterval interval = median_interval(differences, level);
+  return {.value = std::exp(median(differences)), .low = std::exp(interval.low), .high = std::exp(interval.high)};
+}
+
+}  // namespace ikbench::inference

@@ -1,0 +1,44 @@
+#include "analysis/statistics/anova.hpp"
+
+#include "analysis/inference/method.hpp"
+#include "analysis/statistics/effect_size.hpp"
+
+namespace ikbench::inference {
+
+using namespace statistics;
+
+namespace {
+
+std::vector<PairResult> anova_pairs(const Evidence& evidence, const Groups& groups) {
+  return of_means(evidence, tukey(groups.summaries, 1 - evidence.plan.significance, evidence.reference));
+}
+
+std::optional<TestResult> anova_of_all(const Evidence&, const Groups& groups) {
+  const AnovaTable table = groups.values.empty() ? anova_from_summaries(groups.summaries) : anova(groups.values);
+  return TestResult{.test = std::string(anova_name),
+                    .role = Role::paper,
+                    .symbol = "F",
+                    .statistic = table.F,
+                    .df = static_cast<double>(table.df_between),
+                    .df_within = static_cast<double>(table.df_within),
+                    .p = table.p,
+                    .effect_symbol = "omega^2",
+                    .effect = omega_squared(table),
+                    .undefined = table.undefined};
+}
+
+}  // namespace
+
+extern const Method anova_method;
+const Method anova_method{.name = "anova",
+                          .title = "One-way ANOVA with Tukey's test",
+                          .of_pair = "Tukey's test",
+                          .of_two = "Student's test",
+                          .interval = "Tukey, pooled variance",
+                          .source = "Fisher 1925; Kramer, Biometrics 12 (1956) 307",
+                          .needs = results::Needs::summaries,
+                          .corrects_all_pairs = true,
+                          .pairs = anova_pairs,
+                          .all = anova_of_all};
+
+}  // namespace ikbench::inference

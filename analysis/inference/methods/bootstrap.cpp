@@ -1,0 +1,83 @@
+#include <algorithm>
+#include <cmath>
+
+#include "analysis/inference/method.hpp"
+#include "analysis/statistics/pairs.hpp"
+#include "analysis/statistics/studentized_bootstrap.hpp"
+#include "analysis/statistics/welch.hpp"
+
+namespace ikbench::inference {
+
+using namespace results;
+using namespace statistics;
+
+namespace {
+
+PairFamily family_of(const Evidence& evidence) {
+  // A difference of logarithms is a ratio of the values.
+  return {.by = evidence.scale == ValueScale::log10 ? CompareBy::differences : CompareBy::ratios,
+          .control = evidence.plan.control.empty() ? std::nullopt : evidence.reference,
+          .only_with = evidence.reference};
+}
+
+Resampling resampling_of(const Evidence& evidence) {
+  return {.resamples = resamples_of(evidence), .level = 1 - evidence.plan.significance};
+}
+
+std::vector<PairResult> independent(const Evidence& evidence, const Groups& groups) {
+  return of_means(evidence, studentized_bootstrap(groups.values, family_of(evidence), resampling_of(evidence)));
+}
+
+std::vector<PairResult> within_blocks(const Evidence& evidence, const Groups& groups) {
+  return of_means(evidence, bootstrap_within_blocks(groups.values, family_of(evidence), resampling_of(evidence)));
+}
+
+// Where there are more blocks than a bootstrap can draw again in a second, the mean difference is as good as normal.
+std::vector<PairResult> paired(const Evidence& evidence, const Groups& groups) {
+  const auto family = static_cast<double>(evidence.family());
+  std::vector<MeanDifference> result;
+  for (const Contrast& contrast : evidence.contrasts) {
+    const PairedTest test = paired_t(groups.values[contrast.first], groups.values[contrast.second],
+                                     1 - evidence.plan.significance / family);
+    result.push_back({.first = contrast.first,
+                      .second = contrast.second,
+                      .difference = test.difference,
+                      .p = std::isnan(test.p) ? test.p : std::min(1.0, family * test.p),
+                      .low = test.low,
+                      .high = test.high,
+                      .undefined = test.undefined});
+  }
+  return of_means(evidence, result);
+}
+
+}  // namespace
+
+extern const Method bootstrap_method, bootstrap_within_blocks_method, paired_t_method;
+const Method bootstrap_method{.name = "bootstrap",
+                              .title = "Studentized bootstrap of the means",
+                              .of_pair = "studentized bootstrap",
+                              .of_two = "studentized bootstrap",
+                              .interval = "studentized bootstrap",
+                              .source = "Hall, Annals of Statistics 16 (1988) 927; Westfall and Young 1993",
+                              .pairs = independent};
+const Method bootstrap_within_blocks_method{
+    .name = "bootstrap",
+    .title = "Studentized bootstrap of the differences within blocks",
+    .of_pair = "studentized bootstrap of the differences within blocks",
+    .of_two = "studentized bootstrap of the differences within blocks",
+    .interval = "studentized bootstrap of the differences within blocks",
+    .source = "Hall, Annals of Statistics 16 (1988) 927; Westfall and Young 1993",
+    .needs = Needs::blocks,
+    .within_blocks = true,
+    .pairs = within_blocks};
+const Method paired_t_method{.name = "bootstrap",
+                             .title = "Paired t-test within blocks",
+                             .of_pair = "paired t-test within blocks",
+                             .of_two = "paired t-test within blocks",
+                             .interval = "paired t-test within blocks",
+                             .source = "Student, Biometrika 6 (1908) 1",
+                             .needs = Needs::blocks,
+                             .within_blocks = true,
+                             .pairs = paired};
+
+}  // namespace ikbench::inference

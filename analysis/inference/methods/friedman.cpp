@@ -1,0 +1,65 @@
+// The sign test of two groups is Friedman's of the two: it ranks within each block, so that blocks may have different
+// scales.
+#include "analysis/statistics/friedman.hpp"
+
+#include "analysis/inference/method.hpp"
+#include "analysis/statistics/sign_test.hpp"
+#include "analysis/statistics/welch.hpp"
+
+namespace ikbench::inference {
+
+using namespace results;
+using namespace statistics;
+
+namespace {
+
+std::vector<PairResult> friedman_pairs(const Evidence& evidence, const Groups& groups) {
+  const double level = 1 - evidence.plan.significance / static_cast<double>(evidence.family());
+  std::vector<PairResult> result;
+  std::vector<double> p;
+  for (const Contrast& contrast : evidence.contrasts) {
+    const std::size_t first = contrast.first, second = contrast.second;
+    SignTest test = sign_test(groups.ranked[first], groups.ranked[second]);
+    const PairedTest means = paired_t(groups.values[first], groups.values[second], level);
+    p.push_back(test.p);
+    result.push_back({.ahead = -test.direction,
+                      .difference = {.value = means.difference, .low = means.low, .high = means.high},
+                      .ratio = typical_ratio(evidence, groups.values[first], groups.values[second], true),
+                      .undefined = std::move(test.undefined)});
+  }
+  correct(evidence, p);
+  for (std::size_t i = 0; i < p.size(); ++i) result[i].p = p[i];
+  return result;
+}
+
+std::optional<TestResult> friedman_of_all(const Evidence&, const Groups& groups) {
+  const Friedman test = friedman(groups.ranked);
+  return TestResult{.test = std::string(friedman_name),
+                    .symbol = "F",
+                    .statistic = test.F,
+                    .df = test.F_df_between,
+                    .df_within = test.F_df_within,
+                    .p = test.F_p,
+                    .effect_symbol = "W",
+                    .effect = test.kendall_w,
+                    .undefined = test.undefined};
+}
+
+}  // namespace
+
+extern const Method friedman_method;
+const Method friedman_method{.name = "friedman",
+                             .title = "Friedman's test with sign tests",
+                             .of_pair = "sign test within blocks",
+                             .of_two = "sign test within blocks",
+                             .interval = "paired t-test within blocks, Bonferroni-corrected",
+                             .source =
+                                 "Friedman, JASA 32 (1937) 675; Iman and Davenport, Communications in Statistics "
+                                 "A9 (1980) 571; Dixon and Mood, JASA 41 (1946) 557",
+                             .needs = Needs::blocks,
+                             .compares = Compares::ranks,
+                             .within_blocks = true,
+                             .pairs = friedman_pairs,
+                             .all = friedman_of_all};
+
+}  // namespace ikbench::inference

@@ -1,0 +1,68 @@
+// Whether two groups differ must not depend on who else takes part (Benavoli, Corani and Mangili, JMLR 17 (2016) no.
+// 5). So pairs are compared by their own values, by two tests that both have to find the difference: Mann and Whitney's
+// is exact where both groups come from one distribution, Brunner and Munzel's allows for spreads that differ.
+#include "analysis/statistics/kruskal_wallis.hpp"
+
+#include <cmath>
+
+#include "analysis/inference/method.hpp"
+#include "analysis/statistics/brunner_munzel.hpp"
+#include "analysis/statistics/mann_whitney.hpp"
+
+namespace ikbench::inference {
+
+using namespace results;
+using namespace statistics;
+
+namespace {
+
+std::vector<PairResult> kruskal_wallis_pairs(const Evidence& evidence, const Groups& groups) {
+  std::vector<PairResult> result;
+  std::vector<double> exact, unequal;
+  const std::vector<MeanDifference> means =
+      games_howell(groups.summaries, 1 - evidence.plan.significance, evidence.reference);
+  for (std::size_t i = 0; i < evidence.contrasts.size(); ++i) {
+    const std::size_t first = evidence.contrasts[i].first, second = evidence.contrasts[i].second;
+    MannWhitney test = mann_whitney(groups.ranked[first], groups.ranked[second]);
+    exact.push_back(test.p);
+    unequal.push_back(brunner_munzel(groups.ranked[first], groups.ranked[second]).p);
+    result.push_back({.ahead = -test.direction,
+                      .difference = {.value = means[i].difference, .low = means[i].low, .high = means[i].high},
+                      .ratio = typical_ratio(evidence, groups.values[first], groups.values[second], false),
+                      .undefined = std::move(test.undefined)});
+  }
+  correct(evidence, exact);
+  correct(evidence, unequal);
+  for (std::size_t i = 0; i < result.size(); ++i) result[i].p = std::fmax(exact[i], unequal[i]);
+  return result;
+}
+
+std::optional<TestResult> kruskal_wallis_of_all(const Evidence&, const Groups& groups) {
+  const KruskalWallis test = kruskal_wallis(groups.ranked);
+  return TestResult{.test = std::string(kruskal_wallis_name),
+                    .symbol = "H",
+                    .statistic = test.H,
+                    .df = static_cast<double>(test.df),
+                    .p = test.p,
+                    .effect_symbol = "epsilon^2",
+                    .effect = test.epsilon_squared,
+                    .undefined = test.undefined};
+}
+
+}  // namespace
+
+extern const Method kruskal_wallis_method;
+const Method kruskal_wallis_method{
+    .name = "kruskal_wallis",
+    .title = "Kruskal-Wallis test with Brunner-Munzel and Mann-Whitney tests",
+    .of_pair = "Brunner-Munzel and Mann-Whitney tests",
+    .of_two = "Brunner-Munzel test with Mann-Whitney's test",
+    .interval = "Games-Howell, separate variances",
+    .source =
+        "Kruskal and Wallis, JASA 47 (1952) 583; Mann and Whitney, Annals of Mathematical Statistics 18 (1947) "
+        "50; Brunner and Munzel, Biometrical J. 42 (2000) 17",
+    .compares = Compares::ranks,
+    .pairs = kruskal_wallis_pairs,
+    .all = kruskal_wallis_of_all};
+
+}  // namespace ikbench::inference

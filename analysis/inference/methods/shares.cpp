@@ -1,0 +1,91 @@
+// Where every observation is 0 or 1, shares are compared, whatever test the plan names.
+#include <algorithm>
+#include <cmath>
+
+#include "analysis/inference/method.hpp"
+#include "analysis/inference/outcomes.hpp"
+#include "analysis/statistics/paired_proportion.hpp"
+#include "analysis/statistics/proportion.hpp"
+
+namespace ikbench::inference {
+
+using namespace results;
+using namespace statistics;
+
+namespace {
+
+// One share pair after another, by p and interval of one pair alone at the level of the family.
+template <class Compare>
+std::vector<PairResult> share_pairs(const Evidence& evidence, const Groups& groups, Compare compare) {
+  const double alpha = evidence.plan.significance / static_cast<double>(evidence.family());
+  const int sign = evidence.better == Better::smaller ? -1 : 1;
+  std::vector<PairResult> result;
+  std::vector<double> p;
+  for (const Contrast& contrast : evidence.contrasts) {
+    const auto [alone, difference] = compare(groups.values[contrast.first], groups.values[contrast.second], alpha);
+    p.push_back(alone);
+    result.push_back({.ahead = sign * sign_of(difference.estimate),
+                      .difference = {.value = difference.estimate, .low = difference.low, .high = difference.high}});
+  }
+  correct(evidence, p);
+  for (std::size_t i = 0; i < p.size(); ++i) result[i].p = p[i];
+  return result;
+}
+
+std::vector<PairResult> fisher_pairs(const Evidence& evidence, const Groups& groups) {
+  return share_pairs(evidence, groups, [](const auto& first, const auto& second, double alpha) {
+    const Successes one = successes_of(first), other = successes_of(second);
+    return std::pair(fisher_exact(one, other).p, newcombe(one, other, 1 - alpha));
+  });
+}
+
+std::vector<PairResult> mcnemar_pairs(const Evidence& evidence, const Groups& groups) {
+  return share_pairs(evidence, groups, [](const auto& first, const auto& second, double alpha) {
+    const PairedSuccesses counts = paired_successes(first, second);
+    Proportion difference = newcombe_paired(counts, 1 - alpha);
+    if (counts.first_only + counts.second_only == 0) {  // where the two agree in every block, the others may not
+      const double unseen = most_without_success(counts.trials(), alpha);
+      difference.low = std::min(difference.low, -unseen);
+      difference.high = std::max(difference.high, unseen);
+    }
+    return std::pair(mcnemar_exact(counts), difference);
+  });
+}
+
+std::optional<TestResult> cochran_of_all(const Evidence&, const Groups& groups) {
+  if (groups.values.size() < 3) return std::nullopt;
+  const CochranQ test = cochran_q(groups.values);
+  return TestResult{.test = "Cochran's Q test",
+                    .symbol = "Q",
+                    .statistic = test.Q,
+                    .df = static_cast<double>(test.df),
+                    .p = test.p,
+                    .undefined = test.undefined};
+}
+
+}  // namespace
+
+extern const Method fisher_method, mcnemar_method;
+const Method fisher_method{.name = "shares",
+                           .title = "Fisher's exact test",
+                           .of_pair = "Fisher's exact test",
+                           .of_two = "Fisher's exact test",
+                           .interval = "Newcombe's score interval, Bonferroni-corrected",
+                           .source = "Fisher 1935; Newcombe, Statistics in Medicine 17 (1998) 873",
+                           .compares = Compares::shares,
+                           .pairs = fisher_pairs};
+const Method mcnemar_method{.name = "shares",
+                            .title = "McNemar's exact test",
+                            .of_pair = "McNemar's exact test",
+                            .of_two = "McNemar's exact test",
+                            .interval = "Newcombe's score interval, Bonferroni-corrected",
+                            .source =
+                                "McNemar, Psychometrika 12 (1947) 153; Cochran, Biometrika 37 (1950) 256; "
+                                "Newcombe, Statistics in Medicine 17 (1998) 2635",
+                            .needs = Needs::blocks,
+                            .compares = Compares::shares,
+                            .within_blocks = true,
+                            .pairs = mcnemar_pairs,
+                            .all = cochran_of_all};
+
+}  // namespace ikbench::inference

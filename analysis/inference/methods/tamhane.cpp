@@ -1,0 +1,31 @@
+#include "analysis/inference/method.hpp"
+
+namespace ikbench::inference {
+
+using namespace statistics;
+
+namespace {
+
+std::vector<PairResult> tamhane_pairs(const Evidence& evidence, const Groups& groups) {
+  return of_means(evidence, tamhane(groups.summaries, 1 - evidence.plan.significance, evidence.reference));
+}
+
+std::optional<TestResult> tamhane_of_all(const Evidence& evidence, const Groups& groups) {
+  return welch_of_all(evidence, groups.summaries);
+}
+
+}  // namespace
+
+extern const Method tamhane_method;
+const Method tamhane_method{.name = "tamhane",
+                            .title = "Welch's ANOVA with Tamhane's test",
+                            .of_pair = "Tamhane's test",
+                            .of_two = "Welch's test",
+                            .interval = "Tamhane, separate variances",
+                            .source = "Tamhane, JASA 74 (1979) 471",
+                            .needs = results::Needs::summaries,
+                            .corrects_all_pairs = true,
+                            .pairs = tamhane_pairs,
+                            .all = tamhane_of_all};
+
+}  // namespace ikbench::inference

@@ -1,0 +1,73 @@
+#include "analysis/statistics/welch.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cmath>
+
+#include "analysis/inference/method.hpp"
+#include "analysis/inference/text.hpp"
+
+namespace ikbench::inference {
+
+using namespace statistics;
+
+// Of those groups that the test can weigh; the others are named.
+TestResult welch_of_all(const Evidence& evidence, std::span<const GroupSummary> summaries) {
+  constexpr std::size_t longest_shown = 60, most_named = 3;
+  TestResult result{.test = std::string(welch_name), .role = Role::robust, .symbol = "F"};
+  std::vector<GroupSummary> usable;
+  std::vector<std::string> others;
+  for (std::size_t i = 0; i < summaries.size(); ++i) {
+    const bool weighed = summaries[i].n >= 2 && summaries[i].std > 0 && std::isfinite(summaries[i].mean);
+    if (weighed) {
+      usable.push_back(summaries[i]);
+    } else {
+      others.push_back(row_label(evidence.groups[i].name, longest_shown));
+    }
+  }
+  if (usable.size() < 2) {
+    result.undefined = "fewer than two groups have a variance";
+    return result;
+  }
+  const WelchAnova test = welch_anova(usable);
+  result.statistic = test.F;
+  result.df = test.df_between;
+  result.df_within = test.df_within;
+  result.p = test.p;
+  if (!std::isfinite(test.p)) result.undefined = "the variances are too large or too far apart for double precision";
+  if (!others.empty()) {
+    result.without = fmt::format("without {}, whose variance is 0 or not defined",
+                                 others.size() > most_named ? fmt::format("{} groups", others.size())
+                                                            : fmt::format("{}", fmt::join(others, ", ")));
+  }
+  return result;
+}
+
+namespace {
+
+std::vector<PairResult> welch_pairs(const Evidence& evidence, const Groups& groups) {
+  return of_means(evidence, games_howell(groups.summaries, 1 - evidence.plan.significance, evidence.reference));
+}
+
+std::optional<TestResult> welch_of_all(const Evidence& evidence, const Groups& groups) {
+  return welch_of_all(evidence, groups.summaries);
+}
+
+}  // namespace
+
+extern const Method welch_method;
+const Method welch_method{.name = "welch",
+                          .title = "Welch's ANOVA with the Games-Howell test",
+                          .of_pair = "Games-Howell test",
+                          .of_two = "Welch's test",
+                          .interval = "Games-Howell, separate variances",
+                          .source =
+                              "Welch, Biometrika 38 (1951) 330; Games and Howell, J. Educational Statistics 1 "
+                              "(1976) 113",
+                          .needs = results::Needs::summaries,
+                          .corrects_all_pairs = true,
+                          .pairs = welch_pairs,
+                          .all = welch_of_all};
+
+}  // namespace ikbench::inference
