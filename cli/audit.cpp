@@ -6,7 +6,7 @@
 #include <memory>
 #include <stdexcept>
 
-#include "analysis/papers.hpp"
+#include "analysis/collections.hpp"
 #include "analysis/report/report.hpp"
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
@@ -55,7 +55,7 @@ void add_audit(CLI::App& app) {
   };
   auto arguments = std::make_shared<Arguments>();
   CLI::App* command = app.add_subcommand("audit", "Check whether a paper's printed numbers agree with each other");
-  add_paper_option(*command, arguments->paper);
+  add_paper_option(*command, arguments->paper, [](const Collection& of) { return of.paper && of.paper->audit; });
   command->add_option("--out", arguments->out, "folder for tables/audit.md, .csv and .tex; default: print only");
   command->footer(
       "Examples:\n"
@@ -68,9 +68,9 @@ void add_audit(CLI::App& app) {
       "  not supported   the numbers do not show a claim or an assumption, or only with something that is not printed\n"
       "  contradiction   two printed things cannot both be true");
   command->callback([arguments] {
-    const Paper& paper = analysis::paper(arguments->paper);
-    if (!paper.audit) throw std::invalid_argument(fmt::format("the program has no audit of the paper {}", paper.name));
-    const std::vector<AuditItem> items = paper.audit();
+    const auto& audit = analysis::paper(arguments->paper).audit;
+    if (!audit) throw std::invalid_argument(fmt::format("the program has no audit of the paper {}", arguments->paper));
+    const std::vector<AuditItem> items = audit();
     if (!arguments->out.empty()) {
       write_table(audit_table(items), std::filesystem::path(arguments->out) / "tables");
     }

@@ -7,7 +7,7 @@
 #include <memory>
 #include <stdexcept>
 
-#include "analysis/papers.hpp"
+#include "analysis/collections.hpp"
 #include "analysis/report/report.hpp"
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
@@ -95,7 +95,7 @@ void tell(const MultiverseReport& report, const MultiverseArguments& arguments, 
 
 void solve_and_tell(const Paper& paper, const MultiverseArguments& arguments, const std::vector<Dimension>& varied,
                     Invocation& invocation) {
-  const std::string& study = paper.studies.front().name;
+  const std::string& study = arguments.paper;
   const std::filesystem::path folder =
       arguments.out.empty() ? default_folder(study + "-multiverse") : std::filesystem::path(arguments.out);
   CancelOnSignal signals;
@@ -131,7 +131,7 @@ void add_multiverse(CLI::App& app, Invocation& invocation) {
   auto arguments = std::make_shared<MultiverseArguments>();
   CLI::App* command =
       app.add_subcommand("multiverse", "Judge the claims of a paper in every combination of what it leaves open");
-  add_paper_option(*command, arguments->paper);
+  add_paper_option(*command, arguments->paper, [](const Collection& of) { return of.paper && of.paper->multiverse; });
   command->add_flag("--list", arguments->list, "list the dimensions and the size, without solving");
   CLI::Option* small =
       command->add_flag("--small", arguments->small, "fewer dimensions: what `ikbench reproduce` shows");
@@ -166,10 +166,10 @@ void add_multiverse(CLI::App& app, Invocation& invocation) {
       "counted over all combinations. After Ctrl-C the same command continues.");
   command->callback([arguments, &invocation] {
     const Paper& paper = analysis::paper(arguments->paper);
-    const std::string& study = paper.studies.front().name;
+    const std::string& study = arguments->paper;
     const std::vector<Dimension> all = dimensions(study);
     if (!paper.multiverse || all.empty())
-      throw std::invalid_argument(fmt::format("the program has no multiverse of the paper {}", paper.name));
+      throw std::invalid_argument(fmt::format("the program has no multiverse of the paper {}", study));
     const Scope scope = arguments->small ? Scope::small : arguments->one_at_a_time ? Scope::none : Scope::usual;
     const std::vector<Dimension> varied =
         arguments->dimensions.empty() ? within(scope, all) : named(arguments->dimensions, all);

@@ -9,8 +9,8 @@
 #include <thread>
 #include <utility>
 
+#include "analysis/collections.hpp"
 #include "analysis/inference/analysis_plan.hpp"
-#include "analysis/papers.hpp"
 #include "analysis/report/report.hpp"
 #include "cli/console.hpp"
 #include "cli/memory.hpp"
@@ -124,11 +124,13 @@ CLI::Validator not_empty() {
   return CLI::Validator([](const std::string& text) { return text.empty() ? "the name is empty" : ""; }, "");
 }
 
-void add_paper_option(CLI::App& command, std::string& paper) {
+void add_paper_option(CLI::App& command, std::string& paper, bool (*is_offered)(const Collection& of)) {
   std::vector<std::string> names;
-  for (const Paper& each : analysis::papers()) names.push_back(fmt::format("{} ({})", each.name, each.in_short));
-  paper = analysis::papers().front().name;
-  command.add_option("PAPER", paper, fmt::format("what to repeat: {}", fmt::join(names, ", ")))->capture_default_str();
+  for (const Collection& each : analysis::collections()) {
+    if (is_offered(each)) names.push_back(fmt::format("{} ({})", each.name, each.in_short));
+  }
+  paper = analysis::collections().front().name;
+  command.add_option("PAPER", paper, fmt::format("one of: {}", fmt::join(names, ", ")))->capture_default_str();
 }
 
 void add_report_options(CLI::App& command, ReportArguments& arguments) {
@@ -172,7 +174,7 @@ void write_and_announce(const Store& store, WrittenReport wanted) {
                                              .folder = wanted.folder,
                                              .plan = plan,
                                              .figures = {.render = !wanted.arguments.without_figures},
-                                             .papers = analysis::papers(),
+                                             .collections = analysis::collections(),
                                              .extra_tables = std::move(wanted.tables),
                                              .extra_figures = std::move(wanted.figures),
                                              .repetitions = std::move(wanted.repetitions),

@@ -9,6 +9,7 @@
 
 #include "analysis/figures/figure.hpp"
 #include "analysis/report/claims.hpp"
+#include "analysis/report/paper.hpp"
 #include "analysis/report/repetitions.hpp"
 #include "analysis/report/table.hpp"
 #include "experiments/runner.hpp"
@@ -19,8 +20,8 @@ namespace ikbench::cli {
 // A folder has a name: an empty one is a variable of a script that is not set.
 CLI::Validator not_empty();
 
-// PAPER, one of analysis/papers.inc; the first where none is given.
-void add_paper_option(CLI::App& command, std::string& paper);
+// PAPER, the name of a collection of studies; the first where none is given. The help names those that are offered.
+void add_paper_option(CLI::App& command, std::string& paper, bool (*is_offered)(const report::Collection& of));
 
 struct ReportArguments {
   std::string unit = {};    // instead of what the study says

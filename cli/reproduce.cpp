@@ -13,8 +13,8 @@
 #include <thread>
 #include <utility>
 
+#include "analysis/collections.hpp"
 #include "analysis/inference/make_study.hpp"
-#include "analysis/papers.hpp"
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
 #include "cli/multiverse.hpp"
@@ -44,17 +44,17 @@ std::string compared_with_reference(const Store& store, const std::string& name)
                                          : fmt::format("different from the reference {}", reference));
 }
 
-// The paper's own tables of its first `solved` studies, as soon as they are there; none of those already `shown`.
-void show_tables(const Store& store, const Paper& paper, std::size_t solved, std::set<std::string>& shown) {
-  if (!paper.pieces) return;
+// The collection's own tables of its first `solved` studies, as soon as they are there; none of those already `shown`.
+void show_tables(const Store& store, const Collection& collection, std::size_t solved, std::set<std::string>& shown) {
   std::vector<inference::JudgedStudy> studies;
   for (std::size_t i = 0; i < solved; ++i) {
-    const std::string& name = paper.studies[i].name;
+    const std::string& name = collection.studies[i].name;
     studies.emplace_back(inference::read_study(store, store.study(name)));
   }
-  const StudyPieces pieces = paper.pieces({studies.front(), {studies.begin() + 1, studies.end()}});
+  const StudyPieces pieces = pieces_of({studies.front(), {studies.begin() + 1, studies.end()}}, collection);
   std::vector<std::string> names{pieces.results};
-  for (const SectionPlan& section : paper.sections.further) {
+  const auto sections = collection.paper ? collection.paper->sections.further : std::vector<SectionPlan>();
+  for (const SectionPlan& section : sections) {
     std::ranges::copy(section.names, std::back_inserter(names));
     std::ranges::copy(section.folded, std::back_inserter(names));
   }
@@ -66,13 +66,13 @@ void show_tables(const Store& store, const Paper& paper, std::size_t solved, std
   std::fflush(stdout);
 }
 
-// The paper's studies, each with those of the overrides that it takes.
-std::vector<std::pair<std::string, Overrides>> studies_of(const Paper& paper,
-                                                          const std::map<std::string, std::string>& given) {
+// The collection's studies, each with those of the overrides that it takes.
+std::vector<std::pair<std::string, Overrides>> studies_of(const Collection& collection, const Overrides& of_all,
+                                                          const std::string& runs) {
   std::vector<std::pair<std::string, Overrides>> studies;
-  for (const PaperStudy& study : paper.studies) {
-    Overrides& overrides = studies.emplace_back(study.name, Overrides()).second;
-    for (const std::string& option : study.takes) overrides.push_back(given.at(option));
+  for (const CollectedStudy& study : collection.studies) {
+    Overrides& overrides = studies.emplace_back(study.name, of_all).second;
+    if (study.takes_runs) overrides.push_back(runs);
   }
   return studies;
 }
@@ -89,13 +89,14 @@ struct Arguments {
 };
 
 // Claims over the smaller set of interpretations, in its tables and its figure.
-void add_small_multiverse(WrittenReport& wanted, const Paper& paper, const SolvedMultiverse& solved) {
+void add_small_multiverse(WrittenReport& wanted, const std::string& name, const Paper& paper,
+                          const SolvedMultiverse& solved) {
   MultiverseReport report = paper.multiverse(solved.multiverse, solved.plan);
   std::vector<std::string>& notes = report.tables.front().notes;
   for (const ClaimShares& claim : report.claims) notes.push_back(claim.sentence);
   notes.insert(notes.end(), report.sentences.begin(), report.sentences.end());
   notes.push_back(fmt::format("This is the small multiverse, of {} dimensions; `ikbench multiverse {}` varies more.",
-                              solved.multiverse.dimensions.size(), paper.name));
+                              solved.multiverse.dimensions.size(), name));
   for (Table& table : report.tables) wanted.tables.push_back(std::move(table));
   for (figures::Figure& figure : report.figures) wanted.figures.push_back(std::move(figure));
   wanted.shares = std::move(report.claims);
@@ -115,8 +116,8 @@ std::vector<RepeatedSolver> repeated(const inference::Multiverse& multiverse) {
 // measured, so all processors may work. False where it was stopped.
 bool solve_besides(const Arguments& arguments, const Paper& paper, WrittenReport& wanted) {
   if (arguments.is_quick) return true;
+  const std::string& first = wanted.study;
   const int jobs = std::max(arguments.run.jobs, static_cast<int>(std::max(1u, std::thread::hardware_concurrency())));
-  const std::string& first = paper.studies.front().name;
   CancelOnSignal signals;
   const auto solve = [&](const char* title, const std::vector<Dimension>& varied, int seeds, Combined combined) {
     return solved_multiverse(
@@ -131,7 +132,7 @@ bool solve_besides(const Arguments& arguments, const Paper& paper, WrittenReport
   if (arguments.seeds > 0 && paper.multiverse) {
     const auto solved = solve("multiverse", within(Scope::small, dimensions(first)), arguments.seeds, Combined::every);
     if (!solved) return false;
-    add_small_multiverse(wanted, paper, *solved);
+    add_small_multiverse(wanted, first, paper, *solved);
   }
   if (arguments.seeds > 0 && paper.one_at_a_time) {
     // Those of the default set; the command has them all.
@@ -142,30 +143,28 @@ bool solve_besides(const Arguments& arguments, const Paper& paper, WrittenReport
   return !signals.end();
 }
 
-// Whether an option says anything to a paper.
-bool takes(const Paper& paper, std::string_view option) {
-  if (option == "--readings") return paper.multiverse || paper.one_at_a_time;
-  if (option == "--repetitions") return paper.repetitions > 0;
-  return std::ranges::any_of(paper.studies, [](const PaperStudy& study) {
-    return std::ranges::find(study.takes, "runs") != study.takes.end();
-  });
+// Whether an option says anything to a collection.
+bool takes(const Collection& collection, std::string_view option) {
+  if (option == "--readings") return collection.paper && collection.paper->multiverse;
+  if (option == "--repetitions") return collection.paper && collection.paper->repetitions > 0;
+  return std::ranges::any_of(collection.studies, &CollectedStudy::takes_runs);
 }
 
 // Those that the option says anything to, for its help.
-std::string papers_with(std::string_view option) {
+std::string collections_with(std::string_view option) {
   std::vector<std::string> names;
-  for (const Paper& paper : analysis::papers()) {
-    if (takes(paper, option)) names.push_back(paper.name);
+  for (const Collection& each : analysis::collections()) {
+    if (takes(each, option)) names.push_back(each.name);
   }
   return fmt::format("{}: ", fmt::join(names, ", "));
 }
 
-void refuse_others(const CLI::App& command, const Paper& paper) {
+void refuse_others(const CLI::App& command, const Collection& collection) {
   for (const char* option : {"--runs", "--readings", "--repetitions"}) {
-    if (command.count(option) == 0 || takes(paper, option)) continue;
+    if (command.count(option) == 0 || takes(collection, option)) continue;
     throw std::invalid_argument(
         fmt::format("{} is not an option of {}; leave it out (of one study: ikbench run {} --set runs=10)", option,
-                    paper.name, paper.studies.front().name));
+                    collection.name, collection.studies.front().name));
   }
 }
 
@@ -175,17 +174,17 @@ void add_reproduce(CLI::App& app, Invocation& invocation) {
   auto arguments = std::make_shared<Arguments>();
   CLI::App* command =
       app.add_subcommand("reproduce", "Repeat the experiments of a paper and report beside the printed results");
-  add_paper_option(*command, arguments->paper);
+  add_paper_option(*command, arguments->paper, [](const Collection&) { return true; });
   add_run_options(*command, arguments->run);
   command->add_option("--seed", arguments->seed, "seed of the studies")->check(whole_number())->capture_default_str();
-  command->add_option("--runs", arguments->runs, papers_with("--runs") + "runs of each solver on the helix")
+  command->add_option("--runs", arguments->runs, collections_with("--runs") + "runs of each solver on the helix")
       ->check(whole_number())
       ->check(CLI::Range(1, 1'000'000))
       ->capture_default_str();
   command
       ->add_option(
           "--readings", arguments->seeds,
-          papers_with("--readings") +
+          collections_with("--readings") +
               "number of seeds for the multiverse of the interpretations; one at a time they take one; 0: skip "
               "both")
       ->check(whole_number())
@@ -193,12 +192,12 @@ void add_reproduce(CLI::App& app, Invocation& invocation) {
       ->capture_default_str();
   command
       ->add_option("--repetitions", arguments->repetitions,
-                   papers_with("--repetitions") +
+                   collections_with("--repetitions") +
                        "number of seeds that say what a repetition would give; default: 50; 0: skip them")
       ->check(whole_number())
       ->check(CLI::Range(0, 1000));
   command->add_flag("--quick", arguments->is_quick,
-                    papers_with("--repetitions") + "skip the interpretations and the repetitions");
+                    collections_with("--repetitions") + "skip the interpretations and the repetitions");
   add_report_options(*command, arguments->report);
   command->footer(
       "Examples:\n"
@@ -210,13 +209,13 @@ void add_reproduce(CLI::App& app, Invocation& invocation) {
       "  ikbench reproduce --jobs 2               faster: two solves at once, but times are not comparable");
   command->callback([arguments, command, &invocation] {
     refuse_points(arguments->report);
-    const Paper& paper = analysis::paper(arguments->paper);
-    refuse_others(*command, paper);
-    const std::string& first = paper.studies.front().name;
+    const Collection& collection = analysis::collection(arguments->paper);
+    refuse_others(*command, collection);
+    const std::string& first = collection.studies.front().name;
     const std::filesystem::path folder =
         arguments->run.out.empty() ? default_folder(first) : std::filesystem::path(arguments->run.out);
-    const std::string seed = fmt::format("seed={}", arguments->seed), runs = fmt::format("runs={}", arguments->runs);
-    const auto studies = studies_of(paper, {{"seed", seed}, {"runs", runs}});
+    const auto studies =
+        studies_of(collection, {fmt::format("seed={}", arguments->seed)}, fmt::format("runs={}", arguments->runs));
     std::set<std::string> shown;
     for (std::size_t i = 0; i < studies.size(); ++i) {
       const auto& [name, overrides] = studies[i];
@@ -226,10 +225,11 @@ void add_reproduce(CLI::App& app, Invocation& invocation) {
         return;
       }
       if (i == 0 || i + 1 == studies.size()) {
-        show_tables(Store(store_in(folder), Store::Mode::read), paper, i + 1, shown);
+        show_tables(Store(store_in(folder), Store::Mode::read), collection, i + 1, shown);
       }
     }
     WrittenReport wanted{.study = first, .folder = folder, .arguments = arguments->report};
+    const Paper paper = collection.paper.value_or(Paper());
     if (!solve_besides(*arguments, paper, wanted)) {
       say("Stopped before the report. The solves are kept; run the same command again to continue.");
       invocation.exit_code = cancelled_exit_code();

@@ -51,27 +51,6 @@ AuditEntry read_entry(TomlReader reader) {
   return entry;
 }
 
-// The columns of a row by name, as text.
-using Words = std::map<std::string, std::string, std::less<>>;
-
-const std::string& word(const Words& words, std::string_view name) {
-  const auto found = words.find(name);
-  if (found == words.end()) throw std::runtime_error(fmt::format("no column {{{}}}", name));
-  return found->second;
-}
-
-// "{word} of {n}" with the words of these names.
-std::string filled(const std::string& text, const Words& words) {
-  std::string result;
-  std::size_t end = 0;
-  for (std::size_t open = text.find('{'); open != std::string::npos; open = text.find('{', end)) {
-    const std::size_t close = std::min(text.find('}', open), text.size() - 1);
-    result += text.substr(end, open - end) + word(words, text.substr(open + 1, close - open - 1));
-    end = close + 1;
-  }
-  return result + text.substr(end);
-}
-
 std::vector<Words> rows_of(SQLite::Database& database, const std::string& query) {
   SQLite::Statement statement(database, query);
   std::vector<Words> rows;

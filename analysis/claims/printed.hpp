@@ -3,12 +3,68 @@
 
 #include <SQLiteCpp/Database.h>
 
+#include <array>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
+
+#include "analysis/inference/study.hpp"
+#include "analysis/statistics/anova.hpp"
+#include "analysis/statistics/descriptive.hpp"
+#include "results/csv.hpp"
 
 namespace ikbench::claims {
 
 // Half a unit of the last printed digit: what rounding may have taken from, or added to, "1.7824e-4".
 double half_unit(std::string_view printed);
+
+// A table as printed; without rows where the paper has none of that name.
+results::CsvTable printed_table(std::string_view paper, std::string_view name);
+
+// The statistics that a table of means may have, by their columns.
+constexpr std::array<std::pair<std::string_view, double statistics::Description::*>, 5> printed_statistics{
+    {{"mean", &statistics::Description::mean},
+     {"median", &statistics::Description::median},
+     {"std", &statistics::Description::std},
+     {"max", &statistics::Description::max},
+     {"min", &statistics::Description::min}}};
+
+// What is printed of one metric of one solver.
+struct PrintedRow {
+  std::string algorithm;
+  inference::Metric metric = {};
+  statistics::Description printed = {};  // not defined where the table has no such column
+  std::array<std::string, printed_statistics.size()> digits = {};
+
+  statistics::GroupSummary summary() const { return {printed.mean, printed.std, printed.n}; }
+};
+
+// The rows of a table of means (columns algorithm, metric, n and the statistics), in their order.
+std::vector<PrintedRow> printed_rows(std::string_view paper, std::string_view table);
+std::vector<PrintedRow> printed_rows(std::string_view paper, std::string_view table, inference::Metric metric);
+
+// A row of a table of times (columns n, mean_ms, median_ms and so on).
+struct PrintedTime {
+  std::string solver;
+  statistics::Description ms = {};
+};
+// `row` is the solver that a row is of: "{bats} bats" with its column bats.
+std::vector<PrintedTime> printed_times(std::string_view paper, std::string_view table, const std::string& row);
+
+// An analysis of variance, cells as printed, of the rows between, within and total.
+std::optional<statistics::AnovaTable> printed_anova(std::string_view paper, std::string_view table);
+// Nothing where it answers another question than the study asks: of other solvers than these rows are of, or of points.
+std::optional<statistics::AnovaTable> comparable_anova(const inference::StudyResults& study,
+                                                       const std::vector<PrintedRow>& rows, std::string_view table);
+
+// "{word} of {n}" with what these names stand for; std::runtime_error where one is unknown.
+using Words = std::map<std::string, std::string, std::less<>>;
+std::string filled(const std::string& text, const Words& words);
+const std::string& word(const Words& words, std::string_view name);
 
 // All tables of a paper for SQL: table-3.csv is table_3, its rows in order. A column has its numbers, and
 // COLUMN_as_printed its digits. `said` is one row of what statements.csv has, a column a name.

@@ -1,8 +1,9 @@
-// What a paper adds to the report of a study that is held against it. A paper is a folder beside this one, which fills
-// one Paper, and a line in analysis/papers.inc. What it leaves empty is as in the report of a study without a paper.
+// What is reported together: a collection of built-in studies, and what a paper adds to their report. What it leaves
+// empty is as in the report of any study.
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -13,33 +14,25 @@
 #include "analysis/report/audit.hpp"
 #include "analysis/report/claims.hpp"
 #include "analysis/report/multiverse.hpp"
+#include "analysis/report/rates.hpp"
 #include "analysis/report/repetitions.hpp"
 #include "analysis/report/report_content.hpp"
 #include "analysis/report/study_pieces.hpp"
 
 namespace ikbench::report {
 
-// A study with its companions, the paper's other studies where the store has them. All are judged by the study's plan.
+// A study with its companions, the collection's other studies where the store has them. All are judged by the study's
+// plan.
 struct Reported {
   const inference::JudgedStudy& study;
   inference::JudgedStudies companions = {};
   std::span<const RepeatedSolver> repetitions = {};  // the study's run means with other seeds; none where not solved
 };
 
-// A built-in study that `ikbench reproduce` runs.
-struct PaperStudy {
-  std::string name;
-  std::vector<std::string> takes;  // of the command's options: "seed", "runs"
-};
-
 struct Paper {
-  std::string name;                 // as a study's `published` and results/published have it
-  std::string in_short = {};        // what is repeated, in a few words for --help
   std::string citation = {};        // a sentence with the DOI
   std::string not_reproduced = {};  // a sentence
-  // The first is the paper's own; "first-part" is a companion of it, and "mine-part" of a study "mine".
-  std::vector<PaperStudy> studies = {};
-  int repetitions = 0;  // with so many seeds the first is solved, for what a repetition would give
+  int repetitions = 0;              // with so many seeds its first study is solved, for what a repetition would give
   std::function<std::vector<Claim>(const Reported&)> claims = {};
   std::function<StudyPieces(const Reported&)> pieces = {};  // instead of study_pieces, which it may take and add to
   ReportPlan sections = {};                                 // where these stand
@@ -51,5 +44,23 @@ struct Paper {
   // Of the universes with at most one choice that is not the default.
   std::function<Table(const inference::Multiverse&, const results::AnalysisPlan&)> one_at_a_time = {};
 };
+
+// A built-in study that `ikbench reproduce` runs.
+struct CollectedStudy {
+  std::string name;
+  bool takes_runs = false;  // of the command
+};
+
+struct Collection {
+  std::string name;           // of a paper's: as a study's `published` and results/published have it
+  std::string in_short = {};  // what is solved, in a few words for --help
+  // The first is the collection's own; "first-part" is a companion of it, and "mine-part" of a study "mine".
+  std::vector<CollectedStudy> studies = {};
+  RatesPlan rates = {};
+  std::optional<Paper> paper = {};
+};
+
+// The tables and figures of the study itself and of the collection.
+StudyPieces pieces_of(const Reported& reported, const Collection& collection);
 
 }  // namespace ikbench::report

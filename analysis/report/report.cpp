@@ -50,10 +50,10 @@ JudgedStudy judged_by(const AnalysisPlan& plan, StudyResults other) {
   return JudgedStudy(std::move(other));
 }
 
-// Whether it is another study of the reported one's paper: such are named after it as after the paper's own.
-bool is_companion(const std::string& name, const StudyResults& study, const Paper& paper) {
-  return std::ranges::any_of(paper.studies, [&](const PaperStudy& other) {
-    const std::string part = other.name.substr(paper.studies.front().name.size());
+// Whether it is another study of the reported one's collection: such are named after it as after the collection's own.
+bool is_companion(const std::string& name, const StudyResults& study, const Collection& collection) {
+  return std::ranges::any_of(collection.studies, [&](const CollectedStudy& other) {
+    const std::string part = other.name.substr(collection.studies.front().name.size());
     return !part.empty() && name == study.name + part;
   });
 }
@@ -106,12 +106,12 @@ class CheckedStore {
 
 // The other studies of the store that the report has something of: companions, and those with the same targets.
 std::vector<JudgedStudy> others_of(CheckedStore& store, const std::vector<StudyEntry>& entries,
-                                   const StudyResults& study, const Paper& paper) {
+                                   const StudyResults& study, const Collection& collection) {
   std::vector<JudgedStudy> result;
   for (const StudyEntry& entry : entries) {
     if (entry.name == study.name) continue;
     StudyResults other = store.study(entry);
-    if (is_companion(other.name, study, paper) || same_targets(study, other)) {
+    if (is_companion(other.name, study, collection) || same_targets(study, other)) {
       result.push_back(judged_by(study.plan, std::move(other)));
     }
   }
@@ -130,30 +130,29 @@ struct Grouped {
 };
 
 // Where limits are not treated alike, numbers cannot be put side by side: those have a table of their own.
-Grouped grouped(const JudgedStudy& study, const std::vector<JudgedStudy>& others, const Paper& paper) {
+Grouped grouped(const JudgedStudy& study, const std::vector<JudgedStudy>& others, const Collection& collection) {
   Grouped result{.companions = {}, .same_targets_given = {study}, .same_limits_too = {study}};
   for (const JudgedStudy& other : others) {
-    const bool is_of_paper = is_companion(other.name, study, paper);
-    if (is_of_paper) result.companions.push_back(other);
+    const bool is_collected = is_companion(other.name, study, collection);
+    if (is_collected) result.companions.push_back(other);
     if (!same_targets(study, other)) continue;
     result.same_targets_given.push_back(other);
     // A companion with the same solvers in other circumstances is there for a claim.
-    const bool is_for_a_claim = is_of_paper && !has_another_solver(other, study);
+    const bool is_for_a_claim = is_collected && !has_another_solver(other, study);
     if (enforces_limits(other) == enforces_limits(study) && !is_for_a_claim) result.same_limits_too.push_back(other);
   }
   return result;
 }
 
-// The paper of the study; one that says nothing where it has none.
-const Paper& paper_of(const StudyResults& study, std::span<const Paper> papers) {
-  static const Paper none;
-  const auto is_of = [&](const Paper& paper) {
-    if (!study.facts.published.empty() || !paper.citation.empty()) return paper.name == study.facts.published;
-    // Studies that are read together, but were never printed.
-    return std::ranges::find(paper.studies, study.name, &PaperStudy::name) != paper.studies.end();
+// The collection of the study; of one that names a paper, that paper's. It is empty where there is none.
+const Collection& collection_of(const StudyResults& study, std::span<const Collection> collections) {
+  static const Collection none;
+  const auto is_of = [&](const Collection& collection) {
+    if (!study.facts.published.empty() || collection.paper) return collection.name == study.facts.published;
+    return std::ranges::count(collection.studies, study.name, &CollectedStudy::name) > 0;
   };
-  const auto found = std::ranges::find_if(papers, is_of);
-  return found == papers.end() ? none : *found;
+  const auto found = std::ranges::find_if(collections, is_of);
+  return found == collections.end() ? none : *found;
 }
 
 // What a study's own tables say of themselves where points are the observations.
@@ -213,13 +212,15 @@ std::string out_of_reach_warning(const StudyResults& study) {
 }
 
 std::vector<std::string> warnings_of(const StudyResults& study, const JudgedStudies& companions,
-                                     std::span<const Paper> papers) {
+                                     std::span<const Collection> collections) {
   std::vector<std::string> warnings;
   if (std::string warning = wrong_claims_sentence(study); !warning.empty()) warnings.push_back(std::move(warning));
   if (std::string warning = out_of_reach_warning(study); !warning.empty()) warnings.push_back(std::move(warning));
-  if (!study.facts.published.empty() && paper_of(study, papers).name.empty()) {
+  if (!study.facts.published.empty() && collection_of(study, collections).name.empty()) {
     std::vector<std::string> names;
-    for (const Paper& paper : papers) names.push_back(paper.name);
+    for (const Collection& collection : collections) {
+      if (collection.paper) names.push_back(collection.name);
+    }
     warnings.push_back(
         fmt::format("no published tables of '{}'; known papers: {}", study.facts.published, fmt::join(names, ", ")));
   }
@@ -271,6 +272,13 @@ void see(const JudgedStudy& study, const std::vector<Table>& tables, std::span<c
 
 }  // namespace
 
+StudyPieces pieces_of(const Reported& reported, const Collection& collection) {
+  const bool has_own = collection.paper && collection.paper->pieces;
+  StudyPieces pieces = has_own ? collection.paper->pieces(reported) : study_pieces(reported.study);
+  add_rates(pieces, reported, collection.rates);
+  return pieces;
+}
+
 Report write_report(const Store& store, const ReportRequest& request) {
   const StudyEntry entry = store.study(request.study);
   CheckedStore checked(store, request);
@@ -278,15 +286,16 @@ Report write_report(const Store& store, const ReportRequest& request) {
   StudyResults stored = checked.reported(entry);
   if (request.plan) stored.plan = *request.plan;
   const JudgedStudy study(std::move(stored));
-  const Paper& paper = paper_of(study, request.papers);
-  const std::vector<JudgedStudy> others = others_of(checked, store.studies(), study, paper);
-  const auto [companions, same_targets_given, same_limits_too] = grouped(study, others, paper);
+  const Collection& collection = collection_of(study, request.collections);
+  const Paper paper = collection.paper.value_or(Paper());
+  const std::vector<JudgedStudy> others = others_of(checked, store.studies(), study, collection);
+  const auto [companions, same_targets_given, same_limits_too] = grouped(study, others, collection);
   const Reported reported{.study = study, .companions = companions, .repetitions = request.repetitions};
 
   std::vector<Table> tables{definition_table(entry), options_table(entry),
                             plan_table(entry, study.plan, plan_notes(entry, sessions, solves_of_sessions(study))),
                             environment_table(study, sessions)};
-  StudyPieces pieces = paper.pieces ? paper.pieces(reported) : study_pieces(study);
+  StudyPieces pieces = pieces_of(reported, collection);
   std::vector<Figure> figures = std::move(pieces.figures);
   std::ranges::move(pieces.tables, std::back_inserter(tables));
   if (same_limits_too.size() > 1) tables.push_back(flagged(baselines_table(same_limits_too), study));
@@ -302,7 +311,7 @@ Report write_report(const Store& store, const ReportRequest& request) {
                         .solvers = study.solvers,
                         .claims = paper.claims ? paper.claims(reported) : std::vector<Claim>(),
                         .summary = summary(reported, paper),
-                        .warnings = warnings_of(study, reported.companions, request.papers),
+                        .warnings = warnings_of(study, reported.companions, request.collections),
                         .command = command_of(study, sessions),
                         .plan = paper.sections,
                         .path = pieces.path,

@@ -32,7 +32,7 @@ struct ReportRequest {
   std::optional<results::AnalysisPlan> plan =
       {};  // instead of the study's own, which the report says; for its companions too
   figures::RenderOptions figures = {};
-  std::span<const Paper> papers = {};               // of which the study's, if it is there, has its say
+  std::span<const Collection> collections = {};     // of which the study's, if it is there, has its say
   std::vector<Table> extra_tables = {};             // written and shown with the others (report_content.cpp says where)
   std::vector<figures::Figure> extra_figures = {};  // likewise
   std::vector<RepeatedSolver> repetitions = {};     // of the study, with other seeds

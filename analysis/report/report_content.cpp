@@ -153,7 +153,7 @@ void arrange(std::vector<Piece> pieces, const std::vector<Assessment>& assessmen
     }
   };
   fill(circumstances(), content.circumstances);
-  fill(content.plan.first, content.results);
+  fill({{"Solve rates", "", {"solve-rates-figure", "solve-rates", "solve-rates-iterations"}}}, content.results);
   fill(content.plan.results.empty() ? results() : content.plan.results, content.results);
   fill(content.plan.further, content.results);
   fill(of_any_paper(), content.results);

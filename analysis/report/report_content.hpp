@@ -44,7 +44,6 @@ struct SectionPlan {
 
 // Where the pieces of a paper stand: the results of its study, and what else belongs to it.
 struct ReportPlan {
-  std::vector<SectionPlan> first = {};    // before the results
   std::vector<SectionPlan> results = {};  // where empty, those of any study
   std::vector<SectionPlan> further = {};
 };

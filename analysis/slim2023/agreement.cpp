@@ -14,12 +14,10 @@
 #include "analysis/slim2023/published_numbers.hpp"
 #include "analysis/statistics/descriptive.hpp"
 #include "analysis/statistics/predictive_interval.hpp"
-#include "numerics/number.hpp"
-#include "results/published.hpp"
 
 namespace ikbench::slim2023 {
 
-using namespace numerics;
+using namespace claims;
 using namespace results;
 using namespace statistics;
 using namespace inference;
@@ -28,31 +26,7 @@ using namespace report;
 namespace {
 
 constexpr double predictive_level = 0.95;
-constexpr std::array<std::pair<const char*, double Description::*>, 5> printed_statistics{
-    {{"mean", &Description::mean},
-     {"median", &Description::median},
-     {"std", &Description::std},
-     {"max", &Description::max},
-     {"min", &Description::min}}};
 constexpr std::array<Metric, 2> repeated_metrics{Metric::position_error_cm, Metric::variation_deg};
-
-// A row of the printed table.
-struct PrintedCells {
-  std::string solver;
-  Metric metric;
-  std::vector<std::string> cells;  // of the printed statistics
-};
-
-std::vector<PrintedCells> printed_cells(std::string_view paper, Metric metric) {
-  const CsvTable table = published::table(paper, "table-3");
-  std::vector<PrintedCells> rows;
-  for (const std::vector<std::string>& row : table.rows) {
-    if (row[table.column("metric")] != name_of(metric)) continue;
-    PrintedCells& printed = rows.emplace_back(PrintedCells{row[table.column("algorithm")], metric, {}});
-    for (const auto& [name, field] : printed_statistics) printed.cells.push_back(row[table.column(name)]);
-  }
-  return rows;
-}
 
 std::vector<Description> descriptions(const RepeatedSolver& solver, Metric metric) {
   std::vector<Description> seeds;
@@ -97,9 +71,9 @@ void add_times(Table& table, const StudyResults& study) {
       return Beside{.ours = our_ratio, .printed = short_number(printed_ratio)};
     };
     table.rows.push_back({printed.algorithm, fmt::format("time by {}'s", time_reference),
-                          times(ours.mean / own.mean, printed.summary.mean / printed_reference->summary.mean),
-                          times(ours.median / own.median, printed.median / printed_reference->median), Cell(), Cell(),
-                          Cell()});
+                          times(ours.mean / own.mean, printed.printed.mean / printed_reference->printed.mean),
+                          times(ours.median / own.median, printed.printed.median / printed_reference->printed.median),
+                          Cell(), Cell(), Cell()});
   }
 }
 
@@ -119,9 +93,9 @@ std::vector<Agreement> agreements(const StudyResults& study, std::span<const Rep
   if (printed_table_3(study, Metric::position_error_cm).empty()) return result;
   for (const Metric metric : repeated_metrics) {
     const std::vector<Sample> all = samples(study, metric);
-    for (const PrintedCells& row : printed_cells(study.facts.published, metric)) {
-      const auto repeated = std::ranges::find(repetitions, row.solver, &RepeatedSolver::label);
-      const Sample* const sample = sample_of(all, row.solver);
+    for (const PrintedRow& row : printed_table_3(study, metric)) {
+      const auto repeated = std::ranges::find(repetitions, row.algorithm, &RepeatedSolver::label);
+      const Sample* const sample = sample_of(all, row.algorithm);
       if (repeated == repetitions.end() || sample == nullptr) continue;
       const std::vector<Description> seeds = descriptions(*repeated, metric);
       const Description ours = describe(sample->values);
@@ -130,11 +104,11 @@ std::vector<Agreement> agreements(const StudyResults& study, std::span<const Rep
         std::vector<double> values;
         for (const Description& seed : seeds) values.push_back(seed.*field);
         const Interval expected = predictive_interval(values, predictive_level);
-        const double printed = number_from(row.cells[s]).value(), rounding = claims::half_unit(row.cells[s]);
-        result.push_back({.solver = row.solver,
+        const double printed = row.printed.*field, rounding = half_unit(row.digits[s]);
+        result.push_back({.solver = row.algorithm,
                           .metric = metric,
-                          .statistic = name,
-                          .printed = row.cells[s],
+                          .statistic = std::string(name),
+                          .printed = row.digits[s],
                           .ours = ours.*field,
                           .ratio = printed == 0 ? not_defined : ours.*field / printed,
                           .expected = expected,
@@ -151,7 +125,7 @@ std::optional<Table> agreement_table(const StudyResults& study, std::span<const 
   Table table{.name = "agreement",
               .caption = "Table 3, our numbers beside the printed ones",
               .columns = {{"algorithm", Align::left}, {"metric", Align::left}}};
-  for (const auto& [name, field] : printed_statistics) table.columns.push_back({name});
+  for (const auto& [name, field] : printed_statistics) table.columns.push_back({std::string(name)});
   for (std::size_t i = 0; i < all.size(); ++i) {
     if (i % printed_statistics.size() == 0) {
       const MetricInfo& metric = info_of(all[i].metric);

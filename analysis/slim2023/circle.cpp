@@ -120,16 +120,6 @@ bool is_table_8(const StudyResults& study) {
 
 bool is_circle(const StudyResults& study) { return study.facts.path.kind == "circle"; }
 
-double farthest_target_cm(const StudyResults& study) {
-  double farthest = 0;
-  for (const Solve& solve : study.solves) {
-    const std::span<const double> at = problem_of(study, solve).target_position_m;
-    const double distance = at.size() == 3 ? std::hypot(100 * at[0], 100 * at[1], 100 * at[2]) : not_defined;
-    if (std::isfinite(distance)) farthest = std::max(farthest, distance);
-  }
-  return farthest;
-}
-
 std::optional<Table> table_8(const StudyResults& study) {
   if (!is_table_8(study)) return std::nullopt;
   Table table{.name = "table-8",

@@ -11,10 +11,6 @@ namespace ikbench::slim2023 {
 
 bool is_circle(const inference::StudyResults& study);
 
-// From the base; times the spacing of numbers at 1 it is the order of rounding, though an answer may come nearer by
-// chance. 0 where no target is known.
-double farthest_target_cm(const inference::StudyResults& study);
-
 // The first run of the study's first solver. Nothing where the study is not a circle that is held against a printed
 // Table 8.
 std::optional<report::Table> table_8(const inference::StudyResults& study);

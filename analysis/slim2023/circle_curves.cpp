@@ -10,6 +10,7 @@
 #include <numbers>
 #include <optional>
 
+#include "analysis/claims/rules_of_solves.hpp"
 #include "analysis/figures/arm.hpp"
 #include "analysis/figures/figure_parts.hpp"
 #include "analysis/figures/study_figures.hpp"
@@ -153,7 +154,7 @@ Figure circle_errors_figure(const StudyResults& study) {
 }
 
 Figure convergence_figure(const StudyResults& study) {
-  const double rounding_cm = farthest_target_cm(study) * std::numeric_limits<double>::epsilon();
+  const double rounding_cm = claims::farthest_target_cm(study) * std::numeric_limits<double>::epsilon();
   Figure figure{
       .name = "figure-18",
       .caption = fmt::format(

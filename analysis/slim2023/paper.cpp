@@ -7,23 +7,17 @@
 #include <string_view>
 #include <utility>
 
-#include "analysis/claims/audit.hpp"
 #include "analysis/inference/comparable.hpp"
 #include "analysis/inference/convergence.hpp"
 #include "analysis/inference/text.hpp"
 #include "analysis/report/leaders.hpp"
 #include "analysis/report/summary.hpp"
 #include "analysis/slim2023/agreement.hpp"
-#include "analysis/slim2023/claims.hpp"
-#include "analysis/slim2023/multiverse.hpp"
-#include "analysis/slim2023/one_at_a_time.hpp"
 #include "analysis/slim2023/paper_figures.hpp"
 #include "analysis/slim2023/paper_summary.hpp"
 #include "analysis/slim2023/paper_tables.hpp"
 #include "analysis/slim2023/published_numbers.hpp"
-#include "analysis/slim2023/time_assessment.hpp"
 #include "analysis/statistics/descriptive.hpp"
-#include "numerics/embedded_file.hpp"
 
 namespace ikbench::slim2023 {
 
@@ -33,16 +27,6 @@ using namespace inference;
 using namespace report;
 
 namespace {
-
-constexpr const char* this_paper = "slim2023";
-constexpr numerics::EmbeddedFile files[]{
-#include "claims.inc"
-};
-
-std::vector<AuditItem> audit() {
-  const numerics::EmbeddedFile& file = *numerics::find_embedded(files, "audit");
-  return claims::audited(this_paper, file.text, file.name);
-}
 
 // What only a companion has.
 bool is_of_companions(const std::string& piece) {
@@ -60,7 +44,7 @@ std::string verdict_sentence(const JudgedStudy& study, const std::vector<Agreeme
   std::string text;
   if (own != all.end() && printed) {
     text = fmt::format("{}'s mean error: {} cm (printed {}).", time_reference, short_number(describe(own->values).mean),
-                       short_number(printed->summary.mean));
+                       short_number(printed->printed.mean));
   }
   if (!agreed.empty()) {
     text += fmt::format(" {} of {} printed numbers repeat.", std::ranges::count(agreed, true, &Agreement::is_expected),
@@ -104,23 +88,6 @@ StudyPieces pieces(const Reported& reported) {
   return all;
 }
 
-// "computing time, as printed [s]"
-std::string as_printed(std::string_view quantity) {
-  const std::size_t unit = std::min(quantity.find(" ["), quantity.size());
-  return fmt::format("{}, as printed{}", quantity.substr(0, unit), quantity.substr(unit));
-}
-
-std::vector<Summaries> printed_summaries(const StudyResults& study) {
-  std::vector<Summaries> result;
-  for (const Metric metric : paper_metrics) {
-    Summaries printed{.name = fmt::format("printed-{}", info_of(metric).slug),
-                      .quantity = as_printed(quantity(metric))};
-    for (const PrintedRow& row : printed_table_3(study, metric)) printed.groups.push_back({row.algorithm, row.summary});
-    if (printed.groups.size() >= 2) result.push_back(std::move(printed));
-  }
-  return result;
-}
-
 ReportPlan sections() {
   return {
       .results = {{"Table 3", "", {"overview", "agreement|table-3"}, {"table-3", "table-3-as-printed"}},
@@ -143,31 +110,10 @@ ReportPlan sections() {
 
 }  // namespace
 
-Paper paper() {
-  return {.name = this_paper,
-          .in_short = "six solvers on a helix",
-          .citation =
-              "Slim, Rokbani, Neji, Terres and Beyrouthy: Inverse Kinematic Solver Based on Bat Algorithm for "
-              "Robotic Arm Path Planning. Robotics 2023, 12(2), 38, doi:10.3390/robotics12020038.",
-          .not_reproduced = "No real Dobot.",
-          .studies = {{this_paper, {"seed", "runs"}},            // Sec. 5.2
-                      {"slim2023-context", {"seed", "runs"}},    // beside it: a classical solver
-                      {"slim2023-limits", {"seed", "runs"}},     // the same with the limits enforced
-                      {"slim2023-bounds", {"seed", "runs"}},     // with the other solvers clamped
-                      {"slim2023-frequency", {"seed", "runs"}},  // without Eq. 13
-                      {"slim2023-time", {"seed"}},               // Sec. 5.3.3
-                      {"slim2023-dobot", {"seed"}}},             // Sec. 6
-          .repetitions = 50,
-          .claims = claims,
-          .pieces = pieces,
-          .sections = sections(),
-          .summary = [](const Reported& of) { return paper_summary(of); },
-          .printed = printed_summaries,
-          .audit = audit,
-          .multiverse = [](const Multiverse& multiverse,
-                           const AnalysisPlan& plan) { return multiverse_report(this_paper, multiverse, plan); },
-          .one_at_a_time = [](const Multiverse& multiverse,
-                              const AnalysisPlan& plan) { return one_at_a_time(this_paper, multiverse, plan); }};
+void complete(Paper& paper) {
+  paper.pieces = pieces;
+  paper.sections = sections();
+  paper.summary = paper_summary;
 }
 
 }  // namespace ikbench::slim2023

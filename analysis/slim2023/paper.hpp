@@ -1,11 +1,11 @@
-// Slim, Rokbani, Neji, Terres and Beyrouthy (2023), the bat algorithm for inverse kinematics: all that a report of its
-// study has of the paper itself.
+// Slim, Rokbani, Neji, Terres and Beyrouthy (2023), the bat algorithm for inverse kinematics: the tables, figures and
+// sentences that a report of its study has of the paper alone.
 #pragma once
 
 #include "analysis/report/paper.hpp"
 
 namespace ikbench::slim2023 {
 
-report::Paper paper();
+void complete(report::Paper& paper);
 
 }  // namespace ikbench::slim2023

@@ -29,7 +29,7 @@ double time_scale(const StudyResults& study) {
   const std::optional<PrintedRow> printed = printed_row(study, time_reference, Metric::seconds);
   if (!printed || !times_are_comparable(study)) return not_defined;
   for (const Sample& sample : samples(study, Metric::seconds)) {
-    if (sample.solver == time_reference) return median(sample.values) / printed->median;
+    if (sample.solver == time_reference) return median(sample.values) / printed->printed.median;
   }
   return not_defined;
 }
@@ -41,7 +41,7 @@ std::string printed_ratios(const StudyResults& study) {
   for (const PrintedRow& row : printed_table_3(study, Metric::seconds)) {
     if (!reference || row.algorithm == time_reference) continue;
     ratios.push_back(
-        fmt::format("{} {}", row.algorithm, rounded_number(row.summary.mean / reference->summary.mean, 3)));
+        fmt::format("{} {}", row.algorithm, rounded_number(row.printed.mean / reference->printed.mean, 3)));
   }
   return ratios.empty() ? "" : fmt::format(" Printed mean times by {}'s: {}.", time_reference, fmt::join(ratios, ", "));
 }
@@ -54,10 +54,10 @@ Figure printed_box_figure(const StudyResults& study, BoxRequest request) {
   if (study.plan.unit == Unit::run && std::isfinite(scale)) {
     for (const PrintedRow& row : printed_table_3(study, request.metric)) {
       request.printed.push_back({.solver = row.algorithm,
-                                 .min = scale * row.min,
-                                 .median = scale * row.median,
-                                 .max = scale * row.max,
-                                 .resolution = scale * row.min_resolution});
+                                 .min = scale * row.printed.min,
+                                 .median = scale * row.printed.median,
+                                 .max = scale * row.printed.max,
+                                 .resolution = scale * claims::half_unit(row.digits.back())});
     }
   }
   if (request.metric == Metric::seconds) {
@@ -76,9 +76,9 @@ std::vector<OverviewMark> printed_means(const StudyResults& study) {
     const auto seconds = printed_row(study, row.algorithm, Metric::seconds);
     if (!variation || !seconds) continue;
     marks.push_back({.solver = row.algorithm,
-                     .error_cm = row.summary.mean,
-                     .variation_deg = variation->summary.mean,
-                     .seconds = seconds->summary.mean});
+                     .error_cm = row.printed.mean,
+                     .variation_deg = variation->printed.mean,
+                     .seconds = seconds->printed.mean});
   }
   return marks;
 }

@@ -35,7 +35,7 @@ std::vector<Standing> printed_ranking(const StudyResults& study, Metric metric, 
   std::vector<Standing> standings;
   for (const PrintedRow& row : printed_table_3(study, metric)) {
     if (std::ranges::find(ours, row.algorithm, &Standing::solver) == ours.end()) continue;
-    standings.push_back({row.algorithm, row.summary.mean});
+    standings.push_back({row.algorithm, row.printed.mean});
   }
   return ranked(std::move(standings));
 }

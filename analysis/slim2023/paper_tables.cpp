@@ -6,14 +6,12 @@
 #include <array>
 #include <cmath>
 #include <optional>
-#include <set>
 
 #include "analysis/inference/comparable.hpp"
 #include "analysis/slim2023/agreement.hpp"
 #include "analysis/slim2023/circle.hpp"
 #include "analysis/slim2023/published_numbers.hpp"
 #include "analysis/slim2023/time_assessment.hpp"
-#include "results/published.hpp"
 
 namespace ikbench::slim2023 {
 
@@ -43,10 +41,10 @@ void hold_against_printed_time(Comparison& row, double our_reference, const Stud
   const auto printed = printed_row(study, row.solver, Metric::seconds);
   const auto printed_reference = printed_row(study, time_reference, Metric::seconds);
   if (!printed || !printed_reference) return;
-  row.paper_mean = printed->summary.mean;
+  row.paper_mean = printed->printed.mean;
   row.remark = times_not_judged;
   if (!times_are_comparable(study) || left_out(study, Metric::seconds).solvers.contains(row.solver)) return;
-  row.ratio = (row.ours.mean / our_reference) / (row.paper_mean / printed_reference->summary.mean);
+  row.ratio = (row.ours.mean / our_reference) / (row.paper_mean / printed_reference->printed.mean);
   row.remark = row.solver == time_reference   ? "relative only: the reference"
                : std::isfinite(our_reference) ? "relative only: " + by_ratio(row.ratio)
                                               : fmt::format("no time of {} to compare with", time_reference);
@@ -80,7 +78,7 @@ std::vector<Comparison> compare(const StudyResults& study, std::span<const Repea
     if (row.metric == Metric::seconds) {
       hold_against_printed_time(row, our_reference, study);
     } else if (const auto printed = printed_row(study, row.solver, row.metric)) {
-      row.paper_mean = printed->summary.mean;
+      row.paper_mean = printed->printed.mean;
       row.ratio = row.ours.mean / row.paper_mean;
       row.remark = by_ratio(row.ratio);
     }
@@ -93,12 +91,6 @@ std::vector<Comparison> compare(const StudyResults& study, std::span<const Repea
     if (row != rows.end()) row->remark = words_of(each);
   }
   return rows;
-}
-
-std::optional<AnovaTable> comparable_printed_anova(const StudyResults& study, Metric metric) {
-  std::set<std::string> ours(study.solvers.begin(), study.solvers.end()), printed;
-  for (const PrintedRow& row : printed_table_3(study, metric)) printed.insert(row.algorithm);
-  return study.plan.unit == Unit::run && ours == printed ? printed_anova(study.facts.published, metric) : std::nullopt;
 }
 
 Table table_3(const StudyResults& study, std::span<const RepeatedSolver> repetitions) {
@@ -129,7 +121,7 @@ Table table_3(const StudyResults& study, std::span<const RepeatedSolver> repetit
 
 Table table_3_as_printed(std::string_view paper) {
   Table table{.name = "table-3-as-printed", .caption = "Table 3 as printed"};
-  const CsvTable printed = published::table(paper, "table-3");
+  const CsvTable printed = claims::printed_table(paper, "table-3");
   for (const std::string& name : printed.header) {
     table.columns.push_back({name, name == "algorithm" || name == "metric" ? Align::left : Align::right});
   }
@@ -152,8 +144,8 @@ Table anova_from_printed_table_3(std::string_view paper) {
               .columns = {{"metric", Align::left}, {"source", Align::left}, {"SS"}, {"df"}, {"MS"}, {"F"}, {"p"}}};
   for (const Metric metric : paper_metrics) {
     std::vector<GroupSummary> groups;
-    for (const PrintedRow& row : printed_table_3(paper, metric)) groups.push_back(row.summary);
-    const std::optional<AnovaTable> printed = printed_anova(paper, metric);
+    for (const PrintedRow& row : claims::printed_rows(paper, "table-3", metric)) groups.push_back(row.summary());
+    const auto printed = claims::printed_anova(paper, fmt::format("table-{}", paper_numbers(metric).anova_table));
     const auto cells = anova_cells(anova_from_summaries(groups));
     for (std::size_t i = 0; i < anova_sources.size(); ++i) {
       std::vector<Cell>& row =

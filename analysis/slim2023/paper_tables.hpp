@@ -34,10 +34,6 @@ constexpr std::string_view time_reference = "IK-BA";
 std::vector<Comparison> compare(const inference::StudyResults& study,
                                 std::span<const report::RepeatedSolver> repetitions = {});
 
-// The printed ANOVA of that metric where it answers the same question: the same solvers, runs as observations.
-std::optional<statistics::AnovaTable> comparable_printed_anova(const inference::StudyResults& study,
-                                                               inference::Metric metric);
-
 report::Table table_3(const inference::StudyResults& study, std::span<const report::RepeatedSolver> repetitions = {});
 report::Table table_3_as_printed(std::string_view paper);
 report::Table printed_anova_table(const inference::StudyResults& study,

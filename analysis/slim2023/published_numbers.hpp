@@ -1,4 +1,4 @@
-// The paper's printed numbers (results/published) as the analysis needs them.
+// The paper's printed numbers (results/published) as its tables and figures need them.
 #pragma once
 
 #include <array>
@@ -7,10 +7,12 @@
 #include <string_view>
 #include <vector>
 
-#include "analysis/inference/study.hpp"
-#include "analysis/statistics/anova.hpp"
+#include "analysis/claims/printed.hpp"
 
 namespace ikbench::slim2023 {
+
+using claims::PrintedRow;
+using claims::PrintedTime;
 
 // What the paper measured, and by which numbers it prints that: the table of its ANOVA, the figures of its curves over
 // the points and of its box plots.
@@ -21,32 +23,17 @@ struct PaperNumbers {
 };
 const PaperNumbers& paper_numbers(inference::Metric metric);  // std::out_of_range for what the paper did not measure
 
-struct PrintedRow {
-  std::string algorithm;
-  statistics::GroupSummary summary;
-  double median = statistics::not_defined;
-  double max = statistics::not_defined;
-  double min = statistics::not_defined;
-  double min_resolution = statistics::not_defined;  // half a unit of its last printed digit
-};
-
-// The rows of the printed Table 3 for one metric; none where nothing is published, or the paper has no such metric.
-std::vector<PrintedRow> printed_table_3(std::string_view paper, inference::Metric metric);
-// The same for a study that can be held against it: one on Table 3's path. A circle is Table 8's, random targets are
-// Table 7's, whatever the labels of the solvers.
+// The rows of the printed Table 3 for one metric that a study can be held against: one on Table 3's path. A circle is
+// Table 8's, random targets are Table 7's, whatever the labels of the solvers.
 std::vector<PrintedRow> printed_table_3(const inference::StudyResults& study, inference::Metric metric);
-std::optional<PrintedRow> printed_row(std::string_view paper, std::string_view algorithm, inference::Metric metric);
 std::optional<PrintedRow> printed_row(const inference::StudyResults& study, std::string_view algorithm,
                                       inference::Metric metric);
 
-// A printed ANOVA (Tables 4-6: error, variation, time), cells as printed; nothing where it is not published.
-std::optional<statistics::AnovaTable> printed_anova(std::string_view paper, inference::Metric metric);
+// The printed ANOVA of that metric (Tables 4 to 6) where it answers the same question as the study's.
+std::optional<statistics::AnovaTable> comparable_printed_anova(const inference::StudyResults& study,
+                                                               inference::Metric metric);
 
-// A row of the printed Table 7: times until IK-BA with so many bats comes to the tolerance.
-struct PrintedTime {
-  int bats;
-  double mean_ms, median_ms, std_ms, max_ms, min_ms;
-};
+// Table 7: times until IK-BA with so many bats comes to the tolerance.
 std::vector<PrintedTime> printed_table_7(std::string_view paper);  // none where it is not published
 
 // A row of the printed Table 8.

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <vector>
 
+#include "analysis/claims/times.hpp"
 #include "analysis/inference/clusters.hpp"
 #include "analysis/inference/comparable.hpp"
 #include "analysis/inference/cost_comparison.hpp"
@@ -17,11 +18,11 @@
 #include "analysis/statistics/descriptive.hpp"
 #include "analysis/statistics/effect_size.hpp"
 #include "numerics/number.hpp"
-#include "results/published.hpp"
 
 namespace ikbench::slim2023 {
 
 using namespace numerics;
+using namespace claims;
 using namespace results;
 using namespace statistics;
 using namespace inference;
@@ -31,13 +32,9 @@ namespace {
 
 constexpr double ms_in_s = 1000;
 
-// The paper looks at the position alone.
-double most_error_cm(const StudyResults& study) {
-  constexpr double verifier_rounding_cm = 1e-7;
-  return tolerance_cm(study) + verifier_rounding_cm;
+double bats_of(const PrintedTime& printed) {
+  return number_from(printed.solver.substr(0, printed.solver.find(' '))).value();
 }
-
-std::string label_of(const PrintedTime& printed) { return fmt::format("{} bats", printed.bats); }
 
 template <class Row, class Text>
 std::string listed(const std::vector<Row>& rows, Text&& text) {
@@ -72,7 +69,8 @@ std::string verdict(const std::vector<TimeAssessment>& rows, double tolerance,
                                             return fmt::format("{} {} of {}", row.solver, row.in_time, row.solves);
                                           }));
   return text + fmt::format("; the longest solve took {} ms ({}). Printed times, in MATLAB on another machine: {}.",
-                            rounded_number(worst->time_ms.max, 3), worst->solver, printed_real_time(printed.front()));
+                            rounded_number(worst->time_ms.max, 3), worst->solver,
+                            printed_words(printed.front(), real_time_ms));
 }
 
 // Nothing where the solver has no solves.
@@ -99,14 +97,10 @@ struct Growth {
   double standard_error_of_log;
 };
 
-Growth printed_growth(const StudyResults& study, const std::vector<PrintedTime>& printed) {
-  const CsvTable table = published::table(study.facts.published, "table-7");
-  const auto relative_variance = [&](const PrintedTime& row, std::size_t index) {
-    const double relative = row.std_ms / row.mean_ms;
-    return relative * relative / table.number(index, "n");
-  };
-  return {printed.back().mean_ms / printed.front().mean_ms,
-          std::sqrt(relative_variance(printed.front(), 0) + relative_variance(printed.back(), printed.size() - 1))};
+Growth printed_growth(const std::vector<PrintedTime>& printed) {
+  const auto relative_variance = [](const Description& ms) { return std::pow(ms.std / ms.mean, 2) / ms.n; };
+  return {printed.back().ms.mean / printed.front().ms.mean,
+          std::sqrt(relative_variance(printed.front().ms) + relative_variance(printed.back().ms))};
 }
 
 // Of the last solver against the first.
@@ -131,12 +125,12 @@ double standard_error_of_log_ratio(const SolverCost& first, const SolverCost& se
 // Whether our time grows with the number of bats as the printed does; empty where either end has no solves.
 std::string scaling_verdict(const StudyResults& study, const std::vector<TimeAssessment>& rows,
                             const std::vector<PrintedTime>& printed, const TimeCosts& of) {
-  const auto first = place_of(study, label_of(printed.front())), last = place_of(study, label_of(printed.back()));
+  const auto first = place_of(study, printed.front().solver), last = place_of(study, printed.back().solver);
   if (!first || !last || first == last || rows[*first].solves == 0 || rows[*last].solves == 0) return "";
   if (!of.clusters.undefined().empty()) return fmt::format("Scaling: open, with {}.", of.clusters.undefined());
   const Finding ours = of.ratio(rows[*last].solver, rows[*first].solver);
   if (std::isnan(ours.estimate.low)) return "Scaling: open, because too few solves reach the tolerance.";
-  const Growth theirs = printed_growth(study, printed);
+  const Growth theirs = printed_growth(printed);
   return fmt::format(
       "Scaling: our expected running time {}: {} times (interval {} to {}) from {} to {}; printed means: {} times "
       "(standard error {}). Solves that reach the tolerance alone, as the paper counts: {} times; that leaves out what "
@@ -150,61 +144,18 @@ std::string scaling_verdict(const StudyResults& study, const std::vector<TimeAss
       rows[*last].iterations_reached_median, rows[*first].reached_ms.n, rows[*last].reached_ms.n);
 }
 
-}  // namespace
-
-std::vector<TimeAssessment> assess_times(const StudyResults& measured) {
-  const StudyResults study = at_median_speed(measured);
-  const double most = most_error_cm(study);
-  std::vector<TimeAssessment> rows;
-  for (const std::string& solver : study.solvers) {
-    TimeAssessment row{.solver = solver};
-    std::vector<double> times, times_reached, iterations, iterations_reached, evaluations;
-    for (const Solve& solve : solves_of(study, solver)) {
-      const double time_ms = ms_in_s * seconds_of(study, solve);
-      times.push_back(time_ms);
-      iterations.push_back(static_cast<double>(solve.iterations));
-      evaluations.push_back(static_cast<double>(solve.evaluations));
-      if (solve.position_error_cm <= most) {
-        times_reached.push_back(time_ms);
-        iterations_reached.push_back(static_cast<double>(solve.iterations));
-        if (time_ms < real_time_ms) ++row.in_time;
-      } else {
-        ++row.never_reached;  // an answer that is not finite too
-      }
-    }
-    row.solves = static_cast<int>(times.size());
-    row.time_ms = describe(times);
-    row.reached_ms = describe(times_reached);
-    row.iterations_median = describe(iterations).median;
-    row.iterations_reached_median = describe(iterations_reached).median;
-    row.evaluations_median = describe(evaluations).median;
-    rows.push_back(row);
-  }
-  return rows;
-}
-
-std::string printed_real_time(const PrintedTime& printed) {
-  const bool in_the_mean = printed.mean_ms < real_time_ms, in_the_worst_case = printed.max_ms < real_time_ms;
-  return fmt::format("{}: mean {} ms, maximum {} ms; on average {}, in the worst case {}", label_of(printed),
-                     printed.mean_ms, printed.max_ms, in_the_mean ? "yes" : "no", in_the_worst_case ? "yes" : "no");
-}
-
-namespace {
-
 std::vector<Cell> table_7_row(const TimeAssessment& row, const std::vector<PrintedTime>& printed, double tolerance) {
   const bool is_judged = row.solves > 0 && std::isfinite(tolerance);
   std::vector<Cell> cells{row.solver, std::int64_t{row.solves},
                           std::isfinite(tolerance) ? Cell(std::int64_t{row.never_reached}) : Cell(),
                           is_judged ? static_cast<double>(row.in_time) / row.solves : not_defined};
-  const auto same = std::ranges::find(printed, row.solver, label_of);
-  const auto beside = [&](double ours, double PrintedTime::*theirs) {
-    return same == printed.end() ? Cell(ours) : Cell(Beside{.ours = ours, .printed = text_of(*same.*theirs)});
-  };
-  cells.push_back(beside(row.time_ms.mean, &PrintedTime::mean_ms));
-  cells.push_back(beside(row.time_ms.median, &PrintedTime::median_ms));
-  cells.push_back(beside(row.time_ms.std, &PrintedTime::std_ms));
-  cells.push_back(beside(row.time_ms.max, &PrintedTime::max_ms));
-  cells.push_back(beside(row.time_ms.min, &PrintedTime::min_ms));
+  const auto same = std::ranges::find(printed, row.solver, &PrintedTime::solver);
+  for (const auto field :
+       {&Description::mean, &Description::median, &Description::std, &Description::max, &Description::min}) {
+    const double ours = row.time_ms.*field;
+    cells.push_back(same == printed.end() ? Cell(ours)
+                                          : Cell(Beside{.ours = ours, .printed = text_of(same->ms.*field)}));
+  }
   cells.insert(cells.end(), {row.iterations_median, row.evaluations_median});
   return cells;
 }
@@ -213,7 +164,7 @@ std::vector<std::string> table_7_notes(const StudyResults& study, const std::vec
                                        const std::vector<PrintedTime>& printed) {
   std::vector<std::string> notes{real_time_verdict(study)};
   double farthest_printed = 0;
-  for (const PrintedTime& row : printed) farthest_printed = std::max(farthest_printed, row.max_ms / row.mean_ms);
+  for (const PrintedTime& row : printed) farthest_printed = std::max(farthest_printed, row.ms.max / row.ms.mean);
   notes.push_back(fmt::format(
       "One observation is one solve. {} They include solves that do not reach the tolerance, because an arm "
       "waits for them too; share_in_time counts solves that reach the tolerance in less than {} ms. The "
@@ -231,13 +182,13 @@ std::vector<std::string> table_7_notes(const StudyResults& study, const std::vec
                           })));
   }
   notes.push_back(fmt::format("Mean time per bat [ms], printed: {}.", listed(printed, [](const PrintedTime& row) {
-                                return fmt::format("{} {}", label_of(row), rounded_number(row.mean_ms / row.bats, 3));
+                                return fmt::format("{} {}", row.solver, rounded_number(row.ms.mean / bats_of(row), 3));
                               })));
   for (const std::string& note : {times_note(study), outliers_note(study)}) {
     if (!note.empty()) notes.push_back(note);
   }
   const std::string misprinted = listed(printed, [](const PrintedTime& row) {
-    return row.mean_ms <= row.max_ms ? "" : fmt::format("{} ({} by {})", label_of(row), row.mean_ms, row.max_ms);
+    return row.ms.mean <= row.ms.max ? "" : fmt::format("{} ({} by {})", row.solver, row.ms.mean, row.ms.max);
   });
   if (!misprinted.empty()) {
     notes.push_back(fmt::format("Misprint: the printed mean exceeds the printed maximum: {}.", misprinted));
@@ -270,7 +221,7 @@ std::vector<std::string> cost_notes(const StudyResults& study, const std::vector
       "another machine, so only ratios are comparable; all are to {}. ratio_reached, of the mean times of solves that "
       "reach the tolerance, and paper_ratio are the paper's way; they leave out what unsuccessful solves cost, so they "
       "decide nothing.",
-      label_of(printed.front())));
+      printed.front().solver));
   notes.push_back(
       of.clusters.undefined().empty()
           ? fmt::format("Intervals: {}, from {} bootstrap samples of the {}, the same for all solvers; those "
@@ -278,9 +229,9 @@ std::vector<std::string> cost_notes(const StudyResults& study, const std::vector
                         percent(of.clusters.level()), of.clusters.replicates().size(), of.clusters.noun())
           : fmt::format("There are no intervals: {}.", of.clusters.undefined()));
   const std::string per_bat = listed(printed, [&](const PrintedTime& row) {
-    const auto place = place_of(study, label_of(row));
+    const auto place = place_of(study, row.solver);
     const double ms = place ? ms_in_s * of.solvers[*place].time.expected() : not_defined;
-    return std::isfinite(ms) ? fmt::format("{} {}", label_of(row), rounded_number(ms / row.bats, 3)) : std::string();
+    return std::isfinite(ms) ? fmt::format("{} {}", row.solver, rounded_number(ms / bats_of(row), 3)) : std::string();
   });
   notes.push_back(
       fmt::format("ert_ms per bat: {}. If it were constant, the number of iterations would not depend on "
@@ -294,7 +245,7 @@ std::vector<std::string> cost_notes(const StudyResults& study, const std::vector
 std::optional<Table> table_7(const StudyResults& study) {
   if (!is_time_study(study)) return std::nullopt;
   const std::vector<PrintedTime> printed = printed_table_7(study.facts.published);
-  const std::vector<TimeAssessment> rows = assess_times(study);
+  const std::vector<TimeAssessment> rows = assess_times(study, real_time_ms);
   const double tolerance = tolerance_cm(study);
   Table table{.name = "table-7",
               .caption = std::isfinite(tolerance)
@@ -322,7 +273,7 @@ std::optional<Table> table_7_cost(const StudyResults& measured) {
   if (!is_time_study(measured) || !has_costs) return std::nullopt;
   const StudyResults study = at_median_speed(measured);
   const std::vector<PrintedTime> printed = printed_table_7(study.facts.published);
-  const std::vector<TimeAssessment> rows = assess_times(measured);
+  const std::vector<TimeAssessment> rows = assess_times(measured, real_time_ms);
   const Clusters clusters(study);
   const auto reaches = [most = most_error_cm(study)](const Solve& solve) { return solve.position_error_cm <= most; };
   const TimeCosts of{clusters, costs_of(study, Cost::seconds, clusters, reaches),
@@ -340,7 +291,7 @@ std::optional<Table> table_7_cost(const StudyResults& measured) {
                           {"mean_reached_ms"},
                           {"ratio_reached"},
                           {"paper_ratio"}}};
-  const auto reference = place_of(study, label_of(printed.front()));
+  const auto reference = place_of(study, printed.front().solver);
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const SolverCost& cost = of.solvers[i];
     const Interval interval = cost.interval(clusters);
@@ -355,8 +306,8 @@ std::optional<Table> table_7_cost(const StudyResults& measured) {
                                  : not_defined);
     cells.emplace_back(rows[i].reached_ms.mean);
     cells.emplace_back(reference ? rows[i].reached_ms.mean / rows[*reference].reached_ms.mean : not_defined);
-    const auto same = std::ranges::find(printed, rows[i].solver, label_of);
-    cells.push_back(same != printed.end() ? Cell(same->mean_ms / printed.front().mean_ms) : Cell());
+    const auto same = std::ranges::find(printed, rows[i].solver, &PrintedTime::solver);
+    cells.push_back(same != printed.end() ? Cell(same->ms.mean / printed.front().ms.mean) : Cell());
     table.rows.push_back(std::move(cells));
   }
   table.notes = cost_notes(study, rows, printed, of);
@@ -369,7 +320,7 @@ std::optional<Table> table_7_cost(const StudyResults& measured) {
 std::string real_time_verdict(const StudyResults& study) {
   if (!is_time_study(study)) return "";
   if (!times_are_comparable(study)) return fmt::format("Real time: not judged, because {}.", times_not_judged);
-  return verdict(assess_times(study), tolerance_cm(study), printed_table_7(study.facts.published));
+  return verdict(assess_times(study, real_time_ms), tolerance_cm(study), printed_table_7(study.facts.published));
 }
 
 }  // namespace ikbench::slim2023

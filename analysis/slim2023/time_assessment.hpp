@@ -3,33 +3,13 @@
 
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "analysis/inference/study.hpp"
 #include "analysis/report/table.hpp"
-#include "analysis/slim2023/published_numbers.hpp"
-#include "analysis/statistics/descriptive.hpp"
 
 namespace ikbench::slim2023 {
 
 constexpr double real_time_ms = 50;  // a solve that takes less leaves room for 20 a second
-
-// How long one solver of a study took.
-struct TimeAssessment {
-  std::string solver;
-  statistics::Description time_ms = {};  // of all solves, at the solver's median speed (analysis/inference/times.hpp)
-  statistics::Description reached_ms = {};  // of those alone that came to the tolerance, at the median speed
-  double iterations_median = statistics::not_defined;
-  double iterations_reached_median = statistics::not_defined;
-  double evaluations_median = statistics::not_defined;
-  int solves = 0;
-  int never_reached = 0;
-  int in_time = 0;  // reached the tolerance, and at the median speed in less than real_time_ms
-};
-std::vector<TimeAssessment> assess_times(const inference::StudyResults& study);
-
-// What the printed mean and maximum say of real time.
-std::string printed_real_time(const PrintedTime& printed);
 
 // Nothing where the study is not one of random targets that is held against a printed Table 7.
 std::optional<report::Table> table_7(const inference::StudyResults& study);

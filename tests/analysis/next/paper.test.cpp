@@ -4,10 +4,9 @@
 #include <set>
 #include <string>
 
-#include "analysis/papers.hpp"
+#include "analysis/collections.hpp"
 #include "analysis/report/report.hpp"
 #include "analysis/report/summary.hpp"
-#include "analysis/tiny/paper.hpp"
 #include "tests/analysis/folder.hpp"
 #include "tests/analysis/synthetic.hpp"
 #include "tests/catch.hpp"
@@ -32,7 +31,7 @@ void save(Store& store, const std::string& name, const std::string& published) {
     solve.study = name;
     solve.series = name + solve.solver;
     solve.session = session;
-    solve.evaluations = (solve.solver == "alpha" ? 10 : 12) + solve.run;
+    solve.evaluations = (solve.solver == "alpha" ? 10 : 20) + solve.run;
   }
   store.save_study(entry);
   store.append(solves);
@@ -44,7 +43,7 @@ void has_nothing_of_slim2023(const std::set<std::string>& files, const std::stri
     CAPTURE(file);
     CHECK_FALSE(contains(file, "table-3"));
     CHECK_FALSE(contains(file, "figure-5"));
-    CHECK_FALSE(contains(file, "printed-"));
+    CHECK_FALSE(contains(file, "printed-error"));
   }
   for (const char* words : {"slim2023", "Slim", "IK-BA", "Table 3", "Table 7", "Dobot"}) {
     CAPTURE(words);
@@ -54,33 +53,43 @@ void has_nothing_of_slim2023(const std::set<std::string>& files, const std::stri
 
 }  // namespace
 
-TEST_CASE("a second paper's claim, table and figure are in the report of its study, and no other paper's", "[report]") {
+TEST_CASE("a paper is data alone: its claim and what it prints are in the report of its study", "[report]") {
   const ScratchFolder folder;
   Store store(folder.path / "store.db", Store::Mode::write);
   save(store, "mine", "tiny");
-  const Report report = write_report(
-      store,
-      {.study = "mine", .folder = folder.path / "out", .figures = {.render = false}, .papers = analysis::papers()});
+  const Report report = write_report(store, {.study = "mine",
+                                             .folder = folder.path / "out",
+                                             .figures = {.render = false},
+                                             .collections = analysis::collections()});
   const auto files = files_in(folder.path / "out");
-  const std::string text = text_of_file(report.file), page = text_of_file(report.page);
+  const std::string text = text_of_file(report.file);
   CHECK(report.warnings.empty());
-  CHECK(contains(text, "Of 1 claim, 1 holds. As printed, 1 of 1 hold."));
-  CHECK(contains(text, "| Alpha needs the fewest evaluations | holds | holds | "));
-  CHECK(contains(text, "## What is printed\n\n**Table 1 as printed**"));
-  CHECK(contains(page, "href=\"#table-1\""));
-  CHECK(files.contains("tables/table-1.csv"));
-  CHECK(files.contains("figures/figure-1.gp"));
+  CHECK(contains(text, "Nobody: A Small Swarm Is Enough."));
+  CHECK(contains(text, "Of 1 claim, 1 holds. As printed, 0 of 1 hold."));  // t = 1.98 of 8 degrees of freedom
+  CHECK(contains(text, "| Alpha needs the fewest evaluations | holds | undecided | 13, beta 23 | Table 1 |"));
+  CHECK(contains(text, "Evaluations: alpha 13, beta 23"));
+  CHECK(files.contains("tables/statistics-printed-evaluations-contrasts.csv"));
   CHECK(files.contains("tables/results.csv"));  // what any study has stays
   has_nothing_of_slim2023(files, text);
+}
+
+TEST_CASE("an item of a paper's audit is an entry", "[report]") {
+  const std::vector<AuditItem> items = analysis::paper("tiny").audit();
+  REQUIRE(items.size() == 1);
+  CHECK(items.front().id == "1a");
+  CHECK(items.front().printed == "25");
+  CHECK(items.front().follows == "20");  // 12 / 10
+  CHECK(words_of(items.front()) == "contradiction");
 }
 
 TEST_CASE("a study without a paper has its results, status, statistics and figures under plain names", "[report]") {
   const ScratchFolder folder;
   Store store(folder.path / "store.db", Store::Mode::write);
   save(store, "mine", "");
-  const Report report = write_report(
-      store,
-      {.study = "mine", .folder = folder.path / "out", .figures = {.render = false}, .papers = analysis::papers()});
+  const Report report = write_report(store, {.study = "mine",
+                                             .folder = folder.path / "out",
+                                             .figures = {.render = false},
+                                             .collections = analysis::collections()});
   const auto files = files_in(folder.path / "out");
   const std::string text = text_of_file(report.file);
   CHECK(report.warnings.empty());
@@ -106,24 +115,30 @@ TEST_CASE("a study of a paper that is not there is told so", "[report]") {
   const ScratchFolder folder;
   Store store(folder.path / "store.db", Store::Mode::write);
   save(store, "mine", "nobody1999");
-  const std::vector<Paper> papers{tiny::paper()};
+  const std::vector<Collection> collections{analysis::collection("tiny"), analysis::collection("arms")};
   const Report report = write_report(
-      store, {.study = "mine", .folder = folder.path / "out", .figures = {.render = false}, .papers = papers});
+      store,
+      {.study = "mine", .folder = folder.path / "out", .figures = {.render = false}, .collections = collections});
   REQUIRE(report.warnings.size() == 1);
   CHECK(report.warnings[0] == "no published tables of 'nobody1999'; known papers: tiny");
 }
 
-TEST_CASE("a paper's other studies begin with the name of its own, and its name is the folder's", "[report]") {
-  for (const Paper& paper : analysis::papers()) {
-    CAPTURE(paper.name);
-    CHECK(&analysis::paper(paper.name) == &paper);
-    CHECK((std::filesystem::is_directory("analysis/" + paper.name) ||
-           std::filesystem::is_directory("tests/examples/analysis/" + paper.name)));
-    REQUIRE_FALSE(paper.studies.empty());
-    for (const PaperStudy& study : paper.studies) CHECK(study.name.starts_with(paper.studies.front().name));
+TEST_CASE("a collection's other studies begin with the name of its own, which is that of its folder", "[report]") {
+  for (const Collection& each : analysis::collections()) {
+    CAPTURE(each.name);
+    CHECK(&analysis::collection(each.name) == &each);
+    CHECK((std::filesystem::is_directory("analysis/" + each.name) ||
+           std::filesystem::is_directory("tests/examples/analysis/" + each.name)));
+    CHECK_FALSE(each.in_short.empty());
+    REQUIRE_FALSE(each.studies.empty());
+    CHECK(each.studies.front().name == each.name);
+    for (const CollectedStudy& study : each.studies) CHECK(study.name.starts_with(each.name));
+    if (each.paper) CHECK_FALSE(each.paper->citation.empty());
   }
-  CHECK_THROWS_WITH(analysis::paper("slim2032"),
-                    Catch::Matchers::StartsWith("unknown paper \"slim2032\"; did you mean \"slim2023\""));
+  CHECK_THROWS_WITH(analysis::collection("slim2032"),
+                    Catch::Matchers::StartsWith("unknown paper or collection \"slim2032\"; did you mean \"slim2023\""));
+  CHECK_FALSE(analysis::collection("arms").paper);
+  CHECK_THROWS_WITH(analysis::paper("arms"), Catch::Matchers::StartsWith("unknown paper \"arms\""));
 }
 
 TEST_CASE("a tally counts the claims that hold, hold in part, fail and are undecided", "[report]") {

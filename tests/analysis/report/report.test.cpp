@@ -5,8 +5,8 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "analysis/collections.hpp"
 #include "analysis/inference/make_study.hpp"
-#include "analysis/papers.hpp"
 #include "analysis/report/provenance.hpp"
 #include "analysis/report/summary.hpp"
 #include "results/csv.hpp"
@@ -55,7 +55,7 @@ void save(Store& store, const Example& example) {
 }
 
 Report written_report(const Store& store, ReportRequest request) {
-  request.papers = analysis::papers();
+  request.collections = analysis::collections();
   return write_report(store, request);
 }
 

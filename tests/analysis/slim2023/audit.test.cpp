@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <set>
 
-#include "analysis/papers.hpp"
+#include "analysis/collections.hpp"
 #include "analysis/report/report.hpp"
 #include "tests/analysis/folder.hpp"
 #include "tests/catch.hpp"

@@ -42,9 +42,9 @@ bool contains(const std::vector<std::string>& notes, const std::string& words) {
 TEST_CASE("the printed Tables 4-6 follow from the printed Table 3", "[paper]") {
   const Metric metric = GENERATE(Metric::position_error_cm, Metric::variation_deg, Metric::seconds);
   std::vector<GroupSummary> groups;
-  for (const PrintedRow& row : printed_table_3("slim2023", metric)) groups.push_back(row.summary);
+  for (const PrintedRow& row : claims::printed_rows("slim2023", "table-3", metric)) groups.push_back(row.summary());
   const AnovaTable ours = anova_from_summaries(groups);
-  const auto printed = printed_anova("slim2023", metric);
+  const auto printed = claims::printed_anova("slim2023", "table-" + std::to_string(paper_numbers(metric).anova_table));
   REQUIRE(printed);
   CHECK(ours.df_between == printed->df_between);
   CHECK(ours.df_within == printed->df_within);
@@ -58,7 +58,7 @@ TEST_CASE("F of the printed Table 3 to six digits", "[paper]") {
   const auto [metric, F] = GENERATE(table<Metric, double>(
       {{Metric::position_error_cm, 40.7736}, {Metric::variation_deg, 388.940}, {Metric::seconds, 293.939}}));
   std::vector<GroupSummary> groups;
-  for (const PrintedRow& row : printed_table_3("slim2023", metric)) groups.push_back(row.summary);
+  for (const PrintedRow& row : claims::printed_rows("slim2023", "table-3", metric)) groups.push_back(row.summary());
   CHECK(anova_from_summaries(groups).F == Approx(F).epsilon(2e-6));
 }
 

@@ -1,6 +1,7 @@
 // Another program that has the processor for a moment changes no verdict on times: whichever solve it met.
 #include <fmt/format.h>
 
+#include "analysis/collections.hpp"
 #include "analysis/inference/comparable.hpp"
 #include "analysis/inference/cost_comparison.hpp"
 #include "analysis/inference/judge.hpp"
@@ -8,7 +9,6 @@
 #include "analysis/inference/times.hpp"
 #include "analysis/report/leaders.hpp"
 #include "analysis/report/summary.hpp"
-#include "analysis/slim2023/claims.hpp"
 #include "analysis/slim2023/paper_tables.hpp"
 #include "analysis/slim2023/time_assessment.hpp"
 #include "tests/analysis/synthetic.hpp"
@@ -37,7 +37,7 @@ std::vector<std::string> verdicts(StudyResults of) {
       all.push_back(fmt::format("{} {} {}", first, static_cast<int>(judge(found, first, second).relation), second));
     }
   }
-  for (const Claim& claim : slim2023::claims({study, {}})) {
+  for (const Claim& claim : analysis::paper("slim2023").claims({study, {}})) {
     all.push_back(fmt::format("{} {}", claim.statement, static_cast<int>(claim.verdict)));
   }
   for (const Comparison& row : compare(study)) {

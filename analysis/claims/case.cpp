@@ -1,0 +1,203 @@
+#include "analysis/claims/case.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "analysis/inference/comparable.hpp"
+#include "analysis/inference/deciding.hpp"
+#include "analysis/inference/design.hpp"
+#include "analysis/inference/ranking.hpp"
+#include "analysis/inference/text.hpp"
+#include "analysis/report/assessment_words.hpp"
+#include "analysis/report/provenance.hpp"
+
+namespace ikbench::claims {
+
+using namespace results;
+using namespace statistics;
+using namespace inference;
+using namespace report;
+
+namespace {
+
+// The solver's numbers from the one, the others' from the other: they share no block.
+Observations mixed(Observations of_solver, Observations of_others, const std::string& solver) {
+  std::erase_if(of_others.groups, [&](const Group& group) { return group.name == solver; });
+  for (Group& group : of_solver.groups) {
+    if (group.name == solver) of_others.groups.insert(of_others.groups.begin(), std::move(group));
+  }
+  of_others.blocks.clear();
+  of_others.block.clear();
+  if (of_others.flaw.empty()) of_others.flaw = of_solver.flaw;
+  return of_others;
+}
+
+}  // namespace
+
+std::vector<PrintedRow> printed_rows(const ClaimsFile& file, const StudyResults& study, Metric metric) {
+  const bool is_elsewhere = std::ranges::find(file.not_on, study.facts.path.kind) != file.not_on.end();
+  return is_elsewhere ? std::vector<PrintedRow>() : printed_rows(study.facts.published, file.means, metric);
+}
+
+std::vector<Summaries> printed_summaries(const ClaimsFile& file, const StudyResults& study) {
+  std::vector<Summaries> result;
+  for (const Metric metric : all_metrics()) {
+    const MetricInfo& info = info_of(metric);
+    const std::string unit = info.unit.empty() ? "" : fmt::format(" [{}]", info.unit);
+    Summaries printed{.name = fmt::format("printed-{}", info.slug),
+                      .quantity = fmt::format("{}, as printed{}", info.name, unit),
+                      .better = info.better};
+    for (const PrintedRow& row : printed_rows(file, study, metric))
+      printed.groups.push_back({row.algorithm, row.summary()});
+    if (printed.groups.size() >= 2) result.push_back(std::move(printed));
+  }
+  return result;
+}
+
+std::optional<AnovaTable> printed_anova(const ClaimsFile& file, const StudyResults& study, Metric metric) {
+  const auto table = file.anovas.find(std::string(name_of(metric)));
+  if (table == file.anovas.end()) return std::nullopt;
+  return comparable_anova(study, printed_rows(file, study, metric), table->second);
+}
+
+Claim Case::begun() const {
+  return {.statement = entry.sentence,
+          .verdict = Verdict::undecided,
+          .evidence = "",
+          .table = entry.table.empty() ? file.means : entry.table,
+          .id = entry.id,
+          .section = entry.section,
+          .by = entry.by,
+          .decides = entry.decides};
+}
+
+bool Case::is_of_means() const {
+  return file.means.empty() || !printed_rows(file, study(), Metric::position_error_cm).empty();
+}
+
+std::vector<Pair> Case::pairs(Metric metric) const {
+  const std::vector<PrintedRow> printed = printed_rows(file, study(), metric);
+  std::vector<Pair> result;
+  for (const Sample& sample : samples(study(), metric)) {
+    const auto row = std::ranges::find(printed, sample.solver, &PrintedRow::algorithm);
+    if (row != printed.end() && !sample.values.empty()) {
+      result.push_back({sample.solver, describe(sample.values), row->summary()});
+    }
+  }
+  std::ranges::stable_sort(result, {}, [](const Pair& pair) { return pair.printed.mean; });
+  return result;
+}
+
+bool Case::has_solver() const {
+  const std::vector<Pair> all = pairs(Metric::position_error_cm);
+  return all.size() >= 2 && std::ranges::find(all, entry.solver, &Pair::solver) != all.end();
+}
+
+Evidence Case::printed_evidence(const std::vector<Pair>& pairs) const {
+  Summaries printed;
+  for (const Pair& pair : pairs) printed.groups.push_back({pair.solver, pair.printed});
+  return inference::evidence(printed, feasible(study().plan, printed));
+}
+
+const JudgedStudy* Case::companion() const {
+  for (const JudgedStudy& companion : reported.companions) {
+    if (companion.name == study().name + '-' + entry.study && same_targets(study(), companion)) return &companion;
+  }
+  return nullptr;
+}
+
+std::optional<Evidence> Case::evidence(Metric metric) const {
+  const JudgedStudy* const other = companion();
+  if (!entry.study.empty() && other == nullptr) return std::nullopt;
+  const JudgedStudy& of_solver = other != nullptr && entry.take != Take::others ? *other : study();
+  const JudgedStudy& of_others = other != nullptr && entry.take != Take::solver ? *other : study();
+  std::optional<Evidence> found;
+  if (&of_solver == &of_others && entry.against.empty()) {
+    found = of_solver.evidence(metric);
+  } else {
+    Observations observed = &of_solver == &of_others
+                                ? observations(of_solver, metric)
+                                : mixed(observations(of_solver, metric), observations(of_others, metric), entry.solver);
+    std::erase_if(observed.groups, [&](const Group& group) {
+      return !entry.against.empty() && group.name != entry.solver && group.name != entry.against;
+    });
+    AnalysisPlan plan = feasible(study().plan, observed);
+    if (std::ranges::find(observed.groups, plan.control, &Group::name) == observed.groups.end()) plan.control.clear();
+    const bool comparable = is_comparable(of_solver, metric) && is_comparable(of_others, metric);
+    found = comparable ? tested(observed, plan) : described(observed, plan);
+  }
+  const bool has_solver = std::ranges::count(found->groups, entry.solver, &GroupEvidence::name) > 0;
+  const bool is_complete =
+      std::ranges::none_of(found->groups, [](const GroupEvidence& group) { return group.described.n == 0; });
+  return found->groups.size() >= 2 && has_solver && is_complete ? found : std::nullopt;
+}
+
+void Found::add(Relation relation) {
+  better += relation == Relation::better ? 1 : 0;
+  worse += relation == Relation::worse ? 1 : 0;
+  open += is_difference(relation) ? 0 : 1;
+}
+
+Verdict verdict_on(const Found& found) {
+  if (found.worse > 0) return Verdict::fails;
+  if (found.open == 0) return Verdict::holds;
+  return found.better > 0 ? Verdict::in_part : Verdict::undecided;
+}
+
+Verdict verdict_on(const std::vector<Verdict>& verdicts) {
+  const auto count = [&](Verdict verdict) { return static_cast<std::size_t>(std::ranges::count(verdicts, verdict)); };
+  if (count(Verdict::holds) == verdicts.size()) return Verdict::holds;
+  if (count(Verdict::holds) + count(Verdict::in_part) > 0) return Verdict::in_part;
+  return count(Verdict::fails) > 0 ? Verdict::fails : Verdict::undecided;
+}
+
+Against against(const Evidence& evidence, const std::string& solver, Should should) {
+  Against result;
+  const double sign = should == Should::be_smallest ? 1 : -1;
+  for (const GroupEvidence& group : evidence.groups) {
+    const double mean = group.described.mean;
+    if (group.name == solver) {
+      result.own_mean = mean;
+      continue;
+    }
+    result.found.add((sign > 0 ? judge(evidence, solver, group.name) : judge(evidence, group.name, solver)).relation);
+    if (!std::isfinite(result.nearest_mean) || sign * mean < sign * result.nearest_mean) {
+      result.nearest = group.name;
+      result.nearest_mean = mean;
+    }
+  }
+  return result;
+}
+
+std::string in_brackets(double p) { return std::isfinite(p) ? fmt::format(" ({})", p_words(p)) : ""; }
+
+std::string with_unit(double value, std::string_view unit) {
+  return fmt::format("{}{}{}", short_number(value), unit.empty() ? "" : " ", unit);
+}
+
+std::string list_of(const Evidence& evidence, const std::string& solver, std::string_view unit) {
+  std::vector<Standing> others;
+  std::string list;
+  for (const GroupEvidence& group : evidence.groups) {
+    if (group.name == solver) list = fmt::format("{} {}", solver, with_unit(group.described.mean, unit));
+    if (group.name != solver) others.push_back({group.name, group.described.mean});
+  }
+  for (const Standing& other : ranked(std::move(others))) {
+    list += fmt::format(", {} {}{}", other.solver, short_number(other.mean),
+                        in_brackets(judge(evidence, solver, other.solver).p));
+  }
+  return list;
+}
+
+std::string how_tested(const Evidence& here, const Evidence& printed) {
+  const std::string_view test = pair_test_words(here), other = pair_test_words(printed);
+  if (here.plan.unit == Unit::point)
+    return fmt::format(" No test here, because points of one run depend on each other; printed p-values: {}.", other);
+  const std::string of_printed = test == other ? "" : fmt::format("; printed: {}", other);
+  return fmt::format(" p-values: {} on run means, adjusted for all pairs{}.", test, of_printed);
+}
+
+}  // namespace ikbench::claims

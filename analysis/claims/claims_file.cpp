@@ -1,0 +1,101 @@
+#include "analysis/claims/claims_file.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+#include <utility>
+
+#include "analysis/claims/rules.hpp"
+#include "analysis/claims/tables_of.hpp"
+#include "numerics/names.hpp"
+
+namespace ikbench::claims {
+
+using namespace numerics;
+using namespace inference;
+using namespace report;
+
+namespace {
+
+Choices<Metric> metric_choices() {
+  Choices<Metric> choices;
+  for (const Metric metric : reported_metrics()) choices.emplace_back(name_of(metric), metric);
+  return choices;
+}
+
+[[noreturn]] void refuse(const TomlReader& reader, const std::string& what) {
+  throw std::invalid_argument(reader.where(reader.table().source(), "") + what);
+}
+
+bool is_snake_case(std::string_view id) {
+  const auto is_such = [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_'; };
+  return std::ranges::all_of(id, is_such);
+}
+
+bool can_be_counted(const ClaimEntry& entry) {
+  const bool has_effect = entry.rule == "has_effect";
+  return (has_effect || entry.rule == "smallest") && !entry.solver.empty() && has_effect == !entry.dimension.empty() &&
+         entry.metrics.size() == 1 && is_of_universes(entry.metrics.front()) && entry.take == Take::all;
+}
+
+ClaimEntry read_claim(TomlReader reader, const std::string& papers_own) {
+  ClaimEntry entry{.solver = papers_own};
+  const std::array<std::pair<std::string_view, std::string*>, 4> needed{
+      {{"id", &entry.id}, {"sentence", &entry.sentence}, {"decides", &entry.decides}, {"rule", &entry.rule}}};
+  for (const auto& [key, field] : needed) {
+    reader.text(key, *field, "");
+    if (field->empty()) refuse(reader, fmt::format("a claim without {}; expected a text", key));
+  }
+  reader.text("section", entry.section, "");
+  reader.choice("by", entry.by, {{"paper", By::paper}, {"us", By::us}}, "");
+  reader.text("solver", entry.solver, "");
+  reader.text("against", entry.against, "");
+  reader.chosen("metrics", entry.metrics, metric_choices(), "");
+  reader.text("study", entry.study, "");
+  reader.choice("take", entry.take, {{"all", Take::all}, {"solver", Take::solver}, {"others", Take::others}}, "");
+  reader.chosen("universes", entry.universes, {{"mean", JudgedBy::mean}, {"typical", JudgedBy::typical}}, "");
+  reader.text("dimension", entry.dimension, "");
+  reader.text("table", entry.table, "");
+  reader.text("note", entry.note, "");
+  reader.texts("solvers", entry.solvers, "");
+  reader.number("limit_ms", entry.limit_ms, 1, {0, 1e9}, "");
+  reader.text("row", entry.row, "");
+  reader.text("path", entry.path, "");
+  reader.texts("joints", entry.joints, "");
+  read_texts(reader, "reasons", entry.reasons);
+  reader.refuse_unknown_keys();
+  if (!is_snake_case(entry.id)) reader.fail("id", *reader.find("id"), "lower-case letters, digits and underscores");
+  if (rule_of(entry.rule) == nullptr) refuse(reader, unknown_name("rule of a claim", entry.rule, rule_names()));
+  if (!entry.universes.empty() && !can_be_counted(entry)) {
+    reader.fail("universes", *reader.find("universes"),
+                "it only for a solver with one metric of error or variation, and the rule \"smallest\" or, with a "
+                "dimension, \"has_effect\"");
+  }
+  return entry;
+}
+
+}  // namespace
+
+ClaimsFile read_claims(std::string_view paper, std::string_view text, std::string_view source) {
+  const toml::table table = parse_toml(text, source);
+  TomlReader reader(table, source, "");
+  ClaimsFile file{.paper = std::string(paper)};
+  reader.text("solver", file.solver, "");
+  reader.text("means", file.means, "");
+  reader.texts("not_on", file.not_on, "");
+  reader.text("implementation", file.implementation, "");
+  read_texts(reader, "anovas", file.anovas);
+  reader.find("claims");
+  reader.refuse_unknown_keys();
+  for (const TomlReader& each : tables_of(reader, "claims")) {
+    ClaimEntry entry = read_claim(each, file.solver);
+    if (std::ranges::find(file.entries, entry.id, &ClaimEntry::id) != file.entries.end())
+      refuse(each, fmt::format("the claim {} is there twice; expected it once", entry.id));
+    file.entries.push_back(std::move(entry));
+  }
+  return file;
+}
+
+}  // namespace ikbench::claims

@@ -1,0 +1,106 @@
+#include "analysis/claims/collection_file.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+#include <string>
+#include <utility>
+
+#include "analysis/claims/audit.hpp"
+#include "analysis/claims/multiverse.hpp"
+#include "analysis/claims/one_at_a_time.hpp"
+#include "analysis/claims/rules.hpp"
+#include "analysis/claims/tables_of.hpp"
+
+namespace ikbench::claims {
+
+using namespace numerics;
+using namespace results;
+using namespace inference;
+using namespace report;
+
+namespace {
+
+RatesPlan read_rates(TomlReader reader, const std::string& name) {
+  RatesPlan rates{.paper = name};
+  reader.number("level", rates.level, 1, {0.5, 0.9999}, "");
+  reader.text("caption", rates.caption, "");
+  reader.text("table", rates.table, "");
+  reader.text("note", rates.note, "");
+  Eigen::VectorXd iterations;
+  reader.numbers("iterations", iterations, 1, 0, "");
+  for (const double each : iterations) rates.iterations.push_back(static_cast<int>(each));
+  read_texts(reader, "rows", rates.rows);
+  read_texts(reader, "columns", rates.columns);
+  reader.refuse_unknown_keys();
+  return rates;
+}
+
+// What the claims make of a report.
+void add_claims(Paper& paper, ClaimsFile file) {
+  const auto shared = std::make_shared<const ClaimsFile>(std::move(file));
+  paper.claims = [shared](const Reported& reported) { return judged(*shared, reported); };
+  if (!shared->means.empty()) {
+    paper.printed = [shared](const StudyResults& study) { return printed_summaries(*shared, study); };
+  }
+  if (claims_in_universes(*shared).empty()) return;
+  paper.multiverse = [shared](const Multiverse& multiverse, const AnalysisPlan& plan) {
+    return multiverse_report(*shared, multiverse, plan);
+  };
+  paper.one_at_a_time = [shared](const Multiverse& multiverse, const AnalysisPlan& plan) {
+    return one_at_a_time(*shared, multiverse, plan);
+  };
+}
+
+Paper read_paper(TomlReader reader, const Collection& of, std::span<const EmbeddedFile> files) {
+  Paper paper;
+  read_prose(reader, "citation", paper.citation);
+  read_prose(reader, "not_reproduced", paper.not_reproduced);
+  reader.whole("repetitions", paper.repetitions, {0, 1000}, "");
+  reader.refuse_unknown_keys();
+  if (const EmbeddedFile* const claims = find_embedded(files, of.name + "/claims")) {
+    ClaimsFile file = read_claims(of.name, claims->text, claims->name);
+    file.rates = of.rates;
+    add_claims(paper, std::move(file));
+  }
+  if (const EmbeddedFile* const audit = find_embedded(files, of.name + "/audit")) {
+    paper.audit = [name = of.name, audit] { return audited(name, audit->text, audit->name); };
+  }
+  return paper;
+}
+
+Collection read_collection(const std::string& name, const EmbeddedFile& file, std::span<const EmbeddedFile> files) {
+  const toml::table table = parse_toml(file.text, file.name);
+  TomlReader reader(table, file.name, "");
+  Collection collection{.name = name};
+  std::vector<std::string> studies, with_runs;
+  reader.text("in_short", collection.in_short, "");
+  reader.texts("studies", studies, "");
+  reader.texts("runs", with_runs, "");
+  for (const std::string& study : studies) {
+    collection.studies.push_back({study, std::ranges::count(with_runs, study) > 0});
+  }
+  if (const toml::table* const rates = reader.subtable("rates")) {
+    collection.rates = read_rates(reader.nested(*rates, "rates."), name);
+  }
+  if (const toml::table* const paper = reader.subtable("paper")) {
+    collection.paper = read_paper(reader.nested(*paper, "paper."), collection, files);
+  }
+  reader.refuse_unknown_keys();
+  return collection;
+}
+
+}  // namespace
+
+std::vector<Collection> read_collections(std::span<const EmbeddedFile> files) {
+  std::vector<Collection> all;
+  for (const EmbeddedFile& file : files) {
+    const std::string_view stem = file.stem();
+    if (!stem.ends_with("/collection")) continue;
+    all.push_back(read_collection(std::string(stem.substr(0, stem.find('/'))), file, files));
+  }
+  return all;
+}
+
+}  // namespace ikbench::claims

@@ -1,0 +1,14 @@
+// The specification curve of one solver's mean error by that of its best rival.
+#pragma once
+
+#include <string>
+
+#include "analysis/figures/figure.hpp"
+#include "analysis/inference/multiverse.hpp"
+
+namespace ikbench::claims {
+
+// At most 400 universes, evenly by rank. Runs of all seeds are taken together.
+figures::Figure error_curve(const inference::Multiverse& multiverse, const std::string& solver);
+
+}  // namespace ikbench::claims

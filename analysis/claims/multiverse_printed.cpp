@@ -1,0 +1,390 @@
+#include "analysis/claims/multiverse_printed.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <bitset>
+#include <cmath>
+#include <cstdint>
+#include <map>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "analysis/claims/printed.hpp"
+#include "analysis/inference/text.hpp"
+#include "analysis/statistics/predictive_study.hpp"
+
+namespace ikbench::claims {
+
+using namespace results;
+using namespace statistics;
+using namespace inference;
+using namespace report;
+
+namespace {
+
+constexpr std::array<Metric, 2> explained_metrics{Metric::position_error_cm, Metric::variation_deg};
+static_assert(predicted_statistics == printed_statistics.size());
+constexpr std::size_t numbers_of_solver = explained_metrics.size() * predicted_statistics;
+constexpr Resampling predictive{.resamples = 500, .seed = 1, .level = 0.95};
+
+struct PrintedNumber {
+  std::string text;  // as printed
+  double value = not_defined, rounding = 0;
+};
+
+// Of one solver: its numbers of error, then of variation; fewer where they are not printed.
+struct PrintedSolver {
+  std::array<PrintedNumber, numbers_of_solver> numbers;
+  std::size_t runs = 0;
+};
+
+// By solver; without runs where the paper has none of that name.
+std::vector<PrintedSolver> printed_solvers(const ClaimsFile& file, const Multiverse& multiverse) {
+  std::vector<PrintedSolver> all(multiverse.solvers.size());
+  for (std::size_t i = 0; i < numbers_of_solver; ++i) {
+    const std::size_t statistic = i % predicted_statistics;
+    for (const PrintedRow& row : printed_rows(file.paper, file.means, explained_metrics[i / predicted_statistics])) {
+      const auto solver = std::ranges::find(multiverse.solvers, row.algorithm);
+      if (solver == multiverse.solvers.end()) continue;
+      PrintedSolver& printed = all[static_cast<std::size_t>(solver - multiverse.solvers.begin())];
+      printed.runs = static_cast<std::size_t>(row.printed.n);
+      const std::string& digits = row.digits[statistic];
+      printed.numbers[i] = {digits, row.printed.*printed_statistics[statistic].second, half_unit(digits)};
+    }
+  }
+  return all;
+}
+
+using Ranges = std::array<Interval, numbers_of_solver>;
+
+// Ranges by the values that they are of: many universes share a series.
+class KnownRanges {
+ public:
+  Ranges of(const Multiverse::Own& own, std::size_t runs) {
+    Ranges ranges;
+    for (std::size_t m = 0; m < explained_metrics.size(); ++m) {
+      std::vector<double> all;
+      for (const std::vector<double>& seed : values_of(own, explained_metrics[m])) {
+        all.insert(all.end(), seed.begin(), seed.end());
+      }
+      const auto [found, is_new] = known_.try_emplace(std::pair(runs, all));
+      if (is_new) found->second = predicted_ranges(all, runs, predictive);
+      std::ranges::copy(found->second, ranges.begin() + static_cast<std::ptrdiff_t>(m * predicted_statistics));
+    }
+    return ranges;
+  }
+
+ private:
+  std::map<std::pair<std::size_t, std::vector<double>>, PredictedRanges> known_;
+};
+
+// Which numbers of a solver are explained.
+using Explained = std::bitset<numbers_of_solver>;
+
+Explained explained_numbers(const PrintedSolver& printed, const Ranges& ranges) {
+  Explained explained;
+  for (std::size_t i = 0; i < numbers_of_solver; ++i) {
+    const PrintedNumber& number = printed.numbers[i];
+    explained[i] = number.value + number.rounding >= ranges[i].low && number.value - number.rounding <= ranges[i].high;
+  }
+  return explained;
+}
+
+// By choice of the study, by solver, by its own choice.
+using ExplainedBy = std::vector<std::vector<std::vector<Explained>>>;
+
+// What is counted over all universes by their weights, and over the best by their number.
+struct Support {
+  std::vector<double> universes;             // weights, by how many numbers they explain
+  std::vector<std::vector<double>> mean_of;  // by dimension, alternative: numbers explained on average
+  std::vector<std::vector<int>> best_of;     // and at most
+  std::vector<std::vector<double>> in_best;  // and how many of the best universes have it
+  std::vector<std::array<double, numbers_of_solver>> share_of;  // by solver: of universes that explain a number
+  std::vector<std::array<double, numbers_of_solver>> share_of_best;
+  int most = 0;
+  double best = 0;  // universes that explain the most
+  double all = 0;   // the weight of all
+};
+
+int count_of(const Explained& explained) { return static_cast<int>(explained.count()); }
+
+// How many of a study's choices' universes explain so many numbers.
+std::vector<double> spread_of(const std::vector<std::vector<Explained>>& solvers) {
+  std::vector<double> spread{1};
+  for (const std::vector<Explained>& of_solver : solvers) {
+    std::vector<double> next(spread.size() + numbers_of_solver);
+    for (const Explained& each : of_solver) {
+      for (std::size_t i = 0; i < spread.size(); ++i) next[i + static_cast<std::size_t>(count_of(each))] += spread[i];
+    }
+    spread = std::move(next);
+  }
+  return spread;
+}
+
+// Of one choice of the study.
+struct StudySums {
+  double universes = 1, attaining = 1;
+  int best = 0;                  // the sum of what each solver's best choice explains
+  double mean = 0;               // the sum of the solvers' means
+  std::vector<double> means;     // by solver
+  std::vector<int> bests;        // by solver
+  std::vector<double> how_many;  // of its choices attain its best
+};
+
+StudySums sums_of(const std::vector<std::vector<Explained>>& solvers) {
+  StudySums sums;
+  for (const std::vector<Explained>& of_solver : solvers) {
+    double total = 0;
+    int best = 0;
+    for (const Explained& each : of_solver) {
+      total += count_of(each);
+      best = std::max(best, count_of(each));
+    }
+    const auto attaining = static_cast<double>(
+        std::ranges::count_if(of_solver, [&](const Explained& each) { return count_of(each) == best; }));
+    sums.means.push_back(total / static_cast<double>(of_solver.size()));
+    sums.bests.push_back(best);
+    sums.how_many.push_back(attaining);
+    sums.mean += sums.means.back();
+    sums.best += best;
+    sums.universes *= static_cast<double>(of_solver.size());
+    sums.attaining *= attaining;
+  }
+  return sums;
+}
+
+// The sum of weights and of weighted numbers.
+struct Weighted {
+  double sum = 0, weight = 0;
+};
+
+class SupportCount {
+ public:
+  explicit SupportCount(const Multiverse& multiverse) : multiverse_(multiverse) {
+    for (const Multiverse::Dimension& each : multiverse.dimensions) {
+      const std::size_t size = each.alternatives.size();
+      means_.emplace_back(size);
+      support_.best_of.emplace_back(size);
+      support_.in_best.emplace_back(size);
+    }
+    support_.share_of.resize(multiverse.solvers.size());
+    support_.share_of_best.resize(multiverse.solvers.size());
+  }
+
+  Support of(const ExplainedBy& explained) {
+    for (const auto& study : explained) support_.most = std::max(support_.most, sums_of(study).best);
+    support_.universes.resize(multiverse_.solvers.size() * numbers_of_solver + 1);
+    for (std::size_t g = 0; g < explained.size(); ++g) add(multiverse_.studies[g], explained[g]);
+    for (const std::vector<Weighted>& of_dimension : means_) {
+      auto& means = support_.mean_of.emplace_back();
+      for (const Weighted& each : of_dimension) means.push_back(each.sum / each.weight);
+    }
+    return support_;
+  }
+
+ private:
+  void add(const Multiverse::OfStudy& study, const std::vector<std::vector<Explained>>& explained) {
+    const StudySums sums = sums_of(explained);
+    const std::vector<double> spread = spread_of(explained);
+    for (std::size_t i = 0; i < spread.size(); ++i) {
+      support_.universes[i] += spread[i] * study.weight / sums.universes;
+    }
+    const bool has_best = sums.best == support_.most;
+    support_.all += study.weight;
+    if (has_best) support_.best += sums.attaining;
+    for (const Multiverse::Choice& each : study.chosen) {
+      count(each, {sums.mean, study.weight}, sums.best, has_best ? sums.attaining : 0);
+    }
+    for (std::size_t s = 0; s < explained.size(); ++s) {
+      const double weight = study.weight / static_cast<double>(explained[s].size());
+      for (std::size_t a = 0; a < explained[s].size(); ++a) {
+        const int ours = count_of(explained[s][a]);
+        const bool is_best = has_best && ours == sums.bests[s];
+        const double best = is_best ? sums.attaining / sums.how_many[s] : 0;
+        for (const Multiverse::Choice& each : study.solvers[s][a].chosen) {
+          count(each, {sums.mean - sums.means[s] + ours, weight}, sums.best - sums.bests[s] + ours, best);
+        }
+        for (std::size_t i = 0; i < numbers_of_solver; ++i) {
+          if (!explained[s][a][i]) continue;
+          support_.share_of[s][i] += weight;
+          support_.share_of_best[s][i] += best;
+        }
+      }
+    }
+  }
+
+  // `mean` explained on average in universes of that weight, `most` at most, `best` of the best universes.
+  void count(const Multiverse::Choice& choice, Weighted mean, int most, double best) {
+    Weighted& sum = means_[choice.dimension][choice.alternative];
+    sum.sum += mean.sum * mean.weight;
+    sum.weight += mean.weight;
+    int& known = support_.best_of[choice.dimension][choice.alternative];
+    known = std::max(known, most);
+    support_.in_best[choice.dimension][choice.alternative] += best;
+  }
+
+  const Multiverse& multiverse_;
+  std::vector<std::vector<Weighted>> means_;
+  Support support_;
+};
+
+Cell rounded_percent(double share) { return std::round(1000 * share) / 10 + 0.0; }
+
+Table alternatives_support(const Multiverse& multiverse, const Support& support, int printed) {
+  Table table{.name = "multiverse-support",
+              .caption = fmt::format(
+                  "How many of the {} printed numbers of error and variation interpretations explain", printed),
+              .columns = {{"alternative", Align::left},
+                          {"notes", Align::left},
+                          {"default", Align::left},
+                          {"explained_on_average"},
+                          {"explained_at_most"},
+                          {"of_the_best_percent"}}};
+  for (std::size_t d = 0; d < multiverse.dimensions.size(); ++d) {
+    const Multiverse::Dimension& dimension = multiverse.dimensions[d];
+    for (std::size_t a = 0; a < dimension.alternatives.size(); ++a) {
+      table.rows.push_back({dimension.alternatives[a].set, dimension.section, a == 0 ? Cell("default") : Cell(),
+                            std::round(10 * support.mean_of[d][a]) / 10, std::int64_t{support.best_of[d][a]},
+                            rounded_percent(support.in_best[d][a] / support.best)});
+    }
+  }
+  table.notes.emplace_back(
+      "A number is explained where it lies, but for its rounding, in the range that 95 % of studies of 20 runs would "
+      "have (Hill's A(n)). Of the right interpretation about 5 % of the numbers would lie outside. of_the_best: share of the "
+      "interpretations that explain the most.");
+  return table;
+}
+
+// What of the printed numbers is explained, a row each.
+Table numbers_support(const Multiverse& multiverse, const std::vector<PrintedSolver>& printed, const Support& support,
+                      KnownRanges& ranges) {
+  Table table{
+      .name = "multiverse-printed",
+      .caption = "Each printed number: whether the default explains it, and which share of the interpretations does",
+      .columns = {{"algorithm", Align::left},
+                  {"metric", Align::left},
+                  {"statistic", Align::left},
+                  {"printed"},
+                  {"default_range"},
+                  {"default", Align::left},
+                  {"interpretations_percent"},
+                  {"of_the_best_percent"}}};
+  for (std::size_t s = 0; s < printed.size(); ++s) {
+    if (printed[s].runs == 0) continue;
+    const Ranges of_default = ranges.of(multiverse.studies.front().solvers[s].front(), printed[s].runs);
+    const Explained explained = explained_numbers(printed[s], of_default);
+    for (std::size_t i = 0; i < numbers_of_solver; ++i) {
+      table.rows.push_back({multiverse.solvers[s], std::string(name_of(explained_metrics[i / predicted_statistics])),
+                            std::string(printed_statistics[i % predicted_statistics].first), printed[s].numbers[i].text,
+                            Range{of_default[i].low, of_default[i].high}, explained[i] ? "inside" : "outside",
+                            rounded_percent(support.share_of[s][i] / support.all),
+                            rounded_percent(support.share_of_best[s][i] / support.best)});
+    }
+  }
+  return table;
+}
+
+// "MO-PSO's mean error"
+std::string number_words(const Multiverse& multiverse, std::size_t solver, std::size_t number) {
+  return fmt::format("{}'s {} {}", multiverse.solvers[solver], printed_statistics[number % predicted_statistics].first,
+                     number < predicted_statistics ? "error" : "variation");
+}
+
+std::string unexplained_sentence(const Multiverse& multiverse, const std::vector<PrintedSolver>& printed,
+                                 const Support& support) {
+  std::vector<std::string> none;
+  for (std::size_t s = 0; s < printed.size(); ++s) {
+    for (std::size_t i = 0; i < numbers_of_solver && printed[s].runs > 0; ++i) {
+      if (support.share_of[s][i] == 0) none.push_back(number_words(multiverse, s, i));
+    }
+  }
+  if (none.empty()) return "Each printed number is explained by some interpretation.";
+  constexpr std::size_t most_named = 10;
+  const std::size_t named = std::min(none.size(), most_named);
+  return fmt::format("No interpretation explains {}{}.",
+                     fmt::join(none.begin(), none.begin() + static_cast<int>(named), ", "),
+                     named < none.size() ? fmt::format(" and {} more", none.size() - named) : "");
+}
+
+// What all of the best universes have in common.
+std::string best_sentence(const Multiverse& multiverse, const Support& support) {
+  std::vector<std::string> shared;
+  for (std::size_t d = 0; d < multiverse.dimensions.size(); ++d) {
+    for (std::size_t a = 0; a < multiverse.dimensions[d].alternatives.size(); ++a) {
+      if (support.in_best[d][a] == support.best) shared.push_back(multiverse.dimensions[d].alternatives[a].set);
+    }
+  }
+  return fmt::format("The best explain {}: {} interpretations{}.", support.most, count_words(support.best),
+                     shared.empty() ? std::string(" that share no alternative")
+                                    : fmt::format(", all with {}", fmt::join(shared, ", ")));
+}
+
+bool can_predict(const Multiverse& multiverse) {
+  const Multiverse::Own& usual = multiverse.studies.front().solvers.front().front();
+  return usual.error_cm.size() * usual.error_cm.front().size() >= fewest_predicting;
+}
+
+}  // namespace
+
+void add_printed(MultiverseReport& report, const ClaimsFile& file, const Multiverse& multiverse) {
+  const std::vector<PrintedSolver> printed = printed_solvers(file, multiverse);
+  const auto solvers = std::ranges::count_if(printed, [](const PrintedSolver& each) { return each.runs > 0; });
+  if (solvers == 0 || !can_predict(multiverse)) return;
+  KnownRanges ranges;
+  ExplainedBy explained;
+  for (const Multiverse::OfStudy& study : multiverse.studies) {
+    auto& of_study = explained.emplace_back();
+    for (std::size_t s = 0; s < printed.size(); ++s) {
+      auto& of_solver = of_study.emplace_back();
+      for (const Multiverse::Own& own : study.solvers[s]) {
+        of_solver.push_back(printed[s].runs == 0 ? Explained()
+                                                 : explained_numbers(printed[s], ranges.of(own, printed[s].runs)));
+      }
+    }
+  }
+  const Support support = SupportCount(multiverse).of(explained);
+  int by_default = 0;
+  for (const std::vector<Explained>& of_solver : explained.front()) by_default += count_of(of_solver.front());
+  double more = 0, rest = 0;
+  for (std::size_t i = 0; i < support.universes.size(); ++i) {
+    (i > static_cast<std::size_t>(by_default) ? more : rest) += support.universes[i];
+  }
+  const int numbers = static_cast<int>(solvers) * static_cast<int>(numbers_of_solver);
+  report.sentences.push_back(fmt::format(
+      "Of the {} printed numbers of error and variation the default explains {} (they lie in the 95 % range "
+      "of a study of 20 runs); {} of the interpretations explain more.",
+      numbers, by_default, share_words(more / (more + rest))));
+  report.sentences.push_back(best_sentence(multiverse, support));
+  report.sentences.push_back(unexplained_sentence(multiverse, printed, support));
+  report.tables.push_back(alternatives_support(multiverse, support, numbers));
+  report.tables.push_back(numbers_support(multiverse, printed, support, ranges));
+}
+
+std::vector<std::vector<int>> explained_numbers(const ClaimsFile& file, const std::vector<Multiverse>& universes) {
+  std::vector<std::vector<int>> counts;
+  if (!can_predict(universes.front())) return counts;
+  const std::vector<PrintedSolver> printed = printed_solvers(file, universes.front());
+  KnownRanges ranges;
+  for (const Multiverse& universe : universes) {
+    auto& of_universe = counts.emplace_back();
+    for (std::size_t s = 0; s < printed.size(); ++s) {
+      const Multiverse::Own& own = universe.studies.front().solvers[s].front();
+      of_universe.push_back(
+          printed[s].runs == 0 ? 0 : count_of(explained_numbers(printed[s], ranges.of(own, printed[s].runs))));
+    }
+  }
+  return counts;
+}
+
+std::string count_words(double count) {
+  if (count >= 1e9) return short_number(count / 1e9) + " billion";
+  if (count >= 1e6) return short_number(count / 1e6) + " million";
+  return fmt::format("{:.0f}", count);
+}
+
+}  // namespace ikbench::claims

@@ -1,0 +1,79 @@
+#include "analysis/claims/rules.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+#include "analysis/claims/rules_of_arms.hpp"
+#include "analysis/claims/rules_of_means.hpp"
+#include "analysis/claims/rules_of_solves.hpp"
+
+namespace ikbench::claims {
+
+using namespace inference;
+using namespace report;
+
+namespace {
+
+constexpr std::pair<std::string_view, Rule> rules[]{{"smallest", smallest},
+                                                    {"largest", largest},
+                                                    {"ranking", ranking},
+                                                    {"compromise", compromise},
+                                                    {"differ", differ},
+                                                    {"least_spread", least_spread},
+                                                    {"smoothest", smoothest},
+                                                    {"least_at_each_point", least_at_each_point},
+                                                    {"inside_limits", inside_limits},
+                                                    {"has_effect", has_effect},
+                                                    {"singularities", singularities},
+                                                    {"in_time", in_time},
+                                                    {"too_slow", too_slow},
+                                                    {"rounding_level", rounding_level},
+                                                    {"rate_as_printed", rate_as_printed},
+                                                    {"solves_more", solves_more},
+                                                    {"untested", [](const Case&) { return std::vector<Claim>(); }}};
+
+// What nothing here can decide, for want of what the claim says would.
+Claim untested(const Case& of) {
+  Claim claim = of.begun();
+  claim.verdict = Verdict::untested;
+  claim.table = "";
+  claim.evidence = "What would decide it: " + of.entry.decides;
+  if (!of.entry.study.empty()) {
+    claim.evidence += fmt::format(" `ikbench reproduce` runs the study for it ({}).", of.entry.study);
+  }
+  return claim;
+}
+
+}  // namespace
+
+Rule rule_of(std::string_view name) {
+  const auto* found = std::ranges::find(rules, name, &std::pair<std::string_view, Rule>::first);
+  return found == std::end(rules) ? nullptr : found->second;
+}
+
+std::vector<std::string> rule_names() {
+  std::vector<std::string> names;
+  for (const auto& [name, rule] : rules) names.emplace_back(name);
+  return names;
+}
+
+std::vector<Claim> judged(const ClaimsFile& file, const Reported& reported) {
+  std::vector<Claim> claims;
+  for (const ClaimEntry& entry : file.entries) {
+    const Case of{file, entry, reported};
+    std::vector<Claim> found = rule_of(entry.rule)(of);
+    const bool is_of_many = entry.sentence.find('{') != std::string::npos;
+    if (found.empty() && of.is_of_means() && entry.by == By::paper && !is_of_many) found.push_back(untested(of));
+    std::ranges::move(found, std::back_inserter(claims));
+  }
+  // What another study could test is no shortcoming of the paper's.
+  if (departs_from_paper(reported.study)) {
+    std::erase_if(claims, [](const Claim& claim) { return claim.verdict == Verdict::untested; });
+  }
+  return claims;
+}
+
+}  // namespace ikbench::claims

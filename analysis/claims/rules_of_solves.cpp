@@ -1,0 +1,252 @@
+#include "analysis/claims/rules_of_solves.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <map>
+#include <span>
+#include <string>
+
+#include "analysis/claims/times.hpp"
+#include "analysis/figures/figure_parts.hpp"
+#include "analysis/inference/comparable.hpp"
+#include "analysis/inference/design.hpp"
+#include "analysis/inference/text.hpp"
+#include "analysis/report/assessment_words.hpp"
+
+namespace ikbench::claims {
+
+using namespace results;
+using namespace statistics;
+using namespace inference;
+using namespace report;
+
+std::vector<Claim> least_at_each_point(const Case& of) {
+  const StudyResults& study = of.study();
+  if (!of.has_solver()) return {};
+  std::map<std::string, int> first;  // at so many points
+  std::vector<std::vector<double>> means;
+  for (const std::string& solver : study.solvers) {
+    means.push_back(figures::averages_by_point(study, solver, of.entry.metrics.front()));
+  }
+  const auto points = static_cast<std::size_t>(study.points);
+  for (std::size_t point = 0; point < points; ++point) {
+    std::vector<std::string> least;
+    double smallest = std::numeric_limits<double>::infinity();
+    for (std::size_t s = 0; s < means.size(); ++s) {
+      const double mean = point < means[s].size() ? means[s][point] : not_defined;
+      if (mean < smallest) least.clear();
+      if (mean <= smallest) least.push_back(study.solvers[s]);
+      if (mean < smallest) smallest = mean;
+    }
+    if (least.size() == 1) ++first[least.front()];  // a tie is nobody's
+  }
+  Claim claim = of.begun();
+  const int own = first[of.entry.solver];
+  claim.verdict = own == study.points ? Verdict::holds : 2 * own > study.points ? Verdict::in_part : Verdict::fails;
+  claim.number = fmt::format("{} of {} points", own, study.points);
+  std::vector<std::string> words;
+  for (const std::string& solver : study.solvers) {
+    if (first[solver] > 0) words.push_back(fmt::format("{} at {}", solver, first[solver]));
+  }
+  claim.evidence = fmt::format("The smallest error, averaged over the runs: {} of {} points.", listed(words), points);
+  return {claim};
+}
+
+std::vector<Claim> inside_limits(const Case& of) {
+  if (!of.has_solver()) return {};
+  const std::vector<SolverCounts> all = counts(of.study());
+  const SolverCounts& count = *std::ranges::find(all, of.entry.solver, &SolverCounts::solver);
+  Claim claim = of.begun();
+  claim.verdict = count.outside_limits == 0 ? Verdict::holds : Verdict::fails;
+  claim.number = fmt::format("{} of {} outside", count.outside_limits, count.solves);
+  claim.evidence = count.outside_limits == 0
+                       ? fmt::format("All {} are.", count.solves)
+                       : fmt::format("{} of {} are not; the worst joint is outside by {} deg.", count.outside_limits,
+                                     count.solves, short_number(count.worst_outside_deg));
+  return {claim};
+}
+
+std::vector<Claim> has_effect(const Case& of) {
+  const JudgedStudy* const without = of.companion();
+  const std::string& solver = of.entry.solver;
+  if (without == nullptr || !of.has_solver()) return {};
+  std::size_t shared = 0, changed = 0;
+  for (const Solve& solve : solves_of(of.study(), solver)) {
+    const Solve* const other = solve_at(solves_of(*without, solver), {solve.run, solve.point});
+    if (other == nullptr) continue;
+    ++shared;
+    changed += has_same_answer(solve, *other) ? 0 : 1;
+  }
+  if (shared == 0) return {};
+  Claim claim = of.begun();
+  claim.number = fmt::format("{} of {} answers change", changed, shared);
+  if (changed == 0) {
+    claim.verdict = Verdict::fails;
+    claim.evidence = fmt::format("All {} answers are the same to the last bit {}", shared, of.entry.note);
+    return {claim};
+  }
+  const Metric metric = of.entry.metrics.front();
+  std::array<GroupSummary, 2> means;
+  for (std::size_t i = 0; i < means.size(); ++i) {
+    for (const Sample& sample : samples(i == 0 ? of.study() : *without, metric)) {
+      if (sample.solver == solver) means[i] = summarise(sample.values);
+    }
+  }
+  const Judgement found = judge(MeanPair{means[0], means[1], info_of(metric).better}, of.study().plan);
+  Found one;
+  one.add(found.relation);
+  claim.verdict = verdict_on(one);
+  claim.evidence = fmt::format("{} of {} answers change without it. {}: {} {} with, {} without{}.", changed, shared,
+                               inference::capitalised(info_of(metric).name), short_number(means[0].mean),
+                               info_of(metric).unit, short_number(means[1].mean), in_brackets(found.p));
+  return {claim};
+}
+
+std::vector<Claim> singularities(const Case& of) {
+  if (!of.has_solver()) return {};
+  Claim claim = of.begun();
+  claim.verdict = Verdict::untested;
+  claim.table = "";
+  claim.evidence = of.entry.decides;
+  const SolverFacts& facts = gathered_of(of.study(), of.entry.solver);
+  if (facts.joints.size() != of.entry.joints.size()) return {claim};
+  for (std::size_t joint = 0; joint < facts.joints.size(); ++joint) {
+    const auto& [answers, near, nearest_deg] = facts.joints[joint];
+    if (of.entry.joints[joint].empty()) continue;
+    claim.evidence += fmt::format(" {} of {} answers are within {} deg of {} (the nearest: {} deg).", near, answers,
+                                  Straight::near_deg, of.entry.joints[joint], short_number(nearest_deg));
+  }
+  return {claim};
+}
+
+namespace {
+
+// Of the study itself or the first companion that the rule has something to say of.
+std::vector<Claim> first_of(const Case& of, const std::function<std::vector<Claim>(const StudyResults&)>& rule) {
+  std::vector<Claim> claims = rule(of.study());
+  for (const StudyResults& companion : of.reported.companions) {
+    if (claims.empty()) claims = rule(companion);
+  }
+  return claims;
+}
+
+// What a study has of a solver that a table of times is printed of.
+struct TimedRow {
+  PrintedTime printed;
+  TimeAssessment ours;
+};
+std::vector<TimedRow> timed_rows(const StudyResults& study, const ClaimEntry& entry) {
+  std::vector<TimedRow> result;
+  if (!std::isfinite(tolerance_cm(study))) return result;
+  const std::vector<TimeAssessment> all = assess_times(study, entry.limit_ms);
+  for (const PrintedTime& printed : printed_times(study.facts.published, entry.table, entry.row)) {
+    const auto ours = std::ranges::find(all, printed.solver, &TimeAssessment::solver);
+    const bool is_asked = std::ranges::count(entry.solvers, printed.solver) > 0;
+    if (is_asked && ours != all.end() && ours->solves > 0) result.push_back({printed, *ours});
+  }
+  return result;
+}
+
+// " Printed, in MATLAB on another machine: ..."
+std::string printed_elsewhere(const Case& of, const std::string& words) {
+  return fmt::format(" Printed, in {} on another machine: {}.", of.file.implementation, words);
+}
+
+std::string not_judged() { return fmt::format("Not judged, because {} (see the warnings).", times_not_judged); }
+
+Verdict within(bool always, bool on_average) {
+  return always ? Verdict::holds : on_average ? Verdict::in_part : Verdict::fails;
+}
+
+}  // namespace
+
+std::vector<Claim> in_time(const Case& of) {
+  return first_of(of, [&](const StudyResults& study) -> std::vector<Claim> {
+    const std::vector<TimedRow> rows = timed_rows(study, of.entry);
+    if (rows.empty()) return {};
+    const auto& [printed, ours] = rows.front();
+    const double limit_ms = of.entry.limit_ms;
+    Claim claim = of.begun();
+    claim.evidence = not_judged();
+    claim.number = times_not_judged;
+    if (times_are_comparable(study)) {
+      claim.verdict = within(ours.in_time == ours.solves, ours.time_ms.median < limit_ms);
+      claim.number = fmt::format("{} of {} in time", ours.in_time, ours.solves);
+      claim.evidence =
+          fmt::format("Here, in C++: {} of {} targets reach {} cm in less than {} ms; median {} ms, slowest {} ms.",
+                      ours.in_time, ours.solves, tolerance_cm(study), limit_ms, short_number(ours.time_ms.median),
+                      short_number(ours.time_ms.max));
+    }
+    claim.evidence += printed_elsewhere(of, printed_words(printed, limit_ms));
+    claim.printed = within(printed.ms.max < limit_ms, printed.ms.mean < limit_ms);
+    return {claim};
+  });
+}
+
+std::vector<Claim> too_slow(const Case& of) {
+  return first_of(of, [&](const StudyResults& study) -> std::vector<Claim> {
+    const std::vector<TimedRow> rows = timed_rows(study, of.entry);
+    if (rows.empty()) return {};
+    std::vector<Verdict> here, in_print;
+    std::vector<std::string> list, printed_list;
+    for (const auto& [printed, ours] : rows) {
+      here.push_back(within(ours.time_ms.median >= of.entry.limit_ms, false));
+      in_print.push_back(within(printed.ms.mean >= of.entry.limit_ms, false));
+      list.push_back(fmt::format("{} {} ms", ours.solver, short_number(ours.time_ms.median)));
+      printed_list.push_back(fmt::format("{} ms", short_number(printed.ms.mean)));
+    }
+    Claim claim = of.begun();
+    claim.evidence = not_judged();
+    claim.number = times_not_judged;
+    if (times_are_comparable(study)) {
+      claim.verdict = verdict_on(here);
+      claim.evidence = fmt::format("Here, in C++, median: {}.", fmt::join(list, ", "));
+      const TimeAssessment& last = rows.back().ours;
+      claim.number = fmt::format("{} ms with {}", short_number(last.time_ms.median), last.solver);
+    }
+    claim.printed = verdict_on(in_print);
+    claim.evidence += printed_elsewhere(of, fmt::format("{}", fmt::join(printed_list, ", ")));
+    return {claim};
+  });
+}
+
+double farthest_target_cm(const StudyResults& study) {
+  double farthest = 0;
+  for (const Solve& solve : study.solves) {
+    const std::span<const double> at = problem_of(study, solve).target_position_m;
+    const double distance = at.size() == 3 ? std::hypot(100 * at[0], 100 * at[1], 100 * at[2]) : not_defined;
+    if (std::isfinite(distance)) farthest = std::max(farthest, distance);
+  }
+  return farthest;
+}
+
+std::vector<Claim> rounding_level(const Case& of) {
+  constexpr double step = std::numeric_limits<double>::epsilon(), order = 10;
+  return first_of(of, [&](const StudyResults& study) -> std::vector<Claim> {
+    const CsvTable table = printed_table(study.facts.published, of.entry.table);
+    if (study.facts.path.kind != of.entry.path || study.solves.empty() || table.rows.empty()) return {};
+    std::vector<double> printed, ours;
+    for (std::size_t row = 0; row < table.rows.size(); ++row) printed.push_back(table.number(row, "error_cm"));
+    for (const Solve& solve : solves_of(study, study.solvers.front())) ours.push_back(solve.position_error_cm);
+    if (ours.empty()) return {};
+    const double farthest_cm = farthest_target_cm(study), rounding = step * farthest_cm;
+    Claim claim = of.begun();
+    claim.verdict = within(mean(ours) <= order * rounding, false);
+    claim.printed = within(mean(printed) <= order * rounding, false);
+    claim.number = fmt::format("{} cm", short_number(mean(ours)));
+    claim.evidence = fmt::format(
+        "Mean error {} cm over {} points; printed {} cm. Rounding level: {} cm (2^-52 of {} cm, the farthest target) "
+        "times at most {}.",
+        short_number(mean(ours)), ours.size(), short_number(mean(printed)), short_number(rounding),
+        short_number(farthest_cm), order);
+    return {claim};
+  });
+}
+
+}  // namespace ikbench::claims
