@@ -95,8 +95,8 @@ using CostOf = std::function<double(const Solve&)>;
 Profile performance_profile(const StudyResults& study, const CostOf& cost_of);
 
 // How often each solver comes closest to the target, in a sentence: what means over runs, which their worst points
-// decide, do not show. Empty where fewer than two solvers share a problem, and where a solve ends at a tolerance: within
-// it solvers are the same.
+// decide, do not show. Empty where fewer than two solvers share a problem, and where a solve ends at a tolerance:
+// within it solvers are the same.
 std::string closest_point_by_point(const StudyResults& study);
 
 // `count` numbers, the first and last exactly as given, which are positive; a single one where they are the same.
