@@ -167,7 +167,13 @@ std::string unseen_words(const Evidence& evidence, const std::vector<const Contr
   for (const Contrast* pair : pairs) {
     const bool by_means = pair->relation == Relation::same || (is_decided(*pair) && !evidence.ranks_decide());
     if (!by_means || evidence.of_outcomes || pair->is_fact) continue;
-    fewest = std::min({fewest, evidence.groups[pair->first].described.n, evidence.groups[pair->second].described.n});
+    // Where a known value is the better one, a failure of the other would only make it better.
+    const std::size_t winner = pair->relation == Relation::worse ? pair->second : pair->first;
+    if (is_decided(*pair) && evidence.groups[winner].copies > 0) continue;
+    for (const std::size_t group : {pair->first, pair->second}) {
+      const GroupEvidence& of = evidence.groups[group];
+      if (of.copies == 0) fewest = std::min(fewest, of.described.n);  // a known value has no failures to hide
+    }
   }
   if (fewest == std::numeric_limits<int>::max()) return "";
   return inference::unseen_words(fewest, replicates_words(evidence), evidence.plan.significance);

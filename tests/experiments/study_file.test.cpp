@@ -519,7 +519,7 @@ TEST_CASE("what an analysis cannot be is told with its place and what it can be"
          {table + "test = \"t\"\n" + solver_entry,
           "my.toml:2:8: ",
           {"analysis.test is \"t\"",
-           "\"by_design\", \"anova\", \"welch\", \"kruskal_wallis\", \"friedman\", \"tamhane\", \"bootstrap\""}},
+           "\"by_design\", \"bootstrap\", \"tamhane\", \"welch\", \"anova\", \"kruskal_wallis\", \"friedman\""}},
          {table + "adjustment = 1\n" + solver_entry,
           "my.toml:2:14: ",
           {"analysis.adjustment is 1", "\"holm\", \"hochberg\", \"bonferroni\", \"benjamini_hochberg\""}},
