@@ -3,12 +3,15 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "analysis/inference/deciding.hpp"
 #include "analysis/inference/judge.hpp"
 #include "analysis/inference/margin.hpp"
 #include "analysis/inference/outcomes.hpp"
 #include "analysis/statistics/effect_size.hpp"
+#include "analysis/statistics/hodges_lehmann.hpp"
+#include "analysis/statistics/median_interval.hpp"
 #include "analysis/statistics/power.hpp"
 #include "analysis/statistics/proportion.hpp"
 #include "analysis/statistics/rounding.hpp"
@@ -271,11 +274,39 @@ void add_ranks(const Evidence& evidence, const Groups& groups, std::vector<Contr
   }
 }
 
+// How far apart two groups are that ranks compare; the interval holds for the whole family by Bonferroni.
+Estimate typical_ratio(const Evidence& evidence, const std::vector<double>& first, const std::vector<double>& second) {
+  const bool is_log = evidence.scale == ValueScale::log10;
+  const auto all = [&](auto is) { return std::ranges::all_of(first, is) && std::ranges::all_of(second, is); };
+  if (!all([](double value) { return std::isfinite(value); })) return {};
+  const bool are_negative = !is_log && all([](double value) { return value < 0; });
+  if (!is_log && !are_negative && !all([](double value) { return value > 0; })) return {};
+  const auto logarithms = [&](const std::vector<double>& values) {
+    std::vector<double> result;
+    for (const double value : values)
+      result.push_back(is_log ? value * std::numbers::ln10 : are_negative ? -std::log(-value) : std::log(value));
+    return result;
+  };
+  const std::vector<double> one = logarithms(first), other = logarithms(second);
+  const double level = 1 - evidence.plan.significance / static_cast<double>(evidence.family());
+  if (!evidence.decides_within_blocks()) {
+    const Shift shift = hodges_lehmann(one, other, level);
+    return {.value = std::exp(shift.estimate), .low = std::exp(shift.low), .high = std::exp(shift.high)};
+  }
+  std::vector<double> differences;
+  for (std::size_t i = 0; i < one.size(); ++i) differences.push_back(one[i] - other[i]);
+  std::ranges::sort(differences);
+  const MedianInterval interval = median_interval(differences, level);
+  return {.value = std::exp(median(differences)), .low = std::exp(interval.low), .high = std::exp(interval.high)};
+}
+
 void add_effects(const Evidence& evidence, const Groups& groups, Contrast& contrast) {
   if (evidence.of_outcomes) return;
   contrast.g = hedges_g(groups.summaries[contrast.first], groups.summaries[contrast.second]);
-  if (!groups.ranked.empty()) {
-    contrast.superiority = superiority(evidence, groups.ranked[contrast.first], groups.ranked[contrast.second]);
+  if (groups.values.empty()) return;
+  contrast.superiority = superiority(evidence, groups.ranked[contrast.first], groups.ranked[contrast.second]);
+  if (evidence.ranks_decide()) {
+    contrast.ratio = typical_ratio(evidence, groups.values[contrast.first], groups.values[contrast.second]);
   }
 }
 
@@ -292,7 +323,6 @@ void add_contrasts(Evidence& evidence, const Groups& groups) {
     contrast.p = results[i].p;
     contrast.ahead = results[i].ahead;
     contrast.difference = results[i].difference;
-    contrast.ratio = results[i].ratio;
     contrast.undefined = results[i].undefined;
     if (std::isnan(contrast.difference.value)) {
       contrast.difference.value = groups.summaries[contrast.first].mean - groups.summaries[contrast.second].mean;

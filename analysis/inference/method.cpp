@@ -5,11 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <stdexcept>
 
-#include "analysis/statistics/hodges_lehmann.hpp"
-#include "analysis/statistics/median_interval.hpp"
 #include "analysis/statistics/p_adjust.hpp"
 #include "analysis/statistics/studentized_bootstrap.hpp"
 
@@ -55,11 +52,12 @@ Correction correction_of(Adjustment adjustment) {
 }
 
 void refuse_missing(const Method& method, const Evidence& evidence) {
-  if (method.needs == Needs::blocks && evidence.blocks == 0) {
+  const Needs needs = deciding_test(method.name).needs;
+  if (needs == Needs::blocks && evidence.blocks == 0) {
     throw std::invalid_argument(fmt::format(
         "the {} test needs blocks, which all groups share; expected another test, or a block column", method.name));
   }
-  if (method.needs == Needs::summaries || !evidence.from_summaries) return;
+  if (needs == Needs::summaries || !evidence.from_summaries) return;
   std::vector<std::string_view> others;
   for (const DecidingTest& test : deciding_tests()) {
     if (test.needs == Needs::summaries) others.push_back(test.name);
@@ -123,32 +121,6 @@ int resamples_of(const Evidence& evidence) {
   std::size_t values = 0;
   for (const GroupEvidence& group : evidence.groups) values += static_cast<std::size_t>(group.described.n);
   return affordable_resamples(values, evidence.groups.size(), level);
-}
-
-Estimate typical_ratio(const Evidence& evidence, std::span<const double> first, std::span<const double> second,
-                       bool in_blocks) {
-  const bool is_log = evidence.scale == ValueScale::log10;
-  const auto all = [&](auto is) { return std::ranges::all_of(first, is) && std::ranges::all_of(second, is); };
-  if (!all([](double value) { return std::isfinite(value); })) return {};
-  const bool are_negative = !is_log && all([](double value) { return value < 0; });
-  if (!is_log && !are_negative && !all([](double value) { return value > 0; })) return {};
-  const auto logarithms = [&](std::span<const double> values) {
-    std::vector<double> result;
-    for (const double value : values)
-      result.push_back(is_log ? value * std::numbers::ln10 : are_negative ? -std::log(-value) : std::log(value));
-    return result;
-  };
-  const std::vector<double> one = logarithms(first), other = logarithms(second);
-  const double level = 1 - evidence.plan.significance / static_cast<double>(evidence.family());
-  if (!in_blocks) {
-    const Shift shift = hodges_lehmann(one, other, level);
-    return {.value = std::exp(shift.estimate), .low = std::exp(shift.low), .high = std::exp(shift.high)};
-  }
-  std::vector<double> differences;
-  for (std::size_t i = 0; i < one.size(); ++i) differences.push_back(one[i] - other[i]);
-  std::ranges::sort(differences);
-  const MedianInterval interval = median_interval(differences, level);
-  return {.value = std::exp(median(differences)), .low = std::exp(interval.low), .high = std::exp(interval.high)};
 }
 
 }  // namespace ikbench::inference

@@ -28,7 +28,6 @@ struct PairResult {
   double p = statistics::not_defined;  // corrected for the whole family
   int ahead = 0;                       // 1 where the first is ahead, -1 where the second is
   Estimate difference = {};            // of means or shares, first - second
-  Estimate ratio = {};                 // Contrast::ratio
   std::string undefined = {};          // why there is no p
 };
 
@@ -41,7 +40,6 @@ struct Method {
   std::string_view of_two;    // the same where there are two groups: "Student's test"
   std::string_view interval;  // by which method a difference has its interval
   std::string_view source;
-  results::Needs needs = results::Needs::values;
   Compares compares = Compares::means;
   bool within_blocks = false;       // it looks at the differences within blocks
   bool corrects_all_pairs = false;  // p is corrected for the pairs of all groups, also where there is a control
@@ -76,10 +74,6 @@ void correct(const Evidence& evidence, std::vector<double>& p);
 std::vector<PairResult> of_means(const Evidence& evidence, const std::vector<statistics::MeanDifference>& differences);
 // How many times the bootstrap can draw so many values; 0 where they are too many.
 int resamples_of(const Evidence& evidence);
-TestResult welch_of_all(const Evidence& evidence, std::span<const statistics::GroupSummary> summaries);
-// The interval of a typical ratio first by second, by the median of logarithms; `in_blocks`: of the ratios within
-// blocks. Not defined where values have several signs.
-Estimate typical_ratio(const Evidence& evidence, std::span<const double> first, std::span<const double> second,
-                       bool in_blocks);
+std::optional<TestResult> welch_of_all(const Evidence& evidence, const Groups& groups);
 
 }  // namespace ikbench::inference

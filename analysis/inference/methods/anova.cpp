@@ -36,7 +36,6 @@ const Method anova_method{.name = "anova",
                           .of_two = "Student's test",
                           .interval = "Tukey, pooled variance",
                           .source = "Fisher 1925; Kramer, Biometrics 12 (1956) 307",
-                          .needs = results::Needs::summaries,
                           .corrects_all_pairs = true,
                           .pairs = anova_pairs,
                           .all = anova_of_all};

@@ -67,7 +67,6 @@ const Method bootstrap_within_blocks_method{
     .of_two = "studentized bootstrap of the differences within blocks",
     .interval = "studentized bootstrap of the differences within blocks",
     .source = "Hall, Annals of Statistics 16 (1988) 927; Westfall and Young 1993",
-    .needs = Needs::blocks,
     .within_blocks = true,
     .pairs = within_blocks};
 const Method paired_t_method{.name = "bootstrap",
@@ -76,7 +75,6 @@ const Method paired_t_method{.name = "bootstrap",
                              .of_two = "paired t-test within blocks",
                              .interval = "paired t-test within blocks",
                              .source = "Student, Biometrika 6 (1908) 1",
-                             .needs = Needs::blocks,
                              .within_blocks = true,
                              .pairs = paired};
 

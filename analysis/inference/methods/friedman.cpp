@@ -24,7 +24,6 @@ std::vector<PairResult> friedman_pairs(const Evidence& evidence, const Groups& g
     p.push_back(test.p);
     result.push_back({.ahead = -test.direction,
                       .difference = {.value = means.difference, .low = means.low, .high = means.high},
-                      .ratio = typical_ratio(evidence, groups.values[first], groups.values[second], true),
                       .undefined = std::move(test.undefined)});
   }
   correct(evidence, p);
@@ -56,7 +55,6 @@ const Method friedman_method{.name = "friedman",
                              .source =
                                  "Friedman, JASA 32 (1937) 675; Iman and Davenport, Communications in Statistics "
                                  "A9 (1980) 571; Dixon and Mood, JASA 41 (1946) 557",
-                             .needs = Needs::blocks,
                              .compares = Compares::ranks,
                              .within_blocks = true,
                              .pairs = friedman_pairs,

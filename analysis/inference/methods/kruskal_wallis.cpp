@@ -28,7 +28,6 @@ std::vector<PairResult> kruskal_wallis_pairs(const Evidence& evidence, const Gro
     unequal.push_back(brunner_munzel(groups.ranked[first], groups.ranked[second]).p);
     result.push_back({.ahead = -test.direction,
                       .difference = {.value = means[i].difference, .low = means[i].low, .high = means[i].high},
-                      .ratio = typical_ratio(evidence, groups.values[first], groups.values[second], false),
                       .undefined = std::move(test.undefined)});
   }
   correct(evidence, exact);

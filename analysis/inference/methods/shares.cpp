@@ -82,7 +82,6 @@ const Method mcnemar_method{.name = "shares",
                             .source =
                                 "McNemar, Psychometrika 12 (1947) 153; Cochran, Biometrika 37 (1950) 256; "
                                 "Newcombe, Statistics in Medicine 17 (1998) 2635",
-                            .needs = Needs::blocks,
                             .compares = Compares::shares,
                             .within_blocks = true,
                             .pairs = mcnemar_pairs,

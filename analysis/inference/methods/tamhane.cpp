@@ -10,10 +10,6 @@ std::vector<PairResult> tamhane_pairs(const Evidence& evidence, const Groups& gr
   return of_means(evidence, tamhane(groups.summaries, 1 - evidence.plan.significance, evidence.reference));
 }
 
-std::optional<TestResult> tamhane_of_all(const Evidence& evidence, const Groups& groups) {
-  return welch_of_all(evidence, groups.summaries);
-}
-
 }  // namespace
 
 extern const Method tamhane_method;
@@ -23,9 +19,8 @@ const Method tamhane_method{.name = "tamhane",
                             .of_two = "Welch's test",
                             .interval = "Tamhane, separate variances",
                             .source = "Tamhane, JASA 74 (1979) 471",
-                            .needs = results::Needs::summaries,
                             .corrects_all_pairs = true,
                             .pairs = tamhane_pairs,
-                            .all = tamhane_of_all};
+                            .all = welch_of_all};
 
 }  // namespace ikbench::inference

@@ -13,7 +13,8 @@ namespace ikbench::inference {
 using namespace statistics;
 
 // Of those groups that the test can weigh; the others are named.
-TestResult welch_of_all(const Evidence& evidence, std::span<const GroupSummary> summaries) {
+std::optional<TestResult> welch_of_all(const Evidence& evidence, const Groups& groups) {
+  const std::span summaries = groups.summaries;
   constexpr std::size_t longest_shown = 60, most_named = 3;
   TestResult result{.test = std::string(welch_name), .role = Role::robust, .symbol = "F"};
   std::vector<GroupSummary> usable;
@@ -50,10 +51,6 @@ std::vector<PairResult> welch_pairs(const Evidence& evidence, const Groups& grou
   return of_means(evidence, games_howell(groups.summaries, 1 - evidence.plan.significance, evidence.reference));
 }
 
-std::optional<TestResult> welch_of_all(const Evidence& evidence, const Groups& groups) {
-  return welch_of_all(evidence, groups.summaries);
-}
-
 }  // namespace
 
 extern const Method welch_method;
@@ -65,7 +62,6 @@ const Method welch_method{.name = "welch",
                           .source =
                               "Welch, Biometrika 38 (1951) 330; Games and Howell, J. Educational Statistics 1 "
                               "(1976) 113",
-                          .needs = results::Needs::summaries,
                           .corrects_all_pairs = true,
                           .pairs = welch_pairs,
                           .all = welch_of_all};
