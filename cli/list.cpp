@@ -87,61 +87,54 @@ std::string path_details(const std::string& name) {
   throw std::invalid_argument(unknown_name("kind of path", name, names));
 }
 
-std::string column_list(std::string_view name) {
-  Rows rows{{"COLUMN", "TYPE", "MEANING"}};
+// The rows below the titles, or the one of that name, which is in the first column.
+std::string rows_or_one(Rows rows, std::string_view what, std::string_view name) {
+  if (name.empty()) return aligned(rows);
   std::vector<std::string> names;
-  for (const ColumnInfo& column : columns()) {
-    names.emplace_back(column.name);
-    if (name.empty() || column.name == name) {
-      rows.push_back({std::string(column.name), std::string(column.type), std::string(column.meaning)});
-    }
-  }
-  if (rows.size() == 1) throw std::invalid_argument(unknown_name("column", name, names));
-  return aligned(rows);
+  for (auto row = rows.begin() + 1; row != rows.end(); ++row) names.push_back(row->front());
+  const auto found = std::ranges::find(names, name);
+  if (found == names.end()) throw std::invalid_argument(unknown_name(what, name, names));
+  return aligned({rows.front(), rows[static_cast<std::size_t>(found - names.begin()) + 1]});
 }
 
-std::string metric_list(std::string_view name) {
+Rows column_list() {
+  Rows rows{{"COLUMN", "TYPE", "MEANING"}};
+  for (const ColumnInfo& column : columns()) {
+    rows.push_back({std::string(column.name), std::string(column.type), std::string(column.meaning)});
+  }
+  return rows;
+}
+
+Rows metric_list() {
   using namespace inference;
   Rows rows{{"METRIC", "UNIT", "BETTER", "OF", "WHAT"}};
-  std::vector<std::string> names;
   for (const Metric metric : all_metrics()) {
     const MetricInfo& info = info_of(metric);
-    names.emplace_back(info.column);
-    if (!name.empty() && info.column != name) continue;
-    rows.push_back({names.back(), std::string(info.unit), info.better == Better::larger ? "larger" : "smaller",
-                    is_of_run(metric) ? "run" : "solve", std::string(info.name)});
+    rows.push_back({std::string(info.column), std::string(info.unit),
+                    info.better == Better::larger ? "larger" : "smaller", is_of_run(metric) ? "run" : "solve",
+                    std::string(info.name)});
   }
-  if (rows.size() == 1) throw std::invalid_argument(unknown_name("metric", name, names));
-  return aligned(rows);
+  return rows;
 }
 
-std::string test_list(std::string_view name) {
+Rows test_list() {
+  constexpr std::array<std::string_view, 3> needs{"summaries", "values", "blocks"};
   Rows rows{{"TEST", "NEEDS", "WHAT", "FROM"}};
-  std::vector<std::string> names;
   for (const DecidingTest& test : deciding_tests()) {
-    names.emplace_back(test.name);
-    if (name.empty() || test.name == name) {
-      constexpr std::array<std::string_view, 3> needs{"summaries", "values", "blocks"};
-      const auto method = std::ranges::find_if(inference::methods(),
-                                               [&](const inference::Method* each) { return each->name == test.name; });
-      rows.push_back({names.back(), std::string(needs[static_cast<std::size_t>(test.needs)]), std::string(test.meaning),
-                      std::string((*method)->source)});
-    }
+    const auto method =
+        std::ranges::find(inference::methods(), test.name, [](const inference::Method* each) { return each->name; });
+    rows.push_back({std::string(test.name), std::string(needs[static_cast<std::size_t>(test.needs)]),
+                    std::string(test.meaning), std::string((*method)->source)});
   }
-  if (rows.size() == 1) throw std::invalid_argument(unknown_name("test", name, names));
-  return aligned(rows);
+  return rows;
 }
 
-std::string instruction_set_list(std::string_view name) {
+Rows instruction_set_list() {
   Rows rows{{"NAME", "IN USE"}};
-  std::vector<std::string> names;
   for (const InstructionSet each : instruction_sets()) {
-    const std::string_view set = name_of(each);
-    names.emplace_back(set);
-    if (name.empty() || set == name) rows.push_back({std::string(set), each == instruction_set() ? "yes" : "no"});
+    rows.push_back({std::string(name_of(each)), each == instruction_set() ? "yes" : "no"});
   }
-  if (rows.size() == 1) throw std::invalid_argument(unknown_name("instruction set", name, names));
-  return aligned(rows);
+  return rows;
 }
 
 std::string listed(const std::string& kind, const std::string& name) {
@@ -149,10 +142,10 @@ std::string listed(const std::string& kind, const std::string& name) {
   if (kind == "robots")
     return name.empty() ? robot_list() : robot_text(is_arm_file(name) ? load_robot(name) : robot(name));
   if (kind == "paths") return name.empty() ? path_list() : path_details(name);
-  if (kind == "columns") return column_list(name);
-  if (kind == "metrics") return metric_list(name);
-  if (kind == "tests") return test_list(name);
-  if (kind == "instruction-sets") return instruction_set_list(name);
+  if (kind == "columns") return rows_or_one(column_list(), "column", name);
+  if (kind == "metrics") return rows_or_one(metric_list(), "metric", name);
+  if (kind == "tests") return rows_or_one(test_list(), "test", name);
+  if (kind == "instruction-sets") return rows_or_one(instruction_set_list(), "instruction set", name);
   return name.empty() ? study_list() : to_toml(load_study(name, {}, PointsAsObservations::forced));
 }
 
