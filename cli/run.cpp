@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "analysis/inference/contrasts.hpp"
+#include "analysis/inference/method.hpp"
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
 #include "cli/reporting.hpp"
@@ -21,20 +22,18 @@ namespace {
 // Before hours are spent on what cannot be decided: tests within blocks need so many, whatever is in them.
 void warn_of_too_few(const Study& study) {
   const AnalysisPlan& plan = study.analysis;
-  const bool is_by_design = plan.test == by_design;
-  const bool within_blocks =
-      is_by_design || plan.test == "bootstrap" || deciding_test(plan.test).needs == Needs::blocks;
   const bool one_step = plan.adjustment == Adjustment::holm || plan.adjustment == Adjustment::bonferroni;
-  if (!within_blocks || !one_step || study.solvers.size() < 2 || !why_no_blocks(study).empty()) return;
+  if (!one_step || study.solvers.size() < 2 || !why_no_blocks(study).empty()) return;
   const bool starts_anew = study.start != Start::previous;
   const auto points = static_cast<std::size_t>(study.path->points()), runs = static_cast<std::size_t>(study.runs);
   const std::size_t solvers = study.solvers.size();
   inference::Evidence planned;
   planned.plan = plan;
-  if (is_by_design) planned.plan.test = "bootstrap";
   planned.blocks = !study.path->is_drawn() ? points : starts_anew ? runs * points : runs;
   planned.groups.resize(solvers);
   planned.pairs = solvers * (solvers - 1) / 2;
+  planned.method = &inference::method_for(planned);
+  if (!planned.decides_within_blocks()) return;
   const auto fewest = static_cast<std::size_t>(inference::fewest_to_differ(planned));
   if (planned.blocks < 2 || planned.blocks >= fewest) return;
   say(fmt::format("warning: with {} {} no two of {} solvers can be told apart, whatever they do; it takes at least {}",

@@ -193,8 +193,7 @@ AnalysisPlan read_analysis(TomlReader reader, const Study& study, PointsAsObserv
     reader.fail("control", *reader.find("control"),
                 fmt::format("\"\" or the label of a solver of the study: \"{}\"", fmt::join(labels, "\", \"")));
   }
-  const bool needs_blocks = plan.test != by_design && deciding_test(plan.test).needs == Needs::blocks;
-  if (const std::string reason = why_no_blocks(study); needs_blocks && !reason.empty()) {
+  if (const std::string reason = why_no_blocks(study); needs_blocks(plan.test) && !reason.empty()) {
     reader.fail("test", *reader.find("test"),
                 fmt::format("another test: {} compares the solvers within targets that are the same for all, and {}; "
                             "start = \"initial\" or path.kind = \"random\" with several would give them",

@@ -23,4 +23,7 @@ const DecidingTest& deciding_test(std::string_view name);
 // The plan chooses by the design, before it sees data.
 constexpr std::string_view by_design = "by_design";
 
+// Of a plan's test; the design never chooses what it does not have.
+bool needs_blocks(std::string_view test);
+
 }  // namespace ikbench::results

@@ -84,7 +84,7 @@ int ahead_by_means(const Evidence& evidence, double difference) {
 bool has_order(const Evidence& evidence, const Contrast& contrast) {
   const Description &first = evidence.groups[contrast.first].described,
                     &second = evidence.groups[contrast.second].described;
-  if (evidence.plan.test != "bootstrap" || evidence.of_outcomes) return false;
+  if (!evidence.method->resamples) return false;
   if (!std::isfinite(first.mean) || !std::isfinite(second.mean)) return false;
   const double ahead = contrast.superiority.value;
   if (evidence.blocks > 0) return std::isnan(contrast.p) && (ahead == 0 || ahead == 1);
@@ -102,8 +102,7 @@ bool are_constants(const Evidence& evidence, const Contrast& contrast) {
 int fewest_to_differ(const Evidence& evidence) {
   int n = 2;
   while (chance_of_unanimity(evidence, n, n) >= evidence.plan.significance) ++n;
-  const bool by_bootstrap = evidence.plan.test == "bootstrap" && !evidence.of_outcomes;
-  return by_bootstrap ? std::min(n, fewest_blocks(evidence.family(), 1 - evidence.plan.significance)) : n;
+  return evidence.method->resamples ? std::min(n, fewest_blocks(evidence.family(), 1 - evidence.plan.significance)) : n;
 }
 
 Relation relation_of(const Evidence& evidence, const Contrast& contrast, double p) {

@@ -276,8 +276,7 @@ Evidence evidence(const Summaries& summaries, const AnalysisPlan& plan) {
 }
 
 AnalysisPlan feasible(AnalysisPlan plan, const Observations& observations) {
-  const bool needs_blocks = plan.test != by_design && results::deciding_test(plan.test).needs == Needs::blocks;
-  if (needs_blocks && observations.blocks.empty()) plan.test = by_design;
+  if (needs_blocks(plan.test) && observations.blocks.empty()) plan.test = by_design;
   return plan;
 }
 

@@ -43,6 +43,8 @@ struct Method {
   Compares compares = Compares::means;
   bool within_blocks = false;       // it looks at the differences within blocks
   bool corrects_all_pairs = false;  // p is corrected for the pairs of all groups, also where there is a control
+  // It draws resamples, which a few equal values do not have: an exact test of order then takes its place.
+  bool resamples = false;
   // In the order of Evidence::contrasts, whose groups are those to compare.
   std::vector<PairResult> (*pairs)(const Evidence& evidence, const Groups& groups) = nullptr;
   // The test of all groups; none where the method has none.

@@ -318,8 +318,7 @@ Report write_report(const Store& store, const ReportRequest& request) {
                         .seen = pieces.seen};
   join(content.claims, request.shares);
   std::ranges::copy(plan_changes(entry, sessions, solves_of_sessions(study)), std::back_inserter(content.warnings));
-  const bool needs_blocks = study.plan.test != by_design && deciding_test(study.plan.test).needs == Needs::blocks;
-  if (needs_blocks && !blocked_observations(study, Metric::position_error_cm)) {
+  if (needs_blocks(study.plan.test) && !blocked_observations(study, Metric::position_error_cm)) {
     content.warnings.push_back(
         fmt::format("The plan asks for the {} test, which needs blocks. The studentized bootstrap of the means decides "
                     "instead. {}",

@@ -59,6 +59,7 @@ const Method bootstrap_method{.name = "bootstrap",
                               .of_two = "studentized bootstrap",
                               .interval = "studentized bootstrap",
                               .source = "Hall, Annals of Statistics 16 (1988) 927; Westfall and Young 1993",
+                              .resamples = true,
                               .pairs = independent};
 const Method bootstrap_within_blocks_method{
     .name = "bootstrap",
@@ -68,6 +69,7 @@ const Method bootstrap_within_blocks_method{
     .interval = "studentized bootstrap of the differences within blocks",
     .source = "Hall, Annals of Statistics 16 (1988) 927; Westfall and Young 1993",
     .within_blocks = true,
+    .resamples = true,
     .pairs = within_blocks};
 const Method paired_t_method{.name = "bootstrap",
                              .title = "Paired t-test within blocks",
@@ -76,6 +78,7 @@ const Method paired_t_method{.name = "bootstrap",
                              .interval = "paired t-test within blocks",
                              .source = "Student, Biometrika 6 (1908) 1",
                              .within_blocks = true,
+                             .resamples = true,
                              .pairs = paired};
 
 }  // namespace ikbench::inference
