@@ -40,7 +40,7 @@ def solve(problem):
                 if math.dist(tool(other), target) < error:
                     q, error = other, math.dist(tool(other), target)
         step *= 0.8
-    if FAULT == "late": time.sleep(0.3)
+    if FAULT == "late": time.sleep(0.6)
     counted = {"boasts": {"evaluations": 1}, "spends": {"evaluations": 1000}}.get(FAULT, {})
     say(message="solved", id=problem["id"], q=q, error=error + (0.01 if FAULT == "lies" else 0), **counted)
 
