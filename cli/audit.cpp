@@ -1,4 +1,4 @@
-// ikbench audit: whether a paper's printed numbers agree with each other.
+// ikbench audit: checks whether a paper's printed numbers agree with each other.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -21,7 +21,7 @@ using namespace report;
 
 namespace {
 
-// Each check in a line, and why below it.
+// One line per check, and the reasons below.
 std::string shown(const std::vector<AuditItem>& items) {
   std::vector<std::vector<std::string>> rows{{"ID", "VERDICT", "WHERE", "PRINTED", "FOLLOWS"}};
   for (const AuditItem& item : items) {

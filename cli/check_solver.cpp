@@ -1,4 +1,4 @@
-// ikbench check-solver: what the author of a program should know before a study runs it.
+// ikbench check-solver: checks a program for its author before a study runs it.
 #include <fmt/format.h>
 
 #include <cstdio>
@@ -15,7 +15,7 @@ using namespace experiments;
 
 namespace {
 
-// A shared object is told by its name: libmine.so, libmine.so.1.
+// A shared object is recognized by its name: libmine.so, libmine.so.1.
 ProgramChoice choice_of(const std::vector<std::string>& words, double patience) {
   if ((words[0] + '.').find(".so.") == std::string::npos) return {.process = words, .patience = patience};
   if (words.size() > 2) throw std::invalid_argument("expected one solver of " + words[0] + " at most");

@@ -1,5 +1,5 @@
-// The commands: each adds itself to the program and says its exit code (0 done, 1 the user's mistake or a damaged
-// store, 2 ours or the system's, 3 a regression, 4 and 5 not decided, 128 + the number of the signal that stopped it).
+// The commands. Each adds itself to the program and sets its exit code: 0 done, 1 a user's mistake or a damaged store,
+// 2 our mistake or the system's, 3 a regression, 4 and 5 undecided, 128 + the number of the signal that stopped it.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -7,7 +7,7 @@
 
 namespace ikbench::cli {
 
-// What was typed, as a shell would take it again, and how it ended.
+// The typed command, as a shell would take it again, and its exit code.
 struct Invocation {
   std::string command;
   int exit_code = 0;

@@ -38,7 +38,7 @@ std::string metric_names() {
   return fmt::format("{} or {}", fmt::join(names.begin(), names.end() - 1, ", "), names.back());
 }
 
-// What a terminal is wide enough for.
+// The columns that fit on a terminal.
 Table narrow(const Table& table) {
   constexpr std::array<std::string_view, 11> shown{"label", "metric", "B_is", "mean_A", "mean_B", "B_by_A",
                                                    "low",   "high",   "p",    "level",  "remark"};
@@ -87,7 +87,7 @@ void write_output(const Compared& compared, const std::string& file) {
 int exit_code(const Compared& compared, const CompareArguments& arguments) {
   if (any_metric(compared.comparisons, is_regression)) return regression;
   if (compared.state == LookState::open) return more_runs;
-  // Times that nobody asked for are advice: of two sessions they cannot be compared.
+  // Times that nobody asked for do not count: those of two sessions cannot be compared.
   const auto counts = [&](const MetricComparison& metric) {
     return is_open(metric) && (metric.metric != Metric::seconds || !arguments.metrics.empty());
   };
@@ -105,7 +105,7 @@ int tell(const Compared& compared, const CompareArguments& arguments) {
   return code;
 }
 
-// How many runs of the study its store has already.
+// The number of runs of the study in its store.
 int stored_runs(const std::filesystem::path& file, const std::string& name) {
   if (!std::filesystem::exists(file)) return 0;
   for (const StudyEntry& study : Store(file, Store::Mode::read).studies()) {
@@ -165,7 +165,7 @@ int compare(const CompareArguments& arguments, const Invocation& invocation) {
   return tell(judged(labels_of_store(arguments, arguments.store, arguments.study), arguments), arguments);
 }
 
-// Those that name a store's study cannot be used where one is solved.
+// Options that name a stored study exclude solving one.
 void add_sequential_options(CLI::App& command, CompareArguments& arguments,
                             const std::vector<CLI::Option*>& of_stores) {
   CLI::Option* const sequential = command.add_flag(

@@ -53,7 +53,7 @@ Store opened(const std::string& file) {
       fmt::format("store '{}' does not exist; to compare two labels of one store, add --store FILE", file));
 }
 
-// Of the name of A's study, where the store has one and no other is asked for.
+// B's study: the one that is asked for, or the one with the name of A's study, if the store has it.
 StudyEntry partner(const Store& store, const CompareArguments& arguments, const StudyEntry& of_a) {
   if (!arguments.study.empty()) return store.study(arguments.study);
   for (StudyEntry& study : store.studies()) {
@@ -82,7 +82,7 @@ void refuse_damaged(const Store& store, const std::string& study, const std::fil
   if (!damages.empty()) throw std::invalid_argument(fmt::format("'{}': {}", file.string(), fmt::join(damages, " ")));
 }
 
-// Whether the store was looked at before with fewer runs of these solvers; this look is remembered there.
+// Notes earlier looks at the store with fewer runs of these solvers, and remembers this look.
 void look(Asked& asked, const std::set<std::string>& solvers, const std::string& study,
           const std::filesystem::path& store) {
   int runs = 0;
@@ -96,7 +96,7 @@ void look(Asked& asked, const std::set<std::string>& solvers, const std::string&
   remember_look(study, runs, store);
 }
 
-// How to be sure, and by what.
+// The rules of the decision, in words.
 std::string rules(const AnalysisPlan& plan) {
   return fmt::format("margin {}; if A and B are alike, the probability of any difference is at most {}",
                      margin_words(plan.margin, plan.margin_cm), percent(plan.significance));
@@ -130,7 +130,7 @@ Asked labels_of_stores(const CompareArguments& arguments) {
     const Variant one = the(a, label, "A: "), other = the(b, label, "B: ");
     asked.studies.push_back(study_of_both({one, other}, asked.plan));
   }
-  if (!arguments.sequential) look(asked, {"B"}, second.name, arguments.b);  // A is what it was: the baseline
+  if (!arguments.sequential) look(asked, {"B"}, second.name, arguments.b);  // A is the baseline, which does not grow
   return asked;
 }
 

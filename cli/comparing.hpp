@@ -1,4 +1,4 @@
-// What `ikbench compare` holds against what: labels of one store, or of two, once or look by look.
+// Compares for `ikbench compare`: labels of one store, or of two, once or look by look.
 #pragma once
 
 #include <filesystem>
@@ -16,23 +16,23 @@ namespace ikbench::cli {
 struct CompareArguments {
   std::string a, b, store, study, output;
   std::vector<std::string> labels, metrics;
-  results::AnalysisPlan plan = {};    // where the options say it
-  std::optional<double> margin = {};  // given; else the study of A says it
+  results::AnalysisPlan plan = {};    // values of the given options
+  std::optional<double> margin = {};  // if given; else the study of A has it
   std::optional<double> margin_cm = {};
   std::optional<double> significance = {};
   bool strict = false;
   bool sequential = false;
   inference::Looks looks = {};
-  std::string run;  // the study that is solved look by look
+  std::string run;  // the study to solve look by look
   experiments::Overrides overrides;
   RunArguments solving;
 };
 
-// What is held against what, by A's plan but for what the options say.
+// The studies to compare, with A's plan as the options change it.
 struct Asked {
   std::string headline;
   results::AnalysisPlan plan;
-  std::vector<inference::VariantStudy> studies = {};  // one for each label
+  std::vector<inference::VariantStudy> studies = {};  // one per label
   std::vector<std::string> notes = {};
 };
 
@@ -44,7 +44,7 @@ struct Compared {
   inference::LookState state = inference::LookState::settled;
 };
 
-// std::invalid_argument where a store, a study or a label is not there.
+// Throw std::invalid_argument if a store, a study or a label does not exist.
 Asked labels_of_store(const CompareArguments& arguments, const std::filesystem::path& file, const std::string& study);
 Asked labels_of_stores(const CompareArguments& arguments);
 

@@ -20,7 +20,7 @@ using namespace inference;
 
 namespace {
 
-// What the thread of SignalWatch goes by.
+// The state for the thread of SignalWatch.
 std::atomic<bool> cancel_requested{false}, may_cancel{false}, is_over{false};
 std::atomic<int> last_signal{0};
 std::mutex words_mutex;
@@ -37,7 +37,7 @@ sigset_t watched_signals() {
   return set;
 }
 
-// Not through the streams, which another thread may be at.
+// Does not use the streams, which another thread may hold.
 void write_at_once(const std::string& text) { static_cast<void>(!write(STDERR_FILENO, text.data(), text.size())); }
 
 void watch(const sigset_t& set) {
@@ -59,14 +59,14 @@ void set_last_words(std::string words) {
   last_words = std::move(words);
 }
 
-// The one place that writes to standard error: where both go into one file, what was printed before comes before.
+// The only writer to standard error. If both streams go into one file, earlier standard output comes first.
 void write_error(const std::string& text) {
   std::fflush(stdout);
   std::fputs(text.c_str(), stderr);
   std::fflush(stderr);
 }
 
-// Rate and time left; there is nothing to say of them before the first solve.
+// Rate and time left; empty before the first solve.
 std::string pace(const Progress& progress, double elapsed) {
   const std::int64_t solved = progress.done - progress.reused;
   if (solved <= 0 || elapsed <= 0) return "";
@@ -130,7 +130,7 @@ std::string aligned(const std::vector<std::vector<std::string>>& rows) {
 
 SignalWatch::SignalWatch() {
   const sigset_t set = watched_signals();
-  pthread_sigmask(SIG_BLOCK, &set, nullptr);  // also of all threads that are made from here on
+  pthread_sigmask(SIG_BLOCK, &set, nullptr);  // also in all later threads
   thread_ = std::thread([set] { watch(set); });
 }
 

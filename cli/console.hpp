@@ -1,4 +1,4 @@
-// The terminal: progress with time left, Ctrl-C, and text from anywhere made harmless.
+// The terminal: progress with time left, Ctrl-C, and harmless output of any text.
 #pragma once
 
 #include <atomic>
@@ -13,23 +13,22 @@
 
 namespace ikbench::cli {
 
-// Text from anywhere as valid UTF-8 whose control characters are escapes or blanks, so that no name moves a cursor,
-// colours a terminal or turns its writing round; newlines stay.
+// Makes any text valid UTF-8 with control characters as escapes or blanks, so that no name moves a cursor, colours a
+// terminal or reverses its writing; newlines stay.
 std::string printable(std::string_view text);
 
-// A line on standard error, printable, after all that standard output was given before; that nobody can read it is no
-// failure.
+// Prints a printable line on standard error, after all earlier standard output; a failure to print is ignored.
 void say(std::string_view text);
 
 // A program and its arguments as a shell would take them again.
 std::string shell_command(std::string_view program, const std::vector<std::string>& arguments);
 
-// Columns padded to their widest cell; the first row is the head.
+// Pads columns to their widest cell; the first row is the head.
 std::string aligned(const std::vector<std::vector<std::string>>& rows);
 
-// While it lives, a thread waits for SIGINT, SIGTERM and SIGHUP (where the caller has not said nohup), which therefore
-// may do what a program may. They end the program with a sentence and 128 + the number of the signal, wherever it is,
-// and no scratch folder stays; the two classes below change that. Made once, before any other thread.
+// While it lives, a thread waits for SIGINT, SIGTERM and SIGHUP (unless started by nohup), so their handling may use
+// any function. They end the program with a sentence and 128 + the number of the signal, and remove scratch folders;
+// the two classes below change that. Make it once, before any other thread.
 class SignalWatch {
  public:
   SignalWatch();
@@ -41,7 +40,7 @@ class SignalWatch {
   std::thread thread_;
 };
 
-// While it lives, a first signal sets a flag and says so in these words; a second one ends the program.
+// While it lives, a first signal sets a flag and prints these words; a second one ends the program.
 class CancelOnSignal {
  public:
   explicit CancelOnSignal(std::string_view words = "Stopping after the current solve.");
@@ -50,11 +49,11 @@ class CancelOnSignal {
   CancelOnSignal& operator=(const CancelOnSignal&) = delete;
 
   const std::atomic<bool>& requested() const;
-  // From here on a signal ends the program; says whether one came before, which has been answered and is to be obeyed.
+  // Afterwards a signal ends the program. Returns true if one came before, which was announced and must be obeyed.
   [[nodiscard]] bool end();
 };
 
-// Of a program that a signal has cancelled: 128 + its number.
+// The exit code of a cancelled program: 128 + the number of its signal.
 int cancelled_exit_code();
 
 // While it lives, a signal ends the program with these words.
@@ -66,7 +65,7 @@ class EndOnSignal {
   EndOnSignal& operator=(const EndOnSignal&) = delete;
 };
 
-// What to write of a progress, and when: on a terminal a bar that moves, in a log a line now and then.
+// The text of a progress, and its times: on a terminal a moving bar, in a log a line now and then.
 class ProgressText {
  public:
   using Clock = std::chrono::steady_clock;
@@ -74,7 +73,7 @@ class ProgressText {
 
   ProgressText(std::string title, Medium medium, Clock::time_point started);
   std::string at(Clock::time_point now,
-                 const experiments::Progress& progress);  // empty where it is too soon after the last
+                 const experiments::Progress& progress);  // empty if it is too soon after the last text
 
  private:
   std::string title_;
@@ -83,7 +82,7 @@ class ProgressText {
   Clock::time_point next_;
 };
 
-// The progress on standard error, with rate and time left; on a terminal it is wiped at the end.
+// Shows the progress on standard error, with rate and time left; on a terminal it is wiped at the end.
 class ProgressBar {
  public:
   explicit ProgressBar(std::string title);
@@ -97,7 +96,7 @@ class ProgressBar {
   ProgressText text_;
 };
 
-// On a terminal a line that says what the program does, wiped at the end.
+// Shows on a terminal a line about the present work; wiped at the end.
 class Waiting {
  public:
   explicit Waiting(std::string_view words);
@@ -110,7 +109,7 @@ class Waiting {
   bool on_terminal_;
 };
 
-// out/<name>, the name with everything but letters, digits, '-', '_' and '.' replaced.
+// out/<name>, where '_' replaces all but letters, digits, '-', '_' and '.' in the name.
 std::filesystem::path default_folder(std::string_view study);
 
 }  // namespace ikbench::cli

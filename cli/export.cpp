@@ -1,4 +1,4 @@
-// ikbench export: a store's solves as tidy CSV or JSON, or as IOHprofiler has them.
+// ikbench export: a store's solves as tidy CSV, as JSON or in the format of IOHprofiler.
 #include "results/export.hpp"
 
 #include <fmt/format.h>
@@ -73,7 +73,7 @@ void add_export(CLI::App& app) {
     }
     const std::string text = arguments->format == "csv" ? to_csv(solves) : to_json(study, store.sessions(), solves);
     if (arguments->file == "-") {
-      std::fwrite(text.data(), 1, text.size(), stdout);  // main sees whether it could be written
+      std::fwrite(text.data(), 1, text.size(), stdout);  // main checks that it could be written
     } else {
       write_through(arguments->file, text);
     }

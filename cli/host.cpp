@@ -1,4 +1,4 @@
-// ikbench host: the child in which a shared object solves, so that whatever it does is a row of the study.
+// ikbench host: the child process in which a shared object solves, so that even its crash is only a row of the study.
 #include "experiments/foreign/host.hpp"
 
 #include <memory>
@@ -13,7 +13,7 @@ void add_host(CLI::App& app) {
   };
   auto arguments = std::make_shared<Arguments>();
   CLI::App* command = app.add_subcommand("host", "Speak the protocol of programs for a solver in a shared object");
-  command->group("");  // a study starts it, nobody types it
+  command->group("");  // a study starts it; nobody types it
   command->add_option("OBJECT", arguments->object, "a shared object with solvers (ikbench_plugin.h)")->required();
   command->add_option("SOLVER", arguments->name, "the name of one of them; without it the first");
   command->footer(

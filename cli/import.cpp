@@ -1,4 +1,4 @@
-// ikbench import: somebody else's solves beside those of a study, in one store and one report.
+// ikbench import: adds somebody else's solves to those of a study, in one store and one report.
 #include "experiments/import.hpp"
 
 #include <fmt/format.h>
@@ -85,7 +85,7 @@ void add_import(CLI::App& app, Invocation& invocation) {
     const std::string text = text_in(file);
     Store store(place, Store::Mode::write);
     const std::string study = chosen_study(store, arguments->study).name;
-    // What is imported is verified by the targets and the definition, which are saved anew.
+    // Refuses a damaged study: the import is verified by its targets and its definition, which are saved anew.
     if (const std::vector<std::string> damages = damages_of(store, study); !damages.empty())
       throw std::invalid_argument(fmt::format("'{}': {}", place.string(), fmt::join(damages, " ")));
     const Imported imported =

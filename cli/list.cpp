@@ -87,7 +87,7 @@ std::string path_details(const std::string& name) {
   throw std::invalid_argument(unknown_name("kind of path", name, names));
 }
 
-// The rows below the titles, or the one of that name, which is in the first column.
+// The rows below the titles, or the row with that name in its first column.
 std::string rows_or_one(Rows rows, std::string_view what, std::string_view name) {
   if (name.empty()) return aligned(rows);
   std::vector<std::string> names;

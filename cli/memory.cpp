@@ -17,14 +17,14 @@ namespace fs = std::filesystem;
 
 constexpr std::int64_t no_limit_known = std::numeric_limits<std::int64_t>::max();
 
-// The number that a file begins with: none where it is not there, or says "max".
+// The number at the begin of a file; nothing if there is no file, or if it says "max".
 std::optional<std::int64_t> number_in(const fs::path& file) {
   std::ifstream stream(file);
   std::int64_t number = 0;
   return stream >> number ? std::optional(number) : std::nullopt;
 }
 
-// The number of a line "name number" or "name: number".
+// The number in the line "name number" or "name: number".
 std::optional<std::int64_t> number_in(const fs::path& file, const std::string& name) {
   std::ifstream stream(file);
   for (std::string line; std::getline(stream, line);) {
@@ -36,7 +36,7 @@ std::optional<std::int64_t> number_in(const fs::path& file, const std::string& n
   return std::nullopt;
 }
 
-// The names of a version's files.
+// The file names of a version of control groups.
 struct GroupFiles {
   const char *limit, *used, *inactive;
 };
@@ -49,8 +49,8 @@ std::int64_t left_in_group(const fs::path& group, const GroupFiles& files) {
   return *limit - *used + number_in(group / "memory.stat", files.inactive).value_or(0);
 }
 
-// Of the process's group and of all above it. In a container the group may have another name outside, where nothing of
-// that name is mounted; the container's own is the topmost then.
+// The memory left in the process's group and all above it. In a container the group may have another name outside,
+// under which nothing is mounted; then the container's own group is the topmost.
 std::int64_t left_in_groups(const fs::path& mount, fs::path group, const GroupFiles& files) {
   std::int64_t left = left_in_group(mount, files);
   for (group = group.relative_path(); !group.empty(); group = group.parent_path())
@@ -58,7 +58,7 @@ std::int64_t left_in_groups(const fs::path& mount, fs::path group, const GroupFi
   return left;
 }
 
-// Lines "id:controllers:group"; version 2 has the id 0 and no controllers (cgroups(7)).
+// Reads lines "id:controllers:group"; version 2 has the id 0 and no controllers (cgroups(7)).
 std::int64_t left_in_control_groups(const fs::path& root) {
   std::int64_t left = no_limit_known;
   std::ifstream groups(root / "proc/self/cgroup");

@@ -1,4 +1,4 @@
-// ikbench merge: the stores of several machines as one.
+// ikbench merge: merges the stores of several machines into one.
 #include "results/merge.hpp"
 
 #include <fmt/format.h>
@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Stores, without those that are `out` itself, and each once.
+// The stores without `out` itself, each once.
 std::vector<fs::path> stores_to_merge(const fs::path& out, const std::vector<std::string>& places) {
   std::vector<fs::path> stores;
   const auto is_one_of_them = [&](const fs::path& file) {
@@ -34,7 +34,7 @@ std::vector<fs::path> stores_to_merge(const fs::path& out, const std::vector<std
   return stores;
 }
 
-// Empty where a signal stopped it.
+// Nothing if a signal stopped it.
 std::optional<Merged> merged_or_stopped(const fs::path& out, const std::vector<fs::path>& stores) {
   const EndOnSignal at_once("Stopped. All was merged, or nothing; give the same command again.");
   CancelOnSignal signals("Stopping the merge.");

@@ -1,4 +1,4 @@
-// ikbench multiverse: the claims of a paper in every combination of what it leaves open.
+// ikbench multiverse: tests the claims of a paper in every combination of what it leaves open.
 #include "cli/multiverse.hpp"
 
 #include <fmt/format.h>
@@ -53,7 +53,7 @@ Multiverse with_values(const MultiversePlan& plan, const std::vector<RunMeans>& 
   return multiverse;
 }
 
-// Every dimension with its alternatives; those that vary by default are marked.
+// Lists every dimension with its alternatives; marks those that vary by default.
 std::string dimension_list(const Study& study, const std::vector<Dimension>& all, const std::vector<Dimension>& varied,
                            Combined combined) {
   std::vector<std::vector<std::string>> rows{{"ALTERNATIVE", "NOTES", "IN", "WHERE"}};

@@ -14,10 +14,10 @@ namespace ikbench::cli {
 
 struct SolvedMultiverse {
   inference::Multiverse multiverse;
-  results::AnalysisPlan plan;  // of the study
+  results::AnalysisPlan plan;  // the study's plan
 };
 
-// With progress; none where it was cancelled: a share of some of the universes is no share.
+// Shows progress. Returns nothing if it was cancelled: shares need all universes.
 std::optional<SolvedMultiverse> solved_multiverse(const std::string& study,
                                                   const std::vector<results::Dimension>& varied,
                                                   experiments::MultiverseRequest request,

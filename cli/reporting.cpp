@@ -32,7 +32,7 @@ using namespace report;
 
 namespace {
 
-// The study's, and over it what was given on the command line.
+// The study's plan with the options of the command line.
 AnalysisPlan plan_for(const StudyEntry& entry, const ReportArguments& arguments) {
   refuse_points(arguments);
   AnalysisPlan plan = plan_of(entry);
@@ -47,8 +47,8 @@ AnalysisPlan plan_for(const StudyEntry& entry, const ReportArguments& arguments)
 }
 
 // Reports of slim2023 with stop.iterations=20 took 71 MB with runs=10 and 88 MB with runs=834 (100 080 solves;
-// /usr/bin/time ikbench report --no-figures): 0.24 times what the store grew by. Traces are kept as numbers, which are
-// up to half of their text in the store.
+// /usr/bin/time ikbench report --no-figures): 0.24 times the growth of the store. Traces are kept as numbers, which
+// take up to half of their text in the store.
 constexpr double memory_of_stored_byte = 0.5;
 
 void warn_of_memory(const std::filesystem::path& store) {
@@ -61,7 +61,7 @@ void warn_of_memory(const std::filesystem::path& store) {
                   left / megabyte));
 }
 
-// Why what looks solved already is solved anew.
+// Explains why solves that look done are made anew.
 void warn_of_left_aside(const Study& study, const Store& store) {
   const LeftAside aside = left_aside(study, store);
   if (aside.solves == 0) return;
@@ -71,7 +71,7 @@ void warn_of_left_aside(const Study& study, const Store& store) {
       aside.solves, fmt::join(aside.labels, ", ")));
 }
 
-// Empty where the table of sessions has all that solves of the study name.
+// Names sessions that solves of the study name and the table of sessions lacks; empty if there are none.
 std::string unknown_sessions(const Store& store, const StudyEntry& entry) {
   std::vector<std::int64_t> unknown = store.sessions_of(entry.series);
   for (const Session& known : store.sessions()) std::erase(unknown, known.id);
@@ -80,7 +80,7 @@ std::string unknown_sessions(const Store& store, const StudyEntry& entry) {
                      unknown.size(), unknown.size() == 1 ? "" : "s", unknown.front());
 }
 
-// What was changed since it was written.
+// The changes of the study since it was written.
 std::vector<std::string> changes_in(const Store& store, const StudyEntry& entry, std::string& unknown) {
   Changes changes = store.changes({entry.name});
   if (!changes.are_known) {
@@ -109,7 +109,7 @@ SolveCheck check_of(const Store& store, const StudyEntry& entry) {
           .unknown = [=] { return *unknown; }};
 }
 
-// Where somebody else has the store open, it is more than one file.
+// Warns if somebody else has the store open, so that it is more than one file.
 void tell_of_log(const std::vector<std::filesystem::path>& files) {
   if (files.size() < 2) return;
   say(fmt::format(
@@ -282,7 +282,7 @@ Ended run_and_tell(const Study& study, const std::filesystem::path& folder, RunR
   const std::string part = request.shard.count == 1 ? std::string() : fmt::format(", shard {}", request.shard.text());
   fmt::print("{}{}: {} solves in {}{}\n", printable(study.name), part, progress.total, place,
              progress.reused == 0 ? "" : fmt::format(" ({} were already stored)", progress.reused));
-  std::fflush(stdout);  // a report may take a while
+  std::fflush(stdout);  // the report may take a while
   return Ended::complete;
 }
 

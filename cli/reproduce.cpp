@@ -32,7 +32,7 @@ using namespace report;
 
 namespace {
 
-// The fingerprint of a study in one line, and whether it is the reference that every machine should give.
+// One line with the fingerprint of a study, and whether it equals the reference that every machine should give.
 std::string compared_with_reference(const Store& store, const std::string& name) {
   const std::string ours = fingerprint(store.solves(name));
   const std::string_view reference = reference_fingerprint(name);
@@ -44,7 +44,7 @@ std::string compared_with_reference(const Store& store, const std::string& name)
                                          : fmt::format("different from the reference {}", reference));
 }
 
-// The collection's own tables of its first `solved` studies, as soon as they are there; none of those already `shown`.
+// Prints the collection's own tables of its first `solved` studies, except those already `shown`.
 void show_tables(const Store& store, const Collection& collection, std::size_t solved, std::set<std::string>& shown) {
   std::vector<inference::JudgedStudy> studies;
   for (std::size_t i = 0; i < solved; ++i) {
@@ -66,7 +66,7 @@ void show_tables(const Store& store, const Collection& collection, std::size_t s
   std::fflush(stdout);
 }
 
-// The collection's studies, each with those of the overrides that it takes.
+// The collection's studies, each with the overrides that it takes.
 std::vector<std::pair<std::string, Overrides>> studies_of(const Collection& collection, const Overrides& of_all,
                                                           const std::string& runs) {
   std::vector<std::pair<std::string, Overrides>> studies;
@@ -82,13 +82,13 @@ struct Arguments {
   std::int64_t seed = 1;
   int runs = 20;
   int seeds = 3;
-  std::optional<int> repetitions = {};  // else as many as the paper asks for
+  std::optional<int> repetitions = {};  // empty: as many as the paper asks for
   bool is_quick = false;
   RunArguments run;
   ReportArguments report;
 };
 
-// Claims over the smaller set of interpretations, in its tables and its figure.
+// Adds claims over the smaller set of interpretations, as tables and a figure.
 void add_small_multiverse(WrittenReport& wanted, const std::string& name, const Paper& paper,
                           const SolvedMultiverse& solved) {
   MultiverseReport report = paper.multiverse(solved.multiverse, solved.plan);
@@ -112,8 +112,8 @@ std::vector<RepeatedSolver> repeated(const inference::Multiverse& multiverse) {
   return solvers;
 }
 
-// What needs more solves than the paper's studies: repetitions of the first and the interpretations. No time is
-// measured, so all processors may work. False where it was stopped.
+// Solves beyond the paper's studies: repetitions of the first, and the interpretations. It measures no time, so all
+// processors may work. False if it was stopped.
 bool solve_besides(const Arguments& arguments, const Paper& paper, WrittenReport& wanted) {
   if (arguments.is_quick) return true;
   const std::string& first = wanted.study;
@@ -135,7 +135,7 @@ bool solve_besides(const Arguments& arguments, const Paper& paper, WrittenReport
     add_small_multiverse(wanted, first, paper, *solved);
   }
   if (arguments.seeds > 0 && paper.one_at_a_time) {
-    // Those of the default set; the command has them all.
+    // Only those of the default set; `ikbench multiverse` has them all.
     const auto solved = solve("interpretations", within(Scope::usual, dimensions(first)), 1, Combined::one_at_a_time);
     if (!solved) return false;
     wanted.tables.push_back(paper.one_at_a_time(solved->multiverse, solved->plan));
@@ -143,14 +143,14 @@ bool solve_besides(const Arguments& arguments, const Paper& paper, WrittenReport
   return !signals.end();
 }
 
-// Whether an option says anything to a collection.
+// True if an option applies to a collection.
 bool takes(const Collection& collection, std::string_view option) {
   if (option == "--readings") return collection.paper && collection.paper->multiverse;
   if (option == "--repetitions") return collection.paper && collection.paper->repetitions > 0;
   return std::ranges::any_of(collection.studies, &CollectedStudy::takes_runs);
 }
 
-// Those that the option says anything to, for its help.
+// Names the collections that the option applies to, for its help.
 std::string collections_with(std::string_view option) {
   std::vector<std::string> names;
   for (const Collection& each : analysis::collections()) {

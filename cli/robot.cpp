@@ -1,4 +1,4 @@
-// ikbench robot: an arm of the library, of an arm file or of a URDF file, and where its tool is.
+// ikbench robot: shows an arm of the library, of an arm file or of a URDF file, and its tool's pose.
 #include "cli/robot.hpp"
 
 #include <fmt/format.h>
@@ -87,7 +87,7 @@ std::string reach_text(const Robot& arm) {
 }
 
 Configuration joints_at(const Robot& arm, const std::vector<double>& at) {
-  if (at.empty()) {  // the nearest to zeros that the limits allow
+  if (at.empty()) {  // zeros, or the nearest that the limits allow
     return arm.limits.lower.cwiseMax(Eigen::VectorXd::Zero(arm.joints())).cwiseMin(arm.limits.upper);
   }
   if (at.size() != static_cast<std::size_t>(arm.joints())) {
@@ -117,7 +117,8 @@ std::string tool_text(const Robot& arm, const Configuration& q) {
   return text;
 }
 
-// From the base to the tool: the origins of a description's joints, or the ends of the table's steps along z and x.
+// The corners from the base to the tool: the origins of a description's joints, or the ends of the table's steps along
+// z and x.
 std::vector<Eigen::Vector3d> corners(const Robot& arm, const Configuration& q) {
   std::vector<Eigen::Vector3d> points{Eigen::Vector3d::Zero()};
   Description so_far;

@@ -1,4 +1,4 @@
-// What is said of an arm: its joints, reach and wrist.
+// The description of an arm: its joints, reach and wrist.
 #pragma once
 
 #include <string>

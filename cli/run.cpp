@@ -1,4 +1,4 @@
-// ikbench run: a study, built-in or from a file.
+// ikbench run: runs a study, built-in or from a file.
 #include <fmt/format.h>
 
 #include <memory>
@@ -19,7 +19,7 @@ using namespace experiments;
 
 namespace {
 
-// Before hours are spent on what cannot be decided: tests within blocks need so many, whatever is in them.
+// Warns before hours are spent on an undecidable study: tests within blocks need a number of blocks, whatever the data.
 void warn_of_too_few(const Study& study) {
   const AnalysisPlan& plan = study.analysis;
   const bool one_step = plan.adjustment == Adjustment::holm || plan.adjustment == Adjustment::bonferroni;

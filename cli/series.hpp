@@ -12,16 +12,16 @@
 namespace ikbench::cli {
 
 struct SeriesArguments {
-  std::string title;             // of the progress
-  std::filesystem::path folder;  // where series.csv keeps what is solved; empty: nowhere
+  std::string title;             // title of the progress
+  std::filesystem::path folder;  // folder of series.csv, which keeps finished series; empty: none
   int jobs = 1;
   const std::atomic<bool>* cancelled = nullptr;
 };
 
-// --seeds and --jobs; what the variables hold is the default.
+// Adds --seeds and --jobs; the variables hold the defaults.
 void add_series_options(CLI::App& command, int& seeds, int& jobs);
 
-// With progress. After Ctrl-C those before the first that is missing.
+// Shows progress. After Ctrl-C returns the series before the first missing one.
 std::vector<experiments::RunMeans> solved(const std::vector<experiments::Study>& series,
                                           const SeriesArguments& arguments);
 

@@ -23,7 +23,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A command that solved one shard, for another of them. Its folder changes where its name says which shard it has.
+// Turns the command that solved one shard into that of another. Its folder changes if its name contains the shard.
 std::string command_for(std::string command, Shard solved, Shard wanted) {
   const auto replace_all = [&](const std::string& what, const std::string& by) {
     for (std::size_t at = command.find(what); at != std::string::npos; at = command.find(what, at + by.size()))
@@ -36,12 +36,13 @@ std::string command_for(std::string command, Shard solved, Shard wanted) {
   return command;
 }
 
-// How the study's shards were solved, by the number of the shard: of the last N, and with as many runs as it has now.
+// The commands that solved the study's shards, by shard number: those of the last N, with as many runs as the study has
+// now.
 struct Commands {
   int count = 1;
   std::map<int, std::string> of_shard;
 
-  // Empty where none is known.
+  // Empty if none is known.
   std::string of(Shard wanted) const {
     const auto own = of_shard.find(wanted.index);
     if (own != of_shard.end()) return own->second;
@@ -54,7 +55,7 @@ struct Commands {
   }
 };
 
-// What a text says; nothing where it is no shard: folders and stores may be anybody's.
+// The shard that a text names; nothing if it names none. Folders and stores are not trusted.
 std::optional<Shard> shard_said(const std::string& text) {
   try {
     return shard_from(text);
@@ -82,13 +83,13 @@ Commands commands_of(const Store& store, const StudyEntry& study) {
   return commands;
 }
 
-// What the name I-of-N of a folder says.
+// The shard that a folder's name I-of-N gives.
 std::optional<Shard> shard_named(std::string name) {
   const std::size_t middle = name.find("-of-");
   return middle == std::string::npos ? std::nullopt : shard_said(name.replace(middle, 4, "/"));
 }
 
-// What is in a folder; nothing where there is none. std::invalid_argument where it cannot be read.
+// The entries of a folder; none if it does not exist. Throws std::invalid_argument if it cannot be read.
 std::vector<fs::path> entries_of(const fs::path& folder) {
   std::vector<fs::path> entries;
   std::error_code error;
@@ -100,7 +101,7 @@ std::vector<fs::path> entries_of(const fs::path& folder) {
   return entries;
 }
 
-// Or may have one that is out of reach: opening it says why.
+// True also if the store cannot be looked at; opening it then says why.
 bool has_store(const fs::path& folder) {
   std::error_code error;
   return fs::exists(store_in(folder), error) || error;
@@ -157,7 +158,7 @@ std::vector<std::string> missing_parts(const Store& store, const StudyEntry& stu
 
 namespace {
 
-// What a store says of its shard.
+// A store's state as a shard.
 struct Looked {
   ShardState state;
   std::vector<StudyEntry> studies = {};
@@ -185,7 +186,7 @@ Looked look_at(const fs::path& file, Shard shard) {
   try {
     look_into(file, looked);
   } catch (const std::exception& error) {
-    if (!looked.state.is_running) looked.state.trouble = error.what();  // else it is being made
+    if (!looked.state.is_running) looked.state.trouble = error.what();  // otherwise its creation is going on
   }
   return looked;
 }
@@ -193,7 +194,7 @@ Looked look_at(const fs::path& file, Shard shard) {
 Division division_of(std::vector<Looked> looked) {
   std::ranges::sort(looked, {}, [](const Looked& each) { return each.state.shard.index; });
   Division division{.count = looked.front().state.shard.count};
-  std::map<std::string, std::pair<StudyEntry, Shard>> studies;  // each with most runs, and who says so
+  std::map<std::string, std::pair<StudyEntry, Shard>> studies;  // each with most runs, and its shard
   for (auto& [state, of_shard] : looked) {
     for (const StudyEntry& study : of_shard) {
       const auto [known, is_new] = studies.try_emplace(study.name, study, state.shard);

@@ -1,4 +1,4 @@
-// Where the shards of a study are, how far they are, and what is missing of them.
+// The shards of a study: their folders, their progress, and what is missing of them.
 #pragma once
 
 #include <filesystem>
@@ -14,35 +14,36 @@ namespace ikbench::cli {
 // FOLDER/shards/I-of-N.
 std::filesystem::path shard_folder(const std::filesystem::path& folder, experiments::Shard shard);
 
-// std::invalid_argument where so many shards are more than the study has parts; `option` asked for them.
+// Throws std::invalid_argument if the study has fewer parts than shards; `option` asked for them.
 void refuse_empty_shards(const experiments::Study& study, const std::string& option, int count);
 
-// The stores that are meant: a file is itself, a folder its store.sqlite, or without one those of the folders in it, in
-// the order of their names. std::invalid_argument where there is none, or a folder cannot be read.
+// The stores that a place means: a file itself; a folder's store.sqlite; or, if it has none, those of the folders in
+// it, by name. Throws std::invalid_argument if there is none, or if a folder cannot be read.
 std::vector<std::filesystem::path> stores_in(const std::filesystem::path& place);
 
-// What the store lacks of a study, in sentences; none where it lacks nothing. The commands that solve it are with them
-// where sessions of the study, with as many runs, say how they were started.
+// The solves that the store lacks of a study, in sentences; none if it is complete. Adds the commands that solve them,
+// if sessions of the study with as many runs have recorded theirs.
 std::vector<std::string> missing_parts(const results::Store& store, const results::StudyEntry& study);
 
 struct ShardState {
   experiments::Shard shard = {};
   std::int64_t stored = 0, total = 0;  // solves of all studies
-  bool is_running = false;             // somebody writes to its store
-  double rate = 0;                     // solves per second, where it is running
-  std::string trouble = {};            // in a sentence: why its solves are not those of the shard, or are not known
+  bool is_running = false;             // a process writes to its store
+  double rate = 0;                     // solves per second, if it is running
+  std::string trouble = {};            // a sentence: why its solves are wrong or unknown
 };
 
-// The shards of one N, in the order of I. What they have to solve is what the one with most runs says.
+// The shards of one N, in the order of I. The shard with most runs defines the work.
 struct Division {
   int count = 1;
   std::vector<ShardState> shards = {};
-  std::int64_t total = 0;  // of all N, also of those that have not begun
+  std::int64_t total = 0;  // of all N shards, also those that have not begun
 
   std::int64_t stored() const;
 };
 
-// Of FOLDER/shards/I-of-N, the one that has most solves first. std::invalid_argument where they cannot be read.
+// The divisions in FOLDER/shards/I-of-N, the one with most solves first. Throws std::invalid_argument if they cannot be
+// read.
 std::vector<Division> divisions(const std::filesystem::path& folder);
 
 }  // namespace ikbench::cli

@@ -44,9 +44,9 @@ struct SolveArguments {
   std::int64_t seed = 1;
 };
 
-// What the reader of studies says of the study that the flags make, as of the flags.
+// Turns the study reader's message about the flags' study into one about the flags.
 std::invalid_argument of_flags(std::string message) {
-  const std::string place = fmt::format("{}:", command_line);  // and line and column of what nobody wrote
+  const std::string place = fmt::format("{}:", command_line);  // with a line and column that nobody wrote
   if (message.starts_with(place)) message.erase(0, std::min(message.find(": ") + 2, message.size()));
   constexpr std::array<std::pair<std::string_view, std::string_view>, 4> flags{
       {{"search", "--search"},
@@ -60,7 +60,7 @@ std::invalid_argument of_flags(std::string message) {
   return std::invalid_argument(message);
 }
 
-// The study that asks for just this; read as a file would be, so that the same ranges hold.
+// The study that the flags describe. It is read like a file, so that the same ranges hold.
 Study study_of(const SolveArguments& arguments) {
   solver(arguments.solver);
   Study study{.name = "solve", .robot = arguments.robot};
@@ -73,7 +73,7 @@ Study study_of(const SolveArguments& arguments) {
     overrides.push_back(of_solver ? arguments.solver + "." + text : text);
     if (!of_solver) of_arm.push_back(text);
   }
-  Study any_solver{.name = "solve", .robot = arguments.robot};  // the arm may be none for the one that is asked for
+  Study any_solver{.name = "solve", .robot = arguments.robot};  // the solver asked for may not fit the arm
   any_solver.solvers = {{"any", "random_search", {}}};
   const Robot arm = arm_of(parse_study(to_toml(any_solver), command_line, of_arm));
   const int joints = arm.joints();

@@ -38,10 +38,10 @@ struct StatsArguments {
   bool wide = false, rows_are_blocks = false, larger = false, forced = false, without_figures = false;
   std::string quantity, out, estimand = "mean";
   AnalysisPlan plan;
-  double margin = 0;  // absolute, in place of the plan's
+  double margin = 0;  // absolute; replaces the plan's
 };
 
-// The whole text, or just more than the CSV reader takes: a stream may have no end.
+// Reads the whole text, or just more than the CSV reader takes: a stream may have no end.
 std::string contents_of(std::istream& stream) {
   std::string text;
   std::array<char, 1 << 16> buffer{};
@@ -52,7 +52,7 @@ std::string contents_of(std::istream& stream) {
   return text;
 }
 
-// The file, or standard input for "-".
+// Reads the file, or standard input for "-".
 std::string contents_of(const std::string& file) {
   if (file == "-") return contents_of(std::cin);
   if (std::filesystem::is_directory(file)) {
@@ -65,7 +65,7 @@ std::string contents_of(const std::string& file) {
   return contents_of(stream);
 }
 
-// Tables and figures are files that have the quantity's name: of two quantities with one name the later has a number.
+// A name for the files of a quantity; if two quantities share a name, the later one gets a number.
 std::string distinct(const std::string& name, std::set<std::string>& taken) {
   std::string result = name;
   for (int number = 2; !taken.insert(result).second; ++number) result = fmt::format("{}-{}", name, number);
@@ -154,15 +154,15 @@ void check(const StatsArguments& arguments) {
   }
 }
 
-// A margin in cm is no margin of what is in another unit.
+// Refuses a margin in cm if no quantity is in cm.
 void check_margin_cm(const AnalysisPlan& plan, const std::vector<Assessment>& all) {
-  const auto in_cm = [](const Assessment& each) { return is_in_cm(each.heading); };  // which ends with the quantity
+  const auto in_cm = [](const Assessment& each) { return is_in_cm(each.heading); };  // it ends with the quantity
   if (plan.margin_cm == 0 || std::ranges::any_of(all, in_cm)) return;
   throw std::invalid_argument(
       "--margin-cm: no quantity is in cm; expected a column whose name ends in _cm, or --quantity \"NAME [cm]\"");
 }
 
-constexpr std::size_t longest_cell = 120;  // on a terminal; the files have all
+constexpr std::size_t longest_cell = 120;  // on a terminal; files have the whole text
 
 void print(const Assessment& assessment) {
   fmt::print("\n{}\n{}\n", printable(assessment.heading), std::string(character_count(assessment.heading), '='));

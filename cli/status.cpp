@@ -1,4 +1,4 @@
-// ikbench status: how far the shards of a study are.
+// ikbench status: shows the progress of a study's shards.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -17,7 +17,7 @@ using namespace experiments;
 
 namespace {
 
-// Numbers in order, neighbours together: 1-4, 6, 8-9.
+// Sorted numbers as ranges: 1-4, 6, 8-9.
 std::string ranges_of(const std::vector<int>& numbers) {
   constexpr std::size_t most = 200;
   std::string text;
@@ -68,7 +68,7 @@ bool is_complete(const Division& division) {
          division.stored() == division.total;
 }
 
-// Whether what is merged has everything.
+// Shows the merged store; true if it is complete.
 bool show_merged(const std::filesystem::path& file) {
   const results::Store store(file, results::Store::Mode::read);
   std::int64_t stored = 0, total = 0;
@@ -80,7 +80,7 @@ bool show_merged(const std::filesystem::path& file) {
   return total > 0 && stored == total;
 }
 
-// Whether all solves are there.
+// Shows the shards; true if all solves are there.
 bool show_status(const std::filesystem::path& folder) {
   const std::vector<Division> all = divisions(folder);
   std::error_code error;

@@ -1,4 +1,4 @@
-// ikbench submit: a study as a job array of Slurm, and a job that merges and reports when all its tasks have ended.
+// ikbench submit: submits a study as a job array of Slurm, and a job that merges and reports after all its tasks.
 #include <fmt/format.h>
 
 #include <memory>
@@ -32,7 +32,7 @@ struct SubmitArguments {
   bool is_dry = false;
 };
 
-// A job script: what a user named is a quoted word in it, or on one line of a comment.
+// A job script. Names from the user stand in it as quoted words, or on one line of a comment.
 struct Script {
   std::string name, text;
 };
@@ -43,10 +43,10 @@ std::string this_program() {
   return error ? "ikbench" : program.string();
 }
 
-// One word of a shell's line.
+// The path as one word of a shell's line.
 std::string shell_word(const fs::path& path) { return shell_command("", {path.string()}).substr(1); }
 
-// Where a script works, and where the results go.
+// The script's lines that set its working folder and the folder of results.
 std::string places(const fs::path& folder) {
   return fmt::format("folder={}\ncd {} || exit 2\n", shell_word(folder), shell_word(fs::current_path()));
 }
@@ -94,7 +94,7 @@ Script merge_script(const Study& study, const fs::path& folder, const std::strin
                       typed, places(folder), shell_word(this_program()), shell_command("", {study.name}))};
 }
 
-// Words separated by blanks.
+// Splits a text into words at blanks.
 std::vector<std::string> split(const std::string& text) {
   std::vector<std::string> words;
   for (std::size_t from = text.find_first_not_of(' '); from != std::string::npos;) {
@@ -105,7 +105,7 @@ std::vector<std::string> split(const std::string& text) {
   return words;
 }
 
-// The number that sbatch gave the job.
+// Submits a job; returns the number that sbatch gave it.
 std::string submitted(const std::vector<std::string>& words, const fs::path& folder) {
   const figures::ProcessResult result = figures::run_process(words, folder);
   std::string last = result.output;
@@ -137,7 +137,7 @@ void submit(const SubmitArguments& arguments, const std::string& command) {
   const Script solve = solve_script(arguments, folder, typed), merge = merge_script(study, folder, typed);
   std::vector<std::string> words{"sbatch", "--parsable"};
   for (std::string& word : split(arguments.sbatch)) words.push_back(std::move(word));
-  std::string array = "ARRAY";  // the number of the job
+  std::string array = "ARRAY";  // stands for the array's job number
   const auto merge_words = [&] {
     std::vector<std::string> all = words;
     all.insert(all.end(), {"--dependency=afterany:" + array, merge.name});

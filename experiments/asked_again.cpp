@@ -29,7 +29,8 @@ namespace {
 constexpr std::size_t most_poses = 5000;
 constexpr double most_apart = 1e-9;
 
-// Whether the source of this program made a series. What a program outside or a library solved is not told apart.
+// Says whether this version of the source made a series. Series of outside programs and of libraries count as not made
+// by it.
 bool is_by_this_source(const Series& series) {
   try {
     const Key source = Key(0).with(shared_source_digest()).with(solver_source_digest(series.algorithm));
@@ -39,7 +40,7 @@ bool is_by_this_source(const Series& series) {
   }
 }
 
-// The fields of `json` that are there.
+// Parses those fields of `json` that exist.
 toml::table table_of(const nlohmann::json& json, std::initializer_list<std::string_view> keys) {
   std::string text;
   for (const std::string_view key : keys)
@@ -47,7 +48,7 @@ toml::table table_of(const nlohmann::json& json, std::initializer_list<std::stri
   return parse_toml(text, "definition");
 }
 
-// std::invalid_argument where a field is missing or unknown: another version of the program wrote the definition.
+// Throws std::invalid_argument if a field is missing or unknown: another version of the program wrote the definition.
 Path path_in(const nlohmann::json& json) {
   std::vector<Path> kinds = paths();
   const auto kind = std::ranges::find(kinds, json.at("kind").get<std::string>(),
@@ -68,7 +69,7 @@ Path path_in(const nlohmann::json& json) {
   return *kind;
 }
 
-// What is not a number is never the same.
+// NaN is never the same as anything.
 template <class Stored, class Given>
 bool is_same(const Stored& stored, const Given& given) {
   return stored.size() == given.size() && ((stored - given).array().abs() <= most_apart).all();
@@ -82,7 +83,7 @@ Configuration joints_in(const std::vector<double>& joints) {
 
 AskedAgain::AskedAgain(const StudyEntry& entry, const Robot& arm) : arm_(arm) {
   const auto definition = nlohmann::json::parse(entry.definition, nullptr, false);
-  if (!definition.is_object() || definition.contains("urdf")) return;  // a table of an arm's file has other last digits
+  if (!definition.is_object() || definition.contains("urdf")) return;  // a URDF arm's table is rounded differently
   if (std::ranges::none_of(entry.series, is_by_this_source)) return;
   try {
     const toml::table table = table_of(definition, {"seed", "start", "near_deg", "initial_deg"});
@@ -99,7 +100,7 @@ AskedAgain::AskedAgain(const StudyEntry& entry, const Robot& arm) : arm_(arm) {
   }
 }
 
-// What a run asks for; null where that is not drawn.
+// The targets and starts of a run; null if they are not drawn.
 const AskedAgain::Run* AskedAgain::drawn(int run) {
   const bool differ = study_.path->is_drawn() || study_.start == Start::random;
   const auto points = static_cast<std::size_t>(study_.path->points());

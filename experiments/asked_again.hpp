@@ -10,15 +10,14 @@
 
 namespace ikbench::experiments {
 
-// Looks at the solves of a study in the order of solver, run and point.
+// Compares the stored solves of a study, in the order of solver, run and point, with what the definition asks.
 class AskedAgain {
  public:
-  // Where another version of the source solved the study, or its definition cannot be read, nothing is drawn; neither
-  // are the targets of a file, and those of the later runs where they are very many.
+  // Draws nothing if another version of the source solved the study, if its definition cannot be read, or if its arm is
+  // from a URDF file. Skips later runs once very many targets are drawn.
   AskedAgain(const results::StudyEntry& entry, const robots::Robot& arm);
 
-  // The column in which the solve has something else than the definition gives; null where there is none, or where the
-  // solve lacks numbers.
+  // The column in which the solve differs from the definition; null if none does, or if its lists have wrong sizes.
   const char* other_than_asked(const results::SolveRecord& solve);
 
  private:
@@ -39,8 +38,8 @@ class AskedAgain {
     int run = 0, point = 0;
     bool operator==(const Place&) const = default;
   };
-  Place next_;                         // after the last solve
-  robots::Configuration where_it_is_;  // the arm, after that
+  Place next_;                         // the place after the last solve
+  robots::Configuration where_it_is_;  // the arm's configuration after the last solve
 };
 
 }  // namespace ikbench::experiments

@@ -23,10 +23,10 @@ constexpr EmbeddedFile multiverse_files[]{
 
 constexpr std::size_t most_dimensions = 100, most_alternatives = 20;
 
-// "path.tool" of "path.tool=eq27".
+// "path.tool=eq27" has the key "path.tool".
 std::string key_of_setting(std::string_view set) { return std::string(set.substr(0, set.find('='))); }
 
-// The tables of a list, which has to be there.
+// The tables of a list; the key must exist.
 std::vector<const toml::table*> tables_of(TomlReader& reader, std::string_view key, std::size_t most) {
   const std::string expected = fmt::format("a list of 1 to {} tables", most);
   const toml::node* node = reader.find(key);
@@ -76,7 +76,7 @@ Alternative read_alternative(TomlReader reader, bool is_default) {
   return one;
 }
 
-// Whether the choice is made when one of that owner (a solver, or "" for the study) is to be.
+// Says whether the choice precedes those of `owner` (a solver, or "" for the study).
 bool is_set_before(const std::vector<Dimension>& earlier, const std::string& owner, const std::string& set) {
   return std::ranges::any_of(earlier, [&](const Dimension& each) {
     return (each.solver.empty() || each.solver == owner) &&

@@ -47,7 +47,7 @@ std::string operating_system() {
   return uname(&name) == 0 ? fmt::format("{} {} {}", name.sysname, name.release, name.machine) : "unknown";
 }
 
-// Of one start of the system: the same in all its containers, whatever host each thinks it is.
+// Identifies one start of the system: all its containers share it, whatever their host names.
 std::string boot() {
   std::ifstream file("/proc/sys/kernel/random/boot_id");
   std::string id;
@@ -105,7 +105,7 @@ double waited_seconds(pid_t process) {
   double sum = std::numeric_limits<double>::quiet_NaN();
   for (const auto& task : std::filesystem::directory_iterator(fmt::format("/proc/{}/task", process), error)) {
     const double waited = waited_seconds(task.path());
-    if (!std::isnan(waited)) sum = std::isnan(sum) ? waited : sum + waited;  // else it has ended meanwhile
+    if (!std::isnan(waited)) sum = std::isnan(sum) ? waited : sum + waited;  // NaN: the thread has ended
   }
   return sum;
 }

@@ -1,5 +1,5 @@
-// The fields of a study, one by one. A list of fields (study_fields.hpp, paths/) names each once, with its range and
-// its meaning; what reads, writes or compares studies is a Fields that is led along the list.
+// The fields of a study, one by one. A list of fields (study_fields.hpp, paths/) names each field once, with its range
+// and its meaning. A class derived from Fields visits that list to read, write or compare studies.
 #pragma once
 
 #include <Eigen/Core>
@@ -20,11 +20,11 @@ using numerics::Choices;
 
 constexpr std::int64_t no_limit = std::numeric_limits<std::int64_t>::max();
 
-// What a field has to do with the key of a series (series_key.hpp).
+// How a field enters the key of a series (series_key.hpp).
 enum class InKey {
-  by_name,  // "name value" where it is not the default: every field that is not marked otherwise
-  in_text,  // in the text of the first stores, as it is or as part of what is in effect
-  no        // decides no number
+  by_name,  // "name value" if it is not the default: the usual case
+  in_text,  // in the text of the first stores, directly or as part of the effective settings
+  no        // never: the field decides no number
 };
 
 class Fields {
@@ -67,13 +67,13 @@ class Fields {
     field = static_cast<Whole>(value);
   }
 
-  // `range` in units.
+  // `range` is in units.
   void number(std::string_view key, double& field, double unit, std::pair<double, double> range,
               std::string_view meaning, InKey in_key = InKey::by_name) {
     if (visits(in_key)) on_number({key, meaning}, field, unit, range);
   }
 
-  // `size` 0: any number of them.
+  // `size` 0 allows any number of values.
   template <class Vector>
   void numbers(std::string_view key, Vector& field, double unit, int size, std::string_view meaning,
                InKey in_key = InKey::by_name) {
@@ -88,7 +88,7 @@ class Fields {
   }
 
  private:
-  // Whether fields with this mark are of interest.
+  // Says whether to visit fields with this mark.
   virtual bool visits(InKey) const { return true; }
 
   virtual void on_text(Name name, std::string& field) = 0;

@@ -36,7 +36,7 @@ Eigen::VectorXd joints_of(const std::vector<double>& values) {
   return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
 }
 
-// The study into which solves are imported: what was asked, by the solves that it has.
+// The study into which solves are imported, with the targets and starts of its stored solves.
 class AskedStudy {
  public:
   AskedStudy(const Store& store, const std::string& name) : entry_(store.study(name)), arm_(arm_in(entry_)) {
@@ -62,7 +62,7 @@ class AskedStudy {
   int points() const { return points_; }
   bool is_chained() const { return is_chained_; }
 
-  // What the others were asked; std::invalid_argument where nobody was.
+  // A stored solve of the same run and point; std::invalid_argument if there is none.
   const SolveRecord& at(const ImportedRow& row) const {
     const auto found = solves_.find({row.run, row.point});
     if (found != solves_.end()) return found->second;
@@ -72,7 +72,7 @@ class AskedStudy {
                     row.where, row.run, row.point, entry_.name, solves_.rbegin()->first.first, points_));
   }
 
-  // The record of an answer, or of none where `row` has none; the arm is at `start`.
+  // Verifies the row's answer into `record`; without an answer the arm stays at `start`.
   void verify_into(SolveRecord& record, const ImportedRow& row, const Eigen::VectorXd& start) const {
     const Pose target = target_of(record);
     Eigen::VectorXd answer = row.answer.empty() ? start : joints_of(row.answer);
@@ -82,7 +82,7 @@ class AskedStudy {
     }
     Verification verified = verify(arm_, target, start, answer);
     Requirement asked = requirement_;
-    asked.claimed_error = verified.position_error;  // the file's own error is not asked to have all digits
+    asked.claimed_error = verified.position_error;  // the file's error may have few digits
     record.status = row.answer.empty() ? Status::declined : judge(verified, asked);
     if (stays(record.status)) {
       answer = start;
@@ -154,7 +154,7 @@ SolveRecord record_of(const ImportedRow& row, const AskedStudy& asked) {
           .counted_by = row.evaluations ? CountedBy::solver : CountedBy::nobody};
 }
 
-// The rows of one solver, by run and point: each once, and every run with all its points.
+// The rows of one solver by run and point. check_whole checks that every run has all its points.
 using Places = std::map<std::pair<int, int>, const ImportedRow*>;
 
 void check_whole(const Places& places, int points) {
@@ -213,7 +213,7 @@ std::int64_t begin_session(Store& store, const ImportRequest& request, const Ask
                                              {"imported", request.source},
                                              {"imported_sha256", request.digest},
                                              {"analysis", asked.plan()}};
-  // So that no report compares times that were taken elsewhere.
+  // An unknown processor keeps reports from comparing these times with ours.
   if (std::ranges::any_of(records, [](const SolveRecord& each) { return std::isfinite(each.seconds); }))
     session["cpu"] = fmt::format("unknown, imported from {}", request.source);
   return store.begin_session(session);
@@ -225,7 +225,7 @@ Imported import_solves(Store& store, const ImportRequest& request) {
   const AskedStudy asked(store, request.study);
   const ImportedRows read =
       read_imported_rows(request.text, request.source, request.label, joint_units(asked.arm().chain));
-  std::vector<std::pair<std::string, Places>> solvers;  // in the order of the file
+  std::vector<std::pair<std::string, Places>> solvers;  // in the file's order
   for (const ImportedRow& row : read.rows) {
     auto solver = std::ranges::find(solvers, row.label, &std::pair<std::string, Places>::first);
     if (solver == solvers.end()) solver = solvers.insert(solvers.end(), {row.label, {}});

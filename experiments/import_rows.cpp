@@ -28,7 +28,7 @@ ColumnNames numbered(std::string_view name, Eigen::Index count) {
   return names;
 }
 
-// A column of `ikbench export`: its name, or the name of its list and a number.
+// True for a column of `ikbench export`: its name, or the name of a list with a number.
 bool is_exported(std::string_view name) {
   const std::size_t end = name.find_last_not_of("0123456789");
   const bool is_numbered = end != std::string_view::npos && end + 1 < name.size() && name[end] == '_';
@@ -103,7 +103,7 @@ class RowReader {
 
   std::string where() const { return fmt::format("{}:{}", source_, table_.lines[row_]); }
 
-  // What is in a cell; empty where there is no such column.
+  // The text of a cell; empty if there is no such column.
   std::string cell(std::string_view name) const {
     return has(name) ? table_.rows[row_][table_.column(name)] : std::string();
   }
@@ -113,7 +113,7 @@ class RowReader {
         fmt::format("{}: {} is '{}'; expected {}", where(), name, front(cell(name), 40), expected));
   }
 
-  // A finite number; nothing where the cell is empty or says that there is none.
+  // A finite number; nothing if the cell is empty or NaN.
   std::optional<double> number(std::string_view name) const {
     const std::string text = cell(name);
     if (text.empty()) return std::nullopt;
@@ -136,7 +136,7 @@ class RowReader {
     return static_cast<int>(*value);
   }
 
-  // All of them, or none.
+  // Either all values or none.
   std::vector<double> list(const ColumnNames& names) const {
     std::vector<double> values;
     for (const std::string& name : names) {

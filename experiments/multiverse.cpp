@@ -35,19 +35,18 @@ void refuse_too_many(const std::vector<Dimension>& dimensions, std::string_view 
                                           dimensions.size(), most, what));
 }
 
-// With its share where the alternatives of a dimension have equal parts of what was chosen before it.
+// Choices with their weight: the alternatives of a dimension share the weight of the earlier choices equally.
 struct Branch {
   Chosen chosen = {};
   double weight = 1;
 };
 
-// All choices that go together.
+// Lists all choices that are possible together.
 struct Combinations {
   const std::vector<Dimension>& dimensions;
   Combined combined;
 
-  // In the dimensions of one owner (a solver, or "" for the study), beside those that are given, which are not
-  // repeated.
+  // The choices in the dimensions of one owner (a solver, or "" for the study), given others, which are not repeated.
   std::vector<Branch> of(std::string_view owner, const Chosen& given) const {
     std::vector<Branch> all{{}};
     for (std::size_t d = 0; d < dimensions.size(); ++d) {
@@ -84,10 +83,10 @@ struct Combinations {
   }
 };
 
-// Series that something needs, each once.
+// A list of needed series, each once.
 class SeriesList {
  public:
-  // The place in `parts` of one solver of the study.
+  // Adds one solver of the study; returns its place in `parts`.
   std::size_t add(const Study& study, std::size_t solver) {
     const auto [found, is_new] = known_.try_emplace(series_key(study, study.solvers[solver]), parts.size());
     if (is_new) {
@@ -102,7 +101,7 @@ class SeriesList {
   std::map<std::string, std::size_t> known_;  // series key to place
 };
 
-// The defaults among them too: a solver's own may differ from what the study's choice would make of it.
+// Adds defaults too: a solver's own default may differ from what the study's choice implies for it.
 void add_overrides(Overrides& overrides, const std::vector<Dimension>& dimensions, const Chosen& chosen) {
   for (const Choice& each : chosen) overrides.push_back(alternative_of(dimensions, each).set);
 }

@@ -1,4 +1,4 @@
-// Rotations of a tool, as study files and stores say them, and what paths have in common.
+// Rotations of a tool, as study files and stores write them, and common parts of paths.
 #pragma once
 
 #include <Eigen/Core>
@@ -8,8 +8,8 @@
 
 namespace ikbench::experiments {
 
-// How the tool is held along a path: down is R = diag(-1, 1, -1); eq27 has (0, 1, 0) as its third column, a horizontal
-// tool, as Eq. 27 prints (its other columns are our choice).
+// The tool's orientation along a path. down: R = diag(-1, 1, -1). eq27: its third column is (0, 1, 0), a horizontal
+// tool, as Eq. 27 prints; its other columns are our choice.
 enum class Tool { down, eq27 };
 
 void list_tool(Fields& io, Tool& tool);
@@ -20,15 +20,15 @@ enum class Spacing { k_over_n, k_over_n_minus_1 };
 
 void list_spacing(Fields& io, Spacing& spacing);
 
-// In which plane a flat path lies: along the first axis and the second.
+// The plane of a flat path, spanned by the first axis and the second.
 enum class Plane { xy, xz, yz };
 
 void list_plane(Fields& io, Plane& plane);
 Eigen::Vector3d along(Plane plane, double first, double second);
 Eigen::Vector3d normal(Plane plane);  // first x second
 
-// Targets at the fractions k/(n - 1), k = 0 ... n - 1, of a path: both ends are among them. `point_at(fraction)` is
-// where the tool is.
+// Targets at the fractions k/(n - 1), k = 0 ... n - 1, of a path, so at both ends too. `point_at(fraction)` gives the
+// tool's position.
 template <class PointAt>
 std::vector<robots::Pose> poses_along(int points, Tool tool, PointAt point_at) {
   std::vector<robots::Pose> poses;

@@ -1,5 +1,5 @@
-// Paths: where the tool has to go, as a list of target poses. Metres and radians. A kind of path is one file of paths/
-// and one line of paths.inc (docs/adding-anything.md).
+// Paths: lists of target poses of the tool, in metres and radians. A kind of path is one file of paths/ and one line of
+// paths.inc (docs/adding-anything.md).
 #pragma once
 
 #include <filesystem>
@@ -13,30 +13,29 @@
 
 namespace ikbench::experiments {
 
-// All that is known of a kind of path, and the fields of one path of it. The file NAME.cpp defines NAME_path(), a path
-// with the defaults.
+// A kind of path, with the fields of one path of it. The file NAME.cpp defines NAME_path(), a path with the defaults.
 class PathKind {
  public:
   virtual ~PathKind() = default;
   virtual std::unique_ptr<PathKind> copy() const = 0;
 
-  virtual std::string_view name() const = 0;     // NAME, as study files have it
+  virtual std::string_view name() const = 0;     // NAME, as in study files
   virtual std::string_view summary() const = 0;  // in `ikbench list paths`
   virtual void list_fields(Fields& io) = 0;
-  // Reads what the fields name of files, in the study's folder. std::invalid_argument: what is wrong and expected.
+  // Reads the files that the fields name, in the study's folder. std::invalid_argument says what is wrong and expected.
   virtual void load(const std::filesystem::path&) {}
-  // std::invalid_argument where the fields do not fit each other, or the arm has no such targets.
+  // Throws std::invalid_argument if the fields do not fit each other, or if the arm has no such targets.
   virtual void check(const robots::Robot&) const {}
-  // Whether the targets are drawn anew for every run; else every run has the same.
+  // True if every run draws its own targets, false if all runs have the same.
   virtual bool is_drawn() const = 0;
   virtual int points() const = 0;
-  // So many as points(). `random` is of the run, and for what is drawn alone.
+  // One pose per point. `random` belongs to the run; only random paths use it.
   virtual std::vector<robots::Pose> poses(const robots::Robot& arm, numerics::Random& random) const = 0;
-  // The configurations of which poses() makes its targets by the same draws; none where it makes them of none.
+  // The configurations from which poses() makes its targets, by the same draws; empty if it uses none.
   virtual std::vector<robots::Configuration> solutions(const robots::Robot&, numerics::Random&) const { return {}; }
 };
 
-// A path of some kind, as a value: a copy is another path.
+// A path of any kind, as a value: a copy is independent.
 class Path {
  public:
   Path();  // the first kind, with its defaults
@@ -56,7 +55,7 @@ class Path {
   std::unique_ptr<PathKind> kind_;
 };
 
-// Of every kind the one with the defaults, in the order of paths.inc.
+// One path of each kind, with its defaults, in the order of paths.inc.
 std::vector<Path> paths();
 // The path of the kind `poses`.
 Path path_through(std::vector<robots::Pose> poses);

@@ -33,7 +33,7 @@ constexpr std::array<std::string_view, 3> position_names{"x", "y", "z"}, rpy_nam
 constexpr std::array<std::string_view, 4> quaternion_names{"qw", "qx", "qy", "qz"};
 constexpr std::array<std::string_view, 9> matrix_names{"r11", "r12", "r13", "r21", "r22", "r23", "r31", "r32", "r33"};
 
-using EndOfName = std::pair<std::string_view, double>;  // how a column's name ends, and what it means
+using EndOfName = std::pair<std::string_view, double>;  // the end of a column's name, and the unit that it means
 using Units = std::span<const EndOfName>;
 constexpr std::array length_units{EndOfName{"_m", 1}, EndOfName{"_cm", centimetre}, EndOfName{"_mm", 1e-3}};
 constexpr std::array angle_units{EndOfName{"_deg", degree}, EndOfName{"_rad", 1}};
@@ -51,7 +51,7 @@ std::string_view without_blanks(std::string_view text) {
   return text.substr(0, text.find_last_not_of(blanks) + 1);
 }
 
-// What may stand in a message.
+// Quotes a text for a message.
 std::string shown(std::string_view text) {
   constexpr std::size_t longest = 40;
   text = text.substr(0, longest);
@@ -64,7 +64,7 @@ class Table {
     if (rest_.starts_with("\xEF\xBB\xBF")) rest_.remove_prefix(3);
   }
 
-  // The cells of the next line that is not empty; false behind the last.
+  // Reads the cells of the next line that is not empty; false after the last.
   bool next() {
     while (!rest_.empty()) {
       ++line_;
@@ -110,7 +110,7 @@ class Table {
   std::vector<std::string_view> cells_;
 };
 
-// Where the columns of a group are; none where the header has none of them, and all or none must be there.
+// Finds the columns of a group; none if the header has none of them. A group must be complete.
 template <std::size_t count>
 std::vector<Column> columns_of(const std::array<std::string_view, count>& names, Units units, const Table& table,
                                std::vector<bool>& used) {

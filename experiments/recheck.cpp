@@ -20,7 +20,7 @@ using namespace numerics;
 using namespace robots;
 using namespace results;
 
-// The store is anybody's: keys and texts are quoted, and nothing is deeper than an arm is.
+// A store is not trusted: keys and texts are quoted, and the depth is bounded.
 std::string toml_of(const nlohmann::json& json, int levels) {
   if (levels == 0) throw std::invalid_argument("an arm that is nested too deeply");
   std::string text;
@@ -39,7 +39,7 @@ std::string toml_of(const nlohmann::json& json, int levels) {
   return json.dump();
 }
 
-// Of this file alone, like all in unnamed namespaces; but Recheck::Looking has them as members.
+// Not in the unnamed namespace, since Recheck::Looking has it as a member.
 class Findings {
  public:
   void add(const char* column, const SolveRecord& solve, const std::string& what) {
@@ -49,8 +49,8 @@ class Findings {
                                   solve.session, what);
     }
   }
-  // The same number but for rounding, or not a number twice. An arm from a URDF file was verified by its origins and
-  // axes, and is known here by its table, which may be 1e-9 m and rad off.
+  // Expects the same number up to rounding, or no number twice. An arm from a URDF file was verified by its origins and
+  // axes, but the store has its table, which may be 1e-9 m and rad off.
   void expect(const char* column, const SolveRecord& solve, double stored, double computed, double rounding = 1e-8) {
     const bool is_same = std::isfinite(computed) ? std::abs(stored - computed) <= rounding * (1 + std::abs(computed))
                                                  : !std::isfinite(stored);
@@ -90,7 +90,7 @@ void look_at_counts(const SolveRecord& solve, Findings& found) {
   const bool is_course = std::ranges::all_of(at, [](double count) { return count >= 1 && std::isfinite(count); }) &&
                          std::ranges::is_sorted(at) && at.size() == solve.improved_to_cm.size();
   if (!is_course) found.add("improved_at", solve, "not growing numbers of evaluations, each with an error");
-  if (solve.timing == Timing::imported) return;  // what the file does not say is not known
+  if (solve.timing == Timing::imported) return;  // an imported file may lack the rest
   found.expect_at_least("seconds", solve, solve.seconds, 0);
   found.expect_at_least("cpu_seconds", solve, solve.cpu_seconds, 0);
   found.expect_at_least("repeats", solve, static_cast<double>(solve.repeats), 1);
@@ -106,7 +106,7 @@ void look_at_status(const SolveRecord& solve, const Verification& computed, Requ
   requirement.claimed_error = is_silent ? computed.position_error : solve.claimed_error_cm * centimetre;
   const bool stayed =
       solve.answer_rad == solve.start_rad && (requirement.limits_are_enforced || is_without_answer(solve.status));
-  // Refused answers and claims about whole poses are not in the store.
+  // The store has no refused answers and no claims about whole poses.
   if ((stays(solve.status) && stayed) || solve.status == Status::claimed_but_wrong) return;
   const Status follows =
       solve.stop_reason == StopReason::not_finite ? Status::not_finite : judge(computed, requirement);
@@ -119,14 +119,14 @@ void look_at_status(const SolveRecord& solve, const Verification& computed, Requ
 
 }  // namespace
 
-// The arm, what was asked of its answers, and the reach of what was searched: the same for all solves of a study.
+// The same for all solves of a study: the arm, the requirement, and the reach of the searched joints.
 struct Checked {
   Checked(const Robot& of, const Requirement& asked) : arm(of), requirement(asked) {
     if (requirement.orientation_is_exact && SphericalWrist::fits(arm.chain)) wrist.emplace(arm.chain);
     reach = wrist ? wrist->arm().reach() : arm.chain.reach();
   }
 
-  // How far the target is beyond the reach [m].
+  // Distance of the target beyond the reach [m].
   double beyond_reach(const Pose& target) const {
     const Eigen::Vector3d goal = wrist ? wrist->centre(target) : Eigen::Vector3d(target.translation());
     return std::max(0.0, (goal - reach.centre).norm() - reach.radius);
@@ -202,7 +202,7 @@ std::optional<Robot> stored_arm(const StudyEntry& entry) {
   const auto definition = nlohmann::json::parse(entry.definition, nullptr, false);
   if (!definition.is_object()) return std::nullopt;
   try {
-    if (!definition.contains("arm")) return robot(definition.value("robot", ""));  // the first stores have its name
+    if (!definition.contains("arm")) return robot(definition.value("robot", ""));  // the first stores name it
     std::string text;
     for (const char* part : {"links", "base", "tool"}) {
       if (definition["arm"].contains(part)) text += fmt::format("{} = {}\n", part, toml_of(definition["arm"][part]));
@@ -235,7 +235,7 @@ struct Recheck::Looking {
   const std::optional<Robot> arm;
   const Requirement requirement;
   bool is_from_urdf = false;
-  std::optional<Checked> checked = {};  // by these
+  std::optional<Checked> checked = {};  // from `arm` and `requirement`
   std::optional<AskedAgain> asked = {};
   bool has_solves = false;
   Findings found = {};
@@ -254,7 +254,8 @@ void Recheck::look_at(const SolveRecord& solve) {
 
 std::vector<std::string> Recheck::damages() const {
   std::vector<std::string> sentences = looking_->found.sentences();
-  // The table of a calibrated arm may be longer than arm files allow: then only what needs no arm is looked at.
+  // The table of a calibrated URDF arm may be longer than arm files allow; then the checks that need an arm are skipped
+  // without a complaint.
   if (!looking_->arm && looking_->has_solves && !looking_->is_from_urdf) {
     sentences.push_back("The arm in the definition cannot be read, so errors and moves were not computed again.");
   }

@@ -1,4 +1,4 @@
-// Whether what a store says of its solves follows from what was asked and answered. Anybody may have written it.
+// Checks that a store's numbers follow from the questions and answers in it. Stores are not trusted.
 #pragma once
 
 #include <memory>
@@ -13,31 +13,29 @@
 
 namespace ikbench::experiments {
 
-// The arm as the definition of a stored study has it, to the rounding of its degrees; empty where it has none that can
-// be read.
+// The arm in the definition of a stored study, to the rounding of its degrees; empty if none can be read.
 std::optional<robots::Robot> stored_arm(const results::StudyEntry& entry);
 
-// A value of a definition as TOML has it, in a line and without names; std::invalid_argument where it is nested deeper
-// than that.
+// A value of a definition as one line of TOML, without names; std::invalid_argument if it is nested deeper than
+// `levels`.
 std::string toml_of(const nlohmann::json& json, int levels = 4);
 
-// What that asks of every answer; the error of a whole pose is claimed, but not stored.
+// What the study requires of every answer. The store has the claimed position error, but not the claimed pose error.
 Requirement requirement_of(const results::StudyEntry& entry);
 
-// Of a solve as it is stored, which has the sizes of one.
+// The target of a stored solve whose lists have the right sizes.
 robots::Pose target_of(const results::SolveRecord& solve);
 
-// What does not fit of the errors, moves, limits, counts and times of a study's solves, which are looked at one after
-// another: errors, moves, violations and the status are computed again from arm, target, start and answer; counts and
-// times must be possible; targets and starts must be those of the definition, as far as it gives them; a solve with a
-// digest must have that of its columns.
+// Finds contradictions in a study's solves, one after another. It computes errors, moves, violations and status again
+// from arm, target, start and answer. Counts and times must be possible. Targets and starts must be those of the
+// definition, as far as it gives them. A solve with a digest must have the digest of its columns.
 class Recheck {
  public:
   explicit Recheck(const results::StudyEntry& entry);
   ~Recheck();
 
   void look_at(const results::SolveRecord& solve);
-  // A sentence for each column, with the first solve of which it is so; none where all fits.
+  // One sentence per damaged column, with its first such solve; none if all fits.
   std::vector<std::string> damages() const;
 
  private:

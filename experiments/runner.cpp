@@ -28,14 +28,14 @@ using namespace results;
 
 namespace {
 
-// A run of one solver that is not done, and how far it is.
+// The state of a run of one solver that is not done.
 struct Chained {
-  std::vector<bool> stored;     // of each point, in their order
-  Configuration configuration;  // where the arm is
+  std::vector<bool> stored;     // one per point, in their order
+  Configuration configuration;  // the arm's present configuration
 };
 
-// A study laid out for work. Runs outside, solvers inside: whatever drifts on the machine meanwhile touches all solvers
-// alike. Of a chain there is a bit, and more only where the store has some of its points.
+// The work of a study. Runs are the outer loop, solvers the inner one, so that a drift of the machine touches all
+// solvers alike. A chain takes one bit, and more only if the store has some of its points.
 struct Plan {
   explicit Plan(const Study& of, int repeats = 1, Shard of_it = {})
       : study(of), size(size_of(of)), shard(of_it), arm(arm_of(of)), points(of.path->points()) {
@@ -58,7 +58,7 @@ struct Plan {
     const auto found = begun.find(index);
     return found == begun.end() ? fresh_chain() : found->second;
   }
-  // The first point from `point` on that is asked for and not stored; beyond the last where there is none.
+  // The first point from `point` on that the shard has and the store has not; `points` + 1 if there is none.
   int next_point(const Chained& chain, int run, int point) const {
     while (point <= points && (chain.stored[static_cast<std::size_t>(point - 1)] || !contains(shard, size, run, point)))
       ++point;
@@ -69,13 +69,13 @@ struct Plan {
   StudySize size;
   Shard shard;
   Robot arm;
-  int points;  // of a run
+  int points;  // per run
   std::vector<SolveRunner> solve_runners;
-  std::vector<bool> done;                // chains of which nothing is missing
-  std::map<std::size_t, Chained> begun;  // of the others, those that have something in the store
+  std::vector<bool> done;                // true for chains that miss nothing
+  std::map<std::size_t, Chained> begun;  // chains of which the store has a part
 };
 
-// The arm is where the answer put it, unless that was no configuration at all, or where every solve starts.
+// Moves the arm to the answer, unless the answer is no configuration or every solve has its own start.
 void move_on(Chained& chain, const SolveRecord& record, Start start) {
   chain.stored[static_cast<std::size_t>(record.point - 1)] = true;
   if (start != Start::previous || record.status == Status::not_finite) return;
@@ -83,7 +83,7 @@ void move_on(Chained& chain, const SolveRecord& record, Start start) {
       Eigen::Map<const Eigen::VectorXd>(record.answer_rad.data(), static_cast<Eigen::Index>(record.answer_rad.size()));
 }
 
-// Whether a stored solve is one that the study would have made next.
+// Throws if the study would not have made the stored solve next.
 void check_stored(const SolveRecord& record, const Plan& plan, const Chained& chain) {
   const auto edited = [&](std::string_view what) {
     return std::invalid_argument(
@@ -100,7 +100,7 @@ void check_stored(const SolveRecord& record, const Plan& plan, const Chained& ch
     throw edited(fmt::format("exists, but the one of point {} is missing", record.point - 1));
 }
 
-// Notes of every chain what the store has of it; says how many solves of the shard that is.
+// Notes which solves of each chain the store has; returns how many of them are in the shard.
 std::int64_t move_past_stored(Plan& plan, const Store& store) {
   std::int64_t stored = 0;
   for (std::size_t s = 0; s < plan.solve_runners.size(); ++s) {
@@ -136,15 +136,15 @@ std::int64_t move_past_stored(Plan& plan, const Store& store) {
   return stored;
 }
 
-// What a run asks of all solvers, which a worker keeps while its chains are of that run: targets of some sets are
-// dear to draw.
+// The targets and starts of a run, the same for all solvers. A worker keeps them while its chains are of that run,
+// since some sets take long to draw.
 struct RunTask {
   int run = 0;
   std::vector<Pose> targets = {};
   std::vector<Configuration> starts = {};
 };
 
-// Solves what is left of every chain, `jobs` of them at once.
+// Solves the rest of every chain, `jobs` chains at once.
 void solve_rest(const Plan& plan, int jobs, const std::atomic<bool>* cancelled, RecordQueue::PassOn pass_on) {
   RecordQueue record_queue(std::move(pass_on));
   std::atomic<std::size_t> next{0};
@@ -175,7 +175,7 @@ void solve_rest(const Plan& plan, int jobs, const std::atomic<bool>* cancelled, 
     try {
       for (std::size_t i = next++; i < plan.done.size() && !is_over(); i = next++) work_on(i, task);
     } catch (...) {
-      has_failed = true;  // the others end with the solve they are at
+      has_failed = true;  // the other workers stop after their present solve
       throw;
     }
   });
@@ -187,7 +187,7 @@ StudyEntry entry_of(const Plan& plan) {
   return entry;
 }
 
-// What was imported into a study that asks the same (import.hpp) stays in it.
+// Keeps imported series in a study that asks the same (import.hpp).
 void keep_imported(StudyEntry& entry, const Store& store) {
   for (const StudyEntry& earlier : store.studies()) {
     if (earlier.name != entry.name || !difference_in_solves(earlier.definition, entry.definition).empty()) continue;
@@ -195,7 +195,7 @@ void keep_imported(StudyEntry& entry, const Store& store) {
   }
 }
 
-// What programs did besides solving: into the session, and as sentences.
+// Describes the programs' behaviour, in the session and as sentences.
 std::vector<std::string> tell_of_programs(const Plan& plan, Store& store, std::int64_t session) {
   std::vector<std::string> sentences;
   for (const SolveRunner& solve_runner : plan.solve_runners) {
@@ -213,7 +213,7 @@ std::vector<std::string> tell_of_programs(const Plan& plan, Store& store, std::i
   return sentences;
 }
 
-// As JSON. The study may be saved with fewer later.
+// The labels as JSON, since the study may be saved with fewer later.
 std::string labels_of(const Study& study) {
   nlohmann::json labels = nlohmann::json::array();
   for (const SolverEntry& entry : study.solvers) labels.push_back(entry.label);

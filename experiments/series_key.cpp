@@ -28,7 +28,7 @@ std::string exact(const Values& values) {
   return text;
 }
 
-// Names and values, to the bit, of the fields that a key says by their names.
+// Collects names and values, to the bit, of the fields that a key names.
 class FieldTexts final : public Fields {
  public:
   std::vector<std::pair<std::string, std::string>> texts;
@@ -70,8 +70,8 @@ FieldList fields_of(Struct fields) {
   return [fields](Fields& io) mutable { list_fields(io, fields); };
 }
 
-// Equal targets are the same, whatever kind of path they are of; those that are drawn come from the fields of the path,
-// the seed and the run.
+// Fixed targets enter as poses, whatever their kind of path; drawn ones enter as the fields of the path, the seed and
+// the run.
 std::string targets_text(const Study& study) {
   std::string text;
   if (study.path->is_drawn()) {
@@ -98,7 +98,7 @@ std::string said_by_name(const FieldList& fields, const FieldList& defaults, std
 }
 
 std::string configuration_key(const Study& study, const SolverEntry& entry) {
-  // As the first stores have it, whose keys are this hash alone: fields marked InKey::in_text.
+  // The fields marked InKey::in_text, as in the first stores, whose keys are this hash alone.
   const Robot arm = arm_of(study);
   std::string text = "numerics 2\nrobot";
   text += arm.chain.definition() + exact(arm.limits.lower) + exact(arm.limits.upper) + "\ntargets ";
@@ -108,10 +108,10 @@ std::string configuration_key(const Study& study, const SolverEntry& entry) {
                       effective_population(study, entry), study.seed, static_cast<int>(study.trace));
   text += fmt::format("\nstop {} {} {} {}", study.stop.iterations, study.stop.tolerance, study.stop.evaluations,
                       study.stop.seconds);
-  // What came later is said only where it is not as before, so that stores keep the solves they have.
+  // Later fields enter only if they differ from their defaults, so that old stores keep their solves.
   text += said_by_name(fields_of(study), fields_of(Study{}));
   text += said_by_name(fields_of(study.stop), fields_of(StopRule{}), "stop.");
-  // A further field of a solver does not compile here: options and population are those in effect.
+  // Does not compile with a further field of SolverEntry. Options and population enter as they are in effect.
   [[maybe_unused]] const auto& [label, algorithm, options, population, program, if_missing, own] = entry;
   text += fmt::format("\nsolver {} label {}", algorithm, label);
   if (program) text += said_by_name(fields_of(program->choice), fields_of(ProgramChoice{}), "program.");

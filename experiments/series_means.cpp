@@ -34,7 +34,7 @@ std::string texts_of_numbers(const std::vector<double>& values) {
   return text;
 }
 
-// A line of the file and where it stands, for what has to be said of it.
+// A line of the file, and its place for messages.
 struct Line {
   std::string where, text;
 

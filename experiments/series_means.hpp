@@ -1,5 +1,5 @@
-// What series came to, as far as interpretations are compared by it: the means of their runs. Kept in a file, so that a
-// series is solved once for all commands that need it.
+// The means of series by run, which decide between interpretations. A file keeps them, so that a series is solved once
+// for all commands that need it.
 #pragma once
 
 #include <atomic>
@@ -13,21 +13,21 @@
 
 namespace ikbench::experiments {
 
-// A value from 0 for every run, over its points; infinite where an answer is not finite.
+// One value >= 0 per run, the mean over its points; infinite if an answer is not finite.
 struct RunMeans {
   std::vector<double> error_cm, variation_deg;
 };
 
-// A file with a line for each series: key, errors, variations. What an earlier process could not finish, a last line
-// without its end, is cut off.
+// A file with one line per series: key, errors, variations. A last line without its end, from a process that was
+// stopped, is cut off.
 class SeriesMeans {
  public:
-  // No file is kept where its name is empty. A line that is none of ours is std::invalid_argument.
+  // Keeps no file if its name is empty. Throws std::invalid_argument for a line that is none of ours.
   explicit SeriesMeans(std::filesystem::path file);
-  // The means of so many runs of a series; null where it was not solved so often.
+  // The means of the first `runs` runs of a series; null if fewer were solved.
   const RunMeans* find(const std::string& key, std::size_t runs) const;
-  void keep(const std::string& key, RunMeans means);  // behind the others, at once
-  // Brings the lines into the order of their keys, whatever the order in which they were kept.
+  void keep(const std::string& key, RunMeans means);  // appends to the file at once
+  // Sorts the lines by their keys.
   void sort();
 
  private:
@@ -35,18 +35,18 @@ class SeriesMeans {
 
   std::filesystem::path file_;
   std::map<std::string, RunMeans> known_;
-  bool is_sorted_ = true;  // the file's lines are
+  bool is_sorted_ = true;  // about the file's lines
 };
 
 struct SeriesRequest {
   std::function<RunMeans(const Study&, std::vector<results::SolveRecord>)> means_of;  // called by several threads
-  int jobs = 1;                                                                       // series at once
+  int jobs = 1;                                                                       // series to solve at once
   std::function<void(const Progress&)> progress = {};  // called after every series, by one thread at a time
   const std::atomic<bool>* cancelled = nullptr;
 };
 
-// The means of series of one solver each, in their order; after Ctrl-C those before the first that is missing. Each is
-// kept as soon as it is there; at the end the file is sorted, and so the same for any number of jobs.
+// The means of series of one solver each, in their order; after Ctrl-C, those before the first missing one. Each is
+// kept at once. Finally the file is sorted, so it is the same for any number of jobs.
 std::vector<RunMeans> solve_series(const std::vector<Study>& series, SeriesMeans& kept, const SeriesRequest& request);
 
 }  // namespace ikbench::experiments

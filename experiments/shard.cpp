@@ -14,7 +14,7 @@ using namespace results;
 
 namespace {
 
-// From 0; of a chain all points are one part.
+// The part of a point, from 0; all points of a chain are one part.
 std::int64_t part(const StudySize& size, int run, int point) {
   return size.is_chained ? run - 1 : std::int64_t{run - 1} * size.points + point - 1;
 }

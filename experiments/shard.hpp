@@ -1,4 +1,4 @@
-// A share of a study's solves, so that several machines solve it side by side.
+// A share of a study's solves, so that several machines can solve it side by side.
 #pragma once
 
 #include <cstdint>
@@ -11,17 +11,17 @@
 
 namespace ikbench::experiments {
 
-// What a study has to solve. Its parts are its runs; where no solve starts from the answer before it, the single
-// targets of every run. A part is solved by all solvers, so that they are compared on one machine.
+// The size of a study's work. Its parts are its runs, or, if no solve starts from the previous answer, the single
+// targets of every run. All solvers solve a part on one machine, so that they can be compared.
 struct StudySize {
   int runs = 1;
-  int points = 1;  // of a run
+  int points = 1;  // per run
   int solvers = 1;
-  bool is_chained = true;  // a solve starts from the answer before it
+  bool is_chained = true;  // each solve starts from the previous answer
 };
 
 StudySize size_of(const Study& study);
-StudySize size_of(const results::StudyEntry& study);  // of a store; what was imported is nobody's work here
+StudySize size_of(const results::StudyEntry& study);  // of a stored study, without imported series
 
 // Shard I of N has the parts I, I + N, I + 2N, ...: more runs leave each part where it is.
 struct Shard {
@@ -33,14 +33,14 @@ struct Shard {
 
 constexpr int most_shards = 100'000;
 
-// "I/N"; else std::invalid_argument.
+// Reads "I/N"; throws std::invalid_argument for anything else.
 Shard shard_from(std::string_view text);
 
 bool contains(Shard shard, const StudySize& size, int run, int point);
-bool has_any(Shard shard, const StudySize& size, int run);  // some point of the run
+bool has_any(Shard shard, const StudySize& size, int run);  // true if the shard has a point of the run
 std::int64_t parts_of(const StudySize& size);
 std::int64_t solves_of(Shard shard, const StudySize& size);  // by all solvers
-// How many solves of each of N shards the store has, without those that were imported.
+// The number of stored solves of each of N shards, without imported ones.
 std::vector<std::int64_t> stored_by_shard(int count, const results::StudyEntry& study, const results::Store& store);
 
 }  // namespace ikbench::experiments

@@ -30,7 +30,7 @@ using namespace results;
 
 namespace {
 
-// How often the system took the processor from this thread.
+// Counts how often the system took the processor from this thread.
 double thread_interruptions() {
   rusage usage{};
   getrusage(RUSAGE_THREAD, &usage);
@@ -44,7 +44,7 @@ bool same_bits(const Numbers& a, const Numbers& b) {
   });
 }
 
-// With the entry's own population, which is told as an option of it.
+// The options as text, with the entry's own population as one of them.
 std::string options_text(Settings options, const SolverEntry& entry) {
   if (entry.program) {
     const ProgramChoice& choice = entry.program->choice;
@@ -61,7 +61,7 @@ std::string options_text(Settings options, const SolverEntry& entry) {
 
 std::vector<double> to_vector(const Configuration& values) { return {values.begin(), values.end()}; }
 
-// What a program is told of the arm; `searched` are its joints before the wrist, or all.
+// The arm as a program gets it; `searched` has its joints before the wrist, or all.
 ArmToSearch arm_to_search(const Study& study, const SolverEntry& entry, const Robot& arm, const Chain& searched) {
   ArmToSearch told{.name = arm.name,
                    .arm = searched,
@@ -266,13 +266,13 @@ SolveRecord SolveRunner::solve(Solver& solver, const Pose& target, const Configu
                     entry_.label, run, point));
   }
   std::ranges::sort(all, {}, &Timed::seconds);
-  const Timed& median = all[(all.size() - 1) / 2];  // one that was measured
+  const Timed& median = all[(all.size() - 1) / 2];  // a measured one, also of an even number
   const Solution& solution = median.solution;
   Configuration answer = median.answer;
 
   Verification verified = verify(arm_, target, start, answer);
   const Status status = status_of(median, verified, target);
-  if (stays(status)) {  // the arm stays where it was, and that is what is recorded
+  if (stays(status)) {  // the arm stays, and that is recorded
     answer = start;
     verified = verify(arm_, target, start, answer);
   }
@@ -333,7 +333,7 @@ Status SolveRunner::status_of(const Timed& timed, const Verification& verified, 
 
 void SolveRunner::add_account(SolveRecord& record, const Account& account) const {
   const bool is_hosted = entry_.program->choice.is_hosted();
-  if (!is_hosted) {  // else its time has no messages
+  if (!is_hosted) {  // a hosted solver's time contains no messages
     if (record.timing == Timing::clean) record.timing = Timing::process;
     record.round_trips = account.round_trips;
     record.transport_seconds = account.transport_seconds;

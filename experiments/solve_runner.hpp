@@ -15,7 +15,7 @@
 
 namespace ikbench::experiments {
 
-// What is searched for one target: all joints, or those before the wrist.
+// The search for one target: over all joints, or over those before the wrist.
 class Task {
  public:
   Task(const Study& study, const robots::Robot& arm);
@@ -23,7 +23,7 @@ class Task {
   const robots::Chain& arm() const { return wrist_ ? wrist_->arm() : arm_.chain; }
   solvers::Goal goal(const robots::Pose& target) const;
   solvers::Problem problem(const robots::Configuration& start, int population) const;
-  // All joints of the answer: those searched, and the wrist's by the closed form; wrapped where the study says so.
+  // All joints of the answer: those found by the search, the wrist's by the closed form, wrapped if the study says so.
   robots::Configuration completed(const robots::Configuration& found, const robots::Pose& target,
                                   const robots::Configuration& start) const;
 
@@ -36,25 +36,23 @@ class Task {
   std::optional<robots::SphericalWrist> wrist_;
 };
 
-// Study, entry and arm outlive it. It may be used by several threads at once, each with a solver of its own.
-// The reason as the store has it.
 results::StopReason recorded(solvers::Stopped stopped);
-// To the bit.
+// Compares bit for bit.
 bool same_answer(const solvers::Solution& a, const solvers::Solution& b);
 
 class SolveRunner {
  public:
-  // `repeats`: how often a problem is solved, to be timed; once where a solve ends by its wall time.
+  // `repeats` is the number of timed solves per problem; 1 if a solve ends by its wall time.
   SolveRunner(const Study& study, const SolverEntry& entry, const robots::Robot& arm, int repeats);
 
   const results::Series& series() const { return series_; }
-  // Good for any number of solves, one after the other: a solver that is started anew remembers nothing.
+  // Makes a solver for any number of solves, one after the other: starting it anew makes it forget all.
   std::unique_ptr<solvers::Solver> make_solver() const;
-  // What its program did besides solving, while no solver of it is left; none where it is built in.
+  // Notes about its program, once all its solvers are gone; none if it is built in.
   std::optional<ProgramNotes> notes() const;
-  // Where repeats are timed: solves once, untimed, so that the first is no slower than the others.
+  // Solves once, untimed, if repeats are timed, so that the first is no slower than the others.
   void warm_up(solvers::Solver& solver, const robots::Pose& target, const robots::Configuration& start) const;
-  // std::runtime_error where a repeat has another answer, to the bit.
+  // Throws std::runtime_error if a repeat has another answer, to the bit.
   results::SolveRecord solve(solvers::Solver& solver, const robots::Pose& target, const robots::Configuration& start,
                              int run, int point) const;
 
@@ -64,9 +62,9 @@ class SolveRunner {
     robots::Configuration answer;  // all joints
     double seconds;
     double cpu_seconds;
-    std::optional<Account> account = {};  // of a program
+    std::optional<Account> account = {};  // if a program solved
   };
-  struct Posed {  // a problem, and the random numbers to solve it by
+  struct Posed {  // a problem, and the random numbers to solve it with
     const robots::Pose& target;
     const robots::Configuration& start;
     solvers::Problem problem;
@@ -76,9 +74,9 @@ class SolveRunner {
   Timed timed(solvers::Solver& solver, const Posed& given) const;
   std::vector<Timed> repeated(solvers::Solver& solver, const Posed& given) const;
   results::Status status_of(const Timed& timed, const Verification& verified, const robots::Pose& target) const;
-  // A program's solve as its account tells it.
+  // Copies the program's own numbers into a solve.
   void add_word(Timed& timed, const Account& account) const;
-  // Of a program's solve, what only its account says.
+  // Adds the facts about a program's solve that only its account has.
   void add_account(results::SolveRecord& record, const Account& account) const;
   double beyond_reach(const robots::Pose& target) const;  // [m]; 0 within
 
@@ -86,13 +84,13 @@ class SolveRunner {
   const SolverEntry& entry_;
   const robots::Robot& arm_;
   Task task_;
-  robots::Chain::Ball reach_;  // of the joints that are searched
+  robots::Chain::Ball reach_;  // of the searched joints
   solvers::Settings options_;
   results::Series series_;
   int repeats_;
-  bool is_counted_;                     // its evaluations, here; a program's own word is not
-  int hosted_repeats_ = 0;              // of a shared object, made by its host
-  std::unique_ptr<Sessions> sessions_;  // of a program
+  bool is_counted_;                     // we count its evaluations; false if the program does
+  int hosted_repeats_ = 0;              // made by the host of a shared object
+  std::unique_ptr<Sessions> sessions_;  // null if no program solves
 };
 
 }  // namespace ikbench::experiments

@@ -1,4 +1,4 @@
-// A study is data: what is solved, by whom, how often, from which seed.
+// A study is data: the problems, the solvers, the number of repetitions, the seed.
 #pragma once
 
 #include <cstdint>
@@ -23,46 +23,46 @@ namespace ikbench::experiments {
 // pose: it searches all joints for position and orientation.
 enum class Search { wrist, all_joints, pose };
 
-// Which of the wrist's two branches completes an answer: the one with the smaller move, or that whose middle joint is
-// positive or negative.
-// inside: the nearer of those inside the joint limits, and the nearer of all where none is. Where limits are enforced a
-// branch outside gives way to one inside in any case.
+// The rule that picks one of the wrist's two branches for an answer. nearest: the smaller move. positive, negative: the
+// sign of the middle joint.
+// inside: the nearer of those inside the joint limits, or the nearer of both if none is. With enforced limits, a branch
+// outside always gives way to one inside.
 enum class WristBranch { nearest, positive, negative, inside };
 
-// Whether the joint limits hold for candidates: as each solver's own option says, or the same for all that have it.
+// Joint limits of candidates: as each solver's own option says, or the same for all solvers with that option.
 enum class StudyBounds { per_solver, initial, clamp };
 
-// recorded: an answer outside the joint limits is kept and told. enforced: limits hold for every solver and for the
-// wrist, and an answer outside is refused: the arm stays where it was.
+// recorded: an answer outside the joint limits is kept and reported. enforced: limits hold for every solver and for the
+// wrist; an answer outside is refused, and the arm stays where it was.
 enum class Limits { recorded, enforced };
 
-// into_limits: of an answer, each joint that turns and is outside its limits is turned back inside by whole turns,
-// which changes no pose, where that is possible.
+// into_limits: turns revolute joints of an answer back inside their limits by whole turns, where possible. No pose
+// changes.
 enum class Wrap { no, into_limits };
 
-// Where the solves of a run begin: where the answer before left the arm, or each at the initial configuration, in the
-// middle of the limits, at a configuration drawn from seed, run and point, or near the one that the target was made of.
+// The start of each solve of a run: the previous answer, the initial configuration, the middle of the limits, a
+// configuration drawn from seed, run and point, or one near the configuration that the target was made of.
 enum class Start { previous, initial, middle, random, near };
 
 struct Program;  // foreign/program.hpp
 
-// What becomes of a study where a solver of it is of a library that this program was built without: it is refused, or
-// goes on without that solver and says so.
+// The treatment of a solver whose library this program was built without: refuse the study, or leave the solver out and
+// say so.
 enum class IfMissing { refuse, leave_out };
 
 struct SolverEntry {
-  std::string label;                            // unique within the study; its name in tables and figures
-  std::string solver;                           // registered name; of a program, its own
-  solvers::Settings options;                    // those that differ from the solver's defaults
-  int population = 0;                           // 0: the study's
+  std::string label;                            // unique in the study; the name in tables and figures
+  std::string solver;                           // registered name, or a program's own name
+  solvers::Settings options;                    // only those that differ from the solver's defaults
+  int population = 0;                           // 0: as the study
   std::shared_ptr<const Program> program = {};  // null: the solver is built in
   IfMissing if_missing = IfMissing::refuse;
-  // A solver of who uses these libraries, under the name of `solver`; null: it is registered. Its source is the file of
-  // the running program: whatever of that changes, it solves anew.
+  // A solver that a user of these libraries defines, named `solver`; null: a registered one. The running program's file
+  // counts as its source, so any change of the program solves anew.
   std::shared_ptr<const solvers::SolverInfo> own = {};
 };
 
-// Of an entry's solver that is no program.
+// The solver of an entry that is no program.
 solvers::SolverInfo info_of(const SolverEntry& entry);
 
 struct LeftOut {
@@ -73,13 +73,13 @@ struct LeftOut {
 struct Study {
   std::string name = "study";
   std::string title;
-  std::string published;              // the paper whose printed tables are set beside the results, or empty
+  std::string published;              // the paper whose printed tables stand beside the results, or empty
   std::string robot = "kuka_iiwa14";  // a built-in arm, or a file
-  std::shared_ptr<const robots::Robot> robot_of_file;  // what that file holds; null: the arm is built in
-  robots::UrdfChoice urdf;                             // of that file, if it is a URDF file
+  std::shared_ptr<const robots::Robot> robot_of_file;  // the arm in that file; null: the arm is built in
+  robots::UrdfChoice urdf;                             // for a URDF file
   Path path;
   Search search = Search::wrist;
-  // What a radian weighs in the error of a pose [m]: the three points that are compared are about as far apart as the
+  // The weight of a radian in a pose error [m]. The error compares three points that are about as far apart as the
   // parts of a tool and of what it holds. With 0.1 m or 1 m, swarms find fewer poses of a UR5e.
   double rotation_weight = 0.25;
   StudyBounds bounds = StudyBounds::per_solver;
@@ -87,13 +87,13 @@ struct Study {
   Limits limits = Limits::recorded;
   Wrap wrap = Wrap::no;
   Start start = Start::previous;
-  double near = 5 * numerics::degree;  // [rad] of Start::near: the farthest that a joint is from the solution
-  Eigen::VectorXd initial;             // [rad], all joints; where the arm is before the first point of a run
+  double near = 5 * numerics::degree;  // [rad] for Start::near: largest distance of a joint from the solution
+  Eigen::VectorXd initial;             // [rad], all joints; the arm before the first point of a run
   int population = 50;
   solvers::StopRule stop;
   int runs = 20;
-  double deadline = 0;  // [s] of a solve, by which its time is judged; 0: none. It ends no solve
-  int repeats = 5;      // of a solve, to time it; decides no number but times (runner.hpp)
+  double deadline = 0;  // [s] by which a solve's time is judged; 0: none. It ends no solve
+  int repeats = 5;      // timed solves per problem; decides only times (runner.hpp)
   std::uint64_t seed = 1;
   solvers::Trace trace = solvers::Trace::none;
   std::vector<SolverEntry> solvers;
@@ -101,34 +101,32 @@ struct Study {
   results::AnalysisPlan analysis;  // how the solves will be judged; decides no number of them
 };
 
-// The arm that it is about; std::invalid_argument where there is none of that name.
+// The study's arm; std::invalid_argument if there is none of that name.
 robots::Robot arm_of(const Study& study);
 
-// What the values of an arm's joints are given in outside the program: degrees, and metres where a joint slides.
+// The unit of each joint outside the program: degrees, or metres if the joint slides.
 robots::Configuration joint_units(const robots::Chain& arm);
 
-// The defaults of the entry's solver with these settings; std::invalid_argument as OptionList::set says.
+// The defaults of the entry's solver with these settings applied. Throws std::invalid_argument as OptionList::set does.
 solvers::Settings options_with(const SolverEntry& entry, const solvers::Settings& settings);
-// What each entry's solver is really made with: the study's bounds applied, its own options over them, defaults
-// filled in.
+// The options that an entry's solver is made with: its defaults, the study's bounds, then its own options.
 solvers::Settings effective_options(const Study& study, const SolverEntry& entry);
 int effective_population(const Study& study, const SolverEntry& entry);
 
-// Where the tool has to go in a run, the same for all solvers. Only random targets differ from run to run; those of
-// one with more points begin with those of one with fewer. `arm` is arm_of(study), which reads and checks a file.
+// The targets of a run, the same for all solvers. Only random targets differ between runs; those of a longer run begin
+// with those of a shorter one. `arm` is arm_of(study), which reads and checks a file.
 std::vector<robots::Pose> targets(const Study& study, const robots::Robot& arm, int run);
 std::vector<robots::Pose> targets(const Study& study, int run);
 
-// Where each solve of a run starts, the same for all solvers; none for Start::previous and Start::initial.
+// The starts of a run's solves, the same for all solvers; none for Start::previous and Start::initial.
 std::vector<robots::Configuration> starts(const Study& study, const robots::Robot& arm, int run);
 
-// Why no two solvers of the study were given the same problem, so that there are no blocks to compare them in; empty
-// where there are: targets drawn anew in every run are the same for all solvers, and so is each target of a path whose
-// solves all begin at the initial configuration.
+// Says why the study has no blocks, problems that all solvers share; empty if it has at least two: runs with their own
+// targets, or the points of a path if no solve starts from the previous answer.
 std::string why_no_blocks(const Study& study);
 
-// A target that no configuration reaches, for certain: by the distance from the shoulder (to the wrist's centre, where
-// that is what is searched).
+// A target that certainly no configuration reaches, by its distance from the shoulder (to the wrist's centre, if that
+// is searched).
 struct Unreachable {
   int point;        // from 1
   double distance;  // [m]

@@ -19,7 +19,7 @@ using namespace solvers;
 
 namespace {
 
-// What the fields of a solver and those of the study ask of each other.
+// Checks the fields of the solvers against those of the study.
 void check_solvers(const TomlReader& reader, const Study& study, const Robot& arm) {
   const toml::table& table = reader.table();
   const bool is_enforced = study.limits == Limits::enforced;
@@ -29,7 +29,7 @@ void check_solvers(const TomlReader& reader, const Study& study, const Robot& ar
     throw mistake(reader, table.get("bounds"), "bounds", not_enforced);
   for (std::size_t i = 0; i < study.solvers.size(); ++i) {
     const SolverEntry& entry = study.solvers[i];
-    if (entry.program) continue;  // it says itself what it cannot solve
+    if (entry.program) continue;  // a program itself declines what it cannot solve
     const auto own = table["solvers"][i];
     const Asked asked = study.search == Search::pose ? Asked::pose : Asked::position;
     if (const std::string why = solver(entry.solver).why_not(arm.chain, asked); !why.empty()) {
@@ -49,7 +49,7 @@ void check_solvers(const TomlReader& reader, const Study& study, const Robot& ar
   }
 }
 
-// What only a search for poses has.
+// Checks the fields that only a search for poses has.
 void check_search(const TomlReader& reader, const Study& study) {
   const toml::table& table = reader.table();
   const double position = study.stop.tolerance / centimetre, angle = study.stop.angle_tolerance / degree;
@@ -75,7 +75,7 @@ void check_search(const TomlReader& reader, const Study& study) {
   }
 }
 
-// What the path, the arm and the start ask of each other.
+// Checks that path, arm and start fit each other.
 void check_targets(const TomlReader& reader, const Study& study, const Robot& arm) {
   try {
     study.path->check(arm);

@@ -1,4 +1,4 @@
-// What the fields of a study ask of each other.
+// Checks that the fields of a study fit each other.
 #pragma once
 
 #include "experiments/study.hpp"
@@ -7,7 +7,7 @@
 
 namespace ikbench::experiments {
 
-// Of a study as it was read, with its arm. std::invalid_argument says where, what is wrong, and what is expected.
+// Checks a study as it was read, with its arm. std::invalid_argument says where, what is wrong, and what is expected.
 void check_fields(const numerics::TomlReader& reader, const Study& study, const robots::Robot& arm);
 
 }  // namespace ikbench::experiments

@@ -1,7 +1,7 @@
-// The fields of a study, said once: name, field, range, meaning, and whether it decides no number of a solve. What
-// reads and writes studies (table_reader.hpp, study_writer.cpp) and the key of a series (series_key.cpp) follow this
-// list, so that an option of a study is a member in study.hpp and an entry here. The fields of a path are in paths/,
-// those of the analysis plan in results/analysis_plan_fields.hpp.
+// The fields of a study, listed once: name, member, range, meaning, and whether it decides a number of a solve. Readers
+// and writers of studies (table_reader.hpp, study_writer.cpp) and the key of a series (series_key.cpp) follow this
+// list. A new option of a study is a member in study.hpp and an entry here. The fields of a path are in paths/, those
+// of the analysis plan in results/analysis_plan_fields.hpp.
 #pragma once
 
 #include <cstdint>
@@ -30,7 +30,7 @@ inline void list_fields(Fields& io, solvers::StopRule& stop) {
             "maximum wall time of a solve; results then depend on the machine; 0: no maximum", InKey::in_text);
 }
 
-// The key has the chain and the limits that come of them.
+// The key has the chain and the limits that result from these.
 inline void list_fields(Fields& io, robots::UrdfChoice& urdf) {
   using Which = robots::UrdfChoice::Limits;
   io.text("base", urdf.base, "link from which the arm is read; \"\": the root", InKey::in_text);

@@ -14,7 +14,7 @@ using namespace numerics;
 
 namespace {
 
-// The text as a TOML value, or else as a string: both `runs=5` and `path.tool=eq27` are what people type.
+// Inserts the text as a TOML value, or else as a string: people type both `runs=5` and `path.tool=eq27`.
 void insert(toml::table& table, std::string_view key, const std::string& text) {
   refuse_deep_keys(text, "--set");
   try {

@@ -1,4 +1,4 @@
-// `key=value` over what a study's table says.
+// Overrides of a study's table: `key=value`.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace ikbench::experiments {
 
-// One override of a study's table; std::invalid_argument names what is wrong with it.
+// Applies one override to a study's table; std::invalid_argument says what is wrong with it.
 void override_one(toml::table& study, const std::string& text);
 
 }  // namespace ikbench::experiments

@@ -36,7 +36,7 @@ const Choices<IfMissing> if_missing_choices{{"refuse", IfMissing::refuse}, {"lea
 
 std::string source_of(const EmbeddedFile& file) { return fmt::format("built-in study {}", file.stem()); }
 
-// Where a file that a key names is: beside the study, or of --set in the current folder.
+// The folder of a file that a key names: the study's, or the current one if --set gave the key.
 std::filesystem::path folder_of(const TomlReader& reader, std::string_view key) {
   const toml::node* const node = reader.table().get(key);
   const std::string where = reader.where(node == nullptr ? reader.table().source() : node->source(), key);
@@ -61,7 +61,7 @@ Path read_path(TomlReader reader) {
   return path;
 }
 
-// Takes out the entries whose solvers this program was built without, where they say that the study goes on.
+// Removes entries that may be left out and whose solvers this program was built without.
 std::vector<LeftOut> leave_out(toml::table& study) {
   std::vector<LeftOut> left_out;
   toml::array* const entries = study["solvers"].as_array();
@@ -82,7 +82,7 @@ std::vector<LeftOut> leave_out(toml::table& study) {
   return left_out;
 }
 
-// Starts the program or the host of the shared object, which says who it is and what options it has.
+// Starts the program, or the host of the shared object, to read its name and options.
 std::shared_ptr<const Program> read_program(TomlReader& reader, std::string_view key, const std::string& solver) {
   ProgramChoice choice{.solver = solver};
   TableReader fields(reader);
@@ -100,7 +100,7 @@ std::shared_ptr<const Program> read_program(TomlReader& reader, std::string_view
   }
 }
 
-// A built-in solver, a program, or a shared object, of which `solver` may be the name in it.
+// Reads what an entry is: a built-in solver, a program, or a shared object, in which `solver` may name one.
 void read_kind(TomlReader& reader, SolverEntry& entry) {
   reader.text("solver", entry.solver, "");
   const toml::node *name = reader.find("solver"), *process = reader.find("process"),
@@ -182,7 +182,7 @@ std::vector<SolverEntry> read_solvers(TomlReader& reader) {
   return entries;
 }
 
-// `study`: its path, runs and solvers, which the plan is about.
+// The plan depends on `study`'s path, runs and solvers.
 AnalysisPlan read_analysis(TomlReader reader, const Study& study, PointsAsObservations points_as_observations) {
   AnalysisPlan plan;
   list_fields(reader, plan);
@@ -218,7 +218,7 @@ UrdfChoice read_urdf(TomlReader reader, const Study& study) {
   return choice;
 }
 
-// The study's arm: a built-in one, or a file in the study's folder, and for --set in the current one.
+// Reads the study's arm: a built-in one, or a file in the study's folder (for --set in the current one).
 Robot read_arm(const TomlReader& reader, Study& study) {
   const toml::node* const node = reader.table().get("robot");
   if (!is_arm_file(study.robot)) {
@@ -267,7 +267,7 @@ Study read_study(const toml::table& table, std::string_view source, PointsAsObse
   }
   const Robot arm = read_arm(reader, study);
   const Configuration units = joint_units(arm.chain);
-  if (study.initial.size() == 0) {  // the nearest to zeros that the limits allow
+  if (study.initial.size() == 0) {  // zeros, or the nearest that the limits allow
     study.initial = arm.limits.lower.cwiseMax(Eigen::VectorXd::Zero(arm.joints())).cwiseMin(arm.limits.upper);
   } else if (study.initial.size() == arm.joints()) {
     study.initial = study.initial.cwiseProduct(units).eval();

@@ -25,7 +25,7 @@ using namespace results;
 
 namespace {
 
-// The number x for which x * unit is `value` again, bit for bit, where there is one near.
+// The number x for which x * unit is `value` bit for bit, if there is one nearby.
 double in_unit(double value, double unit) {
   const double guess = value / unit;
   for (const double x :
@@ -66,7 +66,7 @@ class TomlWriter final : public Fields {
     out += meaning.empty() ? fmt::format("{} = {}\n", key, value) : fmt::format("{} = {}  # {}\n", key, value, meaning);
   }
 
-  // Of the analysis plan alone.
+  // Used by the analysis plan alone.
   template <class Enum>
   void chosen(std::string_view key, const std::vector<Enum>& field, const Choices<Enum>& choices,
               std::string_view meaning) {
@@ -113,7 +113,7 @@ class TomlWriter final : public Fields {
 
 class JsonWriter final : public Fields {
  public:
-  // Of the analysis plan alone.
+  // Used by the analysis plan alone.
   template <class Enum>
   void chosen(std::string_view key, const std::vector<Enum>& field, const Choices<Enum>&, std::string_view) {
     for (const Enum value : field) out[std::string(key)].push_back(name_of(value));
@@ -147,7 +147,7 @@ std::string dumped(const nlohmann::ordered_json& json) {
   return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
-// With the initial configuration in the units of files.
+// The study with its initial configuration in the units of files.
 Study as_in_files(Study study) {
   if (study.initial.size() == 0) return study;
   const Configuration units = joint_units(arm_of(study).chain);
@@ -169,12 +169,12 @@ nlohmann::ordered_json definition(const Study& study) {
   }
   path.out["kind"] = fields.path->name();
   fields.path->list_fields(path);
-  if (fields.path->is_drawn()) path.out["targets"] = "drawn";  // what `analysis` has to know of a kind of path
+  if (fields.path->is_drawn()) path.out["targets"] = "drawn";  // `analysis` needs to know only this of a kind of path
   writer.out["path"] = path.out;
   return writer.out;
 }
 
-// The arm as its file has it, so that whoever has the store can draw it.
+// The arm as in its file, so that readers of the store can draw it.
 nlohmann::ordered_json arm_definition(const Robot& arm) {
   nlohmann::ordered_json json;
   for (Eigen::Index j = 0; j < arm.joints(); ++j) {
@@ -197,9 +197,8 @@ nlohmann::ordered_json arm_definition(const Robot& arm) {
   return json;
 }
 
-// The settings in which a study differs from the built-in one that claims to be of the same paper and is most like it:
-// by the kind of path, then by the arm. A name, a title, a seed, a trace, repeats and how the solves are judged make no
-// difference to that claim; further solvers neither.
+// The settings in which a study differs from the built-in one of the same paper that is most like it, by the kind of
+// path, then by the arm. These may differ freely: name, title, seed, trace, repeats, the analysis, and further solvers.
 std::vector<std::string> departures(const Study& study) {
   const std::vector<Study> known = studies();
   const auto is_of_same_paper = [&](const Study& candidate) {
@@ -209,7 +208,7 @@ std::vector<std::string> departures(const Study& study) {
     if (!is_of_same_paper(candidate)) return 0;
     return 1 + (candidate.path->name() == study.path->name() ? 2 : 0) + (candidate.robot == study.robot ? 1 : 0);
   };
-  const auto original = std::ranges::max_element(known, {}, likeness);  // the first of those
+  const auto original = std::ranges::max_element(known, {}, likeness);  // the first of equals
   std::vector<std::string> found;
   if (original == known.end() || likeness(*original) == 0) return found;
   const auto ours = definition(study).flatten(), theirs = definition(*original).flatten();

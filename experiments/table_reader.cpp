@@ -33,7 +33,7 @@ void TableReader::on_numbers(Name name, Eigen::VectorXd& field, double unit, int
   table_.numbers(name.key, field, unit, size, name.meaning);
 }
 
-// A study without them is no study: this key has to be given.
+// This key is required: a study needs targets.
 void TableReader::on_poses(Name name, std::vector<Pose>& field) {
   const toml::node* node = table_.find(name.key);
   const std::string expected =

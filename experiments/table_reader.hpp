@@ -11,8 +11,7 @@
 
 namespace ikbench::experiments {
 
-// Fields whose keys are not given stay as they are; the others are set, or std::invalid_argument
-// (numerics/toml_table.hpp).
+// Sets the fields whose keys are given and leaves the others. Throws std::invalid_argument (numerics/toml_table.hpp).
 class TableReader final : public Fields {
  public:
   explicit TableReader(numerics::TomlReader& table) : table_(table) {}
@@ -30,7 +29,7 @@ class TableReader final : public Fields {
   numerics::TomlReader& table_;
 };
 
-// What is wrong with the value of a key, or with its absence, where `node` is null.
+// An exception about the value of a key, or about its absence if `node` is null.
 std::invalid_argument mistake(const numerics::TomlReader& reader, const toml::node* node, std::string_view key,
                               std::string_view message);
 

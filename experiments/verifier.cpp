@@ -37,7 +37,7 @@ Matrix product(const Matrix& left, const Matrix& right) {
   return result;
 }
 
-// Our own sine and cosine, for the same bits everywhere; with the C library as their witness: NaN where the two differ.
+// Our own sine and cosine, for the same bits everywhere. The C library is the witness: NaN if the two differ.
 SinCos witnessed_sin_cos(double angle) {
   const SinCos of = sin_cos(angle);
   const bool same = std::abs(of.sine - std::sin(angle)) <= 1e-15 && std::abs(of.cosine - std::cos(angle)) <= 1e-15;
@@ -68,15 +68,15 @@ Matrix moved(double x, double y, double z) {
   return matrix;
 }
 
-// The largest element, and 0 at least; NaN where the vector is not finite, which maxCoeff may pass over.
+// The largest element, at least 0; NaN if the vector is not finite, which maxCoeff may pass over.
 double largest(const Eigen::VectorXd& values) {
   return values.allFinite() ? std::max(0.0, values.maxCoeff()) : std::numeric_limits<double>::quiet_NaN();
 }
 
-// Radians and metres are apart.
+// Keeps radians and metres apart.
 enum class Kind { turns, slides };
 
-// The values of the joints of one kind; the others' are 0.
+// The values of the joints of one kind; 0 for the others.
 Eigen::VectorXd of_joints(const Robot& robot, Eigen::VectorXd values, Kind kind) {
   for (Eigen::Index j = 0; j < values.size(); ++j) {
     const bool slides = robot.chain.links()[static_cast<std::size_t>(j)].joint == Joint::slides;
@@ -85,7 +85,7 @@ Eigen::VectorXd of_joints(const Robot& robot, Eigen::VectorXd values, Kind kind)
   return values;
 }
 
-// From start to answer; where a joint turns without end, the shorter way round.
+// The move from start to answer; a joint that turns without end goes the shorter way round.
 Eigen::VectorXd move_between(const JointLimits& limits, const Eigen::VectorXd& start, const Eigen::VectorXd& answer) {
   Eigen::VectorXd move = answer - start;
   for (Eigen::Index j = 0; j < move.size(); ++j) {
@@ -96,13 +96,13 @@ Eigen::VectorXd move_between(const JointLimits& limits, const Eigen::VectorXd& s
 
 double beyond_rounding(double violation) { return violation <= rounding ? 0 : violation; }
 
-// Of two rotations, whose difference has the norm sqrt(8) sin(angle / 2).
+// The angle between two rotations; their difference has the norm sqrt(8) sin(angle / 2).
 double angle_between(const Eigen::Matrix3d& a, const Eigen::Matrix3d& b) {
   const double sine = (a - b).norm() / std::sqrt(8.0);
   return 2 * arc_tangent(sine, std::sqrt(std::max(0.0, 1 - sine * sine)));
 }
 
-// The root mean square distance of three points of the tool: its own, and those `weight` along its x and y.
+// The root mean square distance of three points of the tool: its own, and those `weight` along its x and y axes.
 double pose_error(const Verification& verified, double weight) {
   const Eigen::Vector3d off = verified.off.col(3);
   const double squares = off.squaredNorm() + (off + weight * verified.off.col(0)).squaredNorm() +
@@ -116,7 +116,7 @@ Matrix pose_of(const Frame& frame) {
   return product(pose, turned_about_x(frame.rpy.x()));
 }
 
-// Along or about the axis of a joint, Rodrigues' formula by elements.
+// The motion along or about the axis of a joint: Rodrigues' formula by elements.
 Matrix motion_of(const DescribedJoint& joint, double value) {
   const double x = joint.axis.x(), y = joint.axis.y(), z = joint.axis.z();
   if (joint.motion == DescribedJoint::Motion::slides) return moved(value * x, value * y, value * z);
@@ -138,7 +138,7 @@ Eigen::Matrix4d as_eigen(const Matrix& pose) {
   return result;
 }
 
-// Transforms one after the other, at most four.
+// Up to four transforms, one after the other.
 class Transforms {
  public:
   void add(const Matrix& transform) { all_[count_++] = transform; }
@@ -159,7 +159,7 @@ Transforms transforms_of(const DhLink& link, double joint) {
   Transforms transforms;
   transforms.add(is_coupled ? turned_about_y(angle) : turned_about_z(angle));
   transforms.add(moved(link.a, 0, along_z));
-  // After the link it is turned back: that is what a parallelogram does.
+  // A parallelogram turns back after the link.
   if (is_coupled) transforms.add(turned_about_y(-angle));
   transforms.add(turned_about_x(link.alpha));
   return transforms;
@@ -172,7 +172,7 @@ Transforms transforms_of(const DescribedJoint& joint, double value) {
   return transforms;
 }
 
-// An arm at one configuration, link by link, so that what comes before a joint is not computed again where it moves.
+// An arm at one configuration, link by link, so that moving a joint does not compute again what comes before it.
 template <class Link>
 class Arm {
  public:
@@ -191,7 +191,7 @@ class Arm {
   }
 
   Eigen::Matrix4d pose() const { return pose_; }
-  // With one joint elsewhere.
+  // The pose with one joint at another value.
   Eigen::Matrix4d pose_with(Eigen::Index joint, double value) const {
     std::size_t i = link_of_joint_[static_cast<std::size_t>(joint)];
     Matrix pose = transforms_of(links_[i], value).past(before_[i]);
@@ -207,12 +207,12 @@ class Arm {
   const std::vector<Link>& links_;
   std::optional<Matrix> tool_;
   Eigen::Matrix4d pose_;
-  std::vector<Matrix> before_;  // each link
+  std::vector<Matrix> before_;  // the pose before each link
   std::vector<Transforms> transforms_;
   std::vector<std::size_t> link_of_joint_;
 };
 
-// Gives `use` the arm by its table, or one from a URDF file by its origins and axes.
+// Calls `use` with the arm by its table, or by its origins and axes if it is from a URDF file.
 template <class Use>
 auto with_arm(const Chain& chain, const Eigen::VectorXd& q, Use&& use) {
   return use(Arm<DhLink>(pose_of(chain.base()), chain.links(), pose_of(chain.tool()), q));
@@ -301,7 +301,7 @@ bool is_over(const SolveRecord& solve, const Budget& budget) {
 
 Status judge(const Verification& verified, const Requirement& requirement) {
   if (!std::isfinite(verified.position_error) || !std::isfinite(verified.orientation_error)) return Status::not_finite;
-  const bool claim_holds = std::abs(verified.position_error - requirement.claimed_error) <= rounding;  // not for NaN
+  const bool claim_holds = std::abs(verified.position_error - requirement.claimed_error) <= rounding;  // false for NaN
   const bool pose_claim_holds =
       requirement.rotation_weight == 0 ||
       std::abs(pose_error(verified, requirement.rotation_weight) - requirement.claimed_pose_error) <= rounding;

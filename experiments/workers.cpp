@@ -12,8 +12,8 @@ using namespace results;
 
 namespace {
 
-// Everybody comes and goes through one door. Debian's oneTBB is built without the thread sanitizer, which therefore
-// does not see how work is handed over and taken back; it sees this mutex.
+// Every worker passes this mutex at its start and end. Debian's oneTBB is built without the thread sanitizer, which
+// therefore does not see how work is handed over and taken back; it sees this mutex.
 class Door {
  public:
   Door() { pass(); }
@@ -37,7 +37,7 @@ void work_together(int jobs, const std::function<void()>& worker) {
     worker();
   };
   const Door door;
-  // Else oneTBB has no more threads than processors, whatever is asked for.
+  // Without this, oneTBB has no more threads than processors, whatever is asked for.
   const tbb::global_control threads(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(jobs));
   tbb::task_arena(jobs).execute([&] { tbb::parallel_for(0, jobs, work); });
 }

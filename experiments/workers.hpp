@@ -1,4 +1,4 @@
-// Threads that work side by side, and the record_queue where they hand in what they made.
+// Threads that work side by side, and the queue where they hand in their records.
 #pragma once
 
 #include <functional>
@@ -9,12 +9,12 @@
 
 namespace ikbench::experiments {
 
-// Calls `worker` `jobs` times, side by side, and returns when all have ended; one job is this thread's own. What a
-// worker throws is thrown here.
+// Calls `worker` in `jobs` threads and returns when all have ended; one job runs in this thread. Rethrows what a worker
+// throws.
 void work_together(int jobs, const std::function<void()>& worker);
 
-// Passes records on, one thread at a time. What is handed in meanwhile waits and is passed on next, all at once, by the
-// thread that is at it, so that no worker ever waits for another's. Once passing on has failed it is not tried again.
+// Passes records on, one thread at a time. Records handed in meanwhile wait, and the busy thread passes them on next,
+// all at once, so that no worker waits for another. After a failure it passes nothing on.
 class RecordQueue {
  public:
   using PassOn = std::function<void(std::vector<results::SolveRecord>)>;

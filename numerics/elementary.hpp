@@ -1,5 +1,5 @@
-// Sine, cosine and logarithm in lanes, from + - * / and fused multiply-add alone: the same bits on every processor and
-// from every compiler. For kernel units only, as lanes.hpp.
+// Sine, cosine and logarithm in lanes, made of + - * / and fused multiply-add only: the same bits on every processor
+// and from every compiler. For kernel units only, like lanes.hpp.
 #pragma once
 
 #include "numerics/lanes.hpp"
@@ -14,7 +14,7 @@ struct SinCosLanes {
   Reals sine, cosine;
 };
 
-// For |r| <= pi/4, within 1 ulp. Coefficients of fdlibm's kernels (Sun Microsystems 1993).
+// For |r| <= pi/4, within 1 ulp. The coefficients are those of fdlibm's kernels (Sun Microsystems 1993).
 IKBENCH_LANES SinCosLanes sin_cos_of_eighth(Reals r) {
   const Reals z = r * r;
   Reals s = fused(z, all(1.58969099521155010221e-10), all(-2.50507602534068634195e-08));
@@ -32,15 +32,15 @@ IKBENCH_LANES SinCosLanes sin_cos_of_eighth(Reals r) {
 
 struct Turned {
   SinCosLanes of;
-  Bits turns;  // the pattern of to_integer + the number of quarter turns: for `angle_refused`
+  Bits turns;  // the bits of to_integer + the number of quarter turns, for `angle_refused`
 };
 
 IKBENCH_LANES Reals nearest_turn(Reals angle) {
   return fused(angle, all(0x1.45f306dc9c883p-1), all(to_integer));  // 2/pi
 }
 
-// Within 1.5 ulp and 1.6e-33 a quarter turn (what pi/2 in two parts leaves out), for less than 2^51 of these; any
-// numbers else, where `angle_refused` says so.
+// Within 1.5 ulp and 1.6e-33 per quarter turn (pi/2 in two parts leaves out so much), for less than 2^51 quarter turns.
+// Beyond, the numbers are arbitrary, and `angle_refused` says so.
 IKBENCH_LANES Turned sin_cos(Reals angle) {
   const Reals nearest = nearest_turn(angle);
   const Bits quarter = bits(nearest);
@@ -55,8 +55,8 @@ IKBENCH_LANES Turned sin_cos(Reals angle) {
           quarter};
 }
 
-// From the `turns` of one or more angles, combined by `|`: all ones where one of them was 2^51 quarter turns or more,
-// infinite or NaN. Only then does the exponent differ from that of to_integer.
+// Combines by `|` the `turns` of one or more angles: all ones if one was 2^51 quarter turns or more, infinite or NaN.
+// Only then does the exponent differ from that of to_integer.
 IKBENCH_LANES Bits turned_too_far(Bits turns) { return turns ^ 0x4330000000000000u; }
 IKBENCH_LANES Bits angle_refused(Bits too_far) { return where_any(too_far, 0xfff0000000000000u); }
 

@@ -1,4 +1,4 @@
-// Files that the build carries in the program (embed.cmake): arms, studies, interpretations, printed tables, the page.
+// Files that the build embeds in the program (embed.cmake): arms, studies, interpretations, printed tables, the page.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +14,7 @@ struct EmbeddedFile {
   constexpr std::string_view stem() const { return name.substr(0, name.rfind('.')); }
 };
 
-// By its name without the extension; null where there is none.
+// Finds a file by its name without the extension; null if there is none.
 constexpr const EmbeddedFile* find_embedded(std::span<const EmbeddedFile> files, std::string_view stem) {
   const auto found = std::ranges::find(files, stem, &EmbeddedFile::stem);
   return found == files.end() ? nullptr : &*found;

@@ -20,11 +20,11 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
-// For -1022 <= k <= 1023.
+// Requires -1022 <= k <= 1023.
 double two_to_the(std::int64_t k) { return std::bit_cast<double>(static_cast<std::uint64_t>(1023 + k) << 52); }
 
-// high + low, of which low is what rounding took from high: twice the digits of a double (Dekker, Numerische Mathematik
-// 18 (1971) 224).
+// The sum high + low; low is the rounding error of high, so it has twice the digits of a double (Dekker, Numerische
+// Mathematik 18 (1971) 224).
 struct Pair {
   double high, low;
 };
@@ -75,7 +75,7 @@ Pair logarithm_in_two(double x) {
   return sum(product({static_cast<double>(exponent), 0}, ln_2), twice);
 }
 
-// e to the power of x, as accurate as power(x, y) is said to be.
+// e to the power of x, accurate enough for power(x, y).
 double exponential_of(Pair x) {
   if (x.high > 710) return infinity;
   if (x.high < -746) return 0;
@@ -115,7 +115,7 @@ double arc_tangent(double y, double x) {
   if (std::isnan(x) || std::isnan(y)) return not_a_number;
   const double up = std::abs(y), along = std::abs(x);
   const bool steep = up > along;
-  // The ratio's arc tangent, from the nearest of 0, 1/2 and 1 on. (inf, inf) has the angle of (1, 1).
+  // The ratio's arc tangent, expanded about the nearest of 0, 1/2 and 1. (inf, inf) has the angle of (1, 1).
   const double ratio = up == along ? (up == 0 ? 0.0 : 1.0) : steep ? along / up : up / along;
   struct Centre {
     double tangent, high, low;  // arc tangent in two parts
@@ -138,14 +138,14 @@ double exponential(double x) {
   if (std::isnan(x)) return x;
   if (x > 0x1.62e42fefa39efp+9) return infinity;
   if (x < -708.39) return 0;
-  // e^x = 2^n e^r with |r| <= ln(2) / 2, and ln 2 in two parts of which the first has bits to spare.
+  // e^x = 2^n e^r with |r| <= ln(2) / 2; ln 2 in two parts, so that n times the first is exact.
   constexpr double to_integer = 0x1.8p52;
   const double n = (x * std::numbers::log2e + to_integer) - to_integer;
   const double r = (x - n * 6.93147180369123816490e-01) - n * 1.90821492927058770002e-10;
   double sum = 0;  // Taylor's series; the first term left out is below 1e-18
   for (int k = 13; k >= 2; --k) sum = r / k * (1 + sum);
   const double mantissa = 1 + (r + r * sum);
-  // In two steps: 2^1024 is no number.
+  // In two steps, since 2^1024 is not a double.
   const auto half = static_cast<std::int64_t>(n) / 2, rest = static_cast<std::int64_t>(n) - half;
   return mantissa * two_to_the(half) * two_to_the(rest);
 }
@@ -173,7 +173,7 @@ double power(double x, double y) {
   if (size == 1) return sign;
   if (size == 0 || std::isinf(size) || std::isinf(y)) return sign * ((size > 1) == (y > 0) ? infinity : 0.0);
   const Pair log = logarithm_in_two(size);
-  if (std::abs(y) > 0x1p64) return sign * ((log.high > 0) == (y > 0) ? infinity : 0.0);  // and |log| >= 2^-53
+  if (std::abs(y) > 0x1p64) return sign * ((log.high > 0) == (y > 0) ? infinity : 0.0);  // since |log| >= 2^-53
   return sign * exponential_of(product({y, 0}, log));
 }
 

@@ -1,6 +1,6 @@
-// The elementary functions of everything that decides a number: sine, cosine, arc tangent, exponential, logarithm and
-// power. Those of the C library differ between libraries and processors in their last bits; these are + - * / and fused
-// multiply-add alone.
+// Elementary functions for everything that decides a number: sine, cosine, arc tangent, exponential, logarithm and
+// power. Those of C libraries differ in their last bits between libraries and processors; these use only + - * / and
+// fused multiply-add.
 #pragma once
 
 #include <Eigen/Core>
@@ -11,10 +11,10 @@ struct SinCos {
   double sine, cosine;
 };
 
-// Within 1.5 ulp and 1.6e-33 a quarter turn; NaN for an angle that is infinite, NaN or 2^51 quarter turns (3.5e15 rad)
-// or more.
+// Within 1.5 ulp and 1.6e-33 per quarter turn; NaN if the angle is infinite, NaN or 2^51 quarter turns (3.5e15 rad) or
+// more.
 SinCos sin_cos(double angle);
-// The same of many angles; std::invalid_argument where the three have not the same size.
+// The same for many angles; std::invalid_argument if the three sizes differ.
 void sines_and_cosines(const Eigen::Ref<const Eigen::VectorXd>& angles, Eigen::Ref<Eigen::VectorXd> sines,
                        Eigen::Ref<Eigen::VectorXd> cosines);
 // The angle of (x, y) in [-pi, pi], within 3 ulp; 0 for (0, 0).
@@ -25,8 +25,8 @@ double exponential(double x);
 double logarithm(double x);
 // x to the power of n >= 0, by multiplication.
 double power(double x, int n);
-// x to the power of y, within 0.7 ulp, and within 1 ulp where the result is below the smallest normal number. Zeros,
-// infinities, NaN and x < 0 as std::pow has them: x < 0 to the power of what is no whole number is NaN.
+// x to the power of y, within 0.7 ulp, or within 1 ulp if the result is below the smallest normal number. Special
+// values as in std::pow; a negative x to a power that is no whole number is NaN.
 double power(double x, double y);
 
 }  // namespace ikbench::numerics

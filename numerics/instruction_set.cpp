@@ -29,7 +29,7 @@ std::string_view name_of(InstructionSet set) {
 std::vector<InstructionSet> instruction_sets() {
   std::vector<InstructionSet> sets{InstructionSet::portable};
 #ifdef __x86_64__
-  // What the kernels of these sets are compiled with: ikbench_kernels in CMakeLists.txt.
+  // CMakeLists.txt compiles the kernels of these sets with these features (ikbench_kernels).
   const bool v3 = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
   const bool v4 = v3 && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
                   __builtin_cpu_supports("avx512vl");

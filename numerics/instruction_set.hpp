@@ -1,4 +1,4 @@
-// The instruction sets for which there are kernels, and the one in use. All give the same bits; they differ in speed.
+// The instruction sets that have kernels, and the one in use. All give the same bits; they differ in speed.
 #pragma once
 
 #include <string_view>
@@ -14,10 +14,10 @@ enum class InstructionSet {
 
 // "x86-64" ("portable" on other processors), "x86-64-v3", "x86-64-v4".
 std::string_view name_of(InstructionSet set);
-// Those that this machine runs, the slowest first.
+// The sets that this machine runs, the slowest first.
 std::vector<InstructionSet> instruction_sets();
-// The fastest of them, or the one that the environment variable IKBENCH_INSTRUCTION_SET names: std::invalid_argument
-// where it names none of them.
+// The fastest of them, or the one that the environment variable IKBENCH_INSTRUCTION_SET names; std::invalid_argument if
+// it names none of them.
 InstructionSet instruction_set();
 
 // Defines, in a folder's namespace, kernels(InstructionSet) and kernels(): its table of kernels for a set that this

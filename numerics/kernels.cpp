@@ -1,4 +1,4 @@
-// Compiled once for every instruction set, with IKBENCH_KERNELS naming it; read lanes.hpp before including anything.
+// Compiled once for every instruction set; IKBENCH_KERNELS names it. Read lanes.hpp before including anything.
 #include "numerics/kernels.hpp"
 
 #include "numerics/elementary.hpp"
@@ -15,9 +15,9 @@ void sines_and_cosines(const double* angles, ptrdiff_t count, double* sines, dou
   });
 }
 
-constexpr int groups = random_lanes / width;  // a block of eight numbers is in as many lanes
+constexpr int groups = random_lanes / width;  // a block of eight numbers takes as many lanes
 
-// The stream's state in registers, for as long as a fill takes.
+// The stream's state in registers during a fill.
 struct Stream {
   Bits s0[groups], s1[groups], s2[groups], s3[groups];
 };
@@ -60,7 +60,7 @@ IKBENCH_LANES Bits next(Stream& of, int g) {
 
 IKBENCH_LANES Reals from_1_to_2(Bits drawn) { return reals((drawn >> 12) | 0x3ff0000000000000u); }
 
-// The first of a block's numbers, when there is no room for all of them.
+// Copies the first numbers of a block, if not all fit.
 IKBENCH_LANES void copy(const double* block, ptrdiff_t count, double* out) {
   for (ptrdiff_t i = 0; i < count; ++i) out[i] = block[i];
 }
@@ -86,8 +86,8 @@ void uniforms(RandomState& state, double* out, ptrdiff_t count) {
 }
 
 // Box and Muller 1958, from a block u of radii and a block v of angles: sqrt(-2 log(1 - u)) times the cosine and the
-// sine of an angle whose place in its quadrant is v, and whose quadrant the two lowest bits of the draw, which v leaves
-// out.
+// sine of an angle. v is the angle's place in its quadrant; the two lowest bits of the draw, which v does not use, are
+// the quadrant.
 void normals(RandomState& state, double* out, ptrdiff_t count) {
   constexpr double quarter_turn = 1.57079632679489661923;
   fill<2 * random_lanes>(state, out, count, [](Stream& stream, double* block) IKBENCH_INLINE {
@@ -106,7 +106,7 @@ void normals(RandomState& state, double* out, ptrdiff_t count) {
 // The inverse of the normal distribution function between its values at -1 and 1: algorithm AS 241 (Wichura 1988), its
 // central part.
 IKBENCH_LANES Reals truncated_normal(Reals share) {  // in [-1/2, 1/2)
-  constexpr double within_1 = 0.68268949213708590;   // of all normal numbers; erf(1 / sqrt(2))
+  constexpr double within_1 = 0.68268949213708590;   // share of normal numbers within 1: erf(1 / sqrt(2))
   const Reals q = within_1 * share;
   const Reals r = 0.180625 - q * q;
   Reals above = fused(all(2.5090809287301226727e3), r, all(3.3430575583588128105e4));

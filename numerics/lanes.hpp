@@ -1,9 +1,9 @@
-// Numbers in lanes: `Reals` is as many doubles as the instruction set that a unit is compiled for works on at once, and
-// `Bits` are their patterns. The operators + - * / & | ^ ~ << >> of both work lane by lane, on a plain double too.
+// Numbers in lanes. `Reals` has as many doubles as the unit's instruction set works on at once; `Bits` are their bit
+// patterns. The operators + - * / & | ^ ~ << >> work lane by lane, also where `Reals` is a plain double.
 //
-// For kernel units only (robots/kernels.cpp, solvers/kernels.cpp), of which there is one a instruction set in one
-// program: all has internal linkage and nothing is of std::, or the linker might keep an inline function with
-// instructions that an older processor does not have.
+// For kernel units only (numerics/, robots/ and solvers/kernels.cpp), which one program contains once per instruction
+// set. All names here have internal linkage and none is of std::; otherwise the linker might keep an inline function
+// with instructions that an older processor lacks.
 #pragma once
 
 #include <stddef.h>
@@ -28,8 +28,8 @@ IKBENCH_LANES Reals fused(Reals a, Reals b, Reals c) { return _mm512_fmadd_pd(a,
 IKBENCH_LANES Reals fused_less(Reals a, Reals b, Reals c) { return _mm512_fmsub_pd(a, b, c); }   // a b - c
 IKBENCH_LANES Reals less_fused(Reals a, Reals b, Reals c) { return _mm512_fnmadd_pd(a, b, c); }  // c - a b
 IKBENCH_LANES Reals root(Reals x) { return _mm512_maskz_sqrt_pd(0xff, x); }
-IKBENCH_LANES Reals larger(Reals a, Reals b) { return _mm512_maskz_max_pd(0xff, a, b); }   // b where one is NaN
-IKBENCH_LANES Reals smaller(Reals a, Reals b) { return _mm512_maskz_min_pd(0xff, a, b); }  // b where one is NaN
+IKBENCH_LANES Reals larger(Reals a, Reals b) { return _mm512_maskz_max_pd(0xff, a, b); }   // b if one is NaN
+IKBENCH_LANES Reals smaller(Reals a, Reals b) { return _mm512_maskz_min_pd(0xff, a, b); }  // b if one is NaN
 IKBENCH_LANES Bits where_any(Bits x, uint64_t of) { return (Bits)((x & of) != 0); }
 IKBENCH_LANES Bits where_less(Reals a, Reals b) { return (Bits)(a < b); }
 IKBENCH_LANES __mmask8 first(ptrdiff_t count) { return (__mmask8)((1u << count) - 1); }
@@ -77,9 +77,8 @@ IKBENCH_LANES void store_first(ptrdiff_t, double* to, Reals x) { *to = x; }
 
 #endif
 
-// Of all branches alike: `where_any` is all ones in the lanes where one of these bits of x is set, else all zeros, and
-// `where_less` where a < b;
-// `load_first` and `store_first` touch only that many numbers, 1 to `width`, and the other lanes are 0.
+// In all branches: `where_any` is all ones in the lanes in which x has one of these bits, else all zeros; `where_less`
+// likewise for a < b. `load_first` and `store_first` touch only `count` numbers, 1 to `width`; the other lanes are 0.
 
 IKBENCH_LANES Bits bits(Reals x) { return __builtin_bit_cast(Bits, x); }
 IKBENCH_LANES Reals reals(Bits x) { return __builtin_bit_cast(Reals, x); }
@@ -96,7 +95,7 @@ IKBENCH_LANES void store(Number* to, Lanes lanes) {
   __builtin_memcpy(to, &lanes, sizeof lanes);
 }
 
-// Calls body(first, some) for groups of lanes that cover `count` numbers; `some` loads and stores those of the group.
+// Calls body(first, some) for groups of lanes that cover `count` numbers; `some` loads and stores the group's numbers.
 struct AllLanes {
   IKBENCH_INLINE Reals load(const double* from) const { return ::ikbench::numerics::load<Reals>(from); }
   IKBENCH_INLINE void store(double* to, Reals x) const { ::ikbench::numerics::store(to, x); }

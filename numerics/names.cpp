@@ -39,7 +39,7 @@ std::string nearest_name(std::string_view name, const std::vector<std::string>& 
       nearest = candidate;
     }
   }
-  constexpr std::size_t fewest = 3;  // characters that say something
+  constexpr std::size_t fewest = 3;  // shorter names match too much
   if (!nearest.empty() || name.size() < fewest) return nearest;
   const auto longer =
       std::ranges::find_if(candidates, [&](const std::string& each) { return each.find(name) != std::string::npos; });

@@ -7,10 +7,11 @@
 
 namespace ikbench::numerics {
 
-// What is not finite is NaN, Inf or -Inf, as R and Python read it.
+// Writes NaN, Inf or -Inf for values that are not finite, as R and Python read them.
 std::string text_of(double value);
 
-// The whole text as a number, blanks around it ignored; nothing where it is none or too large or small for a double.
+// The whole text as a number, ignoring blanks around it; nothing if it is no number, or too large or too small for a
+// double.
 std::optional<double> number_from(std::string_view text);
 
 }  // namespace ikbench::numerics

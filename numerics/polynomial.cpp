@@ -7,12 +7,12 @@ namespace ikbench::numerics {
 
 namespace {
 
-// Below this share of the sum of its terms' sizes, a value is rounding.
+// A value below this share of the sum of its terms' sizes counts as rounding.
 constexpr double rounding = 1e-14;
 
 struct Value {
   double value, slope;
-  int sign;  // 0 where the value is rounding
+  int sign;  // 0 if the value is rounding
 };
 
 Value at(const Polynomial& p, double x) {
@@ -25,7 +25,7 @@ Value at(const Polynomial& p, double x) {
   return {value, slope, std::abs(value) <= rounding * size ? 0 : value > 0 ? 1 : -1};
 }
 
-// Newton's method, halving the interval where that leaves it. The signs at its ends differ.
+// Newton's method, which halves the interval if a step leaves it. The signs at the ends must differ.
 double root_between(const Polynomial& p, double lower, double upper, int sign_of_lower) {
   double x = 0.5 * (lower + upper);
   for (int iteration = 0; iteration < 200; ++iteration) {
@@ -54,8 +54,8 @@ Roots real_roots(const Polynomial& polynomial) {
     add(-polynomial[0] / polynomial[1]);
     return roots;
   }
-  // Between the roots of its derivative, and from there to twice Cauchy's bound of all roots, it only rises or only
-  // falls.
+  // The polynomial is monotonic between the roots of its derivative, and beyond them to twice Cauchy's bound of all
+  // roots.
   Polynomial derivative(degree);
   for (Eigen::Index i = 0; i < degree; ++i) derivative[i] = static_cast<double>(i + 1) * polynomial[i + 1];
   const Roots turns = real_roots(derivative);

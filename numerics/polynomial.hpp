@@ -10,8 +10,8 @@ using Polynomial =
     Eigen::Matrix<double, Eigen::Dynamic, 1, 0, highest_degree + 1, 1>;  // coefficients from the constant
 using Roots = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, highest_degree, 1>;
 
-// The real roots, ascending, each once; a root where the polynomial only touches zero counts, to rounding. The last
-// coefficient is not 0, and none is so large that the roots or the values between them overflow.
+// The real roots, ascending, each once, including roots where the polynomial only touches zero, up to rounding. The
+// last coefficient must not be 0, and none so large that the roots or the values between them overflow.
 Roots real_roots(const Polynomial& polynomial);
 
 }  // namespace ikbench::numerics

@@ -17,7 +17,7 @@ class Key {
   Key with(std::uint64_t part) const;
   Key with(std::string_view part) const;
   std::uint64_t value() const { return value_; }
-  // The key that has this value.
+  // The key with this value.
   static Key of(std::uint64_t value);
 
  private:
@@ -32,7 +32,8 @@ class Random {
   double uniform(double from, double to);  // [from, to)
   int index(int count);                    // 0 ... count - 1
 
-  // Fills of a vector or of Candidates (row by row). They take whole blocks of eight and leave single draws theirs.
+  // Fill a vector or Candidates (row by row). They take whole blocks of eight and leave the block of single draws
+  // alone.
   template <class Numbers>
   void uniforms(Eigen::PlainObjectBase<Numbers>& out) {
     uniforms(out.data(), out.size());
@@ -45,7 +46,7 @@ class Random {
   void truncated_normals(Eigen::PlainObjectBase<Numbers>& out) {
     truncated_normals(out.data(), out.size());
   }
-  // Each in [0, 1); standard normal (Box and Muller 1958); the same, given that it is within [-1, 1].
+  // Fill with numbers in [0, 1); standard normal ones (Box and Muller 1958); standard normal ones within [-1, 1].
   void uniforms(double* out, Eigen::Index count) { kernels_.uniforms(state_, out, count); }
   void normals(double* out, Eigen::Index count) { kernels_.normals(state_, out, count); }
   void truncated_normals(double* out, Eigen::Index count) { kernels_.truncated_normals(state_, out, count); }

@@ -1,5 +1,5 @@
-// Text to a TOML table, and its fields by name, unit and range: every mistake in one sentence with file, line, column,
-// value and what was expected.
+// Parses TOML and reads the fields of a table by name, unit and range. Every mistake is one sentence with file, line,
+// column, value and what was expected.
 #pragma once
 
 #include <fmt/format.h>
@@ -17,26 +17,26 @@
 
 #include "numerics/names.hpp"
 
-// Include toml++ through here alone. A malformed file fails some of its assertions and then is an error all the same;
-// a debug build is not to end there.
+// Include toml++ only through this file. A malformed file fails some of its assertions and is an error later anyway; it
+// must not end a debug build.
 #define TOML_ASSERT(expression) static_cast<void>(0)
 #include <toml++/toml.h>
 
 namespace ikbench::numerics {
 
-// The `path` of nodes that come from an override; those of a file have none.
+// The `path` of nodes that come from an override; nodes of a file have none.
 constexpr std::string_view override_source = "--set";
 
-// The content of a file; std::invalid_argument where it is larger than so many bytes or cannot be read.
+// The content of a file; std::invalid_argument if it is larger than `largest` bytes or cannot be read.
 std::string text_of_file(const std::filesystem::path& file, std::uintmax_t largest = 10'000'000);
 
-// All of these: std::invalid_argument says where, as `source`:line:column, and what is wrong.
+// All of these throw std::invalid_argument with the place, as `source`:line:column, and the mistake.
 toml::table parse_toml(std::string_view text, std::string_view source);
-// A key such as a.a.a.a is a table in a table in a table; toml++ bounds the depth of brackets, not of these, and a
+// Refuses keys such as a.a.a.a, tables nested in tables. toml++ bounds the depth of brackets, not of these, and a
 // hundred thousand of them exhaust the stack.
 void refuse_deep_keys(std::string_view text, std::string_view source);
 
-// Reads one table; knows which keys there are once it has read them.
+// Reads one table, and remembers which keys were read.
 class TomlReader {
  public:
   TomlReader(const toml::table& table, std::string_view source, std::string prefix)
@@ -61,7 +61,7 @@ class TomlReader {
     fail(key, *node, fmt::format("one of \"{}\"", fmt::join(names, "\", \"")));
   }
 
-  // Some of the choices, at least one and none twice; they come in the order of the choices.
+  // Reads some of the choices, at least one and none twice, in the order of the choices.
   template <class Enum>
   void chosen(std::string_view key, std::vector<Enum>& field, const Choices<Enum>& choices, std::string_view) {
     const toml::node* node = find(key);
@@ -92,7 +92,7 @@ class TomlReader {
 
   void number(std::string_view key, double& field, double unit, std::pair<double, double> range, std::string_view);
 
-  // `size` 0: any number of them.
+  // `size` 0 allows any number of values.
   template <class Vector>
   void numbers(std::string_view key, Vector& field, double unit, int size, std::string_view) {
     const toml::node* node = find(key);
@@ -109,18 +109,18 @@ class TomlReader {
     }
   }
 
-  // The value of a key, remembered as known; null where it is not given.
+  // The value of a key, which then counts as known; null if it is not given.
   const toml::node* find(std::string_view key);
-  // The same of a key that has to be a table.
+  // The same for a key whose value must be a table.
   const toml::table* subtable(std::string_view key);
-  // To be called when all keys were asked for.
+  // Call it after all keys were read.
   void refuse_unknown_keys() const;
 
   [[noreturn]] void fail(std::string_view key, const toml::node& node, std::string_view expected) const;
-  // "study.toml:3:8: ", or for what no file says "--set path.tool: ".
+  // "study.toml:3:8: ", or "--set path.tool: " if the value is from no file.
   std::string where(const toml::source_region& region, std::string_view key) const;
 
-  // A text that may stand in a message, a table or a file's name: at most 200 bytes, no control characters.
+  // True for a text that is safe in a message, a table or a file's name: at most 200 bytes, no control characters.
   static bool is_plain(std::string_view text);
   static constexpr std::string_view plain = "a text of at most 200 bytes without control characters";
 
@@ -130,8 +130,8 @@ class TomlReader {
   std::filesystem::path source() const { return source_; }
 
  private:
-  static std::optional<double> as_number(const toml::node& node);    // none where it is not finite
-  static std::vector<std::string> texts_in(const toml::node& node);  // of a list; none where it is none
+  static std::optional<double> as_number(const toml::node& node);    // nothing if not finite
+  static std::vector<std::string> texts_in(const toml::node& node);  // empty if no list
 
   const toml::table& table_;
   std::string source_;

@@ -1,4 +1,4 @@
-// Inside the program are metres, radians and seconds; these turn what stands at the edges into them.
+// The program computes in metres, radians and seconds. These constants convert other units at its edges.
 #pragma once
 
 #include <numbers>

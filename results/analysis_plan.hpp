@@ -1,4 +1,4 @@
-// What a study says before its data are seen about how they will be judged. It decides no number of a solve; it is kept
+// A study's plan, made before its data are seen, for judging them. It decides no number of a solve. The store keeps it
 // with the study and with every session, so that a later change shows.
 #pragma once
 
@@ -12,18 +12,17 @@
 
 namespace ikbench::results {
 
-// How p-values of several contrasts are corrected for being several, where the method does not do so itself
-// (those of means do).
+// The correction of p-values for multiple contrasts, if the method does not correct by itself (those of means do).
 enum class Adjustment { holm, hochberg, bonferroni, benjamini_hochberg };
 
-// What one observation is: a run's mean over its points, or a single solve. Points of one run depend on each other.
+// One observation: a run's mean over its points, or a single solve. Points of one run depend on each other.
 enum class Unit { run, point };
 
-// What of the single values an observation is made of. mean: their mean, which the worst cases decide where they span
-// decades. typical: the mean of their logarithms, so the geometric mean. reliability: the share within a distance.
+// The summary of single values in an observation. mean: the mean, which the worst cases decide if values span decades.
+// typical: the mean of logarithms, so the geometric mean. reliability: the share within a distance.
 enum class Estimand { mean, typical, reliability };
 
-// Whether times of programs, which have messages and another language in them, are ranked with those taken here.
+// Whether times of programs, which contain messages and another language, are ranked with times of built-in solvers.
 enum class ProgramTimes { apart, compared };
 
 constexpr std::array<std::string_view, 4> adjustment_names{"holm", "hochberg", "bonferroni", "benjamini_hochberg"};
@@ -40,20 +39,20 @@ constexpr std::string_view name_of(Estimand estimand) { return estimand_names[st
 constexpr std::string_view name_of(ProgramTimes times) { return program_times_names[static_cast<std::size_t>(times)]; }
 
 struct AnalysisPlan {
-  // Which test decides, by its name (deciding_tests.hpp). by_design: the studentized bootstrap of the means, within
-  // blocks where the same targets are given to all, or Tamhane's test where only summaries are known; of times ranks.
-  // The data have no say in it.
+  // Name of the deciding test (deciding_tests.hpp). by_design: the studentized bootstrap of the means, within blocks if
+  // all solvers share targets; Tamhane's test if only summaries are known; for times, ranks. It does not depend on the
+  // data.
   std::string test{by_design};
   Adjustment adjustment = Adjustment::holm;
-  std::string control;         // label that the others are held against; empty: every pair is compared
+  std::string control;         // label to compare the others with; empty: compare every pair
   double significance = 0.05;  // of a test; intervals have the level 1 - significance
-  double margin = 0.05;        // relative difference that matters: below it two solvers count as the same
-  double margin_cm = 0;        // the same in cm, for what is measured in cm; within either margin is within
-  double power = 0.8;          // with which a difference of that size should be found
+  double margin = 0.05;        // relative difference that matters; within it two solvers count as the same
+  double margin_cm = 0;        // the same for errors in cm; a difference within either margin does not matter
+  double power = 0.8;          // with which tests should find a difference of that size
   int quartiles = 5;           // Hyndman-Fan type; 5 is MATLAB's
   Unit unit = Unit::run;
   std::vector<Estimand> estimands{Estimand::mean, Estimand::typical, Estimand::reliability};  // in this order
-  double within_cm = 0.01;  // distance of reliability in a study without a tolerance; 0.1 mm, an arm's repeatability
+  double within_cm = 0.01;  // distance for reliability if the study has no tolerance; 0.1 mm, an arm's repeatability
   double jump_deg = 30;     // a joint that moves farther between two points of a path has jumped
   ProgramTimes program_times = ProgramTimes::apart;
 };

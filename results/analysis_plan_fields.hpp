@@ -1,6 +1,6 @@
-// The fields of an analysis plan, said once: name, field, range and meaning. Study files and the store's JSON are
-// written and read by this list (experiments/), and read back by it where the store is judged (analysis/); the command
-// line takes the ranges from it (cli/plan_options.cpp).
+// The fields of an analysis plan, listed once: name, member, range and meaning. Study files and the store's JSON are
+// written and read by this list (experiments/, analysis/); the command line takes the ranges from it
+// (cli/plan_options.cpp).
 #pragma once
 
 #include <array>
@@ -14,7 +14,7 @@
 
 namespace ikbench::results {
 
-// Names and values, as `choice` of an Io takes them, and `chosen`, whose field has some of the values, in their order.
+// Names and values for an Io's `choice`, and for `chosen`, whose field has some of the values, in their order.
 template <class Enum, std::size_t count>
 std::vector<std::pair<std::string, Enum>> choices_of(const std::array<std::string_view, count>& names) {
   std::vector<std::pair<std::string, Enum>> choices;
@@ -28,7 +28,7 @@ inline std::vector<std::pair<std::string, std::string>> choices_of_tests() {
   return choices;
 }
 
-// Of study files, the command line and what a comparison is asked alike.
+// Ranges for study files, the command line and comparisons.
 constexpr std::pair<double, double> significances{0.0001, 0.2}, margins_percent{0, 99}, margins_cm{0, 1000},
     powers{0.5, 0.999};
 static_assert(2 * significances.second < powers.first,

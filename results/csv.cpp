@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 
-// As it stands in the text or, where it was in quotes, without them.
+// A cell: a part of the text, or, if it was quoted, a copy without its quotes.
 struct Cell {
   std::string_view plain = {};
   std::optional<std::string> unquoted = {};
@@ -27,7 +27,7 @@ struct Cell {
   std::string text() && { return unquoted ? std::move(*unquoted) : std::string(plain); }
 };
 
-// Walks over the text once, a row at a time, and counts lines for its messages.
+// Reads the text once, row by row, and counts lines for its messages.
 class Reader {
  public:
   Reader(std::string_view text, std::string_view source) : rest_(text), source_(source) {
@@ -35,7 +35,7 @@ class Reader {
     take(byte_order_mark);
   }
 
-  // The next row that is not an empty line; nothing at the end.
+  // The next row that is not an empty line; empty at the end.
   std::vector<Cell>& row() {
     while (take_line_end()) {
     }
@@ -54,7 +54,7 @@ class Reader {
     return cells_;
   }
 
-  // Of the row read last: the line on which it begins.
+  // The line where the last row begins.
   std::size_t row_line() const { return row_line_; }
   [[noreturn]] void refuse_row(const std::string& what) {
     line_ = row_line_;
@@ -69,14 +69,14 @@ class Reader {
     return take_front(length);
   }
 
-  // Behind the opening quote.
+  // Reads a quoted cell, after its opening quote.
   std::string quoted_cell() {
     std::string cell;
     do {
       const std::size_t length = rest_.find('"');
       if (length == std::string_view::npos) refuse_row("a quote is never closed; expected a closing quote");
       line_ += static_cast<std::size_t>(std::count(rest_.begin(), rest_.begin() + static_cast<long>(length), '\n'));
-      cell += take_front(length + 1);  // with the quote, which is text if another follows
+      cell += take_front(length + 1);  // with the quote, which belongs to the text if another follows
     } while (take("\""));
     cell.pop_back();
     return cell;
@@ -111,7 +111,7 @@ class Reader {
   std::size_t row_line_ = 1;
 };
 
-// The header, and every row as `use` takes it.
+// Reads the header, and passes every row to `use`.
 template <typename Use>
 void read_csv(Reader& reader, std::vector<std::string>& header, const Use& use) {
   for (Cell& cell : reader.row()) header.push_back(std::move(cell).text());
@@ -180,7 +180,7 @@ CsvTable parse_csv(std::string_view text, std::string_view source) {
 }
 
 CsvView view_csv(std::string_view text, std::string_view source) {
-  static_assert(2 * max_csv_bytes < std::numeric_limits<std::uint32_t>::max());  // no more cells than bytes
+  static_assert(2 * max_csv_bytes < std::numeric_limits<std::uint32_t>::max());  // there are no more cells than bytes
   Reader reader(text, source);
   CsvView view(text);
   read_csv(reader, view.header, [&](std::vector<Cell>& cells) {
@@ -196,7 +196,7 @@ CsvView view_csv(std::string_view text, std::string_view source) {
 }
 
 void append_csv_row(std::string& text, const std::vector<std::string>& cells) {
-  const bool lone_empty_cell = cells.size() == 1 && cells.front().empty();  // would be an empty line, which is no row
+  const bool lone_empty_cell = cells.size() == 1 && cells.front().empty();  // else an empty line, which is no row
   if (lone_empty_cell) text += "\"\"";
   for (std::size_t i = 0; i < cells.size(); ++i) {
     if (i > 0) text += ',';

@@ -1,5 +1,5 @@
-// Comma-separated values as RFC 4180 has them: quoted where needed, quotes doubled, any text round-trips.
-// Lines end in LF or CRLF when read and in LF when written; a byte-order mark and empty lines are skipped.
+// Comma-separated values by RFC 4180: cells are quoted if needed, quotes doubled, and any text round-trips.
+// Lines may end in LF or CRLF; the writer uses LF. A byte-order mark and empty lines are skipped.
 #pragma once
 
 #include <cstddef>
@@ -16,16 +16,16 @@ constexpr std::size_t max_csv_columns = 10'000;
 struct CsvTable {
   std::vector<std::string> header;
   std::vector<std::vector<std::string>> rows;  // each as long as the header
-  std::vector<std::size_t> lines = {};         // of a text that was read: where each row begins, from 1
+  std::vector<std::size_t> lines = {};         // if read from a text: the line where each row begins, from 1
 
-  // Index of a column; std::invalid_argument names the column and those there are.
+  // Index of a column; std::invalid_argument names the column and the existing ones.
   std::size_t column(std::string_view name) const;
   // The cell as a number (nan and inf in any case included); std::invalid_argument names row, column and the text.
   double number(std::size_t row, std::string_view column_name) const;
 };
 
-// The same for files of millions of rows: views of the text, which has to outlive them, and 4 bytes beside it for each
-// cell. Cells that were in quotes are kept without them.
+// A table for files of millions of rows. Cells are views of the text, which must outlive them, and take 4 bytes more
+// each. Quoted cells are kept without their quotes.
 class CsvView {
  public:
   std::vector<std::string> header;
@@ -33,22 +33,21 @@ class CsvView {
   explicit CsvView(std::string_view text) : text_(text) {}
   std::size_t rows() const { return header.empty() ? 0 : places_.size() / header.size(); }
   std::string_view cell(std::size_t row, std::size_t column) const;
-  void append_plain(
-      std::string_view cell);  // a part of the text, with a comma, the end of the line or nothing behind it
+  void append_plain(std::string_view cell);  // a part of the text, before a comma, a line's end or the text's end
   void append_unquoted(std::string cell);
 
  private:
   std::string_view text_;
-  std::vector<std::uint32_t> places_;  // row by row: where a cell begins, or, behind the text's end, which of unquoted_
+  std::vector<std::uint32_t> places_;  // by row: a cell's begin, or beyond the text: place in unquoted_
   std::vector<std::string> unquoted_;
 };
 
-// `source` is how messages name the text ("data.csv"). Malformed text is std::invalid_argument with source:line.
+// `source` is the text's name in messages ("data.csv"). Malformed text throws std::invalid_argument with source:line.
 CsvTable parse_csv(std::string_view text, std::string_view source);
 CsvView view_csv(std::string_view text, std::string_view source);
 std::string to_csv(const CsvTable& table);
 
-// One line of CSV at the end of `text`.
+// Appends one line of CSV to `text`.
 void append_csv_row(std::string& text, const std::vector<std::string>& cells);
 
 }  // namespace ikbench::results

@@ -1,4 +1,4 @@
-// The names of the tests that a plan may choose. The tests themselves are in analysis/inference/methods/.
+// The names of the tests that a plan may choose. analysis/inference/methods/ has the tests themselves.
 #pragma once
 
 #include <span>
@@ -6,7 +6,8 @@
 
 namespace ikbench::results {
 
-// What a test has to know of its groups: means, standard deviations and sizes; every value; values in common blocks.
+// The data that a test needs of its groups: means, standard deviations and sizes; every value; or values in common
+// blocks.
 enum class Needs { summaries, values, blocks };
 
 struct DecidingTest {
@@ -15,15 +16,15 @@ struct DecidingTest {
   std::string_view meaning;
 };
 
-// In the order of deciding_tests.inc.
+// The tests in the order of deciding_tests.inc.
 std::span<const DecidingTest> deciding_tests();
-// std::invalid_argument where there is none of that name.
+// Throws std::invalid_argument if there is no test of that name.
 const DecidingTest& deciding_test(std::string_view name);
 
-// The plan chooses by the design, before it sees data.
+// The plan leaves the choice to the design, before it sees data.
 constexpr std::string_view by_design = "by_design";
 
-// Of a plan's test; the design never chooses what it does not have.
+// True if a plan's test needs blocks; by_design never chooses a test whose data are missing.
 bool needs_blocks(std::string_view test);
 
 }  // namespace ikbench::results

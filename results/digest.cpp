@@ -11,8 +11,8 @@ namespace ikbench::results {
 
 namespace {
 
-// A million solves are looked at again in each report, so that a word costs one multiplication. Words are numbers, not
-// bytes in memory: every machine sees the same.
+// Each report checks a million solves, so a word costs one multiplication. Words are numbers, not bytes in memory, so
+// every machine sees the same.
 class Digest {
  public:
   void add(std::uint64_t word) {

@@ -41,12 +41,12 @@ std::string cell_of(const Value& value) {
     return value;
 }
 
-// Whether there is no number to tell.
+// True if nobody counted the evaluations.
 bool is_empty(std::string_view column, const SolveRecord& record) {
   return column == "evaluations" && record.counted_by == CountedBy::nobody;
 }
 
-// Visits every column that CSV has.
+// Visits the columns of CSV.
 template <class Visit>
 void for_each_csv_column(Visit&& visit) {
   for_each_column([&](std::string_view name, auto member, std::string_view) {
@@ -57,7 +57,7 @@ void for_each_csv_column(Visit&& visit) {
 // Cells per column.
 using Widths = std::vector<std::size_t>;
 
-// Whether the lists of a solve are no longer than the widths, which grow where they are.
+// True if no list of a solve is longer than its width; grows the widths that are too small.
 bool fits(const SolveRecord& record, Widths& widths) {
   bool is_within = true;
   std::size_t column = 0;
@@ -101,7 +101,7 @@ void append_row(std::string& text, const SolveRecord& record, const Widths& widt
   append_csv_row(text, cells);
 }
 
-// Text that is not UTF-8 cannot stand in JSON: what is wrong in it becomes U+FFFD.
+// Replaces bytes that are not UTF-8, which JSON needs, by U+FFFD.
 std::string dump(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
 
 Json json_of(const SolveRecord& record) {
@@ -178,7 +178,7 @@ std::string to_json(const StudyEntry& study, const std::vector<Session>& session
   for (const Session& session : sessions)
     head["sessions"].push_back({{"id", session.id}, {"environment", session.environment}});
 
-  // Solves follow one a line, so that only one of them is held as an object.
+  // Solves follow one by one, so that only one is an object at a time.
   std::string text = dump(head);
   text.pop_back();
   text += ",\"solves\":[";

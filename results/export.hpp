@@ -1,4 +1,4 @@
-// What a store holds, for other programs: tidy CSV and JSON, and the list of columns that both share.
+// Exports a store for other programs: tidy CSV and JSON, and the list of columns that both share.
 #pragma once
 
 #include <filesystem>
@@ -22,16 +22,16 @@ struct ColumnInfo {
 std::vector<ColumnInfo> columns();
 
 // One row per solve. A list becomes one column per element, numbered from 1 (answer_rad_1 ...), as many as the longest
-// has; shorter ones leave cells empty. The trace and the improvements are left out: they have up to one element per
-// iteration; JSON has them. What is not finite is NaN, Inf or -Inf.
+// has; shorter lists leave cells empty. The trace and the improvements have up to one element per iteration, so only
+// JSON has them. Values that are not finite are NaN, Inf or -Inf.
 std::string to_csv(const std::vector<SolveRecord>& records);
-// The same as a file, from solves that `pass` passes on one after another. It does so again where a list is longer than
-// those of the first solve.
+// Writes the same to a file, from solves that `pass` passes on one by one. It calls `pass` again if a list is longer
+// than that of the first solve.
 using PassSolves = std::function<void(const std::function<void(const SolveRecord&)>& take)>;
 void write_csv(const std::filesystem::path& file, const PassSolves& pass);
 
-// One object: note, columns, study, definition, series, sessions, solves. JSON has no number that is not finite:
-// null stands for NaN and for infinities.
+// One object: note, columns, study, definition, series, sessions, solves. null stands for NaN and infinities, which
+// JSON does not have.
 std::string to_json(const StudyEntry& study, const std::vector<Session>& sessions,
                     const std::vector<SolveRecord>& records);
 

@@ -22,12 +22,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// What the system says of a write, and of nothing that the contents come from.
+// A write that the system refused, as opposed to an error of the contents.
 struct WriteFailed {
   std::error_code error;
 };
 
-// Whose fault it is that nothing can be written at a place: the system's where its disk is full or fails.
+// Refuses a write, with the exception by whose fault it is: the system's if its disk is full or fails.
 [[noreturn]] void refuse(const std::string& what, const std::string& why, const std::error_code& error) {
   const std::string message = fmt::format("cannot write {}: {}", what, why);
   if (error.value() == ENOSPC || error.value() == EDQUOT || error.value() == EIO) throw std::runtime_error(message);
@@ -36,8 +36,8 @@ struct WriteFailed {
 
 std::error_code last_error() { return {errno, std::generic_category()}; }
 
-// Owner and permissions of the file that a new one takes the place of. Where the system does not let us keep the group,
-// what it was allowed is not allowed to another.
+// Gives a new file the owner and permissions of the one that it replaces. If the system refuses the group, the new
+// group gets no permissions of the old one.
 void pass_on(const struct stat& former, int descriptor) {
   const uid_t same = static_cast<uid_t>(-1);
   mode_t mode = former.st_mode & 07777;
@@ -70,7 +70,7 @@ std::error_code closed(int descriptor, std::error_code error) {
   return ::close(descriptor) != 0 && !error ? last_error() : error;
 }
 
-// Writes what is opened by the path: a new file, or whatever is there.
+// Writes into whatever the path opens, or a new file.
 std::error_code write_into(const fs::path& file, const Contents& contents) {
   const int descriptor = ::open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
   if (descriptor < 0) return last_error();
@@ -92,8 +92,8 @@ bool is_half(std::string_view name) {
          name.find_first_not_of("0123456789", mark + half_mark.size()) == std::string::npos;
 }
 
-// Locks what is open and has this name. Another process that takes it for litter, before it is locked, may hold the
-// lock (EWOULDBLOCK) or have removed it (ENOENT).
+// Locks the open file of this name. Another process that takes it for litter may hold the lock first (EWOULDBLOCK), or
+// have removed it (ENOENT).
 bool lock(int descriptor, const fs::path& path, int wait = LOCK_NB) {
   if (::flock(descriptor, LOCK_EX | wait) != 0) return false;
   struct stat open {
@@ -106,7 +106,8 @@ bool lock(int descriptor, const fs::path& path, int wait = LOCK_NB) {
 
 bool is_of_others(int why) { return why == EWOULDBLOCK || why == ENOENT; }
 
-// The lock of what `path` names, which is no link; negative where another process has it, or it cannot be opened.
+// Opens and locks `path`, which must not be a link; negative if another process has the lock, or if it cannot be
+// opened.
 int locked(const fs::path& path) {
   const int descriptor = ::open(path.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
   if (descriptor < 0 || lock(descriptor, path)) return descriptor;
@@ -125,7 +126,7 @@ void remove_unlocked(const fs::path& path) {
   ::close(descriptor);
 }
 
-// What killed processes left that wrote the same.
+// Removes the halves of the same file that killed processes left.
 void remove_halves_of(const fs::path& place) {
   const fs::path folder = place.has_parent_path() ? place.parent_path() : fs::path(".");
   const std::string begin = place.filename().string() + std::string(half_mark);
@@ -136,28 +137,28 @@ void remove_halves_of(const fs::path& place) {
   }
 }
 
-// Whole or not at all. `former` is the file whose place it takes.
+// Replaces `former`, or writes a new file; whole or not at all.
 std::error_code replace(const fs::path& file, const Contents& contents, const struct stat* former) {
   remove_halves_of(file);
   const fs::path half = half_of(file);
   std::error_code ignored;
-  // Who takes it for litter removes it by its name while holding its lock. So we wait for the lock: a new file of that
-  // name would be removed in its place.
+  // A process that takes it for litter removes it by its name while it holds its lock. So wait for the lock: otherwise
+  // that process would remove a new file of that name.
   constexpr int until_free = 0;
   int descriptor = ::open(half.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
   if (descriptor < 0 || lock(descriptor, half, until_free) || errno != ENOENT) {
-    fs::remove(half, ignored);  // of a process that had our number
+    fs::remove(half, ignored);  // of an earlier process with our number
   }
   do {
     if (descriptor >= 0) ::close(descriptor);
     descriptor = ::open(half.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, former == nullptr ? 0666 : 0600);
     if (descriptor < 0) return last_error();
   } while (!lock(descriptor, half, until_free) && errno == ENOENT);
-  const int kept = ::fcntl(descriptor, F_DUPFD_CLOEXEC, 0);  // not litter until it has its name
+  const int kept = ::fcntl(descriptor, F_DUPFD_CLOEXEC, 0);  // stays locked until it has its name
   std::error_code error;
   try {
     error = write_all(descriptor, contents);
-  } catch (...) {  // what the contents come from
+  } catch (...) {  // an error of the contents
     ::close(descriptor);
     fs::remove(half, ignored);
     if (kept >= 0) ::close(kept);
@@ -171,8 +172,8 @@ std::error_code replace(const fs::path& file, const Contents& contents, const st
   return error;
 }
 
-// The descriptor that the shell has opened the file with, for appending perhaps: standard output, or another as in
-// `exec 3>>log`, which /dev/fd/3 names.
+// The descriptor under which the shell has the file open, perhaps for appending: standard output, or another as in
+// `exec 3>>log`, named /dev/fd/3.
 std::optional<int> open_already(const struct stat& file) {
   constexpr int most = 256;
   for (int descriptor = 0; descriptor < most; ++descriptor) {
@@ -183,7 +184,7 @@ std::optional<int> open_already(const struct stat& file) {
   return std::nullopt;
 }
 
-// A file that has other names, or whose folder takes no new file, stays the file that it is.
+// True for a file that must be written in place: it has other names, or its folder takes no new file.
 bool must_stay(const fs::path& place, const struct stat& file) {
   return file.st_nlink > 1 || ::access(place.parent_path().c_str(), W_OK) != 0;
 }
@@ -193,7 +194,7 @@ std::error_code write_whole(const fs::path& file, const Contents& contents) {
   if (::lstat(file.c_str(), &there) != 0) return replace(file, contents, nullptr);
   if (::stat(file.c_str(), &there) != 0 || !S_ISREG(there.st_mode)) return write_into(file, contents);
   if (const std::optional<int> descriptor = open_already(there)) {
-    std::fflush(nullptr);  // what was printed comes first
+    std::fflush(nullptr);  // earlier prints come first
     return write_all(*descriptor, contents);
   }
   if (::access(file.c_str(), W_OK) != 0) return last_error();
@@ -246,7 +247,7 @@ bool is_litter(const fs::directory_entry& entry) {
   return type == fs::file_type::regular && is_half(name);
 }
 
-// Of this process: a signal ends it wherever it is, and they must not stay.
+// The folders of this process; they must not stay when a signal ends it.
 std::mutex temporary_mutex;
 std::set<fs::path> temporary_folders;
 
@@ -284,7 +285,7 @@ void remove_temporary_folders() {
   const std::scoped_lock lock(temporary_mutex);
   for (const fs::path& folder : temporary_folders) {
     std::error_code error;
-    for (int attempt = 0; attempt < 100; ++attempt) {  // somebody may still write into it
+    for (int attempt = 0; attempt < 100; ++attempt) {  // another thread may still write into it
       fs::remove_all(folder, error);
       if (!error) break;
     }
@@ -306,7 +307,7 @@ void write_folder(const fs::path& folder, const std::function<void(const fs::pat
   const fs::path half = half_of(place);
   int kept = -1;
   do {
-    fs::remove_all(half, ignored);  // of a process that had our number
+    fs::remove_all(half, ignored);  // of an earlier process with our number
     fs::create_directories(half, error);
     if (error) refuse(fmt::format("'{}'", folder.string()), error.message(), error);
     kept = locked(half);

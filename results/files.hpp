@@ -1,5 +1,5 @@
-// Files that are either whole or not there: written beside their place under another name, then renamed. What is there
-// and is no regular file (a device, a pipe) is written into.
+// Writes files that are either whole or absent: under another name beside their place, then renamed. Devices, pipes and
+// other irregular files are written into.
 #pragma once
 
 #include <filesystem>
@@ -10,29 +10,29 @@
 
 namespace ikbench::results {
 
-// Creates the folder where missing, keeps the owner and the permissions of a file that it replaces. A link is replaced
-// and not followed: what somebody else may have put into a folder of results leads nowhere. A file that has other
-// names, that the shell has open, or whose folder takes no new file is written in its place. std::invalid_argument, or
-// std::runtime_error where a disk is full or fails, names the file and the system's reason. Halves of the same file
-// that killed processes left are removed.
+// Creates the folder if it is missing. Keeps the owner and the permissions of a replaced file. Replaces a link and does
+// not follow it, since somebody else may have put it into a folder of results. Writes in place a file that has other
+// names, that the shell has open, or whose folder takes no new file. Removes halves of the same file from killed
+// processes. Throws std::invalid_argument, or std::runtime_error if a disk is full or fails, with the file and the
+// system's reason.
 void write_file(const std::filesystem::path& file, std::string_view text);
-// The same in parts, of which `contents` writes one after another. What it throws leaves the file as it was, where that
-// is replaced.
+// The same in parts, which `contents` writes one after another. If it throws, a file that would be replaced stays as it
+// was.
 using Write = std::function<void(std::string_view)>;
 using Contents = std::function<void(const Write&)>;
 void write_file(const std::filesystem::path& file, const Contents& contents);
-// The same for a file that the user has named: links are followed.
+// The same for a file that the user named: follows links.
 void write_through(const std::filesystem::path& file, std::string_view text);
-// A folder that is whole or not there; one that is there is empty. `fill` writes into another, which then gets its
-// name.
+// Writes a folder that is whole or absent; an existing one must be empty. `fill` writes into another folder, which then
+// gets its name.
 void write_folder(const std::filesystem::path& folder, const std::function<void(const std::filesystem::path&)>& fill);
-// Empty if the file cannot be read.
+// Reads a file; nothing if it cannot be read.
 std::optional<std::string> read_file(const std::filesystem::path& file);
 
-// A new folder inside another, for work that is not finished; gone at the end. Nobody else's link or file is in it.
+// A new folder inside another, for unfinished work; removed at the end. Nobody else's link or file is in it.
 class TemporaryFolder {
  public:
-  // std::invalid_argument, or std::runtime_error as above, names the folder and the system's reason.
+  // Throws std::invalid_argument, or std::runtime_error as above, with the folder and the system's reason.
   explicit TemporaryFolder(const std::filesystem::path& parent);
   ~TemporaryFolder();
   TemporaryFolder(const TemporaryFolder&) = delete;
@@ -45,11 +45,11 @@ class TemporaryFolder {
   int lock_ = -1;
 };
 
-// Removes those that this process has: before it ends at once.
+// Removes those of this process, for a sudden end.
 void remove_temporary_folders();
 
-// Removes the half-written files and scratch folders that killed processes left in a folder. Those of living processes
-// stay: they are locked.
+// Removes the half-written files and scratch folders of killed processes from a folder. Those of living processes are
+// locked, and stay.
 void remove_litter(const std::filesystem::path& folder);
 
 }  // namespace ikbench::results

@@ -24,8 +24,8 @@ constexpr Reference references[] = {
 #include "results/reference.inc"
 };
 
-// Two hashes of 64 bits that take the same words in different ways. Words are numbers, not bytes in memory, so that
-// every machine sees the same.
+// Two hashes of 64 bits that mix the same words differently. Words are numbers, not bytes in memory, so every machine
+// sees the same.
 class Hash {
  public:
   void add(std::uint64_t word) {

@@ -1,4 +1,4 @@
-// One hash of all results of a study, to say in a line whether two machines, compilers or versions gave the same bits.
+// One hash of all results of a study, to compare the bits of two machines, compilers or versions in one line.
 #pragma once
 
 #include <array>
@@ -10,8 +10,8 @@
 
 namespace ikbench::results {
 
-// The columns that a fingerprint covers: what was asked and what came out, not how long it took. A column that is added
-// to the record is not among them, so that a store has the same fingerprint in every version of the program.
+// The columns of a fingerprint: questions and answers, not times. New columns of the record are not among them, so a
+// store has the same fingerprint in every version of the program.
 constexpr std::array<std::string_view, 22> in_fingerprint{"study",
                                                           "robot",
                                                           "solver",
@@ -35,12 +35,12 @@ constexpr std::array<std::string_view, 22> in_fingerprint{"study",
                                                           "status",
                                                           "trace_cm"};
 
-// 32 hexadecimal digits, the same for records in any order. Numbers count with every bit, with two exceptions: every
-// NaN is the same, and -0.0 is 0.0 where it is not in a list, because a store cannot tell them apart. Of the series the
-// configuration counts: which source gave the bits says nothing of them.
+// 32 hexadecimal digits, the same for records in any order. Every bit of a number counts, with two exceptions, because
+// a store cannot tell them apart: all NaN are the same, and -0.0 outside of lists is 0.0. Of the series only the
+// configuration counts, not the source that gave the bits.
 std::string fingerprint(std::vector<SolveRecord> records);
 
-// The committed fingerprint of a built-in study (results/reference.inc); empty where there is none.
+// The committed fingerprint of a built-in study (results/reference.inc); empty if there is none.
 std::string_view reference_fingerprint(std::string_view study);
 
 }  // namespace ikbench::results

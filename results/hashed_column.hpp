@@ -1,4 +1,4 @@
-// The words of a column's value, for a hash that takes words of 64 bits, texts and doubles.
+// Adds a column's value to a hash that takes words of 64 bits, texts and doubles.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace ikbench::results {
 
-// -0.0 is 0.0 where it is not in a list, because a store cannot tell them apart.
+// -0.0 outside of lists counts as 0.0, because a store cannot tell them apart.
 template <class Hash, class Value>
 void add_column(Hash& hash, const Value& value) {
   if constexpr (std::is_enum_v<Value>) {

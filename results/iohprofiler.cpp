@@ -22,13 +22,13 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr int largest_id = 65535;                      // 16 bits in the tables of IOHinspector
-constexpr std::string_view writer_version = "0.3.23";  // of IOHexperimenter; readers choose the format by it
+constexpr std::string_view writer_version = "0.3.23";  // of IOHexperimenter; readers derive the format from it
 
 struct Row {
   double evaluations, error_cm;
 };
 
-// As in the names of files and functions: letters, digits, _ and -.
+// A name for files and functions: letters, digits, _ and -.
 std::string plain_name(std::string_view text) {
   std::string name;
   for (const char c : text) {
@@ -42,8 +42,8 @@ bool has_rows(const SolveRecord& solve) {
   return solve.counted_by == CountedBy::suite && (!solve.improved_at.empty() || is_without_answer(solve.status));
 }
 
-// From evaluation 1 to the last. What is not finite is no improvement; a solve without any finite error has the
-// largest.
+// The rows of a solve, from evaluation 1 to the last. A value that is not finite is no improvement; a solve without any
+// finite error gets the largest.
 std::vector<Row> rows_of(const SolveRecord& solve) {
   constexpr double worst = std::numeric_limits<double>::max();
   if (solve.improved_at.size() != solve.improved_to_cm.size() ||
@@ -60,13 +60,13 @@ std::vector<Row> rows_of(const SolveRecord& solve) {
   return rows;
 }
 
-// The joints that the solver searched: all, or those before the wrist.
+// The number of searched joints: all, or those before the wrist.
 std::size_t dimension_of(const Json& definition, const SolveRecord& solve) {
   const std::size_t all = solve.answer_rad.size();
   return definition.value("search", "") == "wrist" && all > 3 ? all - 3 : all;
 }
 
-// One function of one solver: the rows of all its runs, and what the JSON file says of them.
+// One function of one solver: the rows of all its runs, and their entries in the JSON file.
 struct Function {
   std::string data = {};
   Json runs = Json::array();
@@ -79,14 +79,14 @@ void add_run(Function& function, const SolveRecord& solve, std::size_t dimension
   const Row& best = *std::ranges::min_element(rows, {}, &Row::error_cm);
   Json x = Json::array();
   for (std::size_t j = 0; j < dimension; ++j) x.push_back(solve.answer_rad[j]);
-  // `best` has these three and no other: IOHinspector passes over a file with more, without a word.
+  // `best` must have exactly these three: IOHinspector silently skips a file with more.
   function.runs.push_back(
       {{"instance", solve.run},
        {"evals", static_cast<std::int64_t>(rows.back().evaluations)},
        {"best", {{"evals", static_cast<std::int64_t>(best.evaluations)}, {"y", best.error_cm}, {"x", x}}}});
 }
 
-// Of one solver, into a folder of its own.
+// Writes one solver's functions into its own folder.
 class SolverFolder {
  public:
   SolverFolder(std::filesystem::path folder, const StudyEntry& study, const Series& series)
@@ -100,7 +100,7 @@ class SolverFolder {
       write_file(folder_ / path, function.data);
       scenarios.push_back({{"dimension", dimension}, {"path", path}, {"runs", function.runs}});
     }
-    // Without attributes of ours: IOHinspector evaluates their texts, and IOHanalyzer loses those of runs.
+    // No attributes of ours: IOHinspector evaluates their texts, and IOHanalyzer loses those of runs.
     const Json json{{"version", writer_version},
                     {"suite", suite_},
                     {"function_id", point},

@@ -1,6 +1,6 @@
-// A study as IOHprofiler's benchmarks have it (Doerr, Wang, Ye, van Rijn and Baeck 2018), for IOHanalyzer and
-// IOHinspector: a target of the path is a function, a run an instance, the number of joints searched the dimension, and
-// the error [cm] what is minimised. Of each solve there are the evaluations at which the best error became smaller.
+// A study in the format of IOHprofiler (Doerr, Wang, Ye, van Rijn and Baeck 2018), for IOHanalyzer and IOHinspector. A
+// target of the path is a function, a run an instance, the number of searched joints the dimension, and the error [cm]
+// the objective. Each solve lists the evaluations at which its best error became smaller.
 #pragma once
 
 #include <filesystem>
@@ -11,10 +11,10 @@
 
 namespace ikbench::results {
 
-// Writes a folder for each solver: IOHprofiler_f1_target.json, data_f1_target/IOHprofiler_f1_DIM7.dat and so on. Where
-// a program gave no answer, evaluation 1 has the error at the start and is the last. Gives the solvers that are left
-// out, because nobody here counted their evaluations. std::invalid_argument where no solver has traces, where points or
-// runs are more than IOHprofiler's numbers allow, or where the folder is not empty or cannot be written.
+// Writes a folder for each solver: IOHprofiler_f1_target.json, data_f1_target/IOHprofiler_f1_DIM7.dat and so on. If a
+// program gave no answer, evaluation 1 has the error at the start and is the last. Returns the solvers that are left
+// out because ikbench did not count their evaluations. Throws std::invalid_argument if no solver has traces, if points
+// or runs exceed IOHprofiler's numbers, or if the folder is not empty or cannot be written.
 std::vector<std::string> write_iohprofiler(const std::filesystem::path& folder, const StudyEntry& study,
                                            const std::vector<SolveRecord>& solves);
 

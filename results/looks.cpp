@@ -39,7 +39,7 @@ Store open_to_look(const std::filesystem::path& store) {
   } catch (const HalfWritten&) {
     try {
       SQLite::Database(store.string(), SQLite::OPEN_READWRITE, patience_ms).execAndGet("SELECT count(*) FROM meta");
-    } catch (const SQLite::Exception&) {  // it may only be read
+    } catch (const SQLite::Exception&) {  // it is read-only
     }
     return {store, Store::Mode::read};
   }
@@ -50,7 +50,7 @@ std::vector<Look> looks_at(const std::string& study, const std::filesystem::path
   try {
     SQLite::Database sqlite(store.string(), SQLite::OPEN_READONLY, patience_ms);
     for (const auto& [key, when] : looks_among(meta_in(sqlite), study)) looks.push_back({runs_in(key), when});
-  } catch (const std::runtime_error&) {  // of SQLite, or damage
+  } catch (const std::runtime_error&) {  // SQLite's, or damage
     return {};
   }
   std::ranges::sort(looks, {}, &Look::runs);
@@ -66,7 +66,7 @@ void remember_look(const std::string& study, int runs, const std::filesystem::pa
     write_look(sqlite, study, key_of(study, runs),
                sqlite.execAndGet("SELECT strftime('%Y-%m-%dT%H:%M:%SZ', 'now')").getString());
     transaction.commit();
-  } catch (const SQLite::Exception&) {  // it may only be read
+  } catch (const SQLite::Exception&) {  // it is read-only
   }
 }
 

@@ -1,5 +1,5 @@
-// Which looks a store has had: how many runs there were when a report or a comparison was made. Whoever adds runs and
-// looks again until p is small enough finds differences that are none; a later look says so.
+// The looks at a store: the number of runs at each report or comparison. Adding runs and looking again until p is small
+// enough finds differences that do not exist; a later look warns of it.
 #pragma once
 
 #include <filesystem>
@@ -17,15 +17,16 @@ struct Look {
   std::string when = {};  // date and time, UTC
 };
 
-// The store to be read by who remembers a look at it: what a kill in the middle of that has left is undone first.
+// Opens the store for reading, by a caller who remembers a look at it; first undoes what a kill in the middle of that
+// has left.
 Store open_to_look(const std::filesystem::path& store);
 
-// At a study, by a report or a comparison; the fewest runs first. None where the store cannot tell.
+// The looks at a study by reports and comparisons, fewest runs first. None if the store cannot tell.
 std::vector<Look> looks_at(const std::string& study, const std::filesystem::path& store);
-// The rows of the table `meta` that are such looks.
+// The rows of the table `meta` that are looks at the study.
 std::map<std::string, std::string> looks_among(const std::map<std::string, std::string>& meta,
                                                const std::string& study);
-// Once for so many runs: the same look again changes nothing. A store that may only be read forgets it.
+// Remembers a look with this number of runs; the same look again changes nothing. A read-only store remembers nothing.
 void remember_look(const std::string& study, int runs, const std::filesystem::path& store);
 
 }  // namespace ikbench::results

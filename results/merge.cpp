@@ -37,7 +37,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// All facts of a session but those that are known at its end: where they are the same, two are one session.
+// The facts of a session that are known at its start. Two sessions with the same facts are one.
 std::string facts_of(const Session& session) {
   std::string facts = session.began;
   for (const auto& [key, value] : session.environment) {
@@ -47,7 +47,7 @@ std::string facts_of(const Session& session) {
   return facts;
 }
 
-// A store to be taken. A merged store names the stores that its studies and sessions came from.
+// A store to merge. A merged store names the stores that its studies and sessions came from.
 struct Source {
   std::string of_study(const std::string& name) const {
     const auto found = studies.find(name);
@@ -65,7 +65,7 @@ struct Source {
   std::map<std::int64_t, std::string> sessions = {};
 };
 
-// How SQLite opens a file to read only (https://www.sqlite.org/uri.html).
+// The URI by which SQLite opens a file read-only (https://www.sqlite.org/uri.html).
 std::string read_only(const fs::path& file) {
   std::string uri = "file://";
   for (const char c : fs::absolute(file).string()) {
@@ -75,7 +75,8 @@ std::string read_only(const fs::path& file) {
   return uri + "?mode=ro";
 }
 
-// The database `source` of a connection. Within a transaction that has read it, it stays until the connection ends.
+// Attaches a file as the connection's database `source`. A transaction that has read it keeps it until the connection
+// ends.
 class Attached {
  public:
   Attached(SQLite::Database& sqlite, const fs::path& file) : sqlite_(sqlite) {
@@ -91,8 +92,8 @@ class Attached {
   SQLite::Database& sqlite_;
 };
 
-// The studies of a store, in which nothing was changed since it was written. A merge would hide that: it writes digests
-// of what it finds.
+// The studies of a store. Refuses a store that was changed since it was written: a merge would hide that, since it
+// writes new digests.
 std::vector<StudyEntry> unchanged_studies(const Store& store) {
   std::vector<StudyEntry> studies;
   store.at_one_moment([&] { studies = store.studies(); });
@@ -106,13 +107,13 @@ std::vector<StudyEntry> unchanged_studies(const Store& store) {
                   store.name(), changes.front()));
 }
 
-// Solves by their rowids, both included.
+// A range of solves by their rowids, both ends included.
 struct Rows {
   std::int64_t first = std::numeric_limits<std::int64_t>::min();
   std::int64_t last = std::numeric_limits<std::int64_t>::max();
 };
 
-// The store that gets all.
+// The store that receives the others.
 class MergedStore {
  public:
   explicit MergedStore(StoreFile& file) : file_(file) {
@@ -127,7 +128,7 @@ class MergedStore {
     file_.sqlite().exec("CREATE TEMP TABLE numbers (theirs INTEGER PRIMARY KEY, ours INTEGER NOT NULL)");
   }
 
-  // All that a store has now.
+  // Takes everything that a store has now.
   void take(const Store& store, const Source& source) {
     const Attached attached(file_.sqlite(), source.file);
     const std::int64_t number = file_.number("SELECT count(*) FROM source.solves");
@@ -145,7 +146,7 @@ class MergedStore {
       throw Damage(fmt::format("{} of its {} solves are not in their order", number - taken, number));
   }
 
-  // What is here now is what was written, by whomever.
+  // Writes digests of the present content, whoever wrote it.
   void write_digests() {
     const SolveSums solves = summed_solves(file_.sqlite(), std::numeric_limits<std::int64_t>::max());
     for (const std::int64_t session : with_digest_) {
@@ -156,7 +157,7 @@ class MergedStore {
     }
   }
 
-  // Of this store, for a store that takes it.
+  // This store as a source for another one.
   Source as_source() const {
     Source source{.file = file_.name(), .sessions = origins_};
     for (const auto& [name, known] : studies_) source.studies.emplace(name, known.place);
@@ -190,7 +191,7 @@ class MergedStore {
     if (is_new || is_changed) write_study(file_.sqlite(), known.study);
   }
 
-  // Of several sessions with the same facts the first is our first, and so on.
+  // Takes sessions. Of several with the same facts the first is our first, and so on.
   void take(const std::vector<Session>& sessions, const Source& source) {
     SQLite::Savepoint all_at_once(file_.sqlite(), "sessions");
     file_.sqlite().exec("DELETE FROM temp.numbers");
@@ -230,7 +231,7 @@ class MergedStore {
     known.merge(further);
   }
 
-  // Several stores may have the same session.
+  // Notes the store of a new session; several stores may have the same one.
   void note_origin(std::int64_t number, bool is_new, const std::string& place) {
     if (is_new)
       origins_[number] = place;
@@ -239,8 +240,8 @@ class MergedStore {
       found->second += " or " + place;
   }
 
-  // Some at a time: who writes to a store without a log waits for the end of a query, and gives up some seconds later.
-  // Gives how many there were.
+  // Takes solves, some at a time: a writer to a store without a log waits for the end of a query, and gives up after
+  // some seconds. Returns their number.
   std::int64_t take_solves(const Source& source, Rows all) {
     SQLite::Statement next(
         file_.sqlite(),
@@ -270,7 +271,7 @@ class MergedStore {
     }
   }
 
-  // As they are: who reads the store finds whether numbers follow from answers.
+  // The SQL that copies solves unchanged; readers of the store check them.
   std::string copy_of_solves() {
     std::vector<std::string> columns;
     for_each_column([&](std::string_view name, auto, auto) { columns.emplace_back(name); });
@@ -282,10 +283,10 @@ class MergedStore {
         fmt::join(columns, ", "), fmt::join(values, ", "));
   }
 
-  // Of these rows all are in this store now.
+  // Refuses rows of which this store has other bits. All of these rows are in this store by now.
   void refuse_other_bits(const Source& source, const Rows& rows) {
     std::vector<std::string_view> columns(in_fingerprint.begin(), in_fingerprint.end());
-    std::erase(columns, "study");  // the same solve may be of two
+    std::erase(columns, "study");  // the same solve may belong to two studies
     std::vector<std::string> differ;
     for (const std::string_view column : columns) differ.push_back(fmt::format("theirs.{0} IS NOT ours.{0}", column));
     SQLite::Statement query(
@@ -312,22 +313,22 @@ class MergedStore {
   std::map<std::string, std::vector<std::int64_t>> same_;  // sessions, by their facts
   std::map<std::int64_t, Session> sessions_;
   std::set<std::int64_t> with_digest_;
-  std::map<std::int64_t, std::string> origins_;  // of sessions that are new
+  std::map<std::int64_t, std::string> origins_;  // of new sessions
 };
 
 void end_if(const std::atomic<bool>* cancelled) {
   if (cancelled != nullptr && *cancelled) throw MergeCancelled();
 }
 
-// From here on a statement of the connection ends with an error where `cancelled` is set.
+// Makes statements of the connection end with an error once `cancelled` is set.
 void end_where(SQLite::Database& sqlite, const std::atomic<bool>* cancelled) {
-  constexpr int instructions = 1000;  // from one look at it to the next
+  constexpr int instructions = 1000;  // between two checks
   const auto is_set = [](void* flag) { return static_cast<const std::atomic<bool>*>(flag)->load() ? 1 : 0; };
   if (cancelled != nullptr)
     sqlite3_progress_handler(sqlite.getHandle(), instructions, is_set, const_cast<std::atomic<bool>*>(cancelled));
 }
 
-// What ends the copying of one store into another.
+// Reports the error that ended the copying of one store into another.
 [[noreturn]] void refuse_copy(const SQLite::Exception& error, const fs::path& from, const fs::path& to) {
   const int code = error.getExtendedErrorCode();
   if (code == SQLITE_CONSTRAINT_NOTNULL)
@@ -339,7 +340,7 @@ void end_where(SQLite::Database& sqlite, const std::atomic<bool>* cancelled) {
   results::refuse(is_of_writing ? to.string() : from.string(), error);
 }
 
-// All of them in a new store, which is nobody else's: it needs no journal.
+// Gathers all stores in a new one. It is nobody else's, so it needs no journal.
 std::pair<Source, Merged> gather(const fs::path& file, const fs::path& out, const std::vector<fs::path>& stores,
                                  const std::atomic<bool>* cancelled) {
   return guarded(out.string(), [&] {
@@ -366,18 +367,18 @@ std::pair<Source, Merged> gather(const fs::path& file, const fs::path& out, cons
     }
     if (!stores.empty() && all.merged.half_written.size() == stores.size())
       throw std::invalid_argument(all.merged.half_written.front());
-    // A change, so that SQLite waits until all is on the disk.
+    // This change makes SQLite wait until all is on the disk.
     all.write_digests();
     target.sqlite().exec(fmt::format("PRAGMA synchronous = FULL; PRAGMA user_version = {}", schema_version));
     return std::pair(all.as_source(), all.merged);
   });
 }
 
-// All or nothing.
+// Adds the gathered store to `out`; all or nothing.
 Merged take_into(const fs::path& out, const Source& gathered, const std::atomic<bool>* cancelled) {
   return guarded(out.string(), [&] {
     StoreFile target(out, Store::Mode::write_shared);
-    target.sqlite().exec("PRAGMA cache_size = -65536");  // readers are locked out from when it is full
+    target.sqlite().exec("PRAGMA cache_size = -65536");  // once it is full, readers are locked out
     end_where(target.sqlite(), cancelled);
     SQLite::Transaction transaction(target.sqlite(), SQLite::TransactionBehavior::IMMEDIATE);
     MergedStore all(target);
@@ -389,7 +390,7 @@ Merged take_into(const fs::path& out, const Source& gathered, const std::atomic<
   });
 }
 
-// Gives a file its name unless there is one of that name: then EEXIST.
+// Renames a file, unless the name exists: then EEXIST.
 std::error_code publish(const fs::path& file, const fs::path& name) {
   if (::renameat2(AT_FDCWD, file.c_str(), AT_FDCWD, name.c_str(), RENAME_NOREPLACE) == 0) return {};
   if (errno != EEXIST && ::link(file.c_str(), name.c_str()) == 0) return {};  // NFS knows no RENAME_NOREPLACE
@@ -399,8 +400,8 @@ std::error_code publish(const fs::path& file, const fs::path& name) {
 Merged merge_all(const fs::path& out, const std::vector<fs::path>& stores, const std::atomic<bool>* cancelled) {
   try {
     std::error_code none;
-    if (fs::exists(out, none)) Store(out, Store::Mode::read);  // what is no store is refused before all is copied
-  } catch (const HalfWritten&) {                               // it will be mended
+    if (fs::exists(out, none)) Store(out, Store::Mode::read);  // refuses what is no store before the long copy
+  } catch (const HalfWritten&) {                               // opening it for writing mends it
   }
   const TemporaryFolder scratch(out.parent_path());
   const fs::path file = scratch.path() / out.filename();
@@ -423,7 +424,7 @@ Merged merge(const fs::path& out, const std::vector<fs::path>& stores, const std
   try {
     return merge_all(out, stores, cancelled);
   } catch (const std::exception&) {
-    end_if(cancelled);  // whatever its end looked like
+    end_if(cancelled);  // whatever the error was
     throw;
   }
 }

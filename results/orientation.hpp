@@ -1,5 +1,5 @@
-// The record's orientation_error, ||R - Rd|| / ||Rd||, as an angle: of two rotations ||R - Rd|| is sqrt(8) sin(angle /
-// 2), and ||Rd|| is sqrt(3).
+// Converts the record's orientation_error, ||R - Rd|| / ||Rd||, to an angle: for two rotations ||R - Rd|| is sqrt(8)
+// sin(angle / 2), and ||Rd|| is sqrt(3).
 #pragma once
 
 #include <cmath>
@@ -8,13 +8,13 @@
 
 namespace ikbench::results {
 
-// NaN stays.
+// NaN stays NaN.
 inline double orientation_angle_deg(double orientation_error) {
   const double sine = orientation_error * std::sqrt(3.0 / 8);
   return 2 * std::asin(sine > 1 ? 1.0 : sine) / numerics::degree;
 }
 
-// Of an angle from 0 to 180 deg.
+// For an angle from 0 to 180 deg.
 inline double orientation_error_of(double angle_deg) {
   return std::sqrt(8.0 / 3) * std::sin(angle_deg * numerics::degree / 2);
 }

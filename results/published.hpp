@@ -1,4 +1,4 @@
-// Published tables, carried in the program: results/published/<paper>/<table>.csv.
+// Published tables, embedded in the program: results/published/<paper>/<table>.csv.
 #pragma once
 
 #include <string_view>
@@ -8,10 +8,10 @@
 
 namespace ikbench::results::published {
 
-// The table as printed, e.g. table("slim2023", "table-3"); std::invalid_argument where there is none.
+// The table as printed, e.g. table("slim2023", "table-3"); std::invalid_argument if there is none.
 CsvTable table(std::string_view paper, std::string_view name);
 std::vector<std::string_view> papers();
-// Names of the tables of a paper; none for a paper that is not there.
+// Names of a paper's tables; none for an unknown paper.
 std::vector<std::string_view> tables(std::string_view paper);
 
 }  // namespace ikbench::results::published

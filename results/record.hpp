@@ -1,5 +1,5 @@
-// One row per solve: everything that is remembered of it. The columns are listed once, in columns.inc; this struct,
-// the store's schema, its reader, CSV, JSON and `ikbench list columns` derive from that list.
+// One row per solve: everything that the store keeps of it. columns.inc lists the columns once; this struct, the
+// store's schema, its reader, CSV, JSON and `ikbench list columns` derive from that list.
 #pragma once
 
 #include <array>
@@ -11,14 +11,13 @@
 
 namespace ikbench::results {
 
-// Why a solve ended; finished: by the solver itself.
+// The reason for a solve's end; finished: the solver ended by itself.
 enum class StopReason : std::uint8_t { iterations, tolerance, evaluations, time, not_finite, finished };
 
-// What the verifier says of an answer; the first that applies, in the order of severity
-// not_finite, claimed_but_wrong, refused, limit_violated, tolerance_missed, ok. Where a study enforces the joint
-// limits, an answer that violates them is refused: the arm stays where it was, and the record's answer is that.
-// The others, up to declined, are of programs that solve outside of this one and gave no answer; the arm stays where
-// it was, too.
+// The verifier's judgement of an answer: the first that applies of not_finite, claimed_but_wrong, refused,
+// limit_violated, tolerance_missed, ok. If a study enforces the joint limits, an answer that violates them is refused:
+// the arm stays where it was, and so does the record's answer. crashed to declined are for outside programs that gave
+// no answer; then the arm stays, too.
 enum class Status : std::uint8_t {
   ok,
   tolerance_missed,
@@ -26,16 +25,16 @@ enum class Status : std::uint8_t {
   refused,
   claimed_but_wrong,
   not_finite,
-  crashed,         // it ended or could not be started, or ended too often and is given up
+  crashed,         // it ended, could not be started, or was given up
   timed_out,       // it did not answer within its patience
-  broke_protocol,  // it said what makes no sense
+  broke_protocol,  // its message made no sense
   declined,        // it says that it cannot solve this
-  not_verified,    // of somebody else's solve of which the error is known, but not the answer
-  over_budget      // of a program: in order, but for far more time or evaluations than the study gives
+  not_verified,    // an imported solve with an error but no answer
+  over_budget      // a program's answer is fine, but took far more time or evaluations than the study gives
 };
 
-// Under what circumstances the times were taken; only `clean` times are comparable, and `process`, those of another
-// program, which have its transport in them. imported: taken elsewhere, of a solve from a file (`ikbench import`).
+// The circumstances of a solve's times. Only `clean` times are comparable, and `process`, those of another program,
+// which include its transport. imported: taken elsewhere, from a file (`ikbench import`).
 enum class Timing : std::uint8_t { clean, parallel, debug_build, process, imported };
 
 // Who counted the evaluations.
@@ -54,9 +53,9 @@ constexpr const auto& names_of(Status) { return status_names; }
 constexpr const auto& names_of(Timing) { return timing_names; }
 constexpr const auto& names_of(CountedBy) { return counted_by_names; }
 
-// Whether the solver gave no answer at all.
+// True if the solver gave no answer at all.
 constexpr bool is_without_answer(Status status) { return status >= Status::crashed && status <= Status::declined; }
-// Whether the arm stayed where it was, and the record's answer is that.
+// True if the arm stayed where it was, and the record's answer is that.
 constexpr bool stays(Status status) { return status == Status::refused || is_without_answer(status); }
 
 template <class Enum>
@@ -76,7 +75,7 @@ struct SolveRecord {
 #undef COLUMN
 };
 
-// visit(name, member, meaning) for every column, in their order.
+// Calls visit(name, member, meaning) for every column, in their order.
 template <class Visit>
 constexpr void for_each_column(Visit&& visit) {
 #define COLUMN(type, name, initial, meaning) visit(#name, &SolveRecord::name, meaning);

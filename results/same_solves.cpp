@@ -10,7 +10,7 @@ namespace ikbench::results {
 
 namespace {
 
-// Of what was solved by ikbench.
+// Keys of the series that ikbench solved.
 std::vector<std::string> own_keys(const StudyEntry& study) {
   std::vector<std::string> keys;
   for (const Series& series : study.series) {

@@ -1,4 +1,4 @@
-// Whether two studies of one name ask for the same solves, and what is in both.
+// Compares two studies of one name: do they ask for the same solves, and what is in both?
 #pragma once
 
 #include <array>
@@ -9,17 +9,18 @@
 
 namespace ikbench::results {
 
-// Parts of a definition on which no solve depends: how it is judged, and which targets were found to be out of reach.
+// Parts of a definition that decide no solve: how it is judged, and which targets are out of reach.
 constexpr std::array<std::string_view, 4> decide_no_solve{"analysis", "deadline_ms", "out_of_reach", "repeats"};
 
-// Of two definitions (JSON, as the store has them): the first field in which they ask for others, with both values:
-// "seed is 1 and 2"; empty where there is none. One may ask for more runs.
+// The first field in which two definitions (JSON, as the store has them) ask for different solves, with both values:
+// "seed is 1 and 2"; empty if there is none. The number of runs may differ.
 std::string difference_in_solves(const std::string& definition, const std::string& other);
 
-// Why two studies of one name cannot be merged; empty where they can: of two numbers of runs the larger is taken.
+// Says why two studies of one name cannot be merged; empty if they can. Different numbers of runs can: the larger
+// counts.
 std::string why_not_one(const StudyEntry& study, const StudyEntry& other);
 
-// The one with more runs, with what was imported into either.
+// The study with more runs, with the imported series of both.
 StudyEntry joined(const StudyEntry& study, const StudyEntry& other);
 
 }  // namespace ikbench::results

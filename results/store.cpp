@@ -1,4 +1,4 @@
-// The studies, sessions and solves of a store: what is asked of the file and written into it.
+// Reads and writes the studies, sessions and solves of a store.
 #include "results/store.hpp"
 
 #include <SQLiteCpp/SQLiteCpp.h>
@@ -26,7 +26,7 @@ namespace {
 
 constexpr std::int64_t no_end = std::numeric_limits<std::int64_t>::max();
 
-// More than any study needs; a file that holds more was not written by us.
+// More than any study needs; we wrote no file that holds more.
 constexpr std::size_t largest_json = 1'000'000;
 constexpr int deepest_json = 32;
 constexpr std::size_t longest_label = 1000;
@@ -34,12 +34,12 @@ constexpr std::int64_t most_runs = 1'000'000;
 constexpr std::int64_t most_points = 100'000;
 constexpr std::int64_t most_solves = 100'000'000;
 
-// More solves than a study may have, which a user can ask for too.
+// More solves than a study may have. A user can ask for that, too.
 struct TooManySolves : Damage {
   using Damage::Damage;
 };
 
-// How deep the arrays and objects of a JSON text are nested. Up to its first mistake this is what a parser sees.
+// The depth of arrays and objects in a JSON text. Up to its first mistake a parser sees the same.
 int depth_of(std::string_view json) {
   int depth = 0, deepest = 0;
   bool in_text = false;
@@ -57,7 +57,7 @@ int depth_of(std::string_view json) {
   return deepest;
 }
 
-// Whoever reads the object may walk through it by recursion, so it must not be deep.
+// Reads an object that is not deep, since its readers may walk through it by recursion.
 nlohmann::json object_in(const std::string& text, const std::string& what) {
   if (text.size() > largest_json)
     throw Damage(fmt::format("{} has {} bytes, expected at most {}", what, text.size(), largest_json));
@@ -68,7 +68,7 @@ nlohmann::json object_in(const std::string& text, const std::string& what) {
   return json;
 }
 
-// A whole number of a definition, from 1 to `most`.
+// A whole number in a definition, from 1 to `most`.
 std::int64_t defined(const nlohmann::json& definition, const char* key, std::int64_t most, const std::string& what) {
   const auto found = definition.find(key);
   const bool is_whole = found != definition.end() && found->is_number_integer();
@@ -83,7 +83,7 @@ struct Last {
   std::int64_t run, point;
 };
 
-// What every study in a store is; returns its last run, and its last point where it says one.
+// Checks what holds for every study in a store; returns its last run, and its last point if it has one.
 Last check_study(const StudyEntry& study) {
   const std::string name = excerpt(study.name);
   if (study.series.size() > most_series)
@@ -128,7 +128,7 @@ struct Store::Database : StoreFile {
     return study;
   }
 
-  // The names of the studies within a sentence.
+  // The names of the studies, for a sentence.
   std::string study_names() {
     constexpr std::int64_t most = 20;
     SQLite::Statement query(sqlite(), "SELECT name FROM studies ORDER BY position LIMIT ?");
@@ -140,7 +140,7 @@ struct Store::Database : StoreFile {
     return fmt::format("{}{}", fmt::join(names, ", "), others > 0 ? fmt::format(" and {} more", others) : "");
   }
 
-  // Passes on the solves of a series, up to a run, and adds up their digests, the first time.
+  // Passes on the solves of a series, up to a run, and adds up their digests the first time.
   void read_solves(const std::string& key, std::int64_t last_run, const std::function<void(SolveRecord)>& take) {
     refuse_blobs("solves", "series");
     SQLite::Statement query(
@@ -151,9 +151,9 @@ struct Store::Database : StoreFile {
     std::optional<SolveAdder> adder;
     if (!summed_.of_series.contains(key)) adder.emplace(query);
     SolveSums sums;
-    constexpr int at_once = 1000;  // who writes a store without a log waits for the end of a query, but not for long
+    constexpr int at_once = 1000;  // a writer to a store without a log waits for a query to end
     std::vector<SolveRecord> read;
-    std::int64_t run = std::numeric_limits<std::int64_t>::min(), point = run;  // as nobody has stored them
+    std::int64_t run = std::numeric_limits<std::int64_t>::min(), point = run;  // before all stored ones
     for (int rows = at_once; rows == at_once;) {
       read.clear();
       SQLite::bind(query, key, run, point, at_once);
@@ -260,7 +260,7 @@ std::vector<Session> Store::sessions() const {
         list.back().environment[value_in<std::string>(query.getColumn(1))] = value_in<std::string>(query.getColumn(2));
     }
     SQLite::Statement astray(database_->sqlite(), "SELECT session FROM environment WHERE typeof(session) <> 'integer'");
-    if (astray.executeStep()) value_in<std::int64_t>(astray.getColumn(0));  // the join passes over it
+    if (astray.executeStep()) value_in<std::int64_t>(astray.getColumn(0));  // the join would skip it
     return list;
   });
 }
@@ -332,7 +332,7 @@ void Store::each_of_study(const StudyEntry& study, const std::function<void(Solv
         if (record.solver != series.label)
           throw Damage(fmt::format("solver {} in run {}, point {} of the series of {}", excerpt(record.solver),
                                    record.run, record.point, excerpt(series.label)));
-        record.study = study.name;  // also where another name first solved it
+        record.study = study.name;  // also if another study's name solved it first
         take(std::move(record));
       });
     }

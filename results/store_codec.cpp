@@ -17,7 +17,7 @@ using namespace numerics;
 
 namespace {
 
-// A list of numbers as a JSON array. JSON has neither NaN nor infinity: null, and 1e999, which every reader
+// A list of numbers as a JSON array. JSON has neither NaN nor infinity: they are null and 1e999, which every reader
 // rounds to infinity.
 constexpr std::string_view json_nan = "null";
 constexpr std::string_view json_infinity = "1e999";
@@ -58,7 +58,7 @@ std::vector<double> numbers_from(std::string_view array) {
   }
 }
 
-// How a member of the record is declared, written and read. SQLite has no NaN: NULL stands for it.
+// The SQL type of a member of the record. SQLite has no NaN: NULL stands for it.
 template <class Value>
 constexpr std::string_view sql_type() {
   if constexpr (std::is_integral_v<Value>) return "INTEGER NOT NULL";
@@ -76,7 +76,7 @@ auto sql_value(const Value& value) {
     return value;
 }
 
-// Of a column that schema 1 did not have; a number has none.
+// The default of a column that schema 1 did not have; a floating-point number has none.
 template <class Value>
 std::string sql_default(const Value& value) {
   if constexpr (std::is_floating_point_v<Value>) return "";
@@ -84,13 +84,13 @@ std::string sql_default(const Value& value) {
   if constexpr (!std::is_arithmetic_v<Value>) return fmt::format(" DEFAULT '{}'", sql_value(value));
 }
 
-// The text of a column, as long as its row is.
+// The text of a column; valid as long as its row.
 std::string_view text_in(const SQLite::Column& column) {
-  const char* const text = column.getText();  // before its bytes are counted
+  const char* const text = column.getText();  // call it before getBytes
   return {text, static_cast<std::size_t>(column.getBytes())};
 }
 
-// SQLite keeps a value of any type in a column of any type, and would give a wrong one as 0 or as text.
+// Checks a column's type. SQLite keeps a value of any type in any column, and would return a wrong one as 0 or as text.
 void expect(bool is_right, const SQLite::Column& column, std::string_view type) {
   if (!is_right) throw Damage(fmt::format("{} {}, expected {}", column.getName(), excerpt(column), type));
 }
@@ -146,7 +146,7 @@ std::vector<SolveColumn> solve_columns() {
   return columns;
 }
 
-// Each through `format`, separated by commas.
+// The columns, each through `format`, separated by commas.
 template <class Format>
 std::string listed(const std::vector<SolveColumn>& columns, Format&& format) {
   std::string text;

@@ -1,5 +1,5 @@
-// A solve as a row of the store, and back: the columns of SQL, the values in them, and what they must be when they are
-// read. The file may be anybody's: whatever in it ikbench would not have written is Damage.
+// Converts a solve to a row of the store and back: the SQL columns, their values, and checks on reading. The file is
+// not trusted: whatever ikbench would not have written is Damage.
 #pragma once
 
 #include <SQLiteCpp/SQLiteCpp.h>
@@ -20,11 +20,11 @@ struct Damage : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-// Text of the file within a sentence: in quotes, up to a NUL character, and not all of it where it is long.
+// Text of the file for a sentence: in quotes, up to a NUL character, cut if it is long.
 std::string excerpt(std::string_view text);
 std::string excerpt(const SQLite::Column& column);
 
-// Schema 1 had 26 columns. A column more is a version more.
+// Schema 1 had 26 columns. Each further column is a further version.
 constexpr int columns_of_schema_1 = 26;
 constexpr std::int64_t schema_version = [] {
   std::int64_t columns = 0;
@@ -32,19 +32,19 @@ constexpr std::int64_t schema_version = [] {
   return columns - columns_of_schema_1 + 1;
 }();
 
-// SQL for the table `solves`: to make it, and to read rows of it, each after its rowid; a condition and an order may
+// SQL that creates the table `solves`, and SQL that reads its rows, each after its rowid; a condition and an order may
 // follow.
 std::string create_solves();
 std::string select_solves();
 
-// An INSERT with a parameter for each column, and their values.
+// An INSERT with a parameter for each column, and the binding of their values.
 std::string insert_solve();
 void bind_solve(SQLite::Statement& insert, const SolveRecord& record);
 
-// The row that a statement of select_solves stands at. Damage names the column.
+// Reads the present row of a statement of select_solves. Damage names the column.
 SolveRecord solve_in(SQLite::Statement& row);
 
-// What `action` returns; Damage that it finds in a row of select_solves says which solve that is.
+// Calls `action` and returns its result; Damage in a row of select_solves names the solve.
 template <class Action>
 auto at_solve(SQLite::Statement& row, Action&& action) {
   try {
@@ -56,7 +56,7 @@ auto at_solve(SQLite::Statement& row, Action&& action) {
   }
 }
 
-// A value of a column that must be of its type, of which there are std::string, int, std::int64_t; else Damage.
+// A value of a column that must have its type, one of std::string, int, std::int64_t; else Damage.
 template <class Value>
 Value value_in(const SQLite::Column& column);
 

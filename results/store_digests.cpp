@@ -29,14 +29,14 @@ void note(SQLite::Database& sqlite, const std::string& key, std::int64_t number)
   save.exec();
 }
 
-// How many rows it is added to.
+// Adds to a row of `meta`; returns the number of rows changed.
 int add(SQLite::Database& sqlite, const std::string& key, std::int64_t number) {
   SQLite::Statement add(sqlite, "UPDATE meta SET value = value + ? WHERE key = ?");
   SQLite::bind(add, number, key);
   return add.exec();
 }
 
-// Why a session does not fit its digest; empty where it does.
+// Says why a session does not fit its digest; empty if it fits.
 std::string change_of(const Written& written, const Session& session, const SessionDigest& solves) {
   const auto digest = written.meta.find(digest_key(session.id));
   const auto number = written.meta.find(solves_key(session.id));
@@ -49,7 +49,7 @@ std::string change_of(const Written& written, const Session& session, const Sess
   return fits ? "" : "what is known of it, or its solves, are not what was stored";
 }
 
-// A session may be of any study, unless it says that it solved another one of the store.
+// True unless the session says that it solved another study of the store.
 bool may_be_of(const Session& session, const Written& written) {
   const auto study = session.environment.find("study");
   if (study == session.environment.end()) return true;
@@ -61,7 +61,7 @@ constexpr std::string_view select_places = "SELECT rowid, session, digest, study
 constexpr int at_once = 10'000;
 constexpr std::int64_t before_all = std::numeric_limits<std::int64_t>::min();
 
-// Those of both rowids and between.
+// Adds the rows from `first` to `last`, both included.
 void add_rows(SQLite::Database& sqlite, std::int64_t first, std::int64_t last, SolveSums& sums) {
   SQLite::Statement query(sqlite, fmt::format("{} WHERE rowid BETWEEN ? AND ? ORDER BY rowid LIMIT ?", select_places));
   const SolveAdder row(query);
@@ -75,7 +75,7 @@ void add_rows(SQLite::Database& sqlite, std::int64_t first, std::int64_t last, S
   }
 }
 
-// Those of a series before a rowid.
+// Adds the rows of a series before a rowid.
 void add_series(SQLite::Database& sqlite, const std::string& series, std::int64_t next_row, SolveSums& sums) {
   SQLite::Statement query(
       sqlite, fmt::format("{} WHERE series = ? AND (run, point) > (?, ?) AND rowid < ? ORDER BY run, point LIMIT ?",
@@ -92,7 +92,7 @@ void add_series(SQLite::Database& sqlite, const std::string& series, std::int64_
   }
 }
 
-// Each is looked up after the one before it.
+// The series of all solves. Each look-up starts after the previous one.
 std::vector<std::string> series_of_solves(SQLite::Database& sqlite) {
   std::vector<std::string> all;
   SQLite::Statement first(sqlite, "SELECT min(series) FROM solves"),
@@ -116,7 +116,7 @@ std::map<std::string, std::string> meta_in(SQLite::Database& sqlite, const std::
 }
 
 void write_digest(SQLite::Database& sqlite, const StudyEntry& study, const std::optional<StudyEntry>& before) {
-  if (before) {  // a digest that was removed does not come back
+  if (before) {  // a removed digest does not come back
     add(sqlite, digest_key(study), digest_of(study) - digest_of(*before));
     return;
   }

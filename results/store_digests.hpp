@@ -1,5 +1,5 @@
-// The digests of studies and sessions, in the table `meta`, and what does not fit them. All is done within the caller's
-// transaction.
+// The digests of studies and sessions in the table `meta`, and the checks against them. Everything happens within the
+// caller's transaction.
 #pragma once
 
 #include <SQLiteCpp/SQLiteCpp.h>
@@ -17,30 +17,30 @@
 
 namespace ikbench::results {
 
-// How many solves a session made, and the sum of its own digest and of theirs and of their places.
+// The number of a session's solves, and the sum of its own digest, theirs, and those of their places.
 struct SessionDigest {
   std::int64_t solves = 0;
   std::int64_t sum = 0;
-  bool has_digests = false;  // whether a solve has one
+  bool has_digests = false;  // true if a solve has one
 };
 
-// The rows of `meta`, in `main` or in another database that is attached.
+// The rows of `meta` in `main` or in an attached database.
 std::map<std::string, std::string> meta_in(SQLite::Database& sqlite, const std::string& database = "main");
 
-// Of a study in the place of another. What did not fit before does not fit then.
+// Writes the digest of a study that replaces another. A digest that did not fit before does not fit afterwards.
 void write_digest(SQLite::Database& sqlite, const StudyEntry& study, const std::optional<StudyEntry>& before);
-// A row of `meta` (looks.hpp), unless it is there.
+// Writes a row of `meta` (looks.hpp), unless it exists.
 void write_look(SQLite::Database& sqlite, const std::string& study, const std::string& key, const std::string& when);
 void write_digest(SQLite::Database& sqlite, std::int64_t session, const SessionDigest& digest);
-// A session whose digest was removed gets none.
+// Adds to a session's digest; one whose digest was removed gets none.
 void add_to_digest(SQLite::Database& sqlite, std::int64_t session, const SessionDigest& further);
 
 std::set<std::int64_t> sessions_with_digest(SQLite::Database& sqlite, const std::string& database);
 
-// The solves of each session.
+// Sums over the solves of each session.
 using SolveSums = std::map<std::int64_t, SessionDigest>;
 
-// Adds up the rows of `solves` that a statement passes.
+// Adds up the rows of `solves` that a statement steps through.
 class SolveAdder {
  public:
   explicit SolveAdder(SQLite::Statement& row);
@@ -52,26 +52,26 @@ class SolveAdder {
   int rowid_, session_, digest_, study_, series_, run_, point_;
 };
 
-// Solves that were read whole: of some series, the rows before one.
+// Sums over solves that were read completely: those of some series, in rows before `next_row`.
 struct Summed {
   std::int64_t next_row = std::numeric_limits<std::int64_t>::min();
   std::map<std::string, SolveSums> of_series = {};
 };
 
-// What a store says of itself at one moment.
+// A store's own account of itself at one moment.
 struct Written {
   std::vector<StudyEntry> studies;
   std::vector<Session> sessions;
   std::map<std::string, std::string> meta;
   std::int64_t last_row;  // of `solves`
 };
-Written written_in(SQLite::Database& sqlite);  // `meta` and last row
+Written written_in(SQLite::Database& sqlite);  // reads `meta` and the last row only
 
-// Of all solves, but those that came after `last_row`. What is not known is read some at a time, as who writes to a
-// store without a log waits for the end of a query.
+// Sums over all solves up to `last_row`. Reads unknown ones some at a time, since a writer to a store without a log
+// waits for the end of a query.
 SolveSums summed_solves(SQLite::Database& sqlite, std::int64_t last_row, const Summed& known = {});
 
-// What does not fit: of the studies, and of all sessions but those of other studies.
+// The changes of the studies, and of all sessions except those of other studies.
 Changes changes_since(SQLite::Database& sqlite, const Written& written, const Summed& known);
 
 }  // namespace ikbench::results

@@ -61,7 +61,7 @@ std::string create_tables() {
                    schema_version);
 }
 
-// SQL with every run of white space as one space.
+// The SQL with one space for every run of white space.
 std::string on_one_line(std::string_view sql) {
   std::string text;
   for (const char c : sql) {
@@ -73,7 +73,7 @@ std::string on_one_line(std::string_view sql) {
   return text;
 }
 
-// The path for SQLite, absolute so that it never means something special (":memory:").
+// The path for SQLite, absolute so that it has no special meaning (":memory:").
 std::string checked_path(const std::filesystem::path& file, Store::Mode mode) {
   std::error_code error;
   const auto path = std::filesystem::absolute(file, error);
@@ -102,7 +102,7 @@ void refuse(const std::string& file, const SQLite::Exception& error) {
       throw std::invalid_argument(fmt::format(
           "'{}' is not an ikbench store: it is not an SQLite file; expected a file written by ikbench", file));
     case SQLITE_CORRUPT:
-    case SQLITE_ERROR:  // our SQL is right, so the tables are not ours
+    case SQLITE_ERROR:  // our SQL is right, so the tables are wrong
       refuse(file, Damage(error.what()));
     case SQLITE_TOOBIG:
       throw std::invalid_argument(
@@ -157,7 +157,7 @@ StoreFile::StoreFile(const std::filesystem::path& path, Store::Mode mode)
       sqlite_(checked_path(path, mode),
               (mode == Store::Mode::read ? SQLite::OPEN_READONLY : SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE) |
                   SQLite::OPEN_NOMUTEX |  // a store belongs to one thread at a time
-                  SQLite::OPEN_URI,       // for what is attached; this path begins with a slash
+                  SQLite::OPEN_URI,       // for attached files; this path begins with a slash
               busy_timeout_ms),
       identity_(identity_of(sqlite_.getFilename())) {
   distrust();
@@ -182,12 +182,12 @@ StoreFile::~StoreFile() {
   if (mode_ == Store::Mode::write) fold();
   if (mode_ != Store::Mode::write_shared) return;
   try {
-    number("SELECT count(*) FROM sqlite_master");  // after a write that failed SQLite only now undoes the transaction
-  } catch (const SQLite::Exception&) {             // whoever writes next undoes it
+    number("SELECT count(*) FROM sqlite_master");  // SQLite undoes a failed write only now
+  } catch (const SQLite::Exception&) {             // the next writer undoes it
   }
 }
 
-// SQLite goes on writing a file that was unlinked or moved away.
+// False if the file was unlinked or moved away; SQLite would go on writing it.
 bool StoreFile::is_in_place() const { return identity_ && identity_of(sqlite_.getFilename()) == identity_; }
 
 void StoreFile::check_place() const {
@@ -200,13 +200,13 @@ void StoreFile::commit(SQLite::Transaction& transaction, std::int64_t solves) {
   if (mark_) mark_->add(solves);
 }
 
-// Whether the log could be folded in: not while another process reads or writes. What is committed is safe all the
-// same, and the next to write folds it in.
+// Folds the log in; false if another process reads or writes. The committed data are safe even then, and the next
+// writer folds it in.
 bool StoreFile::fold() {
   try {
     sqlite_.setBusyTimeout(0);
     sqlite_.exec("PRAGMA wal_checkpoint(TRUNCATE)");
-    if (is_in_place()) sqlite_.exec("PRAGMA journal_mode = DELETE");  // else it would remove the log of another file
+    if (is_in_place()) sqlite_.exec("PRAGMA journal_mode = DELETE");  // else it would remove another file's log
     return true;
   } catch (const SQLite::Exception&) {
     return false;
@@ -232,7 +232,7 @@ std::vector<std::filesystem::path> StoreFile::finish() {
   return {place, log};
 }
 
-// The file may be anybody's: none of its SQL is run (https://www.sqlite.org/security.html).
+// The file is not trusted: none of its SQL is run (https://www.sqlite.org/security.html).
 void StoreFile::distrust() {
   sqlite3* const handle = sqlite_.getHandle();
   for (const auto& [option, value] :
@@ -257,12 +257,12 @@ void StoreFile::check_header() {
         fmt::format("'{}' has schema {}, but this ikbench reads schema {} alone; use the ikbench that wrote it, or run "
                     "its studies into a new store",
                     name_, version, schema_version));
-  // SQLite takes what is missing of the last page for zeros.
+  // SQLite takes missing bytes of the last page for zeros.
   if (std::filesystem::file_size(name_) % static_cast<std::uintmax_t>(number("PRAGMA page_size")) != 0)
     throw Damage("it is truncated");
 }
 
-// The tables as we make them, and nothing else.
+// Checks that the file has our tables and nothing else.
 void StoreFile::check_tables() {
   if (const std::string encoding = sqlite_.execAndGet("PRAGMA encoding").getString(); encoding != "UTF-8")
     throw Damage(fmt::format("its encoding is {}, expected UTF-8", encoding));

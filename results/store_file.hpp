@@ -1,4 +1,4 @@
-// The file of a store: whether it is one, and ours; its permissions, its place, its locks and its write-ahead log.
+// The file of a store: checks that it is ours; its permissions, place, locks and write-ahead log.
 #pragma once
 
 #include <SQLiteCpp/SQLiteCpp.h>
@@ -18,11 +18,11 @@
 
 namespace ikbench::results {
 
-// Throws what `error` says of the file, as a sentence (store.hpp: which exception).
+// Throws `error` as a sentence about the file (store.hpp says which exception).
 [[noreturn]] void refuse(const std::string& file, const SQLite::Exception& error);
 [[noreturn]] void refuse(const std::string& file, const Damage& damage);
 
-// What `action` returns; where SQLite fails or there is damage, the sentence about the file.
+// Calls `action` and returns its result; refuses the file if SQLite fails or finds damage.
 template <class Action>
 auto guarded(const std::string& file, Action&& action) {
   try {
@@ -34,15 +34,15 @@ auto guarded(const std::string& file, Action&& action) {
   }
 }
 
-// While it is written it has a write-ahead log beside it (https://www.sqlite.org/wal.html): a process that is killed
-// loses nothing that was committed, and one transaction per solve costs no wait for the disk. The last writer to finish
-// folds the log in: a finished store is one plain file.
-// All who use a log must be on one machine. A store that is written in a folder of several machines
-// (Store::Mode::write_shared) has a rollback journal instead, during a transaction only, and a mark of its writer.
+// While it is written, a write-ahead log stands beside it (https://www.sqlite.org/wal.html): a killed process loses
+// nothing that was committed, and one transaction per solve costs no wait for the disk. The last writer folds the log
+// in, so a finished store is one plain file.
+// All users of a log must be on one machine. A store in a folder of several machines (Store::Mode::write_shared) has a
+// rollback journal instead, during a transaction only, and a mark of its writer.
 class StoreFile {
  public:
-  // Opens the file and checks that it is a store. To write, it is made where it is missing. Damage, SQLite::Exception,
-  // or what store.hpp says.
+  // Opens the file and checks that it is a store. For writing, creates a missing one. Throws Damage, SQLite::Exception,
+  // or as store.hpp says.
   StoreFile(const std::filesystem::path& path, Store::Mode mode);
   ~StoreFile();
   StoreFile(const StoreFile&) = delete;
@@ -52,14 +52,14 @@ class StoreFile {
   SQLite::Database& sqlite() { return sqlite_; }
   std::int64_t number(const char* query) { return sqlite_.execAndGet(query).getInt64(); }
 
-  // Blobs equal no text, so that a search would pass over them; they come after every text.
+  // Refuses blobs in a column: they equal no text, so a search would miss them; they sort after every text.
   void refuse_blobs(const char* table, const char* column);
-  // std::runtime_error where the file is no longer in its place. It has so many new solves.
+  // Commits; `solves` is the number of new solves. Throws std::runtime_error if the file is no longer in its place.
   void commit(SQLite::Transaction& transaction, std::int64_t solves = 0);
-  // Store::finish.
+  // See Store::finish.
   std::vector<std::filesystem::path> finish();
 
-  using Identity = std::pair<dev_t, ino_t>;  // which file a path leads to: its device and number there
+  using Identity = std::pair<dev_t, ino_t>;  // a path's file, by device and number
   static std::optional<Identity> identity_of(const std::string& path);
 
  private:
@@ -75,7 +75,7 @@ class StoreFile {
   Store::Mode mode_;
   SQLite::Database sqlite_;
   std::optional<WriterMark> mark_;
-  std::optional<Identity> identity_;  // of the file that was opened
+  std::optional<Identity> identity_;  // of the opened file
 };
 
 }  // namespace ikbench::results

@@ -11,7 +11,7 @@ namespace ikbench::results {
 std::vector<Series> series_in(SQLite::Database& sqlite, const std::string& study) {
   SQLite::Statement query(
       sqlite, "SELECT key, label, algorithm, options, position FROM series WHERE study = ? ORDER BY position LIMIT ?");
-  SQLite::bind(query, study, static_cast<std::int64_t>(most_series) + 1);  // one too many is enough to be refused
+  SQLite::bind(query, study, static_cast<std::int64_t>(most_series) + 1);  // one too many is enough to refuse it
   std::vector<Series> list;
   while (query.executeStep()) {
     value_in<std::int64_t>(query.getColumn(4));

@@ -1,4 +1,4 @@
-// What is written into the tables, with its digests, within the caller's transaction, and studies as they stand there.
+// Writes the tables with their digests, within the caller's transaction, and reads studies as they stand there.
 #pragma once
 
 #include <SQLiteCpp/SQLiteCpp.h>
@@ -14,18 +14,18 @@
 
 namespace ikbench::results {
 
-// More than any study needs; of those of a study that has more, so many and one.
+// More than any study needs. Of a study with more, series_in returns one more than this.
 constexpr std::size_t most_series = 1000;
 std::vector<Series> series_in(SQLite::Database& sqlite, const std::string& study);
 std::optional<StudyEntry> study_in(SQLite::Database& sqlite, const std::string& name);
 
-// Replaces one of the same name.
+// Replaces a study of the same name.
 void write_study(SQLite::Database& sqlite, const StudyEntry& study);
 
-// A session that begins now; returns its number.
+// Begins a session; returns its number.
 std::int64_t write_session(SQLite::Database& sqlite, const std::map<std::string, std::string>& environment);
 
-// Without a digest. The session has none of these keys yet.
+// Writes facts without a digest. The session must not have these keys yet.
 void write_environment(SQLite::Database& sqlite, std::int64_t session,
                        const std::map<std::string, std::string>& environment);
 

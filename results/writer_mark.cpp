@@ -14,7 +14,7 @@
 namespace ikbench::results {
 namespace {
 
-constexpr std::size_t rate_length = 20;  // always, so that none is mixed with the one before it
+constexpr std::size_t rate_length = 20;  // fixed, so that a rate overwrites the one before
 
 std::filesystem::path mark_of(const std::filesystem::path& store) { return store.string() + "-writer"; }
 
@@ -32,10 +32,10 @@ WriterMark::WriterMark(const std::filesystem::path& store)
   struct flock lock = whole_file();
   if (descriptor_ < 0) return;
   if (::fcntl(descriptor_, F_SETLK, &lock) == 0) {
-    static_cast<void>(!::ftruncate(descriptor_, 0));  // what one that was killed has left
+    static_cast<void>(!::ftruncate(descriptor_, 0));  // the rest of a killed writer
     return;
   }
-  ::close(descriptor_);  // another program writes: the mark is its own
+  ::close(descriptor_);  // the mark belongs to another writer
   descriptor_ = -1;
 }
 
@@ -50,7 +50,7 @@ void WriterMark::add(std::int64_t solves) {
   solves_ += solves;
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - began_;
   const std::string rate = fmt::format("{:<{}.6e}", static_cast<double>(solves_) / seconds.count(), rate_length);
-  static_cast<void>(!::pwrite(descriptor_, rate.data(), rate.size(), 0));  // a full disk is for the store to tell
+  static_cast<void>(!::pwrite(descriptor_, rate.data(), rate.size(), 0));  // the store reports a full disk
 }
 
 std::optional<double> writing_rate(const std::filesystem::path& store) {

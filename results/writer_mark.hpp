@@ -1,5 +1,6 @@
-// A locked file beside a store says that somebody writes to it, and how fast, to every machine that sees the folder.
-// SQLite's own locks do not, where there is no log: they are held for moments. No date does: clocks differ, and jump.
+// A locked file beside a store tells every machine that sees the folder that somebody writes to the store, and how
+// fast. SQLite's own locks do not tell without a log: they last moments. Dates do not tell either: clocks differ, and
+// jump.
 #pragma once
 
 #include <chrono>
@@ -9,8 +10,8 @@
 
 namespace ikbench::results {
 
-// While it lives there is STORE-writer, locked. On a file system without locks, or with another writer, it says
-// nothing.
+// While it lives, STORE-writer exists and is locked. It does nothing on a file system without locks, or if another
+// writer has it.
 class WriterMark {
  public:
   explicit WriterMark(const std::filesystem::path& store);
@@ -18,7 +19,7 @@ class WriterMark {
   WriterMark(const WriterMark&) = delete;
   WriterMark& operator=(const WriterMark&) = delete;
 
-  // So many solves more are stored.
+  // Adds newly stored solves.
   void add(std::int64_t solves);
 
  private:
@@ -28,8 +29,8 @@ class WriterMark {
   std::int64_t solves_ = 0;
 };
 
-// How many solves a second another process that has such a mark has stored, 0 before the first; none: there is no such
-// process.
+// The solves per second that another process with such a mark has stored, 0 before the first; nothing if there is no
+// such process.
 std::optional<double> writing_rate(const std::filesystem::path& store);
 
 }  // namespace ikbench::results

@@ -1,5 +1,5 @@
-// The fields of an arm file, said once: name, field, unit, range and meaning. What reads arms (robot.cpp) and writes
-// them into the store (experiments/study_writer.cpp) visits this list.
+// The fields of an arm file, listed once: name, member, unit, range and meaning. The reader of arms (robot.cpp) and the
+// writer into the store (experiments/study_writer.cpp) visit this list.
 #pragma once
 
 #include <string>
@@ -12,7 +12,7 @@
 
 namespace ikbench::robots {
 
-// A link as a file has it, with its joint's limits: [rad], or [m] where it slides; infinite where it has none.
+// A link in a file, with its joint's limits: [rad], or [m] if it slides; infinite if it has none.
 struct LimitedLink {
   DhLink link;
   Eigen::Vector2d limits{-180 * numerics::degree, 180 * numerics::degree};

@@ -57,7 +57,7 @@ Chain::Chain(std::vector<DhLink> links, Frame base, Frame tool)
     kernel_links_.push_back({kind(cosine, sine), true, link.joint, cosine, sine, link.a, link.d, link.offset});
     all_turn_ = all_turn_ && link.joint == Joint::turns;
   }
-  // Which of the point's coordinates are 0 whatever the angles: on a joint's own axis nothing turns.
+  // Finds coordinates of the point that are 0 for all angles: a joint turns nothing that lies on its axis.
   const Eigen::Vector3d& tip = tool_.position;
   bool x_is_0 = tip.x() == 0, y_is_0 = tip.y() == 0, z_is_0 = tip.z() == 0;
   for (auto link = kernel_links_.rbegin(); link != kernel_links_.rend(); ++link) {
@@ -98,7 +98,7 @@ Pose Chain::follow_kind(const ConfigurationRef& q, Visit& visit) const {
 
   Eigen::Matrix3d R = Eigen::Matrix3d::Identity();
   Eigen::Vector3d p = Eigen::Vector3d::Zero();
-  [[maybe_unused]] Eigen::Vector3d run = Eigen::Vector3d::Zero();  // of coupled links in a row
+  [[maybe_unused]] Eigen::Vector3d run = Eigen::Vector3d::Zero();  // the sum of coupled links in a row
   const auto moved = [&](const Eigen::Vector3d& by) -> Eigen::Vector3d {
     return p + (by.x() * R.col(0) + by.y() * R.col(1) + by.z() * R.col(2));
   };
@@ -215,7 +215,7 @@ KernelChain Chain::kernel_chain() const {
 }
 
 std::vector<double> Chain::points_on_axes() const {
-  std::vector<double> at(links_.size(), 0);  // where the table has its frames
+  std::vector<double> at(links_.size(), 0);  // at first the frames of the table
   if (!at.empty() && links_.front().joint == Joint::turns) at.front() = links_.front().d;
   if (!all_turn_) return at;
   constexpr int most_sweeps = 200;
@@ -225,7 +225,7 @@ std::vector<double> Chain::points_on_axes() const {
       const Seen next = after(j, j + 1 < at.size() ? at[j + 1] : 0);
       double best = next.along;
       if (j > 0) {
-        const double d = at[j - 1] - links_[j - 1].d;  // the one before, seen from this axis
+        const double d = at[j - 1] - links_[j - 1].d;  // the previous axis' point, seen from this axis
         const auto [cosine, sine] = twists_[j - 1];
         const Seen before{cosine * d, length(links_[j - 1].a, sine * d)};
         const double sum = before.beside + next.beside;
@@ -264,7 +264,7 @@ Chain::Ball Chain::reach() const {
 std::string Chain::definition() const {
   const auto numbers = [](const Eigen::Vector3d& v) { return fmt::format("{} {} {} ", v.x(), v.y(), v.z()); };
   std::string text;
-  // What is as in the first stores has their words; the rest is said where it is.
+  // Links as in the first stores have their words of then; additions follow where they apply.
   for (const DhLink& link : links_) {
     text += fmt::format("{} {} {} {} ", link.a, link.alpha, link.d, link.offset);
     if (link.joint == Joint::slides) text += "slides ";

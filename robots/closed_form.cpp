@@ -18,15 +18,15 @@ using namespace numerics;
 
 namespace {
 
-// Shares of the arm's reach.
-constexpr double negligible = 1e-9;  // a length; or a sine
-constexpr double rounding = 1e-14;   // no distance that can be made smaller
-constexpr double reached = 1e-11;    // a distance that is rounding, after it was made smaller
-constexpr double polishable = 1e-5;  // a distance that rounding may make where two solutions meet
+// Relative to the arm's reach.
+constexpr double negligible = 1e-9;  // for a length or a sine
+constexpr double rounding = 1e-14;   // a distance that cannot become smaller
+constexpr double reached = 1e-11;    // a polished distance that is rounding
+constexpr double polishable = 1e-5;  // a distance that rounding may cause where two solutions meet
 
 double turned_into_range(double angle) { return std::remainder(angle, 2 * std::numbers::pi); }
 
-// Zeros of form (1, cos, sin); where there is none, that where it is nearest to zero.
+// Zeros of form (1, cos, sin); if there is none, the angle nearest to a zero.
 Roots zeros(const Eigen::RowVector3d& form) {
   const double size = std::sqrt(form[1] * form[1] + form[2] * form[2]);
   Roots zeros(0);
@@ -39,9 +39,10 @@ Roots zeros(const Eigen::RowVector3d& form) {
   return zeros;
 }
 
-// Zeros of (1, cos, sin) S (1, cos, sin)^T, by the tangent of half the angle from where it is farthest from zero.
+// Zeros of (1, cos, sin) S (1, cos, sin)^T, by the tangent of half the angle, measured from where the form is farthest
+// from zero.
 Roots zeros(const Eigen::Matrix3d& S) {
-  // As v[0] + v[1] cos + v[2] sin + v[3] cos 2t + v[4] sin 2t.
+  // The form as v0 + v[0] cos t + v[1] sin t + v[2] cos 2t + v[3] sin 2t.
   const double v0 = S(0, 0) + 0.5 * (S(1, 1) + S(2, 2));
   double best = 0, opposite = 0;
   Eigen::Vector4d v(2 * S(0, 1), 2 * S(0, 2), 0.5 * (S(1, 1) - S(2, 2)), S(1, 2)), best_v = v;
@@ -100,7 +101,7 @@ std::string ClosedForm::why_not(const Chain& whole) {
     if (whole.links()[j].joint != Joint::turns) return fmt::format("has a joint that does not turn, number {}", j + 1);
   }
   if (!SphericalWrist::fits(whole)) return "has no spherical wrist";
-  // Whether the first three joints move the wrist's centre in all directions, anywhere.
+  // Checks that the first three joints can move the wrist's centre in all directions somewhere.
   const SphericalWrist wrist(whole);
   const double reach = wrist.arm().reach().radius;
   for (const double angle : {0.3, 0.9, 1.7, 2.6}) {

@@ -1,5 +1,5 @@
-// Inverse kinematics in closed form of six joints that turn, the last three in a spherical wrist (Pieper 1968): the
-// first three, whatever their lengths and twists, place the wrist's centre, and the wrist turns the tool.
+// Inverse kinematics in closed form for six joints that turn, the last three in a spherical wrist (Pieper 1968). The
+// first three place the wrist's centre, whatever their lengths and twists; the wrist turns the tool.
 #pragma once
 
 #include <string>
@@ -10,24 +10,24 @@ namespace ikbench::robots {
 
 class ClosedForm {
  public:
-  // A configuration each column.
+  // One configuration per column.
   using Branches = Eigen::Matrix<double, 6, Eigen::Dynamic, 0, 6, 8>;
 
-  // Why an arm has no closed form, as what follows "this arm"; empty where it has one.
+  // Says why an arm has no closed form, as a text after "this arm"; empty if it has one.
   static std::string why_not(const Chain& whole);
 
-  // std::invalid_argument where it has none.
+  // Throws std::invalid_argument if it has none.
   explicit ClosedForm(const Chain& whole);
 
-  // All configurations that reach the pose, each angle in [-pi, pi]; none where it is out of reach or not finite.
-  // Where a joint's axis goes through what it has to place, it is free, and keeps its angle of `near`.
+  // All configurations that reach the pose, each angle in [-pi, pi]; none if it is out of reach or not finite. A joint
+  // whose axis goes through what it has to place is free, and keeps its angle of `near`.
   Branches branches(const Pose& T_base_tool, const ConfigurationRef& near) const;
 
  private:
   using Arm = Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, 4>;
 
-  // The first three links, with the wrist's centre as it is before the second joint turns it, h, and after,
-  // g = Rz(t2) h: p = Rz(t1) ((a1, 0, d1) + Rx(alpha1) g). So without t1,
+  // The first three links. h is the wrist's centre before the second joint turns it, g = Rz(t2) h after; the centre is
+  // p = Rz(t1) ((a1, 0, d1) + Rx(alpha1) g). Without t1:
   //   |p - (0, 0, d1)|^2 = a1^2 + 2 a1 gx + |h|^2   and   pz = d1 + sin(alpha1) gy + cos(alpha1) hz.
   struct Pieper {
     // f[0] + f[1] cos(t3) + f[2] sin(t3), t3 the angle of the third joint.
@@ -41,7 +41,7 @@ class ClosedForm {
   };
 
   Arm arms(const Eigen::Vector3d& centre, const ConfigurationRef& near) const;
-  // Takes rounding away by Newton's method; false where the arm does not place the centre there.
+  // Removes rounding by Newton's method; false if the arm does not place the centre there.
   bool polish(const Eigen::Vector3d& centre, Eigen::Vector3d& q) const;
 
   SphericalWrist wrist_;

@@ -18,12 +18,12 @@ namespace {
 
 using Motion = DescribedJoint::Motion;
 
-constexpr double all_but_parallel = 5e-10;  // [rad]: it moves a tool a metre away by less than what is allowed
-constexpr double tiny = 1e-12;              // [rad], [m]: rounding of what was computed, not of what a file prints
+constexpr double all_but_parallel = 5e-10;  // [rad]: moves a tool a metre away by less than `allowed`
+constexpr double tiny = 1e-12;              // [rad], [m]: rounding of computations, not of printed numbers
 
 double meant_length(double length) { return std::abs(length) < tiny ? 0 : length; }
 
-// The nearest multiple of 15 degrees, where it is that near.
+// The nearest multiple of 15 degrees, if it is within `within`.
 double meant_angle(double angle, double within) {
   const double multiple = std::round(angle / (15 * degree)) * 15 * degree;
   return std::abs(angle - multiple) < within ? multiple : angle;
@@ -42,7 +42,7 @@ struct Axis {
   Motion motion;
 };
 
-// The first frame has its z along the first axis, and its origin there nearest the base.
+// The first frame: its z is along the first axis, its origin the axis' point nearest the base.
 Pose first_frame(const Axis& first) {
   const Eigen::Vector3d z = first.direction;
   const Eigen::Vector3d across = std::abs(z.x()) < 0.9 ? Eigen::Vector3d::UnitX() : Eigen::Vector3d::UnitZ();
@@ -54,8 +54,8 @@ Pose first_frame(const Axis& first) {
   return frame;
 }
 
-// The link from a frame, whose z is its joint's axis, to the axis of the next: along the common normal, which points
-// the way of the frame's x if it can.
+// The link from a frame, whose z is its joint's axis, to the next axis along the common normal. The normal points along
+// the frame's x if possible.
 DhLink link_to(const Axis& next, const Pose& frame) {
   const Eigen::Vector3d x = frame.linear().col(0), y = frame.linear().col(1), z = frame.linear().col(2);
   const Eigen::Vector3d way = next.point - frame.translation(), cross = z.cross(next.direction);
@@ -135,7 +135,7 @@ Chain chain_of(const Description& description) {
   Pose frame = base.pose();
   std::vector<DhLink> links;
   for (std::size_t i = 0; i < axes.size(); ++i) {
-    // Nothing is behind the last axis but the tool.
+    // Only the tool follows the last axis.
     DhLink link = i + 1 < axes.size() ? link_to(axes[i + 1], frame) : DhLink{};
     frame = frame * Chain({link}).forward(Eigen::VectorXd::Zero(1));
     if (axes[i].motion == Motion::slides) link.joint = Joint::slides;
@@ -156,7 +156,7 @@ Chain chain_of(const Description& description) {
 
 int snap(Description& description, double within) {
   int snapped = 0;
-  Eigen::Matrix3d R = Eigen::Matrix3d::Identity();  // from the last joint that moves
+  Eigen::Matrix3d R = Eigen::Matrix3d::Identity();  // from the last moving joint
   const DescribedJoint* last = nullptr;
   for (DescribedJoint& joint : description) {
     for (double& angle : joint.origin.rpy) {

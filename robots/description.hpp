@@ -1,5 +1,5 @@
-// An arm as a robot description has it: joints with an origin and an axis each, in any direction; and the chain that is
-// the same arm in Denavit-Hartenberg form.
+// An arm as in a robot description: joints with an origin and an axis each, in any direction. And the chain in
+// Denavit-Hartenberg form that is the same arm.
 #pragma once
 
 #include <string>
@@ -14,25 +14,25 @@ struct DescribedJoint {
 
   std::string name;
   Motion motion = Motion::none;
-  Frame origin;                                     // of the joint, in the frame of the joint before it
+  Frame origin;                                     // of the joint, in the frame of the previous joint
   Eigen::Vector3d axis = Eigen::Vector3d::UnitX();  // in its own frame, of length 1
 };
 
-// From the base to the tool; the tool's frame is that of the last of them.
+// The joints from the base to the tool; the last frame is the tool's.
 using Description = std::vector<DescribedJoint>;
 
-// A pose in numbers, those within 1e-12 of 0 and of multiples of 15 degrees exact.
+// A pose as a Frame. Numbers within 1e-12 of 0 or of a multiple of 15 degrees become exact.
 Frame frame_of(const Pose& pose);
 
-// T_base_tool by the product of origins and of rotations about the axes; `q` has the joints that move.
+// T_base_tool by the product of origins and of rotations about the axes; `q` has only the joints that move.
 Pose pose_of(const Description& description, const ConfigurationRef& q);
 
-// The same arm to 1e-9 m and rad; std::invalid_argument where there is none, for axes that are all but parallel, or
-// more than 64 joints move, or none.
+// The same arm to 1e-9 m and rad. Throws std::invalid_argument if there is none (axes almost parallel), or if no joint
+// or more than 64 joints move.
 Chain chain_of(const Description& description);
 
-// Angles that are meant to be multiples of 15 degrees, and axes that are meant to be those of a frame or parallel, made
-// so where they are nearer than `within` [rad]: files print 1.5708 for a quarter turn. How many there were.
+// Makes angles within `within` [rad] of multiples of 15 degrees exact, and axes that are so near to those of a frame or
+// to parallel: files print 1.5708 for a quarter turn. Returns the number of changes.
 int snap(Description& description, double within);
 
 }  // namespace ikbench::robots

@@ -1,4 +1,4 @@
-// Compiled once for every instruction set, with IKBENCH_KERNELS naming it; read lanes.hpp before including anything.
+// Compiled once for every instruction set; IKBENCH_KERNELS names it. Read lanes.hpp before including anything.
 #include "robots/kernels.hpp"
 
 #include "numerics/elementary.hpp"
@@ -8,7 +8,7 @@ namespace {
 
 using namespace numerics;
 
-// The chains whose joints all turn, and those with others among them.
+// Chains whose joints all turn, and all other chains.
 enum class Kind { all_turn, any };
 
 struct KernelPoint {
@@ -49,11 +49,11 @@ IKBENCH_LANES void turn(Vector& v, const SinCosLanes& of) {
   v.y = fused(of.sine, x_before, of.cosine * v.y);
 }
 
-// `load` gives joint j of the candidates in the lanes.
+// `load(j)` gives joint j of the candidates in the lanes.
 template <Kind kind, class Goal, class Load>
 IKBENCH_LANES Reals distance(const KernelChain& chain, const Goal& goal, Load load) {
-  // One point, carried from the tip to the base: a plane rotation a joint instead of a matrix product. For a pose, two
-  // axes beside it.
+  // Carries one point from the tip to the base: a plane rotation per joint instead of a matrix product. For a pose, two
+  // axes go with it.
   Vector at = vector(chain.tip);
   [[maybe_unused]] Vector along_x{}, along_y{};
   if constexpr (is_pose<Goal>) {
@@ -61,7 +61,7 @@ IKBENCH_LANES Reals distance(const KernelChain& chain, const Goal& goal, Load lo
     along_y = vector(goal.tool_axes.y);
   }
   Bits too_far{};
-  [[maybe_unused]] Reals run_x = all(0), run_z = all(0);  // of coupled links in a row, whose sum is added to the point
+  [[maybe_unused]] Reals run_x = all(0), run_z = all(0);  // sum over coupled links in a row
 #pragma GCC unroll 1
   for (int j = chain.joints - 1; j >= 0; --j) {
     const KernelLink& link = chain.links[j];
@@ -96,7 +96,7 @@ IKBENCH_LANES Reals distance(const KernelChain& chain, const Goal& goal, Load lo
       }
     }
     if (!is_pose<Goal> && !link.turns) {
-      too_far |= turned_too_far(bits(nearest_turn(angle)));  // no way to go, but refused like any other
+      too_far |= turned_too_far(bits(nearest_turn(angle)));  // moves nothing, but is refused like any other
       continue;
     }
     const auto [of, turns] = sin_cos(angle);
@@ -118,7 +118,7 @@ IKBENCH_LANES Reals distance(const KernelChain& chain, const Goal& goal, Load lo
                  off_y = sum(off, difference(along_y, goal.target_axes.y));
     square = (squared(off) + squared(off_x) + squared(off_y)) * (1.0 / 3);
   } else if constexpr (kind == Kind::any) {
-    // Without fused multiply-add as it was for the Dobot, whose solves in older stores have these bits.
+    // Without fused multiply-add, since the Dobot's solves in older stores have these bits.
     square = off.x * off.x + off.y * off.y + off.z * off.z;
   } else {
     square = squared(off);  // Eq. 1

@@ -1,5 +1,5 @@
-// What is computed in lanes for an arm: the position errors of many candidates, or their errors of a pose. One function
-// of each for each instruction set, compiled from kernels.cpp; their bits are the same.
+// Functions computed in lanes for an arm: errors of many candidates from a position or a pose. kernels.cpp is compiled
+// once per instruction set; all give the same bits.
 #pragma once
 
 #include <stddef.h>
@@ -10,19 +10,19 @@ enum class InstructionSet;
 
 namespace ikbench::robots {
 
-// What a link's joint does.
+// The motion of a link's joint.
 enum class Joint : unsigned char {
-  turns,   // the link and all after it, about z
-  slides,  // the same along z, by metres instead of radians
-  // It turns this link alone, about y: a linkage such as a parallelogram holds what comes after it in its direction.
+  turns,   // turns the link and all after it about z
+  slides,  // slides them along z, in metres instead of radians
+  // Turns this link alone about y: a linkage such as a parallelogram keeps the direction of what follows.
   coupled,
 };
 
-// A link as the way from the tip to the base meets it; plain data, because kernels know nothing else.
+// A link on the way from the tip to the base; plain data, as kernels need.
 struct KernelLink {
   enum Twist { none, quarter, minus_quarter, general };
   Twist twist;
-  bool turns;  // false where the point lies on the joint's axis whatever the other angles are
+  bool turns;  // false if the point lies on the joint's axis whatever the other angles
   Joint joint;
   double cosine, sine;  // of the twist
   double a, d, offset;  // as in DhLink
@@ -37,20 +37,20 @@ struct KernelChain {
   bool all_turn = true;
 };
 
-// Two axes of a frame, each as long as a radian weighs [m].
+// Two axes of a frame; their length is the weight of a radian [m].
 struct KernelAxes {
   double x[3], y[3];
 };
 
-// A pose to reach, in the frame of the first link, and the tool's axes in that of the last.
+// A pose to reach, in the frame of the first link, and the tool's axes in the frame of the last.
 struct KernelPose {
   double target[3];
   KernelAxes target_axes, tool_axes;
 };
 
 struct Kernels {
-  // Distance to the target of `count` candidates; joint j of candidate i is q[j * row + i]. Not a finite number where
-  // an angle is infinite, NaN or 2^51 quarter turns or more.
+  // Distances of `count` candidates to the target; joint j of candidate i is q[j * row + i]. Not finite if an angle is
+  // infinite, NaN or 2^51 quarter turns or more.
   void (*position_errors)(const KernelChain& chain, const double* target, const double* q, ptrdiff_t row,
                           ptrdiff_t count, double* errors);
   // The same for poses: the root mean square of the distances of the tool's point and the ends of its two axes.
@@ -68,9 +68,9 @@ namespace x86_64_v4 {
 Kernels kernels();
 }
 
-// Of a set that this machine runs.
+// The kernels of a set that this machine runs.
 Kernels kernels(numerics::InstructionSet set);
-// Of the set in use, looked up once.
+// The kernels of the set in use, looked up once.
 const Kernels& kernels();
 
 }  // namespace ikbench::robots

@@ -1,4 +1,4 @@
-// An arm by name: its chain and its joint limits, from a file of robots/arms/ or of one's own.
+// An arm by name: its chain and its joint limits, from robots/arms/ or from a user's file.
 #pragma once
 
 #include <cmath>
@@ -16,17 +16,17 @@ namespace ikbench::robots {
 constexpr double half_turn = std::numbers::pi, whole_turn = 2 * std::numbers::pi;  // [rad]
 
 struct JointLimits {
-  Configuration lower, upper;  // [rad], or [m] where a joint slides; Eq. 4; infinite where it turns without end
+  Configuration lower, upper;  // [rad], or [m] if it slides; Eq. 4; infinite if it turns without end
 
-  // How far the worst joint is outside, in its unit; 0 inside.
+  // Violation of the worst joint, in its unit; 0 inside.
   double violation(const ConfigurationRef& q) const;
-  // Finite for every joint: one that turns without end gets so much each way of its value in `middle`. Half a turn is
-  // what to draw from. A whole turn is for those that need limits: every direction of the joint is in it at least half
-  // a turn from both ends.
+  // Limits that are finite for every joint: one that turns without end gets `each_way` on both sides of its value in
+  // `middle`. Half a turn is for drawing. A whole turn is for methods that need limits: it contains every direction of
+  // the joint at least half a turn from both ends.
   JointLimits around(const ConfigurationRef& middle, double each_way = half_turn) const;
 };
 
-// Whether a joint with these limits turns without end.
+// True if a joint with these limits turns without end.
 inline bool is_endless(double lower, double upper) { return !std::isfinite(upper - lower); }
 
 struct Robot {
@@ -35,21 +35,21 @@ struct Robot {
   std::string source;  // of the numbers
   Chain chain;
   JointLimits limits;
-  Description description = {};         // as a URDF file has it; empty: the chain says all
-  std::vector<std::string> notes = {};  // what was not taken from its file as it stands there
+  Description description = {};         // as in a URDF file; empty: the chain says all
+  std::vector<std::string> notes = {};  // parts of its file that were not taken as they stand
 
   int joints() const { return chain.joints(); }
 };
 
 // The built-in arms, by name.
 std::vector<Robot> all_robots();
-// One of them; std::invalid_argument names those there are.
+// One of them; std::invalid_argument lists the names.
 Robot robot(std::string_view name);
 
-// Whether a name is meant as a file, by its ending: .toml, or a URDF file (urdf.hpp).
+// True if a name means a file, by its ending: .toml, or a URDF file (urdf.hpp).
 bool is_arm_file(std::string_view name);
-// All: std::invalid_argument says where, what is wrong, and what is expected. The arm has the name of the file without
-// its ending.
+// All throw std::invalid_argument with the place, the mistake, and what is expected. The arm gets the name of the file
+// without its ending.
 Robot parse_robot(std::string_view text, const std::filesystem::path& file);
 struct UrdfChoice;
 Robot load_robot(const std::filesystem::path& file, const UrdfChoice& choice);

@@ -42,7 +42,7 @@ SphericalWrist::SphericalWrist(const Chain& whole) : arm_(arm_of(whole)) {
   sense_ = first.alpha < 0 ? 1 : -1;
   tool_in_tool_ = whole.tool().position + Eigen::Vector3d(0, 0, third.d);
   if (whole.tool().rpy.isZero(0) && third.alpha == 0 && third.a == 0) return;
-  // What is behind the last axis, as one frame: the tool turns with it as with a tool that is turned.
+  // Everything behind the last axis as one frame: it counts as a tool that is turned.
   const Pose T_axis_tool =
       Chain({{.a = third.a, .alpha = third.alpha, .d = third.d}}, {}, whole.tool()).forward(Eigen::VectorXd::Zero(1));
   R_tool_last_ = T_axis_tool.linear().transpose();

@@ -42,7 +42,7 @@ std::string expand_command(const std::filesystem::path& file) {
                      is_xacro ? stem : stem + "_expanded");
 }
 
-// A file and where in it something is.
+// A file, for messages about places in it.
 class Place {
  public:
   explicit Place(const std::filesystem::path& file) : file_(file) {}
@@ -52,7 +52,7 @@ class Place {
     throw std::invalid_argument(fmt::format("{}:{}: {}", file_.string(), line, message));
   }
 
-  // A name that stands in an attribute.
+  // The name in an attribute.
   std::string name(const XMLElement& at, const char* attribute) const {
     const char* const text = at.Attribute(attribute);
     if (text == nullptr || *text == '\0') {
@@ -115,7 +115,7 @@ class XacroFinder final : public tinyxml2::XMLVisitor {
   int line = 0;
 };
 
-// The links and the joints between them.
+// The tree of links and the joints between them.
 class Tree {
  public:
   Tree(const XMLElement& robot, const Place& place) : place_(place) {
@@ -140,7 +140,7 @@ class Tree {
     }
   }
 
-  // The link above all others on the way to this one.
+  // The root of the tree above a link.
   std::string root_of(std::string link) const {
     for (std::size_t joints = 0; joints <= before_.size(); ++joints) {
       const auto joint = before_.find(link);
@@ -162,7 +162,7 @@ class Tree {
                                                roots.size(), some(roots)));
   }
 
-  // The link with the most joints before it, from the base on.
+  // The link with the most joints between the base and it.
   std::string deepest(const std::string& base) const {
     root_of(base);  // refuses a cycle
     std::vector<std::string> level{base}, last;
@@ -188,7 +188,7 @@ class Tree {
                                nearest.empty() ? "" : fmt::format("; did you mean \"{}\"?", nearest), some(names)));
   }
 
-  // The joints on the way, from the base.
+  // The joints from the base to the tip.
   std::vector<const XMLElement*> path(const std::string& base, const std::string& tip) const {
     std::vector<const XMLElement*> joints;
     std::string link = tip;
@@ -207,7 +207,7 @@ class Tree {
   }
 
  private:
-  // The link at an end of a joint.
+  // The link at one end of a joint.
   std::string end(const XMLElement& joint, const char* which) const {
     const XMLElement* const element = joint.FirstChildElement(which);
     if (element == nullptr) {
@@ -230,7 +230,7 @@ class Tree {
 
   const Place& place_;
   std::map<std::string, const XMLElement*> links_;
-  std::map<std::string, const XMLElement*> before_;        // by child
+  std::map<std::string, const XMLElement*> before_;        // joints, by their child
   std::map<std::string, std::vector<std::string>> after_;  // children, by parent
 };
 
@@ -256,7 +256,7 @@ DescribedJoint described(const XMLElement& joint, const Place& place) {
                  fmt::format("xyz of joint \"{}\" has lengths of more than {} m", read.name, lengths_m.second));
     }
   }
-  if (read.motion == Motion::none) return read;  // whose axis often is 0 0 0
+  if (read.motion == Motion::none) return read;  // its axis is often 0 0 0
   if (const XMLElement* const axis = joint.FirstChildElement("axis")) {
     read.axis = place.vector(*axis, "xyz", read.axis);
     if (!(read.axis.norm() > 1e-6)) {
@@ -268,7 +268,7 @@ DescribedJoint described(const XMLElement& joint, const Place& place) {
   return read;
 }
 
-// From, to; infinite where the joint turns without end.
+// Lower and upper limit; infinite if the joint turns without end.
 Eigen::Vector2d limits_of(const XMLElement& joint, const Place& place, UrdfChoice::Limits which) {
   const std::string name = place.name(joint, "name"), type = place.name(joint, "type");
   constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -294,7 +294,7 @@ Eigen::Vector2d limits_of(const XMLElement& joint, const Place& place, UrdfChoic
   return limits;
 }
 
-// The farthest that snapping moves the tool, of a thousand configurations [m].
+// The largest move of the tool by snapping, over a thousand configurations [m].
 double moved_by_snapping(const Description& printed, const Description& snapped, const JointLimits& limits) {
   Random random(Key(1).with("snapping"));
   Configuration q = Configuration::Zero(limits.lower.size());

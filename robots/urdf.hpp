@@ -10,7 +10,7 @@
 
 namespace ikbench::robots {
 
-// What a URDF file leaves to whoever reads it.
+// The choices that a URDF file leaves open.
 struct UrdfChoice {
   enum class Limits { hard, soft };  // <limit>, or the tighter of it and <safety_controller>
 
@@ -20,10 +20,10 @@ struct UrdfChoice {
   double snap = 0.001 * numerics::degree;  // see snap() in description.hpp
 };
 
-// Whether a name is meant as one, by its ending: .urdf, or .xacro, which is refused with how to expand it.
+// True if a name means a URDF file, by its ending: .urdf, or .xacro, which is refused with how to expand it.
 bool is_urdf_file(std::string_view name);
 
-// std::invalid_argument says where, what is wrong, and what is expected. The arm has the name of the file without its
+// std::invalid_argument says where, what is wrong, and what is expected. The arm gets the name of the file without its
 // ending.
 Robot parse_urdf(std::string_view text, const std::filesystem::path& file, const UrdfChoice& choice);
 

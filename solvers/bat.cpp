@@ -1,5 +1,5 @@
 // BA, the bat algorithm: Yang 2010, with the parameters of Slim et al. 2023, Algorithm 1 and Table 1.
-// The reading is argued in docs/paper-notes.md 2.6.
+// docs/paper-notes.md 2.6 argues for this reading.
 #include <algorithm>
 #include <bit>
 #include <cstdint>
@@ -17,13 +17,13 @@ using namespace robots;
 
 namespace {
 
-// The sum of numbers that are not negative, added up from the first to the last, so always to the same bits, but not
-// all of them anew where some have changed. A sum in [2^k, 2^(k + 1)) is a multiple of its last bit. As long as it
-// stays there, what rounding makes of a further number is the same whatever the sum is, but for ties, which are decided
-// by whether that bit is 0 or 1. So a block of numbers adds one amount to every even sum, and one to every odd sum.
+// Sums non-negative numbers from the first to the last, always to the same bits, without adding all of them again when
+// some change. A sum in [2^k, 2^(k + 1)) is a multiple of its last bit. While it stays there, a further number rounds
+// to the same amount whatever the sum is, except for ties, which depend on that bit. So a block of numbers adds one
+// amount to every even sum, and one to every odd sum.
 class OrderedSum {
  public:
-  // As many numbers, of which none is known.
+  // Starts a sum of `count` unknown numbers.
   void begin(Eigen::Index count) {
     blocks_.assign(static_cast<std::size_t>((count + size - 1) / size), Block());
     first_ = 0;
@@ -41,7 +41,7 @@ class OrderedSum {
       const auto begin = static_cast<Eigen::Index>(b) * size;
       const Part part = numbers.segment(begin, std::min(size, numbers.size() - begin));
       blocks_[b].before = sum;
-      sum = b == first_ ? added(sum, part) : after(blocks_[b], part);  // what changes now may change again soon
+      sum = b == first_ ? added(sum, part) : after(blocks_[b], part);  // a block that changed may change again soon
     }
     first_ = blocks_.size() - 1;
     return sum;
@@ -52,8 +52,8 @@ class OrderedSum {
   static constexpr Eigen::Index size = 256;
   struct Block {
     double before = 0;               // sum of all numbers before it
-    double power = 0;                // 2^k of the sums for which these are known; 0: they are not
-    double to_even = 0, to_odd = 0;  // what it adds
+    double power = 0;                // 2^k of the sums for which to_even and to_odd hold; 0: none
+    double to_even = 0, to_odd = 0;  // the block's amount
   };
 
   static double added(double sum, const Part& part) {
@@ -77,7 +77,7 @@ class OrderedSum {
   }
 
   std::vector<Block> blocks_;
-  std::size_t first_ = 0;  // the block of the first number that may have changed; the last where none has
+  std::size_t first_ = 0;  // the first block that may have changed; the last if none has
 };
 
 class Bat final : public Solver {
@@ -180,7 +180,7 @@ class Bat final : public Solver {
   Candidates x_, v_, v_next_, candidates_, epsilon_;
   Eigen::RowVectorXd loudness_, pulse_rate_, frequency_, local_, chance_;
   OrderedSum loudness_sum_;
-  Eigen::VectorXd errors_, found_;  // of the bats; of the candidates
+  Eigen::VectorXd errors_, found_;  // errors of the bats; of the candidates
   int iteration_ = 0;
   Best best_;
 };

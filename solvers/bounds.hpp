@@ -1,4 +1,4 @@
-// The joint limits as solvers treat them: first candidates inside, and what becomes of one that leaves them.
+// The joint limits as solvers treat them: first candidates are inside, and options decide about later ones.
 #pragma once
 
 #include <cmath>
@@ -12,7 +12,7 @@
 namespace ikbench::solvers {
 
 enum class Bounds {
-  initial,  // only the first candidates are inside; later ones go where they like
+  initial,  // only the first candidates are inside
   clamp,    // a joint outside is set to its limit
 };
 
@@ -21,8 +21,8 @@ inline void list_bounds(OptionList& list, Bounds& bounds) {
               "joint limits apply to the initial candidates only, or all candidates are clamped to them");
 }
 
-// An angle outside the limits by whole turns back inside, to the nearest that is; as it is where there is none. What
-// rounding puts beside a limit is on it.
+// Turns an angle outside the limits back inside by whole turns, to the nearest such angle; leaves it if there is none.
+// An angle that rounding puts beside a limit becomes the limit.
 inline double turned_inside(double q, double lower, double upper) {
   constexpr double turn = 2 * std::numbers::pi, rounding = 1e-9;
   double turned = q;
@@ -33,7 +33,7 @@ inline double turned_inside(double q, double lower, double upper) {
   return turned >= lower && turned <= upper ? turned : q;
 }
 
-// What a joint is drawn from: its limits, or where it turns without end half a turn each way of the start.
+// The range to draw a joint from: its limits, or half a turn on both sides of the start if it turns without end.
 struct DrawnFrom {
   DrawnFrom(const Problem& problem, Eigen::Index j) : lower(problem.lower[j]), upper(problem.upper[j]) {
     if (!robots::is_endless(lower, upper)) return;
@@ -43,13 +43,13 @@ struct DrawnFrom {
   double lower, upper;
 };
 
-// Limits that are finite, for a library or a program that needs such: where a joint turns without end, a whole turn
-// each way of the start.
+// Finite limits, for a library or a program that needs them: a joint that turns without end gets a whole turn on both
+// sides of the start.
 inline robots::JointLimits finite_limits(const Problem& problem) {
   return robots::JointLimits{problem.lower, problem.upper}.around(problem.start, robots::whole_turn);
 }
 
-// Uniform between the limits.
+// Draws candidates uniformly between the limits.
 inline void draw_within_limits(const Problem& problem, numerics::Random& random, robots::Candidates& out) {
   random.uniforms(out);
   for (Eigen::Index j = 0; j < out.rows(); ++j) {
@@ -59,7 +59,7 @@ inline void draw_within_limits(const Problem& problem, numerics::Random& random,
   }
 }
 
-// The same of one configuration (a vector, or a column), joint after joint.
+// Draws one configuration (a vector, or a column), joint after joint.
 template <class Some>
 void draw_one_within_limits(const Problem& problem, numerics::Random& random, Some&& q) {
   for (Eigen::Index j = 0; j < q.size(); ++j) {
@@ -68,7 +68,7 @@ void draw_one_within_limits(const Problem& problem, numerics::Random& random, So
   }
 }
 
-// Candidates (a vector, or columns of Candidates) back inside, where the reading says so.
+// Brings candidates (a vector, or columns of Candidates) back inside, if `bounds` says so.
 template <class Some>
 void keep_inside(Bounds bounds, const Problem& problem, Some&& q) {
   if (bounds != Bounds::clamp) return;

@@ -1,5 +1,5 @@
-// The closed form of six joints with a spherical wrist (robots/closed_form.hpp, Pieper 1968): of all configurations
-// that reach the pose within the limits, the nearest to where the arm is. It ends with its start.
+// The closed form of six joints with a spherical wrist (robots/closed_form.hpp, Pieper 1968). Of all configurations
+// that reach the pose within the limits, it picks the nearest to the arm's. It ends with its start.
 #include "robots/closed_form.hpp"
 
 #include <fmt/format.h>
@@ -60,7 +60,7 @@ class NearestBranch final : public Solver {
   const Best& best() const override { return best_; }
 
  private:
-  // Whole turns added to come near the start and inside the limits; false where that is not possible.
+  // Adds whole turns to come near the start and inside the limits; false if that is impossible.
   static bool turned_inside(const Problem& problem, Configuration& q) {
     constexpr double turn = 2 * std::numbers::pi, rounding = 1e-12;
     for (Eigen::Index j = 0; j < q.size(); ++j) {
@@ -74,7 +74,7 @@ class NearestBranch final : public Solver {
     return true;
   }
 
-  std::optional<Chain> arm_;  // that the closed form is of
+  std::optional<Chain> arm_;  // the arm of the closed form
   std::optional<ClosedForm> closed_form_;
   Best best_;
 };

@@ -1,7 +1,7 @@
-// Damped least squares, what a roboticist would reach for first: Wampler 1986 and Nakamura and Hanafusa 1986, with a
-// damping that the gain ratio steers as in Nielsen 1999 (Madsen, Nielsen and Tingleff 2004, Algorithm 3.16): a step
-// that makes it worse is undone. levenberg_marquardt takes every step, with a damping made of the error alone. It
-// starts where the arm is and from a random configuration each time it stalls; one trial a step.
+// Damped least squares, a roboticist's first choice: Wampler 1986 and Nakamura and Hanafusa 1986, with a damping that
+// the gain ratio steers as in Nielsen 1999 (Madsen, Nielsen and Tingleff 2004, Algorithm 3.16): a step that increases
+// the error is undone. (levenberg_marquardt takes every step, with a damping from the error alone.) It starts at the
+// arm's configuration, and from a random one each time it stalls; one trial per step.
 #include <algorithm>
 
 #include "numerics/functions.hpp"
@@ -72,7 +72,7 @@ class DampedLeastSquares final : public Solver {
   const Best& best() const override { return best_; }
 
  private:
-  // A new descent from the candidate.
+  // Starts a descent from the candidate.
   void begin(Objective& objective) {
     arrive(evaluate(objective), objective);
     mu_ = options_.damping * (objective.rows() == 3 ? largest_diagonal<3>() : largest_diagonal<6>());
@@ -80,9 +80,9 @@ class DampedLeastSquares final : public Solver {
     failures_ = 0;
   }
 
-  // What the descent reduces, at the candidate: the norm of the residual that it linearizes. Of a position that is the
-  // error. Of a pose it is not, and to follow the slope of one and judge by the other would refuse good steps: so there
-  // the residual is evaluated too, and the error only decides which candidate is the best.
+  // The merit that the descent reduces, at the candidate: the norm of the linearized residual. For a position it is the
+  // error. For a pose it is not, and following the slope of one but judging by the other would refuse good steps. So
+  // there the residual is evaluated too, and the error only decides which candidate is the best.
   double evaluate(Objective& objective) {
     const double error = objective.error(candidate_);
     best_.improve(candidate_, error);
@@ -102,7 +102,7 @@ class DampedLeastSquares final : public Solver {
     }
   }
 
-  // The next candidate; returns how much the square of the merit falls if the residual is linear.
+  // Makes the next candidate; returns how much the squared merit falls if the residual is linear.
   template <int rows>
   double propose() {
     damped_step(jacobian_, to_go_, mu_, step_);

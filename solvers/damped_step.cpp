@@ -6,8 +6,8 @@ namespace ikbench::solvers {
 
 namespace {
 
-// It is J^T (J J^T + mu I)^-1 e too, which has as many rows for any number of joints. They are known when this is
-// compiled, so that sums over them are in one order.
+// Computes the step as J^T (J J^T + mu I)^-1 e, whose size does not depend on the number of joints. `rows` is a
+// constant, so that sums over rows have one order.
 template <int rows>
 void damped_step(const Eigen::MatrixXd& jacobian, const Residual& to_go, double mu, robots::Configuration& step) {
   const auto J = jacobian.topRows<rows>();

@@ -1,5 +1,5 @@
-// DE, differential evolution, scheme rand/1/bin: Storn and Price 1997; the numbers are those of Slim et al. 2023,
-// Table 1. The reading is argued in docs/paper-notes.md 2.9.
+// DE, differential evolution, scheme rand/1/bin: Storn and Price 1997; the numbers are those of Slim et al. 2023, Table
+// 1. docs/paper-notes.md 2.9 argues for this reading.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -18,7 +18,7 @@ using namespace robots;
 
 namespace {
 
-constexpr int least_population = 4;  // a candidate and the three others that it is combined with
+constexpr int least_population = 4;  // a candidate and its three partners
 
 class DifferentialEvolution final : public Solver {
  public:
@@ -76,7 +76,7 @@ class DifferentialEvolution final : public Solver {
     random.uniforms(forced_);
     if (options_.bounds == Outside::resample) draw_within_limits(problem_, random, fresh_);
     for (int i = 0; i < x_.cols(); ++i) partners_[static_cast<std::size_t>(i)] = chosen_partners(i);
-    for (Eigen::Index i = 0; i < x_.cols(); ++i) {  // one joint comes from the mutant whatever the chance
+    for (Eigen::Index i = 0; i < x_.cols(); ++i) {  // at least one joint comes from the mutant
       crossover_(static_cast<Eigen::Index>(forced_[i] * static_cast<double>(x_.rows())), i) = -1;
     }
 
@@ -110,7 +110,7 @@ class DifferentialEvolution final : public Solver {
   const Best& best() const override { return best_; }
 
  private:
-  // Three different candidates, none of them i: each number picks one of those that are left.
+  // Three different candidates other than i; each number picks one of the rest.
   std::array<int, 3> chosen_partners(int i) const {
     const auto pick = [&](int k) { return static_cast<int>(chance_(k, i) * static_cast<double>(x_.cols() - 1 - k)); };
     const auto after = [](int place, int taken) { return place >= taken ? place + 1 : place; };

@@ -1,6 +1,6 @@
 // IK-BA, the bat algorithm for inverse kinematics: Slim et al. 2023, Algorithm 2.
-// Every candidate is drawn between the best configuration and the one the arm is in (Eq. 14), so Eqs. 5, 13 and 7 move
-// the bats without any effect on the result (docs/paper-notes.md 2.4); they are kept as the paper has them.
+// Every candidate is drawn between the best configuration and the arm's (Eq. 14), so Eqs. 5, 13 and 7 move the bats
+// without any effect on the result (docs/paper-notes.md 2.4). They are kept as in the paper.
 #include "numerics/functions.hpp"
 #include "solvers/bounds.hpp"
 #include "solvers/kernels.hpp"

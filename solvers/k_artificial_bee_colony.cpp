@@ -1,5 +1,5 @@
 // K-ABC, the artificial bee colony of Karaboga 2005 with the best source as everyone's neighbour: El-Sherbiny,
-// Elhosseini and Haikal 2018. The reading is argued in docs/paper-notes.md 2.7.
+// Elhosseini and Haikal 2018. docs/paper-notes.md 2.7 argues for this reading.
 #include <algorithm>
 #include <cmath>
 
@@ -26,8 +26,8 @@ class KArtificialBeeColony final : public Solver {
     Neighbour neighbour = Neighbour::best;
     int limit = 0;
     FitnessUnit fitness_unit = FitnessUnit::cm;  // the paper's unit; in metres all sources would be nearly alike
-    // By evidence (docs/paper-notes.md 2.7): clamped 0.21 cm and 268 deg, unclamped 0.24 and 336 with a quarter of the
-    // answers outside the limits; printed 0.23 and 277.
+    // Chosen by evidence (docs/paper-notes.md 2.7): clamped 0.21 cm and 268 deg; unclamped 0.24 cm and 336 deg, with a
+    // quarter of the answers outside the limits; printed 0.23 cm and 277 deg.
     Bounds bounds = Bounds::clamp;
 
     void list(OptionList& list) {
@@ -96,7 +96,7 @@ class KArtificialBeeColony final : public Solver {
     if (options_.neighbour == Neighbour::random) random.uniforms(neighbour_);
   }
 
-  // Every bee tries its source i with one joint moved along the difference to the source's neighbour.
+  // Every bee tries its source i, with one joint moved along the difference to the source's neighbour.
   void search(Objective& objective) {
     for (Eigen::Index bee = 0; bee < source_.size(); ++bee) last_visit_[source_[bee]] = bee;
     objective.one_by_one(
@@ -145,7 +145,7 @@ class KArtificialBeeColony final : public Solver {
     return others > 0 && k >= i ? k + 1 : k;
   }
 
-  // The roulette: a source's share is 1 / (1 + f); one whose error is no number has none.
+  // Fills the roulette: a source's share is 1 / (1 + f), or 0 if its error is not finite.
   void spin_up() {
     const double unit = options_.fitness_unit == FitnessUnit::cm ? centimetre : 1;
     share_.clear();
@@ -156,12 +156,12 @@ class KArtificialBeeColony final : public Solver {
   Problem problem_;
   int limit_ = 0;
   Candidates x_, candidates_;
-  Eigen::VectorX<Eigen::Index> source_, last_visit_;  // of every bee its source; of every source its last bee
-  Eigen::VectorXd errors_, found_;                    // of the sources; of the candidates
+  Eigen::VectorX<Eigen::Index> source_, last_visit_;  // the source of each bee; the last bee of each source
+  Eigen::VectorXd errors_, found_;                    // errors of the sources; of the candidates
   Eigen::VectorXd joint_, neighbour_, phi_, roulette_;
   Roulette share_;
   Eigen::VectorXi failures_;
-  Eigen::Index best_source_ = 0;  // of those there are now; best_ is the best there ever was
+  Eigen::Index best_source_ = 0;  // of the present sources; best_ is the best ever
   Best best_;
 };
 

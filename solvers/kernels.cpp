@@ -1,4 +1,4 @@
-// Compiled once for every instruction set, with IKBENCH_KERNELS naming it; read lanes.hpp before including anything.
+// Compiled once for every instruction set; IKBENCH_KERNELS names it. Read lanes.hpp before including anything.
 #include "solvers/kernels.hpp"
 
 #include "numerics/elementary.hpp"
@@ -40,7 +40,7 @@ void choose(const double* chance, double limit, const double* other, double* q, 
   });
 }
 
-// NaN stays: it is the second of both comparisons.
+// NaN stays NaN: it is the second operand of both comparisons.
 void clamp(double lower, double upper, double* q, ptrdiff_t count) {
   for_lanes(count, [&](ptrdiff_t i, auto some) IKBENCH_INLINE {
     some.store(q + i, smaller(all(upper), larger(all(lower), some.load(q + i))));

@@ -1,5 +1,5 @@
-// What solvers compute in lanes: equations that many share, on one joint's row of candidates. One set of functions for
-// each instruction set, compiled from kernels.cpp; their bits are the same.
+// Equations that many solvers share, computed in lanes on one joint's row of candidates. kernels.cpp is compiled once
+// per instruction set; all give the same bits.
 #pragma once
 
 #include <stddef.h>
@@ -10,16 +10,16 @@ enum class InstructionSet;
 
 namespace ikbench::solvers {
 
-// A joint of `count` candidates that a velocity moves; a next place may be the one before.
+// One joint of `count` candidates that a velocity moves. x_next and v_next may be x and v.
 struct Flight {
-  double pole;  // what the velocity grows away from
+  double pole;  // the velocity grows away from it
   const double* frequency;
   const double *x, *v;
   double *x_next, *v_next;
   ptrdiff_t count;
 };
 
-// A joint of `count` particles: v_next = inertia v + cognitive u1 (personal - x) + social u2 (best - x), x_next = x +
+// One joint of `count` particles: v_next = inertia v + cognitive u1 (personal - x) + social u2 (best - x), x_next = x +
 // v_next.
 struct Swarm {
   double inertia, cognitive, social, best;
@@ -32,7 +32,7 @@ struct Kernels {
   void (*fly)(const Flight& flight);  // v_next = v + (x - pole) frequency, x_next = x + v_next
   void (*swarm)(const Swarm& swarm);
   void (*scatter)(double centre, double step, const double* draws, double* q, ptrdiff_t count);  // centre + step draws
-  // q where its chance is below `limit`, else `other`.
+  // Keeps q where its chance is below `limit`, else takes `other`.
   void (*choose)(const double* chance, double limit, const double* other, double* q, ptrdiff_t count);
   void (*clamp)(double lower, double upper, double* q, ptrdiff_t count);
 };
@@ -47,9 +47,9 @@ namespace x86_64_v4 {
 Kernels kernels();
 }
 
-// Of a set that this machine runs.
+// The kernels of a set that this machine runs.
 Kernels kernels(numerics::InstructionSet set);
-// Of the set in use, looked up once.
+// The kernels of the set in use, looked up once.
 const Kernels& kernels();
 
 }  // namespace ikbench::solvers

@@ -1,7 +1,7 @@
 // Levenberg and Marquardt's method as roboticists use it: every step is taken, and the damping follows from the error
-// of the moment (Sugihara 2011; Chan and Lawrence 1988) or is constant (Wampler 1986). A search that takes too many
-// steps begins again at a random configuration, as in ikine_LM of the Robotics Toolbox (Corke and Haviland 2021); here
-// one that moves no joint any more does, too.
+// of the moment (Sugihara 2011; Chan and Lawrence 1988) or is constant (Wampler 1986). A search restarts at a random
+// configuration after too many steps, as in ikine_LM of the Robotics Toolbox (Corke and Haviland 2021), and here also
+// when no joint moves any more.
 #include "solvers/bounds.hpp"
 #include "solvers/damped_step.hpp"
 #include "solvers/registry.hpp"

@@ -1,7 +1,7 @@
 // MO-PSO, multi-objective particle swarm optimisation: Coello, Pulido and Lechuga 2004, in the form of
 // Martinez-Cagigal's public code, whose labels Table 1 of Slim et al. 2023 uses. The two objectives are the position
-// error and the variation, the norm of the joints' way from the start, the shorter way round where a joint turns
-// without end. The reading is argued in docs/paper-notes.md 2.8.
+// error and the variation, the norm of the joints' move from the start. A joint that turns without end moves the
+// shorter way round. docs/paper-notes.md 2.8 argues for this reading.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -30,11 +30,11 @@ struct Cost {
   }
 };
 
-// The candidates that no other one dominates, by growing error and so by falling variation. In that order the
-// neighbours of a member along the front are next to it, and those that share a grid cell stand together.
+// The candidates that no other one dominates, by growing error and so by falling variation. In that order neighbours
+// along the front are next to each other, and members of one grid cell stand together.
 class Front {
  public:
-  // Takes the memory for `capacity` members and as many newcomers as the swarm has.
+  // Allocates memory for `capacity` members and as many newcomers as the swarm has.
   void start(Eigen::Index joints, Eigen::Index capacity, Eigen::Index swarm) {
     capacity_ = static_cast<std::size_t>(capacity);
     members_.clear();
@@ -65,7 +65,7 @@ class Front {
     take_in(swarm);
   }
 
-  // The roulette: an occupied cell of the grid over the front weighs 10 / (its members), shared among them.
+  // Fills the roulette: each occupied cell of the grid over the front weighs 10 / (its members), shared among them.
   void divide(int cells) {
     roulette_.clear();
     for (std::size_t first = 0, last = 0; first < size(); first = last) {
@@ -81,7 +81,7 @@ class Front {
   // The member that a number in [0, 1) picks.
   std::size_t pick(double chance) const { return roulette_.pick(chance); }
 
-  // The member nearest to the best value of both objectives at once, each counted in its range over the front.
+  // The member nearest to the best values of both objectives, each relative to its range over the front.
   std::size_t knee() const {
     const auto distance = [&](std::size_t m) {
       const double e = position(cost(m).error, cost(0).error, cost(size() - 1).error);
@@ -98,11 +98,11 @@ class Front {
  private:
   struct Member {
     Cost cost;
-    Eigen::Index source;  // column of the archive, or beyond it of the swarm, or nowhere
+    Eigen::Index source;  // column of the archive, after these of the swarm, or nowhere
     double crowding = 0;
   };
 
-  // 0 at `low`, 1 at `high`; 0 where they are the same.
+  // 0 at `low`, 1 at `high`; 0 if they are equal.
   static double position(double value, double low, double high) {
     return high > low ? (value - low) / (high - low) : 0;
   }
@@ -120,17 +120,18 @@ class Front {
     return std::tie(a.cost.error, a.cost.variation, a.source) < std::tie(b.cost.error, b.cost.variation, b.source);
   }
 
-  // Whether a member has no larger error and no larger variation: of those with no larger error, the last varies least.
+  // True if a member has no larger error and no larger variation: of those with no larger error, the last varies least.
   bool is_behind_front(const Cost& newcomer) const {
     if (empty() || newcomer.error < cost(0).error) return false;
-    std::size_t last = 0;  // by halving, without a branch to guess
+    std::size_t last = 0;  // bisection without a branch to predict
     for (std::size_t left = size(); left > 1; left -= left / 2) {
       last += cost(last + left / 2).error <= newcomer.error ? left / 2 : 0;
     }
     return cost(last).variation <= newcomer.variation;
   }
 
-  // One pass in order of error: whoever does not vary less than all before is dominated (or equal, and kept once).
+  // One pass in the order of error: a candidate that does not vary less than all before is dominated (or equal; one of
+  // equals stays).
   void keep_non_dominated() {
     kept_.clear();
     auto member = members_.cbegin(), newcomer = newcomers_.cbegin();
@@ -142,7 +143,7 @@ class Front {
     members_.swap(kept_);
   }
 
-  // Crowding distance (Deb et al. 2002) of all members at once; then the smallest go, the ends never.
+  // Drops the members with the smallest crowding distance (Deb et al. 2002), computed once; the ends stay.
   void drop_most_crowded() {
     const std::size_t last = size() - 1;
     const double errors = cost(last).error - cost(0).error;
@@ -162,7 +163,7 @@ class Front {
     std::erase_if(members_, [](const Member& member) { return member.source == nowhere; });
   }
 
-  // The configurations of the members, in their order.
+  // Copies the members' configurations, in their order.
   void take_in(const Candidates& swarm) {
     for (Eigen::Index j = 0; j < q_.rows(); ++j) {
       for (std::size_t m = 0; m < size(); ++m) {
@@ -176,7 +177,7 @@ class Front {
 
   std::size_t capacity_ = 0;
   std::vector<Member> members_, newcomers_, kept_;
-  std::vector<std::size_t> order_;  // of the members, the least crowded first
+  std::vector<std::size_t> order_;  // members, the least crowded first
   Roulette roulette_;
   Candidates q_, next_q_;  // column m is member m
 };
@@ -299,13 +300,13 @@ class MultiObjectiveSwarm final : public Solver {
     for (Eigen::Index i = 0; i < x_.cols(); ++i) costs_[static_cast<std::size_t>(i)] = {errors_[i], variations_[i]};
     archive_.add(x_, costs_);
     if (archive_.empty()) return;
-    // The front's first member has the smallest error there ever was: nothing dominates it and crowding spares it.
+    // The front's first member has the smallest error ever: nothing dominates it, and crowding spares it.
     const std::size_t answer = options_.final_point == FinalPoint::knee ? archive_.knee() : 0;
     best_.improve(archive_.q(answer), archive_.cost(answer).error);
   }
 
-  // The swarm in thirds (50: 17, 17, 16): the first stays, some of the second are drawn anew, and of the third fewer
-  // and fewer.
+  // Treats the swarm in thirds (50: 17, 17, 16): the first stays, some of the second are drawn anew, and fewer and
+  // fewer of the third.
   void mutate(Random& random) {
     const auto swarm = static_cast<int>(x_.cols());
     const int first = (swarm + 2) / 3, second = (swarm + 1) / 3, third = swarm / 3;
@@ -314,7 +315,7 @@ class MultiObjectiveSwarm final : public Solver {
     redraw(first + second, third, power(left, 5 * problem_.joints()), random);
   }
 
-  // Draws a share of the particles from, from + 1, ..., from + count - 1 anew, each at most once.
+  // Draws anew a share of the particles from, ..., from + count - 1, each at most once.
   void redraw(int from, int count, double share, Random& random) {
     for (int k = 0; k < count; ++k) order_[static_cast<std::size_t>(k)] = from + k;
     const auto redrawn = static_cast<int>(std::lround(share * count));
@@ -325,7 +326,7 @@ class MultiObjectiveSwarm final : public Solver {
     }
   }
 
-  // The velocity is limited after it has been used; at a joint limit it changes sign.
+  // Limits the velocity, after its use; at a joint limit it changes sign.
   void turn_back(Eigen::Index j) {
     const double lower = problem_.lower[j], upper = problem_.upper[j], most = velocity_limit_[j];
     auto x = x_.row(j).array(), v = v_.row(j).array();
@@ -339,7 +340,7 @@ class MultiObjectiveSwarm final : public Solver {
   Candidates x_, v_, personal_, u1_, u2_;
   Eigen::VectorXd errors_, chance_, coin_;
   RowArray variations_, lead_;          // lead_: a joint of every particle's leader
-  Eigen::VectorX<std::size_t> leader_;  // of every particle, a member of the archive
+  Eigen::VectorX<std::size_t> leader_;  // each particle's leader, a member of the archive
   Configuration velocity_limit_;
   std::vector<Cost> costs_, personal_costs_;
   std::vector<int> order_;

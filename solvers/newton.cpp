@@ -1,6 +1,6 @@
 // Newton's method with the pseudo-inverse. With restarts = none and bounds = clamp it is KDL's ChainIkSolverPos_NR_JL
-// with ChainIkSolverVel_pinv; with restarts = random and bounds = wrap what Beeson and Ames 2015 (TRAC-IK) made of it,
-// KDL-RR.
+// with ChainIkSolverVel_pinv. With restarts = random and bounds = wrap it is KDL-RR, the variant of Beeson and Ames
+// 2015 (TRAC-IK).
 #include <algorithm>
 #include <cmath>
 
@@ -15,8 +15,8 @@ using namespace robots;
 
 namespace {
 
-// J^+ r, without singular values below `smallest`. Turns of its rows in pairs, which leave J^+ r as it is, make them
-// orthogonal, and then their lengths are the singular values (one-sided Jacobi, Hestenes 1958).
+// J^+ r, without singular values below `smallest`. Rotations of pairs of its rows, which do not change J^+ r, make them
+// orthogonal; their lengths are then the singular values (one-sided Jacobi, Hestenes 1958).
 template <int rows>
 Configuration pseudo_inverse_times(const Eigen::MatrixXd& jacobian, const Residual& residual, double smallest) {
   Eigen::Matrix<double, Eigen::Dynamic, rows, 0, most_joints, rows> J = jacobian.topRows<rows>().transpose();
@@ -128,14 +128,14 @@ class Newton final : public Solver {
 
   void arrive(Objective& objective) {
     best_.improve(q_, objective.error(q_));
-    // What counts as singular depends on the units.
+    // The units decide what counts as singular.
     to_go_ = linearize_twist(objective, q_, jacobian_);
   }
 
   Options options_;
   Problem problem_;
   Configuration q_;
-  Eigen::Array<bool, Eigen::Dynamic, 1, 0, most_joints, 1> turns_;  // not: slides
+  Eigen::Array<bool, Eigen::Dynamic, 1, 0, most_joints, 1> turns_;  // false: slides
   Eigen::MatrixXd jacobian_;
   Residual to_go_;
   bool is_stuck_ = false;

@@ -1,4 +1,4 @@
-// The only door to an evaluation: how far candidates are from the goal, and the count of them.
+// The objective: it evaluates how far candidates are from the goal, and counts. Solvers evaluate through it only.
 #pragma once
 
 #include <algorithm>
@@ -8,18 +8,18 @@
 
 namespace ikbench::solvers {
 
-// What is asked of the tool: a position, or a whole pose.
+// The goal for the tool: a position, or a whole pose.
 struct Goal {
   Goal(const Eigen::Vector3d& position) { target.translation() = position; }
   Goal(const robots::Pose& pose, double weight) : target(pose), rotation_weight(weight) {}
 
   robots::Pose target = robots::Pose::Identity();
-  double rotation_weight = 0;  // [m] that a radian weighs; 0: the position alone is asked for
+  double rotation_weight = 0;  // [m] weight of a radian; 0: position only
 
   bool is_pose() const { return rotation_weight > 0; }
 };
 
-// How far the tool is from a pose.
+// Distance of the tool from a pose.
 struct Deviation {
   double position = 0;  // [m]
   double angle = 0;     // [rad], 0 to pi
@@ -36,15 +36,15 @@ class Objective {
   const robots::Chain& arm() const { return arm_; }
   const Goal& goal() const { return goal_; }
 
-  // The error [m] of every candidate (a column of q) into `errors`: the position error (Eq. 1), or of a pose the root
-  // mean square of the distances of three points of the tool (Chain::pose_errors). Smooth, and 0 only at the goal.
-  // Counts one evaluation a candidate.
+  // Writes the error [m] of every candidate (a column of q) into `errors`: the position error (Eq. 1), or for a pose
+  // the root mean square of the distances of three points of the tool (Chain::pose_errors). It is 0 only at the goal,
+  // and smooth elsewhere. Counts one evaluation per candidate.
   void errors(const robots::CandidatesRef& q, Eigen::Ref<Eigen::VectorXd> errors) {
     evaluations_ += q.cols();
     evaluate(q, errors);
   }
 
-  // The same of one candidate; counts one evaluation.
+  // The error of one candidate; counts one evaluation.
   double error(const robots::ConfigurationRef& q) {
     using AsCandidate = Eigen::Map<const robots::Candidates, 0, Eigen::OuterStride<>>;
     Eigen::Matrix<double, 1, 1> error;
@@ -52,13 +52,13 @@ class Objective {
     return error[0];
   }
 
-  // A loop over the candidates in which each is proposed from what those before it have changed, evaluated, and decided
-  // on. It looks ahead and evaluates in batches all the same:
+  // A loop over the candidates: each is proposed from the state that earlier ones left, evaluated, and decided on.
+  // Still it looks ahead and evaluates in batches:
   // - propose(first, count) writes these columns of q from the solver's present state;
-  // - decide(i) takes candidate i, whose error is errors[i], in or not, and says whether that changed anything that the
-  //   proposals after it depend on. If so, those are proposed anew.
-  // What is decided on counts as an evaluation, as in the loop as it is written; proposals that are dropped do not.
-  // `q` are Candidates and `errors` a vector, or maps of both.
+  // - decide(i) accepts candidate i, whose error is errors[i], or not, and says whether that changed anything that
+  // later proposals depend on. If so, those are proposed anew.
+  // Only decided candidates count as evaluations, as in the plain loop. `q` are Candidates and `errors` a vector, or
+  // maps of both.
   template <class Q, class Errors, class Propose, class Decide>
   void one_by_one(Q& q, Errors& errors, Propose&& propose, Decide&& decide) {
     batch_by_batch(q, errors, propose, [&](Eigen::Index first, Eigen::Index count) {
@@ -68,7 +68,7 @@ class Objective {
     });
   }
 
-  // The same where decide(first, count) takes the candidates of a batch in or not, one by one until something changed.
+  // The same, but decide(first, count) decides on the candidates of a batch, one by one until something changed.
   struct Decided {
     Eigen::Index count = 0;  // at least one
     bool changed = false;
@@ -82,23 +82,23 @@ class Objective {
       const auto [decided, changed] = decide(i, count);
       i += decided;
       evaluations_ += decided;
-      // As far ahead as it pays: half as far after a change, twice as far without. The numbers do not depend on it.
+      // Looks half as far ahead after a change, twice as far without. The numbers do not depend on it.
       look_ahead_ = std::min(changed ? std::max<Eigen::Index>(look_ahead_ / 2, 8) : 2 * look_ahead_, furthest_ahead_);
     }
   }
 
   // Rows of a residual: 3 for a position, 6 for a pose.
   int rows() const { return goal_.is_pose() ? 6 : 3; }
-  // The way still to go: target - position [m] and, for a pose, rotation_weight times the rotation vector that is left
-  // [m], in the axes of the base; its slope by the joints, the geometric Jacobian in the same units, into `jacobian`,
-  // rows() x joints. J dq = residual is Newton's step. The norm of a pose's residual is another one than its error.
-  // Counts one evaluation.
+  // The residual: target - position [m] and, for a pose, rotation_weight times the remaining rotation vector [m], in
+  // the axes of the base. Writes the geometric Jacobian in the same units into `jacobian`, rows() x joints. J dq =
+  // residual is Newton's step. The norm of a pose's residual differs from its error. Counts one evaluation.
   Residual linearize(const robots::ConfigurationRef& q, Eigen::Ref<Eigen::MatrixXd> jacobian) {
     ++evaluations_;
     return evaluate_linear(q, jacobian);
   }
 
-  // Of a configuration from the goal's pose, whatever is asked for. It is for judging an answer, and does not count.
+  // Deviation of a configuration from the goal's pose, also if only a position is searched. It judges answers and does
+  // not count.
   Deviation deviation(const robots::ConfigurationRef& q) const {
     const robots::Pose reached = arm_.forward(q);
     return {.position = (goal_.target.translation() - reached.translation()).norm(),
@@ -108,7 +108,7 @@ class Objective {
   std::int64_t evaluations() const { return evaluations_; }
 
  protected:
-  // With 1 candidate to look ahead at most, one_by_one is that loop as it is written.
+  // With furthest_ahead = 1, one_by_one is the plain loop.
   Objective(const robots::Chain& arm, Goal goal, Eigen::Index furthest_ahead)
       : arm_(arm), goal_(std::move(goal)), look_ahead_(furthest_ahead), furthest_ahead_(furthest_ahead) {}
 

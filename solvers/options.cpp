@@ -14,7 +14,7 @@ using namespace numerics;
 
 namespace {
 
-// The whole text as a number; independent of the locale.
+// Parses the whole text as a number, in no locale.
 template <class Number>
 bool parse(std::string_view text, Number& value) {
   const char* end = text.data() + text.size();

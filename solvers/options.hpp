@@ -1,5 +1,5 @@
-// A solver's options, said once: name, field, range and meaning. The default is the field's initialiser. Settings in
-// studies, --set, `ikbench list solvers` and the provenance in the store all come from this list.
+// A solver's options, listed once: name, field, range and meaning. The field's initialiser is the default. Studies,
+// --set, `ikbench list solvers` and the provenance in the store all use this list.
 #pragma once
 
 #include <functional>
@@ -18,10 +18,10 @@ struct Option {
   std::string name;
   std::string expected;  // "a number from 0 to 1", "one of greedy, loudness"
   std::string meaning;
-  std::vector<std::string> choices;  // of an enumerated option; else empty
+  std::vector<std::string> choices;  // of a choice; else empty
   std::vector<std::string> bounds;   // smallest and largest value of a number; else empty
   std::function<std::string()> get;
-  std::function<bool(std::string_view)> set;  // false where the text is not what is expected
+  std::function<bool(std::string_view)> set;  // false if the text is not as expected
 };
 
 class OptionList {
@@ -54,7 +54,7 @@ class OptionList {
 
   const std::vector<Option>& options() const { return options_; }
 
-  // std::invalid_argument names an unknown option (and the nearest known one) or a value that is not as expected.
+  // Throws std::invalid_argument, which names an unknown option (and the nearest known one) or a wrong value.
   void set(std::string_view name, std::string_view value);
   void set(const Settings& settings);
   Settings values() const;

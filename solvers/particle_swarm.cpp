@@ -1,5 +1,5 @@
 // PSO, particle swarm optimisation: Kennedy and Eberhart 1995 with the inertia of Shi and Eberhart 1998; the numbers
-// are those of Slim et al. 2023, Table 1. The reading is argued in docs/paper-notes.md 2.5.
+// are those of Slim et al. 2023, Table 1. docs/paper-notes.md 2.5 argues for this reading.
 #include "solvers/bounds.hpp"
 #include "solvers/kernels.hpp"
 #include "solvers/registry.hpp"
@@ -66,7 +66,7 @@ class ParticleSwarm final : public Solver {
             personal_.col(i) = x_next_.col(i);
             errors_[i] = found_[i];
           }
-          return best_.improve(x_next_.col(i), found_[i]);  // seen by the next particle already
+          return best_.improve(x_next_.col(i), found_[i]);  // the next particle sees it already
         });
     x_.swap(x_next_);
     v_.swap(v_next_);
@@ -98,7 +98,7 @@ class ParticleSwarm final : public Solver {
   const Kernels& kernels_ = kernels();
   Problem problem_;
   Candidates x_, v_, x_next_, v_next_, personal_, u1_, u2_;
-  Eigen::VectorXd errors_, found_;  // of the personal bests; of x_next_
+  Eigen::VectorXd errors_, found_;  // errors of the personal bests; of x_next_
   Best best_;
 };
 

@@ -1,4 +1,4 @@
-// Uniform random search within the joint limits: the floor that any other solver has to beat.
+// Uniform random search within the joint limits: every other solver has to beat it.
 #include "solvers/bounds.hpp"
 #include "solvers/registry.hpp"
 

@@ -22,7 +22,7 @@ struct Registry {
   std::vector<SolverInfo> solvers;
   std::vector<MissingPeer> missing;
 
-  // The build defines IKBENCH_HAS_library as 1 or 0; what is discarded here needs no definition.
+  // The build defines IKBENCH_HAS_library as 1 or 0; a discarded branch needs no definition of the peer.
   Registry() {
 #define SOLVER(name) solvers.push_back(name());
 #define PEER(name, library, package)      \

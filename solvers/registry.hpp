@@ -1,5 +1,5 @@
-// The solvers by name. One line a solver in registry.inc; its file defines the function of that name. Those of
-// libraries are peers: they are there if the build found the library.
+// The solvers by name. Each has one line in registry.inc, and its file defines the function of that name. Solvers of
+// libraries are peers; they exist only if the build found the library.
 #pragma once
 
 #include <memory>
@@ -12,28 +12,28 @@
 
 namespace ikbench::solvers {
 
-// What a study asks solvers for: the tool's position, or its pose.
+// Whether solvers search the tool's position or its pose.
 enum class Asked { position, pose };
 
 struct SolverInfo {
   std::string name;
   std::string summary;
   std::string source;        // the publication it comes from
-  int least_population = 1;  // candidates that it cannot do without
+  int least_population = 1;  // candidates that it needs at least
   std::string library = {};  // of a peer: name and version, such as "KDL 1.5.1"
-  bool is_counted = true;    // its evaluations are; not those of a library with a kinematics of its own
-  // Why it cannot solve for an arm, one sentence; empty where it can.
+  bool is_counted = true;    // we count its evaluations; false for a library with its own kinematics
+  // Says in one sentence why it cannot solve for an arm; empty if it can.
   std::function<std::string(const robots::Chain& arm, Asked asked)> why_not;
-  // The defaults, or with `settings` applied (std::invalid_argument as OptionList::set says).
+  // The defaults with `settings` applied. Throws std::invalid_argument as OptionList::set does.
   std::function<Settings(const Settings& settings)> options;
   std::function<std::unique_ptr<Solver>(const Settings& settings)> make;
   std::function<void(const std::function<void(const OptionList&)>& visit)> describe;
 };
 
 std::vector<SolverInfo> all_solvers();
-// Those that can solve for this arm.
+// The solvers that can solve for this arm.
 std::vector<SolverInfo> solvers_for(const robots::Chain& arm, Asked asked);
-// std::invalid_argument names those there are, or the package that a peer lacks.
+// Finds a solver; std::invalid_argument lists the names, or names the package that a peer lacks.
 SolverInfo solver(std::string_view name);
 
 // A peer that this program was built without.
@@ -43,8 +43,8 @@ struct MissingPeer {
 };
 std::vector<MissingPeer> missing_peers();
 
-// For a solver's file: its class has a nested Options with `void list(OptionList&)` and a constructor from it; and a
-// static why_not, as SolverInfo has it, where there are arms that it cannot solve for.
+// For a solver's file. S has a nested Options with `void list(OptionList&)` and a constructor from it, and a static
+// why_not, as in SolverInfo, if it cannot solve for every arm.
 template <class S>
 SolverInfo solver_info(std::string name, std::string summary, std::string source, int least_population = 1) {
   using Options = typename S::Options;

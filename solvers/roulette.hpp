@@ -1,4 +1,4 @@
-// The roulette wheel: an entry is picked with a chance in proportion to its share.
+// The roulette wheel picks an entry with a chance in proportion to its share.
 #pragma once
 
 #include <algorithm>
@@ -13,10 +13,10 @@ class Roulette {
   void clear() { sums_.clear(); }
   void add(double share) { sums_.push_back(sums_.empty() ? share : sums_.back() + share); }
 
-  // The entry that a number in [0, 1) picks; there is at least one.
+  // The entry that a number in [0, 1) picks; there must be one.
   std::size_t pick(double chance) const {
     const double wanted = chance * sums_.back();
-    std::size_t first = 0;  // of those whose sum is beyond what is wanted; halving without a branch to guess
+    std::size_t first = 0;  // the first entry whose sum exceeds `wanted`; bisection without a branch to predict
     for (std::size_t left = sums_.size(); left > 1; left -= left / 2) {
       first += sums_[first + left / 2 - 1] <= wanted ? left / 2 : 0;
     }

@@ -16,7 +16,7 @@ IKBENCH_DEFINE_KERNELS
 
 namespace {
 
-// Evaluation 1 is that of the arm where it is, unless the first candidate is the only one as yet.
+// Adds the error at the start as evaluation 1, or the first candidates' best error if it is larger or the only one.
 void add_start(Improvements& improved, const Problem& problem, const Objective& objective, double first_best) {
   const std::int64_t evaluations = objective.evaluations();
   if (evaluations == 0) return;

@@ -1,4 +1,4 @@
-// The one loop that drives every solver: stopped, counted, traced and timed alike.
+// The loop that drives every solver, and stops, counts, traces and times all of them alike.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@
 
 namespace ikbench::solvers {
 
-// finished: by the solver itself.
+// finished: the solver ended by itself.
 enum class Stopped { iterations, tolerance, evaluations, time, not_finite, finished };
 
 enum class Trace { none, best_error };
@@ -18,14 +18,14 @@ struct Solution {
   std::int64_t iterations = 0;
   std::int64_t evaluations = 0;
   Stopped stopped = Stopped::iterations;
-  double position_error = 0;  // [m] of the best; where a position is searched, its error
-  std::vector<double> trace;  // best error [m] after each iteration, where asked for
-  // Likewise. From evaluation 1, with the error at the start or, where it is larger, that of the first candidates, to
+  double position_error = 0;  // [m] of the best answer; equals its error if positions are searched
+  std::vector<double> trace;  // best error [m] after each iteration, if asked for
+  // Recorded if asked for: from evaluation 1, with the error at the start (or of the first candidates, if larger), to
   // the last evaluation.
   Improvements improved;
 };
 
-// `not_finite` where the best error or the answer is not a finite number.
+// Stops with `not_finite` if the best error or the answer is not finite.
 Solution solve(Solver& solver, const Problem& problem, Objective& objective, numerics::Random& random,
                const StopRule& stop, Trace trace = Trace::none);
 

@@ -1,4 +1,4 @@
-// When an answer is near enough for a solve to end.
+// Decides when an answer is near enough for a solve to end.
 #pragma once
 
 #include <cmath>
@@ -14,13 +14,13 @@ class Tolerance {
       : tolerance_(tolerance),
         angle_tolerance_(angle_tolerance),
         objective_(objective),
-        // Of three points, the tool's own is off by its position error, and the others further by weight times chord;
-        // the squares of the three chords of a rotation have the sum 8 sin^2(angle / 2) <= 2 angle^2.
+        // The tool's own point is off by its position error, the two others by up to weight times chord more; the
+        // squares of the three chords of a rotation have the sum 8 sin^2(angle / 2) <= 2 angle^2.
         largest_(objective.goal().is_pose()
                      ? tolerance + objective.goal().rotation_weight * angle_tolerance * std::sqrt(2.0 / 3)
                      : tolerance) {}
 
-  // A pose is looked at only where its error allows that it is near enough, and only once.
+  // Checks each best pose at most once, and only if its error allows that it is near enough.
   bool is_reached(const Best& best) {
     if (!(tolerance_ > 0) || !(best.error <= largest_)) return false;
     if (!objective_.goal().is_pose()) return true;
@@ -33,8 +33,8 @@ class Tolerance {
  private:
   double tolerance_, angle_tolerance_;
   const Objective& objective_;
-  double largest_;    // error [m] that a pose within both tolerances can have
-  double seen_ = -1;  // the error of the best that was looked at
+  double largest_;    // the largest error [m] of a pose within both tolerances
+  double seen_ = -1;  // the error of the last best that was checked
 };
 
 }  // namespace ikbench::solvers

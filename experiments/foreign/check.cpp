@@ -24,10 +24,10 @@ namespace {
 
 constexpr double slack = 1e-9;  // m and rad
 constexpr int many_solves = 1000;
-constexpr double most_growth = 8e6;  // bytes over so many solves
+constexpr double most_growth = 8e6;  // bytes, over many_solves
 
-// An arm of some joints, about a metre long, whose axes are turned by a right angle from one to the next. All turn,
-// some of them without end, or the second slides.
+// An arm about a metre long; each axis is at a right angle to the one before. All joints turn within limits, or some
+// turn without end, or the second slides.
 struct SomeArm {
   enum class Kind { limited, endless, sliding };
 
@@ -53,7 +53,7 @@ struct SomeArm {
     return all;
   }
 
-  // A position that it can reach.
+  // A position within reach.
   Eigen::Vector3d target() const {
     Configuration q(chain.joints());
     for (int j = 0; j < chain.joints(); ++j) q[j] = 0.4 + 0.07 * (j % 5);
@@ -70,7 +70,7 @@ struct Tried {
   double error = 0;    // of q [m]
   double seconds = 0;  // wall time
   Account account;
-  std::string trouble;  // empty: it answered
+  std::string trouble;  // empty if it answered
 };
 
 class Checker {
@@ -80,7 +80,7 @@ class Checker {
 
   bool run() {
     if (!greet()) return false;
-    if (answers()) {  // else nothing can be said of what it answers
+    if (answers()) {  // without answers, the other checks say nothing
       seeds();
       claims();
       budgets();
@@ -117,7 +117,7 @@ class Checker {
     return true;
   }
 
-  // A fresh process for an arm.
+  // Starts fresh processes for an arm.
   Sessions sessions_for(const SomeArm& arm) const {
     return {program_, robot_message({.name = "check",
                                      .arm = arm.chain,
@@ -155,7 +155,7 @@ class Checker {
     return tried;
   }
 
-  // In a process of its own.
+  // Solves in a new process.
   Tried solve_afresh(const SomeArm& arm, const Asked& asked) {
     Sessions sessions = sessions_for(arm);
     Tried tried;
@@ -192,7 +192,7 @@ class Checker {
     return true;
   }
 
-  // What goes wrong with joints that many a program does not know.
+  // Checks that the program solves for an arm with a number of joints that it may not know.
   void solves_for(std::string_view which, const SomeArm& arm) {
     const Tried tried = solve_afresh(arm, {});
     const double outside = tried.q.allFinite() ? arm.limits.violation(tried.q) : 0, claimed = tried.account.word.error;
@@ -314,7 +314,7 @@ class Checker {
   const ProgramChoice& choice_;
   const std::function<void(const CheckLine&)>& tell_;
   std::shared_ptr<const Program> program_;
-  std::optional<SomeArm> arm_;  // that it solves for
+  std::optional<SomeArm> arm_;  // the arm of most checks
   bool all_passed_ = true;
   std::int64_t noise_ = 0;
   std::string first_noise_;

@@ -1,5 +1,5 @@
-// What the author of a program or a shared object should know before a study runs it: does it keep the protocol, and
-// does it mean what it says?
+// Checks for the author of a program or a shared object before a study runs it: it keeps the protocol, and its claims
+// are true.
 #pragma once
 
 #include <functional>
@@ -12,11 +12,11 @@ namespace ikbench::experiments {
 struct CheckLine {
   std::string what;  // "the same seed gives the same answer"
   bool passed;
-  std::string seen;  // what was seen; of what passed perhaps nothing
+  std::string seen;  // what was seen; may be empty if it passed
 };
 
-// Runs all checks and tells each line as soon as it is known; with no hello there is nothing more to check. Whether all
-// passed. `choice` has a program or a shared object, in the current folder, and a patience.
+// Runs all checks and tells each line as soon as it is known; without a hello it stops. True if all passed. `choice`
+// names a program or a shared object in the current folder, and its patience.
 bool check_program(const ProgramChoice& choice, const std::function<void(const CheckLine&)>& tell);
 
 }  // namespace ikbench::experiments

@@ -44,11 +44,11 @@ struct Pipe {
   Pipe& operator=(const Pipe&) = delete;
   int take(std::size_t end) { return std::exchange(ends.at(end), -1); }
 
-  std::array<int, 2> ends{};  // to read from, to write to
+  std::array<int, 2> ends{};  // the reading end, the writing end
 };
 
-// What a program and all that it starts have in their environment, whatever group or session they go to: the number of
-// the guard. Nothing of this, nor of what reads it, takes memory or needs a lock.
+// An environment variable with the number of the guard. The program and everything that it starts have it, in whatever
+// group or session. This class and its readers take no memory and need no lock.
 class Mark {
  public:
   explicit Mark(pid_t guard) {
@@ -57,7 +57,7 @@ class Mark {
     size_ = static_cast<std::size_t>(end - text_.data());
   }
   std::string_view text() const { return {text_.data(), size_}; }
-  std::string_view whole() const { return {text_.data(), size_ + 1}; }  // with the zero that ends it
+  std::string_view whole() const { return {text_.data(), size_ + 1}; }  // with its final zero
 
   static constexpr std::string_view name = "IKBENCH_GUARD=";
 
@@ -66,7 +66,7 @@ class Mark {
   std::size_t size_ = 0;
 };
 
-// Whether the environment that a process of /proc was started with has the mark.
+// Says whether a process of /proc started with the mark in its environment.
 bool is_marked(int proc, const char* process, const Mark& mark) {
   constexpr std::string_view file_name = "/environ";
   std::array<char, 64> path{};
@@ -76,7 +76,7 @@ bool is_marked(int proc, const char* process, const Mark& mark) {
   const int file = ::openat(proc, path.data(), O_RDONLY | O_CLOEXEC);
   if (file < 0) return false;
   std::array<char, 8192> buffer;
-  std::size_t kept = 0;  // of what was read before, in which the mark may begin
+  std::size_t kept = 0;  // the end of the last read, in which the mark may begin
   bool found = false;
   for (ssize_t size = 0; !found && (size = ::read(file, buffer.data() + kept, buffer.size() - kept)) > 0;) {
     const std::string_view text(buffer.data(), kept + static_cast<std::size_t>(size));
@@ -88,7 +88,7 @@ bool is_marked(int proc, const char* process, const Mark& mark) {
   return found;
 }
 
-// How many were there.
+// Kills all marked processes and returns their number.
 int kill_marked(const Mark& mark) {
   const int proc = ::open("/proc", O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   if (proc < 0) return 0;
@@ -110,7 +110,7 @@ int kill_marked(const Mark& mark) {
   return killed;
 }
 
-// What leaves its session, as setsid does, is found by its mark. It may start others meanwhile.
+// Finds by its mark what left the session, as setsid does. It may start others meanwhile, so this repeats.
 void kill_all_marked(const Mark& mark) {
   constexpr int most_rounds = 10;
   for (int round = 0; round < most_rounds && kill_marked(mark) > 0; ++round) {
@@ -124,9 +124,9 @@ void signal_all(pid_t group, pid_t process, int signal) {
   ::kill(-group, signal);
 }
 
-// A process that leads a group and does nothing but wait until nobody holds the other end of the lifeline, from which
-// it gets the number of the program's process; then all are ended by force. It survives whatever happens to this
-// program, and calls nothing that needs a lock.
+// Starts a process that leads a group and waits until nobody holds the other end of the lifeline. It reads the number
+// of the program's process from there. Then it ends all by force. It survives whatever happens to our process, and
+// calls nothing that needs a lock.
 pid_t start_guard(int lifeline) {
   const pid_t guard = ::fork();
   if (guard != 0) {
@@ -148,7 +148,7 @@ pid_t start_guard(int lifeline) {
   ::_exit(0);
 }
 
-// While it lives, a pipe without a reader is an error of write() in this thread, and no signal.
+// While it lives, writing to a pipe without a reader is an error of write() in this thread, not a signal.
 class WithoutPipeSignal {
  public:
   WithoutPipeSignal() {
@@ -188,7 +188,7 @@ std::vector<char*> pointers_to(std::vector<std::string>& texts) {
   return pointers;
 }
 
-// Its error number; 0 where it runs.
+// Returns an error number, or 0 if the process runs.
 int spawn(pid_t& process, const Command& command, pid_t group, const std::array<int, 3>& descriptors) {
   std::vector<std::string> words = command.words, variables = environment_of_child(group);
   posix_spawn_file_actions_t actions;
@@ -294,7 +294,7 @@ void ChildProcess::drain_output() {
 }
 
 bool ChildProcess::wait(Waiting waiting, Clock::time_point deadline) {
-  constexpr long slice = 200;  // [ms] after which it is looked whether it still runs
+  constexpr long slice = 200;  // [ms] between checks that the process still runs
   const long left = std::chrono::ceil<std::chrono::milliseconds>(deadline - Clock::now()).count();
   if (left <= 0) return false;
   const bool has_room = read_.size() - taken_ < most_unread;
@@ -304,7 +304,7 @@ bool ChildProcess::wait(Waiting waiting, Clock::time_point deadline) {
   const int ready = ::poll(files.data(), files.size(), static_cast<int>(std::min(left, slice)));
   if (ready > 0 && files[0].revents != 0) drain_errors();
   if (ready > 0 && files[1].revents != 0) drain_output();
-  if (ready == 0 && !is_running()) close_one(output_);  // what it started may hold the other end
+  if (ready == 0 && !is_running()) close_one(output_);  // its children may hold the other end
   return true;
 }
 
@@ -355,7 +355,7 @@ bool ChildProcess::ends_within(std::chrono::milliseconds patience) {
   const Clock::time_point deadline = Clock::now() + patience;
   while (is_running()) {
     if (Clock::now() >= deadline) return false;
-    if (errors_ >= 0) drain_errors();  // else it may wait for us
+    if (errors_ >= 0) drain_errors();  // a full pipe would block it
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
   return true;
@@ -369,7 +369,7 @@ void ChildProcess::end(std::chrono::milliseconds patience) {
     ends_within(std::chrono::seconds(1));
   }
   if (has_ended_) {
-    ::kill(-guard_, SIGKILL);  // what it started may be left, and the guard
+    ::kill(-guard_, SIGKILL);  // its children may be left, and the guard
   } else {
     signal_all(guard_, process_, SIGKILL);
   }

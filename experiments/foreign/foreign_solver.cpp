@@ -115,7 +115,7 @@ void ForeignSolver::start(const Problem& problem, Objective& objective, Random& 
     is_open_ = true;
     session_->begin_solve(stop_.seconds, std::max(1, hosted_.repeats));
     cpu_before_ = session_->cpu_seconds();
-    constexpr double seeds = 4294967296;  // 32 bits: more do not survive everybody's numbers
+    constexpr double seeds = 4294967296;  // 2^32: larger seeds do not survive every language's numbers
     const auto seed = static_cast<std::uint32_t>(random.uniform() * seeds);
     const Mode mode = sessions_.program().mode;
     const std::int64_t id = session_->new_id();
@@ -184,7 +184,7 @@ void ForeignSolver::conclude() {
       session_->exchange(tell_message(session_->id(), errors_, best_.error, Over::yes), {"solved"}, session_->id());
     }
     if (!is_warming_up_) session_->forgive();
-  } catch (const Trouble& trouble) {  // the answer is there all the same
+  } catch (const Trouble& trouble) {  // the answer counts all the same
     session_->recover(trouble);
     if (is_warming_up_) account_.failure = trouble.status;
   }

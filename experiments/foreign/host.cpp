@@ -31,7 +31,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// The pipes to the suite. From now on standard input is empty, and standard output is standard error.
+// The pipes to the suite. Once it exists, standard input is empty, and standard output goes to standard error.
 class Suite {
  public:
   Suite() : in_(taken(STDIN_FILENO, "r")), out_(taken(STDOUT_FILENO, "w")) {
@@ -72,10 +72,10 @@ class Suite {
   char* line_ = nullptr;
 };
 
-constexpr std::size_t longest_trace = 40'000;  // numbers: what a line of a million bytes can hold
+constexpr std::size_t longest_trace = 40'000;  // numbers that fit in a line of a million bytes
 constexpr double no_bound = std::numeric_limits<double>::infinity();
 
-// A limit that is infinite is told as null.
+// The protocol says null for an infinite limit.
 double number_in(const Json& value, double if_null) { return value.is_null() ? if_null : value.get<double>(); }
 
 Eigen::VectorXd vector_in(const Json& list, double if_null = std::numeric_limits<double>::quiet_NaN()) {
@@ -89,7 +89,7 @@ Frame frame_in(const Json& list) {
   return {.position = numbers.head<3>(), .rpy = numbers.tail<3>()};
 }
 
-// The values of the options in the order of the list of the solver; of a choice, its number.
+// The values of the options in the order of the solver's list; a choice is given by its number.
 std::vector<double> option_values(const Json& list, const Json& told) {
   std::vector<double> values;
   for (const Json& option : list) {
@@ -168,7 +168,8 @@ struct Measured {
   double seconds, cpu_seconds;
 };
 
-// As often as asked, ordered by their times. Breach where the answers differ, or the processor's mode was changed.
+// Solves as often as asked; the results are ordered by time. Throws Breach if the answers differ, or if the processor's
+// mode was changed.
 std::vector<Measured> solved(SharedSolver& solver, const Chain& chain, const AskedOfHost& asked) {
   std::vector<Measured> all;
   for (int i = 0; i < asked.repeats; ++i) {

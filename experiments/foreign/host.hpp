@@ -1,4 +1,4 @@
-// `ikbench host`: this program as the child that has loaded a shared object, and speaks the protocol of programs for
+// `ikbench host`: this program as a child process that loads a shared object and speaks the protocol of programs for
 // it.
 #pragma once
 
@@ -11,11 +11,11 @@
 
 namespace ikbench::experiments {
 
-// The command that hosts a solver of a shared object; `name`: of one of its solvers, or empty: the first.
+// The command that hosts a solver of a shared object. `name` selects one of its solvers; empty: the first.
 std::vector<std::string> host_command(const std::string& object, const std::string& name);
 
-// Until it is told bye, on standard input and output, which the object does not get: what it prints goes to standard
-// error. std::invalid_argument where the object is not what it should be; what a solver throws goes on.
+// Serves standard input and output until "bye". What the object prints goes to standard error. Throws
+// std::invalid_argument if the object is invalid, and passes on what a solver throws.
 void host(const std::filesystem::path& object, const std::string& name);
 
 }  // namespace ikbench::experiments

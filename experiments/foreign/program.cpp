@@ -63,7 +63,7 @@ bool is_file(const fs::path& file) {
   return fs::is_regular_file(file, error);
 }
 
-// Where a shell would find it; empty where it would not.
+// The path at which a shell would find it; empty if it would not.
 fs::path executable(const std::string& word, const fs::path& folder) {
   if (word.find('/') != std::string::npos) return folder / word;
   const char* const path = std::getenv("PATH");
@@ -77,7 +77,7 @@ fs::path executable(const std::string& word, const fs::path& folder) {
   return {};
 }
 
-// The object or the executable, every argument that is a file, and those that the study names.
+// Digests the name, the version, the object or the executable, every argument that is a file, and the study's `files`.
 std::string digest_of(const ProgramChoice& choice, const fs::path& folder, const Hello& hello) {
   Sha256 digest;
   digest.add(hello.name + '\n' + hello.version + '\n');

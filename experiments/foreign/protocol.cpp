@@ -27,7 +27,7 @@ using Json = nlohmann::ordered_json;
 constexpr std::size_t most_options = 200, most_choices = 100;
 constexpr std::size_t longest_urdf = 900'000;  // bytes; a longer one is left out
 constexpr double largest_count = 1e15;
-// The keys of an entry of [[solvers]], beside which its options are told.
+// The keys of an entry of [[solvers]]. Options stand beside them, so that no option may have such a name.
 constexpr std::array<std::string_view, 10> keys_of_entries{"solver",  "label",     "process",    "shared_object",
                                                            "files",   "mode",      "patience_s", "population",
                                                            "options", "if_missing"};
@@ -36,7 +36,7 @@ std::string line_of(const Json& json) { return json.dump(-1, ' ', false, Json::e
 
 Json numbers(const Eigen::VectorXd& values) {
   Json list = Json::array();
-  for (const double value : values) list.push_back(value);  // what is not finite is dumped as null
+  for (const double value : values) list.push_back(value);  // values that are not finite are dumped as null
   return list;
 }
 
@@ -49,14 +49,14 @@ Json row_by_row(const Matrix& matrix) {
   return list;
 }
 
-// x, y, z, roll, pitch, yaw.
+// The frame as x, y, z, roll, pitch, yaw.
 Json frame(const Frame& frame) {
   Json list = numbers(frame.position);
   for (const double angle : frame.rpy) list.push_back(angle);
   return list;
 }
 
-// A text that may stand in tables and names of files.
+// A text that is safe in tables and file names.
 std::string text_at(const Json& object, const char* key, std::string_view fallback) {
   const auto found = object.find(key);
   if (found == object.end()) return std::string(fallback);
@@ -86,7 +86,7 @@ double as_number(const Json& element) {
   return element.get<double>();
 }
 
-// A list of as many numbers as joints; of one joint a number too.
+// Reads one number per joint; a single joint may be a plain number.
 Eigen::VectorXd configuration_in(const Json& value, int joints) {
   const bool is_single = joints == 1 && !value.is_array();
   if (!is_single && (!value.is_array() || value.size() != static_cast<std::size_t>(joints)))
@@ -136,7 +136,7 @@ HelloOption option_in(const Json& object) {
   return option;
 }
 
-// An OptionList with the values of its options.
+// An OptionList and the values behind it.
 class HelloOptions {
  public:
   explicit HelloOptions(const Hello& hello) {
@@ -207,7 +207,7 @@ Hello hello_in(const Message& message) {
   }
   if (hello.modes.empty()) throw Breach("its modes have neither \"solve\" nor \"ask\"");
   const Json options = json.value("options", Json::array());
-  if (options.is_object()) hello.options.push_back(option_in(options));  // a list of one, as some languages write it
+  if (options.is_object()) hello.options.push_back(option_in(options));  // some languages write a list of one so
   if (options.size() > most_options) throw Breach(fmt::format("it has more than {} options", most_options));
   for (const Json& option : options.is_array() ? options : Json::array()) hello.options.push_back(option_in(option));
   for (const HelloOption& option : hello.options) {

@@ -1,5 +1,5 @@
-// What a program and this one say to each other, one JSON object a line (docs/solvers-in-any-language.md): texts from
-// numbers and numbers from texts. A program may be anybody's: whatever it says is bounded and checked here.
+// The messages between a program and ikbench, one JSON object per line (docs/solvers-in-any-language.md): numbers to
+// text and text to numbers. Programs are not trusted: everything they say is bounded and checked here.
 #pragma once
 
 #include <cstdint>
@@ -20,11 +20,11 @@ namespace ikbench::experiments {
 
 constexpr int protocol_version = 1;
 
-// solve: the program has its own kinematics, and solves at once. ask: this one evaluates its candidates.
+// solve: the program has its own kinematics and solves at once. ask: ikbench evaluates its candidates.
 enum class Mode { solve, ask };
 std::string_view name_of(Mode mode);
 
-// A breach of the protocol; what it says is a sentence's end: "its hello has no name".
+// A breach of the protocol; its text is the end of a sentence: "its hello has no name".
 struct Breach : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -34,22 +34,23 @@ struct HelloOption {
 
   std::string name, meaning;
   Type type = Type::number;
-  double low = 0, high = 0, preset = 0;  // of numbers
+  double low = 0, high = 0, preset = 0;  // of a number or an integer
   std::vector<std::string> choices;      // of a choice, the preset first
 };
 
-// Who a program is.
+// A program's introduction of itself.
 struct Hello {
   std::string name, version;
-  std::vector<Mode> modes;  // at least one; the first is the one it prefers
+  std::vector<Mode> modes;  // at least one; the preferred one first
   std::vector<HelloOption> options;
-  bool is_deterministic = false;  // whatever the seed
+  bool is_deterministic = false;  // the same for every seed
 };
 
-// The options of a program with settings applied, or its defaults; std::invalid_argument as OptionList::set says.
+// The options of a program: its defaults with the settings applied. Throws std::invalid_argument as OptionList::set
+// does.
 solvers::Settings options_of(const Hello& hello, const solvers::Settings& settings);
 
-// A message of the program: its object, its name. Nothing for what is no JSON object with a message.
+// A message of the program. message_in gives nothing for a line that is no JSON object with a message.
 struct Message {
   std::string name;
   nlohmann::ordered_json json;
@@ -57,43 +58,43 @@ struct Message {
 };
 std::optional<Message> message_in(const std::string& line);
 
-// All Breach for what makes no sense.
+// All throw Breach if the message makes no sense.
 Hello hello_in(const Message& message);
 std::string why_in(const Message& declined);
-// Candidates as columns; a list of numbers is one candidate, or of a single joint one a number.
+// Candidates as columns. A list of numbers is one candidate; so is a number, if there is one joint.
 robots::Candidates candidates_in(const Message& ask, int joints);
 
-// The answer of a program with its own kinematics. Only q has to be there; the rest is its own word. What comes after
-// `reason` is said of shared objects alone, by `ikbench host`.
+// The answer of a program with its own kinematics. Only q is required; the rest is the program's claim. Only `ikbench
+// host` sends the fields after `reason`.
 struct Solved {
-  Eigen::VectorXd q;                                        // [rad]; NaN where it says null
-  double error = std::numeric_limits<double>::quiet_NaN();  // [m] of the position
+  Eigen::VectorXd q;                                        // [rad]; NaN where the message has null
+  double error = std::numeric_limits<double>::quiet_NaN();  // [m] position error
   double seconds = std::numeric_limits<double>::quiet_NaN();
-  std::int64_t evaluations = -1, iterations = -1;  // negative: it says nothing
+  std::int64_t evaluations = -1, iterations = -1;  // negative: not given
   std::optional<results::StopReason> reason;
   double cpu_seconds = std::numeric_limits<double>::quiet_NaN();
-  double smallest_seconds = std::numeric_limits<double>::quiet_NaN();  // of the repeats
+  double smallest_seconds = std::numeric_limits<double>::quiet_NaN();  // over the repeats
   double largest_seconds = std::numeric_limits<double>::quiet_NaN();
   std::vector<double> trace;  // best error [m] after each iteration
   solvers::Improvements improved;
 };
 Solved solved_in(const Message& message, int joints);
 
-// The arm as it is searched, and what is asked of it for all solves.
+// The arm that is searched, and what is the same for all solves.
 struct ArmToSearch {
   std::string name;
   const robots::Chain& arm;
-  const robots::JointLimits& limits;     // of these joints, the first of the arm
-  std::vector<std::string> joint_names;  // of as many
+  const robots::JointLimits& limits;     // of the searched joints, the first of the arm
+  std::vector<std::string> joint_names;  // one per searched joint
   bool is_pose = false;
   double rotation_weight = 0;             // [m]
-  std::string urdf, base_link, tip_link;  // as the file has it; empty: none
+  std::string urdf, base_link, tip_link;  // as in the file; empty: none
 };
 std::string robot_message(const ArmToSearch& arm, const Hello& hello, const solvers::Settings& options);
 
-// What `ikbench host` needs besides to solve as this program does. Without repeats it is not told.
+// Further settings for `ikbench host`. They are sent only if repeats > 0.
 struct HostedSolve {
-  std::uint64_t stream = 0;  // value of the key
+  std::uint64_t stream = 0;  // the key's value
   int repeats = 0;
   solvers::Trace trace = solvers::Trace::none;
 };
@@ -109,7 +110,7 @@ struct AskedSolve {
 std::string solve_message(Mode mode, const AskedSolve& asked);
 enum class Over { no, yes };
 std::string tell_message(std::int64_t id, const Eigen::VectorXd& errors, double best, Over over);
-// As long as a message of so many bytes.
+// A message padded to about `bytes` bytes.
 std::string ping_message(std::int64_t id, std::size_t bytes);
 std::string bye_message();
 

@@ -19,7 +19,7 @@ namespace {
 constexpr int most_deaths_in_a_row = 3;
 constexpr std::size_t kept_noise = 100, longest_kept_noise = 200;
 constexpr int pings = 5;
-constexpr std::size_t ping_bytes = 500;  // about a message with ten candidates of two joints
+constexpr std::size_t ping_bytes = 500;  // about as long as a message with ten candidates of two joints
 constexpr std::chrono::seconds ping_patience{5}, farewell{1};
 
 }  // namespace
@@ -47,7 +47,7 @@ bool Session::ensure_running() {
   }
   try {
     child_ = std::make_unique<ChildProcess>(program_.command());
-  } catch (const std::invalid_argument& error) {  // it could once, and is the same: no result of the program
+  } catch (const std::invalid_argument& error) {  // it started before, so this is no result of the program
     throw std::runtime_error(
         fmt::format("{}, which it could before; run the study again, and it goes on", error.what()));
   }
@@ -119,7 +119,7 @@ void Session::drain() {
   }
 }
 
-// What is no answer: noise, or of a solve that is over.
+// Ignores noise and messages of a solve that is over.
 void Session::ignore(const std::string& line, const std::optional<Message>& message) {
   if (message && message->id && *message->id <= id_) {
     ignored_ = fmt::format("; it sent {} with the id {}, and was asked with {}", message->name, *message->id, id_);
@@ -174,7 +174,7 @@ Message Session::exchange(const std::string& text, std::initializer_list<std::st
 }
 
 void Session::note(const Trouble& trouble) {
-  if (notes_.is_given_up) return;  // why is noted
+  if (notes_.is_given_up) return;  // the reason is noted already
   notes_.last_failure = fmt::format("{}: {}", name_of(trouble.status), trouble.why);
 }
 

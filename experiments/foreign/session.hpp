@@ -1,5 +1,5 @@
-// A process of a program while it is used for solve after solve: started and greeted when it is needed, and given up
-// after three deaths in a row.
+// A process of a program, used for solve after solve. It is started and greeted when needed, and given up after three
+// deaths in a row.
 #pragma once
 
 #include <memory>
@@ -10,13 +10,13 @@
 
 namespace ikbench::experiments {
 
-// Why a solve has no answer.
+// The reason why a solve has no answer.
 struct Trouble {
   results::Status status;
   std::string why;
 };
 
-// The last line of a text, to stand in a message.
+// The last line of a text, cut for a message.
 std::string last_line(std::string_view text);
 
 class Session {
@@ -26,21 +26,21 @@ class Session {
   Session(const Session&) = delete;
   Session& operator=(const Session&) = delete;
 
-  // All may throw Trouble.
-  // Says whether the process is a new one. std::runtime_error where the system starts none any more.
+  // All these may throw Trouble.
+  // Returns true if the process is new. Throws std::runtime_error if the system can start none any more.
   bool ensure_running();
-  void drain();                                          // before a solve: nothing may wait to be read but noise
-  void begin_solve(double budget_seconds, int repeats);  // its patience begins
+  void drain();                                          // call before a solve: discards noise
+  void begin_solve(double budget_seconds, int repeats);  // starts its patience
   void send(const std::string& text);
-  // The next message that is one of these and of this solve.
+  // Receives the next message that has one of these names and belongs to this solve.
   Message receive(std::initializer_list<std::string_view> names, std::int64_t id);
-  // As send and receive, counted as a round trip.
+  // Sends and receives; counts a round trip.
   Message exchange(const std::string& text, std::initializer_list<std::string_view> names, std::int64_t id);
 
   std::int64_t new_id() { return ++id_; }
   std::int64_t id() const { return id_; }
   double cpu_seconds() const { return child_ ? child_->cpu_seconds() : 0; }
-  // For a processor, by the process and by this thread.
+  // Time [s] for which the process and this thread waited for a processor.
   double waited_seconds() const;
   double resident_bytes() const { return child_ ? child_->resident_bytes() : 0; }
   double transport_seconds() const { return transport_seconds_; }
@@ -48,7 +48,7 @@ class Session {
 
   void note(const Trouble& trouble);
   void forgive() { deaths_in_a_row_ = 0; }
-  // After Trouble: gives the process a second to end the solve, else ends it.
+  // Call after Trouble: gives the process a second to end the solve, then ends the process.
   void recover(const Trouble& trouble);
   const ProgramNotes& notes() const { return notes_; }
 
@@ -65,10 +65,10 @@ class Session {
   Clock::time_point deadline_{};
   std::int64_t id_ = 0;
   int round_trips_ = 0;
-  std::string ignored_;  // the last line of this solve that was not taken, as the end of a sentence
+  std::string ignored_;  // the last ignored line of this solve, as the end of a sentence
   int deaths_in_a_row_ = 0;
   double transport_seconds_ = std::numeric_limits<double>::quiet_NaN();
-  std::optional<Trouble> refusal_;  // it declined, or is given up
+  std::optional<Trouble> refusal_;  // set if it declined the arm or is given up
   ProgramNotes notes_;
 };
 

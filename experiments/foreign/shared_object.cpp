@@ -30,7 +30,7 @@ using RowMajor4d = Eigen::Matrix<double, 4, 4, Eigen::RowMajor>;
 void write_pose(const Pose& pose, double* out) { Eigen::Map<RowMajor4d>{out} = pose.matrix(); }
 
 #if defined(__SSE2__)
-unsigned int mode_now() { return _mm_getcsr() & ~0x3fu; }  // without what has happened so far
+unsigned int mode_now() { return _mm_getcsr() & ~0x3fu; }  // without the exception flags
 void set_mode(unsigned int mode) { _mm_setcsr(mode); }
 #else
 unsigned int mode_now() { return static_cast<unsigned int>(std::fegetround()); }

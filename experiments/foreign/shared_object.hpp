@@ -1,5 +1,5 @@
-// A solver in a shared object (plugin/ikbench_plugin.h), in the process that has loaded it: what it calls is our
-// objective, our random stream and our counts.
+// A solver in a shared object (plugin/ikbench_plugin.h), in the process that loaded it. It calls our objective, our
+// random stream and our counts.
 #pragma once
 
 #include <ikbench_plugin.h>
@@ -18,17 +18,17 @@
 
 namespace ikbench::experiments {
 
-// What the object says of an arm or a problem that it does not solve.
+// Thrown if the object declines an arm or a problem.
 struct Refusal : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-// How the processor rounds, and whether it has numbers near zero. A program that was linked with -Ofast changes it for
-// all that it is loaded into.
+// The processor's rounding and its treatment of numbers near zero. Code that was linked with -Ofast changes both for
+// the whole process.
 class FloatingPointMode {
  public:
   FloatingPointMode();
-  // Whether it was another one meanwhile; it is this one again then.
+  // Restores the mode; true if it had changed.
   bool restore() const;
 
  private:
@@ -38,20 +38,20 @@ class FloatingPointMode {
 
 class SharedObject {
  public:
-  // Loads it. `name`: of one of its solvers; empty: the first. std::invalid_argument says what is wrong.
+  // Loads the file. `name` selects one of its solvers; empty: the first. std::invalid_argument says what is wrong.
   SharedObject(const std::filesystem::path& file, std::string_view name);
 
   const ikbench_solver& solver() const { return *solver_; }
   const nlohmann::ordered_json& options() const { return options_; }  // a list, as in a hello
-  bool changed_mode() const { return changed_mode_; }                 // when it was loaded
+  bool changed_mode() const { return changed_mode_; }                 // while it was loaded
 
  private:
-  const ikbench_solver* solver_ = nullptr;  // stays loaded
+  const ikbench_solver* solver_ = nullptr;  // points into the object, which stays loaded
   nlohmann::ordered_json options_;
   bool changed_mode_ = false;
 };
 
-// What a solver of an object is created for; owns what the struct of the interface points to.
+// The arm for which a solver of an object is created. It owns what the struct of the interface points to.
 struct HostedArm {
   std::string name, urdf, base_link, tip_link;
   robots::Chain chain;
@@ -59,23 +59,23 @@ struct HostedArm {
   std::vector<double> options;
 };
 
-// solvers::solve drives it like any other.
+// solvers::solve drives it like any other solver.
 class SharedSolver final : public solvers::Solver {
  public:
-  // Refusal where it declines the arm.
+  // Throws Refusal if it declines the arm.
   SharedSolver(const ikbench_solver& table, const HostedArm& arm);
   ~SharedSolver() override;
   SharedSolver(const SharedSolver&) = delete;
   SharedSolver& operator=(const SharedSolver&) = delete;
 
-  // Both: Refusal where it declines, std::runtime_error where it says that it failed.
+  // Both throw Refusal if it declines, and std::runtime_error if it reports a failure.
   void start(const solvers::Problem& problem, solvers::Objective& objective, numerics::Random& random) override;
   void step(solvers::Objective& objective, numerics::Random& random) override;
   const solvers::Best& best() const override { return best_; }
   bool finished() const override { return is_finished_; }
-  // For the next start.
+  // Sets the seed of the next start.
   void set_seed(std::uint32_t seed) { seed_ = seed; }
-  // Whether it came back with another mode of the processor since the last start; that was undone.
+  // True if it changed the processor's mode since the last start; that was undone.
   bool changed_mode() const { return changed_mode_; }
 
  private:
@@ -90,7 +90,7 @@ class SharedSolver final : public solvers::Solver {
   std::uint32_t seed_ = 0;
   ikbench_objective callbacks_;
   FloatingPointMode mode_;
-  solvers::Objective* objective_ = nullptr;  // of the call that is going on
+  solvers::Objective* objective_ = nullptr;  // of the present call
   numerics::Random* random_ = nullptr;
   solvers::StopRule stop_;
   std::chrono::steady_clock::time_point started_;

@@ -1,4 +1,4 @@
-// How exact the numbers are: forward kinematics and sin_cos against long double.
+// Measures the errors of forward kinematics and of sin_cos against long double.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -19,7 +19,7 @@ constexpr int candidates = 100'000;
 
 using Exact = std::array<long double, 3>;
 
-// The tool point carried from the tip to the base; the twists are the quarter turns they are meant to be.
+// Carries the tool point from the tip to the base; takes the twists as exact quarter turns.
 Exact exact_position(const Chain& chain, const ConfigurationRef& q) {
   Exact p{chain.tool().position.x(), chain.tool().position.y(), chain.tool().position.z()};
   for (int j = chain.joints() - 1; j >= 0; --j) {
@@ -65,7 +65,7 @@ long double off_in_ulp(double value, long double exact) {
   return std::abs(exact - value) / (next - magnitude);
 }
 
-// Angles that joints have, and those of bats far outside the limits.
+// Draws angles of joints, and those of bats far outside the limits.
 void sines(benchmark::State& state) {
   Random random{Key(1)};
   long double worst = 0;

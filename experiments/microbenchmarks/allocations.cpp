@@ -1,4 +1,4 @@
-// How often a solve asks for heap memory: start and 200 iterations of every registered solver that has solved before.
+// Counts heap allocations of a solve: start and 200 iterations of every registered solver, after a first solve.
 #include "tests/solvers/allocations.hpp"
 
 #include "experiments/microbenchmarks/harness.hpp"

@@ -1,4 +1,5 @@
-// The iiwa 14's flange written out, as one would for this one arm: sin and cos of the C library, no loop, no table.
+// The iiwa 14's flange position in closed form, as one would write it for this one arm: the C library's sin and cos, no
+// loop, no table.
 #pragma once
 
 #include <Eigen/Core>

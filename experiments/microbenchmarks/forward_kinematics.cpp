@@ -1,4 +1,5 @@
-// Position errors of 50 candidates: ours, and what one would write instead; and how ours grows.
+// Measures position errors of 50 candidates by our code and by what one would write instead, and how ours grows with
+// joints and population.
 #include <cmath>
 
 #include "experiments/microbenchmarks/closed_form.hpp"
@@ -50,7 +51,7 @@ void one_at_a_time(benchmark::State& state) {
   count_candidates(state, batch, reach.chain.joints());
 }
 
-// A peer gives the position of one candidate; its candidates lie one after the other, which suits it best.
+// A peer computes the position of one candidate. Its candidates lie one after the other, which suits it best.
 template <class Position>
 void measure_peer(benchmark::State& state, const Position& position) {
   const Reach reach = flange_reach();
@@ -90,7 +91,8 @@ void eigen_products(benchmark::State& state) {
   });
 }
 
-// About axes in turn upright and level, half of the stretched arm away: no joint can be left out, no length is 0.
+// A chain without shortcuts: no joint can be left out, and no length is 0. Its target is half of the stretched arm
+// away.
 Reach snake_reach(int joints) {
   std::vector<DhLink> links;
   for (int j = 0; j < joints; ++j) links.push_back({.a = 0.1, .alpha = j % 2 == 0 ? 1.5 : -1.5});

@@ -1,4 +1,4 @@
-// The same candidates by KDL, one at a time as it is meant to be called. KDL gives the whole pose.
+// Measures the same candidates by KDL, one at a time, as it is meant to be called. KDL gives the whole pose.
 #include <kdl/chain.hpp>
 #include <kdl/chainfksolverpos_recursive.hpp>
 #include <vector>

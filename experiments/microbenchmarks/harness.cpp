@@ -20,7 +20,7 @@ using namespace experiments;
 
 namespace {
 
-// Google Benchmark would print mean, median, deviation and every repetition.
+// Prints medians only. Google Benchmark would print mean, median, deviation and every repetition.
 class Medians final : public benchmark::ConsoleReporter {
  public:
   Medians() : ConsoleReporter(OO_None) {}
@@ -34,7 +34,7 @@ class Medians final : public benchmark::ConsoleReporter {
   }
 };
 
-// Those built, with their versions.
+// The built peers, with their versions.
 std::string peers() {
   std::set<std::string> libraries;
   for (const SolverInfo& info : all_solvers()) {

@@ -1,5 +1,5 @@
-// What an IK-BA solve of seven joints (population 50, 200 iterations) costs over its evaluations alone, over a variant
-// that updates once an iteration, and against a textbook program.
+// Compares an IK-BA solve of seven joints (population 50, 200 iterations) with its evaluations alone, with a variant
+// that updates once per iteration, and with a textbook program.
 #include "experiments/microbenchmarks/harness.hpp"
 #include "experiments/microbenchmarks/textbook_ik_bat.hpp"
 #include "numerics/functions.hpp"
@@ -18,7 +18,7 @@ namespace {
 
 constexpr int iterations = 200;
 
-// IK-BA with its defaults, but the best of an iteration is known only in the next one: everybody in one batch.
+// IK-BA with its defaults, except that a new best counts from the next iteration on: one batch per iteration.
 class SynchronousIkBat final : public Solver {
  public:
   void start(const Problem& problem, Objective& objective, Random& random) override {
@@ -43,7 +43,7 @@ class SynchronousIkBat final : public Solver {
   void step(Objective& objective, Random& random) override {
     random.uniforms(frequency_);
     random.normals(epsilon_);
-    random.uniforms(chance_);                               // for the acceptance, which by default asks for none
+    random.uniforms(chance_);                               // for the acceptance, which by default needs none
     frequency_ *= 2;                                        // Eq. 5
     loudness_ *= 0.97;                                      // Eq. 9
     const double r = 1 - exponential(-0.1 * iteration_++);  // Eq. 10
@@ -94,7 +94,7 @@ void synchronous(benchmark::State& state) {
   measure(state, solver);
 }
 
-// As many evaluations as a solve has, in the same batches: the first candidates, and those of each iteration.
+// Makes the evaluations of a solve in the same batches: the first candidates, and those of each iteration.
 void kinematics_only(benchmark::State& state) {
   const Reach reach = flange_reach();
   const Candidates q = drawn_candidates(reach.problem, reach.problem.population);

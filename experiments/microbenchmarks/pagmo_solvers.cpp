@@ -1,6 +1,6 @@
 // pagmo's differential evolution, particle swarm and bee colony against ours: seven joints, population 50, 200
-// generations, the same coefficients, no early end. pagmo has the problem as its users write it, one candidate a call:
-// the arm's closed form with the C library's sin and cos, or (our_chain) our chain.
+// generations, the same coefficients, no early end. pagmo gets the problem as its users write it, one candidate per
+// call: the arm's closed form with the C library's sin and cos, or (our_chain) our chain.
 #include <pagmo/algorithms/bee_colony.hpp>
 #include <pagmo/algorithms/de.hpp>
 #include <pagmo/algorithms/pso.hpp>
@@ -77,7 +77,7 @@ void register_pair(const std::string& name, const std::string& ours, const Algor
 
 void register_solvers() {
   constexpr unsigned rand_1_bin = 7, inertia = 1, global_best = 1;
-  constexpr double never = 0;  // [1] and [rad]: differences at which pagmo would end early
+  constexpr double never = 0;  // [1] and [rad]: no difference ends pagmo early
   register_pair("differential_evolution", "differential_evolution",
                 pagmo::de(generations, 0.6, 0.9, rand_1_bin, never, never));
   register_pair("particle_swarm", "particle_swarm",

@@ -1,4 +1,4 @@
-// A draw of a uniform and of a normal number: ours in fills of 7 x 50, and the standard library's.
+// Measures a draw of a uniform and of a normal number: ours in fills of 7 x 50, and the standard library's.
 #include <random>
 
 #include "experiments/microbenchmarks/harness.hpp"

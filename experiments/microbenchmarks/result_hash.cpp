@@ -1,5 +1,5 @@
-// The fingerprints of the built-in studies without a budget of time, as `ikbench fingerprint` makes them, in the form
-// of a benchmark's result: result_hash THREADS RUNS.
+// Prints the fingerprints of the built-in studies without a time budget, as `ikbench fingerprint` makes them, in the
+// form of a benchmark's result: result_hash THREADS RUNS.
 #include <cstdlib>
 #include <iostream>
 #include <nlohmann/json.hpp>
@@ -25,7 +25,7 @@ int main(int argc, char** argv) {
   std::string hash;
   std::size_t solves = 0;
   for (Study study : studies()) {
-    if (study.stop.seconds > 0) continue;  // what ends by the clock has other bits each time
+    if (study.stop.seconds > 0) continue;  // a solve that ends by the clock has other bits each time
     study.runs = std::atoi(argv[2]);
     std::vector<SolveRecord> records;
     solve_study(study, threads, [&](SolveRecord record) { records.push_back(std::move(record)); });

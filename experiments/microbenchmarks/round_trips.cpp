@@ -1,5 +1,5 @@
-// A round trip to a program that solves: it is told the errors of ten candidates of two joints, and asks for those of
-// ten others. In C and in Python, the examples of docs/examples/, with what they compute meanwhile.
+// Measures a round trip to a program that solves: it gets the errors of ten candidates of two joints, and asks for ten
+// others. The programs are the examples in docs/examples/, in C and in Python, with their own computations.
 #include <stdexcept>
 #include <string>
 #include <vector>

@@ -1,5 +1,5 @@
-// A whole solve with each of the paper's solvers, built in and from a shared object (tests/plugins), where `ikbench
-// host` has its clock: what the C interface costs.
+// Measures the cost of the C interface: a whole solve with each of the paper's solvers, built in and from a shared
+// object (tests/plugins), timed as `ikbench host` does.
 #include <array>
 #include <memory>
 #include <string>

@@ -1,5 +1,5 @@
-// One iteration and one whole solve (population 50, 200 iterations) of every registered solver, for four joints and for
-// seven. A new line in the registry is measured without a change here.
+// Measures one iteration and one whole solve (population 50, 200 iterations) of every registered solver, for four
+// joints and for seven. A new solver in the registry needs no change here.
 #include <string>
 
 #include "experiments/microbenchmarks/harness.hpp"
@@ -25,7 +25,7 @@ void whole_solve(benchmark::State& state, const SolverInfo& info, const Reach& r
   }
 }
 
-// An iteration anywhere in a solve: beyond its end, schedules would have run out.
+// Measures an iteration within a solve: beyond its end, schedules would have run out.
 void one_step(benchmark::State& state, const SolverInfo& info, const Reach& reach) {
   const auto solver = info.make({});
   Random random{Key(1)};

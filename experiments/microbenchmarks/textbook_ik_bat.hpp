@@ -13,7 +13,7 @@ struct Link {
   double a, alpha, d;
 };
 
-// The end of the chain, Eqs. 18 and 26.
+// The position of the chain's end, Eqs. 18 and 26.
 Vector forward_kinematics(const std::vector<Link>& links, const Vector& theta);
 
 struct Result {

@@ -1,5 +1,5 @@
-// The whole helix study, slim2023: six solvers, 2400 solves, timing and verifier included, store and report excluded;
-// by one thread and by two.
+// Measures the whole helix study, slim2023: six solvers, 2400 solves, with timing and verifier, without store and
+// report; by one thread and by two.
 #include "experiments/microbenchmarks/harness.hpp"
 #include "experiments/runner.hpp"
 #include "experiments/study_reader.hpp"

@@ -23,7 +23,7 @@ class CsvPath final : public PathKind {
   std::string_view name() const override { return "csv"; }
   std::string_view summary() const override { return "poses from a CSV file: x_cm, y_cm, z_cm, qw, qx, qy, qz"; }
 
-  // The poses are in the key, whatever the file's name.
+  // The key has the poses, so the file's name does not matter.
   void list_fields(Fields& io) override {
     io.text("file", file_,
             "beside the study. Columns: x, y, z in _m, _cm or _mm; then qw, qx, qy, qz, or roll, pitch, yaw in _deg or "

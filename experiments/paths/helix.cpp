@@ -58,7 +58,7 @@ class Helix final : public PathKind {
   }
 
  private:
-  Eigen::Vector3d centre_{0.60, 0.0, 0.10};  // of the bottom
+  Eigen::Vector3d centre_{0.60, 0.0, 0.10};  // of the bottom circle
   double radius_ = 0.20;
   double length_ = 0.50;
   double turns_ = 2;

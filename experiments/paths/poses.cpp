@@ -1,4 +1,4 @@
-// Poses, one by one as a study file or a program gives them.
+// Single poses from a study file or a program.
 #include "experiments/path.hpp"
 
 namespace ikbench::experiments {

@@ -1,5 +1,5 @@
-// Targets drawn anew for every run: Slim et al. 2023, Table 7. All but those of `unreachable` are made of
-// configurations, so that the arm can reach them.
+// Targets drawn anew for every run: Slim et al. 2023, Table 7. All sets except `unreachable` are poses of drawn
+// configurations, so the arm can reach them.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -30,7 +30,7 @@ Configuration drawn_within(const JointLimits& range, Random& random) {
   return q;
 }
 
-// Each joint that has limits within 5 % of its range of one of them.
+// Draws each joint that has limits within 5 % of its range from one of them.
 Configuration drawn_near_limits(const Robot& arm, Random& random) {
   constexpr double margin = 0.05;
   Configuration q = drawn_within(range_of(arm), random);
@@ -42,17 +42,17 @@ Configuration drawn_near_limits(const Robot& arm, Random& random) {
   return q;
 }
 
-// What makes a configuration a target of a set: a score that is high enough for the arm.
+// A target set's condition: a configuration belongs to it if its score is high enough.
 struct Demand {
   std::function<double(const Configuration&)> score;
   double enough;
 };
 
-// Scores of 1000 configurations, ascending, which are the same for every study of the arm; found once for a path and
-// its copies, since singular values take long. Runs may ask at the same time.
+// Ascending scores of 1000 configurations, the same for every study of the arm. A path and its copies share them, since
+// singular values take long. Threads may call it at the same time.
 class SampledScores {
  public:
-  // `name` is that of the score.
+  // `name` is the score's name.
   const std::vector<double>& of(const Robot& arm, const std::string& name,
                                 const std::function<double(const Configuration&)>& score) {
     std::string key = name + arm.chain.definition();
@@ -73,7 +73,7 @@ class SampledScores {
   std::map<std::string, std::vector<double>> known_;
 };
 
-// The smallest singular value is below the first percentile.
+// Demands a smallest singular value below its first percentile.
 Demand near_singular(const Robot& arm, SampledScores& samples) {
   const auto score = [&arm](const Configuration& q) {
     const auto pose_with = [&](Eigen::Index j, double value) {
@@ -87,7 +87,7 @@ Demand near_singular(const Robot& arm, SampledScores& samples) {
   return {score, scores[scores.size() * 99 / 100]};
 }
 
-// The tool is farther from the shoulder than 95 % of the largest distance.
+// Demands a tool farther from the shoulder than 95 % of the largest distance.
 Demand at_edge(const Robot& arm, SampledScores& samples) {
   constexpr double share = 0.95;
   const auto score = [&arm, shoulder = arm.chain.reach().centre](const Configuration& q) {
@@ -96,7 +96,7 @@ Demand at_edge(const Robot& arm, SampledScores& samples) {
   return {score, share * samples.of(arm, "edge", score).back()};
 }
 
-// The first that is good enough, or the best of very many.
+// Draws until a configuration is good enough; after very many draws, returns the best.
 Configuration drawn_to_meet(const Demand& demand, const Robot& arm, Random& random) {
   constexpr int most_draws = 20'000;
   Configuration best = drawn_within(range_of(arm), random);
@@ -142,7 +142,7 @@ class RandomTargets final : public PathKind {
                       "another set",
                       arm.name));
     }
-    constexpr double least_reach = 1e-6;  // [m] a share of less is no distance
+    constexpr double least_reach = 1e-6;  // [m] shares of a smaller reach are no distances
     if (set_ == Set::unreachable && arm.chain.reach().radius < least_reach) {
       throw std::invalid_argument(fmt::format(
           "path.set is \"unreachable\", but the reach of {} is 0, and so is every share of it; expected another set",

@@ -1,4 +1,4 @@
-// A rectangle, back to its first corner.
+// A rectangle that returns to its first corner.
 #include <stdexcept>
 
 #include "experiments/orientation.hpp"

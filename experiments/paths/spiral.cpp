@@ -1,4 +1,4 @@
-// A spiral of even distances: Archimedes.
+// An Archimedean spiral: its turns are equally far apart.
 #include <numbers>
 
 #include "experiments/orientation.hpp"

@@ -1,6 +1,6 @@
 // Ceres' TinySolver (Agarwal, Mierle and others): Levenberg and Marquardt's method on our residual and Jacobian. It
-// knows no joint limits. One step is one call of the library, which ends by itself; the study's budgets and tolerances
-// end it too.
+// knows no joint limits. One step is one call of the library, which ends by itself or by the study's budgets and
+// tolerances.
 #include <ceres/tiny_solver.h>
 #include <ceres/version.h>
 #include <fmt/format.h>
@@ -18,8 +18,8 @@ using namespace robots;
 
 namespace {
 
-// Residuals and their slope at the candidates that the library asks for, as it wants them: what the tool lies beyond
-// its target, and the Jacobian.
+// Residuals and Jacobian at the candidates that the library asks for, with its sign: how far the tool is beyond its
+// target.
 class WayBeyond {
  public:
   using Scalar = double;
@@ -32,7 +32,7 @@ class WayBeyond {
 
   bool operator()(const double* parameters, double* residuals, double* slope) const {
     const Eigen::Map<const Eigen::VectorXd> q(parameters, jacobian_.cols());
-    if (q_.size() != q.size() || q_ != q) evaluate(q);  // what it accepts it asks for again, with the slope
+    if (q_.size() != q.size() || q_ != q) evaluate(q);  // accepted candidates are asked for again
     Eigen::Map<Eigen::VectorXd>(residuals, to_go_.size()) = -to_go_;
     if (slope != nullptr) Eigen::Map<Eigen::MatrixXd>(slope, jacobian_.rows(), jacobian_.cols()) = jacobian_;
     return true;
@@ -51,7 +51,7 @@ class WayBeyond {
 
   Evaluations& evaluations_;
   Eigen::MatrixXd& jacobian_;
-  mutable Configuration q_ = {};  // what was evaluated last, and what it gave; the library calls a const function
+  mutable Configuration q_ = {};  // the last candidate, mutable since the library calls a const function
   mutable Residual to_go_ = {};
 };
 
@@ -91,7 +91,7 @@ class CeresTiny final : public Solver {
   bool finished() const override { return solve_.has_ended; }
 
  private:
-  // It ends where it stands still; when it is near enough the study says.
+  // The library ends when it stands still; the study decides when it is near enough.
   void call(Evaluations& evaluations) {
     solver_.options.gradient_tolerance = solver_.options.function_tolerance = solver_.options.cost_threshold = 0;
     solver_.options.parameter_tolerance = options_.small_move;
@@ -99,7 +99,7 @@ class CeresTiny final : public Solver {
         static_cast<int>(std::clamp<std::int64_t>(evaluations.left(), 1, 1'000'000'000));
     try {
       solver_.Solve(WayBeyond(evaluations, jacobian_), &angles_);
-    } catch (const IsOver&) {  // the best that was evaluated is kept
+    } catch (const IsOver&) {  // the best evaluated candidate is kept
     }
   }
 

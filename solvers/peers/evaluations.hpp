@@ -1,4 +1,5 @@
-// What a library evaluates by our objective: the best of it, and when the study's stop rule says that it is enough.
+// Evaluations of our objective by a library: keeps the best of them, and knows when the study's stop rule ends the
+// solve.
 #pragma once
 
 #include <algorithm>
@@ -10,7 +11,7 @@
 
 namespace ikbench::solvers {
 
-// A solve by calls of a library.
+// The state of a solve by calls of a library.
 struct LibrarySolve {
   using Clock = std::chrono::steady_clock;
 
@@ -23,12 +24,12 @@ struct LibrarySolve {
   }
 
   Problem problem;
-  Best best;  // of all that the library evaluated
+  Best best;  // of all evaluations
   bool has_ended = false;
   Clock::time_point started;
 };
 
-// What a call of the library evaluates. The solve outlives it.
+// The evaluations of one call of the library. The solve outlives it.
 class Evaluations {
  public:
   Evaluations(LibrarySolve& solve, Objective& objective)
@@ -38,7 +39,7 @@ class Evaluations {
         tolerance_(problem_.stop.tolerance, problem_.stop.angle_tolerance, objective) {}
 
   Objective& objective() { return objective_; }
-  // A number that a library can rank, also where there is no error.
+  // A number that a library can rank, even if the error is not finite.
   double error(const robots::ConfigurationRef& q) {
     const double error = objective_.error(q);
     if (solve_.best.improve(q, error) && problem_.improvements != nullptr)
@@ -50,14 +51,14 @@ class Evaluations {
                (problem_.stop.seconds > 0 && seconds_left() <= 0);
     return is_over_;
   }
-  // How many may follow: as the study says, or as many as a population would have had in its iterations.
+  // The number of evaluations left: of the study's budget, or of a population's over its iterations.
   std::int64_t left() const {
     const std::int64_t all = problem_.stop.evaluations > 0 ? problem_.stop.evaluations
                                                            : std::int64_t{problem_.iterations} * problem_.population;
     return all - objective_.evaluations();
   }
 
-  static constexpr double no_error = 1e10;  // [m]; its square is a number too
+  static constexpr double no_error = 1e10;  // [m]; its square is finite too
 
  private:
   double seconds_left() const {
@@ -71,7 +72,7 @@ class Evaluations {
   bool is_over_ = false;
 };
 
-// The library ends for this where it is told so by an exception.
+// Thrown to end a call of the library.
 struct IsOver {};
 
 }  // namespace ikbench::solvers

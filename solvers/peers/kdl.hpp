@@ -1,4 +1,4 @@
-// Arms, frames and joints as KDL has them.
+// Converts arms, frames and joints to KDL's.
 #pragma once
 
 #include <kdl/config.h>
@@ -41,12 +41,12 @@ inline KDL::Chain kdl_chain(const robots::Chain& arm) {
   return chain;
 }
 
-// As a solver's option says, or else the study: one iteration of KDL is no generation of a population.
+// The solver's option, or else the study's iterations: an iteration of KDL is no generation of a population.
 inline int kdl_iterations(int option, const Problem& problem) {
   return option > 0 ? option : std::min(problem.stop.iterations, 1'000'000);
 }
 
-// The answer of one of KDL's solvers of positions.
+// The answer of a position solver of KDL.
 inline robots::Configuration kdl_answer(KDL::ChainIkSolverPos& solver, const robots::Configuration& start,
                                         const Goal& goal) {
   KDL::JntArray answer(static_cast<unsigned>(start.size()));
@@ -58,7 +58,7 @@ template <class S>
 SolverInfo kdl_info(std::string name, std::string summary, std::string source) {
   SolverInfo info = solver_info<S>(std::move(name), std::move(summary), std::move(source));
   info.library = "KDL " KDL_VERSION_STRING;
-  info.is_counted = false;  // it has kinematics of its own
+  info.is_counted = false;  // it has its own kinematics
   return info;
 }
 

@@ -15,7 +15,7 @@ using namespace robots;
 
 namespace {
 
-// Its parts refer to each other.
+// KDL's solvers of one call; they refer to each other.
 struct KdlNewtonCall {
   KdlNewtonCall(const Chain& arm, const Problem& problem, double accuracy, int iterations)
       : chain(kdl_chain(arm)),
@@ -54,7 +54,7 @@ class KdlNewton final : public Solver {
   }
 
   void start(const Problem& problem, Objective& objective, Random&) override {
-    // The length of a vector whose three coordinates are at most this is within.
+    // A vector is short enough if each of its three coordinates is at most this.
     const double within = std::min(problem.stop.tolerance, problem.stop.angle_tolerance) / std::sqrt(3.0);
     const double accuracy = options_.accuracy > 0 ? options_.accuracy : within > 0 ? within : 1e-6;
     const int iterations = kdl_iterations(options_.iterations, problem);
@@ -84,7 +84,7 @@ class KdlNewton final : public Solver {
 
  private:
   Options options_;
-  std::optional<Chain> arm_;  // of which the call is
+  std::optional<Chain> arm_;  // the arm of the call
   double accuracy_ = 0;
   int iterations_ = 0;
   std::unique_ptr<KdlNewtonCall> call_;

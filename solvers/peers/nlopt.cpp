@@ -1,5 +1,5 @@
-// NLopt (Johnson 2007), which minimizes our objective: half the square of the residual where it wants a slope, else the
-// error. One step is one call of the library, which ends by itself; the study's budgets and tolerances end it too.
+// NLopt (Johnson 2007) minimizes our objective: half the square of the residual for algorithms that use a slope, else
+// the error. One step is one call of the library, which ends by itself or by the study's budgets and tolerances.
 #include <fmt/format.h>
 #include <nlopt.h>
 
@@ -65,7 +65,7 @@ class NloptSolver final : public Solver {
     if (solve_.has_ended) return;
     Configuration q = solve_.problem.start.cwiseMax(solve_.problem.lower).cwiseMin(solve_.problem.upper);
     if (calls_++ > 0) draw_one_within_limits(solve_.problem, random, q);
-    nlopt_srand(static_cast<unsigned long>(random.index(std::numeric_limits<int>::max())));  // of this thread
+    nlopt_srand(static_cast<unsigned long>(random.index(std::numeric_limits<int>::max())));  // this thread's generator
     Evaluations evaluations(solve_, objective);
     if (!evaluations.is_over()) call(evaluations, q);
     solve_.has_ended = options_.restarts == Restarts::none || evaluations.is_over();
@@ -81,8 +81,8 @@ class NloptSolver final : public Solver {
     nlopt_opt opt;
   };
 
-  // The answer is the best that was evaluated, so how the library ended, or that it refuses (one joint, for some), is
-  // of no account.
+  // The answer is the best evaluated candidate, so it does not matter how the library ended, or that it refused (some
+  // algorithms need more than one joint).
   void call(Evaluations& evaluations, Configuration q) {
     const Problem& problem = solve_.problem;
     const JointLimits limits =
@@ -101,15 +101,15 @@ class NloptSolver final : public Solver {
     nlopt_optimize(opt.get(), q.data(), &reached);
   }
 
-  // Those need finite limits; a whole turn each way of the start holds every direction of a joint without end well
-  // inside.
+  // True for algorithms that need finite limits. For a joint without end, a whole turn on both sides of the start
+  // contains every direction well inside.
   bool searches_everywhere() const {
     return options_.algorithm == NLOPT_GN_DIRECT_L || options_.algorithm == NLOPT_GN_CRS2_LM ||
            options_.algorithm == NLOPT_GN_ISRES || options_.algorithm == NLOPT_GN_ESCH;
   }
 
-  // NLopt's first step is a quarter of the range of a joint, and without limits the joint's own value, however small:
-  // so a joint without end gets a quarter of its turn.
+  // NLopt's first step is a quarter of a joint's range, or, without limits, the joint's own value, however small. So a
+  // joint without end gets a quarter turn.
   void set_first_steps(nlopt_opt opt, const Configuration& q) const {
     const Problem& problem = solve_.problem;
     if (problem.lower.allFinite() && problem.upper.allFinite()) return;
@@ -125,7 +125,7 @@ class NloptSolver final : public Solver {
     const Call& call = *static_cast<Call*>(data);
     const Eigen::Map<const Eigen::VectorXd> q(x, joints);
     Evaluations& evaluations = call.evaluations;
-    // Some algorithms ask once more after they were told to stop.
+    // Some algorithms ask once more after a forced stop.
     const double error = evaluations.is_over() ? Evaluations::no_error : evaluations.error(q);
     const bool is_over = evaluations.is_over();
     if (is_over) nlopt_force_stop(call.opt);

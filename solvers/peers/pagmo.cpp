@@ -1,7 +1,6 @@
-// pagmo (Biscani and Izzo 2020), which evolves a population by our objective. One step is one call of the library, for
-// as many generations as iterations are planned; the study's budgets and tolerances end it too. Its algorithms need
-// finite limits: where a joint turns without end, a whole turn each way of the start holds every direction of it well
-// inside.
+// pagmo (Biscani and Izzo 2020) evolves a population by our objective. One step is one call of the library, for as many
+// generations as iterations are planned, or until the study's budgets and tolerances end it. Its algorithms need finite
+// limits: for a joint without end, a whole turn on both sides of the start contains every direction well inside.
 #include <fmt/format.h>
 
 #include <pagmo/algorithm.hpp>
@@ -32,7 +31,7 @@ using namespace robots;
 
 namespace {
 
-constexpr int least_pagmo_population = 7;  // of its self-adaptive differential evolutions
+constexpr int least_pagmo_population = 7;  // for its self-adaptive differential evolutions
 
 // pagmo copies it; all copies evaluate for one call.
 struct PagmoTarget {
@@ -94,7 +93,7 @@ class PagmoSolver final : public Solver {
       pagmo::population population(target, static_cast<unsigned>(solve_.problem.population - 1), seed);
       population.push_back({start.begin(), start.end()});
       algorithm(seed).evolve(population);
-    } catch (const IsOver&) {  // the best that was evaluated is kept
+    } catch (const IsOver&) {  // the best evaluated candidate is kept
     }
   }
 

@@ -18,19 +18,19 @@
 
 namespace ikbench_plugin {
 
-// For problems that a solver does not solve: of an arm from its constructor, of one solve from start.
+// Thrown for what a solver does not solve: an arm, by its constructor; one problem, by start.
 struct Declined : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-// The answer so far, which every call of start and step leaves better or as it was.
+// The answer so far. Each call of start and step improves it or leaves it alone.
 struct Best {
-  double* q;      // of the problem's joints; before start writes to it, the problem's start
-  double& error;  // [m] of q, as the objective gives it
+  double* q;      // one value per joint; the problem's start until start writes to it
+  double& error;  // [m] error of q, as the objective gives it
   bool is_finished = false;
 };
 
-// What ikbench evaluates, counts and draws. Joint j of candidate i is q[j * stride + i].
+// The evaluations, counts and random numbers of ikbench. Joint j of candidate i is q[j * stride + i].
 class Objective {
  public:
   explicit Objective(const ikbench_objective& suite) : suite_(&suite) {}
@@ -43,14 +43,14 @@ class Objective {
   void errors(const double* q, std::int64_t stride, std::int64_t candidates, double* errors) {
     suite_->errors(suite_->suite, q, stride, candidates, errors);
   }
-  // The way still to go and its slope by the joints: 3 rows, or of a pose 6, which it returns; the slope by columns.
+  // Computes the residual, 3 rows or 6 for a pose, and its Jacobian by columns. Returns the number of rows.
   int linearize(const double* q, double* residual, double* jacobian) {
     return suite_->linearize(suite_->suite, q, residual, jacobian);
   }
-  // A loop in which each candidate depends on those before it, evaluated ahead in batches all the same:
-  // propose(first, count) writes these candidates to q (stride: candidates) from the present state; decide(i) takes
-  // candidate i in or not, and says whether that changed what the proposals after it depend on. Those are made anew
-  // then, and do not count.
+  // A loop in which each candidate depends on those before it; ikbench still evaluates it in batches, ahead of time.
+  // propose(first, count) writes these candidates to q (stride: candidates) from the present state. decide(i) accepts
+  // candidate i or not, and says whether that changed the state for later proposals. Those are then proposed anew and
+  // do not count.
   template <class Propose, class Decide>
   void one_by_one(double* q, std::int64_t candidates, double* errors, Propose&& propose, Decide&& decide) {
     struct Both {
@@ -76,14 +76,14 @@ class Objective {
     if (both.trouble) std::rethrow_exception(both.trouble);
   }
 
-  double uniform() { return suite_->uniform(suite_->suite); }  // [0, 1)
+  double uniform() { return suite_->uniform(suite_->suite); }  // in [0, 1)
   void uniforms(double* out, std::int64_t count) { suite_->uniforms(suite_->suite, out, count); }
   void normals(double* out, std::int64_t count) { suite_->normals(suite_->suite, out, count); }
   void truncated_normals(double* out, std::int64_t count) { suite_->truncated_normals(suite_->suite, out, count); }
   bool is_over() const { return suite_->is_over(suite_->suite) != 0; }  // evaluations or seconds are used up
 
  private:
-  // Further calls do nothing once something was thrown, until the loop is over.
+  // Does nothing after an exception, until the loop is over.
   template <class Call>
   static void guarded(std::exception_ptr& trouble, Call&& call) noexcept {
     if (trouble) return;
@@ -147,9 +147,9 @@ struct Functions {
   }
 };
 
-enum class Deterministic { no, yes };  // whatever the seed and the stream
+enum class Deterministic { no, yes };  // the same for every seed and stream
 
-// `options`: a JSON list, as in a hello.
+// `options` is a JSON list, as in a hello.
 template <class S>
 constexpr ikbench_solver solver(const char* name, const char* version, const char* options = nullptr,
                                 Deterministic deterministic = Deterministic::no) {
@@ -167,7 +167,7 @@ constexpr ikbench_solver solver(const char* name, const char* version, const cha
 
 }  // namespace ikbench_plugin
 
-// All solvers of an object, once, outside of any namespace.
+// Lists all solvers of an object; use it once, outside of any namespace.
 #define IKBENCH_SOLVERS(...)                                                             \
   extern "C" const ikbench_solver* ikbench_solver_at(std::int32_t abi, std::int32_t i) { \
     static const ikbench_solver all[] = {__VA_ARGS__};                                   \
