@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <chrono>
 #include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -19,7 +18,6 @@
 #include "experiments/series_key.hpp"
 #include "numerics/toml_table.hpp"
 #include "numerics/units.hpp"
-#include "solvers/bounds.hpp"
 
 namespace ikbench::experiments {
 
@@ -115,56 +113,6 @@ bool same_answer(const Solution& a, const Solution& b) {
          same_bits(a.trace, b.trace);
 }
 
-Task::Task(const Study& study, const Robot& arm) : study_(study), arm_(arm) {
-  if (study.search == Search::wrist) wrist_.emplace(arm.chain);
-}
-
-Goal Task::goal(const Pose& target) const {
-  if (study_.search == Search::pose) return {target, study_.rotation_weight};
-  return wrist_ ? wrist_->centre(target) : Eigen::Vector3d(target.translation());
-}
-
-Problem Task::problem(const Configuration& start, int population) const {
-  const int joints = arm().joints();
-  return {.start = start.head(joints),
-          .lower = arm_.limits.lower.head(joints),
-          .upper = arm_.limits.upper.head(joints),
-          .population = population};
-}
-
-Configuration Task::completed(const Configuration& found, const Pose& target, const Configuration& start) const {
-  Configuration answer = found;
-  if (wrist_) {
-    const Eigen::Vector3d near = start.tail<3>();
-    const std::array<Eigen::Vector3d, 2> branches = wrist_->angles(found, target.linear(), near);
-    answer.resize(found.size() + 3);
-    answer << found, branches[chosen(branches, near)];
-  }
-  wrap(answer);
-  return answer;
-}
-
-void Task::wrap(Configuration& answer) const {
-  if (study_.wrap == Wrap::no) return;
-  for (Eigen::Index j = 0; j < answer.size(); ++j) {
-    if (arm_.chain.links()[static_cast<std::size_t>(j)].joint == Joint::slides) continue;
-    answer[j] = turned_inside(answer[j], arm_.limits.lower[j], arm_.limits.upper[j]);
-  }
-}
-
-std::size_t Task::chosen(const std::array<Eigen::Vector3d, 2>& branches, const Eigen::Vector3d& near) const {
-  const std::size_t nearer = (branches[0] - near).norm() <= (branches[1] - near).norm() ? 0 : 1;
-  const auto is_inside = [&](const Eigen::Vector3d& angles) {
-    return (angles.array() >= arm_.limits.lower.tail<3>().array()).all() &&
-           (angles.array() <= arm_.limits.upper.tail<3>().array()).all();
-  };
-  const std::size_t first = study_.wrist_branch == WristBranch::positive   ? 0
-                            : study_.wrist_branch == WristBranch::negative ? 1
-                                                                           : nearer;
-  const bool is_to_be_inside = study_.wrist_branch == WristBranch::inside || study_.limits == Limits::enforced;
-  return is_to_be_inside && !is_inside(branches[first]) && is_inside(branches[1 - first]) ? 1 - first : first;
-}
-
 SolveRunner::SolveRunner(const Study& study, const SolverEntry& entry, const Robot& arm, int repeats)
     : study_(study),
       entry_(entry),
@@ -211,13 +159,7 @@ SolveRunner::Timed SolveRunner::timed(Solver& solver, const Posed& given) const 
     program->prepare(given.problem, objective,
                      {.stream = given.stream.value(), .repeats = hosted_repeats_, .trace = study_.trace});
   }
-  const double thread_started = thread_seconds();
-  const auto started = std::chrono::steady_clock::now();
-  Solution solution = solvers::solve(solver, given.problem, objective, random, study_.stop, study_.trace);
-  Configuration answer = task_.completed(solution.best.q, given.target, given.start);
-  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - started;
-  const double cpu_seconds = thread_seconds() - thread_started;
-  Timed timed{std::move(solution), std::move(answer), seconds.count(), cpu_seconds};
+  Timed timed{task_.clocked(solver, given.problem, objective, random, given.target, given.start)};
   if (program != nullptr) {
     program->conclude();
     timed.account = program->account();

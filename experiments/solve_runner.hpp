@@ -1,45 +1,24 @@
 // One entry of a study: its solves, each timed, verified and recorded.
 #pragma once
 
-#include <array>
 #include <memory>
 #include <optional>
 #include <vector>
 
 #include "experiments/foreign/foreign_solver.hpp"
 #include "experiments/study.hpp"
+#include "experiments/task.hpp"
 #include "experiments/verifier.hpp"
 #include "results/store.hpp"
-#include "robots/spherical_wrist.hpp"
 #include "solvers/registry.hpp"
 
 namespace ikbench::experiments {
-
-// The search for one target: over all joints, or over those before the wrist.
-class Task {
- public:
-  Task(const Study& study, const robots::Robot& arm);
-
-  const robots::Chain& arm() const { return wrist_ ? wrist_->arm() : arm_.chain; }
-  solvers::Goal goal(const robots::Pose& target) const;
-  solvers::Problem problem(const robots::Configuration& start, int population) const;
-  // All joints of the answer: those found by the search, the wrist's by the closed form, wrapped if the study says so.
-  robots::Configuration completed(const robots::Configuration& found, const robots::Pose& target,
-                                  const robots::Configuration& start) const;
-
- private:
-  void wrap(robots::Configuration& answer) const;
-  std::size_t chosen(const std::array<Eigen::Vector3d, 2>& branches, const Eigen::Vector3d& near) const;
-
-  const Study& study_;
-  const robots::Robot& arm_;
-  std::optional<robots::SphericalWrist> wrist_;
-};
 
 results::StopReason recorded(solvers::Stopped stopped);
 // Compares bit for bit.
 bool same_answer(const solvers::Solution& a, const solvers::Solution& b);
 
+// Study, entry and arm outlive it. It may be used by several threads at once, each with a solver of its own.
 class SolveRunner {
  public:
   // `repeats` is the number of timed solves per problem; 1 if a solve ends by its wall time.
@@ -57,11 +36,7 @@ class SolveRunner {
                              int run, int point) const;
 
  private:
-  struct Timed {
-    solvers::Solution solution;
-    robots::Configuration answer;  // all joints
-    double seconds;
-    double cpu_seconds;
+  struct Timed : Clocked {
     std::optional<Account> account = {};  // if a program solved
   };
   struct Posed {  // a problem, and the random numbers to solve it with

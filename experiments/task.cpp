@@ -1,0 +1,76 @@
+#include "experiments/task.hpp"
+
+#include <chrono>
+#include <utility>
+
+#include "experiments/environment.hpp"
+#include "solvers/bounds.hpp"
+
+namespace ikbench::experiments {
+
+using namespace numerics;
+using namespace robots;
+using namespace solvers;
+
+Task::Task(const Study& study, const Robot& arm) : study_(study), arm_(arm) {
+  if (study.search == Search::wrist) wrist_.emplace(arm.chain);
+}
+
+Goal Task::goal(const Pose& target) const {
+  if (study_.search == Search::pose) return {target, study_.rotation_weight};
+  return wrist_ ? wrist_->centre(target) : Eigen::Vector3d(target.translation());
+}
+
+Problem Task::problem(const Configuration& start, int population) const {
+  const int joints = arm().joints();
+  return {.start = start.head(joints),
+          .lower = arm_.limits.lower.head(joints),
+          .upper = arm_.limits.upper.head(joints),
+          .population = population};
+}
+
+Clocked Task::clocked(Solver& solver, const Problem& problem, Objective& objective, Random& random, const Pose& target,
+                      const Configuration& start) const {
+  const double thread_started = thread_seconds();
+  const auto started = std::chrono::steady_clock::now();
+  Solution solution = solvers::solve(solver, problem, objective, random, study_.stop, study_.trace);
+  Configuration answer = completed(solution.best.q, target, start);
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - started;
+  const double cpu_seconds = thread_seconds() - thread_started;
+  return {std::move(solution), std::move(answer), seconds.count(), cpu_seconds};
+}
+
+Configuration Task::completed(const Configuration& found, const Pose& target, const Configuration& start) const {
+  Configuration answer = found;
+  if (wrist_) {
+    const Eigen::Vector3d near = start.tail<3>();
+    const std::array<Eigen::Vector3d, 2> branches = wrist_->angles(found, target.linear(), near);
+    answer.resize(found.size() + 3);
+    answer << found, branches[chosen(branches, near)];
+  }
+  wrap(answer);
+  return answer;
+}
+
+void Task::wrap(Configuration& answer) const {
+  if (study_.wrap == Wrap::no) return;
+  for (Eigen::Index j = 0; j < answer.size(); ++j) {
+    if (arm_.chain.links()[static_cast<std::size_t>(j)].joint == Joint::slides) continue;
+    answer[j] = turned_inside(answer[j], arm_.limits.lower[j], arm_.limits.upper[j]);
+  }
+}
+
+std::size_t Task::chosen(const std::array<Eigen::Vector3d, 2>& branches, const Eigen::Vector3d& near) const {
+  const std::size_t nearer = (branches[0] - near).norm() <= (branches[1] - near).norm() ? 0 : 1;
+  const auto is_inside = [&](const Eigen::Vector3d& angles) {
+    return (angles.array() >= arm_.limits.lower.tail<3>().array()).all() &&
+           (angles.array() <= arm_.limits.upper.tail<3>().array()).all();
+  };
+  const std::size_t first = study_.wrist_branch == WristBranch::positive   ? 0
+                            : study_.wrist_branch == WristBranch::negative ? 1
+                                                                           : nearer;
+  const bool is_to_be_inside = study_.wrist_branch == WristBranch::inside || study_.limits == Limits::enforced;
+  return is_to_be_inside && !is_inside(branches[first]) && is_inside(branches[1 - first]) ? 1 - first : first;
+}
+
+}  // namespace ikbench::experiments

@@ -1,0 +1,45 @@
+// The search for one target, and the clock around it.
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "experiments/study.hpp"
+#include "robots/spherical_wrist.hpp"
+#include "solvers/solve.hpp"
+
+namespace ikbench::experiments {
+
+struct Clocked {
+  solvers::Solution solution;
+  robots::Configuration answer;  // all joints
+  double seconds;
+  double cpu_seconds;
+};
+
+// The search for one target: over all joints, or over those before the wrist.
+class Task {
+ public:
+  Task(const Study& study, const robots::Robot& arm);
+
+  const robots::Chain& arm() const { return wrist_ ? wrist_->arm() : arm_.chain; }
+  solvers::Goal goal(const robots::Pose& target) const;
+  solvers::Problem problem(const robots::Configuration& start, int population) const;
+
+  // Solves, and completes the answer, within the solve clock.
+  Clocked clocked(solvers::Solver& solver, const solvers::Problem& problem, solvers::Objective& objective,
+                  numerics::Random& random, const robots::Pose& target, const robots::Configuration& start) const;
+
+ private:
+  // All joints of the answer: those found by the search, the wrist's by the closed form, wrapped if the study says so.
+  robots::Configuration completed(const robots::Configuration& found, const robots::Pose& target,
+                                  const robots::Configuration& start) const;
+  void wrap(robots::Configuration& answer) const;
+  std::size_t chosen(const std::array<Eigen::Vector3d, 2>& branches, const Eigen::Vector3d& near) const;
+
+  const Study& study_;
+  const robots::Robot& arm_;
+  std::optional<robots::SphericalWrist> wrist_;
+};
+
+}  // namespace ikbench::experiments
