@@ -40,8 +40,7 @@ constexpr std::string_view name_of(ProgramTimes times) { return program_times_na
 
 struct AnalysisPlan {
   // Name of the deciding test (deciding_tests.hpp). by_design: the studentized bootstrap of the means, within blocks if
-  // all solvers share targets; Tamhane's test if only summaries are known; for times, ranks. It does not depend on the
-  // data.
+  // all solvers share targets; Tamhane's test if only summaries are known. It does not depend on the data.
   std::string test{by_design};
   Adjustment adjustment = Adjustment::holm;
   std::string control;         // label to compare the others with; empty: compare every pair

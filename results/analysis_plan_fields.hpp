@@ -37,9 +37,8 @@ static_assert(2 * significances.second < powers.first,
 template <class Io>
 void list_fields(Io& io, AnalysisPlan& plan) {
   constexpr double percent = 0.01;
-  io.choice(
-      "test", plan.test, choices_of_tests(),
-      "test that decides; by_design: bootstrap, within blocks if all solvers share the same targets; of times ranks");
+  io.choice("test", plan.test, choices_of_tests(),
+            "test that decides; by_design: bootstrap, within blocks if all solvers share the same targets");
   io.choice("adjustment", plan.adjustment, choices_of<Adjustment>(adjustment_names),
             "how p-values are corrected for multiple comparisons");
   io.text("control", plan.control, "label to compare the others with; \"\": compare every pair");

@@ -48,7 +48,7 @@ struct OtherEstimands {
 OtherEstimands other_estimands(const JudgedStudy& study, const std::string& solver, Metric metric) {
   OtherEstimands result;
   for (const Estimand estimand : estimands_of(study, metric)) {
-    if (estimand == Estimand::mean) continue;
+    if (estimand == average_estimand(metric)) continue;
     const Evidence& found = study.evidence(metric, estimand);
     result.sentences += ' ' + leader_sentence(study, metric, estimand);
     std::vector<std::string> better;

@@ -267,4 +267,8 @@ Observations observations(const StudyResults& study, Metric metric, Estimand est
   return result;
 }
 
+Observations observations(const StudyResults& study, Metric metric) {
+  return observations(study, metric, average_estimand(metric));
+}
+
 }  // namespace ikbench::inference

@@ -39,16 +39,15 @@ std::vector<Block> layout(const StudyResults& study, Blocks blocks);
 
 // What the statistics are made of, by the unit of the plan: of runs, blocked_observations() where there are some; else
 // the values of samples(), a group for every solver, of runs with a note that says why there are no blocks.
-Observations observations(const StudyResults& study, Metric metric,
-                          results::Estimand estimand = results::Estimand::mean);
+Observations observations(const StudyResults& study, Metric metric, results::Estimand estimand);
+Observations observations(const StudyResults& study, Metric metric);  // by its average (average_estimand)
 
 // The design in which all solvers are given the same problems, where the study has one:
 // - targets drawn in every run, and chained: a block is a run, a value its mean;
 // - targets drawn in every run, each from the initial configuration: a block is a target, a value its only solve;
 // - a path, each of its targets from the initial configuration: a block is a target, a value the mean over the runs.
 // An import that would take runs from several other solvers is left out, and a note says so.
-std::optional<Observations> blocked_observations(const StudyResults& study, Metric metric,
-                                                 results::Estimand estimand = results::Estimand::mean);
+std::optional<Observations> blocked_observations(const StudyResults& study, Metric metric, results::Estimand estimand);
 
 // Why there is none, in a sentence; empty where there is one.
 std::string why_not_blocked(const StudyResults& study);

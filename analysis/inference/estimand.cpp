@@ -8,6 +8,7 @@
 #include "analysis/inference/convergence.hpp"
 #include "analysis/inference/study_facts.hpp"
 #include "analysis/inference/text.hpp"
+#include "analysis/inference/times.hpp"
 
 namespace ikbench::inference {
 
@@ -39,8 +40,9 @@ double limit_of(const StudyResults& study, Metric metric) {
   if (metric == Metric::seconds) limit = deadline_seconds(study);
   if (limit > 0) return limit;
   double most = 0;
+  const ValueOf counted = counted_value(study, metric);
   for (const Solve& solve : study.solves) {
-    const double value = value_of(study, solve, metric);
+    const double value = counted(solve);
     if (std::isfinite(value)) most = std::max(most, value);
   }
   return most;
@@ -48,19 +50,18 @@ double limit_of(const StudyResults& study, Metric metric) {
 
 namespace {
 
+// What a run costs as a whole, in a study with a tolerance.
+void count_solved_runs(Quantity& result, const StudyResults& study, Metric metric) {
+  result.value = [&study, metric](Run run) {
+    return std::ranges::any_of(run, [](const Solve* solve) { return is_ok(*solve); }) ? value_of(study, run, metric)
+                                                                                      : not_defined;
+  };
+  result.notes.emplace_back("A run counts if at least one of its solves has status ok.");
+}
+
 // In a study with a tolerance, so that none gains by answers that solve nothing.
-void penalise(Quantity& result, const StudyResults& study, Metric metric) {
-  if (is_of_run(metric)) {
-    result.value = [&study, metric](Run run) {
-      return std::ranges::any_of(run, [](const Solve* solve) { return is_ok(*solve); }) ? value_of(study, run, metric)
-                                                                                        : not_defined;
-    };
-    result.notes.emplace_back("A run counts if at least one of its solves has status ok.");
-    return;
-  }
-  const double limit = limit_of(study, metric);
+void penalise(Quantity& result, double limit) {
   result.text = "penalised " + result.text;
-  result.value = averaged(counted_value(study, metric, limit), average_of(metric));
   result.notes.push_back(fmt::format(
       "A solve without status ok costs {0:g} times the limit, {0:g} times {1} (PAR10), so that no solver "
       "gains by answers that solve nothing. The limit is the study's, or without one what the dearest solve "
@@ -85,7 +86,13 @@ Quantity mean_quantity(const StudyResults& study, Metric metric) {
                   .better = info.better,
                   .average = is_of_run(metric) ? "value" : std::string(average_name(metric)),
                   .value = [&study, metric](Run run) { return value_of(study, run, metric); }};
-  if (is_penalised(study, metric)) penalise(result, study, metric);
+  if (is_penalised(study, metric) && is_of_run(metric)) {
+    count_solved_runs(result, study, metric);
+  } else if (is_penalised(study, metric)) {
+    const double limit = limit_of(study, metric);
+    penalise(result, limit);
+    result.value = averaged(counted_value(study, metric, limit), average_of(metric));
+  }
   const double least = least_of(study, metric);
   if (!std::isfinite(least)) return result;
   if (std::isfinite(tolerance_of(study, metric))) {
@@ -107,15 +114,21 @@ Quantity mean_quantity(const StudyResults& study, Metric metric) {
 
 Quantity typical_quantity(const StudyResults& study, Metric metric) {
   const MetricInfo& info = info_of(metric);
-  Quantity result{.name = fmt::format("{}-typical", info.slug),
-                  .text = fmt::format("typical {}", quantity(metric)),
+  const bool is_average = average_estimand(metric) == Estimand::typical;
+  Quantity result{.name = is_average ? std::string(info.slug) : fmt::format("{}-typical", info.slug),
+                  .text = quantity(metric),
                   .better = info.better,
                   .scale = ValueScale::log10,
-                  .average = "geometric mean"};
-  result.value = averaged([counted = counted_value(study, metric), least = info.rounding](const Solve& solve) {
-    const double value = counted(solve);
-    return std::log10(value < least ? least : value);
-  });
+                  .average = is_average ? std::string(average_name(metric)) : "geometric mean"};
+  const double limit = is_penalised(study, metric) ? limit_of(study, metric) : not_defined;
+  if (is_penalised(study, metric)) penalise(result, limit);
+  result.text = "typical " + result.text;
+  result.value = averaged(
+      [counted = counted_value(study, metric, limit), least = info.rounding](const Solve& solve) {
+        const double value = counted(solve);
+        return std::log10(value < least ? least : value);
+      },
+      is_average ? average_of(metric) : mean);
   if (const double least = tolerance_of(study, metric); std::isfinite(least)) {
     result.notes.push_back(tolerance_note(least, info.unit));
   } else if (info.rounding > 0) {
@@ -157,6 +170,7 @@ Estimand primary_estimand(const StudyResults& study) {
 }
 
 ValueOf counted_value(const StudyResults& study, Metric metric) {
+  if (info_of(metric).kind == Kind::time) return undisturbed_seconds(study);
   return [&study, metric, least = least_of(study, metric)](const Solve& solve) {
     const double value = value_of(study, solve, metric);
     return value < least ? least : value;
@@ -167,9 +181,9 @@ bool is_penalised(const StudyResults& study, Metric metric) { return is_cost(met
 
 ValueOf counted_value(const StudyResults& study, Metric metric, double limit) {
   if (!is_penalised(study, metric)) return counted_value(study, metric);
-  return [&study, metric, limit](const Solve& solve) {
+  return [counted = counted_value(study, metric), metric, limit](const Solve& solve) {
     const bool is_known = metric != Metric::evaluations || solve.counted_by != CountedBy::nobody;
-    return is_ok(solve) || !is_known ? value_of(study, solve, metric) : penalty * limit;
+    return is_ok(solve) || !is_known ? counted(solve) : penalty * limit;
   };
 }
 
@@ -193,12 +207,16 @@ std::string within_words(const StudyResults& study, Metric metric) {
              : words + " and inside the joint limits";
 }
 
+Estimand average_estimand(Metric metric) {
+  return info_of(metric).kind == Kind::time ? Estimand::typical : Estimand::mean;
+}
+
 std::vector<Estimand> estimands_of(const StudyResults& study, Metric metric) {
   std::vector<Estimand> result = study.plan.estimands;
   if (metric == Metric::position_error_cm) return result;
   const bool has_reliability = std::ranges::find(result, Estimand::reliability) != result.end();
-  if (!has_reliability || !std::isfinite(distance_of(study, metric))) return {Estimand::mean};
-  return {Estimand::mean, Estimand::reliability};
+  if (!has_reliability || !std::isfinite(distance_of(study, metric))) return {average_estimand(metric)};
+  return {average_estimand(metric), Estimand::reliability};
 }
 
 Quantity quantity_of(const StudyResults& study, Metric metric, Estimand estimand) {

@@ -23,8 +23,12 @@ struct Quantity {
   std::vector<std::string> notes = {};  // what counts as what
 };
 
-// Those of the study's plan that a metric has. The position error has all, the other metrics the mean alone; the
-// computing time, whose average is the median, the reliability too where the study has a deadline.
+// The estimand that averages a metric: of times the typical value, because one interruption of a solve would decide a
+// mean; of all others the mean.
+results::Estimand average_estimand(Metric metric);
+
+// Those of the study's plan that a metric has. The position error has all, the other metrics their average alone; the
+// computing time the reliability too where the study has a deadline.
 std::vector<results::Estimand> estimands_of(const StudyResults& study, Metric metric);
 
 // By which the study says who is better: the share of solves within the tolerance, where it has one and its plan asks
@@ -34,8 +38,9 @@ results::Estimand primary_estimand(const StudyResults& study);
 // Up to which errors of the metric are all alike, in its unit; not defined where the study has no such tolerance.
 double tolerance_of(const StudyResults& study, Metric metric);
 
-// What of a solve counts: an error up to the study's tolerance counts as the tolerance, or without one, up to rounding
-// as that. Any other value is what it is. `study` outlives the result.
+// What of a solve counts: a time that stands out counts as usual (undisturbed_seconds), an error up to the study's
+// tolerance counts as the tolerance, or without one, up to rounding as that. Any other value is what it is. `study`
+// outlives the result.
 ValueOf counted_value(const StudyResults& study, Metric metric);
 
 // Whether a cost of a solve that is not ok counts `penalty` times a limit (PAR10): in studies with a tolerance.
@@ -48,7 +53,8 @@ ValueOf counted_value(const StudyResults& study, Metric metric, double limit);
 // `study` outlives the result. mean: the average of the counted value (average_of), or what a run has as a whole. In a
 // study with a tolerance a cost of a solve that is not ok counts `penalty` times the study's limit (PAR10), or without
 // a limit the largest that any solve has; what a run costs as a whole is not defined where none of its solves is ok.
-// typical: its logarithm to base 10, where a value up to the metric's rounding counts as that. reliability: 1 within
+// typical: its logarithm to base 10, where a value up to the metric's rounding counts as that, and a cost is
+// penalised likewise. reliability: 1 within
 // the distance, else 0; where the study has a tolerance only with status ok, else also 0 where there is no new answer
 // or it is not finite.
 Quantity quantity_of(const StudyResults& study, Metric metric, results::Estimand estimand);

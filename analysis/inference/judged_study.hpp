@@ -12,16 +12,14 @@
 
 namespace ikbench::inference {
 
-// The plan with the test that decides on a metric of such observations.
-results::AnalysisPlan judging(results::AnalysisPlan plan, Metric metric, const Observations& observed);
-
 class JudgedStudy : public StudyResults {
  public:
   explicit JudgedStudy(StudyResults study);
 
   // Of one metric by one estimand, without the bootstrap's intervals; of times that are not comparable, a description
   // alone.
-  const Evidence& evidence(Metric metric, results::Estimand estimand = results::Estimand::mean) const;
+  const Evidence& evidence(Metric metric, results::Estimand estimand) const;
+  const Evidence& evidence(Metric metric) const;  // by its average (average_estimand)
 
  private:
   mutable std::map<std::pair<Metric, results::Estimand>, Evidence> evidence_ = {};

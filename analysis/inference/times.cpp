@@ -55,6 +55,13 @@ struct Outliers {
   }
 };
 
+// What a solve that was made once takes at its solver's pace.
+double usual_seconds(const std::vector<double>& paces, const Solve& solve) {
+  return paces[solve.solver] * static_cast<double>(solve.evaluations);
+}
+
+bool stands_out(double seconds, double usual) { return seconds > outlying * usual; }
+
 // A solve that was made once is held against its solver's pace, any other against its own repeats.
 Outliers outliers_of(const StudyResults& study) {
   const std::vector<double> paces = seconds_per_evaluation_of(study);
@@ -70,8 +77,8 @@ Outliers outliers_of(const StudyResults& study) {
                       .run = solve.run,
                       .point = solve.point,
                       .seconds = seconds_of(study, solve),
-                      .usual = paces[solve.solver] * static_cast<double>(solve.evaluations)};
-    if (!(one.seconds > outlying * one.usual)) continue;
+                      .usual = usual_seconds(paces, solve)};
+    if (!stands_out(one.seconds, one.usual)) continue;
     found.add(one, 1);
     found.compare(one);
   }
@@ -93,7 +100,7 @@ std::string note_on(const Outliers& found, const StudyResults& study) {
   if (found.solves == 0) return "";
   return fmt::format(
       "{} of {} solves took more than {} times as long as usual{}. The worst is {}, run {}, point {}: {} ms instead of "
-      "{} ms.{} Medians and ranks judge the times, so such a solve decides nothing.",
+      "{} ms.{} For the verdict such a solve counts as usual, so it decides nothing.",
       found.solves, study.solves.size(), outlying, found.worst->is_repeated ? " in one of their repeats" : "",
       one_line(study.gathered->labels[found.worst->solver]), found.worst->run, found.worst->point,
       rounded_number(ms_per_second * found.worst->seconds, 3), rounded_number(ms_per_second * found.worst->usual, 3),
@@ -105,6 +112,15 @@ std::string note_on(const Outliers& found, const StudyResults& study) {
 StudyResults at_median_speed(StudyResults study) {
   study.seconds_per_evaluation = seconds_per_evaluation_of(study);
   return study;
+}
+
+ValueOf undisturbed_seconds(const StudyResults& study) {
+  return [&study, paces = seconds_per_evaluation_of(study)](const Solve& solve) {
+    const double seconds = value_of(study, solve, Metric::seconds);
+    if (solve.is_repeated || !has_pace(study, solve)) return seconds;
+    const double usual = usual_seconds(paces, solve);
+    return stands_out(seconds, usual) ? usual : seconds;
+  };
 }
 
 std::string speed_note(const StudyResults& study) {

@@ -18,6 +18,10 @@ constexpr std::string_view median_speed_words =
 // These words, and of which solvers they are not true.
 std::string speed_note(const StudyResults& study);
 
+// The time of a solve; of one that took more than three times as long as usual, its usual time (outliers_note). `study`
+// outlives the result.
+ValueOf undisturbed_seconds(const StudyResults& study);
+
 // Which solves took more than three times as long as usual, and what the machine did meanwhile; empty where none did.
 // Usual is the shortest repeat, or where there is one alone what at_median_speed() has.
 std::string outliers_note(const StudyResults& study);

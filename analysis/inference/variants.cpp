@@ -294,8 +294,9 @@ std::vector<Examined> examine(const VariantStudy& of, std::span<const Metric> me
   comparison.metrics.reserve(metrics.size());
   for (const Metric metric : metrics) {
     const std::vector<Estimand> planned = estimands_of(study, metric);
-    const bool has_mean = std::ranges::find(planned, Estimand::mean) != planned.end();
-    const Estimand estimand = has_mean || is_of_run(metric) ? Estimand::mean : planned.front();
+    const Estimand average = average_estimand(metric);
+    const bool has_average = std::ranges::find(planned, average) != planned.end();
+    const Estimand estimand = has_average ? average : planned.front();
     MetricComparison& row = comparison.metrics.emplace_back(MetricComparison{.metric = metric, .estimand = estimand});
     const Observations observed = observations(study, metric, estimand);
     for (const std::string& note : observed.notes) comparison.notes.push_back(note);
@@ -336,7 +337,7 @@ std::vector<Examined> examine(const VariantStudy& of, std::span<const Metric> me
                                             row.observation, observed.replicate, observed.block);
     }
     row.remark = not_finite_words(observed, row.observation);
-    const AnalysisPlan judged = judging(study.plan, metric, observed);
+    const AnalysisPlan judged = feasible(study.plan, observed);
     const auto is_known = [](const Group& each) { return each.copies > 0; };
     if (has_same_bits(study, metric)) {
       settle(row, "equal bit for bit");

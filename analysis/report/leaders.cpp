@@ -34,7 +34,7 @@ std::string first_by_words(const StudyResults& study, Metric metric, Estimand es
   const bool is_penalised = is_cost(metric) && !is_of_run(metric) && std::isfinite(tolerance_cm(study));
   const std::string_view penalised = is_penalised ? "penalised " : "";
   if (info.kind == Kind::count) return fmt::format("Fewest {}{}", penalised, is_of_run(metric) ? info.name : info.slug);
-  if (info.kind == Kind::time) return fmt::format("Shortest {} {}{}", average_name(metric), penalised, info.slug);
+  if (info.kind == Kind::time) return fmt::format("Shortest {} {}{}", name_of(estimand), penalised, info.slug);
   if (is_of_run(metric)) return fmt::format("Smallest {}", info.name);
   const std::string words = fmt::format("Smallest {} {}{}", name_of(estimand), penalised, info.slug);
   if (metric != Metric::position_error_cm || estimand != Estimand::mean) return words;
@@ -74,7 +74,6 @@ class Leader {
  public:
   Leader(const JudgedStudy& study, Metric metric, Estimand estimand)
       : evidence_(study.evidence(metric, estimand)),
-        is_median_(estimand == Estimand::mean && info_of(metric).kind == Kind::time),
         metric_(metric),
         least_(estimand == Estimand::reliability ? statistics::not_defined : tolerance_of(study, metric)),
         achieved_(study, metric) {}
@@ -96,10 +95,7 @@ class Leader {
     bool all_same = true;  // those beside
   };
 
-  double average(std::size_t group) const {
-    const statistics::Description& of = evidence_.groups[group].described;
-    return is_median_ ? of.median : of.mean;
-  }
+  double average(std::size_t group) const { return evidence_.groups[group].described.mean; }
   // Those with a value, the best first.
   std::vector<std::size_t> order_of_groups() const {
     std::vector<std::size_t> order;
@@ -251,7 +247,6 @@ class Leader {
   }
 
   const Evidence& evidence_;
-  bool is_median_;
   Metric metric_;
   double least_;  // what counts less than this counts as this
   Achieved achieved_;

@@ -260,7 +260,8 @@ void see(const JudgedStudy& study, const std::vector<Table>& tables, std::span<c
          ReportContent& content) {
   for (const Metric metric : shown_metrics(study).judged) {
     if (study.solves.empty() || !is_comparable(study, metric)) continue;
-    content.seen.emplace(fmt::format("{}-boxes", info_of(metric).slug), leader_sentence(study, metric, Estimand::mean));
+    content.seen.emplace(fmt::format("{}-boxes", info_of(metric).slug),
+                         leader_sentence(study, metric, average_estimand(metric)));
   }
   if (!shares.empty()) {
     content.seen.emplace("multiverse", shares.front().sentence);
@@ -318,7 +319,7 @@ Report write_report(const Store& store, const ReportRequest& request) {
                         .seen = pieces.seen};
   join(content.claims, request.shares);
   std::ranges::copy(plan_changes(entry, sessions, solves_of_sessions(study)), std::back_inserter(content.warnings));
-  if (needs_blocks(study.plan.test) && !blocked_observations(study, Metric::position_error_cm)) {
+  if (needs_blocks(study.plan.test) && !why_not_blocked(study).empty()) {
     content.warnings.push_back(
         fmt::format("The plan asks for the {} test, which needs blocks. The studentized bootstrap of the means decides "
                     "instead. {}",

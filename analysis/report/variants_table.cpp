@@ -182,7 +182,7 @@ Table variants_table(const VariantsReport& of) {
       .notes = {
           "The test of the study's plan decides, as in a report of these two solvers. p is that of one metric alone. "
           "A and B differ where it is below the level, which is corrected for all labels and metrics (Holm). low and "
-          "high: interval of the ratio that goes with the level: of means, or where ranks decide (times) the typical ratio. a12: in pairs the "
+          "high: interval of the ratio that goes with the level: of means, of times the typical ratio. a12: in pairs the "
           "share in which B is better, otherwise the probability that an observation of B is better than one of A."}};
   for (const VariantComparison& comparison : of.comparisons) {
     for (const MetricComparison& metric : comparison.metrics) table.rows.push_back(row_of(comparison, metric, margin));

@@ -139,17 +139,18 @@ TEST_CASE("an answer that was refused or is not finite is within no distance, an
   CHECK(std::isnan(values(study, Estimand::mean).front()));
 }
 
-TEST_CASE("error has all the plan's estimands, time its reliability with a deadline alone, other metrics the mean",
-          "[estimand]") {
+TEST_CASE(
+    "error has all the plan's estimands, time its typical value, reliability with a deadline alone, others the mean",
+    "[estimand]") {
   using All = std::vector<Estimand>;
   const std::vector<GivenRun> runs{{"A", {1, 2}}};
   const JudgedStudy study = judged_runs(runs);
   CHECK(estimands_of(study, position_error) == All{Estimand::mean, Estimand::typical, Estimand::reliability});
-  CHECK(estimands_of(study, Metric::seconds) == All{Estimand::mean});
+  CHECK(estimands_of(study, Metric::seconds) == All{Estimand::typical});
   CHECK(estimands_of(study, Metric::variation_deg) == All{Estimand::mean});
   const JudgedStudy timed =
       judged_runs(runs, R"(, "stop": {"seconds": 1}, "analysis": {"estimands": ["reliability", "mean"]})");
-  CHECK(estimands_of(timed, Metric::seconds) == All{Estimand::mean, Estimand::reliability});
+  CHECK(estimands_of(timed, Metric::seconds) == All{Estimand::typical, Estimand::reliability});
   CHECK(observations(timed, Metric::seconds, Estimand::reliability).groups[0].values ==
         std::vector<double>{1});  // 1 s each
   CHECK(estimands_of(timed, position_error) == All{Estimand::mean, Estimand::reliability});

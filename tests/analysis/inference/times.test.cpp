@@ -39,7 +39,7 @@ TEST_CASE("a repeat that was interrupted is named, with what the machine did", "
   CHECK(outliers_note(timed_study(solves())) ==
         "1 of 100 solves took more than 3 times as long as usual in one of their repeats. The worst is A, run 1, point "
         "2: 50 ms instead of 1 ms. The system interrupted the solves 2 times. Meanwhile the host kept 0.25 s of "
-        "processor time from this machine. Medians and ranks judge the times, so such a solve decides nothing.");
+        "processor time from this machine. For the verdict such a solve counts as usual, so it decides nothing.");
   std::vector<SolveRecord> quiet = solves();
   quiet[1].largest_seconds = 0.003;
   CHECK(outliers_note(timed_study(quiet)).empty());
@@ -57,7 +57,7 @@ TEST_CASE("of a store that knows no repeats, a time stands out by its solver's s
   all[70].evaluations /= 4;
   CHECK(outliers_note(timed_study(all, "nonsense")) ==
         "1 of 100 solves took more than 3 times as long as usual. The worst is B, run 1, point 21: 4 ms instead of 1 "
-        "ms. Medians and ranks judge the times, so such a solve decides nothing.");
+        "ms. For the verdict such a solve counts as usual, so it decides nothing.");
 }
 
 TEST_CASE("a machine is loaded where more than a twentieth of the solves stand out, and never by one", "[times]") {

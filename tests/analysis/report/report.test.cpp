@@ -311,7 +311,7 @@ TEST_CASE("what is said of times follows one state of them, in every part of a r
   const std::string clean = report_of(1, "clean");
   CHECK(!contains(clean, "not comparable"));
   CHECK(contains(clean, "ANOVA of seconds: F(5, 114)"));
-  CHECK(contains(clean, "- computing time \\[s\\]: "));
+  CHECK(contains(clean, "- typical computing time \\[s\\]: "));
   CHECK(contains(table("clean", "table-3"), "relative only: near"));
   CHECK(contains(table("clean", "status"), "| 400 | 0 | 0 | 0 |"));  // clean, disturbed, parallel, debug build
 
@@ -363,11 +363,11 @@ TEST_CASE("times that are not comparable have no verdict anywhere in a report", 
       {.study = "slim2023", .folder = folder.path, .plan = AnalysisPlan{.unit = unit}, .figures = {.render = false}});
   const std::string text = text_of_file(folder.path / "report.md");
   const std::string page = text_of_file(folder.path / "report.html");
-  const std::string in_text = section_of(text, "## Statistics: computing time \\[s\\]\n", "\n## ");
-  const std::string in_page = section_of(page, ">Statistics: computing time [s]</h2>", "<h2");
+  const std::string in_text = section_of(text, "## Statistics: typical computing time \\[s\\]\n", "\n## ");
+  const std::string in_page = section_of(page, ">Statistics: typical computing time [s]</h2>", "<h2");
   for (const std::string& section : {in_text, in_page}) {
     CAPTURE(section);
-    CHECK(contains(section, "Observations: computing time"));
+    CHECK(contains(section, "Observations: typical computing time"));
     CHECK(contains(section, "Not judged"));
     CHECK(times_said(section, "2400 of 2400 solves took more than 1.1 times their CPU time") ==
           2);  // once with the table, once with the figure
@@ -390,8 +390,8 @@ TEST_CASE("times that are not comparable have no verdict anywhere in a report", 
   // What the printed times say among themselves has a section of its own: "computing time, as printed [s]".
   for (const std::string& whole : {text, page}) {
     for (const char* verdict :
-         {"<li>computing time [s]: ", "- computing time \\[s\\]: ", "Pairwise comparisons: computing time [s]",
-          "Tests of all groups: computing time [s]", "ANOVA of seconds", "Computing time (median, smallest first)",
+         {"<li>typical computing time [s]: ", "- typical computing time \\[s\\]: ", "Pairwise comparisons: typical computing time [s]",
+          "Tests of all groups: typical computing time [s]", "ANOVA of seconds", "Computing time (median, smallest first)",
           "relative only: near", "relative only: differs"}) {
       CAPTURE(verdict);
       CHECK(!contains(whole, verdict));
@@ -405,7 +405,7 @@ TEST_CASE("times that are not comparable have no verdict anywhere in a report", 
   CHECK(contains(text_of_file(folder.path / "tables/table-6.md"), "Times are not comparable"));
   const auto statistics = nlohmann::json::parse(text_of_file(folder.path / "statistics.json"));
   for (const auto& assessment : statistics) {
-    if (assessment["quantity"] != "computing time [s]") continue;
+    if (assessment["quantity"] != "typical computing time [s]") continue;
     CHECK(assessment["tests"].empty());
     CHECK(assessment["contrasts"].empty());
     CHECK(assessment["groups"].size() == 6);
